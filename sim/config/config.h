@@ -1,0 +1,63 @@
+/* config.h - machine files (libconfig) read into plain structs.
+ *
+ * cfg_load() reads machines/NAME.cfg (or a path), checks every value, and says file:line: key: what is wrong and
+ * what is allowed. Unknown keys are errors. Times are given in microseconds or nanoseconds in the file and held here in
+ * picoseconds. Every number in a machine file carries its standing (read, known, derived, fitted, open) as a comment.
+ */
+#ifndef CFG_CONFIG_H
+#define CFG_CONFIG_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum cfg_topology { CFG_HYPERCUBE, CFG_MESH };
+
+struct cfg_machine {
+    char *name;        /* "delta" */
+    char *description; /* one line for people */
+    char *path;        /* the file it was read from */
+
+    /* topology = { kind = "hypercube"; dimension = 7; } or { kind = "mesh"; rows = 16; columns = 33; } */
+    enum cfg_topology topology;
+    uint32_t dimension;     /* hypercube: at most 2^dimension nodes */
+    uint32_t rows, columns; /* mesh: the whole machine; a user gets a rectangle of it */
+
+    /* node = { cpu = "cpu/i860xr.cfg"; clock_mhz = 40.0; memory_mb = 16; system_kb = 1536; stack_kb = 512; } */
+    char *cpu;             /* class costs the node programs are to be built with, as a path */
+    uint64_t clock_hz;
+    uint64_t memory_bytes; /* all of a node's memory */
+    uint64_t system_bytes; /* of which the operating system takes this much */
+    uint64_t stack_bytes;  /* and the program's stack this much */
+
+    /* net = { ... }: the wires */
+    uint64_t short_hop_ps;        /* a hop of a short message */
+    uint64_t long_hop_ps;         /* a hop of each of the three trips of a long one */
+    uint64_t short_ps_per_byte;
+    uint64_t long_ps_per_byte;
+    uint64_t short_limit;         /* longest message, in bytes, sent in one trip */
+
+    /* system = { ... }: the processor time that NX takes */
+    uint64_t call_ps;             /* any call that looks at or changes the message state */
+    uint64_t clock_call_ps;       /* dclock, mclock, mynode and the like */
+    uint64_t short_send_ps;       /* sender, short message */
+    uint64_t short_receive_ps;    /* receiver, short message */
+    uint64_t ask_send_ps;         /* sender of a long one: until the asking leaves */
+    uint64_t ask_receive_ps;      /* receiver: until the grant leaves */
+    uint64_t grant_receive_ps;    /* sender: until the data leave */
+    uint64_t long_receive_ps;     /* receiver: until the message is complete */
+    uint64_t send_ps_per_byte;    /* sender's processor busy feeding the channel, long messages */
+    uint64_t receive_ps_per_byte; /* receiver's processor busy emptying it */
+    uint64_t copy_ps_per_byte;    /* from system buffer to the program's, when nothing was posted */
+    uint64_t interrupt_ps;        /* entry to and exit from a handler, together */
+    uint64_t message_ids;         /* ids one process may hold */
+};
+
+/* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.
+ * Returns NULL with *error set to a malloc'd message for the user. */
+struct cfg_machine *cfg_load(const char *name, const char *dir, char **error);
+void cfg_free(struct cfg_machine *m);
+
+/* The directory that holds machines/ for a running binary: from $TOUCHSTONE_HOME, the build tree or the installed
+ * prefix, found from /proc/self/exe. Returns false when none exists. */
+bool cfg_home(char *buf, size_t size);
+#endif
