@@ -1,0 +1,17 @@
+/* vtime.h - virtual time: an unsigned 64-bit count of picoseconds since the program started (213 days).
+ * 25 ns and 20 ns clocks and 0.39 us a byte divide evenly; there is no rounding and no epsilon. */
+#ifndef VT_VTIME_H
+#define VT_VTIME_H
+#include <stdint.h>
+
+typedef uint64_t vtime;
+
+#define VT_NEVER UINT64_MAX
+#define VT_SECOND UINT64_C(1000000000000)
+#define VT_MILLISECOND UINT64_C(1000000000)
+#define VT_MICROSECOND UINT64_C(1000000)
+
+static inline vtime vt_min(vtime a, vtime b) { return a < b ? a : b; }
+static inline vtime vt_max(vtime a, vtime b) { return a > b ? a : b; }
+static inline double vt_seconds(vtime t) { return (double)t / (double)VT_SECOND; }
+#endif

@@ -1,0 +1,29 @@
+/* image.h - a node program: an ELF file built by nxcc, read once and mapped into every node.
+ * Text and constants are mapped from the file (shared pages); data are private to each node; undefined symbols are
+ * resolved against exports.def and nothing else. Errors name the file and what to do. */
+#ifndef NODE_IMAGE_H
+#define NODE_IMAGE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct node;
+struct node_image;
+
+/* Reads and checks a program. NULL with *error set (malloc'd) when it is not one that nxcc built. */
+struct node_image *node_image_open(const char *path, char **error);
+void node_image_close(struct node_image *img);
+const char *node_image_path(const struct node_image *img);
+
+/* Where in a node's span the program lies: [NODE_IMAGE_OFFSET, NODE_IMAGE_OFFSET + node_image_bytes). Page rounded. */
+#define NODE_IMAGE_OFFSET ((size_t)0x10000)
+size_t node_image_bytes(const struct node_image *img);
+
+/* Maps the program into n->span, relocates it and sets n->image, n->image_bytes, n->file. n->libc exists already
+ * (stdout and its kin are copied from it). */
+bool node_image_map(const struct node_image *img, struct node *n, char **error);
+
+/* Name of the function at an offset from the span's start, e.g. "pack+0x1c"; with "file:line" when the program was
+ * built with -g and addr2line is there. Writes at most size bytes; returns buf. */
+const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size);
+#endif

@@ -1,0 +1,130 @@
+/* node.h - one simulated node: its memory and program image, its processor's clock, its mailbox and interrupts.
+ *
+ * A node owns NODE_SPAN bytes of address space, aligned to NODE_SPAN; its program, heap and stack lie there, so that
+ * a call finds its node from the stack pointer (node_self) and no state is shared or thread-local.
+ *
+ *     span                                                                              span + NODE_SPAN
+ *     | home | program: text, data, bss | heap ->  (not mapped)          | guard | stack <- |
+ *
+ * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image, its
+ * stack, its heap up to the highest block in use, and unexpected messages in system buffers.
+ *
+ * Time. The program's own progress is counted in cost units by its image (nx_api/nxcc/image.h); node_now() turns it
+ * into virtual time. Every call enters with node_enter(), which lets all earlier events of the machine happen first,
+ * and ends with node_leave().
+ */
+#ifndef NODE_NODE_H
+#define NODE_NODE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include "kernel/vtime.h"
+
+#define NODE_SPAN ((uintptr_t)1 << 30)
+
+struct node;
+struct node_image;  /* a program file, read once: image.h */
+struct node_heap;   /* heap.h */
+struct mailbox;     /* mailbox.h */
+struct fiber;       /* kernel/fiber.h */
+struct node_system; /* what all nodes share: machine file, event queue, network, output: system.h */
+struct nxc_image;   /* nx_api/nxcc/image.h */
+
+enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
+
+/* Why a node ended. */
+enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED };
+
+struct node_clock {
+    uint64_t units;  /* cost units spent up to the last synchronisation */
+    int64_t given;   /* what *left was set to then */
+    vtime origin;    /* virtual time not spent computing: now = origin + units as time */
+    vtime stolen;    /* system time not yet added to the program's: see cpu.c */
+};
+
+struct node_stats {
+    vtime idle;       /* waiting in a call */
+    vtime system;     /* in the operating system: calls, messages, interrupts */
+    vtime ended_at;
+    vtime latest;     /* longest delay between an interrupt being due and its handler starting, unmasked */
+    uint64_t handlers, slices;
+    uint64_t sent, sent_bytes;
+    size_t memory_peak;
+    bool armed;       /* posted a handler at any time */
+};
+
+/* What infocount() and its kin answer. */
+struct node_info {
+    long type, count, node, pid;
+};
+
+struct node {
+    uint32_t id;
+    struct node_system *sys;
+    char *span;
+    size_t image_bytes;        /* program text, data and bss, page rounded */
+    struct nxc_image *image;   /* inside the span */
+    const struct node_image *file;
+    struct node_heap *heap;
+    struct fiber *fiber;
+    int argc;
+    char **argv, **envp;
+
+    enum node_state state;
+    enum node_end end;
+    int exit_code;
+    struct node_clock clock;
+    struct node_stats stats;
+    int saved_errno;
+
+    /* the call the program is in, for reports; NULL while it computes */
+    const char *call;
+    long call_type;            /* type, typesel or id it was given */
+    bool call_has_type;
+    vtime call_since;
+    bool woken;                /* a wake-up is in the queue */
+
+    struct mailbox *mailbox;
+    struct node_info info;
+    bool masked, in_handler;
+    vtime sys_free;            /* the operating system is busy with messages until then */
+    size_t buffered;           /* bytes of unexpected messages held */
+
+    struct node_libc *libc;    /* stdio, random numbers, strtok: libc.h */
+    size_t failed_malloc;      /* size of the last allocation refused, 0 none; */
+    vtime failed_malloc_at;
+};
+
+/* The node on whose stack the caller runs. */
+static inline struct node *node_self(void)
+{
+    uintptr_t sp = (uintptr_t)__builtin_frame_address(0);
+    return *(struct node **)(sp & ~(NODE_SPAN - 1));
+}
+
+/* --- calls: clock.c, cpu.c ---------------------------------------------------------------------------------- */
+
+/* The node's time now, its computing included. */
+vtime node_now(struct node *n);
+/* Enter a call: brings the clock up to date, waits until the call is the machine's earliest event, runs handlers due. */
+void node_enter(struct node *n, const char *call);
+/* Waits until this moment of the node is the machine's earliest event, as node_enter does, but runs no handlers: for
+ * library calls that show something to the outside (a write) in places that are not safe for a handler. */
+void node_order(struct node *n);
+/* Spend operating system time in a call. */
+void node_spend(struct node *n, vtime t);
+/* Back to the program; every node_enter ends with it. (node_order needs none.) */
+void node_leave(struct node *n);
+/* End the program from inside one of its calls; never returns. */
+_Noreturn void node_end_here(struct node *n, enum node_end how, int code);
+/* An error in a plain NX call: message naming call, node, time; ends the process (NX rule) with status 1. */
+_Noreturn void node_fail(struct node *n, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* Hand bytes the program wrote to its output (fd 1) or error output (fd 2) on, at the node's present time. */
+void node_output(struct node *n, int fd, const char *bytes, size_t len);
+/* Bytes of the node's memory in use, and all a program may use. */
+size_t node_memory_used(const struct node *n);
+size_t node_memory_limit(const struct node *n);
+/* Notes the high-water mark after a change. */
+void node_memory_changed(struct node *n);
+#endif
