@@ -1,0 +1,218 @@
+/* config.c - a machine file's keys, their places in struct cfg_machine, and the ranges they are held to. */
+#include "config/config.h"
+#include "config/reader.h"
+
+#include <dirent.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { MAX_DIMENSION = 16, MAX_SIDE = 4096, MAX_NODES = 1 << MAX_DIMENSION, KB = 1024, MB = 1024 * 1024 };
+
+/* A time in the file: its group's key without unit, and where it goes. */
+struct time_key {
+    const char *name;
+    const char *tail; /* what follows the unit: "" or "_per_byte" */
+    size_t offset;    /* of a uint64_t of picoseconds in struct cfg_machine */
+};
+#define TIME(name, member)                                                                                   \
+    {                                                                                                        \
+        name, "", offsetof(struct cfg_machine, member)                                                       \
+    }
+#define RATE(name, member)                                                                                   \
+    {                                                                                                        \
+        name, "_per_byte", offsetof(struct cfg_machine, member)                                              \
+    }
+
+static const struct time_key net_times[] = {
+    TIME("short_hop", short_hop_ps),
+    TIME("long_hop", long_hop_ps),
+    RATE("short", short_ps_per_byte),
+    RATE("long", long_ps_per_byte),
+};
+static const struct time_key system_times[] = {
+    TIME("call", call_ps),
+    TIME("clock_call", clock_call_ps),
+    TIME("short_send", short_send_ps),
+    TIME("short_receive", short_receive_ps),
+    TIME("ask_send", ask_send_ps),
+    TIME("ask_receive", ask_receive_ps),
+    TIME("grant_receive", grant_receive_ps),
+    TIME("long_receive", long_receive_ps),
+    TIME("interrupt", interrupt_ps),
+    RATE("send", send_ps_per_byte),
+    RATE("receive", receive_ps_per_byte),
+    RATE("copy", copy_ps_per_byte),
+};
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* Reads a group that holds times and one whole number besides: nothing else is allowed in it. */
+static bool read_times(struct cfg_reader *r, config_setting_t *group, const struct time_key *keys,
+                       size_t count, const char *whole, uint64_t min, uint64_t max, uint64_t *value,
+                       struct cfg_machine *m)
+{
+    char names[2 * COUNT(system_times)][40];
+    const char *known[2 * COUNT(system_times) + 2] = {0};
+    size_t used = 0;
+    for (size_t i = 0; i < count; i++)
+        for (int ns = 0; ns < 2; ns++, used++) {
+            snprintf(names[used], sizeof names[used], "%s_%s%s", keys[i].name, ns ? "ns" : "us",
+                     keys[i].tail);
+            known[used] = names[used];
+        }
+    known[used] = whole;
+
+    bool ok = cfg_only(r, group, known) && cfg_whole(r, group, whole, min, max, value);
+    for (size_t i = 0; ok && i < count; i++)
+        ok = cfg_time(r, group, keys[i].name, keys[i].tail, (uint64_t *)((char *)m + keys[i].offset));
+    return ok;
+}
+
+static bool read_topology(struct cfg_reader *r, struct cfg_machine *m)
+{
+    static const char *const cube_keys[] = {"kind", "dimension", NULL};
+    static const char *const mesh_keys[] = {"kind", "rows", "columns", NULL};
+    config_setting_t *g;
+    const char *kind;
+    if (!cfg_group(r, r->root, "topology", &g) || !cfg_text(r, g, "kind", &kind))
+        return false;
+
+    uint64_t dimension = 0, rows = 0, columns = 0;
+    if (strcmp(kind, "hypercube") == 0) {
+        m->topology = CFG_HYPERCUBE;
+        if (!cfg_only(r, g, cube_keys) || !cfg_whole(r, g, "dimension", 0, MAX_DIMENSION, &dimension))
+            return false;
+    } else if (strcmp(kind, "mesh") == 0) {
+        m->topology = CFG_MESH;
+        if (!cfg_only(r, g, mesh_keys) || !cfg_whole(r, g, "rows", 1, MAX_SIDE, &rows) ||
+            !cfg_whole(r, g, "columns", 1, MAX_SIDE, &columns))
+            return false;
+        if (rows * columns > MAX_NODES)
+            return cfg_fail(r, g, "topology", "%lu x %lu nodes; at most %d are allowed", rows, columns,
+                            MAX_NODES);
+    } else {
+        return cfg_fail(r, config_setting_get_member(g, "kind"), "kind",
+                        "\"%s\" is unknown; \"hypercube\" and \"mesh\" are allowed", kind);
+    }
+    m->dimension = (uint32_t)dimension;
+    m->rows = (uint32_t)rows;
+    m->columns = (uint32_t)columns;
+    return true;
+}
+
+/* The cpu file is named relative to the machine file, so that a copy of both works anywhere. */
+static bool read_cpu(struct cfg_reader *r, config_setting_t *node, struct cfg_machine *m)
+{
+    const char *cpu, *slash = strrchr(r->path, '/');
+    if (!cfg_text(r, node, "cpu", &cpu))
+        return false;
+    int dir = slash && cpu[0] != '/' ? (int)(slash - r->path) + 1 : 0;
+    if (asprintf(&m->cpu, "%.*s%s", dir, r->path, cpu) < 0)
+        abort();
+    return access(m->cpu, R_OK) == 0 ||
+           cfg_fail(r, config_setting_get_member(node, "cpu"), "cpu", "%s cannot be read: %m", m->cpu);
+}
+
+static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
+{
+    static const char *const keys[] = {"cpu", "clock_mhz", "memory_mb", "system_kb", "stack_kb", NULL};
+    config_setting_t *g;
+    double clock_mhz;
+    uint64_t memory, system, stack;
+    if (!cfg_group(r, r->root, "node", &g) || !cfg_only(r, g, keys) || !read_cpu(r, g, m) ||
+        !cfg_number(r, g, "clock_mhz", 0.001, 100000, &clock_mhz) ||
+        !cfg_whole(r, g, "memory_mb", 1, 65536, &memory) ||
+        !cfg_whole(r, g, "system_kb", 0, memory * KB, &system) ||
+        !cfg_whole(r, g, "stack_kb", 16, memory * KB, &stack))
+        return false;
+    if (system + stack >= memory * KB)
+        return cfg_fail(r, g, "memory_mb", "system_kb and stack_kb leave nothing of it to the program");
+    m->clock_hz = (uint64_t)llround(clock_mhz * 1e6);
+    m->memory_bytes = memory * MB;
+    m->system_bytes = system * KB;
+    m->stack_bytes = stack * KB;
+    return true;
+}
+
+static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
+{
+    static const char *const keys[] = {"name", "description", "topology", "node", "net", "system", NULL};
+    const char *name, *description;
+    config_setting_t *net, *system;
+    if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "name", &name) ||
+        !cfg_text(r, r->root, "description", &description))
+        return false;
+    m->name = strdup(name);
+    m->description = strdup(description);
+    if (!m->name || !m->description)
+        abort();
+    return read_topology(r, m) && read_node(r, m) && cfg_group(r, r->root, "net", &net) &&
+           read_times(r, net, net_times, COUNT(net_times), "short_limit", 0, MB, &m->short_limit, m) &&
+           cfg_group(r, r->root, "system", &system) &&
+           read_times(r, system, system_times, COUNT(system_times), "message_ids", 1, 1000000,
+                      &m->message_ids, m);
+}
+
+static int is_machine(const struct dirent *e)
+{
+    size_t n = strlen(e->d_name);
+    return n > 4 && strcmp(e->d_name + n - 4, ".cfg") == 0;
+}
+
+/* "no machine "x" ...; there are: delta, ipsc860" - the answer to a misspelt name is the list of names. */
+static char *no_such_machine(const char *name, const char *dir)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    struct dirent **found = NULL;
+    int n = scandir(dir, &found, is_machine, alphasort);
+    if (!out)
+        abort();
+    fprintf(out, "no machine \"%s\" in %s; there %s", name, dir, n > 0 ? "are:" : "are none");
+    for (int i = 0; i < n; i++) {
+        fprintf(out, "%s %.*s", i ? "," : "", (int)strlen(found[i]->d_name) - 4, found[i]->d_name);
+        free(found[i]);
+    }
+    free(found);
+    fprintf(out, " (or give the path of a file that ends in .cfg)");
+    fclose(out);
+    return text;
+}
+
+struct cfg_machine *cfg_load(const char *name, const char *dir, char **error)
+{
+    size_t n = strlen(name);
+    bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
+    struct cfg_machine *m = calloc(1, sizeof *m);
+    if (!m || (is_path ? asprintf(&m->path, "%s", name) : asprintf(&m->path, "%s/%s.cfg", dir, name)) < 0)
+        abort();
+    if (!is_path && access(m->path, F_OK) != 0) {
+        *error = no_such_machine(name, dir);
+        cfg_free(m);
+        return NULL;
+    }
+
+    struct cfg_reader r;
+    bool ok = cfg_open(&r, m->path) && read_machine(&r, m);
+    cfg_close(&r);
+    if (ok)
+        return m;
+    *error = r.error;
+    cfg_free(m);
+    return NULL;
+}
+
+void cfg_free(struct cfg_machine *m)
+{
+    if (!m)
+        return;
+    free(m->name);
+    free(m->description);
+    free(m->path);
+    free(m->cpu);
+    free(m);
+}

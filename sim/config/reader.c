@@ -1,0 +1,164 @@
+/* reader.c - checked reading of a libconfig file; see reader.h. */
+#include "config/reader.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_TEXT = 1024, MAX_KEY = 64 };
+
+bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const char *format, ...)
+{
+    if (r->error)
+        return false;
+    char text[MAX_TEXT], where[32] = "";
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+
+    /* The root group has no line of its own. */
+    if (at && config_setting_source_line(at) > 0)
+        snprintf(where, sizeof where, ":%u", (unsigned)config_setting_source_line(at));
+    const char *file = at && config_setting_source_file(at) ? config_setting_source_file(at) : r->path;
+    if (asprintf(&r->error, "%s%s: %s%s%s", file, where, key ? key : "", key ? ": " : "", text) < 0)
+        abort();
+    return false;
+}
+
+bool cfg_open(struct cfg_reader *r, const char *path)
+{
+    *r = (struct cfg_reader){.path = path};
+    config_init(&r->lib);
+    FILE *in = fopen(path, "re");
+    if (!in)
+        return cfg_fail(r, NULL, NULL, "cannot be read: %m");
+    bool read = config_read(&r->lib, in) == CONFIG_TRUE;
+    fclose(in);
+    if (!read) {
+        if (asprintf(&r->error, "%s:%d: %s (settings are written: key = value;)", path,
+                     config_error_line(&r->lib), config_error_text(&r->lib)) < 0)
+            abort();
+        return false;
+    }
+    r->root = config_root_setting(&r->lib);
+    return true;
+}
+
+void cfg_close(struct cfg_reader *r)
+{
+    config_destroy(&r->lib);
+}
+
+static config_setting_t *member(struct cfg_reader *r, config_setting_t *in, const char *key)
+{
+    config_setting_t *s = config_setting_get_member(in, key);
+    if (!s)
+        cfg_fail(r, in, key, "missing");
+    return s;
+}
+
+bool cfg_group(struct cfg_reader *r, config_setting_t *in, const char *key, config_setting_t **out)
+{
+    config_setting_t *s = r->error ? NULL : member(r, in, key);
+    if (!s)
+        return false;
+    *out = s;
+    return config_setting_is_group(s) || cfg_fail(r, s, key, "must be a group: %s = { ... };", key);
+}
+
+bool cfg_list(struct cfg_reader *r, config_setting_t *in, const char *key, config_setting_t **out)
+{
+    config_setting_t *s = r->error ? NULL : member(r, in, key);
+    if (!s)
+        return false;
+    *out = s;
+    return config_setting_is_list(s) || cfg_fail(r, s, key, "must be a list: %s = ( ... );", key);
+}
+
+bool cfg_text(struct cfg_reader *r, config_setting_t *in, const char *key, const char **out)
+{
+    config_setting_t *s = r->error ? NULL : member(r, in, key);
+    if (!s)
+        return false;
+    *out = config_setting_get_string(s);
+    return (*out && **out) || cfg_fail(r, s, key, "must be text in double quotes, not empty");
+}
+
+bool cfg_whole(struct cfg_reader *r, config_setting_t *in, const char *key, uint64_t min, uint64_t max,
+               uint64_t *out)
+{
+    config_setting_t *s = r->error ? NULL : member(r, in, key);
+    if (!s)
+        return false;
+    int type = config_setting_type(s);
+    if (type != CONFIG_TYPE_INT && type != CONFIG_TYPE_INT64)
+        return cfg_fail(r, s, key, "must be a whole number from %lu to %lu", min, max);
+    long long value = config_setting_get_int64(s);
+    if (value < 0 || (uint64_t)value < min || (uint64_t)value > max)
+        return cfg_fail(r, s, key, "%lld is out of range: %lu to %lu are allowed", value, min, max);
+    *out = (uint64_t)value;
+    return true;
+}
+
+bool cfg_number(struct cfg_reader *r, config_setting_t *in, const char *key, double min, double max,
+                double *out)
+{
+    config_setting_t *s = r->error ? NULL : member(r, in, key);
+    if (!s)
+        return false;
+    double value;
+    switch (config_setting_type(s)) {
+    case CONFIG_TYPE_FLOAT:
+        value = config_setting_get_float(s);
+        break;
+    case CONFIG_TYPE_INT:
+    case CONFIG_TYPE_INT64:
+        value = (double)config_setting_get_int64(s);
+        break;
+    default:
+        return cfg_fail(r, s, key, "must be a number from %g to %g", min, max);
+    }
+    if (!(value >= min && value <= max))
+        return cfg_fail(r, s, key, "%g is out of range: %g to %g are allowed", value, min, max);
+    *out = value;
+    return true;
+}
+
+bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const char *tail, uint64_t *ps)
+{
+    char us[MAX_KEY], ns[MAX_KEY];
+    double value;
+    snprintf(us, sizeof us, "%s_us%s", key, tail);
+    snprintf(ns, sizeof ns, "%s_ns%s", key, tail);
+    if (r->error)
+        return false;
+    bool in_ns = config_setting_get_member(in, ns) != NULL;
+    if (in_ns && config_setting_get_member(in, us))
+        return cfg_fail(r, config_setting_get_member(in, ns), ns, "%s is given too: one of them only", us);
+    if (!cfg_number(r, in, in_ns ? ns : us, 0, in_ns ? 1e9 : 1e6, &value))
+        return false;
+    *ps = (uint64_t)llround(value * (in_ns ? 1e3 : 1e6));
+    return true;
+}
+
+bool cfg_only(struct cfg_reader *r, config_setting_t *in, const char *const keys[])
+{
+    if (r->error)
+        return false;
+    for (unsigned i = 0; i < (unsigned)config_setting_length(in); i++) {
+        config_setting_t *s = config_setting_get_elem(in, i);
+        size_t k = 0;
+        while (keys[k] && strcmp(keys[k], config_setting_name(s)) != 0)
+            k++;
+        if (keys[k])
+            continue;
+        char allowed[MAX_TEXT / 2] = "";
+        for (size_t used = k = 0; keys[k] && used < sizeof allowed; k++)
+            used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", k ? ", " : "", keys[k]);
+        return cfg_fail(r, s, config_setting_name(s), "unknown key; known here: %s", allowed);
+    }
+    return true;
+}

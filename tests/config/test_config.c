@@ -1,0 +1,202 @@
+/* test_config.c - machine files: the shipped ones hold what their sources say; a bad one is named by line and
+ * key. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "config/config.h"
+
+#define US 1000000ull
+
+static struct cfg_machine *shipped(const char *name)
+{
+    char home[4096], *error = NULL;
+    assert_true(cfg_home(home, sizeof home - 16));
+    strcat(home, "/machines");
+    struct cfg_machine *m = cfg_load(name, home, &error);
+    if (!m)
+        print_error("%s\n", error);
+    assert_non_null(m);
+    return m;
+}
+
+static void ipsc860_adds_up_to_bokhari(void **state)
+{
+    (void)state;
+    struct cfg_machine *m = shipped("ipsc860");
+    assert_int_equal(m->topology, CFG_HYPERCUBE);
+    assert_int_equal(m->dimension, 7);
+    assert_int_equal(m->clock_hz, 40000000);
+    assert_int_equal(m->memory_bytes, 16 << 20);
+    assert_int_equal(m->short_send_ps + m->short_receive_ps, 65 * US);
+    assert_int_equal(m->short_ps_per_byte, 425000);
+    assert_int_equal(m->short_hop_ps, 10 * US);
+    assert_int_equal(m->ask_send_ps + m->ask_receive_ps + m->grant_receive_ps + m->long_receive_ps, 147 * US);
+    assert_int_equal(m->long_ps_per_byte, 390000);
+    assert_in_range(3 * m->long_hop_ps, 30500000 - 1, 30500000 + 1);
+    assert_int_equal(m->short_limit, 100);
+    cfg_free(m);
+}
+
+static void delta_is_a_mesh_of_528(void **state)
+{
+    (void)state;
+    struct cfg_machine *m = shipped("delta");
+    assert_string_equal(m->name, "delta");
+    assert_int_equal(m->topology, CFG_MESH);
+    assert_int_equal(m->rows * m->columns, 528);
+    assert_int_equal(m->short_hop_ps, 100000);
+    assert_int_equal(m->long_ps_per_byte, 125000);
+    assert_int_equal(m->short_send_ps + m->short_receive_ps, 75 * US);
+    assert_non_null(strstr(m->cpu, "machines/cpu/i860xr.cfg"));
+    cfg_free(m);
+}
+
+static void unknown_name_lists_the_known(void **state)
+{
+    (void)state;
+    char home[4096], *error = NULL;
+    assert_true(cfg_home(home, sizeof home - 16));
+    strcat(home, "/machines");
+    assert_null(cfg_load("detla", home, &error));
+    assert_non_null(strstr(error, "no machine \"detla\""));
+    assert_non_null(strstr(error, "delta, ipsc860"));
+    free(error);
+}
+
+/* A good file; a test changes one line of it. Lines are counted from 1. */
+static const char *const good[] = {
+    /* 1 */ "name = \"toy\"; description = \"for tests\";",
+    /* 2 */ "topology = { kind = \"mesh\";",
+    /* 3 */ "rows = 2; columns = 3;",
+    /* 4 */ "};",
+    /* 5 */ "node = { cpu = \"/dev/null\"; clock_mhz = 50; memory_mb = 16; system_kb = 1024;",
+    /* 6 */ "stack_kb = 64;",
+    /* 7 */ "};",
+    /* 8 */
+    "net = { short_hop_us = 1; long_hop_ns = 2.5; short_us_per_byte = 0.1; long_ns_per_byte = 0.0004;",
+    /* 9 */ "short_limit = 100;",
+    /* 10 */ "};",
+    /* 11 */ "system = { call_us = 1; clock_call_us = 1; short_send_us = 1; short_receive_us = 1;",
+    /* 12 */ "ask_send_us = 1; ask_receive_us = 1; grant_receive_us = 1; long_receive_us = 1;",
+    /* 13 */ "send_us_per_byte = 1; receive_us_per_byte = 1; copy_us_per_byte = 1;",
+    /* 14 */ "interrupt_us = 1;",
+    /* 15 */ "message_ids = 9; };",
+};
+enum { LINES = sizeof good / sizeof *good };
+
+/* Loads the good file with line number `line` replaced; the path is PATH below. */
+#define PATH "toy.cfg"
+static struct cfg_machine *load_with(int line, const char *text, char **error)
+{
+    FILE *out = fopen(PATH, "w");
+    assert_non_null(out);
+    for (int i = 0; i < LINES; i++)
+        fprintf(out, "%s\n", i + 1 == line ? text : good[i]);
+    fclose(out);
+    return cfg_load(PATH, "nowhere", error);
+}
+
+static void times_are_exact_picoseconds(void **state)
+{
+    (void)state;
+    char *error = NULL;
+    struct cfg_machine *m = load_with(0, NULL, &error);
+    assert_non_null(m);
+    assert_int_equal(m->short_hop_ps, US);
+    assert_int_equal(m->long_hop_ps, 2500);
+    assert_int_equal(m->short_ps_per_byte, 100000);
+    assert_int_equal(m->long_ps_per_byte, 0); /* 0.4 ps: to the nearest */
+    assert_int_equal(m->clock_hz, 50000000);
+    assert_string_equal(m->path, PATH);
+    cfg_free(m);
+}
+
+static void bad_files_are_named_by_line_and_key(void **state)
+{
+    (void)state;
+    static const struct {
+        int line;
+        const char *text, *error;
+    } cases[] = {
+        {3, "rows = 2; colums = 3;", "toy.cfg:3: colums: unknown key; known here: kind, rows, columns"},
+        {3, "rows = 2;", "toy.cfg:2: columns: missing"},
+        {3, "rows = 0; columns = 3;", "toy.cfg:3: rows: 0 is out of range: 1 to 4096 are allowed"},
+        {3, "rows = -1; columns = 3;", "toy.cfg:3: rows: -1 is out of range: 1 to 4096 are allowed"},
+        {3, "rows = 2.5; columns = 3;", "toy.cfg:3: rows: must be a whole number from 1 to 4096"},
+        {3, "rows = 4000; columns = 3000;",
+         "toy.cfg:2: topology: 4000 x 3000 nodes; at most 65536 are allowed"},
+        {2, "topology = { kind = \"ring\";",
+         "toy.cfg:2: kind: \"ring\" is unknown; \"hypercube\" and \"mesh\" are allowed"},
+        {2, "topology = { kind = \"hypercube\";",
+         "toy.cfg:3: rows: unknown key; known here: kind, dimension"},
+        {2, "topology = { kind = 7;", "toy.cfg:2: kind: must be text in double quotes, not empty"},
+        {1, "name = \"toy\";", "toy.cfg: description: missing"},
+        {1, "name = \"toy\"; description = \"\";",
+         "toy.cfg:1: description: must be text in double quotes, not empty"},
+        {5, "node = { cpu = \"/no/such.cfg\"; clock_mhz = 50; memory_mb = 16; system_kb = 1024;",
+         "toy.cfg:5: cpu: /no/such.cfg cannot be read: No such file or directory"},
+        {5, "node = { cpu = \"/dev/null\"; clock_mhz = 0; memory_mb = 16; system_kb = 1024;",
+         "toy.cfg:5: clock_mhz: 0 is out of range: 0.001 to 100000 are allowed"},
+        {6, "stack_kb = 15360;",
+         "toy.cfg:5: memory_mb: system_kb and stack_kb leave nothing of it to the program"},
+        {6, "stack_kb = \"64\";", "toy.cfg:6: stack_kb: must be a whole number from 16 to 16384"},
+        {9, "short_limit = 100; short_hop_ns = 3;",
+         "toy.cfg:9: short_hop_ns: short_hop_us is given too: one of them only"},
+        {14, "interrupt_us = \"long\";", "toy.cfg:14: interrupt_us: must be a number from 0 to 1e+06"},
+        {14, "interrupt_us = -1.0;", "toy.cfg:14: interrupt_us: -1 is out of range: 0 to 1e+06 are allowed"},
+        {14, "", "toy.cfg:11: interrupt_us: missing"},
+        {15, "message_ids = 0; };", "toy.cfg:15: message_ids: 0 is out of range: 1 to 1000000 are allowed"},
+        {14, "interrupt_us 1;", "toy.cfg:14: syntax error (settings are written: key = value;)"},
+        {14, "interrupt_us = 1; call_us = 2;",
+         "toy.cfg:14: duplicate setting name (settings are written: key = value;)"},
+        {7, "", "toy.cfg:"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *error = NULL;
+        struct cfg_machine *m = load_with(cases[i].line, cases[i].text, &error);
+        assert_null(m);
+        assert_non_null(error);
+        error[strnlen(error, strlen(cases[i].error))] = '\0'; /* the rest of a list of known keys */
+        assert_string_equal(error, cases[i].error);
+        free(error);
+    }
+}
+
+static void file_that_is_not_there(void **state)
+{
+    (void)state;
+    char *error = NULL;
+    assert_null(cfg_load("./none.cfg", "nowhere", &error));
+    assert_string_equal(error, "./none.cfg: cannot be read: No such file or directory");
+    free(error);
+}
+
+/* The bad files are written to a folder of the test's own. */
+static char scratch[] = "/tmp/test_config.XXXXXX";
+static int enter_scratch(void **state)
+{
+    (void)state;
+    return mkdtemp(scratch) && chdir(scratch) == 0 ? 0 : -1;
+}
+static int leave_scratch(void **state)
+{
+    (void)state;
+    unlink(PATH);
+    return rmdir(scratch);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ipsc860_adds_up_to_bokhari),          cmocka_unit_test(delta_is_a_mesh_of_528),
+        cmocka_unit_test(unknown_name_lists_the_known),        cmocka_unit_test(times_are_exact_picoseconds),
+        cmocka_unit_test(bad_files_are_named_by_line_and_key), cmocka_unit_test(file_that_is_not_there),
+    };
+    return cmocka_run_group_tests(tests, enter_scratch, leave_scratch);
+}
