@@ -1,18 +1,22 @@
 /* heap.h - malloc for one node: blocks inside the node's span, bounded by the node's memory.
- * Deterministic (addresses depend on the program's calls only). Memory given back at the top lowers what is counted. */
+ * Deterministic (addresses depend on the program's calls only). Memory given back at the top lowers what is
+ * counted. */
 #ifndef NODE_HEAP_H
 #define NODE_HEAP_H
+#include <stdbool.h>
 #include <stddef.h>
 
 struct node_heap;
 
-/* A heap at base, at most limit bytes of address space (mapped, zeroed on first touch). room(ctx, bytes) tells whether
- * the heap may grow to that many bytes; grown(ctx) is called after it did or shrank. */
+/* A heap at base, at most limit bytes of address space (mapped, zeroed on first touch). room(ctx, bytes)
+ * tells whether the heap may grow to that many bytes; grown(ctx) is called after it did or shrank. */
 struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx, size_t bytes),
                                 void (*grown)(void *ctx), void *ctx);
-void node_heap_free(struct node_heap *h);
+void node_heap_free(struct node_heap *h);                 /* the address space stays with the node's span */
 void *node_heap_alloc(struct node_heap *h, size_t bytes); /* 16-byte aligned; NULL when there is no room */
+/* NULL with p unchanged when there is no room or p is not a block of this heap. */
 void *node_heap_resize(struct node_heap *h, void *p, size_t bytes);
+bool node_heap_owns(const struct node_heap *h, const void *p); /* p is a block in use, and undamaged */
 int node_heap_release(struct node_heap *h, void *p); /* 0, or -1 when p is not a block of this heap */
 size_t node_heap_used(const struct node_heap *h);    /* bytes up to the end of the highest block in use */
 #endif

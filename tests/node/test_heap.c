@@ -1,0 +1,237 @@
+/* A node's heap: sim/node/heap.h. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <cmocka.h>
+#include "node/heap.h"
+
+#define LIMIT ((size_t)4 << 20)
+#define SLOTS 500
+
+struct fixture {
+    char *base;
+    struct node_heap *heap;
+    size_t allowed; /* what room() grants */
+    size_t peak;    /* seen by grown() */
+};
+
+static int room(void *ctx, size_t bytes)
+{
+    const struct fixture *x = ctx;
+    return bytes <= x->allowed;
+}
+
+static void grown(void *ctx)
+{
+    struct fixture *x = ctx;
+    size_t used = node_heap_used(x->heap);
+    x->peak = used > x->peak ? used : x->peak;
+}
+
+static int setup(void **state)
+{
+    struct fixture *x = calloc(1, sizeof *x);
+    x->base = mmap(NULL, LIMIT, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    x->allowed = LIMIT;
+    x->heap = node_heap_new(x->base, LIMIT, room, grown, x);
+    *state = x;
+    return x->heap == NULL;
+}
+
+static int teardown(void **state)
+{
+    struct fixture *x = *state;
+    node_heap_free(x->heap);
+    munmap(x->base, LIMIT);
+    free(x);
+    return 0;
+}
+
+static void blocks_are_aligned_and_apart(void **state)
+{
+    struct fixture *x = *state;
+    char *a = node_heap_alloc(x->heap, 1), *b = node_heap_alloc(x->heap, 0),
+         *c = node_heap_alloc(x->heap, 100);
+    assert_int_equal((uintptr_t)a % 16 | (uintptr_t)b % 16 | (uintptr_t)c % 16, 0);
+    assert_true(b >= a + 16 && c >= b + 16);
+    assert_true(a >= x->base && c + 100 <= x->base + node_heap_used(x->heap));
+}
+
+static void all_given_back_means_nothing_used(void **state)
+{
+    struct fixture *x = *state;
+    void *p[10];
+    for (int i = 0; i < 10; i++)
+        p[i] = node_heap_alloc(x->heap, 1000);
+    size_t full = node_heap_used(x->heap);
+    assert_int_equal(full, 10 * (1000 + 16 + 8)); /* head, rounded to 16 */
+    for (int i = 0; i < 10; i += 2)
+        assert_int_equal(node_heap_release(x->heap, p[i]), 0);
+    assert_int_equal(node_heap_used(x->heap), full); /* the highest block is still there */
+    for (int i = 1; i < 10; i += 2)
+        assert_int_equal(node_heap_release(x->heap, p[i]), 0);
+    assert_int_equal(node_heap_used(x->heap), 0);
+    assert_int_equal(x->peak, full);
+}
+
+static void freed_neighbours_join(void **state)
+{
+    struct fixture *x = *state;
+    void *a = node_heap_alloc(x->heap, 1000), *b = node_heap_alloc(x->heap, 1000);
+    void *c = node_heap_alloc(x->heap, 1000), *end = node_heap_alloc(x->heap, 16);
+    node_heap_release(x->heap, a);
+    node_heap_release(x->heap, c);
+    node_heap_release(x->heap, b);
+    assert_ptr_equal(node_heap_alloc(x->heap, 3000), a);
+    assert_int_equal(node_heap_release(x->heap, end), 0);
+}
+
+static void memory_ends_where_room_says(void **state)
+{
+    struct fixture *x = *state;
+    x->allowed = 10000;
+    void *p = node_heap_alloc(x->heap, 9000);
+    assert_non_null(p);
+    assert_null(node_heap_alloc(x->heap, 1000));
+    assert_null(node_heap_resize(x->heap, p, 11000));
+    assert_true(node_heap_owns(x->heap, p));
+    assert_non_null(node_heap_resize(x->heap, p, 9900));
+    assert_int_equal(x->peak, 9920);
+    x->allowed = SIZE_MAX;
+    assert_null(node_heap_alloc(x->heap, LIMIT));
+    assert_null(node_heap_alloc(x->heap, SIZE_MAX - 8));
+    assert_int_equal(node_heap_used(x->heap), 9920);
+}
+
+static void resize_stays_in_place_when_it_can(void **state)
+{
+    struct fixture *x = *state;
+    char *a = node_heap_alloc(x->heap, 100), *b = node_heap_alloc(x->heap, 1000);
+    void *end = node_heap_alloc(x->heap, 16);
+    memset(a, 7, 100);
+    node_heap_release(x->heap, b);
+    assert_ptr_equal(node_heap_resize(x->heap, a, 600), a); /* into the free neighbour */
+    assert_ptr_equal(node_heap_resize(x->heap, a, 50), a);
+    char *moved = node_heap_resize(x->heap, a, 5000);
+    assert_true(moved > (char *)end);
+    for (int i = 0; i < 50; i++)
+        assert_int_equal(moved[i], 7);
+}
+
+static void foreign_and_damaged_pointers_are_refused(void **state)
+{
+    struct fixture *x = *state;
+    char *a = node_heap_alloc(x->heap, 100), *b = node_heap_alloc(x->heap, 100);
+    int elsewhere;
+    assert_int_equal(node_heap_release(x->heap, &elsewhere), -1);
+    assert_int_equal(node_heap_release(x->heap, x->base), -1);
+    assert_int_equal(node_heap_release(x->heap, a + 1), -1);
+    assert_int_equal(node_heap_release(x->heap, a + 16), -1);
+    assert_int_equal(node_heap_release(x->heap, NULL), -1);
+    memset(a, 1, 124); /* past its end, into b's head */
+    assert_int_equal(node_heap_release(x->heap, a), -1);
+    assert_int_equal(node_heap_release(x->heap, b), -1);
+}
+
+static void freed_twice_is_refused(void **state)
+{
+    struct fixture *x = *state;
+    void *a = node_heap_alloc(x->heap, 100), *b = node_heap_alloc(x->heap, 100);
+    assert_int_equal(node_heap_release(x->heap, a), 0);
+    assert_int_equal(node_heap_release(x->heap, a), -1);
+    assert_int_equal(node_heap_release(x->heap, b), 0);
+    assert_int_equal(node_heap_release(x->heap, b), -1);
+}
+
+struct shadow {
+    unsigned char *p;
+    size_t bytes;
+    unsigned char fill;
+};
+
+static size_t random_size(unsigned *seed)
+{
+    unsigned kind = rand_r(seed) % 10;
+    return kind < 7 ? rand_r(seed) % 200 : kind < 9 ? rand_r(seed) % 3000 : rand_r(seed) % 60000;
+}
+
+static void check_contents(const struct shadow *s, size_t bytes)
+{
+    for (size_t k = 0; k < bytes; k++)
+        assert_int_equal(s->p[k], s->fill);
+}
+
+/* Allocates, resizes and frees at random; contents must stay. Returns a sum over all addresses. */
+static uintptr_t random_calls(struct fixture *x, unsigned seed)
+{
+    struct shadow s[SLOTS] = {0};
+    uintptr_t sum = 0;
+    for (int i = 0; i < 30000; i++) {
+        struct shadow *one = &s[rand_r(&seed) % SLOTS];
+        size_t bytes = random_size(&seed);
+        check_contents(one, one->bytes);
+        if (one->p != NULL && rand_r(&seed) % 3 != 0) {
+            assert_int_equal(node_heap_release(x->heap, one->p), 0);
+            *one = (struct shadow){0};
+            continue;
+        }
+        size_t kept = one->bytes < bytes ? one->bytes : bytes;
+        unsigned char *q =
+            one->p ? node_heap_resize(x->heap, one->p, bytes) : node_heap_alloc(x->heap, bytes);
+        if (q == NULL)
+            continue;
+        one->p = q;
+        check_contents(one, kept);
+        one->bytes = bytes;
+        one->fill = (unsigned char)i;
+        memset(q, one->fill, bytes);
+        sum = sum * 31 + (uintptr_t)(q - (unsigned char *)x->base);
+    }
+    for (int i = 0; i < SLOTS; i++) {
+        check_contents(&s[i], s[i].bytes);
+        assert_int_equal(s[i].p ? node_heap_release(x->heap, s[i].p) : 0, 0);
+    }
+    return sum;
+}
+
+static void random_calls_keep_contents_and_end_empty(void **state)
+{
+    struct fixture *x = *state;
+    for (unsigned seed = 1; seed <= 10; seed++) {
+        x->allowed = seed % 2 ? LIMIT : 200000; /* with and without refusals */
+        random_calls(x, seed);
+        assert_int_equal(node_heap_used(x->heap), 0);
+    }
+}
+
+static void addresses_depend_on_the_calls_only(void **state)
+{
+    struct fixture *x = *state;
+    uintptr_t first = random_calls(x, 42);
+    void *other;
+    setup(&other);
+    assert_int_equal(random_calls(other, 42), first);
+    assert_int_equal(random_calls(x, 42), first); /* nor on what was freed before */
+    teardown(&other);
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
+    const struct CMUnitTest tests[] = {
+        TEST(blocks_are_aligned_and_apart),
+        TEST(all_given_back_means_nothing_used),
+        TEST(freed_neighbours_join),
+        TEST(memory_ends_where_room_says),
+        TEST(resize_stays_in_place_when_it_can),
+        TEST(foreign_and_damaged_pointers_are_refused),
+        TEST(freed_twice_is_refused),
+        TEST(random_calls_keep_contents_and_end_empty),
+        TEST(addresses_depend_on_the_calls_only),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
