@@ -1,6 +1,7 @@
-# touchstone: every command of the README is a target here.  make help lists them.
+# touchstone: every command of the README is a target here.
 B      ?= build
 PREFIX ?= /usr/local
+JOBS   ?= $(shell nproc)
 CC      = gcc
 OPT    ?= -O2 -g
 SAN    ?=
@@ -12,7 +13,7 @@ SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 APP_SRC := $(wildcard app/*.c)
 
-all: $B/touchstone $B/nxcc $B/app/model
+all: $B/touchstone $B/nxcc $B/app/model ## Build everything into build/
 
 $B/obj/%.o: %.c
 	@mkdir -p $(@D)
@@ -27,14 +28,81 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
-include nx_api/nxcc/nxcc.mk
+-include nx_api/nxcc/nxcc.mk
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
 	@mkdir -p $(@D)
 	$B/nxcc -O2 -Wall -Wextra --factors bench/paper/fitted.cfg -o $@ $(APP_SRC) -lz -lm
 
-clean:
+# --- tests ---------------------------------------------------------------------------------------------------
+# A unit test is tests/FOLDER/test_NAME.c, linked with the simulator. A folder whose tests need other rules has a
+# FOLDER/*.mk that adds its binaries to UNIT. End-to-end tests are tests/e2e/*.sh.
+OWN_RULES := $(wildcard tests/*/*.mk)
+UNIT      := $(filter-out $(addsuffix %,$(dir $(OWN_RULES))),$(wildcard tests/*/test_*.c))
+UNIT      := $(UNIT:%.c=$B/%)
+
+$(UNIT): $B/%: %.c $B/libtouchstone.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -MMD -MP -o $@ $< $B/libtouchstone.a -lcmocka $(LIBS)
+
+-include $(UNIT:=.d)
+include $(OWN_RULES)
+
+unit: $(UNIT)
+
+ASAN     := build/asan
+SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
+ASAN_MAKE = $(SUBMAKE) B=$(ASAN) OPT="-O1 -g" SAN="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
+
+test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
+	$(SUBMAKE) all unit
+	$(ASAN_MAKE) unit
+	$(SUBMAKE) B=build/O0 OPT="-O0 -g" build/O0/touchstone
+	@BUILD=$(abspath $B) tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(wildcard tests/e2e/*.sh)
+
+# --- what a user calls ---------------------------------------------------------------------------------------
+tables: setup ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
+	$(SUBMAKE) all
+	$B/touchstone tables
+
+bench: setup ## Measure the simulator's own speed
+	$(SUBMAKE) all
+	bench/speed/run $B
+
+setup: ## Install what is missing of packages.txt (Debian, apt-get)
+	@missing=$$(grep -v '^#' packages.txt | while read -r p; do \
+	    dpkg-query -W -f '$${Status}' "$$p" 2>/dev/null | grep -q ' installed$$' || echo "$$p"; done); \
+	if [ -n "$$missing" ]; then \
+	    sudo=$$([ "$$(id -u)" = 0 ] || echo sudo); \
+	    $$sudo apt-get -q update && $$sudo apt-get -q install -y --no-install-recommends $$missing; \
+	fi
+
+INST = $(DESTDIR)$(PREFIX)
+
+install: all ## Install into PREFIX (default /usr/local)
+	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu paper)
+	install $B/touchstone $B/nxcc $(INST)/bin
+	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
+	install $B/app/model $(INST)/lib/touchstone/app
+	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
+	install -m 644 machines/*.cfg $(INST)/share/touchstone/machines
+	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
+	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
+	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/paper
+
+FORMATTED = $(wildcard sim/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch])
+
+format: ## Lay out the C files as .clang-format says
+	clang-format -i $(FORMATTED)
+
+check-format: ## Fail if a C file is laid out otherwise
+	clang-format --dry-run -Werror $(FORMATTED)
+
+clean: ## Remove build/ and out/
 	rm -rf build out
 
-.PHONY: all clean
+help: ## Show this list
+	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' Makefile | expand -t 20
+
+.PHONY: all unit test tables bench setup install format check-format clean help
