@@ -1,14 +1,15 @@
 /* image.h - the contract between a node program built by nxcc and the simulator that loads it.
  *
  * A node program is a position-independent executable (ELF ET_DYN, x86-64) whose undefined symbols are all
- * named in sim/node/exports.def. It exports one object, nxc_image, through which the simulator finds the rest.
+ * named in sim/node/exports.def. It exports one object, nxc_image, through which the simulator finds the
+ * rest.
  *
- * Counting. The plugin keeps, in every instrumented function, a register copy of *left, the cost units that may
- * still be spent before the simulator wants control. Every basic block subtracts its cost. The register is stored
- * to *left before any call that may look at it or change it, and reloaded after. At loop headers and function
- * entries a negative value makes the program store it and call nxc_preempt(), and reload.
- *     units spent since the simulator last set *left to B  =  B - *left
- * so an event that is due after U units is seen at the first check at or past it when B = U - 1.
+ * Counting. The plugin keeps, in every instrumented function, a register copy of *left, the cost units that
+ * may still be spent before the simulator wants control. Every basic block subtracts its cost. The register
+ * is stored to *left before any call that may look at it or change it, and reloaded after. At loop headers
+ * and function entries a negative value makes the program store it and call nxc_preempt(), and reload. units
+ * spent since the simulator last set *left to B  =  B - *left so an event that is due after U units is seen
+ * at the first check at or past it when B = U - 1.
  *
  * Unit. One unit is 1/1000 clock of the simulated processor, so that cost factors near one can be expressed;
  * class costs are whole or fractional clocks in machines/cpu/.cfg files.
@@ -24,9 +25,9 @@
 struct nxc_image {
     uint32_t magic;
     uint32_t version;
-    int64_t *left;                          /* the program's own counter, see above */
-    int (*main)(int, char **, char **);     /* the program */
-    void (**init_begin)(void);              /* constructors, run on the node before main */
+    int64_t *left;                      /* the program's own counter, see above */
+    int (*main)(int, char **, char **); /* the program */
+    void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);
 };
 

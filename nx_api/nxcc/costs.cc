@@ -1,0 +1,389 @@
+/* costs.cc - class costs of GIMPLE statements. See costs.h; the classes are explained in machines/cpu/ files.
+ */
+#include "gcc.h"
+#include "costs.h"
+#include <math.h>
+#include <string.h>
+#include <map>
+
+namespace
+{
+cost_table table;
+std::vector<cost_factor> factors;
+
+bool is_single(tree type)
+{
+    return TYPE_PRECISION(type) <= 32;
+}
+
+/* Type of one element: of a vector or complex its component. */
+tree scalar_type(tree type)
+{
+    return VECTOR_TYPE_P(type) || TREE_CODE(type) == COMPLEX_TYPE ? TREE_TYPE(type) : type;
+}
+
+bool is_float(tree type)
+{
+    return SCALAR_FLOAT_TYPE_P(scalar_type(type));
+}
+
+/* An i860 instruction holds a constant of 16 bits; a longer one takes an instruction more. */
+int64_t constant_cost(tree operand)
+{
+    if (!operand || TREE_CODE(operand) != INTEGER_CST || !tree_fits_shwi_p(operand))
+        return 0;
+    HOST_WIDE_INT v = tree_to_shwi(operand);
+    return v < -32768 || v > 65535 ? table.clocks.large_constant : 0;
+}
+
+bool is_power_of_two(tree operand)
+{
+    return TREE_CODE(operand) == INTEGER_CST && tree_fits_shwi_p(operand) && tree_to_shwi(operand) > 0 &&
+           pow2p_hwi(tree_to_shwi(operand));
+}
+
+/* The work of forming an address that does not fold into the load or store itself. */
+int64_t address_cost(tree ref)
+{
+    int64_t cost = 0;
+    for (; handled_component_p(ref); ref = TREE_OPERAND(ref, 0)) {
+        if (TREE_CODE(ref) == COMPONENT_REF && DECL_BIT_FIELD(TREE_OPERAND(ref, 1)))
+            cost += table.clocks.bitfield;
+        if (TREE_CODE(ref) == BIT_FIELD_REF)
+            cost += table.clocks.bitfield;
+        if ((TREE_CODE(ref) == ARRAY_REF || TREE_CODE(ref) == ARRAY_RANGE_REF) &&
+            TREE_CODE(TREE_OPERAND(ref, 1)) != INTEGER_CST)
+            cost += table.clocks.index;
+    }
+    return cost;
+}
+
+bool is_memory(tree operand)
+{
+    if (!operand || is_gimple_reg(operand))
+        return false;
+    tree base = handled_component_p(operand) ? get_base_address(operand) : operand;
+    if (!base)
+        return false;
+    if (DECL_P(base))
+        return TREE_CODE(base) != FUNCTION_DECL && TREE_CODE(base) != LABEL_DECL;
+    return TREE_CODE(base) == MEM_REF || TREE_CODE(base) == TARGET_MEM_REF;
+}
+
+/* 8-byte words moved by a copy of this type: 1 for any scalar. */
+int64_t words(tree type)
+{
+    if (!AGGREGATE_TYPE_P(type) || !TYPE_SIZE_UNIT(type) || !tree_fits_uhwi_p(TYPE_SIZE_UNIT(type)))
+        return 1;
+    return (int64_t)((tree_to_uhwi(TYPE_SIZE_UNIT(type)) + 7) / 8);
+}
+
+int64_t memory_cost(tree operand, int64_t access)
+{
+    return is_memory(operand) ? address_cost(operand) + access * words(TREE_TYPE(operand)) : 0;
+}
+
+int64_t divide_cost(tree divisor)
+{
+    /* by a power of two: shift, and the correction for negative numbers */
+    return is_power_of_two(divisor) ? 3 * table.clocks.integer : table.clocks.divide;
+}
+
+int64_t float_cost(tree_code code, tree type)
+{
+    bool single = is_single(scalar_type(type));
+    switch (code) {
+    case MULT_EXPR:
+        return single ? table.clocks.fp_multiply_single : table.clocks.fp_multiply_double;
+    case RDIV_EXPR:
+        return single ? table.clocks.fp_divide_single : table.clocks.fp_divide_double;
+    case ABS_EXPR:
+    case NEGATE_EXPR:
+    case PAREN_EXPR:
+        return code == PAREN_EXPR ? 0 : table.clocks.fp_move;
+    case MIN_EXPR:
+    case MAX_EXPR:
+        return table.clocks.fp_compare + table.clocks.branch;
+    default:
+        return single ? table.clocks.fp_add_single : table.clocks.fp_add_double;
+    }
+}
+
+int64_t integer_cost(tree_code code, gassign *stmt)
+{
+    tree second = gimple_num_ops(stmt) > 2 ? gimple_assign_rhs2(stmt) : NULL_TREE;
+    switch (code) {
+    case MULT_EXPR:
+    case MULT_HIGHPART_EXPR:
+    case WIDEN_MULT_EXPR:
+        return is_power_of_two(second) ? table.clocks.integer : table.clocks.multiply;
+    case TRUNC_DIV_EXPR:
+    case CEIL_DIV_EXPR:
+    case FLOOR_DIV_EXPR:
+    case ROUND_DIV_EXPR:
+    case EXACT_DIV_EXPR:
+    case TRUNC_MOD_EXPR:
+    case CEIL_MOD_EXPR:
+    case FLOOR_MOD_EXPR:
+    case ROUND_MOD_EXPR:
+        return divide_cost(second);
+    case MIN_EXPR:
+    case MAX_EXPR:
+    case ABS_EXPR:
+        return table.clocks.integer + table.clocks.branch;
+    default:
+        return table.clocks.integer + constant_cost(second);
+    }
+}
+
+int64_t conversion_cost(tree_code code, tree to, tree from)
+{
+    if (code == FLOAT_EXPR || code == FIX_TRUNC_EXPR)
+        return table.clocks.convert_integer;
+    if (is_float(to) && is_float(from))
+        return is_single(scalar_type(to)) == is_single(scalar_type(from)) ? 0
+                                                                          : table.clocks.convert_precision;
+    return 0; /* between integers, pointers: a register keeps its bits; narrow loads extend by themselves */
+}
+
+int64_t compare_cost(tree operand)
+{
+    return is_float(TREE_TYPE(operand)) ? table.clocks.fp_compare : table.clocks.integer;
+}
+
+/* The operation of an assignment, without its loads and store. */
+int64_t operation_cost(gassign *stmt)
+{
+    tree_code code = gimple_assign_rhs_code(stmt);
+    tree first = gimple_assign_rhs1(stmt);
+    tree type = TREE_TYPE(gimple_assign_lhs(stmt));
+    if (gimple_assign_single_p(stmt)) /* copy, constant, load, address */
+        return code == ADDR_EXPR ? table.clocks.integer + address_cost(TREE_OPERAND(first, 0)) : 0;
+    if (CONVERT_EXPR_CODE_P(code) || code == FLOAT_EXPR || code == FIX_TRUNC_EXPR)
+        return conversion_cost(code, type, TREE_TYPE(first));
+    if (code == VIEW_CONVERT_EXPR || code == COMPLEX_EXPR || code == REALPART_EXPR || code == IMAGPART_EXPR)
+        return 0;
+    if (TREE_CODE_CLASS(code) == tcc_comparison)
+        return compare_cost(first) + constant_cost(gimple_assign_rhs2(stmt));
+    if (code == COND_EXPR)
+        return table.clocks.branch + (COMPARISON_CLASS_P(first) ? compare_cost(TREE_OPERAND(first, 0)) : 0);
+    return is_float(type) ? float_cost(code, type) : integer_cost(code, stmt);
+}
+
+int64_t assign_cost(gassign *stmt)
+{
+    if (gimple_clobber_p(stmt))
+        return 0;
+    int64_t cost = operation_cost(stmt) + memory_cost(gimple_assign_lhs(stmt), table.clocks.store);
+    if (gimple_assign_single_p(stmt)) {
+        cost += memory_cost(gimple_assign_rhs1(stmt), table.clocks.load);
+        if (is_memory(gimple_assign_lhs(stmt)))
+            cost += constant_cost(gimple_assign_rhs1(stmt));
+    }
+    return cost;
+}
+
+/* --- calls ---------------------------------------------------------------------------------------------- */
+
+/* The name under which a call is known outside this file, or NULL: then it is code of the program. */
+const char *library_name(gcall *call)
+{
+    tree decl = gimple_call_fndecl(call);
+    if (!decl || !(DECL_EXTERNAL(decl) || fndecl_built_in_p(decl)) || DECL_STRUCT_FUNCTION(decl))
+        return NULL;
+    const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(decl));
+    name += *name == '*';
+    return strncmp(name, "__builtin_", 10) ? name : name + 10;
+}
+
+const call_cost *listed(gcall *call)
+{
+    const char *name = library_name(call);
+    auto found = name ? table.calls.find(name) : table.calls.end();
+    return found == table.calls.end() ? NULL : &found->second;
+}
+
+/* Calls that GCC expands in place to a few instructions. Returns -1 for the others. */
+int64_t expanded_cost(gcall *call)
+{
+    tree lhs = gimple_call_lhs(call);
+    bool single = lhs && is_float(TREE_TYPE(lhs)) && is_single(scalar_type(TREE_TYPE(lhs)));
+    switch (gimple_call_combined_fn(call)) {
+    case CFN_SQRT:
+    case CFN_BUILT_IN_SQRT:
+    case CFN_BUILT_IN_SQRTF:
+        return single ? table.clocks.fp_sqrt_single : table.clocks.fp_sqrt_double;
+    case CFN_BUILT_IN_FABS:
+    case CFN_BUILT_IN_FABSF:
+    case CFN_COPYSIGN:
+    case CFN_BUILT_IN_COPYSIGN:
+    case CFN_BUILT_IN_COPYSIGNF:
+        return table.clocks.fp_move;
+    case CFN_FMA:
+        return float_cost(MULT_EXPR, TREE_TYPE(lhs)) + float_cost(PLUS_EXPR, TREE_TYPE(lhs));
+    case CFN_BUILT_IN_EXPECT:
+    case CFN_BUILT_IN_UNREACHABLE:
+    case CFN_BUILT_IN_ASSUME_ALIGNED:
+    case CFN_BUILT_IN_PREFETCH:
+    case CFN_BUILT_IN_STACK_SAVE:
+    case CFN_BUILT_IN_STACK_RESTORE:
+    case CFN_BUILT_IN_FRAME_ADDRESS:
+    case CFN_BUILT_IN_RETURN_ADDRESS:
+    case CFN_BUILT_IN_TRAP:
+        return 0;
+    case CFN_BUILT_IN_ALLOCA:
+    case CFN_BUILT_IN_ALLOCA_WITH_ALIGN:
+    case CFN_BUILT_IN_VA_START:
+    case CFN_BUILT_IN_VA_END:
+    case CFN_BUILT_IN_VA_COPY:
+    case CFN_BUILT_IN_ISNAN:
+    case CFN_BUILT_IN_SIGNBIT:
+        return 2 * table.clocks.integer;
+    default:
+        return gimple_call_internal_p(call) ? table.clocks.integer : -1;
+    }
+}
+
+int64_t argument_loads(gcall *call)
+{
+    int64_t cost = 0;
+    for (unsigned i = 0; i < gimple_call_num_args(call); i++)
+        cost += memory_cost(gimple_call_arg(call, i), table.clocks.load);
+    return cost;
+}
+
+int64_t fixed_call_cost(gcall *call)
+{
+    int64_t cost = argument_loads(call) + memory_cost(gimple_call_lhs(call), table.clocks.store);
+    if (const call_cost *known = listed(call))
+        return cost + known->base;
+    int64_t expanded = expanded_cost(call);
+    if (expanded >= 0)
+        return cost + expanded;
+    return cost + table.clocks.call + gimple_call_num_args(call) * table.clocks.argument;
+}
+
+/* The C library's functions that keep to themselves: no output, no allocation, no call back, no clock. What
+ * the simulator serves, and stdio whose streams it serves, is not among them. */
+bool is_quiet_name(const char *name)
+{
+    static const char names[] =
+        " memcpy memmove memset memcmp memchr strlen strnlen strcpy strncpy strcat strncat strcmp strncmp"
+        " strcasecmp strncasecmp strchr strrchr strstr strspn strcspn strpbrk strtok_r"
+        " strtol strtoul strtoll strtoull strtod strtof atoi atol atof abs labs rand_r strerror"
+        " __ctype_b_loc __ctype_tolower_loc __ctype_toupper_loc __errno_location toupper tolower"
+        " isalpha isdigit isspace isalnum isupper islower isprint ispunct"
+        " sqrt sqrtf cbrt cbrtf exp expf log logf log2 log10 pow powf sin sinf cos cosf tan asin acos atan "
+        "atan2"
+        " sinh cosh tanh floor floorf ceil ceilf fabs fabsf fmod fmin fmax fminf fmaxf hypot ldexp frexp modf"
+        " rint round lround trunc sincos copysign ";
+    const char *p = strstr(names, name);
+    size_t n = strlen(name);
+    for (; p; p = strstr(p + 1, name))
+        if (p[-1] == ' ' && (p[n] == ' ' || p[n] == '\0'))
+            return true;
+    return false;
+}
+
+/* __builtin_ctz and its kin: an operation in the clothes of a call. */
+bool is_operation(gcall *call)
+{
+    const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(gimple_call_fndecl(call)));
+    return !strncmp(name, "__builtin_", 10) && (gimple_call_flags(call) & (ECF_CONST | ECF_PURE));
+}
+
+/* --- cost factors --------------------------------------------------------------------------------------- */
+
+/* The function whose text stmt comes from. */
+tree written_in(gimple *stmt)
+{
+    for (tree b = gimple_block(stmt); b && TREE_CODE(b) == BLOCK; b = BLOCK_SUPERCONTEXT(b)) {
+        if (!inlined_function_outer_scope_p(b))
+            continue;
+        tree origin = BLOCK_ABSTRACT_ORIGIN(b);
+        while (origin && TREE_CODE(origin) == BLOCK)
+            origin = BLOCK_ABSTRACT_ORIGIN(origin);
+        if (origin && TREE_CODE(origin) == FUNCTION_DECL)
+            return origin;
+    }
+    return current_function_decl;
+}
+
+/* "slice.c" names app/slice.c; "app/slice.c" does too; "lice.c" does not. */
+bool file_matches(const std::string &wanted, const char *file)
+{
+    size_t n = strlen(file);
+    if (wanted.empty())
+        return true;
+    if (!file || n < wanted.size() || wanted != file + (n - wanted.size()))
+        return false;
+    return n == wanted.size() || file[n - wanted.size() - 1] == '/';
+}
+
+double factor_of(tree function)
+{
+    const char *name = DECL_NAME(function) ? IDENTIFIER_POINTER(DECL_NAME(function)) : "";
+    double factor = 1;
+    for (const cost_factor &f : factors)
+        if (file_matches(f.file, DECL_SOURCE_FILE(function)) && (f.function.empty() || f.function == name))
+            factor *= f.factor;
+    return factor;
+}
+
+int64_t with_factor(gimple *stmt, int64_t cost)
+{
+    return factors.empty() || !cost ? cost : llround((double)cost * factor_of(written_in(stmt)));
+}
+
+int64_t plain_cost(gimple *stmt)
+{
+    switch (gimple_code(stmt)) {
+    case GIMPLE_ASSIGN:
+        return assign_cost(as_a<gassign *>(stmt));
+    case GIMPLE_CALL:
+        return fixed_call_cost(as_a<gcall *>(stmt));
+    case GIMPLE_COND:
+        return compare_cost(gimple_cond_lhs(stmt)) + constant_cost(gimple_cond_rhs(stmt)) +
+               table.clocks.branch;
+    case GIMPLE_SWITCH:
+        return table.clocks.jump_table;
+    case GIMPLE_GOTO:
+        return table.clocks.branch;
+    case GIMPLE_ASM:
+        return table.clocks.integer;
+    default:
+        return 0; /* labels, debug statements, predictions; a return is part of `call` */
+    }
+}
+} // namespace
+
+void costs_use(const cost_table &t, const std::vector<cost_factor> &f)
+{
+    table = t;
+    factors = f;
+}
+
+int64_t costs_of(gimple *stmt)
+{
+    return with_factor(stmt, plain_cost(stmt));
+}
+
+int64_t costs_of_call(gcall *call, const std::vector<int> **of)
+{
+    const call_cost *known = listed(call);
+    if (!known || !known->per)
+        return 0;
+    for (int argument : known->of)
+        if (argument > (int)gimple_call_num_args(call))
+            return 0; /* the program declares it otherwise */
+    *of = &known->of;
+    return with_factor(call, known->per);
+}
+
+bool costs_call_is_quiet(gcall *call)
+{
+    if (gimple_call_internal_p(call))
+        return true;
+    const char *name = library_name(call);
+    return name && (expanded_cost(call) >= 0 || is_quiet_name(name) || is_operation(call));
+}

@@ -1,0 +1,387 @@
+/* count.cc - the pass that makes a program count its own cost: image.h says what it counts into.
+ *
+ * A function's blocks are cut into stretches at the calls that may look at the counter. A stretch pays its
+ * cost in one subtraction where it begins:
+ *
+ *     block:  left -= cost
+ *             if (left < 0) preempt        only where a cycle of blocks closes, and where a function begins
+ *             ...
+ *             counter = left               the call sees all that was spent before it
+ *             call
+ *             left = counter
+ *             left -= cost of the next stretch
+ *             ...
+ *
+ * `left` is a register variable of the function; GCC's SSA updating turns it into SSA names. A function with
+ * edges that no register survives in good order (setjmp, computed goto, nonlocal goto) counts in memory
+ * instead: same places, same costs. The pass stands last before the expansion to machine code, so that what
+ * it counts is what is left to execute.
+ *
+ * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
+ * check is a branch over nothing, and a leaf function stays a leaf.
+ */
+#include "gcc.h"
+#include "costs.h"
+#include "count.h"
+
+#define COUNTER "nxc_left"
+#define PREEMPT "nxc_enter" /* runtime.c */
+
+namespace
+{
+tree counter; /* the variable nxc_left of runtime.c */
+
+/* Where a check is to go: behind a statement that pays, if value is then negative. */
+struct check {
+    gimple *after;
+    tree value;
+};
+
+class counting
+{
+  public:
+    explicit counting(function *f) : fun(f), checked(last_basic_block_for_fn(f)) {}
+    void run();
+
+  private:
+    void look_at_function();
+    void mark_checked_blocks();
+    void count_block(basic_block bb);
+    gimple *hand_over(gcall *call);
+    void pay_argument(gcall *call);
+    gimple *pay_result(gcall *call, gimple *behind);
+    void pay(basic_block bb, gimple *behind, int64_t cost);
+    check subtract(gimple_seq *seq, tree amount);
+    void load_on_entry();
+    void store_on_exit();
+    void insert_check(const check &c);
+
+    function *fun;
+    tree left = NULL_TREE; /* the register, or NULL: count in memory */
+    bool calls = false;    /* something here may look at the counter */
+    auto_sbitmap checked;  /* blocks that check: the heads of cycles, and the first */
+    auto_vec<check> checks;
+};
+
+tree units_constant(int64_t units)
+{
+    return build_int_cst(long_integer_type_node, units);
+}
+
+bool looks(gimple *stmt)
+{
+    gcall *call = dyn_cast<gcall *>(stmt);
+    return call && !costs_call_is_quiet(call);
+}
+
+/* A function that GCC has found pure or const still changes the counter. Its callers are expanded with this
+ * knowledge, so it is taken away before each of them is. */
+void forget_purity(gcall *call)
+{
+    if (!(gimple_call_flags(call) & (ECF_CONST | ECF_PURE | ECF_NOVOPS)))
+        return;
+    if (tree decl = gimple_call_fndecl(call)) {
+        TREE_READONLY(decl) = 0;
+        DECL_PURE_P(decl) = 0;
+        DECL_LOOPING_CONST_OR_PURE_P(decl) = 0;
+        DECL_IS_NOVOPS(decl) = 0;
+    }
+    tree type = gimple_call_fntype(call);
+    if (TYPE_READONLY(type))
+        gimple_call_set_fntype(call, build_function_type(TREE_TYPE(type), TYPE_ARG_TYPES(type)));
+    update_stmt(call);
+}
+
+void counting::look_at_function()
+{
+    bool in_memory = fun->calls_setjmp || fun->has_nonlocal_label;
+    basic_block bb;
+    FOR_EACH_BB_FN(bb, fun)
+    {
+        edge e;
+        edge_iterator ei;
+        FOR_EACH_EDGE(e, ei, bb->succs)
+        in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
+        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+            calls = calls || looks(gsi_stmt(gsi));
+    }
+    if (!in_memory)
+        left = create_tmp_reg(long_integer_type_node, "left");
+}
+
+/* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
+ * cannot be part of a recursion, so that its loops' checks suffice. */
+void counting::mark_checked_blocks()
+{
+    bitmap_clear(checked);
+    mark_dfs_back_edges();
+    basic_block bb;
+    FOR_EACH_BB_FN(bb, fun)
+    {
+        edge e;
+        edge_iterator ei;
+        FOR_EACH_EDGE(e, ei, bb->succs)
+        if (e->flags & EDGE_DFS_BACK)
+            bitmap_set_bit(checked, e->dest->index);
+    }
+    if (calls)
+        bitmap_set_bit(checked, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
+}
+
+/* Appends counter -= amount. The result names the last statement and where the new value is. */
+check counting::subtract(gimple_seq *seq, tree amount)
+{
+    if (left) {
+        gimple *sub = TREE_CODE(amount) == INTEGER_CST
+                          ? gimple_build_assign(left, PLUS_EXPR, left, units_constant(-tree_to_shwi(amount)))
+                          : gimple_build_assign(left, MINUS_EXPR, left, amount);
+        gimple_seq_add_stmt_without_update(seq, sub);
+        return {sub, left};
+    }
+    tree was = make_ssa_name(long_integer_type_node);
+    tree is = make_ssa_name(long_integer_type_node);
+    gimple *store = gimple_build_assign(counter, is);
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, was, amount));
+    gimple_seq_add_stmt_without_update(seq, store);
+    return {store, is};
+}
+
+/* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
+ * is. */
+void counting::pay(basic_block bb, gimple *behind, int64_t cost)
+{
+    bool check_here = !behind && bitmap_bit_p(checked, bb->index);
+    if (!cost && !check_here)
+        return;
+    gimple_seq seq = NULL;
+    check paid = subtract(&seq, units_constant(cost));
+    if (check_here)
+        checks.safe_push(paid);
+    if (behind) {
+        gimple_stmt_iterator gsi = gsi_for_stmt(behind);
+        gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
+    } else {
+        gimple_stmt_iterator gsi = gsi_after_labels(bb);
+        gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+    }
+}
+
+/* Appends per * the product of the values that *of lists. NULL if one of them is not an integer. */
+tree append_amount(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of)
+{
+    tree amount = units_constant(per);
+    for (int argument : of) {
+        tree value = argument ? gimple_call_arg(call, argument - 1) : gimple_call_lhs(call);
+        if (!INTEGRAL_TYPE_P(TREE_TYPE(value)))
+            return NULL_TREE;
+        value = gimple_convert(seq, long_integer_type_node, value);
+        if (!argument) /* a negative result is an error, and no amount */
+            value = gimple_build(seq, MAX_EXPR, long_integer_type_node, value, units_constant(0));
+        amount = gimple_build(seq, MULT_EXPR, long_integer_type_node, amount, value);
+    }
+    return amount;
+}
+
+void counting::pay_argument(gcall *call)
+{
+    const std::vector<int> *of = nullptr;
+    int64_t per = costs_of_call(call, &of);
+    if (!per || of->at(0) == 0)
+        return;
+    gimple_seq seq = NULL;
+    if (tree amount = append_amount(&seq, call, per, *of))
+        subtract(&seq, amount);
+    gimple_stmt_iterator gsi = gsi_for_stmt(call);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+}
+
+/* Returns the last statement it put behind the given one. */
+gimple *counting::pay_result(gcall *call, gimple *behind)
+{
+    const std::vector<int> *of = nullptr;
+    int64_t per = costs_of_call(call, &of);
+    tree type = gimple_call_return_type(call);
+    if (!per || of->at(0) != 0 || !INTEGRAL_TYPE_P(type))
+        return behind;
+    if (!gimple_call_lhs(call)) {
+        gimple_call_set_lhs(call, make_ssa_name(type, call));
+        gimple_call_set_tail(call, false);
+        update_stmt(call);
+    }
+    if (!is_gimple_reg(gimple_call_lhs(call)))
+        return behind;
+    gimple_seq seq = NULL;
+    gimple *last = subtract(&seq, append_amount(&seq, call, per, *of)).after;
+    gimple_stmt_iterator gsi = gsi_for_stmt(behind);
+    gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
+    return last;
+}
+
+/* Lets a call see the counter and takes over what it left. Returns the last statement that belongs to the
+ * call. A call marked as a tail call may stay one: if GCC makes it a jump, what follows it is dropped, and
+ * rightly so, because the callee leaves the counter where this function's caller looks for it. */
+gimple *counting::hand_over(gcall *call)
+{
+    forget_purity(call);
+    if (!left)
+        return call;
+    gimple_stmt_iterator gsi = gsi_for_stmt(call);
+    gsi_insert_before(&gsi, gimple_build_assign(counter, left), GSI_SAME_STMT);
+    if (stmt_ends_bb_p(call))
+        return call;
+    gimple *reload = gimple_build_assign(left, counter);
+    gsi_insert_after(&gsi, reload, GSI_SAME_STMT);
+    return reload;
+}
+
+void counting::count_block(basic_block bb)
+{
+    auto_vec<gimple *> statements;
+    for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+        statements.safe_push(gsi_stmt(gsi));
+    int64_t cost = 0;
+    gimple *behind = NULL;
+    unsigned i;
+    gimple *stmt;
+    FOR_EACH_VEC_ELT(statements, i, stmt)
+    {
+        cost += costs_of(stmt);
+        gcall *call = dyn_cast<gcall *>(stmt);
+        if (!call)
+            continue;
+        pay_argument(call);
+        gimple *last = call;
+        if (looks(call)) {
+            pay(bb, behind, cost);
+            cost = 0;
+            behind = last = hand_over(call);
+        }
+        if (!stmt_ends_bb_p(call))
+            last = pay_result(call, last);
+        if (behind && looks(call))
+            behind = last;
+    }
+    if (!behind || !stmt_ends_bb_p(behind))
+        pay(bb, behind, cost);
+}
+
+void counting::load_on_entry()
+{
+    edge entry = single_succ_edge(ENTRY_BLOCK_PTR_FOR_FN(fun));
+    gsi_insert_on_edge_immediate(entry, gimple_build_assign(left, counter));
+}
+
+void counting::store_on_exit()
+{
+    edge e;
+    edge_iterator ei;
+    FOR_EACH_EDGE(e, ei, EXIT_BLOCK_PTR_FOR_FN(fun)->preds)
+    {
+        gimple_stmt_iterator gsi = gsi_last_nondebug_bb(e->src);
+        if (!gsi_end_p(gsi) && gimple_code(gsi_stmt(gsi)) == GIMPLE_RETURN)
+            gsi_insert_before(&gsi, gimple_build_assign(counter, left), GSI_SAME_STMT);
+    }
+}
+
+/* Cuts the block behind c.after and puts the way to the simulator beside it. */
+void counting::insert_check(const check &c)
+{
+    basic_block bb = gimple_bb(c.after);
+    edge on = split_block(bb, c.after);
+    basic_block rest = on->dest;
+    basic_block cold = create_empty_bb(bb);
+    if (current_loops)
+        add_bb_to_loop(cold, bb->loop_father);
+    gimple_stmt_iterator gsi = gsi_last_bb(bb);
+    gsi_insert_after(&gsi, gimple_build_cond(LT_EXPR, c.value, units_constant(0), NULL_TREE, NULL_TREE),
+                     GSI_NEW_STMT);
+    on->flags = EDGE_FALSE_VALUE;
+    on->probability = profile_probability::very_likely();
+    edge out = make_edge(bb, cold, EDGE_TRUE_VALUE);
+    out->probability = profile_probability::very_unlikely();
+    cold->count = out->count();
+    make_single_succ_edge(cold, rest, EDGE_FALLTHRU);
+
+    gimple_seq seq = NULL;
+    vec<tree, va_gc> *clobbers = NULL;
+    vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
+    gasm *call = gimple_build_asm_vec("call\t" PREEMPT, NULL, NULL, clobbers, NULL);
+    gimple_asm_set_volatile(call, true);
+    if (left)
+        gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(counter, left));
+    gimple_seq_add_stmt_without_update(&seq, call);
+    if (left)
+        gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, counter));
+    gsi = gsi_start_bb(cold);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+}
+
+void counting::run()
+{
+    look_at_function();
+    mark_checked_blocks();
+    basic_block bb;
+    FOR_EACH_BB_FN(bb, fun)
+    count_block(bb);
+    if (left) {
+        load_on_entry();
+        store_on_exit();
+    }
+    unsigned i;
+    check *c;
+    FOR_EACH_VEC_ELT(checks, i, c)
+    insert_check(*c);
+    free_dominance_info(CDI_DOMINATORS);
+    free_dominance_info(CDI_POST_DOMINATORS);
+}
+
+tree make_counter()
+{
+    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(COUNTER), long_integer_type_node);
+    DECL_EXTERNAL(var) = 1;
+    TREE_PUBLIC(var) = 1;
+    TREE_USED(var) = 1;
+    TREE_ADDRESSABLE(var) = 1;
+    DECL_ARTIFICIAL(var) = 1;
+    DECL_IGNORED_P(var) = 1;
+    DECL_VISIBILITY(var) = VISIBILITY_HIDDEN;
+    DECL_VISIBILITY_SPECIFIED(var) = 1;
+    varpool_node::get_create(var); /* later passes ask for it */
+    return var;
+}
+
+const pass_data count_data = {
+    GIMPLE_PASS, "count", OPTGROUP_NONE, TV_NONE, PROP_cfg | PROP_ssa, 0, 0, 0, TODO_update_ssa,
+};
+
+class count_pass : public gimple_opt_pass
+{
+  public:
+    explicit count_pass(gcc::context *context) : gimple_opt_pass(count_data, context) {}
+    opt_pass *clone() override { return new count_pass(m_ctxt); }
+    unsigned int execute(function *f) override
+    {
+        if (!counter)
+            counter = make_counter();
+        counting(f).run();
+        return 0;
+    }
+};
+
+/* GCC's collector of unused trees must know that this one is used. */
+const ggc_root_tab roots[] = {
+    {&counter, 1, sizeof counter, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
+    LAST_GGC_ROOT_TAB,
+};
+} // namespace
+
+opt_pass *count_make_pass()
+{
+    return new count_pass(g);
+}
+
+const ggc_root_tab *count_roots()
+{
+    return roots;
+}

@@ -1,0 +1,32 @@
+/* gcc.h - GCC's own headers in the order that they need. Included first by every file of the plugin. */
+#ifndef NXCC_GCC_H
+#define NXCC_GCC_H
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include "gcc-plugin.h"
+#include "plugin-version.h"
+#include "tm.h"
+#include "tree.h"
+#include "tree-pass.h"
+#include "context.h"
+#include "basic-block.h"
+#include "gimple.h"
+#include "gimple-iterator.h"
+#include "gimple-fold.h"
+#include "gimplify.h"
+#include "gimplify-me.h"
+#include "gimple-pretty-print.h"
+#include "ssa.h"
+#include "tree-cfg.h"
+#include "tree-into-ssa.h"
+#include "tree-ssa-operands.h"
+#include "cfganal.h"
+#include "cfgloop.h"
+#include "cgraph.h"
+#include "builtins.h"
+#include "internal-fn.h"
+#include "stringpool.h"
+#include "diagnostic-core.h"
+#pragma GCC diagnostic pop
+#endif

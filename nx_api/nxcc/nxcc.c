@@ -1,0 +1,322 @@
+/* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link.
+ *
+ * It runs gcc once, with the user's arguments followed by its own. Everything it needs it finds from where it
+ * is itself:
+ *
+ *     in the build tree   BUILD/nxcc          BUILD/node/{count.so, runtime.o, libnx.a, libnode.so, include,
+ * cpu} installed           PREFIX/bin/nxcc     PREFIX/lib/touchstone/{count.so ...},
+ * PREFIX/share/touchstone/{include, cpu}
+ */
+#include <errno.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define VERSION "0.1"
+#define DEFAULT_COSTS "i860xr.cfg"
+
+static const char help[] =
+    "nxcc compiles programs for the nodes that touchstone simulates. Use it as you use gcc:\n"
+    "\n"
+    "    nxcc -O2 -o hello hello.c -lm      compile and link a node program\n"
+    "    nxcc -O2 -c part.c                 compile a part; link it later with nxcc\n"
+    "    touchstone run hello               run it on a simulated machine\n"
+    "\n"
+    "All options are gcc's (-c -E -S -g -O -D -I -L -l ...), and these:\n"
+    "\n"
+    "    --costs FILE     clocks per class of operation of the simulated processor; a name without / is "
+    "looked for in\n"
+    "                     touchstone's own cpu directory as well (default " DEFAULT_COSTS ")\n"
+    "    --factors FILE   cost factors of source files or functions: factors = ( { file = \"a.c\"; factor = "
+    "1.02; } );\n"
+    "    --dry-run        print the gcc command and do not run it\n"
+    "    --help           this text            --version    nxcc's version, and gcc's\n"
+    "\n"
+    "What nxcc does with a program: GCC optimises it as always (without vectors, which the simulated "
+    "processors do not\n"
+    "have), then each block of it is made to count its own cost in clocks of the simulated processor. The "
+    "same source\n"
+    "gives the same count on every computer. A program may use the NX calls of nx.h and the C library that a "
+    "node has;\n"
+    "anything else is an undefined reference when it is linked. -node and -nx, which linked NX programs in "
+    "their day,\n"
+    "are accepted.\n";
+
+/* --- errors and small strings ----------------------------------------------------------------------------
+ */
+
+__attribute__((format(printf, 1, 2), noreturn)) static void fail(const char *format, ...)
+{
+    va_list list;
+    fputs("nxcc: ", stderr);
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputc('\n', stderr);
+    exit(1);
+}
+
+__attribute__((format(printf, 1, 2))) static char *text(const char *format, ...)
+{
+    char *s;
+    va_list list;
+    va_start(list, format);
+    if (vasprintf(&s, format, list) < 0)
+        fail("out of memory");
+    va_end(list);
+    return s;
+}
+
+static bool readable(const char *path)
+{
+    return access(path, R_OK) == 0;
+}
+
+/* --- where things are ------------------------------------------------------------------------------------
+ */
+
+struct places {
+    char *lib;     /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
+    char *include; /* nx.h */
+    char *cpu;     /* i860xr.cfg */
+};
+
+static struct places find_places(void)
+{
+    char self[PATH_MAX];
+    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    if (n < 0)
+        fail("/proc/self/exe: %s", strerror(errno));
+    self[n] = '\0';
+    *strrchr(self, '/') = '\0';
+
+    char *built = text("%s/node", self);
+    if (readable(text("%s/count.so", built)))
+        return (struct places){
+            .lib = built, .include = text("%s/include", built), .cpu = text("%s/cpu", built)};
+    struct places p = {
+        .lib = text("%s/../lib/touchstone", self),
+        .include = text("%s/../share/touchstone/include", self),
+        .cpu = text("%s/../share/touchstone/cpu", self),
+    };
+    if (!readable(text("%s/count.so", p.lib)))
+        fail("count.so is neither in %s/node (build tree) nor in %s (installed): is the installation "
+             "complete?",
+             self, p.lib);
+    return p;
+}
+
+static char *find_costs(const struct places *p, const char *name)
+{
+    if (readable(name))
+        return realpath(name, NULL);
+    char *own = text("%s/%s", p->cpu, name);
+    if (!strchr(name, '/') && readable(own))
+        return own;
+    fail("--costs %s: %s (looked for it here and in %s)", name, strerror(errno), p->cpu);
+}
+
+/* --- arguments -------------------------------------------------------------------------------------------
+ */
+
+struct arguments {
+    const char **gcc; /* what gcc is to get, in order */
+    size_t count;
+    const char *costs;
+    const char *factors;
+    bool links;    /* gcc will link */
+    bool has_file; /* there is something to compile or link */
+    bool dry_run;
+};
+
+static void add(struct arguments *a, const char *argument)
+{
+    a->gcc = reallocarray(a->gcc, a->count + 2, sizeof *a->gcc);
+    if (!a->gcc)
+        fail("out of memory");
+    a->gcc[a->count++] = argument;
+    a->gcc[a->count] = NULL;
+}
+
+/* "--costs FILE" or "--costs=FILE": the value, or NULL if argv[*i] is another option. */
+static const char *own_option(const char *name, int argc, char **argv, int *i)
+{
+    size_t n = strlen(name);
+    if (strncmp(argv[*i], name, n) || (argv[*i][n] && argv[*i][n] != '='))
+        return NULL;
+    if (argv[*i][n] == '=')
+        return argv[*i] + n + 1;
+    if (++*i == argc)
+        fail("%s needs a file name", name);
+    return argv[*i];
+}
+
+static bool is_one_of(const char *s, const char *const *list)
+{
+    for (; *list; list++)
+        if (!strcmp(s, *list))
+            return true;
+    return false;
+}
+
+/* Options that would make another kind of program, with the reason why they cannot be had. */
+static void refuse(const char *s)
+{
+    if (!strncmp(s, "-flto", 5) && strcmp(s, "-flto=no"))
+        fail("%s: the costs are counted when each file is compiled, so there is no link-time optimisation",
+             s);
+    if (!strcmp(s, "-shared") || !strcmp(s, "-static") || !strcmp(s, "-m32") || !strcmp(s, "-mcmodel=large"))
+        fail("%s: a node program is a position-independent 64-bit image that the simulator loads; leave it "
+             "out",
+             s);
+    if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "-fopenmp") ||
+        !strcmp(s, "-pthread") || !strcmp(s, "--coverage"))
+        fail("%s: needs a library that a node does not have", s);
+}
+
+static void show_version(void)
+{
+    printf("nxcc (touchstone) " VERSION ", around:\n");
+    fflush(stdout);
+    execlp("gcc", "gcc", "--version", (char *)NULL);
+    fail("gcc: %s", strerror(errno));
+}
+
+static struct arguments read_arguments(int argc, char **argv)
+{
+    static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-fsyntax-only", NULL};
+    static const char *const with_value[] = {
+        "-o",  "-D",  "-U",      "-I",       "-L", "-l", "-x",       "-include",   "-isystem", "-MF",
+        "-MT", "-MQ", "-iquote", "-Xlinker", "-T", "-u", "-imacros", "-idirafter", "--param",  NULL};
+    static const char *const dropped[] = {"-node", "-nx", "-g0", NULL};
+    struct arguments a = {.costs = DEFAULT_COSTS, .links = true};
+    add(&a, "gcc");
+    add(&a,
+        "-g1"); /* before the user's: lines for crash reports, and inlined code knows where it was written */
+    for (int i = 1; i < argc; i++) {
+        const char *value;
+        if (!strcmp(argv[i], "--help")) {
+            fputs(help, stdout);
+            exit(0);
+        }
+        if (!strcmp(argv[i], "--version"))
+            show_version();
+        if ((value = own_option("--costs", argc, argv, &i))) {
+            a.costs = value;
+        } else if ((value = own_option("--factors", argc, argv, &i))) {
+            a.factors = value;
+        } else if (!strcmp(argv[i], "--dry-run")) {
+            a.dry_run = true;
+        } else if (is_one_of(argv[i], with_value) && i + 1 < argc) {
+            add(&a, argv[i]);
+            add(&a, argv[++i]);
+        } else if (!is_one_of(argv[i], dropped)) {
+            refuse(argv[i]);
+            a.links = a.links && !is_one_of(argv[i], no_link);
+            a.has_file = a.has_file || argv[i][0] != '-' || !argv[i][1];
+            add(&a, argv[i]);
+        }
+    }
+    return a;
+}
+
+/* --- the command -----------------------------------------------------------------------------------------
+ */
+
+/* Compiling: position-independent and plain, so that the same source computes the same and costs the same
+ * everywhere. */
+static void add_compile(struct arguments *a, const struct places *p)
+{
+    static const char *const options[] = {
+        "-fPIE",                       /* an image that can be loaded once per node ... */
+        "-mno-direct-extern-access",   /* ... with no variable copied out of the C library */
+        "-fno-tree-vectorize",         /* the i860 has no vectors: operations are counted as it ran them */
+        "-fno-tree-slp-vectorize",     /* */
+        "-ffp-contract=off",           /* no fused multiply-add: results as with separate ones */
+        "-fno-stack-protector",        /* a node's stack has guard pages */
+        "-U_FORTIFY_SOURCE",           /* no __printf_chk */
+        "-fcf-protection=none",        /* */
+        "-mno-red-zone",               /* checks call from leaf functions: see plugin.cc */
+        "-fasynchronous-unwind-tables" /* crash reports */
+    };
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        add(a, options[i]);
+    add(a, text("-fplugin=%s/count.so", p->lib));
+    add(a, text("-fplugin-arg-count-costs=%s", find_costs(p, a->costs)));
+    if (a->factors) {
+        if (!readable(a->factors))
+            fail("--factors %s: %s", a->factors, strerror(errno));
+        add(a, text("-fplugin-arg-count-factors=%s", a->factors));
+    }
+    add(a, "-isystem");
+    add(a, p->include);
+}
+
+/* The stand-ins must be found before the host's libraries, so their directory comes before the user's
+ * arguments. */
+static void add_link_first(struct arguments *a, const struct places *p)
+{
+    add(a, text("-L%s", p->lib));
+}
+
+static void add_link(struct arguments *a, const struct places *p)
+{
+    static const char *const options[] = {
+        "-pie",
+        "-nostdlib",
+        "-nostartfiles",
+        "-Wl,--no-dynamic-linker", /* the simulator loads it; run in a shell it reaches runtime.c's _start */
+        "-Wl,-z,defs",
+        "-Wl,-z,now",
+        "-Wl,-z,nocopyreloc",
+        "-Wl,-z,noexecstack",
+        "-Wl,--hash-style=sysv", /* its chain count is the number of dynamic symbols */
+        "-Wl,--build-id",
+        "-Wl,--export-dynamic-symbol=nxc_image",
+    };
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        add(a, options[i]);
+    add(a, "-x");
+    add(a, "none");
+    add(a, text("%s/runtime.o", p->lib));
+    add(a, text("%s/libnx.a", p->lib));
+    add(a, "-lgcc");
+    add(a, text("%s/libnode.so", p->lib));
+}
+
+static void print_command(const struct arguments *a)
+{
+    for (size_t i = 0; i < a->count; i++)
+        printf("%s%s", a->gcc[i], i + 1 < a->count ? " " : "\n");
+}
+
+int main(int argc, char **argv)
+{
+    struct arguments user = read_arguments(argc, argv);
+    struct places p = find_places();
+    if (!user.has_file && argc == 1)
+        fail("no input files; nxcc --help shows how it is used");
+    bool link = user.links && user.has_file;
+
+    struct arguments a = user;
+    a.gcc = NULL;
+    a.count = 0;
+    add(&a, user.gcc[0]);
+    if (link)
+        add_link_first(&a, &p);
+    for (size_t i = 1; i < user.count; i++)
+        add(&a, user.gcc[i]);
+    add_compile(&a, &p);
+    if (link)
+        add_link(&a, &p);
+    if (a.dry_run) {
+        print_command(&a);
+        return 0;
+    }
+    execvp("gcc", (char *const *)a.gcc);
+    fail("gcc: %s", strerror(errno));
+}

@@ -1,0 +1,52 @@
+# nxcc.mk - the compiler of node programs and what they are linked with. Included by the Makefile.
+#   $B/nxcc             the driver
+#   $B/node/            what it uses: the plugin, the runtime, the link-time library, headers and cost tables
+NODE       := $B/node
+PLUGIN_INC  = $(shell $(CC) -print-file-name=plugin)/include
+PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
+PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
+COMMON_SRC := $(wildcard nx_api/common/*.c)
+COMMON_OBJ := $(COMMON_SRC:nx_api/common/%.c=$(NODE)/obj/%.o)
+CPU_FILES  := $(wildcard machines/cpu/*.cfg)
+STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
+
+NXCC_TOOLS := $B/nxcc $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libnode.so $(STAND_INS)
+
+$B/nxcc: nx_api/nxcc/nxcc.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -o $@ $<
+
+# GCC's headers are not clean under our own warnings; ours are, so theirs are system headers.
+$B/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
+	@mkdir -p $(@D)
+	g++ -std=gnu++17 -O2 -g -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -c -o $@ $<
+
+$(NODE)/count.so: $(PLUGIN_OBJ)
+	@mkdir -p $(@D)
+	g++ -shared -o $@ $^ -lconfig
+
+$(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
+
+$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def
+	@mkdir -p $(@D)
+	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
+
+# What -lm, -lc and -lz find instead of the host's libraries: libnode.so has their names already.
+$(STAND_INS): | $(NODE)/libnode.so
+	echo '/* these names are in libnode.so */ INPUT(-lnode)' > $@
+
+# Node code of our own is counted like the user's.
+$(NODE)/obj/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h) $(NXCC_TOOLS)
+	@mkdir -p $(@D)
+	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
+
+$(NODE)/libnx.a: $(COMMON_OBJ)
+	@mkdir -p $(@D)
+	@rm -f $@
+	ar rcs $@ $^
+
+$(NODE)/include: ; @mkdir -p $(@D) && ln -sfnr nx_api/include $@
+$(NODE)/cpu: ; @mkdir -p $(@D) && ln -sfnr machines/cpu $@

@@ -1,0 +1,85 @@
+/* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
+ *
+ * Arguments: costs=FILE (needed), factors=FILE, before=PASS (where the pass stands; for measurements only).
+ */
+#include "gcc.h"
+#include "costs.h"
+#include "count.h"
+
+int plugin_is_GPL_compatible;
+
+namespace
+{
+struct arguments {
+    const char *costs = nullptr;
+    const char *factors = nullptr;
+    const char *before = "optimized"; /* the clean-up of the control flow graph just before expansion */
+};
+
+arguments read_arguments(const plugin_name_args *info)
+{
+    arguments a;
+    for (int i = 0; i < info->argc; i++) {
+        const plugin_argument &arg = info->argv[i];
+        if (!strcmp(arg.key, "costs"))
+            a.costs = arg.value;
+        else if (!strcmp(arg.key, "factors"))
+            a.factors = arg.value;
+        else if (!strcmp(arg.key, "before"))
+            a.before = arg.value;
+        else
+            fatal_error(UNKNOWN_LOCATION, "nxcc: unknown plugin argument '%s'", arg.key);
+    }
+    if (!a.costs)
+        fatal_error(UNKNOWN_LOCATION, "nxcc: the plugin needs costs=FILE");
+    return a;
+}
+
+/* A mistake in a cost file is the user's, not the compiled program's: say it in our words and stop. */
+void stop_if(const std::string &error)
+{
+    if (error.empty())
+        return;
+    fprintf(stderr, "nxcc: %s\n", error.c_str());
+    exit(FATAL_EXIT_CODE);
+}
+
+void read_files(const arguments &a)
+{
+    cost_table table;
+    std::vector<cost_factor> factors;
+    stop_if(table_read_costs(a.costs, table));
+    if (a.factors)
+        stop_if(table_read_factors(a.factors, factors));
+    costs_use(table, factors);
+}
+
+/* The routine behind a check saves the registers that x86-64 has always had, and uses the stack below the
+ * pointer. */
+void check_target(void *, void *)
+{
+    if (TARGET_AVX)
+        error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
+              "computer: "
+              "leave out %<-march%> and %<-mavx%>");
+    if (TARGET_RED_ZONE)
+        error("nxcc: node programs need %<-mno-red-zone%>");
+}
+} // namespace
+
+int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
+{
+    if (!plugin_default_version_check(version, &gcc_version)) {
+        fprintf(stderr, "nxcc: count.so was built for GCC %s, this is GCC %s: build nxcc again\n",
+                gcc_version.basever, version->basever);
+        return 1;
+    }
+    arguments a = read_arguments(info);
+    read_files(a);
+    register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
+    register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
+    register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
+                      const_cast<ggc_root_tab *>(count_roots()));
+    register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
+    return 0;
+}

@@ -1,0 +1,90 @@
+/* runtime.c - the part of a node program that nxcc adds: the counter, the image's description, the way to the
+ * simulator when the counter is spent. Compiled by plain gcc; see image.h.
+ *
+ * With NXC_HOSTED (tests) there is no _start, and the objects can be linked into an ordinary program.
+ */
+#include "image.h"
+
+__attribute__((visibility("hidden"))) int64_t nxc_left;
+
+extern int main(int argc, char **argv, char **envp);
+extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
+extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
+
+struct nxc_image nxc_image = {
+    .magic = NXC_IMAGE_MAGIC,
+    .version = NXC_IMAGE_VERSION,
+    .left = &nxc_left,
+    .main = main,
+    .init_begin = __init_array_start,
+    .init_end = __init_array_end,
+};
+
+/* nxc_enter: called from inline assembly where a check finds the counter negative. Nothing is known to be
+ * saved there and the stack may have any alignment, so it saves what a C function may change and calls
+ * nxc_preempt. fxsave needs 512 bytes at a multiple of 16; the direction flag and the control words are as
+ * the ABI wants them. */
+__asm__(".text\n"
+        ".hidden nxc_enter\n"
+        ".globl nxc_enter\n"
+        ".type nxc_enter, @function\n"
+        "nxc_enter:\n"
+        "    .cfi_startproc\n"
+        "    pushq %rbp\n"
+        "    .cfi_def_cfa_offset 16\n"
+        "    .cfi_offset %rbp, -16\n"
+        "    movq %rsp, %rbp\n"
+        "    .cfi_def_cfa_register %rbp\n"
+        "    pushq %rax\n"
+        "    pushq %rcx\n"
+        "    pushq %rdx\n"
+        "    pushq %rsi\n"
+        "    pushq %rdi\n"
+        "    pushq %r8\n"
+        "    pushq %r9\n"
+        "    pushq %r10\n"
+        "    pushq %r11\n"
+        "    subq $520, %rsp\n"
+        "    andq $-16, %rsp\n"
+        "    fxsave (%rsp)\n"
+        "    call nxc_preempt@PLT\n"
+        "    fxrstor (%rsp)\n"
+        "    leaq -72(%rbp), %rsp\n"
+        "    popq %r11\n"
+        "    popq %r10\n"
+        "    popq %r9\n"
+        "    popq %r8\n"
+        "    popq %rdi\n"
+        "    popq %rsi\n"
+        "    popq %rdx\n"
+        "    popq %rcx\n"
+        "    popq %rax\n"
+        "    popq %rbp\n"
+        "    .cfi_def_cfa %rsp, 8\n"
+        "    ret\n"
+        "    .cfi_endproc\n"
+        ".size nxc_enter, .-nxc_enter\n");
+
+#ifndef NXC_HOSTED
+/* Run by the kernel when somebody starts the program in a shell: nothing has been relocated, so only what is
+ * addressed from the instruction pointer can be used. */
+__asm__(".text\n"
+        ".globl _start\n"
+        ".hidden _start\n"
+        ".type _start, @function\n"
+        "_start:\n"
+        "    movl $1, %eax\n" /* write(2, text, length) */
+        "    movl $2, %edi\n"
+        "    leaq 1f(%rip), %rsi\n"
+        "    movl $(2f - 1f), %edx\n"
+        "    syscall\n"
+        "    movl $231, %eax\n" /* exit_group(126) */
+        "    movl $126, %edi\n"
+        "    syscall\n"
+        "    hlt\n"
+        ".size _start, .-_start\n"
+        ".section .rodata\n"
+        "1:  .ascii \"this is a node program: run it with  touchstone run PROGRAM\\n\"\n"
+        "2:\n"
+        ".text\n");
+#endif

@@ -1,0 +1,222 @@
+/* table.cc - reads cost and factor files (libconfig). See table.h. */
+#include "table.h"
+#include "image.h"
+#include <libconfig.h>
+#include <math.h>
+#include <string.h>
+#include <set>
+
+namespace
+{
+struct class_key {
+    const char *name;
+    int64_t class_costs::*member;
+};
+
+const class_key class_keys[] = {
+#define CLASS(name) {#name, &class_costs::name},
+    NXCC_CLASSES(CLASS)
+#undef CLASS
+};
+
+/* The first mistake found in one file. */
+struct reader {
+    const char *path;
+    std::string error;
+
+    bool fail(const config_setting_t *at, const std::string &what)
+    {
+        if (error.empty())
+            error = std::string(path) + ":" + std::to_string(at ? config_setting_source_line(at) : 1) + ": " +
+                    what;
+        return false;
+    }
+};
+
+bool number(reader &r, const config_setting_t *s, double &value)
+{
+    switch (config_setting_type(s)) {
+    case CONFIG_TYPE_INT:
+    case CONFIG_TYPE_INT64:
+        value = (double)config_setting_get_int64(s);
+        return true;
+    case CONFIG_TYPE_FLOAT:
+        value = config_setting_get_float(s);
+        return true;
+    default:
+        return r.fail(s, std::string(config_setting_name(s)) + ": must be a number");
+    }
+}
+
+bool units(reader &r, const config_setting_t *s, int64_t &value)
+{
+    double clocks;
+    if (!number(r, s, clocks))
+        return false;
+    if (!(clocks >= 0 && clocks <= 1e6))
+        return r.fail(s, std::string(config_setting_name(s)) + ": must be from 0 to 1000000 clocks");
+    value = llround(clocks * NXC_UNITS_PER_CLOCK);
+    return true;
+}
+
+bool text(reader &r, const config_setting_t *s, std::string &value)
+{
+    if (config_setting_type(s) != CONFIG_TYPE_STRING)
+        return r.fail(s, std::string(config_setting_name(s)) + ": must be a text in quotes");
+    value = config_setting_get_string(s);
+    return true;
+}
+
+/* Every key of group must be one of the names allowed, so that a misspelt key cannot be overlooked. */
+bool only_keys(reader &r, const config_setting_t *group, const std::set<std::string> &allowed)
+{
+    for (int i = 0; i < config_setting_length(group); i++) {
+        const config_setting_t *s = config_setting_get_elem(group, (unsigned)i);
+        if (allowed.count(config_setting_name(s)))
+            continue;
+        std::string list;
+        for (const std::string &name : allowed)
+            list += (list.empty() ? "" : ", ") + name;
+        return r.fail(s, std::string("unknown key '") + config_setting_name(s) + "'; allowed: " + list);
+    }
+    return true;
+}
+
+bool read_clocks(reader &r, const config_setting_t *group, class_costs &costs)
+{
+    std::set<std::string> names;
+    for (const class_key &key : class_keys)
+        names.insert(key.name);
+    if (!config_setting_is_group(group))
+        return r.fail(group, "clocks: must be a group { ... }");
+    if (!only_keys(r, group, names))
+        return false;
+    for (const class_key &key : class_keys) {
+        const config_setting_t *s = config_setting_get_member(group, key.name);
+        if (!s)
+            return r.fail(group, std::string("clocks: '") + key.name + "' is missing");
+        if (!units(r, s, costs.*key.member))
+            return false;
+    }
+    return true;
+}
+
+/* of = 3, or of = ( 2, 3 ) for a product. */
+bool read_of(reader &r, const config_setting_t *s, std::vector<int> &of)
+{
+    bool aggregate = config_setting_is_aggregate(s) != CONFIG_FALSE;
+    int n = aggregate ? config_setting_length(s) : 1;
+    for (int i = 0; i < n; i++) {
+        const config_setting_t *e = aggregate ? config_setting_get_elem(s, (unsigned)i) : s;
+        int v = config_setting_type(e) == CONFIG_TYPE_INT ? config_setting_get_int(e) : -1;
+        if (v < 0 || v > 6 || (v == 0 && n > 1))
+            return r.fail(s,
+                          "of: must be an argument number from 1 to 6, a list of them, or 0 for the result");
+        of.push_back(v);
+    }
+    return true;
+}
+
+bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
+{
+    if (!config_setting_is_group(entry))
+        return r.fail(entry, "calls: each entry must be { name = \"...\"; base = ...; }");
+    if (!only_keys(r, entry, {"name", "base", "per", "of"}))
+        return false;
+    const config_setting_t *name = config_setting_get_member(entry, "name");
+    const config_setting_t *base = config_setting_get_member(entry, "base");
+    const config_setting_t *per = config_setting_get_member(entry, "per");
+    const config_setting_t *of = config_setting_get_member(entry, "of");
+    if (!name || !base)
+        return r.fail(entry, "calls: 'name' and 'base' are needed");
+    if (!per != !of)
+        return r.fail(entry, "calls: 'per' and 'of' go together");
+    std::string key;
+    call_cost cost;
+    if (!text(r, name, key) || !units(r, base, cost.base))
+        return false;
+    if (per && (!units(r, per, cost.per) || !read_of(r, of, cost.of)))
+        return false;
+    if (!table.calls.insert({key, cost}).second)
+        return r.fail(entry, "calls: '" + key + "' is there twice");
+    return true;
+}
+
+bool read_costs(reader &r, const config_setting_t *root, cost_table &table)
+{
+    if (!only_keys(r, root, {"name", "clock_mhz", "clocks", "calls"}))
+        return false;
+    const config_setting_t *clocks = config_setting_get_member(root, "clocks");
+    const config_setting_t *calls = config_setting_get_member(root, "calls");
+    if (!clocks || !calls)
+        return r.fail(root, "'clocks' and 'calls' are needed");
+    if (!read_clocks(r, clocks, table.clocks))
+        return false;
+    for (int i = 0; i < config_setting_length(calls); i++)
+        if (!read_call(r, config_setting_get_elem(calls, (unsigned)i), table))
+            return false;
+    return true;
+}
+
+bool read_factor(reader &r, const config_setting_t *entry, std::vector<cost_factor> &factors)
+{
+    if (!config_setting_is_group(entry))
+        return r.fail(entry, "factors: each entry must be { file = \"...\"; factor = ...; }");
+    if (!only_keys(r, entry, {"file", "function", "factor", "fitted_to", "note"}))
+        return false;
+    const config_setting_t *file = config_setting_get_member(entry, "file");
+    const config_setting_t *function = config_setting_get_member(entry, "function");
+    const config_setting_t *factor = config_setting_get_member(entry, "factor");
+    if ((!file && !function) || !factor)
+        return r.fail(entry, "factors: 'factor' and 'file' or 'function' are needed");
+    cost_factor f;
+    if ((file && !text(r, file, f.file)) || (function && !text(r, function, f.function)) ||
+        !number(r, factor, f.factor))
+        return false;
+    if (!(f.factor >= 0 && f.factor <= 1000))
+        return r.fail(factor, "factor: must be from 0 to 1000");
+    factors.push_back(f);
+    return true;
+}
+
+bool read_factors(reader &r, const config_setting_t *root, std::vector<cost_factor> &factors)
+{
+    if (!only_keys(r, root, {"factors"}))
+        return false;
+    const config_setting_t *list = config_setting_get_member(root, "factors");
+    if (!list || !config_setting_is_list(list))
+        return r.fail(list ? list : root, "'factors = ( ... );' is needed, a list, which may be empty");
+    for (int i = 0; i < config_setting_length(list); i++)
+        if (!read_factor(r, config_setting_get_elem(list, (unsigned)i), factors))
+            return false;
+    return true;
+}
+
+template <class T>
+std::string read_file(const char *path, T &into, bool (*read)(reader &, const config_setting_t *, T &))
+{
+    reader r{path, ""};
+    config_t config;
+    config_init(&config);
+    if (config_read_file(&config, path) != CONFIG_TRUE) {
+        bool syntax = config_error_type(&config) == CONFIG_ERR_PARSE;
+        r.error = std::string(path) + ":" +
+                  (syntax ? std::to_string(config_error_line(&config)) + ": " : " ") +
+                  config_error_text(&config);
+    } else {
+        read(r, config_root_setting(&config), into);
+    }
+    config_destroy(&config);
+    return r.error;
+}
+} // namespace
+
+std::string table_read_costs(const char *path, cost_table &table)
+{
+    return read_file(path, table, read_costs);
+}
+
+std::string table_read_factors(const char *path, std::vector<cost_factor> &factors)
+{
+    return read_file(path, factors, read_factors);
+}
