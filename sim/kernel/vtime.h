@@ -11,7 +11,16 @@ typedef uint64_t vtime;
 #define VT_MILLISECOND UINT64_C(1000000000)
 #define VT_MICROSECOND UINT64_C(1000000)
 
-static inline vtime vt_min(vtime a, vtime b) { return a < b ? a : b; }
-static inline vtime vt_max(vtime a, vtime b) { return a > b ? a : b; }
-static inline double vt_seconds(vtime t) { return (double)t / (double)VT_SECOND; }
+static inline vtime vt_min(vtime a, vtime b)
+{
+    return a < b ? a : b;
+}
+static inline vtime vt_max(vtime a, vtime b)
+{
+    return a > b ? a : b;
+}
+static inline double vt_seconds(vtime t)
+{
+    return (double)t / (double)VT_SECOND;
+}
 #endif

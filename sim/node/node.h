@@ -1,17 +1,18 @@
-/* node.h - one simulated node: its memory and program image, its processor's clock, its mailbox and interrupts.
+/* node.h - one simulated node: its memory and program image, its processor's clock, its mailbox and
+ * interrupts.
  *
- * A node owns NODE_SPAN bytes of address space, aligned to NODE_SPAN; its program, heap and stack lie there, so that
- * a call finds its node from the stack pointer (node_self) and no state is shared or thread-local.
+ * A node owns NODE_SPAN bytes of address space, aligned to NODE_SPAN; its program, heap and stack lie there,
+ * so that a call finds its node from the stack pointer (node_self) and no state is shared or thread-local.
  *
  *     span                                                                              span + NODE_SPAN
  *     | home | program: text, data, bss | heap ->  (not mapped)          | guard | stack <- |
  *
- * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image, its
- * stack, its heap up to the highest block in use, and unexpected messages in system buffers.
+ * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image,
+ * its stack, its heap up to the highest block in use, and unexpected messages in system buffers.
  *
- * Time. The program's own progress is counted in cost units by its image (nx_api/nxcc/image.h); node_now() turns it
- * into virtual time. Every call enters with node_enter(), which lets all earlier events of the machine happen first,
- * and ends with node_leave().
+ * Time. The program's own progress is counted in cost units by its image (nx_api/nxcc/image.h); node_now()
+ * turns it into virtual time. Every call enters with node_enter(), which lets all earlier events of the
+ * machine happen first, and ends with node_leave().
  */
 #ifndef NODE_NODE_H
 #define NODE_NODE_H
@@ -37,21 +38,21 @@ enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
 enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED };
 
 struct node_clock {
-    uint64_t units;  /* cost units spent up to the last synchronisation */
-    int64_t given;   /* what *left was set to then */
-    vtime origin;    /* virtual time not spent computing: now = origin + units as time */
-    vtime stolen;    /* system time not yet added to the program's: see cpu.c */
+    uint64_t units; /* cost units spent up to the last synchronisation */
+    int64_t given;  /* what *left was set to then */
+    vtime origin;   /* virtual time not spent computing: now = origin + units as time */
+    vtime stolen;   /* system time not yet added to the program's: see cpu.c */
 };
 
 struct node_stats {
-    vtime idle;       /* waiting in a call */
-    vtime system;     /* in the operating system: calls, messages, interrupts */
+    vtime idle;   /* waiting in a call */
+    vtime system; /* in the operating system: calls, messages, interrupts */
     vtime ended_at;
-    vtime latest;     /* longest delay between an interrupt being due and its handler starting, unmasked */
+    vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     uint64_t handlers, slices;
     uint64_t sent, sent_bytes;
     size_t memory_peak;
-    bool armed;       /* posted a handler at any time */
+    bool armed; /* posted a handler at any time */
 };
 
 /* What infocount() and its kin answer. */
@@ -63,8 +64,8 @@ struct node {
     uint32_t id;
     struct node_system *sys;
     char *span;
-    size_t image_bytes;        /* program text, data and bss, page rounded */
-    struct nxc_image *image;   /* inside the span */
+    size_t image_bytes;      /* program text, data and bss, page rounded */
+    struct nxc_image *image; /* inside the span */
     const struct node_image *file;
     struct node_heap *heap;
     struct fiber *fiber;
@@ -80,19 +81,20 @@ struct node {
 
     /* the call the program is in, for reports; NULL while it computes */
     const char *call;
-    long call_type;            /* type, typesel or id it was given */
+    long call_type; /* type, typesel or id it was given */
     bool call_has_type;
     vtime call_since;
-    bool woken;                /* a wake-up is in the queue */
+    bool woken; /* a wake-up is in the queue */
 
     struct mailbox *mailbox;
     struct node_info info;
     bool masked, in_handler;
-    vtime sys_free;            /* the operating system is busy with messages until then */
-    size_t buffered;           /* bytes of unexpected messages held */
+    vtime open_since; /* when handlers were last let run */
+    vtime sys_free;   /* the operating system is busy with messages until then */
+    size_t buffered;  /* bytes of unexpected messages held */
 
-    struct node_libc *libc;    /* stdio, random numbers, strtok: libc.h */
-    size_t failed_malloc;      /* size of the last allocation refused, 0 none; */
+    struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
+    size_t failed_malloc;   /* size of the last allocation refused, 0 none; */
     vtime failed_malloc_at;
 };
 
@@ -103,14 +105,17 @@ static inline struct node *node_self(void)
     return *(struct node **)(sp & ~(NODE_SPAN - 1));
 }
 
-/* --- calls: clock.c, cpu.c ---------------------------------------------------------------------------------- */
+/* --- calls: clock.c, cpu.c
+ * ---------------------------------------------------------------------------------- */
 
 /* The node's time now, its computing included. */
 vtime node_now(struct node *n);
-/* Enter a call: brings the clock up to date, waits until the call is the machine's earliest event, runs handlers due. */
+/* Enter a call: brings the clock up to date, waits until the call is the machine's earliest event, runs
+ * handlers due. */
 void node_enter(struct node *n, const char *call);
-/* Waits until this moment of the node is the machine's earliest event, as node_enter does, but runs no handlers: for
- * library calls that show something to the outside (a write) in places that are not safe for a handler. */
+/* Waits until this moment of the node is the machine's earliest event, as node_enter does, but runs no
+ * handlers: for library calls that show something to the outside (a write) in places that are not safe for a
+ * handler. */
 void node_order(struct node *n);
 /* Spend operating system time in a call. */
 void node_spend(struct node *n, vtime t);

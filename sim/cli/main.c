@@ -1,0 +1,42 @@
+/* main.c - touchstone: finds the subcommand. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "cli/cli.h"
+
+static const char HELP[] =
+    "touchstone runs programs written for Intel's NX message-passing library on simulated\n"
+    "iPSC/860, Touchstone Delta and Paragon nodes, in exact virtual time.\n"
+    "\n"
+    "  touchstone run     run a program built by nxcc on a machine\n"
+    "  touchstone tables  reproduce Tables 1-5 of Bajaj & Lin, beside the paper's\n"
+    "\n"
+    "touchstone COMMAND --help tells more. Programs are built with nxcc: nxcc -O2 -o prog prog.c\n";
+
+int cli_usage(const char *command, const char *fmt, ...)
+{
+    va_list ap;
+    va_start(ap, fmt);
+    fprintf(stderr, "touchstone %s: ", command);
+    vfprintf(stderr, fmt, ap);
+    fprintf(stderr, "\ntouchstone %s --help tells how it is used\n", command);
+    va_end(ap);
+    return 64;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct {
+        const char *name;
+        int (*run)(int, char **);
+    } COMMANDS[] = {{"run", cli_run}, {"tables", cli_tables}};
+    if (argc < 2 || !strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help")) {
+        fputs(HELP, argc < 2 ? stderr : stdout);
+        return argc < 2 ? 64 : 0;
+    }
+    for (size_t i = 0; i < sizeof COMMANDS / sizeof COMMANDS[0]; i++)
+        if (!strcmp(argv[1], COMMANDS[i].name))
+            return COMMANDS[i].run(argc - 1, argv + 1);
+    fprintf(stderr, "touchstone: there is no command '%s'\n\n%s", argv[1], HELP);
+    return 64;
+}

@@ -1,0 +1,167 @@
+/* run.c - touchstone run: one program on one machine. */
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/cli.h"
+#include "machine/machine.h"
+#include "observe/summary.h"
+
+static const char HELP[] =
+    "usage: touchstone run [-m MACHINE] [-n NODES] [options] PROGRAM [ARGS...]\n"
+    "\n"
+    "Runs PROGRAM, built by nxcc, on every node of a simulated machine. What the nodes print comes out on "
+    "standard\n"
+    "output in the order of virtual time; a summary follows on standard error.\n"
+    "\n"
+    "  -m MACHINE              a machine file (machines/NAME.cfg by its NAME, or a path); default delta\n"
+    "  -n NODES                how many nodes; default 1\n"
+    "  --json FILE             write the figures of the run, per node too, as JSON\n"
+    "  --max-virtual-time S    stop when a node passes S seconds of virtual time\n"
+    "  --max-wall-time S       stop after S seconds of real time\n"
+    "  -q, --quiet             no summary\n"
+    "\n"
+    "Exit status: 0 all programs ended; 1 a program crashed, ended with an error, ran out of memory, or a "
+    "limit\n"
+    "was reached; 2 deadlock: every program waits and no message is under way; 64 wrong arguments;\n"
+    "65 the machine or program cannot be used.\n"
+    "\n"
+    "example: nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring\n";
+
+enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
+
+struct arguments {
+    const char *machine, *json;
+    uint32_t nodes;
+    double max_virtual_s, max_wall_s;
+    bool quiet, help;
+    char **program;
+    int program_count;
+};
+
+static bool positive(const char *text, double *value)
+{
+    char *end;
+    *value = strtod(text, &end);
+    return *text && !*end && *value > 0;
+}
+
+static bool whole(const char *text, uint32_t *value)
+{
+    double x;
+    if (!positive(text, &x) || x != (double)(uint32_t)x)
+        return false;
+    *value = (uint32_t)x;
+    return true;
+}
+
+/* 0, or the exit status for wrong arguments. */
+static int parse(int argc, char **argv, struct arguments *a)
+{
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL };
+    static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
+                                         {"max-virtual-time", required_argument, NULL, MAX_VIRTUAL},
+                                         {"max-wall-time", required_argument, NULL, MAX_WALL},
+                                         {"machine", required_argument, NULL, 'm'},
+                                         {"nodes", required_argument, NULL, 'n'},
+                                         {"quiet", no_argument, NULL, 'q'},
+                                         {"help", no_argument, NULL, 'h'},
+                                         {0}};
+    *a = (struct arguments){.machine = "delta", .nodes = 1};
+    optind = 0;
+    opterr = 0;
+    for (int c; (c = getopt_long(argc, argv, "+:m:n:qh", LONG, NULL)) != -1;) {
+        switch (c) {
+        case 'm':
+            a->machine = optarg;
+            break;
+        case 'n':
+            if (!whole(optarg, &a->nodes))
+                return cli_usage("run", "-n takes a number of nodes, 1 or more, not '%s'", optarg);
+            break;
+        case JSON:
+            a->json = optarg;
+            break;
+        case MAX_VIRTUAL:
+            if (!positive(optarg, &a->max_virtual_s))
+                return cli_usage("run", "--max-virtual-time takes seconds, more than 0, not '%s'", optarg);
+            break;
+        case MAX_WALL:
+            if (!positive(optarg, &a->max_wall_s))
+                return cli_usage("run", "--max-wall-time takes seconds, more than 0, not '%s'", optarg);
+            break;
+        case 'q':
+            a->quiet = true;
+            break;
+        case 'h':
+            a->help = true;
+            return 0;
+        case ':':
+            return cli_usage("run", "%s needs a value", argv[optind - 1]);
+        default:
+            return cli_usage("run", "there is no option %s", argv[optind - 1]);
+        }
+    }
+    a->program = argv + optind;
+    a->program_count = argc - optind;
+    return a->program_count ? 0 : cli_usage("run", "which program? (built by nxcc)");
+}
+
+static int input_error(char *error)
+{
+    fprintf(stderr, "touchstone run: %s\n", error);
+    free(error);
+    return EXIT_INPUT;
+}
+
+static int report(const struct machine *m, const struct arguments *a)
+{
+    int status = m->outcome == MACHINE_ENDED ? 0 : m->outcome == MACHINE_DEADLOCK ? 2 : 1;
+    fflush(stdout);
+    if (m->message)
+        fprintf(stderr, "touchstone run: %s\n", m->message);
+    if (!a->quiet)
+        summary_print(m, stderr);
+    char *error = a->json ? summary_json(m, a->json) : NULL;
+    return error ? input_error(error) : status;
+}
+
+int cli_run(int argc, char **argv)
+{
+    struct arguments a;
+    char home[4096], machines[4128], *error = NULL;
+    int wrong = parse(argc, argv, &a);
+    if (wrong)
+        return wrong;
+    if (a.help)
+        return fputs(HELP, stdout), 0;
+    if (!cfg_home(home, sizeof home))
+        return input_error(
+            strdup("machines/ is not where this program was built or installed; set TOUCHSTONE_HOME"));
+    snprintf(machines, sizeof machines, "%s/machines", home);
+    struct cfg_machine *cfg = cfg_load(a.machine, machines, &error);
+    if (!cfg)
+        return input_error(error);
+    extern char **environ;
+    struct machine_options o = {.cfg = cfg,
+                                .nodes = a.nodes,
+                                .argc = a.program_count,
+                                .argv = a.program,
+                                .envp = environ,
+                                .max_virtual_s = a.max_virtual_s,
+                                .max_wall_s = a.max_wall_s,
+                                .out = stdout,
+                                .err = stderr};
+    struct machine *m = machine_new(&o, &error);
+    int status = EXIT_INPUT;
+    if (m) {
+        machine_run(m);
+        status = report(m, &a);
+        machine_free(m);
+    } else {
+        input_error(error);
+    }
+    cfg_free(cfg);
+    return status;
+}

@@ -1,0 +1,34 @@
+/* evq.h - the event queue: all that is going to happen, in one total order.
+ *
+ * Order: (time, place, late, sequence). place is the number of the thing the event happens at; sequence
+ * counts the events in the order they were put in, which is itself part of the order and so the same in every
+ * run. A late event comes after all others of its time and place, whenever it was put in: a processor goes on
+ * only after all that reaches it at that moment, so that cutting its work into slices changes no order.
+ */
+#ifndef EVQ_EVQ_H
+#define EVQ_EVQ_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "kernel/vtime.h"
+
+struct evq;
+
+/* What happens. now is the event's time; ctx and arg are as given. */
+typedef void evq_fire(void *ctx, void *arg, vtime now);
+
+struct evq *evq_new(void);
+void evq_free(struct evq *q);
+
+void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
+void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
+
+/* Time of the earliest event, VT_NEVER when there is none. */
+vtime evq_next(const struct evq *q);
+/* Would a late event at (time, place) be the earliest of all? */
+bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
+/* Takes the earliest event out and lets it happen. False when there is none. */
+bool evq_step(struct evq *q);
+size_t evq_length(const struct evq *q);
+/* Events that have happened. */
+uint64_t evq_steps(const struct evq *q);
+#endif

@@ -1,0 +1,101 @@
+/* fiber.c - see fiber.h. */
+#include "kernel/fiber.h"
+#include <stdlib.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/common_interface_defs.h>
+#endif
+
+/* Boost.Context's C interface (boost/context/detail/fcontext.hpp declares it for C++ only). */
+typedef void *fcontext_t;
+struct transfer {
+    fcontext_t from;
+    void *data;
+};
+extern fcontext_t make_fcontext(void *top, size_t size, void (*entry)(struct transfer));
+extern struct transfer jump_fcontext(fcontext_t to, void *data);
+
+struct fiber {
+    fcontext_t self, back;
+    void *stack;
+    size_t size;
+    void (*entry)(void *);
+    void *arg;
+    const void *back_stack; /* of the resumer, for the sanitizers */
+    size_t back_size;
+    void *fake; /* the sanitizers' shadow of the side not running */
+};
+
+/* Tell AddressSanitizer that the stack is about to change, and that it has changed. */
+static inline void leaving(void **fake, const void *bottom, size_t size)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    __sanitizer_start_switch_fiber(fake, bottom, size);
+#else
+    (void)fake, (void)bottom, (void)size;
+#endif
+}
+
+static inline void arrived(void *fake, const void **bottom, size_t *size)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    __sanitizer_finish_switch_fiber(fake, bottom, size);
+#else
+    (void)fake, (void)bottom, (void)size;
+#endif
+}
+
+static void start(struct transfer t)
+{
+    struct fiber *f = t.data;
+    arrived(NULL, &f->back_stack, &f->back_size);
+    f->back = t.from;
+    f->entry(f->arg);
+    abort(); /* entry must end with fiber_finish */
+}
+
+struct fiber *fiber_new(void *stack, size_t size, void (*entry)(void *), void *arg)
+{
+    struct fiber *f = calloc(1, sizeof *f);
+    if (!f)
+        return NULL;
+    f->stack = stack, f->size = size, f->entry = entry, f->arg = arg;
+    f->self = make_fcontext((char *)stack + size, size, start);
+    return f;
+}
+
+void fiber_free(struct fiber *f)
+{
+    free(f);
+}
+
+void fiber_resume(struct fiber *f)
+{
+    void *fake = NULL;
+    leaving(&fake, f->stack, f->size);
+    struct transfer t = jump_fcontext(f->self, f);
+    arrived(fake, NULL, NULL);
+    f->self = t.from;
+}
+
+void fiber_yield(struct fiber *f)
+{
+    leaving(&f->fake, f->back_stack, f->back_size);
+    struct transfer t = jump_fcontext(f->back, f);
+    arrived(f->fake, &f->back_stack, &f->back_size);
+    f->back = t.from;
+}
+
+_Noreturn void fiber_finish(struct fiber *f)
+{
+    leaving(NULL, f->back_stack, f->back_size);
+    jump_fcontext(f->back, f);
+    abort();
+}
+
+void fiber_abandon(struct fiber *f)
+{
+    /* A jump out of a signal handler is a switch the sanitizers have not been told of. */
+    leaving(NULL, f->back_stack, f->back_size);
+    arrived(NULL, NULL, NULL);
+}

@@ -1,0 +1,21 @@
+/* fiber.h - a thread of control with a stack of the caller's, switched to and from by hand.
+ * On Boost.Context's fcontext; sanitizer builds tell the sanitizers of every switch. */
+#ifndef FIBER_FIBER_H
+#define FIBER_FIBER_H
+#include <stddef.h>
+
+struct fiber;
+
+/* A fiber that will run entry(arg) on [stack, stack + size). entry must end with fiber_finish(). */
+struct fiber *fiber_new(void *stack, size_t size, void (*entry)(void *), void *arg);
+/* Frees it; what it was doing is forgotten. Not from inside it. */
+void fiber_free(struct fiber *f);
+
+/* From the scheduler: run f until it calls fiber_yield or fiber_finish. */
+void fiber_resume(struct fiber *f);
+/* From inside f: back to whoever resumed it. */
+void fiber_yield(struct fiber *f);
+_Noreturn void fiber_finish(struct fiber *f);
+/* From the scheduler, having got there by siglongjmp out of f: f is not to be resumed any more. */
+void fiber_abandon(struct fiber *f);
+#endif

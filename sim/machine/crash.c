@@ -1,0 +1,130 @@
+/* crash.c - see crash.h. */
+#include "machine/crash.h"
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <ucontext.h>
+#include "kernel/fiber.h"
+#include "node/image.h"
+
+static _Thread_local struct crash_guard *guard;
+
+static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
+enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0], HANDLER_STACK = 1 << 16 };
+
+static bool in_stack(const struct node *n, uintptr_t a)
+{
+    uintptr_t top = (uintptr_t)n->span + NODE_SPAN;
+    return a >= top - n->sys->cfg->stack_bytes && a + 2 * sizeof(uintptr_t) <= top;
+}
+
+/* Follow the frame pointers that nxcc keeps. */
+static void walk(struct crash_guard *g, uintptr_t pc, uintptr_t frame)
+{
+    const int most = sizeof g->frames / sizeof g->frames[0];
+    g->depth = 0;
+    g->frames[g->depth++] = pc;
+    while (g->depth < most && frame % sizeof frame == 0 && in_stack(g->node, frame)) {
+        uintptr_t next = ((uintptr_t *)frame)[0];
+        g->frames[g->depth++] = ((uintptr_t *)frame)[1];
+        if (next <= frame)
+            break;
+        frame = next;
+    }
+}
+
+static void on_fault(int signal, siginfo_t *info, void *context)
+{
+    struct crash_guard *g = guard;
+    if (!g || !g->sys->current) {
+        struct sigaction usual = {.sa_handler = SIG_DFL};
+        sigaction(signal, &usual, NULL);
+        raise(signal);
+        return;
+    }
+    const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
+    g->node = g->sys->current;
+    g->signal = signal;
+    g->address = (uintptr_t)info->si_addr;
+    walk(g, (uintptr_t)r[REG_RIP], (uintptr_t)r[REG_RBP]);
+    siglongjmp(g->jump, 1);
+}
+
+void crash_watch(struct crash_guard *g, struct node_system *sys)
+{
+    *g = (struct crash_guard){.sys = sys, .stack = malloc(HANDLER_STACK)};
+    stack_t s = {.ss_sp = g->stack, .ss_size = HANDLER_STACK};
+    sigaltstack(&s, NULL);
+    struct sigaction a = {.sa_sigaction = on_fault, .sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER};
+    for (int i = 0; i < FAULT_COUNT; i++)
+        sigaction(FAULTS[i], &a, NULL);
+    guard = g;
+}
+
+void crash_unwatch(struct crash_guard *g)
+{
+    struct sigaction usual = {.sa_handler = SIG_DFL};
+    stack_t none = {.ss_flags = SS_DISABLE};
+    for (int i = 0; i < FAULT_COUNT; i++)
+        sigaction(FAULTS[i], &usual, NULL);
+    sigaltstack(&none, NULL);
+    free(g->stack);
+    guard = NULL;
+}
+
+static const char *signal_text(int s)
+{
+    switch (s) {
+    case SIGSEGV:
+    case SIGBUS:
+        return "it used an address it may not";
+    case SIGFPE:
+        return "integer division by zero or overflow";
+    case SIGILL:
+        return "illegal instruction";
+    case SIGABRT:
+        return "abort";
+    default:
+        return "trap";
+    }
+}
+
+static void print_cause(FILE *f, const struct crash_guard *g)
+{
+    const struct node *n = g->node;
+    uintptr_t stack = (uintptr_t)n->span + NODE_SPAN - n->sys->cfg->stack_bytes;
+    bool memory = g->signal == SIGSEGV || g->signal == SIGBUS;
+    fprintf(f, "%s (%s)", signal_text(g->signal), strsignal(g->signal));
+    if (memory && g->address < stack && g->address >= stack - (1 << 16))
+        fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
+                (size_t)(n->sys->cfg->stack_bytes >> 10));
+    else if (memory && g->address < 4096)
+        fprintf(f, ": a null pointer");
+    else if (memory)
+        fprintf(f, ": 0x%zx", (size_t)g->address);
+    if (memory && n->failed_malloc)
+        fprintf(f, "\n  its memory was exhausted: at %.9f s malloc could not give %zu bytes",
+                vt_seconds(n->failed_malloc_at), n->failed_malloc);
+}
+
+char *crash_report(const struct crash_guard *g)
+{
+    struct node *n = g->node;
+    char *text = NULL, where[256];
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    fprintf(f, "node %u crashed at or soon after %.9f s, %s%s: ", n->id, vt_seconds(node_now(n)),
+            n->call ? "in " : "computing", n->call ? n->call : "");
+    print_cause(f, g);
+    for (int i = 0; i < g->depth; i++) {
+        uintptr_t offset = g->frames[i] - (uintptr_t)n->span;
+        if (offset < NODE_IMAGE_OFFSET + n->image_bytes)
+            fprintf(f, "\n  %s %s", i ? "called from" : "in",
+                    node_image_where(n->file, offset - (i > 0), where, sizeof where));
+        else if (i == 0)
+            fprintf(f, "\n  in the library");
+    }
+    fclose(f);
+    return text;
+}

@@ -1,0 +1,219 @@
+/* machine.c - see machine.h. */
+#include "machine/machine.h"
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "kernel/fiber.h"
+#include "machine/crash.h"
+#include "node/cpu.h"
+#include "node/image.h"
+
+static double wall_clock(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* --- putting together
+ * ---------------------------------------------------------------------------------------- */
+
+static bool make_shape(struct machine *m, char **error)
+{
+    const struct cfg_machine *c = m->options.cfg;
+    uint32_t n = m->options.nodes;
+    bool cube = c->topology == CFG_HYPERCUBE;
+    if (cube ? topo_hypercube(&m->sys.topo, n, c->dimension)
+             : topo_mesh(&m->sys.topo, n, c->rows, c->columns))
+        return true;
+    int r = cube ? asprintf(error, "%s has no %u nodes: it is a hypercube of at most %u", c->name, n,
+                            1u << c->dimension)
+                 : asprintf(error, "%s has no rectangle of %u nodes: it is a mesh of %u x %u", c->name, n,
+                            c->rows, c->columns);
+    if (r < 0)
+        abort();
+    return false;
+}
+
+static bool make_nodes(struct machine *m, char **error)
+{
+    struct node_system *s = &m->sys;
+    m->image = node_image_open(m->options.argv[0], error);
+    if (!m->image)
+        return false;
+    s->nodes = calloc(s->count, sizeof *s->nodes);
+    for (uint32_t i = 0; i < s->count; i++) {
+        s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);
+        if (!s->nodes[i])
+            return false;
+        node_start(s->nodes[i]);
+    }
+    return true;
+}
+
+struct machine *machine_new(const struct machine_options *options, char **error)
+{
+    double begin = wall_clock();
+    struct machine *m = calloc(1, sizeof *m);
+    if (!m)
+        abort();
+    m->options = *options;
+    struct node_system *s = &m->sys;
+    s->cfg = options->cfg;
+    s->count = s->running = options->nodes;
+    s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
+    s->out[0] = options->out, s->out[1] = options->err;
+    s->q = evq_new();
+    if (!make_shape(m, error))
+        goto fail;
+    struct proto_nodes up = {s, node_work, mailbox_envelope, mailbox_sent, mailbox_arrived};
+    s->proto = proto_new(s->cfg, &s->topo, s->q, &up);
+    if (!make_nodes(m, error))
+        goto fail;
+    m->start_s = wall_clock() - begin;
+    return m;
+fail:
+    machine_free(m);
+    return NULL;
+}
+
+void machine_free(struct machine *m)
+{
+    if (!m)
+        return;
+    for (uint32_t i = 0; m->sys.nodes && i < m->sys.count; i++)
+        node_free(m->sys.nodes[i]);
+    free(m->sys.nodes);
+    proto_free(m->sys.proto);
+    evq_free(m->sys.q);
+    if (m->image)
+        node_image_close(m->image);
+    free(m->sys.failure);
+    free(m->message);
+    free(m);
+}
+
+/* --- running
+ * ---------------------------------------------------------------------------------------------------- */
+
+/* The world outside: the wall clock's limit and the keyboard. Neither changes a result, they only end the
+ * run. */
+static void look_outside(struct machine *m, double begin)
+{
+    sigset_t pending;
+    sigpending(&pending);
+    if (sigismember(&pending, SIGINT))
+        node_system_fail(&m->sys, STOP_INTERRUPTED, "interrupted");
+    if (m->options.max_wall_s > 0 && wall_clock() - begin > m->options.max_wall_s)
+        node_system_fail(&m->sys, STOP_WALL_TIME, "wall time limit of %g s reached", m->options.max_wall_s);
+}
+
+static void commit_events(struct machine *m)
+{
+    enum { LOOK_EVERY = 1024 };
+    struct node_system *s = &m->sys;
+    double begin = wall_clock();
+    for (uint64_t i = 0; !s->stop && evq_step(s->q); i++)
+        if (i % LOOK_EVERY == 0 || s->unseen > LOOK_EVERY)
+            look_outside(m, begin);
+}
+
+/* The machine's events, until there are none, something stops it, or a program crashes. */
+static void run_guarded(struct machine *m)
+{
+    struct crash_guard guard;
+    crash_watch(&guard, &m->sys);
+    if (sigsetjmp(guard.jump, 1) == 0) {
+        commit_events(m);
+    } else {
+        fiber_abandon(guard.node->fiber);
+        char *report = crash_report(&guard);
+        guard.node->state = NODE_ENDED;
+        guard.node->end = NODE_CRASHED;
+        m->sys.current = NULL;
+        node_system_fail(&m->sys, STOP_FAILED, "%s", report);
+        free(report);
+    }
+    crash_unwatch(&guard);
+}
+
+static void describe_waiting(FILE *f, const struct node *n)
+{
+    fprintf(f, "\n  node %u: ", n->id);
+    if (n->state == NODE_ENDED)
+        fprintf(f, "ended at %.9f s", vt_seconds(n->stats.ended_at));
+    else if (!n->call)
+        fprintf(f, "computing");
+    else if (n->call_has_type)
+        fprintf(f, "%s(%ld) since %.9f s", n->call, n->call_type, vt_seconds(n->call_since));
+    else
+        fprintf(f, "%s since %.9f s", n->call, vt_seconds(n->call_since));
+}
+
+static char *describe(const struct machine *m, const char *what)
+{
+    char *text;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    fprintf(f, "%s", what);
+    for (uint32_t i = 0; i < m->sys.count; i++)
+        describe_waiting(f, m->sys.nodes[i]);
+    fclose(f);
+    return text;
+}
+
+/* The first node that called exit or abort with an error; NULL none. */
+static struct node *bad_exit(const struct machine *m)
+{
+    for (uint32_t i = 0; i < m->sys.count; i++)
+        if (m->sys.nodes[i]->end == NODE_EXITED && m->sys.nodes[i]->exit_code != 0)
+            return m->sys.nodes[i];
+    return NULL;
+}
+
+static void judge(struct machine *m)
+{
+    struct node_system *s = &m->sys;
+    const struct node *bad = bad_exit(m);
+    bool limit = s->stop == STOP_VIRTUAL_TIME || s->stop == STOP_WALL_TIME || s->stop == STOP_INTERRUPTED;
+    m->outcome = MACHINE_ENDED;
+    if (s->failure) {
+        m->outcome = MACHINE_FAILED;
+        m->message = limit ? describe(m, s->failure) : strdup(s->failure);
+    } else if (bad) {
+        m->outcome = MACHINE_FAILED;
+        char *first;
+        if (asprintf(&first, "node %u ended at %.9f s with exit(%d)", bad->id,
+                     vt_seconds(bad->stats.ended_at), bad->exit_code) < 0)
+            abort();
+        m->message = s->running ? describe(m, first) : strdup(first);
+        free(first);
+    } else if (s->running && s->stop != STOP_KILLED) {
+        m->outcome = MACHINE_DEADLOCK;
+        m->message = describe(m, "deadlock: every program waits, and no message is under way");
+    }
+}
+
+void machine_run(struct machine *m)
+{
+    double begin = wall_clock();
+    sigset_t keyboard, before;
+    sigemptyset(&keyboard);
+    sigaddset(&keyboard, SIGINT);
+    sigprocmask(SIG_BLOCK, &keyboard, &before);
+    run_guarded(m);
+    if (m->sys.stop == STOP_INTERRUPTED) {
+        int taken;
+        sigwait(&keyboard, &taken);
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    for (uint32_t i = 0; i < m->sys.count; i++) {
+        struct node *n = m->sys.nodes[i];
+        if (n->state != NODE_ENDED)
+            n->stats.ended_at = node_now(n);
+        m->end = vt_max(m->end, n->stats.ended_at);
+    }
+    judge(m);
+    m->wall_s = wall_clock() - begin;
+}

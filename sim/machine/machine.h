@@ -1,0 +1,33 @@
+/* machine.h - a machine put together from its parts, with a program on its nodes. */
+#ifndef MACHINE_MACHINE_H
+#define MACHINE_MACHINE_H
+#include "node/system.h"
+
+struct machine_options {
+    const struct cfg_machine *cfg;
+    uint32_t nodes;
+    int argc; /* of the program; argv[0] is its path */
+    char **argv, **envp;
+    double max_virtual_s; /* 0: none */
+    double max_wall_s;    /* 0: none */
+    FILE *out, *err;      /* the programs' output */
+};
+
+enum machine_outcome { MACHINE_ENDED, MACHINE_FAILED, MACHINE_DEADLOCK };
+
+struct machine {
+    struct machine_options options;
+    struct node_system sys;
+    struct node_image *image;
+    enum machine_outcome outcome;
+    char *message;          /* what went wrong, for the user, one or more lines; NULL: nothing */
+    vtime end;              /* when the last program ended */
+    double wall_s, start_s; /* the run; of which putting the machine together */
+};
+
+/* Puts it together, all programs loaded. NULL with *error set (malloc'd). */
+struct machine *machine_new(const struct machine_options *options, char **error);
+/* Runs it until all programs have ended or something stops it; sets outcome and message. */
+void machine_run(struct machine *m);
+void machine_free(struct machine *m);
+#endif

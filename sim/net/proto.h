@@ -1,0 +1,90 @@
+/* proto.h - the message protocol of NX: how a message gets from one node's memory into another's.
+ *
+ *   short (at most short_limit bytes)      sender ---- message ----> receiver                            one
+ * trip forced (bit 30 of the type)            the same at any length; dropped when nothing is posted long
+ * sender ------ ask ------> receiver     room found, or waited for sender <----- grant ----- receiver sender
+ * ------ data -----> receiver                            three trips
+ *
+ * Asking and granting are a few bytes: they take their hops' time, but no channel. Messages and data hold
+ * channels (wire.h). Each trip takes processor time at both ends (machine file: system); the processor also
+ * feeds and empties the channel of long messages byte by byte where the machine has no DMA (send_ps_per_byte,
+ * receive_ps_per_byte). Envelopes (short messages, asks) between two nodes are looked at in the order sent.
+ *
+ * The protocol knows nodes only through struct proto_nodes.
+ */
+#ifndef PROTO_PROTO_H
+#define PROTO_PROTO_H
+#include "config/config.h"
+#include "net/wire.h"
+
+struct proto;
+
+#define PROTO_FORCED INT64_C(0x40000000)
+
+/* When the next thing reaches a node on a message's account: not before `at`, nor before the machine's next
+ * event plus `after`. Lets a node with an armed handler compute on until then. */
+struct proto_bound {
+    vtime at, after;
+};
+
+struct message {
+    uint32_t from, to;
+    int64_t type, pid;
+    size_t bytes;
+    void *data;     /* malloc'd copy; owned by the message */
+    uint64_t order; /* of all messages, in the order sent */
+    vtime sent_at;
+
+    /* protocol */
+    bool is_long, forced;
+    bool envelope; /* has been looked at by the receiver */
+    bool sent;     /* the sender's buffer may be used again */
+    bool granted;
+    bool arrived;
+    vtime complete; /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
+    struct proto_bound at_sender, at_receiver;
+    struct wire_transit transit;
+    struct proto *proto;
+    struct message *next_in, **link_in;   /* under way to the receiver */
+    struct message *next_out, **link_out; /* being sent by the sender */
+
+    /* the receiver's mailbox and the sender's call */
+    struct message *next; /* unexpected */
+    void *receive;        /* the posted receive it is for, NULL: none yet */
+    bool buffered;        /* held in a system buffer */
+    void *send;           /* the sender's message id or handler, NULL: nobody asks */
+};
+
+struct proto_nodes {
+    void *ctx;
+    /* The operating system of a node works for t, from `at` on or when it is free; returns when it has
+     * finished. */
+    vtime (*work)(void *ctx, uint32_t node, vtime at, vtime t);
+    /* An envelope has come: match it with a receive, or find a buffer. False: no room yet; proto_grant()
+     * later. For a forced message with nothing posted return false too: it is dropped and freed. */
+    bool (*envelope)(void *ctx, struct message *m, vtime now);
+    void (*sent)(void *ctx, struct message *m, vtime now);    /* m->sent has become true */
+    void (*arrived)(void *ctx, struct message *m, vtime now); /* m->complete is set */
+};
+
+struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
+                        const struct proto_nodes *nodes);
+void proto_free(struct proto *p);
+
+/* Processor time the sender's call spends before the message leaves. */
+vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes);
+/* A message; data are copied. The caller hands it to proto_send at the time its processor is done with it. */
+struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+                              const void *data, size_t bytes);
+void proto_send(struct proto *p, struct message *m, vtime at);
+/* Room has been found for a message whose envelope was answered with false. */
+void proto_grant(struct proto *p, struct message *m, vtime now);
+/* The receiver is done with it, or it is not wanted. */
+void proto_message_free(struct message *m);
+
+/* The earliest time at which anything may reach a node, given that nothing at all happens before `next`. */
+vtime proto_horizon(const struct proto *p, uint32_t node, vtime next);
+/* Messages under way or not yet fetched. */
+uint64_t proto_under_way(const struct proto *p);
+const struct wire *proto_wire(const struct proto *p);
+#endif

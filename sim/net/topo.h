@@ -1,0 +1,37 @@
+/* topo.h - the shape of the network: which channels a message crosses, in which order.
+ *
+ * Hypercube: e-cube routes, from the lowest differing bit up. Mesh: along the row first, then along the
+ * column; nodes are numbered row by row. Channels are directed (full duplex); each node also has one port
+ * into and one out of the network, which are the first and the last channel of every route.
+ */
+#ifndef TOPO_TOPO_H
+#define TOPO_TOPO_H
+#include <stdbool.h>
+#include <stdint.h>
+
+struct topo {
+    uint32_t nodes;         /* of the program */
+    uint32_t dimension;     /* hypercube: > 0 or one node; mesh: 0 */
+    uint32_t rows, columns; /* mesh: the rectangle; hypercube: 0 */
+    uint32_t positions;     /* nodes of the whole cube or rectangle, >= nodes */
+    uint32_t channels;
+};
+
+/* The smallest cube of at most max_dimension with n nodes (more if n is no power of two). False: too many. */
+bool topo_hypercube(struct topo *t, uint32_t n, uint32_t max_dimension);
+/* The rectangle of least area, then least girth, that holds n nodes and fits in rows x columns. False: none.
+ */
+bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns);
+
+/* Hops between two nodes, ports not counted. */
+uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);
+
+/* A route under way: the channels from one node to another, one at a time. */
+struct topo_walk {
+    uint32_t at, to;
+    bool entered, left;
+};
+void topo_begin(struct topo_walk *w, uint32_t from, uint32_t to);
+/* The next channel of the route; false when it is complete. */
+bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel);
+#endif

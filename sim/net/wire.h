@@ -1,0 +1,36 @@
+/* wire.h - channels and their contention.
+ *
+ * A transit takes the channels of its route in order, and holds them all until its last byte is through
+ * (circuit switching; a wormhole that is blocked holds what it has in the same way). One that finds a channel
+ * taken waits for it, first come first served, keeping those it has. Routes take channels in an order without
+ * cycles (topo.h), so this cannot deadlock. Taking a free channel takes no time; the hops' time is part of
+ * the transit's duration.
+ */
+#ifndef WIRE_WIRE_H
+#define WIRE_WIRE_H
+#include "kernel/evq.h"
+#include "net/topo.h"
+
+struct wire;
+
+struct wire_transit {
+    /* set by the caller */
+    uint32_t from, to;
+    vtime duration; /* from the whole route taken until the last byte has arrived */
+    void (*started)(void *ctx, struct wire_transit *t, vtime now); /* the whole route is taken */
+    void (*done)(void *ctx, struct wire_transit *t, vtime now);    /* the last byte has arrived */
+    void *ctx;
+    /* the wire's own */
+    struct topo_walk walk;
+    uint32_t held;
+    struct wire_transit *next; /* in a channel's queue */
+};
+
+struct wire *wire_new(const struct topo *topo, struct evq *q);
+void wire_free(struct wire *w);
+/* t must stay where it is until it is done. */
+void wire_send(struct wire *w, struct wire_transit *t, vtime now);
+/* Virtual time transits have waited for channels, in sum, and how many did. */
+vtime wire_waited(const struct wire *w);
+uint64_t wire_waits(const struct wire *w);
+#endif

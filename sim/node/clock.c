@@ -1,0 +1,51 @@
+/* clock.c - see clock.h. Units are cumulative, so that rounding does not depend on how often they are looked
+ * at. */
+#include "node/clock.h"
+#include "node/system.h"
+#include "nx_api/nxcc/image.h"
+
+#define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
+
+vtime clock_of_units(const struct node *n, uint64_t units)
+{
+    uint64_t units_per_second = n->sys->cfg->clock_hz * UNITS_PER_CLOCK;
+    if (VT_SECOND % units_per_second == 0)
+        return units * (VT_SECOND / units_per_second);
+    return (vtime)((unsigned __int128)units * VT_SECOND / units_per_second);
+}
+
+static uint64_t units_of_time(const struct node *n, vtime t)
+{
+    uint64_t units_per_second = n->sys->cfg->clock_hz * UNITS_PER_CLOCK;
+    return (uint64_t)(((unsigned __int128)t * units_per_second + VT_SECOND - 1) / VT_SECOND);
+}
+
+vtime clock_sync(struct node *n)
+{
+    struct node_clock *c = &n->clock;
+    if (n->image) {
+        c->units += (uint64_t)(c->given - *n->image->left);
+        c->given = *n->image->left;
+    }
+    return c->origin + clock_of_units(n, c->units);
+}
+
+vtime node_now(struct node *n)
+{
+    return clock_sync(n);
+}
+
+void clock_advance_to(struct node *n, vtime t)
+{
+    vtime now = clock_sync(n);
+    n->clock.origin += t - now;
+}
+
+void clock_allow(struct node *n, vtime deadline)
+{
+    vtime now = clock_sync(n);
+    uint64_t units = deadline > now ? units_of_time(n, deadline - now) : 1;
+    /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
+    n->clock.given = units > INT64_MAX / 2 ? INT64_MAX / 2 : (int64_t)units - 1;
+    *n->image->left = n->clock.given;
+}

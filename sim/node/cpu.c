@@ -1,0 +1,168 @@
+/* cpu.c - see cpu.h. */
+#include "node/cpu.h"
+#include <errno.h>
+#include "kernel/fiber.h"
+#include "node/clock.h"
+#include "node/mailbox.h"
+#include "node/system.h"
+
+/* The longest stretch a program runs without the scheduler seeing it: for time limits and the keyboard only.
+ */
+#define LONGEST_SLICE VT_SECOND
+enum { MOST_UNSEEN = 4096 };
+
+/* --- the scheduler's side ---------------------------------------------------------------------------------
+ */
+
+static void resume(struct node *n, vtime now)
+{
+    clock_advance_to(n, now);
+    n->state = NODE_COMPUTING;
+    n->sys->current = n;
+    n->sys->unseen = 0;
+    errno = n->saved_errno;
+    fiber_resume(n->fiber);
+    n->saved_errno = errno;
+    n->sys->current = NULL;
+}
+
+/* A computing node has come to a call or check at `now`. */
+static void go_on(void *ctx, void *arg, vtime now)
+{
+    struct node *n = ctx;
+    (void)arg;
+    if (n->state == NODE_ENDED)
+        return; /* killed meanwhile */
+    if (n->clock.stolen) {
+        vtime until = now + n->clock.stolen;
+        n->clock.stolen = 0;
+        evq_put_late(n->sys->q, until, n->id, go_on, n, NULL);
+        return;
+    }
+    resume(n, now);
+}
+
+static void wake(void *ctx, void *arg, vtime now)
+{
+    struct node *n = ctx;
+    (void)arg;
+    if (n->state == NODE_BLOCKED)
+        resume(n, now);
+}
+
+void node_wake(struct node *n, vtime t)
+{
+    if (n->state == NODE_BLOCKED)
+        evq_put_late(n->sys->q, t, n->id, wake, n, NULL);
+}
+
+void node_start(struct node *n)
+{
+    evq_put_late(n->sys->q, 0, n->id, go_on, n, NULL);
+}
+
+vtime node_work(void *ctx, uint32_t node, vtime at, vtime t)
+{
+    struct node_system *sys = ctx;
+    struct node *n = sys->nodes[node];
+    n->sys_free = vt_max(at, n->sys_free) + t;
+    if (n->state == NODE_COMPUTING)
+        n->clock.stolen += t;
+    n->stats.system += t;
+    return n->sys_free;
+}
+
+/* --- the program's side -----------------------------------------------------------------------------------
+ */
+
+/* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know.
+ */
+static bool must_stop(struct node *n, vtime now)
+{
+    if (now > n->sys->max_time && !n->sys->stop)
+        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by node %u%s%s",
+                         vt_seconds(n->sys->max_time), n->id, n->call ? " in " : " computing",
+                         n->call ? n->call : "");
+    return n->sys->stop || ++n->sys->unseen > MOST_UNSEEN;
+}
+
+void node_order(struct node *n)
+{
+    vtime now = clock_sync(n);
+    while (n->clock.stolen || !evq_late_is_first(n->sys->q, now, n->id) || must_stop(n, now)) {
+        evq_put_late(n->sys->q, now, n->id, go_on, n, NULL);
+        fiber_yield(n->fiber);
+        now = clock_sync(n);
+    }
+}
+
+void node_enter(struct node *n, const char *call)
+{
+    clock_sync(n);
+    n->call = call;
+    n->call_has_type = false;
+    n->call_since = node_now(n);
+    do
+        node_order(n);
+    while (node_run_handlers(n));
+}
+
+void node_spend(struct node *n, vtime t)
+{
+    clock_advance_to(n, clock_sync(n) + t);
+    n->stats.system += t;
+}
+
+static vtime deadline(struct node *n, vtime now)
+{
+    vtime slice = vt_min(now + LONGEST_SLICE, n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1);
+    if (!mailbox_armed(n))
+        return slice;
+    vtime due = vt_min(mailbox_next_due(n), proto_horizon(n->sys->proto, n->id, evq_next(n->sys->q)));
+    return vt_min(slice, due);
+}
+
+void node_leave(struct node *n)
+{
+    n->call = NULL;
+    clock_allow(n, deadline(n, clock_sync(n)));
+}
+
+/* A check of the program has found its time used up. */
+void node_nxc_preempt(void);
+void node_nxc_preempt(void)
+{
+    struct node *n = node_self();
+    n->stats.slices++;
+    do
+        node_order(n);
+    while (node_run_handlers(n));
+    clock_allow(n, deadline(n, clock_sync(n)));
+}
+
+bool node_run_handlers(struct node *n)
+{
+    bool any = false;
+    while (mailbox_handler_due(n, node_now(n))) {
+        const char *call = n->call;
+        long type = n->call_type;
+        bool has_type = n->call_has_type;
+        vtime since = n->call_since;
+        mailbox_run_handler(n);
+        n->call = call, n->call_type = type, n->call_has_type = has_type, n->call_since = since;
+        any = true;
+    }
+    return any;
+}
+
+void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
+{
+    while (!ready(n, arg)) {
+        vtime since = node_now(n), busy = n->stats.system;
+        n->state = NODE_BLOCKED;
+        fiber_yield(n->fiber);
+        n->stats.idle += node_now(n) - since - vt_min(n->stats.system - busy, node_now(n) - since);
+        while (node_run_handlers(n))
+            node_order(n);
+    }
+}

@@ -1,0 +1,26 @@
+/* cpu.h - the order in which a node's program, the operating system and handlers have its processor.
+ *
+ * Computing runs ahead: a program's stretch between two calls is executed at once, and its next call becomes
+ * an event at the time it ends. A node with an armed, unmasked handler runs only up to the horizon, the
+ * earliest time at which anything may reach it (proto_horizon), and stops at the first check at or past it.
+ *
+ * System time. A message that reaches a computing node takes its processor for a while (node_work): the time
+ * is noted as stolen and the node's next call or check is put back by it. The horizon is never past such a
+ * moment, so it does not matter into how many slices the computing was cut.
+ *
+ * Handlers run on the program's own stack, inside node_enter, node_wait or nxc_preempt; not inside each
+ * other.
+ */
+#ifndef NODE_CPU_H
+#define NODE_CPU_H
+#include "node/node.h"
+
+/* Wait in a call until ready(n, arg); then time is node_now(n). Handlers due are run meanwhile. */
+void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);
+/* A blocked node looks again at what it waits for at time t. */
+void node_wake(struct node *n, vtime t);
+/* Run the handlers that are due. True if any ran. */
+bool node_run_handlers(struct node *n);
+/* Scheduler: put the node's start into the queue. */
+void node_start(struct node *n);
+#endif

@@ -1,0 +1,425 @@
+/* mailbox.c - see mailbox.h. */
+#include "node/mailbox.h"
+#include <stdlib.h>
+#include <string.h>
+#include "node/cpu.h"
+#include "node/system.h"
+
+enum id_kind { ID_FREE, ID_RECEIVE, ID_SEND };
+
+struct id {
+    enum id_kind kind;
+    struct receive receive;
+    struct send *send; /* malloc'd */
+};
+
+/* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
+struct due {
+    vtime at;
+    struct receive *receive;
+    struct send *send;
+    struct due *next;
+};
+
+struct mailbox {
+    struct receive *posted, **posted_end;
+    struct message *unexpected, **unexpected_end;
+    struct due *due, **due_end;
+    uint32_t handlers; /* posted or due */
+    uint32_t waiting;  /* unexpected long messages that found no room */
+    struct id *ids;
+    uint32_t ids_count;
+};
+
+struct mailbox *mailbox_new(uint32_t ids)
+{
+    struct mailbox *b = calloc(1, sizeof *b);
+    if (!b || !(b->ids = calloc(ids, sizeof *b->ids)))
+        abort();
+    b->ids_count = ids;
+    b->posted_end = &b->posted;
+    b->unexpected_end = &b->unexpected;
+    b->due_end = &b->due;
+    return b;
+}
+
+void mailbox_free(struct mailbox *b)
+{
+    if (!b)
+        return;
+    for (struct message *m = b->unexpected, *next; m; m = next) {
+        next = m->next;
+        proto_message_free(m);
+    }
+    for (uint32_t i = 0; i < b->ids_count; i++)
+        free(b->ids[i].send);
+    for (struct due *d = b->due, *next; d; d = next) {
+        next = d->next;
+        if (d->receive && d->receive->m)
+            proto_message_free(d->receive->m);
+        free(d->receive);
+        free(d->send);
+        free(d);
+    }
+    for (struct receive *r = b->posted, *next; r; r = next) {
+        next = r->next;
+        if (r->handler)
+            free(r);
+    }
+    free(b->ids);
+    free(b);
+}
+
+bool mailbox_selects(int64_t typesel, int64_t type)
+{
+    if (typesel >= 0 || typesel == -1)
+        return typesel == -1 || typesel == type;
+    return typesel >> (type < 30 ? type : 30) & 1;
+}
+
+/* --- queues
+ * -------------------------------------------------------------------------------------------------- */
+
+static void post(struct mailbox *b, struct receive *r)
+{
+    r->next = NULL;
+    *b->posted_end = r;
+    b->posted_end = &r->next;
+}
+
+static void unpost(struct mailbox *b, struct receive **link)
+{
+    struct receive *r = *link;
+    *link = r->next;
+    if (b->posted_end == &r->next)
+        b->posted_end = link;
+}
+
+static void keep(struct mailbox *b, struct message *m)
+{
+    m->next = NULL;
+    *b->unexpected_end = m;
+    b->unexpected_end = &m->next;
+}
+
+static void unkeep(struct mailbox *b, struct message **link)
+{
+    struct message *m = *link;
+    *link = m->next;
+    if (b->unexpected_end == &m->next)
+        b->unexpected_end = link;
+}
+
+static void add_due(struct node *n, vtime at, struct receive *r, struct send *s)
+{
+    struct mailbox *b = n->mailbox;
+    struct due *d = calloc(1, sizeof *d);
+    if (!d)
+        abort();
+    *d = (struct due){.at = at, .receive = r, .send = s};
+    *b->due_end = d;
+    b->due_end = &d->next;
+    node_wake(n, at);
+}
+
+/* --- system buffers
+ * ------------------------------------------------------------------------------------------- */
+
+static void buffer(struct node *n, struct message *m)
+{
+    m->buffered = true;
+    n->buffered += m->bytes;
+    node_memory_changed(n);
+}
+
+static bool room_for(struct node *n, const struct message *m)
+{
+    return node_memory_used(n) + m->bytes <= node_memory_limit(n);
+}
+
+/* Buffers have been given back: grant what waits for them, in the order asked. */
+static void grant_waiting(struct node *n)
+{
+    for (struct message *m = n->mailbox->unexpected; m && n->mailbox->waiting; m = m->next) {
+        if (!m->is_long || m->granted)
+            continue;
+        if (!room_for(n, m))
+            return;
+        n->mailbox->waiting--;
+        buffer(n, m);
+        proto_grant(m->proto, m, node_now(n));
+    }
+}
+
+static void unbuffer(struct node *n, struct message *m)
+{
+    if (!m->buffered)
+        return;
+    m->buffered = false;
+    n->buffered -= m->bytes;
+    grant_waiting(n);
+}
+
+/* --- what the protocol tells -------------------------------------------------------------------------------
+ */
+
+static void give(struct receive *r, struct message *m)
+{
+    r->m = m;
+    m->receive = r;
+}
+
+bool mailbox_envelope(void *ctx, struct message *m, vtime now)
+{
+    struct node *n = ((struct node_system *)ctx)->nodes[m->to];
+    struct mailbox *b = n->mailbox;
+    (void)now;
+    for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
+        if (!mailbox_selects((*link)->typesel, m->type))
+            continue;
+        give(*link, m);
+        unpost(b, link);
+        return true;
+    }
+    if (m->forced)
+        return false;
+    keep(b, m);
+    if (m->is_long && !room_for(n, m)) {
+        b->waiting++;
+        return false;
+    }
+    buffer(n, m);
+    return true;
+}
+
+static uint64_t mix(uint64_t h, uint64_t x)
+{
+    h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
+    return h ^ (h >> 29);
+}
+
+void mailbox_arrived(void *ctx, struct message *m, vtime now)
+{
+    struct node_system *sys = ctx;
+    struct node *n = sys->nodes[m->to];
+    struct receive *r = m->receive;
+    sys->messages++;
+    sys->bytes += m->bytes;
+    sys->digest = mix(mix(sys->digest, now), (uint64_t)m->from << 32 | m->to);
+    sys->digest = mix(mix(sys->digest, (uint64_t)m->type), m->bytes);
+    if (r && r->handler)
+        add_due(n, m->complete, r, NULL);
+    else
+        node_wake(n, m->complete);
+}
+
+void mailbox_sent(void *ctx, struct message *m, vtime now)
+{
+    struct node *n = ((struct node_system *)ctx)->nodes[m->from];
+    struct send *s = m->send;
+    if (!s)
+        return;
+    m->send = s->m = NULL;
+    s->done = true;
+    if (s->handler)
+        add_due(n, now, NULL, s);
+    else
+        node_wake(n, now);
+}
+
+void mailbox_follow(struct message *m, struct send *s)
+{
+    m->send = s;
+    s->m = m;
+}
+
+/* --- receiving
+ * ------------------------------------------------------------------------------------------------ */
+
+void mailbox_post(struct node *n, struct receive *r)
+{
+    struct mailbox *b = n->mailbox;
+    for (struct message **link = &b->unexpected; *link; link = &(*link)->next) {
+        struct message *m = *link;
+        if (!mailbox_selects(r->typesel, m->type))
+            continue;
+        unkeep(b, link);
+        give(r, m);
+        if (m->is_long && !m->granted) {
+            b->waiting--;
+            proto_grant(m->proto, m, node_now(n));
+        }
+        if (m->arrived && r->handler)
+            add_due(n, vt_max(m->complete, node_now(n)), r, NULL);
+        return;
+    }
+    post(b, r);
+}
+
+void mailbox_withdraw(struct node *n, struct receive *r)
+{
+    struct mailbox *b = n->mailbox;
+    for (struct receive **link = &b->posted; *link; link = &(*link)->next)
+        if (*link == r) {
+            unpost(b, link);
+            return;
+        }
+    struct message *m = r->m;
+    m->receive = NULL;
+    if (!m->buffered)
+        buffer(n, m);
+    m->next = b->unexpected;
+    if (!b->unexpected)
+        b->unexpected_end = &m->next;
+    b->unexpected = m;
+}
+
+bool mailbox_complete(struct node *n, const struct receive *r)
+{
+    return r->m && r->m->arrived && r->m->complete <= node_now(n);
+}
+
+void mailbox_take(struct node *n, struct receive *r, const char *call)
+{
+    struct message *m = r->m;
+    if (m->bytes > r->room)
+        node_fail(n, "%s: the message of type %ld from node %u has %zu bytes, but the buffer only %zu", call,
+                  (long)m->type, m->from, m->bytes, r->room);
+    if (m->bytes)
+        memcpy(r->buf, m->data, m->bytes);
+    if (m->buffered)
+        node_spend(n, m->bytes * n->sys->cfg->copy_ps_per_byte);
+    n->info = (struct node_info){(long)m->type, (long)m->bytes, m->from, (long)m->pid};
+    unbuffer(n, m);
+    proto_message_free(m);
+    r->m = NULL;
+}
+
+const struct message *mailbox_probe(struct node *n, int64_t typesel)
+{
+    vtime now = node_now(n);
+    for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
+        if (mailbox_selects(typesel, m->type) && m->arrived && m->complete <= now)
+            return m;
+    return NULL;
+}
+
+/* --- ids
+ * ------------------------------------------------------------------------------------------------------- */
+
+long mailbox_id_new(struct node *n, bool sends)
+{
+    struct mailbox *b = n->mailbox;
+    for (uint32_t i = 0; i < b->ids_count; i++) {
+        struct id *id = &b->ids[i];
+        if (id->kind != ID_FREE)
+            continue;
+        *id = (struct id){.kind = sends ? ID_SEND : ID_RECEIVE};
+        if (sends && !(id->send = calloc(1, sizeof *id->send)))
+            abort();
+        return i;
+    }
+    return -1;
+}
+
+static struct id *find_id(struct node *n, long id, enum id_kind kind)
+{
+    struct mailbox *b = n->mailbox;
+    if (id < 0 || id >= b->ids_count || b->ids[id].kind != kind)
+        return NULL;
+    return &b->ids[id];
+}
+
+struct receive *mailbox_id_receive(struct node *n, long id)
+{
+    struct id *i = find_id(n, id, ID_RECEIVE);
+    return i ? &i->receive : NULL;
+}
+
+struct send *mailbox_id_send(struct node *n, long id)
+{
+    struct id *i = find_id(n, id, ID_SEND);
+    return i ? i->send : NULL;
+}
+
+void mailbox_id_release(struct node *n, long id)
+{
+    struct id *i = &n->mailbox->ids[id];
+    if (i->send && i->send->m)
+        i->send->m->send = NULL;
+    free(i->send);
+    *i = (struct id){.kind = ID_FREE};
+}
+
+/* --- handlers
+ * ---------------------------------------------------------------------------------------------------- */
+
+void mailbox_post_handler(struct node *n, int64_t typesel, void *buf, size_t room, node_handler *handler)
+{
+    struct receive *r = calloc(1, sizeof *r);
+    if (!r)
+        abort();
+    *r = (struct receive){.typesel = typesel, .buf = buf, .room = room, .handler = handler};
+    n->mailbox->handlers++;
+    n->stats.armed = true;
+    mailbox_post(n, r);
+}
+
+struct send *mailbox_send_handler(struct node *n, node_handler *handler)
+{
+    struct send *s = calloc(1, sizeof *s);
+    if (!s)
+        abort();
+    s->handler = handler;
+    n->mailbox->handlers++;
+    n->stats.armed = true;
+    return s;
+}
+
+bool mailbox_armed(const struct node *n)
+{
+    return n->mailbox->handlers > 0 && !n->masked && !n->in_handler;
+}
+
+vtime mailbox_next_due(const struct node *n)
+{
+    return n->mailbox->due ? n->mailbox->due->at : VT_NEVER;
+}
+
+bool mailbox_handler_due(const struct node *n, vtime now)
+{
+    return n->mailbox->due && n->mailbox->due->at <= now && !n->masked && !n->in_handler;
+}
+
+void mailbox_run_handler(struct node *n)
+{
+    struct mailbox *b = n->mailbox;
+    struct due d = *b->due;
+    struct node_info before = n->info;
+    vtime since = node_now(n);
+    free(b->due);
+    b->due = d.next;
+    if (!b->due)
+        b->due_end = &b->due;
+    b->handlers--;
+    n->stats.handlers++;
+    n->stats.latest = vt_max(n->stats.latest, since - vt_max(d.at, vt_min(n->open_since, since)));
+    n->in_handler = true;
+
+    node_handler *handler = d.receive ? d.receive->handler : d.send->handler;
+    node_spend(n, n->sys->cfg->interrupt_ps / 2);
+    if (d.receive)
+        mailbox_take(n, d.receive, "hrecv");
+    else
+        n->info = d.send->info;
+    free(d.receive);
+    free(d.send);
+    node_leave(n);
+    handler(n->info.type, n->info.count, n->info.node, n->info.pid);
+    node_now(n);
+    node_spend(n, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
+
+    n->in_handler = false;
+    n->open_since = node_now(n);
+    n->info = before;
+}

@@ -1,0 +1,196 @@
+/* node.c - a node's making and ending, its memory account, and its errors. See node.h. */
+#include "node/node.h"
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include "kernel/fiber.h"
+#include "node/clock.h"
+#include "node/cpu.h"
+#include "node/heap.h"
+#include "node/image.h"
+#include "node/libc.h"
+#include "node/mailbox.h"
+#include "node/system.h"
+#include "nx_api/nxcc/image.h"
+
+enum { PAGE = 4096 };
+
+/* --- memory
+ * ---------------------------------------------------------------------------------------------------- */
+
+size_t node_memory_limit(const struct node *n)
+{
+    return n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
+}
+
+size_t node_memory_used(const struct node *n)
+{
+    return n->image_bytes + n->sys->cfg->stack_bytes + node_heap_used(n->heap) + n->buffered;
+}
+
+void node_memory_changed(struct node *n)
+{
+    size_t used = node_memory_used(n);
+    if (used > n->stats.memory_peak)
+        n->stats.memory_peak = used;
+}
+
+static int heap_room(void *ctx, size_t bytes)
+{
+    struct node *n = ctx;
+    return node_memory_used(n) - node_heap_used(n->heap) + bytes <= node_memory_limit(n);
+}
+
+static void heap_grown(void *ctx)
+{
+    node_memory_changed(ctx);
+}
+
+/* --- ends
+ * ------------------------------------------------------------------------------------------------------ */
+
+void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
+{
+    va_list ap;
+    if (sys->failure)
+        return;
+    va_start(ap, fmt);
+    if (vasprintf(&sys->failure, fmt, ap) < 0)
+        abort();
+    va_end(ap);
+    sys->stop = why;
+}
+
+_Noreturn void node_end_here(struct node *n, enum node_end how, int code)
+{
+    if (!n->sys->stop)
+        node_order(n);
+    n->end = how;
+    n->exit_code = code;
+    n->state = NODE_ENDED;
+    n->stats.ended_at = node_now(n);
+    n->sys->running--;
+    fiber_finish(n->fiber);
+}
+
+_Noreturn void node_fail(struct node *n, const char *fmt, ...)
+{
+    va_list ap;
+    char *text = NULL;
+    node_order(n);
+    va_start(ap, fmt);
+    if (vasprintf(&text, fmt, ap) < 0)
+        abort();
+    va_end(ap);
+    node_system_fail(n->sys, STOP_FAILED, "node %u, at %.9f s: %s", n->id, vt_seconds(node_now(n)), text);
+    free(text);
+    node_end_here(n, NODE_CRASHED, 1);
+}
+
+void node_output(struct node *n, int fd, const char *bytes, size_t len)
+{
+    fwrite(bytes, 1, len, n->sys->out[fd - 1]);
+}
+
+/* --- making
+ * ---------------------------------------------------------------------------------------------------- */
+
+static void run_program(void *arg)
+{
+    struct node *n = arg;
+    node_leave(n);
+    for (void (**f)(void) = n->image->init_begin; f < n->image->init_end; f++)
+        (*f)();
+    int code = n->image->main(n->argc, n->argv, n->envp);
+    node_enter(n, "exit");
+    node_libc_atexit_run(n);
+    node_libc_flush(n);
+    node_end_here(n, NODE_RETURNED, code);
+}
+
+/* Reserve a span of address space at a multiple of its own size. */
+static char *reserve_span(void)
+{
+    const int prot = PROT_NONE, flags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
+    char *wide = mmap(NULL, 2 * NODE_SPAN, prot, flags, -1, 0);
+    if (wide == MAP_FAILED)
+        return NULL;
+    char *span = (char *)(((uintptr_t)wide + NODE_SPAN - 1) & ~(NODE_SPAN - 1));
+    if (span > wide)
+        munmap(wide, (size_t)(span - wide));
+    munmap(span + NODE_SPAN, (size_t)(wide + NODE_SPAN - span));
+    return span;
+}
+
+static bool make_span(struct node *n)
+{
+    size_t stack = n->sys->cfg->stack_bytes;
+    n->span = reserve_span();
+    if (!n->span)
+        return false;
+    if (mprotect(n->span, PAGE, PROT_READ | PROT_WRITE) ||
+        mprotect(n->span + NODE_SPAN - stack, stack, PROT_READ | PROT_WRITE))
+        return false;
+    *(struct node **)n->span = n;
+    return true;
+}
+
+static bool make_parts(struct node *n, const struct node_image *img, char **error)
+{
+    if (!make_span(n)) {
+        if (asprintf(error, "node %u: no address space left on this computer", n->id) < 0)
+            abort();
+        return false;
+    }
+    n->libc = node_libc_new(n);
+    if (!node_image_map(img, n, error))
+        return false;
+    size_t heap_at = (NODE_IMAGE_OFFSET + n->image_bytes + PAGE - 1) / PAGE * PAGE;
+    size_t stack = n->sys->cfg->stack_bytes;
+    n->heap = node_heap_new(n->span + heap_at, NODE_SPAN - heap_at - stack - PAGE, heap_room, heap_grown, n);
+    n->fiber = fiber_new(n->span + NODE_SPAN - stack, stack, run_program, n);
+    if (node_memory_used(n) > node_memory_limit(n)) {
+        if (asprintf(error,
+                     "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to "
+                     "programs",
+                     node_image_path(img), n->image_bytes, stack, n->sys->cfg->name,
+                     node_memory_limit(n)) < 0)
+            abort();
+        return false;
+    }
+    node_memory_changed(n);
+    return true;
+}
+
+struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
+                      char **argv, char **envp, char **error)
+{
+    struct node *n = calloc(1, sizeof *n);
+    if (!n)
+        abort();
+    n->sys = sys, n->id = id, n->argc = argc, n->argv = argv, n->envp = envp;
+    n->mailbox = mailbox_new((uint32_t)sys->cfg->message_ids);
+    n->info = (struct node_info){-1, -1, -1, -1};
+    if (!make_parts(n, img, error)) {
+        node_free(n);
+        return NULL;
+    }
+    return n;
+}
+
+void node_free(struct node *n)
+{
+    if (!n)
+        return;
+    mailbox_free(n->mailbox);
+    if (n->libc)
+        node_libc_free(n);
+    if (n->fiber)
+        fiber_free(n->fiber);
+    if (n->heap)
+        node_heap_free(n->heap);
+    if (n->span)
+        munmap(n->span, NODE_SPAN);
+    free(n);
+}

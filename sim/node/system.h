@@ -1,0 +1,49 @@
+/* system.h - what all nodes of one machine share. Made and owned by machine/; nodes only use it. */
+#ifndef NODE_SYSTEM_H
+#define NODE_SYSTEM_H
+#include "config/config.h"
+#include "kernel/evq.h"
+#include "net/proto.h"
+#include "node/node.h"
+
+enum node_stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
+
+struct node_system {
+    const struct cfg_machine *cfg;
+    struct evq *q;
+    struct proto *proto;
+    struct topo topo;
+    struct node **nodes;
+    uint32_t count, running;
+    vtime max_time; /* VT_NEVER: none */
+
+    enum node_stop stop; /* why the machine stops before its programs have ended */
+    uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
+
+    /* the first failure, for the user; NULL none */
+    char *failure;
+
+    /* output: a FILE for each of fd 1 and 2, written in the order of virtual time */
+    FILE *out[2];
+
+    uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
+    uint64_t messages, bytes; /* received */
+    struct node *current;     /* whose fiber runs, NULL: none. For reports of crashes. */
+};
+
+/* Record the first failure (printf-like), and stop the machine with `why`. */
+void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Make a node with its program loaded, ready to start at time 0. NULL with *error set. */
+struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
+                      char **argv, char **envp, char **error);
+void node_free(struct node *n);
+
+/* --- for the protocol: struct proto_nodes with ctx = the node_system
+ * ------------------------------------------ */
+vtime node_work(void *ctx, uint32_t node, vtime at, vtime t);
+bool mailbox_envelope(void *ctx, struct message *m, vtime now);
+void mailbox_sent(void *ctx, struct message *m, vtime now);
+void mailbox_arrived(void *ctx, struct message *m, vtime now);
+#endif

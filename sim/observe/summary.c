@@ -1,0 +1,144 @@
+/* summary.c - see summary.h. */
+#include "observe/summary.h"
+#include <errno.h>
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+static vtime busy(const struct node *n)
+{
+    vtime other = n->stats.idle + n->stats.system;
+    return n->stats.ended_at > other ? n->stats.ended_at - other : 0;
+}
+
+/* --- for people
+ * --------------------------------------------------------------------------------------------------- */
+
+struct spread {
+    double least, most, sum;
+    uint32_t count;
+};
+
+static void add(struct spread *s, double x)
+{
+    if (s->count == 0 || x < s->least)
+        s->least = x;
+    if (s->count == 0 || x > s->most)
+        s->most = x;
+    s->sum += x;
+    s->count++;
+}
+
+static void print_spread(FILE *f, const char *what, const struct spread *s)
+{
+    fprintf(f, "  %s %.6f s", what, s->sum / s->count);
+    if (s->count > 1)
+        fprintf(f, " (%.6f to %.6f)", s->least, s->most);
+}
+
+static void print_class(const struct machine *m, FILE *f, const char *name, bool armed)
+{
+    struct spread b = {0}, i = {0}, s = {0};
+    for (uint32_t k = 0; k < m->sys.count; k++) {
+        const struct node *n = m->sys.nodes[k];
+        if (n->stats.armed != armed)
+            continue;
+        add(&b, vt_seconds(busy(n)));
+        add(&i, vt_seconds(n->stats.idle));
+        add(&s, vt_seconds(n->stats.system));
+    }
+    if (b.count == 0)
+        return;
+    fprintf(f, "%-14s %u %s:", b.count == m->sys.count ? "nodes" : name, b.count,
+            b.count == 1 ? "node" : "nodes");
+    print_spread(f, "busy", &b);
+    print_spread(f, "idle", &i);
+    print_spread(f, "system", &s);
+    fputc('\n', f);
+}
+
+static void print_handlers(const struct machine *m, FILE *f)
+{
+    uint64_t handlers = 0, slices = 0;
+    vtime latest = 0;
+    for (uint32_t k = 0; k < m->sys.count; k++) {
+        handlers += m->sys.nodes[k]->stats.handlers;
+        slices += m->sys.nodes[k]->stats.slices;
+        latest = vt_max(latest, m->sys.nodes[k]->stats.latest);
+    }
+    if (handlers)
+        fprintf(f,
+                "interrupts     %" PRIu64 " handlers run, the latest %.3f us after it was due; %" PRIu64
+                " slices\n",
+                handlers, vt_seconds(latest) * 1e6, slices);
+}
+
+void summary_print(const struct machine *m, FILE *f)
+{
+    size_t peak = 0;
+    uint32_t where = 0;
+    for (uint32_t k = 0; k < m->sys.count; k++)
+        if (m->sys.nodes[k]->stats.memory_peak > peak)
+            peak = m->sys.nodes[k]->stats.memory_peak, where = k;
+    fprintf(f, "virtual time   %.9f s on %u %s of %s\n", vt_seconds(m->end), m->sys.count,
+            m->sys.count == 1 ? "node" : "nodes", m->sys.cfg->name);
+    fprintf(f, "wall time      %.3f s, and %.3f s to start\n", m->wall_s, m->start_s);
+    fprintf(
+        f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
+        m->sys.messages, m->sys.bytes, wire_waits(proto_wire(m->sys.proto)),
+        vt_seconds(wire_waited(proto_wire(m->sys.proto))));
+    print_class(m, f, "with handlers", true);
+    print_class(m, f, "others", false);
+    print_handlers(m, f);
+    fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n", (double)peak / 1048576,
+            where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
+    fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
+}
+
+/* --- for programs
+ * ------------------------------------------------------------------------------------------------- */
+
+static json_t *node_json(const struct node *n)
+{
+    return json_pack("{s:f, s:f, s:f, s:I, s:i, s:I, s:I}", "busy_s", vt_seconds(busy(n)), "idle_s",
+                     vt_seconds(n->stats.idle), "system_s", vt_seconds(n->stats.system), "memory_peak_bytes",
+                     (json_int_t)n->stats.memory_peak, "exit_code", n->exit_code, "messages_sent",
+                     (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
+}
+
+static json_t *machine_json(const struct machine *m)
+{
+    static const char *const OUTCOMES[] = {"ended", "failed", "deadlock"};
+    char digest[17];
+    snprintf(digest, sizeof digest, "%016" PRIx64, m->sys.digest);
+    json_t *root =
+        json_pack("{s:s, s:s, s:i, s:s, s:f, s:f, s:s, s:I, s:I}", "program", m->options.argv[0], "machine",
+                  m->sys.cfg->name, "nodes", (int)m->sys.count, "outcome", OUTCOMES[m->outcome],
+                  "virtual_time_s", vt_seconds(m->end), "wall_time_s", m->wall_s, "digest", digest,
+                  "messages", (json_int_t)m->sys.messages, "bytes", (json_int_t)m->sys.bytes);
+    json_t *arguments = json_array(), *nodes = json_array();
+    for (int i = 1; i < m->options.argc; i++)
+        json_array_append_new(arguments, json_string(m->options.argv[i]));
+    for (uint32_t k = 0; k < m->sys.count; k++)
+        json_array_append_new(nodes, node_json(m->sys.nodes[k]));
+    json_object_set_new(root, "arguments", arguments);
+    json_object_set_new(root, "node", nodes);
+    if (m->message)
+        json_object_set_new(root, "message", json_string(m->message));
+    return root;
+}
+
+char *summary_json(const struct machine *m, const char *path)
+{
+    char *text = NULL, *temporary = NULL;
+    if (asprintf(&temporary, "%s.tmp", path) < 0)
+        abort();
+    json_t *root = machine_json(m);
+    if (json_dump_file(root, temporary, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) || rename(temporary, path))
+        if (asprintf(&text, "cannot write %s: %s", path, strerror(errno)) < 0)
+            abort();
+    json_decref(root);
+    free(temporary);
+    return text;
+}
