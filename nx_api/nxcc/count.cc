@@ -96,12 +96,11 @@ void counting::look_at_function()
 {
     bool in_memory = fun->calls_setjmp || fun->has_nonlocal_label;
     basic_block bb;
-    FOR_EACH_BB_FN(bb, fun)
-    {
+    FOR_EACH_BB_FN (bb, fun) {
         edge e;
         edge_iterator ei;
-        FOR_EACH_EDGE(e, ei, bb->succs)
-        in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
+        FOR_EACH_EDGE (e, ei, bb->succs)
+            in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
             calls = calls || looks(gsi_stmt(gsi));
     }
@@ -116,13 +115,12 @@ void counting::mark_checked_blocks()
     bitmap_clear(checked);
     mark_dfs_back_edges();
     basic_block bb;
-    FOR_EACH_BB_FN(bb, fun)
-    {
+    FOR_EACH_BB_FN (bb, fun) {
         edge e;
         edge_iterator ei;
-        FOR_EACH_EDGE(e, ei, bb->succs)
-        if (e->flags & EDGE_DFS_BACK)
-            bitmap_set_bit(checked, e->dest->index);
+        FOR_EACH_EDGE (e, ei, bb->succs)
+            if (e->flags & EDGE_DFS_BACK)
+                bitmap_set_bit(checked, e->dest->index);
     }
     if (calls)
         bitmap_set_bit(checked, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
@@ -244,8 +242,7 @@ void counting::count_block(basic_block bb)
     gimple *behind = NULL;
     unsigned i;
     gimple *stmt;
-    FOR_EACH_VEC_ELT(statements, i, stmt)
-    {
+    FOR_EACH_VEC_ELT (statements, i, stmt) {
         cost += costs_of(stmt);
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
@@ -276,8 +273,7 @@ void counting::store_on_exit()
 {
     edge e;
     edge_iterator ei;
-    FOR_EACH_EDGE(e, ei, EXIT_BLOCK_PTR_FOR_FN(fun)->preds)
-    {
+    FOR_EACH_EDGE (e, ei, EXIT_BLOCK_PTR_FOR_FN(fun)->preds) {
         gimple_stmt_iterator gsi = gsi_last_nondebug_bb(e->src);
         if (!gsi_end_p(gsi) && gimple_code(gsi_stmt(gsi)) == GIMPLE_RETURN)
             gsi_insert_before(&gsi, gimple_build_assign(counter, left), GSI_SAME_STMT);
@@ -322,16 +318,16 @@ void counting::run()
     look_at_function();
     mark_checked_blocks();
     basic_block bb;
-    FOR_EACH_BB_FN(bb, fun)
-    count_block(bb);
+    FOR_EACH_BB_FN (bb, fun)
+        count_block(bb);
     if (left) {
         load_on_entry();
         store_on_exit();
     }
     unsigned i;
     check *c;
-    FOR_EACH_VEC_ELT(checks, i, c)
-    insert_check(*c);
+    FOR_EACH_VEC_ELT (checks, i, c)
+        insert_check(*c);
     free_dominance_info(CDI_DOMINATORS);
     free_dominance_info(CDI_POST_DOMINATORS);
 }

@@ -50,3 +50,5 @@ $(NODE)/libnx.a: $(COMMON_OBJ)
 
 $(NODE)/include: ; @mkdir -p $(@D) && ln -sfnr nx_api/include $@
 $(NODE)/cpu: ; @mkdir -p $(@D) && ln -sfnr machines/cpu $@
+
+include bench/speed/counting/counting.mk
