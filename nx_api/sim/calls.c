@@ -30,8 +30,7 @@ static struct node *enter_with(const char *call, long what)
     return n;
 }
 
-/* --- sending
- * --------------------------------------------------------------------------------------------------- */
+/* --- sending --- */
 
 static void check_send(struct node *n, long type, const void *buf, long len, long node)
 {
@@ -129,8 +128,7 @@ void node_hsend(long type, const void *buf, long len, long node, long pid, node_
     node_leave(n);
 }
 
-/* --- receiving
- * ------------------------------------------------------------------------------------------------- */
+/* --- receiving --- */
 
 static struct receive a_receive(struct node *n, long typesel, void *buf, long len)
 {
@@ -185,9 +183,7 @@ void node_hrecv(long typesel, void *buf, long len, node_handler *handler)
     node_leave(n);
 }
 
-/* --- ids
- * ---------------------------------------------------------------------------------------------------------
- */
+/* --- ids --- */
 
 static _Noreturn void no_such_id(struct node *n, long id)
 {
@@ -246,8 +242,7 @@ void node_msgcancel(long id)
     node_leave(n);
 }
 
-/* --- probing
- * ------------------------------------------------------------------------------------------------------ */
+/* --- probing --- */
 
 static bool probe(struct node *n, long typesel)
 {
@@ -283,8 +278,7 @@ long node_iprobe(long typesel)
     return found;
 }
 
-/* --- information: nothing of the outside matters, so no order is needed
- * ------------------------------------------ */
+/* --- information: nothing of the outside matters, so no order is needed --- */
 
 long node_infocount(void);
 long node_infocount(void)
@@ -343,8 +337,7 @@ long node_nodedim(void)
     return d;
 }
 
-/* --- clocks and the processor
- * ----------------------------------------------------------------------------------- */
+/* --- clocks and the processor --- */
 
 static vtime read_clock(const char *call)
 {
@@ -391,8 +384,7 @@ long node_masktrap(long state)
     return before;
 }
 
-/* --- ending
- * ------------------------------------------------------------------------------------------------------- */
+/* --- ending --- */
 
 static void end_other(struct node *n, struct node *victim)
 {

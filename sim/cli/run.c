@@ -20,6 +20,9 @@ static const char HELP[] =
     "  --json FILE             write the figures of the run, per node too, as JSON\n"
     "  --max-virtual-time S    stop when a node passes S seconds of virtual time\n"
     "  --max-wall-time S       stop after S seconds of real time\n"
+    "  --slice S               look at computing programs at least every S virtual seconds: results must "
+    "not\n"
+    "                          depend on it, and this is how to test that\n"
     "  -q, --quiet             no summary\n"
     "\n"
     "Exit status: 0 all programs ended; 1 a program crashed, ended with an error, ran out of memory, or a "
@@ -34,7 +37,7 @@ enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
 struct arguments {
     const char *machine, *json;
     uint32_t nodes;
-    double max_virtual_s, max_wall_s;
+    double max_virtual_s, max_wall_s, slice_s;
     bool quiet, help;
     char **program;
     int program_count;
@@ -59,10 +62,11 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL };
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
                                          {"max-virtual-time", required_argument, NULL, MAX_VIRTUAL},
                                          {"max-wall-time", required_argument, NULL, MAX_WALL},
+                                         {"slice", required_argument, NULL, SLICE},
                                          {"machine", required_argument, NULL, 'm'},
                                          {"nodes", required_argument, NULL, 'n'},
                                          {"quiet", no_argument, NULL, 'q'},
@@ -90,6 +94,10 @@ static int parse(int argc, char **argv, struct arguments *a)
         case MAX_WALL:
             if (!positive(optarg, &a->max_wall_s))
                 return cli_usage("run", "--max-wall-time takes seconds, more than 0, not '%s'", optarg);
+            break;
+        case SLICE:
+            if (!positive(optarg, &a->slice_s))
+                return cli_usage("run", "--slice takes seconds, more than 0, not '%s'", optarg);
             break;
         case 'q':
             a->quiet = true;
@@ -151,6 +159,7 @@ int cli_run(int argc, char **argv)
                                 .envp = environ,
                                 .max_virtual_s = a.max_virtual_s,
                                 .max_wall_s = a.max_wall_s,
+                                .slice_s = a.slice_s,
                                 .out = stdout,
                                 .err = stderr};
     struct machine *m = machine_new(&o, &error);

@@ -16,8 +16,7 @@ static double wall_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* --- putting together
- * ---------------------------------------------------------------------------------------- */
+/* --- putting together --- */
 
 static bool make_shape(struct machine *m, char **error)
 {
@@ -63,6 +62,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->cfg = options->cfg;
     s->count = s->running = options->nodes;
     s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
+    s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : VT_SECOND;
     s->out[0] = options->out, s->out[1] = options->err;
     s->q = evq_new();
     if (!make_shape(m, error))
@@ -83,7 +83,7 @@ void machine_free(struct machine *m)
     if (!m)
         return;
     for (uint32_t i = 0; m->sys.nodes && i < m->sys.count; i++)
-        node_free(m->sys.nodes[i]);
+        node_delete(m->sys.nodes[i]);
     free(m->sys.nodes);
     proto_free(m->sys.proto);
     evq_free(m->sys.q);
@@ -94,8 +94,7 @@ void machine_free(struct machine *m)
     free(m);
 }
 
-/* --- running
- * ---------------------------------------------------------------------------------------------------- */
+/* --- running --- */
 
 /* The world outside: the wall clock's limit and the keyboard. Neither changes a result, they only end the
  * run. */

@@ -31,8 +31,7 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
     return p;
 }
 
-/* --- which messages are under way
- * --------------------------------------------------------------------------- */
+/* --- which messages are under way --- */
 
 static void link_message(struct proto *p, struct message *m)
 {
@@ -80,8 +79,7 @@ void proto_free(struct proto *p)
     free(p);
 }
 
-/* --- times
- * ---------------------------------------------------------------------------------------------------- */
+/* --- times --- */
 
 static const struct proto_bound NOTHING = {.at = VT_NEVER};
 
@@ -128,8 +126,7 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
     return horizon;
 }
 
-/* --- sending
- * ---------------------------------------------------------------------------------------------------- */
+/* --- sending --- */
 
 static void on_started(void *ctx, struct wire_transit *t, vtime now);
 static void on_done(void *ctx, struct wire_transit *t, vtime now);
@@ -173,8 +170,7 @@ void proto_send(struct proto *p, struct message *m, vtime when)
     }
 }
 
-/* --- envelopes, in the order sent
- * ---------------------------------------------------------------------------- */
+/* --- envelopes, in the order sent --- */
 
 static void look_at(struct proto *p, struct message *m, vtime now);
 
@@ -233,8 +229,7 @@ static void ask_arrives(void *ctx, void *arg, vtime now)
     envelope_comes(ctx, arg, now);
 }
 
-/* --- the second and third trip
- * ---------------------------------------------------------------------------------- */
+/* --- the second and third trip --- */
 
 static void grant_arrives(void *ctx, void *arg, vtime now)
 {
@@ -301,8 +296,7 @@ static void on_started(void *ctx, struct wire_transit *t, vtime now)
     evq_put(m->proto->q, now + trip(m), m->to, data_flow, m->proto, m);
 }
 
-/* --- arrival
- * -------------------------------------------------------------------------------------------------- */
+/* --- arrival --- */
 
 static void complete(struct proto *p, struct message *m, vtime now, vtime system)
 {
@@ -336,8 +330,7 @@ static void on_done(void *ctx, struct wire_transit *t, vtime now)
     complete(p, m, now, p->cfg->long_receive_ps);
 }
 
-/* --------------------------------------------------------------------------------------------------------------
- */
+
 
 void proto_message_free(struct message *m)
 {

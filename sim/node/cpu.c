@@ -6,13 +6,10 @@
 #include "node/mailbox.h"
 #include "node/system.h"
 
-/* The longest stretch a program runs without the scheduler seeing it: for time limits and the keyboard only.
- */
-#define LONGEST_SLICE VT_SECOND
+/* The most calls a program makes without the scheduler seeing it: for time limits and the keyboard only. */
 enum { MOST_UNSEEN = 4096 };
 
-/* --- the scheduler's side ---------------------------------------------------------------------------------
- */
+/* --- the scheduler's side --- */
 
 static void resume(struct node *n, vtime now)
 {
@@ -72,11 +69,9 @@ vtime node_work(void *ctx, uint32_t node, vtime at, vtime t)
     return n->sys_free;
 }
 
-/* --- the program's side -----------------------------------------------------------------------------------
- */
+/* --- the program's side --- */
 
-/* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know.
- */
+/* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know. */
 static bool must_stop(struct node *n, vtime now)
 {
     if (now > n->sys->max_time && !n->sys->stop)
@@ -115,7 +110,8 @@ void node_spend(struct node *n, vtime t)
 
 static vtime deadline(struct node *n, vtime now)
 {
-    vtime slice = vt_min(now + LONGEST_SLICE, n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1);
+    vtime slice =
+        vt_min(now + n->sys->longest_slice, n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1);
     if (!mailbox_armed(n))
         return slice;
     vtime due = vt_min(mailbox_next_due(n), proto_horizon(n->sys->proto, n->id, evq_next(n->sys->q)));

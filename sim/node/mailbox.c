@@ -77,8 +77,7 @@ bool mailbox_selects(int64_t typesel, int64_t type)
     return typesel >> (type < 30 ? type : 30) & 1;
 }
 
-/* --- queues
- * -------------------------------------------------------------------------------------------------- */
+/* --- queues --- */
 
 static void post(struct mailbox *b, struct receive *r)
 {
@@ -122,8 +121,7 @@ static void add_due(struct node *n, vtime at, struct receive *r, struct send *s)
     node_wake(n, at);
 }
 
-/* --- system buffers
- * ------------------------------------------------------------------------------------------- */
+/* --- system buffers --- */
 
 static void buffer(struct node *n, struct message *m)
 {
@@ -160,8 +158,7 @@ static void unbuffer(struct node *n, struct message *m)
     grant_waiting(n);
 }
 
-/* --- what the protocol tells -------------------------------------------------------------------------------
- */
+/* --- what the protocol tells --- */
 
 static void give(struct receive *r, struct message *m)
 {
@@ -233,8 +230,7 @@ void mailbox_follow(struct message *m, struct send *s)
     s->m = m;
 }
 
-/* --- receiving
- * ------------------------------------------------------------------------------------------------ */
+/* --- receiving --- */
 
 void mailbox_post(struct node *n, struct receive *r)
 {
@@ -304,8 +300,7 @@ const struct message *mailbox_probe(struct node *n, int64_t typesel)
     return NULL;
 }
 
-/* --- ids
- * ------------------------------------------------------------------------------------------------------- */
+/* --- ids --- */
 
 long mailbox_id_new(struct node *n, bool sends)
 {
@@ -351,8 +346,7 @@ void mailbox_id_release(struct node *n, long id)
     *i = (struct id){.kind = ID_FREE};
 }
 
-/* --- handlers
- * ---------------------------------------------------------------------------------------------------- */
+/* --- handlers --- */
 
 void mailbox_post_handler(struct node *n, int64_t typesel, void *buf, size_t room, node_handler *handler)
 {

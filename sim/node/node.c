@@ -16,8 +16,7 @@
 
 enum { PAGE = 4096 };
 
-/* --- memory
- * ---------------------------------------------------------------------------------------------------- */
+/* --- memory --- */
 
 size_t node_memory_limit(const struct node *n)
 {
@@ -47,8 +46,7 @@ static void heap_grown(void *ctx)
     node_memory_changed(ctx);
 }
 
-/* --- ends
- * ------------------------------------------------------------------------------------------------------ */
+/* --- ends --- */
 
 void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
 {
@@ -93,8 +91,7 @@ void node_output(struct node *n, int fd, const char *bytes, size_t len)
     fwrite(bytes, 1, len, n->sys->out[fd - 1]);
 }
 
-/* --- making
- * ---------------------------------------------------------------------------------------------------- */
+/* --- making --- */
 
 static void run_program(void *arg)
 {
@@ -173,13 +170,13 @@ struct node *node_new(struct node_system *sys, uint32_t id, const struct node_im
     n->mailbox = mailbox_new((uint32_t)sys->cfg->message_ids);
     n->info = (struct node_info){-1, -1, -1, -1};
     if (!make_parts(n, img, error)) {
-        node_free(n);
+        node_delete(n);
         return NULL;
     }
     return n;
 }
 
-void node_free(struct node *n)
+void node_delete(struct node *n)
 {
     if (!n)
         return;

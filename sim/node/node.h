@@ -105,8 +105,7 @@ static inline struct node *node_self(void)
     return *(struct node **)(sp & ~(NODE_SPAN - 1));
 }
 
-/* --- calls: clock.c, cpu.c
- * ---------------------------------------------------------------------------------- */
+/* --- calls: clock.c, cpu.c --- */
 
 /* The node's time now, its computing included. */
 vtime node_now(struct node *n);

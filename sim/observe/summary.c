@@ -12,8 +12,7 @@ static vtime busy(const struct node *n)
     return n->stats.ended_at > other ? n->stats.ended_at - other : 0;
 }
 
-/* --- for people
- * --------------------------------------------------------------------------------------------------- */
+/* --- for people --- */
 
 struct spread {
     double least, most, sum;
@@ -96,8 +95,7 @@ void summary_print(const struct machine *m, FILE *f)
     fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
 }
 
-/* --- for programs
- * ------------------------------------------------------------------------------------------------- */
+/* --- for programs --- */
 
 static json_t *node_json(const struct node *n)
 {
