@@ -1,0 +1,164 @@
+/* libc.c - a node's part of the C library: what is made and freed with it, its ending, and its small state.
+ * Functions named node_<name> serve the node program's <name>; they run on the node's stack. */
+#include <errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "node/image.h"
+#include "node/libc_parts.h"
+#include "node/node.h"
+
+struct node_libc *node_libc_new(struct node *n)
+{
+    struct node_libc *c = calloc(1, sizeof *c);
+    if (c == NULL)
+        abort();
+    streams_open(&c->streams, n);
+    initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
+    return c;
+}
+
+void *node_libc_data(struct node *n, const char *name)
+{
+    struct streams *s = &n->libc->streams;
+    if (strcmp(name, "stdin") == 0)
+        return &s->in;
+    if (strcmp(name, "stdout") == 0)
+        return &s->out;
+    return strcmp(name, "stderr") == 0 ? &s->err : NULL;
+}
+
+void node_libc_flush(struct node *n)
+{
+    streams_flush(&n->libc->streams);
+}
+
+void node_libc_free(struct node *n)
+{
+    streams_close(&n->libc->streams);
+    free(n->libc->atexit);
+    free(n->libc);
+    n->libc = NULL;
+}
+
+/* --- ending --- */
+
+int node_atexit(void (*f)(void))
+{
+    struct node_libc *c = node_self()->libc;
+    void (**more)(void) = realloc(c->atexit, (c->atexit_count + 1) * sizeof *more);
+    if (more == NULL)
+        return -1;
+    c->atexit = more;
+    c->atexit[c->atexit_count++] = f;
+    return 0;
+}
+
+/* A function that is run is off the list already, so that it may call exit() or atexit() itself. */
+void node_libc_atexit_run(struct node *n)
+{
+    struct node_libc *c = n->libc;
+    while (c->atexit_count > 0)
+        c->atexit[--c->atexit_count]();
+}
+
+_Noreturn void node_exit(int code)
+{
+    struct node *n = node_self();
+    node_enter(n, "exit");
+    node_libc_atexit_run(n);
+    node_libc_flush(n);
+    node_end_here(n, NODE_EXITED, code);
+}
+
+_Noreturn void node__exit(int code)
+{
+    struct node *n = node_self();
+    node_enter(n, "_exit");
+    node_end_here(n, NODE_EXITED, code);
+}
+
+/* "function+offset (file:line)" of the call that returns to address. */
+static const char *caller(const struct node *n, const void *address, char *buf, size_t size)
+{
+    return node_image_where(n->file, (size_t)((const char *)address - 1 - n->span), buf, size);
+}
+
+_Noreturn void node_abort(void)
+{
+    char where[128];
+    struct node *n = node_self();
+    node_libc_flush(n);
+    node_fail(n, "abort called by %s", caller(n, __builtin_return_address(0), where, sizeof where));
+}
+
+_Noreturn void node___assert_fail(const char *what, const char *file, unsigned line, const char *function)
+{
+    struct node *n = node_self();
+    node_libc_flush(n);
+    node_fail(n, "%s:%u: %s: assertion '%s' failed", file, line, function, what);
+}
+
+_Noreturn void node___stack_chk_fail(void)
+{
+    char where[128];
+    struct node *n = node_self();
+    node_fail(n, "wrote past the end of an array on its stack; found on return from %s",
+              caller(n, __builtin_return_address(0), where, sizeof where));
+}
+
+/* --- environment, random numbers, strtok --- */
+
+char *node_getenv(const char *name)
+{
+    size_t len = strlen(name);
+    for (char **e = node_self()->envp; e != NULL && *e != NULL; e++)
+        if (strncmp(*e, name, len) == 0 && (*e)[len] == '=')
+            return *e + len + 1;
+    return NULL;
+}
+
+/* rand and random share one state, as in glibc. */
+long node_random(void)
+{
+    int32_t r;
+    random_r(&node_self()->libc->random, &r);
+    return r;
+}
+
+void node_srandom(unsigned seed)
+{
+    srandom_r(seed, &node_self()->libc->random);
+}
+int node_rand(void)
+{
+    return (int)node_random();
+}
+void node_srand(unsigned seed)
+{
+    node_srandom(seed);
+}
+
+double node_drand48(void)
+{
+    double r;
+    drand48_r(&node_self()->libc->drand48, &r);
+    return r;
+}
+
+long node_lrand48(void)
+{
+    long r;
+    lrand48_r(&node_self()->libc->drand48, &r);
+    return r;
+}
+
+void node_srand48(long seed)
+{
+    srand48_r(seed, &node_self()->libc->drand48);
+}
+
+char *node_strtok(char *s, const char *delimiters)
+{
+    return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
+}

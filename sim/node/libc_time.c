@@ -1,0 +1,79 @@
+/* libc_time.c - the C library's clocks, which are the node's virtual time.
+ *
+ * The calendar starts at a fixed moment when the program starts: results must not depend on the day they were
+ * made.
+ */
+#include <sys/time.h>
+#include <time.h>
+#include "node/cpu.h"
+#include "node/node.h"
+#include "node/system.h"
+
+#define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
+
+/* The time when a clock call returns to the program. */
+static vtime clock_call(const char *call)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    node_spend(n, n->sys->cfg->clock_call_ps);
+    vtime now = node_now(n);
+    node_leave(n);
+    return now;
+}
+
+time_t node_time(time_t *t)
+{
+    time_t now = EPOCH + (time_t)(clock_call("time") / VT_SECOND);
+    if (t != NULL)
+        *t = now;
+    return now;
+}
+
+/* Processor time: what the node did not spend waiting. */
+clock_t node_clock(void)
+{
+    vtime now = clock_call("clock");
+    return (clock_t)((now - node_self()->stats.idle) / (VT_SECOND / CLOCKS_PER_SEC));
+}
+
+int node_gettimeofday(struct timeval *tv, void *zone)
+{
+    vtime now = clock_call("gettimeofday");
+    if (zone != NULL)
+        *(struct timezone *)zone = (struct timezone){0};
+    tv->tv_sec = EPOCH + (time_t)(now / VT_SECOND);
+    tv->tv_usec = (suseconds_t)(now % VT_SECOND / VT_MICROSECOND);
+    return 0;
+}
+
+static bool is_over(struct node *n, void *until)
+{
+    return node_now(n) >= *(vtime *)until;
+}
+
+/* Messages are handled and handlers run meanwhile. */
+static void pause_for(const char *call, vtime t)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    vtime until = node_now(n) + t;
+    if (t > 0) {
+        n->state = NODE_BLOCKED; /* as node_wait is about to say; only a blocked node can be woken */
+        node_wake(n, until);
+        node_wait(n, is_over, &until);
+    }
+    node_leave(n);
+}
+
+unsigned node_sleep(unsigned seconds)
+{
+    pause_for("sleep", seconds * VT_SECOND);
+    return 0;
+}
+
+int node_usleep(unsigned microseconds)
+{
+    pause_for("usleep", microseconds * VT_MICROSECOND);
+    return 0;
+}

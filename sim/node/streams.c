@@ -1,0 +1,264 @@
+/* streams.c - see streams.h. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdio_ext.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "node/node.h"
+#include "node/streams.h"
+
+/* --- what a FILE calls --- */
+
+/* False when the host closes or flushes streams: when the node, or the whole simulator, has come to its end.
+ */
+static bool on_its_node(const struct stream *s)
+{
+    return (uintptr_t)__builtin_frame_address(0) - (uintptr_t)s->node->span < NODE_SPAN;
+}
+
+static ssize_t stream_read(void *cookie, char *buf, size_t size)
+{
+    struct stream *s = cookie;
+    if (s->kind != STREAM_FILE) {
+        errno = EBADF;
+        return -1;
+    }
+    node_order(s->node);
+    return read(s->fd, buf, size);
+}
+
+static ssize_t write_file(const struct stream *s, const char *buf, size_t size)
+{
+    size_t done = 0;
+    while (done < size) {
+        ssize_t n = write(s->fd, buf + done, size - done);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            break;
+        done += (size_t)n;
+    }
+    return (ssize_t)done;
+}
+
+static ssize_t stream_write(void *cookie, const char *buf, size_t size)
+{
+    struct stream *s = cookie;
+    if (!on_its_node(s))
+        return (ssize_t)size;
+    if (s->kind == STREAM_CLOSED) {
+        errno = EBADF;
+        return 0;
+    }
+    node_order(s->node);
+    if (s->kind == STREAM_FILE)
+        return write_file(s, buf, size);
+    node_output(s->node, s->fd, buf, size);
+    return (ssize_t)size;
+}
+
+static int stream_seek(void *cookie, off64_t *offset, int whence)
+{
+    struct stream *s = cookie;
+    if (s->kind != STREAM_FILE) {
+        errno = ESPIPE;
+        return -1;
+    }
+    if (whence == SEEK_END && on_its_node(s))
+        node_order(s->node); /* where the end is depends on what others have written */
+    off64_t at = lseek64(s->fd, *offset, whence);
+    if (at < 0)
+        return -1;
+    *offset = at;
+    return 0;
+}
+
+static int close_target(struct stream *s)
+{
+    int r = s->kind == STREAM_FILE ? close(s->fd) : 0;
+    s->kind = STREAM_CLOSED;
+    return r;
+}
+
+static int stream_close(void *cookie)
+{
+    return close_target(cookie);
+}
+
+/* --- the list --- */
+
+static struct stream *add_stream(struct streams *list, struct node *n, enum stream_kind kind, int fd,
+                                 const char *mode)
+{
+    static const cookie_io_functions_t functions = {stream_read, stream_write, stream_seek, stream_close};
+    struct stream *s = calloc(1, sizeof *s);
+    if (s == NULL)
+        return NULL;
+    s->file = fopencookie(s, mode, functions);
+    if (s->file == NULL) {
+        free(s);
+        return NULL;
+    }
+    __fsetlocking(s->file, FSETLOCKING_BYCALLER);
+    s->node = n;
+    s->kind = kind;
+    s->fd = fd;
+    s->next = list->all;
+    list->all = s;
+    return s;
+}
+
+static struct stream *find_stream(const struct streams *list, const FILE *f)
+{
+    struct stream *s = list->all;
+    while (s != NULL && s->file != f)
+        s = s->next;
+    return s;
+}
+
+static void remove_stream(struct streams *list, struct stream *s)
+{
+    struct stream **link = &list->all;
+    while (*link != s)
+        link = &(*link)->next;
+    *link = s->next;
+    free(s);
+}
+
+static FILE *add_standard(struct streams *list, struct node *n, enum stream_kind kind, int fd,
+                          const char *mode)
+{
+    struct stream *s = add_stream(list, n, kind, fd, mode);
+    if (s == NULL)
+        abort();
+    s->standard = true;
+    return s->file;
+}
+
+void streams_open(struct streams *list, struct node *n)
+{
+    int in = n->id == 0 ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
+    list->in = add_standard(list, n, in < 0 ? STREAM_CLOSED : STREAM_FILE, in, "r");
+    list->out = add_standard(list, n, STREAM_OUTPUT, STDOUT_FILENO, "w");
+    list->err = add_standard(list, n, STREAM_OUTPUT, STDERR_FILENO, "w");
+    setvbuf(list->out, NULL, _IOLBF, BUFSIZ);
+    setvbuf(list->err, NULL, _IONBF, 0);
+}
+
+void streams_flush(struct streams *list)
+{
+    for (struct stream *s = list->all; s != NULL; s = s->next)
+        if (__fwriting(s->file))
+            fflush(s->file);
+}
+
+void streams_close(struct streams *list)
+{
+    while (list->all != NULL) {
+        struct stream *s = list->all;
+        __fpurge(s->file);
+        fclose(s->file);
+        remove_stream(list, s);
+    }
+}
+
+/* --- files --- */
+
+/* Flags of open() for a mode of fopen(); -1 with errno EINVAL when it is none. */
+static int open_flags(const char *mode)
+{
+    int flags = *mode == 'r' ? 0 : *mode == 'w' ? O_CREAT | O_TRUNC : *mode == 'a' ? O_CREAT | O_APPEND : -1;
+    if (flags < 0) {
+        errno = EINVAL;
+        return -1;
+    }
+    if (strchr(mode, 'x') != NULL)
+        flags |= O_EXCL;
+    if (strchr(mode, '+') != NULL)
+        return flags | O_RDWR | O_CLOEXEC;
+    return flags | (*mode == 'r' ? O_RDONLY : O_WRONLY) | O_CLOEXEC;
+}
+
+static int open_file(struct node *n, const char *path, const char *mode)
+{
+    int flags = open_flags(mode);
+    if (flags < 0)
+        return -1;
+    node_order(n);
+    int fd = open(path, flags, 0666);
+    if (fd >= 0 && *mode == 'a')
+        lseek(fd, 0, SEEK_END);
+    return fd;
+}
+
+static FILE *file_of(struct streams *list, struct node *n, int fd, const char *mode)
+{
+    struct stream *s = fd < 0 ? NULL : add_stream(list, n, STREAM_FILE, fd, mode);
+    if (s == NULL && fd >= 0)
+        close(fd);
+    return s == NULL ? NULL : s->file;
+}
+
+FILE *stream_fopen(struct streams *list, struct node *n, const char *path, const char *mode)
+{
+    return file_of(list, n, open_file(n, path, mode), mode);
+}
+
+FILE *stream_tmpfile(struct streams *list, struct node *n)
+{
+    char path[] = P_tmpdir "/nodeXXXXXX";
+    int fd = mkostemp(path, O_CLOEXEC);
+    if (fd >= 0)
+        unlink(path);
+    return file_of(list, n, fd, "w+");
+}
+
+int stream_fclose(struct streams *list, FILE *f)
+{
+    struct stream *s = find_stream(list, f);
+    if (s == NULL) {
+        errno = EBADF;
+        return EOF;
+    }
+    int r = __fwriting(f) ? fflush(f) : 0;
+    node_order(s->node);
+    if (s->standard)
+        return close_target(s) | r;
+    r |= fclose(f);
+    remove_stream(list, s);
+    return r;
+}
+
+/* The FILE stays and gets another target, so that it goes on reading and writing through its node. It can
+ * then only be used in the directions it was made for, which is what programs do: stdin to "r", stdout and
+ * stderr to "w". */
+FILE *stream_freopen(struct streams *list, const char *path, const char *mode, FILE *f)
+{
+    struct stream *s = find_stream(list, f);
+    bool reads = *mode == 'r' || strchr(mode, '+') != NULL,
+         writes = *mode != 'r' || strchr(mode, '+') != NULL;
+    if (s == NULL || path == NULL || (reads && !__freadable(f)) || (writes && !__fwritable(f))) {
+        errno = EINVAL;
+        return NULL;
+    }
+    if (__fwriting(f))
+        fflush(f);
+    close_target(s);
+    int fd = open_file(s->node, path, mode);
+    if (fd < 0) {
+        int why = errno;
+        if (!s->standard)
+            stream_fclose(list, f);
+        errno = why;
+        return NULL;
+    }
+    s->fd = fd;
+    s->kind = STREAM_FILE;
+    __fpurge(f);
+    fseek(f, 0, *mode == 'a' ? SEEK_END : SEEK_SET); /* forget the place in the old file */
+    clearerr(f);
+    setvbuf(f, NULL, _IOFBF, BUFSIZ);
+    return f;
+}
