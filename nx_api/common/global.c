@@ -1,0 +1,104 @@
+/* global.c - global operations, as programs over the calls of nx.h: the same on every backend.
+ *
+ * All nodes hold a vector; at the end all hold the vectors combined, element by element. Recursive doubling: let p be
+ * the largest power of two that is no more than the number of nodes. In step k the nodes 0 to p-1 exchange what they
+ * have with the node whose number differs in bit k, and combine. Nodes p and up first fold theirs into node - p, and are
+ * told the result at the end. With 6 nodes:
+ *
+ *     node      0     1     2     3     4     5
+ *     fold      <-----------------------'     |        4 to 0, 5 to 1
+ *                     <-----------------------'
+ *     bit 0     <----->     <----->
+ *     bit 1     <----------->
+ *                     <----------->
+ *     tell      ------------------------>              0 to 4, 1 to 5
+ *                     ------------------------->
+ *
+ * Both partners combine the lower node's vector with the higher node's, in this order; so all nodes associate alike and
+ * their results are equal bit for bit.
+ *
+ * Message types are reserved ones, which programs do not use: one for each operation and step. A node gets messages of
+ * one such type from one other node only, and messages of one type between two nodes keep their order. So a message of
+ * the next call, or of the next operation, is never taken for one of this.
+ */
+#include <stddef.h>
+#include "nx.h"
+
+/* out = low combined with high, n elements; out is one of the two. */
+typedef void combine(void *out, const void *low, const void *high, long n);
+
+enum { FIRST_TYPE = 1000000000, TYPES_PER_OPERATION = 64, FOLD = 62, TELL = 63 };
+enum operation { GSYNC, GDSUM, GDHIGH, GDLOW, GISUM, GIHIGH, GILOW };
+
+struct global {
+    long type;        /* of the operation's step 0 */
+    combine *combine; /* NULL: nothing to combine, nodes only wait for each other */
+    long n, bytes;
+    void *x, *work;
+};
+
+/* Sends x to a partner, gets the partner's x into work, combines both. The receive is posted first, so that the
+ * partner's message finds its buffer. */
+static void exchange(const struct global *g, long step, long me, long partner)
+{
+    long id = irecv(g->type + step, g->work, g->bytes);
+    csend(g->type + step, g->x, g->bytes, partner, 0);
+    msgwait(id);
+    if (g->combine && me < partner)
+        g->combine(g->x, g->x, g->work, g->n);
+    else if (g->combine)
+        g->combine(g->x, g->work, g->x, g->n);
+}
+
+static void run(const struct global *g)
+{
+    long me = mynode(), nodes = numnodes(), p = 1;
+    while (p <= nodes / 2)
+        p *= 2;
+    if (me >= p) {
+        csend(g->type + FOLD, g->x, g->bytes, me - p, 0);
+        crecv(g->type + TELL, g->x, g->bytes);
+        return;
+    }
+    if (me + p < nodes) {
+        crecv(g->type + FOLD, g->work, g->bytes);
+        if (g->combine)
+            g->combine(g->x, g->x, g->work, g->n);
+    }
+    for (long bit = 1, step = 0; bit < p; bit *= 2, step++)
+        exchange(g, step, me, me ^ bit);
+    if (me + p < nodes)
+        csend(g->type + TELL, g->x, g->bytes, me + p, 0);
+}
+
+static void reduce(enum operation op, combine *f, long n, size_t size, void *x, void *work)
+{
+    const struct global g = {FIRST_TYPE + op * TYPES_PER_OPERATION, f, n, n * (long)size, x, work};
+    run(&g);
+}
+
+/* A call name(x, n, work) that combines elements a, of the lower node, and b. */
+#define REDUCTION(name, operation, element, expression)                                                      \
+    static void name##_combine(void *out, const void *low, const void *high, long n)                         \
+    {                                                                                                        \
+        for (long i = 0; i < n; i++) {                                                                       \
+            element a = ((const element *)low)[i], b = ((const element *)high)[i];                           \
+            ((element *)out)[i] = (expression);                                                              \
+        }                                                                                                    \
+    }                                                                                                        \
+    void name(element x[], long n, element work[])                                                           \
+    {                                                                                                        \
+        reduce(operation, name##_combine, n, sizeof(element), x, work);                                      \
+    }
+
+REDUCTION(gdsum, GDSUM, double, a + b)
+REDUCTION(gdhigh, GDHIGH, double, a > b ? a : b)
+REDUCTION(gdlow, GDLOW, double, a < b ? a : b)
+REDUCTION(gisum, GISUM, long, a + b)
+REDUCTION(gihigh, GIHIGH, long, a > b ? a : b)
+REDUCTION(gilow, GILOW, long, a < b ? a : b)
+
+void gsync(void)
+{
+    reduce(GSYNC, NULL, 0, 0, NULL, NULL);
+}
