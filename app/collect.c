@@ -1,0 +1,110 @@
+/* collect.c - polygons on lists, one per isovalue; see collect.h. */
+#include <stdio.h>
+#include <string.h>
+#include "collect.h"
+#include "fail.h"
+#include "ply.h"
+
+#define LIST_DOUBLES 4096
+
+/* Vertices and their number, polygon after polygon; emptied to the part file, or dropped, when it is full. */
+struct list {
+    double *data;
+    int used;
+    FILE *part;
+};
+
+static struct {
+    const struct options *o;
+    int node;
+    struct collection found;
+    struct list list[ISOVALUES_MAX];
+} all;
+
+const struct collection *collect_begin(const struct options *o, int node)
+{
+    int i;
+
+    memset(&all, 0, sizeof all);
+    all.o = o;
+    all.node = node;
+    for (i = 0; i < o->iso.n; i++) {
+        all.list[i].data = allocate(LIST_DOUBLES * sizeof(double));
+        if (o->ply)
+            all.list[i].part = ply_part_begin(o->ply, i, node);
+    }
+    return &all.found;
+}
+
+static void empty(struct list *l)
+{
+    if (l->part)
+        ply_part_write(l->part, l->data, l->used);
+    l->used = 0;
+}
+
+/* Any polygon gets a number that depends on each bit of its vertices (FNV-1a). */
+static unsigned long long hash(int iso, int n, const vertex *v)
+{
+    unsigned long long h = 14695981039346656037ull + (unsigned)iso;
+    const unsigned char *p = (const unsigned char *)v, *end = p + n * sizeof *v;
+
+    for (; p < end; p++)
+        h = (h ^ *p) * 1099511628211ull;
+    return h;
+}
+
+void collect_polygon(int iso, int n, const vertex *v)
+{
+    struct list *l = &all.list[iso];
+    const double *from = v[0];
+    double *to;
+    int i;
+
+    if (l->used + 1 + 6 * n > LIST_DOUBLES)
+        empty(l);
+    to = l->data + l->used;
+    *to++ = n;
+    for (i = 0; i < 6 * n; i++)
+        *to++ = *from++;
+    l->used += 1 + 6 * n;
+    all.found.polygons[iso] += 1;
+    if (all.o->digest)
+        all.found.digest += hash(iso, n, v);
+}
+
+void collect_packed(const double *message, long doubles)
+{
+    const double *end = message + doubles;
+
+    while (message < end) {
+        int iso = (int)message[0], n = (int)message[1];
+
+        collect_polygon(iso, n, (const vertex *)(message + 2));
+        message += 2 + 6 * n;
+    }
+}
+
+int collect_pack(int iso, int n, const vertex *v, double *to)
+{
+    const double *from = v[0];
+    int i;
+
+    *to++ = iso;
+    *to++ = n;
+    for (i = 0; i < 6 * n; i++)
+        *to++ = *from++;
+    return 2 + 6 * n;
+}
+
+void collect_end(void)
+{
+    int i;
+
+    for (i = 0; i < all.o->iso.n; i++) {
+        empty(&all.list[i]);
+        if (all.list[i].part)
+            ply_part_end(all.list[i].part);
+        all.list[i].part = NULL;
+    }
+}

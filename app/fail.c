@@ -1,0 +1,32 @@
+/* fail.c - the way out when something is wrong; see fail.h. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <nx.h>
+#include "fail.h"
+
+void fail(const char *format, ...)
+{
+    va_list arguments;
+
+    masktrap(1);
+    fprintf(stderr, "model: node %ld: ", mynode());
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fprintf(stderr, "\n");
+    fflush(stderr);
+    killproc(-1, 0);
+    exit(1);
+}
+
+void *allocate(size_t bytes)
+{
+    long old = masktrap(1);
+    void *p = malloc(bytes);
+
+    masktrap(old);
+    if (!p)
+        fail("out of memory (%lu bytes asked for)", (unsigned long)bytes);
+    return p;
+}

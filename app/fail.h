@@ -1,0 +1,12 @@
+/* fail.h - what ends the whole program: one message, then all nodes stop. */
+#ifndef FAIL_H
+#define FAIL_H
+#include <stddef.h>
+
+/* Print "model: node N: ..." and end the program on all nodes. */
+void fail(const char *format, ...);
+
+/* Memory, or fail. Handlers are held back meanwhile: malloc must not be entered twice. */
+void *allocate(size_t bytes);
+
+#endif

@@ -1,0 +1,188 @@
+/* host.c - the main program of a group's host.
+ *
+ * For each layer: open it, so that handlers may hand out its subcubes in the background; read the slice of the next
+ * layer meanwhile; help computing subcubes until only those are left that the slaves shall have; wait until these
+ * are asked for. Then the next layer. The last layer is followed by the drain: each slave's request is answered with
+ * NO_MORE, it sends the polygons it still has and a FIN.
+ *
+ * Why this cannot stop halfway. The main program waits for two things only.
+ *  - FOR_REQUESTS: subcubes are left (at most `keep`) and the group has slaves. Every slave of the group that is not
+ *    computing has a request under way or in our queue: it asks before it waits. Slaves that were announced but have
+ *    not asked yet will: they were told to. Handlers answer requests without waiting for the main program.
+ *  - FOR_SLAVES: only slaves that have asked at least once are waited for. They hold one chunk or wait for the answer
+ *    to one request; both end with their asking again, NO_MORE, and FIN. A slave that asks for the first time when
+ *    we drain or are finished is discarded instead: it waits for nobody but node 0's word that all is over.
+ * Handlers wait as well, but only for what is on its way without anybody's doing: the body of a polygon message is
+ * sent at once after its header, and a chunk's receive was posted before its request.
+ */
+#include <string.h>
+#include <nx.h>
+#include "fail.h"
+#include "host.h"
+#include "slices.h"
+
+struct host host;
+
+static struct span span;
+
+static void *table(size_t size)
+{
+    size_t n = numnodes() * size;
+    void *p = allocate(n);
+
+    memset(p, 0, n);
+    return p;
+}
+
+static void add_first_slaves(void)
+{
+    int node = (int)mynode() + 1, end = (host.group + 1) * host.group_size;
+
+    for (; node < end && node < numnodes(); node++) {
+        host.member[node] = host.attached[node] = 1;
+        host.members++;
+        host.attacheds++;
+    }
+}
+
+void host_prepare(const struct options *o)
+{
+    memset(&host, 0, sizeof host);
+    host.o = o;
+    host.group_size = o->policy.group > 0 ? o->policy.group : (int)numnodes();
+    host.groups = (int)(numnodes() + host.group_size - 1) / host.group_size;
+    host.group = (int)mynode() / host.group_size;
+    host.found = collect_begin(o, (int)mynode());
+    host.member = table(sizeof *host.member);
+    host.attached = table(sizeof *host.attached);
+    host.in_hand = table(sizeof *host.in_hand);
+    host.queue = table(sizeof *host.queue);
+    host.few_left_at = -1;
+    span = share_layers(o->grid.slices, host.groups, host.group);
+    host.later = span.layers;
+    add_first_slaves();
+    group_begin();
+    slices_begin(o, span.first);
+}
+
+/* The slices of the first layer: two of C0 data, or of C3 data, which take a third slice, and a fourth below where
+ * there is one. */
+void host_read_first(void)
+{
+    if (span.layers > 0)
+        slices_prepare(span.first + 1);
+}
+
+static void open_layer(int j)
+{
+    const struct grid *g = &host.o->grid;
+
+    masktrap(1);
+    host.layer = slices_layer(j);
+    pool_fill(&host.pool, g->ny, g->nx);
+    host.later--;
+    host.open = 1;
+    service_queue();
+    service_watch();
+    masktrap(0);
+}
+
+/* The host's own polygons go straight to the collection. */
+static void keep_polygon(int iso, int n, const vertex *v)
+{
+    masktrap(1);
+    collect_polygon(iso, n, v);
+    masktrap(0);
+}
+
+static void help(void)
+{
+    const struct policy *q = &host.o->policy;
+    int first, n, i;
+
+    for (;;) {
+        masktrap(1);
+        n = pool_help(&host.pool, q->gran, host.members > 0 ? q->keep : 0, &first);
+        host.helped += n;
+        service_watch();
+        masktrap(0);
+        if (n == 0)
+            return;
+        for (i = 0; i < n; i++)
+            layer_cell(host.o, &host.layer, first + i, keep_polygon);
+    }
+}
+
+/* Sleep until a handler sees that what we wait for has come. Answers the seconds of waiting, without the handlers'. */
+static double wait_for(enum waiting what)
+{
+    double start, served;
+
+    masktrap(1);
+    if (service_ready(what)) {
+        masktrap(0);
+        return 0;
+    }
+    start = dclock();
+    served = host.handler_s;
+    host.waiting = what;
+    masktrap(0);
+    crecv(WAKE, NULL, 0);
+    return dclock() - start - (host.handler_s - served);
+}
+
+static void wait_for_requests(void)
+{
+    double now;
+
+    masktrap(1);
+    host.few_left_at = pool_left(&host.pool) <= host.o->grid.nx ? dclock() : -1;
+    masktrap(0);
+    now = wait_for(FOR_REQUESTS);
+    host.idle_s += now;
+    if (now > 0 && host.few_left_at >= 0) {
+        double last = dclock() - host.few_left_at;
+
+        host.idle_last_s += last < now ? last : now;
+    }
+}
+
+static void drain(void)
+{
+    masktrap(1);
+    host.stage = DRAINING;
+    service_queue();
+    masktrap(0);
+    wait_for(FOR_SLAVES);
+}
+
+int host_run(void)
+{
+    int j, next = NOBODY;
+
+    if (numnodes() > 1)
+        service_begin();
+    host_read_first(); /* nothing to do after a preload */
+    for (j = span.first; j < span.first + span.layers; j++) {
+        open_layer(j);
+        if (host.later > 0)
+            slices_prepare(j + 2);
+        help();
+        wait_for_requests();
+        masktrap(1);
+        host.open = 0;
+        masktrap(0);
+        if (host.later > 0)
+            group_tell_all(LAYER_FINISHED, host.later);
+    }
+    drain();
+    masktrap(1);
+    host.stage = FINISHED;
+    collect_end();
+    masktrap(0);
+    group_tell_all(GROUP_DONE, 0);
+    group_register();
+    if (host.o->policy.reassign)
+        next = group_deal_nodes();
+    return next;
+}

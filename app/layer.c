@@ -1,0 +1,70 @@
+/* layer.c - computing the subcubes between two slices; packing rows of them into messages. */
+#include "layer.h"
+
+/* Header of a chunk: kind, layer, first subcube, number of subcubes. */
+enum { KIND, LAYER, FIRST, COUNT, HEADER };
+
+void layer_cell(const struct options *o, const struct layer *l, int cell, polygon_fn *out)
+{
+    const struct grid *g = &o->grid;
+    int row = cell / g->nx, col = cell - row * g->nx, c;
+    struct cell where = grid_cell(g, col, row, l->number);
+    const double *corner[8];
+
+    for (c = 0; c < 8; c++)
+        corner[c] = (c & 4 ? l->upper : l->lower) + (row - l->row + (c >> 1 & 1)) * grid_row_doubles(g) +
+                    (col + (c & 1)) * g->comps;
+    if (g->comps == 1)
+        trilinear_polygons(&where, corner, &o->iso, out);
+    else
+        tricubic_polygons(&where, corner, &o->iso, o->lattice, out);
+}
+
+long chunk_bytes_max(const struct grid *g)
+{
+    return (HEADER + 2L * grid_slice_doubles(g)) * (long)sizeof(double);
+}
+
+static double *pack_rows(double *to, const double *from, int n)
+{
+    while (n-- > 0)
+        *to++ = *from++;
+    return to;
+}
+
+long chunk_pack(const struct grid *g, const struct layer *l, int first, int count, double *message)
+{
+    int row = first / g->nx, rows = (first + count - 1) / g->nx - row + 1, wide = grid_row_doubles(g);
+    double *end = message + HEADER;
+
+    message[KIND] = CHUNK_WORK;
+    message[LAYER] = l->number;
+    message[FIRST] = first;
+    message[COUNT] = count;
+    end = pack_rows(end, l->lower + row * wide, (rows + 1) * wide);
+    end = pack_rows(end, l->upper + row * wide, (rows + 1) * wide);
+    return (end - message) * (long)sizeof(double);
+}
+
+long chunk_pack_word(enum chunk_kind kind, double *message)
+{
+    message[KIND] = kind;
+    message[LAYER] = message[FIRST] = message[COUNT] = 0;
+    return HEADER * (long)sizeof(double);
+}
+
+struct chunk chunk_unpack(const struct grid *g, const double *message)
+{
+    struct chunk c;
+    int rows;
+
+    c.kind = (enum chunk_kind)message[KIND];
+    c.first = (int)message[FIRST];
+    c.count = (int)message[COUNT];
+    c.layer.number = (int)message[LAYER];
+    c.layer.row = c.first / g->nx;
+    rows = c.count > 0 ? (c.first + c.count - 1) / g->nx - c.layer.row + 1 : 0;
+    c.layer.lower = message + HEADER;
+    c.layer.upper = c.layer.lower + (rows + 1) * grid_row_doubles(g);
+    return c;
+}

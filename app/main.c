@@ -1,0 +1,80 @@
+/* main.c - scalar field modelling: isosurfaces of a volume by trivariate approximation, on groups of nodes.
+ *
+ * One program for all nodes. The first node of each group is its host, the others are its slaves; when a group has
+ * finished, its nodes serve the hosts of other groups. Written after C. Bajaj and K.-N. Lin, "Scalar Field Modeling
+ * and Visualization on the Intel Delta".
+ */
+#include <stdio.h>
+#include <nx.h>
+#include "host.h"
+#include "ply.h"
+#include "report.h"
+#include "slave.h"
+
+/* All nodes read the same command line; node 0 speaks for them. */
+static int read_options(struct options *o, int argc, char **argv)
+{
+    char error[256];
+    int r = options_read(o, argc, argv, error, sizeof error);
+
+    if (r > 0 && mynode() == 0)
+        fputs(options_help, stdout);
+    if (r < 0 && mynode() == 0)
+        fprintf(stderr, "model: %s\n", error);
+    return r;
+}
+
+static int group_size(const struct options *o)
+{
+    return o->policy.group > 0 ? o->policy.group : (int)numnodes();
+}
+
+/* Everything that takes memory, and slices when they are to be read before the clock starts. */
+static void prepare(const struct options *o, int is_host)
+{
+    if (is_host)
+        host_prepare(o);
+    if (!is_host || group_size(o) < numnodes())
+        slave_prepare(o);
+    if (is_host && o->policy.preload)
+        host_read_first();
+}
+
+static void work(const struct options *o, int is_host)
+{
+    int host_node = (int)mynode() - (int)mynode() % group_size(o);
+
+    if (is_host)
+        host_node = host_run();
+    if (numnodes() > 1)
+        slave_run(host_node);
+}
+
+static void write_surfaces(const struct options *o)
+{
+    int i;
+
+    masktrap(1);
+    for (i = 0; i < o->iso.n; i++)
+        ply_join(o->ply, i, (int)numnodes(), group_size(o));
+    masktrap(0);
+}
+
+int main(int argc, char **argv)
+{
+    static struct options o;
+    double start;
+    int r = read_options(&o, argc, argv), is_host;
+
+    if (r)
+        return r < 0;
+    is_host = mynode() % group_size(&o) == 0;
+    prepare(&o, is_host);
+    gsync();
+    start = dclock();
+    work(&o, is_host);
+    report(&o, is_host, start);
+    if (mynode() == 0 && o.ply)
+        write_surfaces(&o);
+    return 0;
+}

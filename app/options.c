@@ -1,0 +1,255 @@
+/* options.c - reads the command line into struct options. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "c3.h"
+#include "options.h"
+#include "slice.h"
+
+/* Isovalues are moved up by this much. Gray levels, and the cubic at lattice points, are whole multiples of some 1/4096,
+ * so that F never equals an isovalue there and neighbouring subcubes always agree which points are inside. */
+#define OFF_LATTICE 1e-6
+
+/* By default the outermost of the equidistant spheres has this part of the shorter half side of the image. */
+#define OUTERMOST (11.0 / 12.0)
+
+struct parser {
+    int argc, at;
+    char **argv;
+    const char *name; /* of the option being read */
+    char *error;
+    int size;
+    int approx, x, y, z, step;
+    double zspace;
+};
+
+static int complain(struct parser *p, const char *what)
+{
+    snprintf(p->error, p->size, "%s: %s", p->name, what);
+    return -1;
+}
+
+static const char *argument(struct parser *p)
+{
+    return p->at + 1 < p->argc ? p->argv[++p->at] : NULL;
+}
+
+static int read_int(struct parser *p, int *value, int least)
+{
+    const char *text = argument(p);
+    char *end;
+    long v;
+
+    if (!text)
+        return complain(p, "needs a number after it");
+    v = strtol(text, &end, 10);
+    if (end == text || *end || v < least || v > 1000000000) {
+        snprintf(p->error, p->size, "%s: '%s' is not a whole number from %d up", p->name, text, least);
+        return -1;
+    }
+    *value = (int)v;
+    return 0;
+}
+
+static int read_positive(struct parser *p, double *value)
+{
+    const char *text = argument(p);
+    char *end;
+
+    if (!text)
+        return complain(p, "needs a number after it");
+    *value = strtod(text, &end);
+    if (end == text || *end || !(*value > 0)) {
+        snprintf(p->error, p->size, "%s: '%s' is not a number above 0", p->name, text);
+        return -1;
+    }
+    return 0;
+}
+
+/* One of some words, separated by blanks in `words`; *value becomes its place. */
+static int read_word(struct parser *p, int *value, const char *words)
+{
+    const char *text = argument(p), *w = words;
+    size_t n;
+
+    for (*value = 0; text && *w; ++*value) {
+        n = strcspn(w, " ");
+        if (strlen(text) == n && strncmp(text, w, n) == 0)
+            return 0;
+        w += n + (w[n] == ' ');
+    }
+    snprintf(p->error, p->size, "%s: needs one of these words after it: %s", p->name, words);
+    return -1;
+}
+
+static int read_name(struct parser *p, const char **name)
+{
+    *name = argument(p);
+    return *name ? 0 : complain(p, "needs a name after it");
+}
+
+static int read_isovalues(struct parser *p, struct isovalues *iso)
+{
+    const char *text = argument(p);
+    char *end;
+
+    if (!text)
+        return complain(p, "needs gray levels after it, separated by commas");
+    for (iso->n = 0;; text = end + 1) {
+        if (iso->n == ISOVALUES_MAX)
+            return complain(p, "too many isovalues (16 at most)");
+        iso->value[iso->n++] = strtod(text, &end);
+        if (end == text || (*end && *end != ','))
+            return complain(p, "needs gray levels after it, separated by commas, such as 64,128");
+        if (!*end)
+            return 0;
+    }
+}
+
+static int read_size(struct parser *p)
+{
+    return read_int(p, &p->x, 2) || read_int(p, &p->y, 2) || read_int(p, &p->z, 2) ? -1 : 0;
+}
+
+static int read_volume_option(struct parser *p, struct options *o, const char *name)
+{
+    int word;
+
+    if (!strcmp(name, "-sphere")) {
+        o->volume = NULL;
+        return read_size(p);
+    }
+    if (!strcmp(name, "-volume")) {
+        if (read_name(p, &o->volume) || read_size(p) || read_word(p, &word, "8 16"))
+            return -1;
+        o->bits = word == 0 ? 8 : 16;
+        return 0;
+    }
+    if (!strcmp(name, "-approx")) {
+        if (read_word(p, &word, "111 333"))
+            return -1;
+        p->approx = word == 0 ? 111 : 333;
+        return 0;
+    }
+    if (!strcmp(name, "-isovalues"))
+        return read_isovalues(p, &o->iso);
+    if (!strcmp(name, "-grid"))
+        return read_int(p, &p->step, 1);
+    if (!strcmp(name, "-zspace"))
+        return read_positive(p, &p->zspace);
+    if (!strcmp(name, "-lattice")) {
+        if (read_int(p, &o->lattice, 1))
+            return -1;
+        return o->lattice <= LATTICE_MAX ? 0 : complain(p, "the lattice has at most 4 small cubes a side");
+    }
+    if (!strcmp(name, "-ply"))
+        return read_name(p, &o->ply);
+    if (!strcmp(name, "-digest")) {
+        o->digest = 1;
+        return 0;
+    }
+    return 1;
+}
+
+static int read_policy_option(struct parser *p, struct policy *q, const char *name)
+{
+    int word;
+
+    if (!strcmp(name, "-group"))
+        return read_int(p, &q->group, 0);
+    if (!strcmp(name, "-noreassign"))
+        return q->reassign = 0;
+    if (!strcmp(name, "-preload"))
+        return q->preload = 1, 0;
+    if (!strcmp(name, "-keep"))
+        return read_int(p, &q->keep, 0);
+    if (!strcmp(name, "-gran"))
+        return read_int(p, &q->gran, 1);
+    if (!strcmp(name, "-lead"))
+        return read_int(p, &q->lead, 0);
+    if (!strcmp(name, "-minrows"))
+        return read_int(p, &q->min_rows, 1);
+    if (!strcmp(name, "-buffer"))
+        return read_int(p, &q->buffer, 512);
+    if (!strcmp(name, "-buffers"))
+        return read_int(p, &q->buffers, 1);
+    if (!strcmp(name, "-k"))
+        return read_positive(p, &q->k);
+    if (!strcmp(name, "-half"))
+        return read_positive(p, &q->half);
+    if (!strcmp(name, "-flush")) {
+        if (read_word(p, &word, "wait chunk full"))
+            return -1;
+        q->flush = (enum flush)word;
+        return 0;
+    }
+    if (!strcmp(name, "-weights")) {
+        if (read_word(p, &word, "exact slices"))
+            return -1;
+        q->weights = (enum weights)word;
+        return 0;
+    }
+    return 1;
+}
+
+static void set_defaults(struct options *o)
+{
+    static const struct policy usual = {.reassign = 1,
+                                        .keep = 150,
+                                        .gran = 16,
+                                        .lead = 12,
+                                        .min_rows = 1,
+                                        .buffer = 32768,
+                                        .buffers = 2,
+                                        .k = 1.6,
+                                        .half = 0.5};
+
+    memset(o, 0, sizeof *o);
+    o->policy = usual;
+    o->lattice = 2;
+}
+
+/* What depends on several options. */
+static void complete(struct parser *p, struct options *o)
+{
+    int cubic = p->approx == 333, i, shorter;
+    double top = o->bits == 8 ? 256 : 65536;
+
+    if (p->x == 0) {
+        p->x = cubic ? 192 : 512;
+        p->y = cubic ? 128 : 512;
+        p->z = 65;
+    }
+    shorter = p->x < p->y ? p->x : p->y;
+    if (p->zspace == 0)
+        p->zspace = o->volume ? 1.0 : (double)shorter / (p->z - 1);
+    grid_set(&o->grid, p->x, p->y, p->z, p->step, cubic ? C3_COMPS : 1, p->zspace);
+    if (o->iso.n == 0)
+        for (o->iso.n = 7, i = 0; i < 7; i++)
+            o->iso.value[i] =
+                o->volume ? (i + 1) * top / 8 : slice_level(&o->grid, (i + 1) * OUTERMOST / 7 * shorter / 2);
+    for (i = 0; i < o->iso.n; i++)
+        o->iso.value[i] += OFF_LATTICE;
+}
+
+int options_read(struct options *o, int argc, char **argv, char *error, int size)
+{
+    struct parser p = {.argc = argc, .argv = argv, .error = error, .size = size, .approx = 111, .step = 4};
+    int r;
+
+    set_defaults(o);
+    for (p.at = 1; p.at < argc; p.at++) {
+        p.name = argv[p.at];
+        if (!strcmp(p.name, "-help") || !strcmp(p.name, "--help") || !strcmp(p.name, "-h"))
+            return 1;
+        r = read_volume_option(&p, o, p.name);
+        if (r > 0)
+            r = read_policy_option(&p, &o->policy, p.name);
+        if (r > 0)
+            r = complain(&p, "no such option; -help lists them");
+        if (r)
+            return r;
+    }
+    complete(&p, o);
+    return 0;
+}

@@ -1,0 +1,43 @@
+/* options.h - everything the user can say on the command line. */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+#include "grid.h"
+#include "subcube.h"
+
+enum flush { FLUSH_WAIT, FLUSH_CHUNK, FLUSH_FULL };
+enum weights { WEIGHTS_EXACT, WEIGHTS_SLICES };
+
+/* How work is divided and handed out. */
+struct policy {
+    int group;    /* nodes in a group; 0: all in one */
+    int reassign; /* deal the nodes of a finished group to the others */
+    int preload;  /* read the first slices before the clock starts */
+    int keep;     /* subcubes of a layer that the host leaves to its slaves */
+    int gran;     /* subcubes the host takes at a time when it helps */
+    int lead;     /* a slave asks for more when so many subcubes are left */
+    int min_rows; /* least rows in a chunk */
+    int buffer;   /* bytes of polygons a slave collects before it sends them */
+    int buffers;  /* chunks the host may have under way at a time */
+    double k;     /* the first chunk of a layer is 1 / (k nodes) of it */
+    double half;  /* a group with so many layers unfinished takes no new nodes */
+    enum flush flush;
+    enum weights weights;
+};
+
+struct options {
+    struct grid grid;
+    struct isovalues iso;
+    struct policy policy;
+    const char *volume; /* file name, or NULL: the sphere */
+    int bits;           /* of a pixel in the file: 8 or 16 */
+    int lattice;        /* the cubic is polygonised on lattice^3 small cubes */
+    const char *ply;    /* prefix of output files, or NULL */
+    int digest;         /* print a hash of all polygons */
+};
+
+/* Read the command line. 0: *o is set; 1: the user asks for help; -1: an error, in words in error. */
+int options_read(struct options *o, int argc, char **argv, char *error, int size);
+
+extern const char options_help[];
+
+#endif

@@ -1,0 +1,197 @@
+/* service.c - the handlers of a host: requests, polygons, FINs, control messages.
+ *
+ * Each handler takes its message, posts itself again, and last looks whether what the main program waits for has come.
+ */
+#include <nx.h>
+#include "fail.h"
+#include "host.h"
+
+/* Chunks under way: the host alternates between a few buffers and waits only when the next one is still being sent. */
+struct outgoing {
+    double *message;
+    long id; /* of its send, or -1 */
+};
+
+static struct outgoing *outgoing;
+static int next_outgoing;
+
+static struct polygons_message header;
+static struct fin_message fin;
+static struct control_message *control;
+static long control_bytes;
+static double *body;
+
+static void on_request(long type, long count, long node, long pid);
+static void on_polygons(long type, long count, long node, long pid);
+static void on_fin(long type, long count, long node, long pid);
+static void on_control(long type, long count, long node, long pid);
+
+void service_begin(void)
+{
+    int i;
+
+    outgoing = allocate(host.o->policy.buffers * sizeof *outgoing);
+    for (i = 0; i < host.o->policy.buffers; i++) {
+        outgoing[i].message = allocate(chunk_bytes_max(&host.o->grid));
+        outgoing[i].id = -1;
+    }
+    body = allocate(host.o->policy.buffer);
+    control_bytes = (long)sizeof *control + numnodes() * (long)sizeof(int);
+    control = allocate(control_bytes);
+    hrecv(REQUEST, NULL, 0, on_request);
+    hrecv(POLYGONS, &header, sizeof header, on_polygons);
+    hrecv(FIN, &fin, sizeof fin, on_fin);
+    hrecv(CONTROL, control, control_bytes, on_control);
+}
+
+double host_unfinished(void)
+{
+    double cells = host.all_in_hand;
+
+    if (host.open)
+        cells += pool_left(&host.pool);
+    return host.later + cells / grid_cells(&host.o->grid);
+}
+
+void service_watch(void)
+{
+    if (host.groups == 1 || host.half_told || host.stage != WORKING ||
+        host_unfinished() > host.o->policy.half)
+        return;
+    host.half_told = 1;
+    group_tell_all(HALF_LEFT, 0);
+}
+
+int service_ready(enum waiting what)
+{
+    if (what == FOR_REQUESTS)
+        return pool_left(&host.pool) == 0;
+    return host.fins == host.attacheds && host.bodies == host.bodies_sent;
+}
+
+static void wake(void)
+{
+    if (host.waiting == NOT || !service_ready(host.waiting))
+        return;
+    host.waiting = NOT;
+    csend(WAKE, NULL, 0, mynode(), 0);
+}
+
+static struct outgoing *free_buffer(void)
+{
+    struct outgoing *b = &outgoing[next_outgoing];
+
+    next_outgoing = (next_outgoing + 1) % host.o->policy.buffers;
+    if (b->id >= 0)
+        msgwait(b->id);
+    return b;
+}
+
+static void send_word(enum chunk_kind kind, int node)
+{
+    double message[8];
+
+    csend(CHUNK, message, chunk_pack_word(kind, message), node, 0);
+}
+
+static void hand_out(int node)
+{
+    const struct policy *q = &host.o->policy;
+    struct outgoing *b = free_buffer();
+    int first, n = pool_chunk(&host.pool, q->k, host.members + 1, q->min_rows, &first);
+
+    b->id = isend(CHUNK, b->message, chunk_pack(&host.o->grid, &host.layer, first, n, b->message), node, 0);
+    host.in_hand[node] = n;
+    host.all_in_hand += n;
+    host.chunks++;
+    if (host.waiting == FOR_REQUESTS && host.few_left_at < 0 && pool_left(&host.pool) <= host.o->grid.nx)
+        host.few_left_at = dclock();
+}
+
+/* Answer a request now, or answer 0: there is nothing to hand out yet. */
+static int answer(int node)
+{
+    if (host.stage == DRAINING)
+        send_word(CHUNK_NO_MORE, node);
+    else if (host.open && pool_left(&host.pool) > 0)
+        hand_out(node);
+    else
+        return 0;
+    return 1;
+}
+
+void service_queue(void)
+{
+    int served = 0, i;
+
+    while (served < host.queued && answer(host.queue[served]))
+        served++;
+    host.queued -= served;
+    for (i = 0; i < host.queued; i++)
+        host.queue[i] = host.queue[served + i];
+}
+
+/* A node that asks belongs to the group from now on, announced or not. */
+static void attach(int node)
+{
+    if (!host.member[node]) {
+        host.member[node] = 1;
+        host.members++;
+    }
+    host.attached[node] = 1;
+    host.attacheds++;
+}
+
+static void on_request(long type, long count, long node, long pid)
+{
+    double start = dclock();
+
+    (void)type, (void)count, (void)pid;
+    hrecv(REQUEST, NULL, 0, on_request);
+    if (host.stage == FINISHED || (host.stage == DRAINING && !host.attached[node]))
+        send_word(CHUNK_DISCARD, (int)node);
+    else {
+        if (!host.attached[node])
+            attach((int)node);
+        host.all_in_hand -= host.in_hand[node];
+        host.in_hand[node] = 0;
+        if (!answer((int)node))
+            host.queue[host.queued++] = (int)node;
+        service_watch();
+    }
+    wake();
+    host.handler_s += dclock() - start;
+}
+
+/* The body follows its header at once; put its polygons on the lists. */
+static void on_polygons(long type, long count, long node, long pid)
+{
+    double start = dclock();
+
+    (void)type, (void)count, (void)pid;
+    crecv(BODY + node, body, host.o->policy.buffer);
+    collect_packed(body, header.doubles);
+    host.bodies++;
+    hrecv(POLYGONS, &header, sizeof header, on_polygons);
+    wake();
+    host.handler_s += dclock() - start;
+}
+
+static void on_fin(long type, long count, long node, long pid)
+{
+    (void)type, (void)count, (void)node, (void)pid;
+    host.fins++;
+    host.bodies_sent += fin.messages;
+    hrecv(FIN, &fin, sizeof fin, on_fin);
+    wake();
+}
+
+static void on_control(long type, long count, long node, long pid)
+{
+    double start = dclock();
+
+    (void)type, (void)count, (void)node, (void)pid;
+    group_handle_control(control);
+    hrecv(CONTROL, control, control_bytes, on_control);
+    host.handler_s += dclock() - start;
+}
