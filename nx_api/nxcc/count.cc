@@ -199,12 +199,13 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
 {
     const std::vector<int> *of = nullptr;
     int64_t per = costs_of_call(call, &of);
+    if (!per || of->at(0) != 0)
+        return behind;
     tree type = gimple_call_return_type(call);
-    if (!per || of->at(0) != 0 || !INTEGRAL_TYPE_P(type))
+    if (!INTEGRAL_TYPE_P(type))
         return behind;
     if (!gimple_call_lhs(call)) {
         gimple_call_set_lhs(call, make_ssa_name(type, call));
-        gimple_call_set_tail(call, false);
         update_stmt(call);
     }
     if (!is_gimple_reg(gimple_call_lhs(call)))
@@ -253,6 +254,8 @@ void counting::count_block(basic_block bb)
             pay(bb, behind, cost);
             cost = 0;
             behind = last = hand_over(call);
+        } else {
+            gimple_call_set_tail(call, false); /* the store at the function's end must come after it */
         }
         if (!stmt_ends_bb_p(call))
             last = pay_result(call, last);

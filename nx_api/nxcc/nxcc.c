@@ -46,8 +46,7 @@ static const char help[] =
     "their day,\n"
     "are accepted.\n";
 
-/* --- errors and small strings ----------------------------------------------------------------------------
- */
+/* --- errors and small strings --- */
 
 __attribute__((format(printf, 1, 2), noreturn)) static void fail(const char *format, ...)
 {
@@ -76,8 +75,7 @@ static bool readable(const char *path)
     return access(path, R_OK) == 0;
 }
 
-/* --- where things are ------------------------------------------------------------------------------------
- */
+/* --- where things are --- */
 
 struct places {
     char *lib;     /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
@@ -120,8 +118,7 @@ static char *find_costs(const struct places *p, const char *name)
     fail("--costs %s: %s (looked for it here and in %s)", name, strerror(errno), p->cpu);
 }
 
-/* --- arguments -------------------------------------------------------------------------------------------
- */
+/* --- arguments --- */
 
 struct arguments {
     const char **gcc; /* what gcc is to get, in order */
@@ -224,8 +221,7 @@ static struct arguments read_arguments(int argc, char **argv)
     return a;
 }
 
-/* --- the command -----------------------------------------------------------------------------------------
- */
+/* --- the command --- */
 
 /* Compiling: position-independent and plain, so that the same source computes the same and costs the same
  * everywhere. */

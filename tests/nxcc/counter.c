@@ -1,0 +1,40 @@
+/* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied on. */
+#include "counter.h"
+
+struct counter counter;
+
+static void spoil_registers(void)
+{
+    __asm__ volatile(
+        "movq $-1, %%rax\n\tmovq %%rax, %%rcx\n\tmovq %%rax, %%rdx\n\tmovq %%rax, %%rsi\n\t"
+        "movq %%rax, %%rdi\n\tmovq %%rax, %%r8\n\tmovq %%rax, %%r9\n\tmovq %%rax, %%r10\n\t"
+        "movq %%rax, %%r11\n\tmovq %%rax, %%xmm0\n\tmovq %%rax, %%xmm1\n\tmovq %%rax, %%xmm2\n\t"
+        "movq %%rax, %%xmm3\n\tmovq %%rax, %%xmm4\n\tmovq %%rax, %%xmm5\n\tmovq %%rax, %%xmm6\n\t"
+        "movq %%rax, %%xmm7\n\tmovq %%rax, %%xmm8\n\tmovq %%rax, %%xmm9\n\tmovq %%rax, %%xmm10\n\t"
+        "movq %%rax, %%xmm11\n\tmovq %%rax, %%xmm12\n\tmovq %%rax, %%xmm13\n\tmovq %%rax, %%xmm14\n\t"
+        "movq %%rax, %%xmm15" ::
+            : "rax", "rcx", "rdx", "rsi", "rdi", "r8", "r9", "r10", "r11", "xmm0", "xmm1", "xmm2", "xmm3",
+              "xmm4", "xmm5", "xmm6", "xmm7", "xmm8", "xmm9", "xmm10", "xmm11", "xmm12", "xmm13", "xmm14",
+              "xmm15", "cc");
+}
+
+void nxc_preempt(void)
+{
+    int64_t left = *nxc_image.left;
+    counter.spent += counter.budget - left;
+    counter.overshoot = -left > counter.overshoot ? -left : counter.overshoot;
+    counter.preemptions++;
+    *nxc_image.left = counter.budget;
+    spoil_registers();
+}
+
+void counter_start(int64_t budget)
+{
+    counter = (struct counter){.budget = budget};
+    *nxc_image.left = budget;
+}
+
+int64_t counter_spent(void)
+{
+    return counter.spent + counter.budget - *nxc_image.left;
+}

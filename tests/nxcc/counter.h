@@ -1,0 +1,20 @@
+/* counter.h - the simulator's side of the counter, for tests that link counted objects into an ordinary program. */
+#ifndef COUNTER_H
+#define COUNTER_H
+#include <stdint.h>
+#include "nx_api/nxcc/image.h"
+
+extern struct nxc_image nxc_image;
+
+struct counter {
+    int64_t budget;    /* units between preemptions */
+    int64_t spent;     /* units up to the last preemption */
+    int64_t overshoot; /* the most by which a check came late */
+    long preemptions;
+};
+
+extern struct counter counter;
+
+void counter_start(int64_t budget);
+int64_t counter_spent(void);
+#endif
