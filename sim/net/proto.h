@@ -1,14 +1,15 @@
 /* proto.h - the message protocol of NX: how a message gets from one node's memory into another's.
  *
- *   short (at most short_limit bytes)      sender ---- message ----> receiver                            one
- * trip forced (bit 30 of the type)            the same at any length; dropped when nothing is posted long
- * sender ------ ask ------> receiver     room found, or waited for sender <----- grant ----- receiver sender
- * ------ data -----> receiver                            three trips
+ *   short (at most short_limit bytes)      sender ---- message ----> receiver     one trip
+ *   forced (bit 30 of the type)            the same at any length; dropped when nothing is posted
+ *   long                                   sender ------ ask ------> receiver     room found, or waited for
+ *                                          sender <----- grant ----- receiver
+ *                                          sender ------ data -----> receiver     three trips
  *
- * Asking and granting are a few bytes: they take their hops' time, but no channel. Messages and data hold
- * channels (wire.h). Each trip takes processor time at both ends (machine file: system); the processor also
- * feeds and empties the channel of long messages byte by byte where the machine has no DMA (send_ps_per_byte,
- * receive_ps_per_byte). Envelopes (short messages, asks) between two nodes are looked at in the order sent.
+ * Asking and granting are a few bytes: they take their hops' time, but no channel. Messages and data hold channels
+ * (wire.h). Each trip takes processor time at both ends (machine file: system); the processor also feeds and empties
+ * the channel of long messages byte by byte where the machine has no DMA (send_us_per_byte, receive_us_per_byte).
+ * Envelopes (short messages, asks) between two nodes are looked at in the order sent.
  *
  * The protocol knows nodes only through struct proto_nodes.
  */

@@ -1,8 +1,8 @@
 /* mailbox.h - the messages of a node: receives posted, messages come in unexpected, ids, and handlers due.
  *
- *   an envelope comes:  a posted receive selects it  ->  it belongs to that receive, and goes straight to its
- * buffer none does                    ->  it waits in the unexpected queue, in a system buffer a receive is
- * made:  the first unexpected message it selects, else it is posted (first posted, first served)
+ *   an envelope comes:  a posted receive selects it  ->  it is that receive's, and goes straight to its buffer
+ *                       none does                    ->  it waits, unexpected, in a system buffer
+ *   a receive is made:  the first unexpected message it selects, else it is posted (first posted, first served)
  *
  * A message is complete when it has arrived and the operating system is done with it (message.complete). Its
  * bytes are put into the program's buffer when the program asks (crecv, msgwait, msgdone, handler), not

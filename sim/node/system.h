@@ -15,7 +15,8 @@ struct node_system {
     struct topo topo;
     struct node **nodes;
     uint32_t count, running;
-    vtime max_time; /* VT_NEVER: none */
+    vtime max_time;      /* VT_NEVER: none */
+    vtime longest_slice; /* computing is cut into slices of at most this; results do not depend on it */
 
     enum node_stop stop; /* why the machine stops before its programs have ended */
     uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
@@ -38,10 +39,9 @@ void node_system_fail(struct node_system *sys, enum node_stop why, const char *f
 /* Make a node with its program loaded, ready to start at time 0. NULL with *error set. */
 struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
                       char **argv, char **envp, char **error);
-void node_free(struct node *n);
+void node_delete(struct node *n);
 
-/* --- for the protocol: struct proto_nodes with ctx = the node_system
- * ------------------------------------------ */
+/* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, vtime at, vtime t);
 bool mailbox_envelope(void *ctx, struct message *m, vtime now);
 void mailbox_sent(void *ctx, struct message *m, vtime now);
