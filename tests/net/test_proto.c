@@ -1,0 +1,209 @@
+/* The protocol: one trip or three, the published times of the iPSC/860, order of envelopes, waiting for room. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "net/proto.h"
+
+enum { NODES = 8, US = 1000000 };
+
+/* Nodes that do nothing but note what happens. */
+struct fake {
+    struct evq *q;
+    struct proto *proto;
+    vtime free_at[NODES];
+    bool room;
+    struct message *seen[16], *kept;
+    int seen_count, arrived_count;
+    vtime complete[16];
+};
+
+static vtime work(void *ctx, uint32_t node, vtime at, vtime t)
+{
+    struct fake *f = ctx;
+    return f->free_at[node] = vt_max(f->free_at[node], at) + t;
+}
+
+static bool envelope(void *ctx, struct message *m, vtime now)
+{
+    struct fake *f = ctx;
+    (void)now;
+    f->seen[f->seen_count++] = m;
+    return f->room;
+}
+
+static void sent(void *ctx, struct message *m, vtime now)
+{
+    (void)ctx, (void)m, (void)now;
+}
+
+static void arrived(void *ctx, struct message *m, vtime now)
+{
+    struct fake *f = ctx;
+    (void)now;
+    f->complete[f->arrived_count++] = m->complete;
+}
+
+/* The iPSC/860's published sums, divided in some way. */
+static const struct cfg_machine IPSC = {.short_hop_ps = 10 * US,
+                                        .long_hop_ps = 10 * US,
+                                        .short_ps_per_byte = 425000,
+                                        .long_ps_per_byte = 390000,
+                                        .short_limit = 100,
+                                        .short_send_ps = 35 * US,
+                                        .short_receive_ps = 30 * US,
+                                        .ask_send_ps = 40 * US,
+                                        .ask_receive_ps = 37 * US,
+                                        .grant_receive_ps = 35 * US,
+                                        .long_receive_ps = 35 * US};
+
+static void begin(struct fake *f, bool room)
+{
+    struct topo topo;
+    *f = (struct fake){.q = evq_new(), .room = room};
+    struct proto_nodes nodes = {f, work, envelope, sent, arrived};
+    assert_true(topo_hypercube(&topo, NODES, 3));
+    f->proto = proto_new(&IPSC, &topo, f->q, &nodes);
+}
+
+static void run(struct fake *f)
+{
+    while (evq_step(f->q))
+        ;
+}
+
+static void end(struct fake *f)
+{
+    for (int i = 0; i < f->seen_count; i++)
+        proto_message_free(f->seen[i]);
+    proto_free(f->proto);
+    evq_free(f->q);
+}
+
+/* Sends from node 0 as a call at time 0 would; returns the message. */
+static struct message *send(struct fake *f, uint32_t to, int64_t type, size_t bytes, vtime at)
+{
+    static char data[10000];
+    struct message *m = proto_message(f->proto, 0, to, type, 0, data, bytes);
+    proto_send(f->proto, m, at + proto_send_time(f->proto, type, bytes));
+    return m;
+}
+
+static vtime one_way(uint32_t to, int64_t type, size_t bytes)
+{
+    struct fake f;
+    begin(&f, true);
+    send(&f, to, type, bytes, 0);
+    run(&f);
+    assert_int_equal(f.arrived_count, 1);
+    vtime t = f.complete[0];
+    end(&f);
+    return t;
+}
+
+static void short_messages_take_65_us_and_0_425_a_byte_and_10_a_hop(void **state)
+{
+    (void)state;
+    assert_int_equal(one_way(1, 5, 0), 75 * US);
+    assert_int_equal(one_way(7, 5, 0), 95 * US);
+    assert_int_equal(one_way(1, 5, 100), 75 * US + 42500000);
+}
+
+static void long_messages_take_147_us_and_0_39_a_byte_and_30_a_hop(void **state)
+{
+    (void)state;
+    assert_int_equal(one_way(1, 5, 101), (147 + 30) * US + 101 * 390000);
+    assert_int_equal(one_way(7, 5, 10000), (147 + 90) * US + 10000 * 390000ull);
+}
+
+static void forced_messages_skip_the_asking(void **state)
+{
+    (void)state;
+    assert_int_equal(one_way(1, PROTO_FORCED | 5, 1000), (35 + 10 + 30) * US + 1000 * 390000);
+}
+
+static void a_long_message_without_room_waits_for_its_grant(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f, false);
+    struct message *m = send(&f, 1, 5, 1000, 0);
+    run(&f);
+    assert_int_equal(f.seen_count, 1);
+    assert_int_equal(f.arrived_count, 0);
+    assert_int_equal(proto_under_way(f.proto), 1);
+    proto_grant(f.proto, m, 5000 * (vtime)US);
+    run(&f);
+    assert_int_equal(f.complete[0], (5000 + 10 + 35 + 10 + 35) * (vtime)US + 1000 * 390000);
+    end(&f);
+}
+
+static void a_forced_message_without_a_receive_is_dropped(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f, false);
+    send(&f, 1, PROTO_FORCED | 5, 1000, 0);
+    run(&f);
+    assert_int_equal(f.seen_count, 1);
+    assert_int_equal(f.arrived_count, 0);
+    assert_int_equal(proto_under_way(f.proto), 0);
+    f.seen_count = 0; /* freed by the protocol */
+    end(&f);
+}
+
+static void envelopes_between_two_nodes_are_seen_in_the_order_sent(void **state)
+{
+    struct fake f;
+    struct message *sent_in_order[3];
+    (void)state;
+    begin(&f, true);
+    sent_in_order[0] = send(&f, 1, 5, 100, 0);  /* 42.5 us on the wire */
+    sent_in_order[1] = send(&f, 1, 5, 100, 1);  /* waits for it */
+    sent_in_order[2] = send(&f, 1, 5, 5000, 2); /* its asking uses no channel and comes first */
+    run(&f);
+    assert_int_equal(f.seen_count, 3);
+    for (int i = 0; i < 3; i++)
+        assert_ptr_equal(f.seen[i], sent_in_order[i]);
+    end(&f);
+}
+
+static void nothing_reaches_a_node_before_its_horizon(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f, true);
+    send(&f, 1, 5, 5000, 0);
+    send(&f, 1, 6, 50, 200 * (vtime)US);
+    int seen = 0;
+    vtime horizon = 0;
+    while (evq_next(f.q) != VT_NEVER) {
+        vtime now = evq_next(f.q);
+        horizon = proto_horizon(f.proto, 1, now);
+        assert_true(horizon >= now);
+        vtime busy = f.free_at[1];
+        assert_true(evq_step(f.q));
+        if (f.free_at[1] != busy || f.seen_count != seen)
+            assert_true(now >= horizon); /* something reached it: not before the horizon seen just before */
+        seen = f.seen_count;
+    }
+    assert_int_equal(f.arrived_count, 2);
+    assert_int_equal(proto_horizon(f.proto, 1, VT_NEVER), VT_NEVER);
+    end(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(short_messages_take_65_us_and_0_425_a_byte_and_10_a_hop),
+        cmocka_unit_test(long_messages_take_147_us_and_0_39_a_byte_and_30_a_hop),
+        cmocka_unit_test(forced_messages_skip_the_asking),
+        cmocka_unit_test(a_long_message_without_room_waits_for_its_grant),
+        cmocka_unit_test(a_forced_message_without_a_receive_is_dropped),
+        cmocka_unit_test(envelopes_between_two_nodes_are_seen_in_the_order_sent),
+        cmocka_unit_test(nothing_reaches_a_node_before_its_horizon),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
