@@ -27,6 +27,8 @@
 #define COUNTER "nxc_left"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
+bool count_in_memory;
+
 namespace
 {
 tree counter; /* the variable nxc_left of runtime.c */
@@ -94,7 +96,7 @@ void forget_purity(gcall *call)
 
 void counting::look_at_function()
 {
-    bool in_memory = fun->calls_setjmp || fun->has_nonlocal_label;
+    bool in_memory = count_in_memory || fun->calls_setjmp || fun->has_nonlocal_label;
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun) {
         edge e;

@@ -1,6 +1,8 @@
 /* count.h - the counting pass, for the plugin to register. */
 #ifndef NXCC_COUNT_H
 #define NXCC_COUNT_H
+extern bool count_in_memory; /* never keep the counter in a register: slow, for tests */
+
 opt_pass *count_make_pass();
 const ggc_root_tab *count_roots();
 #endif

@@ -223,6 +223,18 @@ static struct arguments read_arguments(int argc, char **argv)
 
 /* --- the command --- */
 
+/* Before the user's arguments: some of those may be for the plugin. */
+static void add_plugin(struct arguments *a, const struct places *p)
+{
+    add(a, text("-fplugin=%s/count.so", p->lib));
+    add(a, text("-fplugin-arg-count-costs=%s", find_costs(p, a->costs)));
+    if (a->factors) {
+        if (!readable(a->factors))
+            fail("--factors %s: %s", a->factors, strerror(errno));
+        add(a, text("-fplugin-arg-count-factors=%s", a->factors));
+    }
+}
+
 /* Compiling: position-independent and plain, so that the same source computes the same and costs the same
  * everywhere. */
 static void add_compile(struct arguments *a, const struct places *p)
@@ -241,13 +253,6 @@ static void add_compile(struct arguments *a, const struct places *p)
     };
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         add(a, options[i]);
-    add(a, text("-fplugin=%s/count.so", p->lib));
-    add(a, text("-fplugin-arg-count-costs=%s", find_costs(p, a->costs)));
-    if (a->factors) {
-        if (!readable(a->factors))
-            fail("--factors %s: %s", a->factors, strerror(errno));
-        add(a, text("-fplugin-arg-count-factors=%s", a->factors));
-    }
     add(a, "-isystem");
     add(a, p->include);
 }
@@ -302,6 +307,7 @@ int main(int argc, char **argv)
     a.gcc = NULL;
     a.count = 0;
     add(&a, user.gcc[0]);
+    add_plugin(&a, &p);
     if (link)
         add_link_first(&a, &p);
     for (size_t i = 1; i < user.count; i++)

@@ -1,6 +1,6 @@
 /* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
  *
- * Arguments: costs=FILE (needed), factors=FILE, before=PASS (where the pass stands; for measurements only).
+ * Arguments: costs=FILE (needed), factors=FILE; for tests: before=PASS (where the pass stands), memory (no registers).
  */
 #include "gcc.h"
 #include "costs.h"
@@ -27,6 +27,8 @@ arguments read_arguments(const plugin_name_args *info)
             a.factors = arg.value;
         else if (!strcmp(arg.key, "before"))
             a.before = arg.value;
+        else if (!strcmp(arg.key, "memory"))
+            count_in_memory = true;
         else
             fatal_error(UNKNOWN_LOCATION, "nxcc: unknown plugin argument '%s'", arg.key);
     }

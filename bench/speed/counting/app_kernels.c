@@ -43,7 +43,8 @@ static void take(int iso, int n, const vertex *v)
 static void corners(int col, int row, int layer, const double *corner[8])
 {
     for (int c = 0; c < 8; c++)
-        corner[c] = data[layer + (c >> 2)] + (row + (c >> 1 & 1)) * grid_row_doubles(&grid) + (col + (c & 1)) * grid.comps;
+        corner[c] = data[layer + (c >> 2)] + (row + (c >> 1 & 1)) * grid_row_doubles(&grid) +
+                    (col + (c & 1)) * grid.comps;
 }
 
 static const struct isovalues iso = {2, {20000.3, 40000.7}};

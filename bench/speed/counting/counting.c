@@ -36,8 +36,7 @@ struct kernel {
 
 static const struct kernel kernels[] = {
 #define ROW(name) {#name, plain_##name, counted_##name},
-    KERNELS(ROW) APP_KERNELS(ROW)
-};
+    KERNELS(ROW) APP_KERNELS(ROW)};
 
 static double seconds(double (*run)(void), int times)
 {
@@ -86,8 +85,8 @@ static double measure(const struct kernel *k)
         ratio[i] = counted / plain;
     }
     qsort(ratio, ROUNDS, sizeof *ratio, rising);
-    printf("%-14s %8.3f   %5.3f-%5.3f %14.0f\n", k->name, ratio[ROUNDS / 2], ratio[ROUNDS / 4], ratio[3 * ROUNDS / 4],
-           clocks);
+    printf("%-14s %8.3f   %5.3f-%5.3f %14.0f\n", k->name, ratio[ROUNDS / 2], ratio[ROUNDS / 4],
+           ratio[3 * ROUNDS / 4], clocks);
     return ratio[ROUNDS / 2];
 }
 

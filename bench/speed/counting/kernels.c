@@ -112,7 +112,8 @@ double KERNEL(slices)(void)
     for (int z = 0; z < 2; z++) {
         for (int y = 0; y < 128; y++)
             for (int x = 0; x < 128; x++)
-                image[y][x] = (unsigned short)(500 * sqrt((x - 63.5) * (x - 63.5) + (y - 63.5) * (y - 63.5) + z));
+                image[y][x] =
+                    (unsigned short)(500 * sqrt((x - 63.5) * (x - 63.5) + (y - 63.5) * (y - 63.5) + z));
         sum += image[z][17];
     }
     return (double)sum;

@@ -1,0 +1,28 @@
+# nxcc.mk - tests of the counting compiler: counted objects linked into ordinary programs, and a script for the driver.
+NXCC_TEST := $B/tests/nxcc
+UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_driver $(NXCC_TEST)/test_random
+
+# runtime.o without _start, for programs that are not node programs
+$(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 $(WARN) -fPIE -DNXC_HOSTED -c -o $@ $<
+
+$(NXCC_TEST)/counted.o: tests/nxcc/counted.c tests/nxcc/counted.h tests/nxcc/digits.cfg $(NXCC_TOOLS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 --costs tests/nxcc/digits.cfg -c -o $@ $<
+
+$(NXCC_TEST)/test_count: tests/nxcc/test_count.c tests/nxcc/counter.c tests/nxcc/counter.h $(NXCC_TEST)/counted.o $(NXCC_TEST)/hosted.o
+	$(CC) $(CFLAGS) -o $@ $(filter %.c %.o,$^) -lcmocka -lm
+
+# The scripts find what they test beside themselves, and nxcc two directories above.
+$(NXCC_TEST)/random: tests/nxcc/random.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -o $@ $<
+
+$(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 $(WARN) -I. -c -o $@ $<
+
+$(addprefix $(NXCC_TEST)/test_,driver random): $(NXCC_TEST)/test_%: tests/nxcc/test_%.sh $(NXCC_DEPS) $(addprefix $(NXCC_TEST)/,hosted.o counter.o report.o random)
+	@mkdir -p $(@D)
+	install $< $@

@@ -1,0 +1,43 @@
+#!/bin/bash
+# Random programs: compiled by nxcc at any level they print what gcc's print, and what they count depends neither on how
+# often they are preempted nor on whether the counter lives in a register or in memory.
+set -u
+cd "$(dirname "$0")" || exit 1
+NXCC=../../nxcc
+DIR=$(mktemp -d)
+trap 'rm -rf "$DIR"' EXIT
+WARN=-w
+
+# build NAME OPTIONS... - counted program $DIR/NAME from $DIR/p.c
+build() {
+    local name=$1
+    shift
+    "$NXCC" $WARN "$@" -c -o "$DIR/$name.o" "$DIR/p.c" &&
+        gcc -o "$DIR/$name" "$DIR/$name.o" counter.o report.o hosted.o -lm
+}
+
+one() {
+    local seed=$1 level budget
+    ./random "$seed" >"$DIR/p.c"
+    gcc $WARN -O1 -ffp-contract=off -o "$DIR/plain" "$DIR/p.c" -lm || return 1
+    timeout 20 "$DIR/plain" >"$DIR/expected" || { echo "# seed $seed: plain program fails"; return 1; }
+    for level in -O0 -O1 -O2 -O3 -Os; do
+        build counted $level && build memory $level -fplugin-arg-count-memory || return 1
+        timeout 60 "$DIR/counted" >"$DIR/said" 2>"$DIR/units"
+        cmp -s "$DIR/said" "$DIR/expected" || { echo "# seed $seed $level: other output"; return 1; }
+        timeout 60 "$DIR/memory" 2>"$DIR/units2" | cmp -s - "$DIR/expected" || { echo "# seed $seed $level in memory: other output"; return 1; }
+        cmp -s "$DIR/units" "$DIR/units2" || { echo "# seed $seed $level: register and memory count differently"; return 1; }
+        for budget in 5000 777777; do
+            BUDGET=$budget timeout 60 "$DIR/counted" 2>"$DIR/units2" | cmp -s - "$DIR/expected" &&
+                cmp -s "$DIR/units" "$DIR/units2" || { echo "# seed $seed $level budget $budget: differs"; return 1; }
+        done
+    done
+}
+
+failed=0
+for seed in $(seq "${FIRST:-1}" "${LAST:-12}"); do
+    one "$seed" || { failed=1; break; }
+done
+[ $failed = 0 ] && echo "ok random programs count alike at every budget, and compute what gcc's do" ||
+    echo "not ok random programs count alike at every budget, and compute what gcc's do"
+exit $failed
