@@ -81,7 +81,7 @@ setup: ## Install what is missing of packages.txt (Debian, apt-get)
 INST = $(DESTDIR)$(PREFIX)
 
 install: all ## Install into PREFIX (default /usr/local)
-	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu paper)
+	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
 	install $B/app/model $(INST)/lib/touchstone/app
@@ -89,7 +89,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 machines/*.cfg $(INST)/share/touchstone/machines
 	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
-	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/paper
+	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
 
 FORMATTED = $(wildcard sim/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch])
 

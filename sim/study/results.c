@@ -1,0 +1,71 @@
+/* results.c - errors and speeds of the tables' rows; see results.h. */
+#include "study/results.h"
+
+#include <math.h>
+
+double results_error_pct(const struct result_row *row)
+{
+    return 100 * (outcome_figure(&row->run->outcome, "total_s") / row->row->paper.total_s - 1);
+}
+
+double results_speed_per_node(const struct result_table *t, size_t row)
+{
+    const struct run *run = t->rows[row].run;
+    for (size_t i = 0; i < t->table->count; i++)
+        if (t->rows[i].run->nodes == 1)
+            return outcome_figure(&t->rows[i].run->outcome, "total_s") /
+                   (run->nodes * outcome_figure(&run->outcome, "total_s"));
+    return NAN;
+}
+
+/* Takes one more row into e, whose mean_pct is a sum until finish(). */
+static void add(struct result_errors *e, const struct result_row *row, unsigned table)
+{
+    double error = results_error_pct(row);
+    if (isnan(error)) {
+        e->failed++;
+        return;
+    }
+    if (!e->worst || fabs(error) > fabs(e->worst_pct)) {
+        e->worst = row;
+        e->worst_pct = error;
+        e->worst_table = table;
+    }
+    e->mean_pct += fabs(error);
+    e->rows++;
+}
+
+static struct result_errors finish(struct result_errors e)
+{
+    e.mean_pct = e.rows ? e.mean_pct / (double)e.rows : NAN;
+    e.worst_pct = e.rows ? e.worst_pct : NAN;
+    return e;
+}
+
+struct result_errors results_table_errors(const struct result_table *t)
+{
+    struct result_errors e = {0};
+    for (size_t i = 0; i < t->table->count; i++)
+        add(&e, &t->rows[i], t->table->number);
+    return finish(e);
+}
+
+/* Is the row's run one that an earlier table has shown already? */
+static bool shown_before(const struct results *r, size_t table, const struct run *run)
+{
+    for (size_t t = 0; t < table; t++)
+        for (size_t i = 0; i < r->tables[t].table->count; i++)
+            if (r->tables[t].rows[i].run == run)
+                return true;
+    return false;
+}
+
+struct result_errors results_all_errors(const struct results *r)
+{
+    struct result_errors e = {0};
+    for (size_t t = 0; t < r->table_count; t++)
+        for (size_t i = 0; i < r->tables[t].table->count; i++)
+            if (!shown_before(r, t, r->tables[t].rows[i].run))
+                add(&e, &r->tables[t].rows[i], r->tables[t].table->number);
+    return finish(e);
+}

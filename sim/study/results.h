@@ -1,0 +1,68 @@
+/* results.h - the rows of the paper's tables with their outcomes, and the three forms in which they are shown.
+ * Internal to the making of tables (tables.h). */
+#ifndef STUDY_RESULTS_H
+#define STUDY_RESULTS_H
+#include <jansson.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "study/outcome.h"
+#include "study/paper.h"
+
+/* One run; several rows may be the same one. */
+struct run {
+    unsigned nodes;
+    const char *arguments; /* of its first row */
+    char *name;            /* "tables 1, 2, 3; 8 nodes" */
+    double weight;         /* its share of the work */
+    struct outcome outcome;
+};
+
+struct result_row {
+    const struct paper_row *row;
+    struct run *run;
+};
+
+struct result_table {
+    const struct paper_table *table;
+    struct result_row *rows; /* table->count of them */
+};
+
+struct results {
+    const struct paper *paper;
+    const struct paper_fitted *fitted;
+    struct result_table *tables; /* those wanted */
+    size_t table_count;
+    struct run *runs;
+    size_t run_count;
+    double wall_time_s;
+};
+
+/* The rows of the wanted tables (numbers ended by 0; NULL: all), each with its run; nothing has been run. Refers to
+ * paper and fitted, which must outlive it. */
+struct results results_plan(const struct paper *paper, const struct paper_fitted *fitted,
+                            const unsigned *wanted);
+void results_free(struct results *r);
+
+/* Total time of the row against the paper's, percent; NAN if the row has none. */
+double results_error_pct(const struct result_row *row);
+/* T(1) / (N T(N)) of our own times; NAN if either is missing. */
+double results_speed_per_node(const struct result_table *t, size_t row);
+
+/* Mean and worst of the rows' errors. Rows that failed are counted apart. */
+struct result_errors {
+    size_t rows, failed;
+    double mean_pct;                /* of the errors' sizes; NAN without rows */
+    double worst_pct;               /* with its sign */
+    const struct result_row *worst; /* NULL without rows */
+    unsigned worst_table;
+};
+struct result_errors results_table_errors(const struct result_table *t);
+/* Of all rows, a run that several tables share counted once. */
+struct result_errors results_all_errors(const struct results *r);
+
+void results_print(const struct results *r, FILE *out);
+json_t *results_json(const struct results *r);
+/* A gnuplot script that draws table t into DIR/table-N.png and .svg. */
+void results_plot(const struct result_table *t, const char *dir, FILE *script);
+#endif
