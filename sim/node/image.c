@@ -52,6 +52,14 @@ struct node_image {
     uint64_t object; /* of nxc_image */
 };
 
+static void *zeroed(size_t count, size_t size)
+{
+    void *p = calloc(count + 1, size);
+    if (p == NULL)
+        abort();
+    return p;
+}
+
 static uint64_t page_down(uint64_t x)
 {
     return x & ~(PAGE - 1);
@@ -89,7 +97,7 @@ static bool lay_out(struct node_image *img, char **error)
     const struct elf_file *f = img->elf;
     const Elf64_Phdr *p = f->loads, *end = f->loads + f->load_count;
     uint64_t shared_end = 0;
-    img->shared = calloc(f->load_count, sizeof *img->shared);
+    img->shared = zeroed(f->load_count, sizeof *img->shared);
     for (; p < end && !(p->p_flags & PF_W); p++) {
         add_shared(img, p);
         shared_end = page_up(p->p_vaddr + p->p_memsz);
@@ -97,7 +105,7 @@ static bool lay_out(struct node_image *img, char **error)
     img->data_at = p < end ? page_down(p->p_vaddr) : shared_end;
     img->bytes = page_up(end[-1].p_vaddr + end[-1].p_memsz);
     img->data_bytes = img->bytes - img->data_at;
-    if (img->bytes > NODE_SPAN - NODE_IMAGE_OFFSET)
+    if (img->bytes > NODE_SPAN / 2)
         return elf_fail(error, "%s: the program needs %llu MB, more than a node can address", f->path,
                         (unsigned long long)(img->bytes >> 20));
     if (img->data_at < shared_end)
@@ -107,7 +115,7 @@ static bool lay_out(struct node_image *img, char **error)
             return elf_fail(error, "%s: has code that may be written to: link it with nxcc", f->path);
         img->template_bytes = q->p_vaddr + q->p_filesz - img->data_at;
     }
-    img->template = calloc(1, img->template_bytes + 8);
+    img->template = zeroed(img->template_bytes, 1);
     for (; p < end; p++)
         memcpy(img->template + (p->p_vaddr - img->data_at), f->bytes + p->p_offset, p->p_filesz);
     return true;
@@ -214,8 +222,8 @@ static bool relocate(struct node_image *img, const struct elf_relocations *t, ch
 static bool prepare(struct node_image *img, char **error)
 {
     size_t count = img->elf->data.count + img->elf->calls.count;
-    img->addresses = calloc(count + 1, sizeof *img->addresses);
-    img->own = calloc(count + 1, sizeof *img->own);
+    img->addresses = zeroed(count, sizeof *img->addresses);
+    img->own = zeroed(count, sizeof *img->own);
     return lay_out(img, error) && find_object(img, error) && relocate(img, &img->elf->data, error) &&
            relocate(img, &img->elf->calls, error);
 }
@@ -225,7 +233,7 @@ struct node_image *node_image_open(const char *path, char **error)
     struct elf_file *f = elf_open(path, error);
     if (f == NULL)
         return NULL;
-    struct node_image *img = calloc(1, sizeof *img);
+    struct node_image *img = zeroed(1, sizeof *img);
     img->elf = f;
     if (prepare(img, error))
         return img;
