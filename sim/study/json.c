@@ -95,6 +95,18 @@ static json_t *fitted_json(const struct paper_fitted *fitted)
     return list;
 }
 
+static json_t *policies_json(const struct paper *paper)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < paper->policy_count; i++) {
+        json_t *j = json_object();
+        set(j, "option", text(paper->policies[i].option));
+        set(j, "fitted_to", text(paper->policies[i].fitted_to));
+        json_array_append_new(list, j);
+    }
+    return list;
+}
+
 json_t *results_json(const struct results *r)
 {
     json_t *root = json_object(), *rows = json_array(), *tables = json_array();
@@ -114,6 +126,7 @@ json_t *results_json(const struct results *r)
     set(summary, "wall_time_s", json_real(r->wall_time_s));
     set(root, "rows", rows);
     set(root, "fitted", fitted_json(r->fitted));
+    set(root, "fitted_policies", policies_json(r->paper));
     set(root, "summary", summary);
     return root;
 }

@@ -29,11 +29,19 @@ struct paper_table {
     size_t count;
 };
 
+/* A choice that the paper leaves open and that was fitted to its figures. */
+struct paper_policy {
+    char *option;
+    char *fitted_to;
+};
+
 struct paper {
     char *machine; /* to run them on */
     char *program; /* relative to where the built programs are */
     struct paper_table *tables;
     size_t count;
+    struct paper_policy *policies;
+    size_t policy_count;
 };
 
 /* Each reads a file; NULL with a malloc'd *error for the user. */

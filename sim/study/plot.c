@@ -60,7 +60,7 @@ void results_plot(const struct result_table *t, const char *dir, FILE *script)
             "set xrange [0.8:most*1.25]\n"
             "set xtics (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)\n"
             "set xlabel 'nodes'\n"
-            "set grid xtics ytics lc rgb '#e0e0e0'\n"
+            "set grid xtics ytics back lt 1 lw 0.6 lc rgb '#d8d8d8'\n"
             "set border 3\nset tics nomirror\n",
             t->table->number, t->table->title, most, least / 1.5, greatest * 1.5);
     fprintf(script, "set terminal pngcairo size 1200,520 font 'Sans,11'\nset output '%s/table-%u.png'\n", dir,

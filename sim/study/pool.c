@@ -54,7 +54,8 @@ static void tell(struct pool *p, const struct pool_job *finished)
 {
     struct pool_status *s = &p->status;
     s->elapsed_s = now_s() - p->begun_s;
-    s->left_s = p->weight_done > 0 ? s->elapsed_s * (p->weight_all - p->weight_done) / p->weight_done : -1;
+    double left = p->weight_all - p->weight_done;
+    s->left_s = p->weight_done > 0 && left > 0 ? s->elapsed_s * left / p->weight_done : left > 0 ? -1 : 0;
     s->finished = finished;
     if (p->watcher)
         p->watcher->changed(p->watcher->arg, s);
@@ -134,13 +135,12 @@ static void become(char *const argv[], int out, int err, pid_t parent)
     _exit(127);
 }
 
-static void finish(struct pool *p, struct pool_job *job, char *error)
+static void settle(struct pool *p, struct pool_job *job, char *error)
 {
     job->state = error ? POOL_FAILED : POOL_DONE;
     job->error = error;
     p->weight_done += job->weight;
     (*(error ? &p->status.failed : &p->status.done))++;
-    tell(p, job);
 }
 
 static void start(struct pool *p, struct child *c, struct pool_job *job)
@@ -155,7 +155,8 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
             close(out[i]);
             close(err[i]);
         }
-        finish(p, job, error);
+        settle(p, job, error);
+        tell(p, job);
         return;
     }
     close(out[1]);
@@ -205,10 +206,11 @@ static void on_child(evutil_socket_t signal, short what, void *arg)
         job->wall_time_s = now_s() - c->started_s;
         c->pid = 0;
         p->status.running--;
-        finish(p, job, describe_end(status, err));
+        settle(p, job, describe_end(status, err));
         free(err);
+        fill(p);
+        tell(p, job);
     }
-    fill(p);
 }
 
 static void on_second(evutil_socket_t fd, short what, void *arg)

@@ -93,18 +93,19 @@ static void print_table(FILE *out, const struct ink *ink, const struct result_ta
     print_errors(out, &e, false);
 }
 
-static void print_fitted(FILE *out, const struct ink *ink, const struct paper_fitted *fitted)
+static void print_fitted(FILE *out, const struct ink *ink, const struct results *r)
 {
-    fprintf(out, "\n%sFitted and predicted%s\n", ink->title, ink->off);
-    if (!fitted->count)
-        fputs("  No cost of the program was fitted to the paper. All figures are predictions.\n", out);
+    const struct paper_fitted *fitted = r->fitted;
+    fprintf(out, "\n%sFitted to the paper%s; all else is prediction\n", ink->title, ink->off);
     for (size_t i = 0; i < fitted->count; i++) {
         const struct paper_factor *f = &fitted->factors[i];
-        fprintf(out, "  fitted: %s%s%s  cost x %g  to: %s\n", f->file ? f->file : "",
+        fprintf(out, "  cost    %s%s%s x %g: %s\n", f->file ? f->file : "",
                 f->file && f->function ? ", " : "", f->function ? f->function : "", f->factor, f->fitted_to);
     }
-    if (fitted->count)
-        fputs("  All else is prediction.\n", out);
+    if (!fitted->count)
+        fputs("  cost    none\n", out);
+    for (size_t i = 0; i < r->paper->policy_count; i++)
+        fprintf(out, "  policy  %s: %s\n", r->paper->policies[i].option, r->paper->policies[i].fitted_to);
 }
 
 void results_print(const struct results *r, FILE *out)
@@ -112,9 +113,10 @@ void results_print(const struct results *r, FILE *out)
     struct ink ink = choose_ink(out);
     for (size_t t = 0; t < r->table_count; t++)
         print_table(out, &ink, &r->tables[t]);
-    print_fitted(out, &ink, r->fitted);
-    fputs("  \"all\" counts every wait of the host; \"ours\" only the waits that the paper describes.\n",
+    fputs("\nhost idle: \"ours\" is the waits for the last request of a layer, \"all\" every wait for a "
+          "request.\n",
           out);
+    print_fitted(out, &ink, r);
 
     bool failures = false;
     for (size_t i = 0; i < r->run_count; i++) {

@@ -6,11 +6,13 @@
 static void time_left(char *buf, size_t size, double s)
 {
     if (s < 0)
-        snprintf(buf, size, "time left not known yet");
+        snprintf(buf, size, ", time left not known yet");
+    else if (s < 0.5)
+        *buf = '\0';
     else if (s < 90)
-        snprintf(buf, size, "about %.0f s left", s);
+        snprintf(buf, size, ", about %.0f s left", s);
     else
-        snprintf(buf, size, "about %.0f min left", s / 60);
+        snprintf(buf, size, ", about %.0f min left", s / 60);
 }
 
 static void changed(void *arg, const struct pool_status *s)
@@ -23,13 +25,13 @@ static void changed(void *arg, const struct pool_status *s)
         progress_end(p);
         if (job && job->state == POOL_FAILED)
             fprintf(p->to, "%s: %s\n", job->name, job->error);
-        fprintf(p->to, "%zu of %zu done, %zu running, %zu failed, %s", s->done, s->jobs, s->running,
-                s->failed, left);
+        fprintf(p->to, "%zu of %zu done, %zu running, %zu failed%s", s->done, s->jobs, s->running, s->failed,
+                left);
     } else if (job && job->state == POOL_FAILED) {
         fprintf(p->to, "[%zu/%zu] %s: %s\n", s->done + s->failed, s->jobs, job->name, job->error);
     } else if (job) {
-        fprintf(p->to, "[%zu/%zu] %s: %.1f s, %s\n", s->done + s->failed, s->jobs, job->name,
-                job->wall_time_s, left);
+        fprintf(p->to, "[%zu/%zu] %s: %.1f s%s\n", s->done + s->failed, s->jobs, job->name, job->wall_time_s,
+                left);
     }
     fflush(p->to);
 }
