@@ -82,7 +82,8 @@ void machine_free(struct machine *m)
 {
     if (!m)
         return;
-    for (uint32_t i = 0; m->sys.nodes && i < m->sys.count; i++)
+    /* Latest first: the C library finds the streams made last soonest. */
+    for (uint32_t i = m->sys.nodes ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);
     free(m->sys.nodes);
     proto_free(m->sys.proto);

@@ -5,6 +5,8 @@
 #include "node/cpu.h"
 #include "node/system.h"
 
+#define FIRST_RESERVED INT64_C(1000000000)
+
 enum id_kind { ID_FREE, ID_RECEIVE, ID_SEND };
 
 struct id {
@@ -27,14 +29,14 @@ struct mailbox {
     struct due *due, **due_end;
     uint32_t handlers; /* posted or due */
     uint32_t waiting;  /* unexpected long messages that found no room */
-    struct id *ids;
+    struct id *ids;    /* made when the first is wanted */
     uint32_t ids_count;
 };
 
 struct mailbox *mailbox_new(uint32_t ids)
 {
     struct mailbox *b = calloc(1, sizeof *b);
-    if (!b || !(b->ids = calloc(ids, sizeof *b->ids)))
+    if (!b)
         abort();
     b->ids_count = ids;
     b->posted_end = &b->posted;
@@ -51,7 +53,7 @@ void mailbox_free(struct mailbox *b)
         next = m->next;
         proto_message_free(m);
     }
-    for (uint32_t i = 0; i < b->ids_count; i++)
+    for (uint32_t i = 0; b->ids && i < b->ids_count; i++)
         free(b->ids[i].send);
     for (struct due *d = b->due, *next; d; d = next) {
         next = d->next;
@@ -72,8 +74,12 @@ void mailbox_free(struct mailbox *b)
 
 bool mailbox_selects(int64_t typesel, int64_t type)
 {
-    if (typesel >= 0 || typesel == -1)
-        return typesel == -1 || typesel == type;
+    if (typesel >= 0)
+        return typesel == type;
+    if (type >= FIRST_RESERVED && type < PROTO_FORCED)
+        return false; /* the library's own messages are none of the program's */
+    if (typesel == -1)
+        return true;
     return typesel >> (type < 30 ? type : 30) & 1;
 }
 
@@ -305,6 +311,8 @@ const struct message *mailbox_probe(struct node *n, int64_t typesel)
 long mailbox_id_new(struct node *n, bool sends)
 {
     struct mailbox *b = n->mailbox;
+    if (!b->ids && !(b->ids = calloc(b->ids_count, sizeof *b->ids)))
+        abort();
     for (uint32_t i = 0; i < b->ids_count; i++) {
         struct id *id = &b->ids[i];
         if (id->kind != ID_FREE)
@@ -320,7 +328,7 @@ long mailbox_id_new(struct node *n, bool sends)
 static struct id *find_id(struct node *n, long id, enum id_kind kind)
 {
     struct mailbox *b = n->mailbox;
-    if (id < 0 || id >= b->ids_count || b->ids[id].kind != kind)
+    if (id < 0 || id >= b->ids_count || !b->ids || b->ids[id].kind != kind)
         return NULL;
     return &b->ids[id];
 }

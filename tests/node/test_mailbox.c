@@ -24,6 +24,14 @@ static void minus_one_selects_any_type(void **state)
     assert_true(mailbox_selects(-1, 1073741824));
 }
 
+static void reserved_types_are_selected_by_themselves_only(void **state)
+{
+    (void)state;
+    assert_true(mailbox_selects(1000000000, 1000000000));
+    assert_false(mailbox_selects(-1, 1000000000));
+    assert_false(mailbox_selects((int32_t)(0x80000000u | 1u << 30), 1073741823));
+}
+
 static void other_negative_values_are_masks_of_types_0_to_29(void **state)
 {
     int64_t types_3_and_29 = (int32_t)(0x80000000u | 1u << 3 | 1u << 29);
@@ -47,6 +55,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_type_selects_itself_only),
         cmocka_unit_test(minus_one_selects_any_type),
+        cmocka_unit_test(reserved_types_are_selected_by_themselves_only),
         cmocka_unit_test(other_negative_values_are_masks_of_types_0_to_29),
         cmocka_unit_test(bit_30_of_a_mask_selects_all_types_from_30_up),
     };
