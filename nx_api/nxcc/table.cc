@@ -26,9 +26,11 @@ struct reader {
 
     bool fail(const config_setting_t *at, const std::string &what)
     {
+        const char *file =
+            at ? config_setting_source_file(at) : NULL; /* an included file, if it is not NULL */
+        int line = at ? (int)config_setting_source_line(at) : 1;
         if (error.empty())
-            error = std::string(path) + ":" + std::to_string(at ? config_setting_source_line(at) : 1) + ": " +
-                    what;
+            error = std::string(file ? file : path) + ":" + std::to_string(line) + ": " + what;
         return false;
     }
 };
@@ -197,12 +199,17 @@ std::string read_file(const char *path, T &into, bool (*read)(reader &, const co
 {
     reader r{path, ""};
     config_t config;
+    std::string directory(path);
+    size_t slash = directory.rfind('/');
     config_init(&config);
+    config_set_include_dir(&config, slash == std::string::npos ? "." : directory.substr(0, slash).c_str());
     if (config_read_file(&config, path) != CONFIG_TRUE) {
         bool syntax = config_error_type(&config) == CONFIG_ERR_PARSE;
         r.error = std::string(path) + ":" +
                   (syntax ? std::to_string(config_error_line(&config)) + ": " : " ") +
                   config_error_text(&config);
+        if (r.error.find("include") != std::string::npos)
+            r.error += " (looked for beside this file)";
     } else {
         read(r, config_root_setting(&config), into);
     }

@@ -77,7 +77,7 @@ static void call(int depth)
                pick(VARIABLES), pick(VARIABLES));
         break;
     case 1:
-        printf("if (setjmp(*jump()) == 0) { v%d ^= f%d(3, v%d); back(v%d & 1); }\n", pick(VARIABLES),
+        printf("{ jmp_buf place; if (setjmp(place) == 0) { g[1] ^= f%d(3, v%d); back(place, v%d & 1); } }\n",
                pick(function), pick(VARIABLES), pick(VARIABLES));
         break;
     case 2:
@@ -174,10 +174,8 @@ int main(int argc, char **argv)
 {
     state = argc > 1 ? (unsigned)atoi(argv[1]) * 2654435761u : 1;
     printf("#include <math.h>\n#include <setjmp.h>\n#include <stdio.h>\n#include <string.h>\n\n"
-           "static unsigned g[32];\nstatic unsigned budget = 300;\nstatic jmp_buf place[400];\nstatic int "
-           "places;\n"
-           "static jmp_buf *jump(void) { return &place[places++ %% 400]; }\n"
-           "static void back(unsigned really) { if (really) longjmp(place[(places - 1) %% 400], 1); }\n"
+           "static unsigned g[32];\nstatic unsigned budget = 300;\n"
+           "static void back(jmp_buf place, unsigned really) { if (really) longjmp(place, 1); }\n"
            "static unsigned (*const table[%d])(unsigned, unsigned);\n\n",
            FUNCTIONS);
     for (function = 0; function < FUNCTIONS; function++)

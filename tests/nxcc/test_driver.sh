@@ -81,6 +81,7 @@ factors() {
 check "factors multiply what was written in a file or function, inlined or not" factors
 
 bad() { # LINE-OF-CFG TEXT
+    cp "$TEST/../../node/cpu/i860-calls.cfg" .
     sed "s/^    integer .*/$1/" "$TEST/../../node/cpu/i860xr.cfg" >bad.cfg
     says "$2" "$NXCC" --costs bad.cfg -c p.c
 }

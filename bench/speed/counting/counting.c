@@ -1,7 +1,8 @@
 /* counting.c - what counting costs: each kernel by gcc and by nxcc, in turn, in one run.
  *
- * Prints for each kernel the median over the rounds of (time counted / time plain) with the middle half's range, and the
- * simulated processor's clocks for the kernel. The results of both sides must be equal.
+ * Prints for each kernel the ratio time counted / time plain: the median over all rounds, and the least and greatest of
+ * the medians at the places (counting.mk says what those are). Then the simulated processor's clocks for the kernel, and
+ * how many it does in a second of the host. Results and clocks must be equal at all places.
  */
 #include <math.h>
 #include <stdio.h>
@@ -10,13 +11,11 @@
 #include "nx_api/nxcc/image.h"
 #include "kernels.h"
 
-#define DECLARE(name)                                                                                        \
-    double plain_##name(void);                                                                               \
-    double counted_##name(void);
+#define DECLARE_AT(place, name) double plain_##place##_##name(void), counted_##place##_##name(void);
+#define DECLARE(name) DECLARE_AT(0, name) DECLARE_AT(8, name) DECLARE_AT(24, name) DECLARE_AT(40, name)
 KERNELS(DECLARE)
-APP_KERNELS(DECLARE)
 
-enum { ROUNDS = 41 };
+enum { PLACES = 4, ROUNDS = 15 };
 static const int64_t budget = 1000000000; /* a preemption every 25 ms of virtual time */
 static const double round_seconds = 0.004;
 
@@ -29,16 +28,20 @@ void nxc_preempt(void)
     *nxc_image.left = budget;
 }
 
+typedef double kernel_fn(void);
+
 struct kernel {
     const char *name;
-    double (*plain)(void), (*counted)(void);
+    kernel_fn *plain[PLACES], *counted[PLACES];
 };
 
-static const struct kernel kernels[] = {
-#define ROW(name) {#name, plain_##name, counted_##name},
-    KERNELS(ROW) APP_KERNELS(ROW)};
+#define ROW(name)                                                                                            \
+    {#name,                                                                                                  \
+     {plain_0_##name, plain_8_##name, plain_24_##name, plain_40_##name},                                     \
+     {counted_0_##name, counted_8_##name, counted_24_##name, counted_40_##name}},
+static const struct kernel kernels[] = {KERNELS(ROW)};
 
-static double seconds(double (*run)(void), int times)
+static double seconds(kernel_fn *run, int times)
 {
     struct timespec a, b;
     clock_gettime(CLOCK_MONOTONIC, &a);
@@ -48,12 +51,12 @@ static double seconds(double (*run)(void), int times)
     return (double)(b.tv_sec - a.tv_sec) + 1e-9 * (double)(b.tv_nsec - a.tv_nsec);
 }
 
-static double clocks_of(double (*run)(void))
+static int64_t units_of(kernel_fn *run)
 {
     spent = 0;
     *nxc_image.left = budget;
     run();
-    return (double)(spent + budget - *nxc_image.left) / NXC_UNITS_PER_CLOCK;
+    return spent + budget - *nxc_image.left;
 }
 
 static int rising(const void *a, const void *b)
@@ -62,42 +65,68 @@ static int rising(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static double measure(const struct kernel *k)
+static double median(double *x, size_t n)
 {
-    double ratio[ROUNDS], once, clocks;
-    int times;
-    if (k->plain() != k->counted()) {
-        fprintf(stderr, "%s: plain and counted results differ\n", k->name);
+    qsort(x, n, sizeof *x, rising);
+    return x[n / 2];
+}
+
+static void check_equal(const struct kernel *k)
+{
+    double result = k->plain[0]();
+    k->counted[0](); /* what the kernel prepares once it has prepared now */
+    for (int p = 0; p < PLACES; p++) {
+        k->plain[p]();
+        k->counted[p]();
+        if (k->plain[p]() == result && k->counted[p]() == result &&
+            units_of(k->counted[p]) == units_of(k->counted[0]))
+            continue;
+        fprintf(stderr, "%s: results or counts differ\n", k->name);
         exit(1);
     }
-    clocks = clocks_of(k->counted);
-    once = seconds(k->plain, 1);
-    times = once < round_seconds ? (int)(round_seconds / once) + 1 : 1;
+}
+
+/* The ratios of one kernel at one place, in turn: first one side, then the other. Also adds up the counted side's time. */
+static void measure_at(const struct kernel *k, int place, double ratio[ROUNDS], double *counted_seconds)
+{
+    double once = seconds(k->plain[place], 1);
+    int times = once < round_seconds ? (int)(round_seconds / once) + 1 : 1;
     for (int i = 0; i < ROUNDS; i++) {
-        double plain, counted;
-        if (i & 1) {
-            plain = seconds(k->plain, times);
-            counted = seconds(k->counted, times);
-        } else {
-            counted = seconds(k->counted, times);
-            plain = seconds(k->plain, times);
-        }
+        double plain = 0, counted;
+        if (i & 1)
+            plain = seconds(k->plain[place], times);
+        counted = seconds(k->counted[place], times);
+        if (!(i & 1))
+            plain = seconds(k->plain[place], times);
         ratio[i] = counted / plain;
+        *counted_seconds += counted / times / (PLACES * ROUNDS);
     }
-    qsort(ratio, ROUNDS, sizeof *ratio, rising);
-    printf("%-14s %8.3f   %5.3f-%5.3f %14.0f\n", k->name, ratio[ROUNDS / 2], ratio[ROUNDS / 4],
-           ratio[3 * ROUNDS / 4], clocks);
-    return ratio[ROUNDS / 2];
+}
+
+static double measure(const struct kernel *k)
+{
+    double all[PLACES * ROUNDS], at_place[PLACES], counted = 0;
+    check_equal(k);
+    for (int p = 0; p < PLACES; p++)
+        measure_at(k, p, all + p * ROUNDS, &counted);
+    for (int p = 0; p < PLACES; p++)
+        at_place[p] = median(all + p * ROUNDS, ROUNDS);
+    double ratio = median(all, PLACES * ROUNDS),
+           clocks = (double)units_of(k->counted[0]) / NXC_UNITS_PER_CLOCK;
+    qsort(at_place, PLACES, sizeof *at_place, rising);
+    printf("%-14s %8.3f   %5.3f-%5.3f %12.0f %10.0f\n", k->name, ratio, at_place[0], at_place[PLACES - 1],
+           clocks, clocks / counted / 1e6);
+    return ratio;
 }
 
 int main(void)
 {
-    double all = 0;
+    double sum = 0;
     size_t n = sizeof kernels / sizeof *kernels;
-    printf("%-14s %8s   %11s %14s\n", "kernel", "counted/", "middle", "i860 clocks");
-    printf("%-14s %8s   %11s %14s\n", "", "plain", "half", "");
+    printf("%-14s %8s   %11s %12s %10s\n", "kernel", "counted/", "at places", "i860 clocks", "million");
+    printf("%-14s %8s   %11s %12s %10s\n", "", "plain", "least-most", "", "a second");
     for (size_t i = 0; i < n; i++)
-        all += log(measure(&kernels[i]));
-    printf("%-14s %8.3f\n", "geometric mean", exp(all / (double)n));
+        sum += log(measure(&kernels[i]));
+    printf("%-14s %8.3f\n", "geometric mean", exp(sum / (double)n));
     return 0;
 }

@@ -1,32 +1,40 @@
-# counting.mk - builds $B/bench/counting: the same kernels by gcc and by nxcc, each side one object that shows only its
-# kernels' names.
+# counting.mk - builds $B/bench/counting: the same kernels by gcc and by nxcc.
+#
+# How fast a short loop runs depends on where it happens to lie in memory, by more than what is measured here. So each side
+# is compiled for several places: PLACE bytes, never executed, stand before each function. A side at a place is one object
+# that shows only its kernels' names, plain_PLACE_* or counted_PLACE_*.
 COUNTING      := $B/bench/speed/counting
 COUNTING_DIR  := bench/speed/counting
-COUNTING_APP  := $(filter-out app/main.c,$(wildcard app/c3.c app/fit.c app/grid.c app/polygon.c app/slice.c app/tri*.c))
+PLACES        := 0 8 24 40
+COUNTING_APP  := $(wildcard $(patsubst %,app/%.c,c3 fit grid polygon slice tricubic trilinear))
 COUNTING_SRC  := $(COUNTING_DIR)/kernels.c $(COUNTING_DIR)/app_kernels.c $(COUNTING_APP)
 COUNTING_HDR  := $(wildcard $(COUNTING_DIR)/*.h app/*.h)
-COUNTING_OPT  := -std=gnu17 -O2 -fPIE -I.
-COUNTING_PLAIN = $(CC) -fno-tree-vectorize -fno-tree-slp-vectorize -ffp-contract=off
+COUNTING_OPT  := -std=gnu17 -O2 -fPIE -falign-functions=64 -I.
+COUNTING_OBJ  := $(foreach place,$(PLACES),$(COUNTING)/plain_$(place).o $(COUNTING)/counted_$(place).o)
 
-$(COUNTING)/plain/%.o: %.c $(COUNTING_HDR)
-	@mkdir -p $(@D)
-	$(COUNTING_PLAIN) $(COUNTING_OPT) -DSIDE=plain -c -o $@ $<
+define COUNTING_PLACE
+$(COUNTING)/plain_$(1)/%.o: %.c $(COUNTING_HDR)
+	@mkdir -p $$(@D)
+	$(CC) $(COUNTING_OPT) -fno-tree-vectorize -fno-tree-slp-vectorize -ffp-contract=off \
+	    -fpatchable-function-entry=$(1),$(1) -DSIDE=plain_$(1) -c -o $$@ $$<
 
-$(COUNTING)/counted/%.o: %.c $(COUNTING_HDR) $(NXCC_TOOLS)
-	@mkdir -p $(@D)
-	$B/nxcc $(COUNTING_OPT) $(COUNTING_FLAGS) -DSIDE=counted -c -o $@ $<
+$(COUNTING)/counted_$(1)/%.o: %.c $(COUNTING_HDR) $(NXCC_TOOLS)
+	@mkdir -p $$(@D)
+	$B/nxcc $(COUNTING_OPT) -fpatchable-function-entry=$(1),$(1) -DSIDE=counted_$(1) -c -o $$@ $$<
+
+$(COUNTING)/plain_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/plain_$(1)/%.o)
+$(COUNTING)/counted_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/counted_$(1)/%.o)
+endef
+$(foreach place,$(PLACES),$(eval $(call COUNTING_PLACE,$(place))))
+
+$(COUNTING_OBJ):
+	ld -r -o $@ $^
+	objcopy --wildcard --keep-global-symbol='$(notdir $(@:.o=))_*' $@
 
 $(COUNTING)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -fPIE -DNXC_HOSTED -c -o $@ $<
 
-$(COUNTING)/plain.o: $(COUNTING_SRC:%.c=$(COUNTING)/plain/%.o)
-	ld -r -o $@ $^
-	objcopy --wildcard --keep-global-symbol='plain_*' $@
-
-$(COUNTING)/counted.o: $(COUNTING_SRC:%.c=$(COUNTING)/counted/%.o) $(COUNTING)/runtime.o
-	ld -r -o $@ $^
-	objcopy --wildcard --keep-global-symbol='counted_*' --keep-global-symbol=nxc_image $@
-
-$B/bench/counting: $(COUNTING_DIR)/counting.c $(COUNTING)/plain.o $(COUNTING)/counted.o
+$B/bench/counting: $(COUNTING_DIR)/counting.c $(COUNTING_OBJ) $(COUNTING)/runtime.o
+	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -I. -o $@ $^ -lm

@@ -1,4 +1,4 @@
-/* kernels.c - the work of the counting benchmark, compiled twice: by gcc (SIDE plain) and by nxcc (SIDE counted).
+/* kernels.c - the work of the counting benchmark, compiled by gcc (SIDE plain_PLACE) and by nxcc (SIDE counted_PLACE).
  *
  * Each kernel does a fixed amount of work on its own data and returns a number that depends on all of it, so that
  * both sides can be compared and nothing is optimised away.
