@@ -54,47 +54,38 @@ static unsigned long long hash(int iso, int n, const vertex *v)
     return h;
 }
 
-void collect_polygon(int iso, int n, const vertex *v)
+int collect_pack(int n, const vertex *v, double *to)
 {
-    struct list *l = &all.list[iso];
     const double *from = v[0];
-    double *to;
     int i;
 
-    if (l->used + 1 + 6 * n > LIST_DOUBLES)
-        empty(l);
-    to = l->data + l->used;
     *to++ = n;
     for (i = 0; i < 6 * n; i++)
         *to++ = *from++;
-    l->used += 1 + 6 * n;
+    return 1 + 6 * n;
+}
+
+void collect_polygon(int iso, int n, const vertex *v)
+{
+    struct list *l = &all.list[iso];
+
+    if (l->used + 1 + 6 * n > LIST_DOUBLES)
+        empty(l);
+    l->used += collect_pack(n, v, l->data + l->used);
     all.found.polygons[iso] += 1;
     if (all.o->digest)
         all.found.digest += hash(iso, n, v);
 }
 
-void collect_packed(const double *message, long doubles)
+void collect_packed(int iso, const double *set, long doubles)
 {
-    const double *end = message + doubles;
+    const double *end = set + doubles;
+    int n;
 
-    while (message < end) {
-        int iso = (int)message[0], n = (int)message[1];
-
-        collect_polygon(iso, n, (const vertex *)(message + 2));
-        message += 2 + 6 * n;
+    for (; set < end; set += 1 + 6 * n) {
+        n = (int)set[0];
+        collect_polygon(iso, n, (const vertex *)(set + 1));
     }
-}
-
-int collect_pack(int iso, int n, const vertex *v, double *to)
-{
-    const double *from = v[0];
-    int i;
-
-    *to++ = iso;
-    *to++ = n;
-    for (i = 0; i < 6 * n; i++)
-        *to++ = *from++;
-    return 2 + 6 * n;
 }
 
 void collect_end(void)

@@ -14,11 +14,11 @@ const struct collection *collect_begin(const struct options *o, int node);
 /* Take one polygon. Call it with handlers held back, or from a handler. */
 void collect_polygon(int iso, int n, const vertex *v);
 
-/* Take packed polygons: each is its isovalue's number, n, and n vertices. */
-void collect_packed(const double *message, long doubles);
+/* Take a set of packed polygons of one surface: each is n, and n vertices. */
+void collect_packed(int iso, const double *set, long doubles);
 
-/* Pack one polygon in that form; answers the doubles used, 2 + 6 n. */
-int collect_pack(int iso, int n, const vertex *v, double *to);
+/* Pack one polygon in that form; answers the doubles used, 1 + 6 n. */
+int collect_pack(int n, const vertex *v, double *to);
 
 /* Empty the lists; no polygons follow. */
 void collect_end(void);

@@ -118,6 +118,8 @@ static void factor(double a[FIT_UNKNOWNS][BAND + 1])
         for (k = 1; k <= m; k++) {
             double *column = a[j + k], factor_k = pivot[k];
 
+            if (factor_k == 0)
+                continue; /* much of the band is empty, and stays so */
             for (i = k; i <= m; i++)
                 column[i - k] -= pivot[i] * factor_k;
         }

@@ -76,13 +76,16 @@ void host_read_first(void)
 static void open_layer(int j)
 {
     const struct grid *g = &host.o->grid;
+    double start;
 
     masktrap(1);
     host.layer = slices_layer(j);
     pool_fill(&host.pool, g->ny, g->nx);
     host.later--;
     host.open = 1;
+    start = dclock();
     service_queue();
+    host.handler_s += dclock() - start;
     service_watch();
     masktrap(0);
 }

@@ -2,7 +2,7 @@
  *
  * To hosts, taken by handlers:
  *   REQUEST    slave -> host    "I am nearly done": nothing in it
- *   POLYGONS   slave -> host    header: a body of polygons follows, of type BODY + the slave's node
+ *   POLYGONS   slave -> host    header: a body of polygons of one surface follows, of type BODY + the slave's node
  *   FIN        slave -> host    after NO_MORE: my polygons are all sent
  *   CONTROL    host -> host     news of a group, new slaves, questions
  *   TOTALS     host -> node 0   my group is done; these are its polygons
@@ -19,6 +19,7 @@
 enum { REQUEST = 1, POLYGONS, FIN, CONTROL, TOTALS, CHUNK, ORDER, ANSWER, WAKE, BODY = 1000 };
 
 struct polygons_message {
+    int iso;     /* the surface */
     int doubles; /* in the body */
 };
 

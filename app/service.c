@@ -163,14 +163,14 @@ static void on_request(long type, long count, long node, long pid)
     host.handler_s += dclock() - start;
 }
 
-/* The body follows its header at once; put its polygons on the lists. */
+/* The body follows its header at once; put its polygons on the surface's list. */
 static void on_polygons(long type, long count, long node, long pid)
 {
     double start = dclock();
 
     (void)type, (void)count, (void)pid;
     crecv(BODY + node, body, host.o->policy.buffer);
-    collect_packed(body, header.doubles);
+    collect_packed(header.iso, body, header.doubles);
     host.bodies++;
     hrecv(POLYGONS, &header, sizeof header, on_polygons);
     wake();

@@ -1,7 +1,8 @@
 /* slave.c - requests chunks of subcubes, computes them, sends their polygons.
  *
  * At most one request is under way, and one chunk stored ahead: the receive for the next chunk is posted before the
- * request is sent, so a host never waits for us. Polygons are sent from two buffers by turns.
+ * request is sent, so a host never waits for us. The polygons of each surface are kept by themselves, in two buffers
+ * by turns, and sent when a buffer is full or the node is about to wait.
  */
 #include <stddef.h>
 #include <nx.h>
@@ -12,6 +13,13 @@
 
 double slave_idle_s;
 
+/* The polygons of one surface: buffer[filling] is being filled, the other may be under way. */
+struct surface {
+    double *buffer[2];
+    long send[2]; /* message id of the buffer's last sending, or -1 */
+    int filling, used;
+};
+
 static struct {
     const struct options *o;
     int host;
@@ -20,56 +28,63 @@ static struct {
     long receive; /* message id of the next chunk's receive, or -1 when it has come */
     int turn;     /* the buffer it comes to */
     /* polygons */
-    double *polygons[2];
-    long send[2]; /* message id, or -1 */
-    int filling, used, messages;
+    struct surface surface[ISOVALUES_MAX];
+    int messages; /* of polygons, sent to this host */
 } slave;
 
 void slave_prepare(const struct options *o)
 {
-    int i;
+    int i, k;
 
     slave.o = o;
     for (i = 0; i < 2; i++) {
         slave.chunk[i] = allocate(chunk_bytes_max(&o->grid));
-        slave.polygons[i] = allocate(o->policy.buffer);
-        slave.send[i] = -1;
+        for (k = 0; k < o->iso.n; k++) {
+            slave.surface[k].buffer[i] = allocate(o->policy.buffer);
+            slave.surface[k].send[i] = -1;
+        }
     }
 }
 
-static void send_polygons(void)
+static void send_polygons(int iso)
 {
-    struct polygons_message header;
-    int b = slave.filling;
+    struct surface *s = &slave.surface[iso];
+    struct polygons_message header = {iso, s->used};
 
-    if (slave.used == 0)
-        return;
-    header.doubles = slave.used;
     csend(POLYGONS, &header, sizeof header, slave.host, 0);
-    slave.send[b] =
-        isend(BODY + mynode(), slave.polygons[b], slave.used * (long)sizeof(double), slave.host, 0);
+    s->send[s->filling] =
+        isend(BODY + mynode(), s->buffer[s->filling], s->used * (long)sizeof(double), slave.host, 0);
     slave.messages++;
-    slave.used = 0;
-    slave.filling = b ^ 1;
+    s->filling ^= 1;
+    s->used = 0;
+}
+
+static void flush_polygons(void)
+{
+    int iso;
+
+    for (iso = 0; iso < slave.o->iso.n; iso++)
+        if (slave.surface[iso].used > 0)
+            send_polygons(iso);
 }
 
 /* Before the first polygon goes into a buffer its last sending must be complete. */
-static void claim_buffer(void)
+static void claim_buffer(struct surface *s)
 {
-    long *id = &slave.send[slave.filling];
-
-    if (*id >= 0)
-        msgwait(*id);
-    *id = -1;
+    if (s->send[s->filling] >= 0)
+        msgwait(s->send[s->filling]);
+    s->send[s->filling] = -1;
 }
 
 static void keep_polygon(int iso, int n, const vertex *v)
 {
-    if ((slave.used + 2 + 6 * n) * (long)sizeof(double) > slave.o->policy.buffer)
-        send_polygons();
-    if (slave.used == 0)
-        claim_buffer();
-    slave.used += collect_pack(iso, n, v, slave.polygons[slave.filling] + slave.used);
+    struct surface *s = &slave.surface[iso];
+
+    if ((s->used + 1 + 6 * n) * (long)sizeof(double) > slave.o->policy.buffer)
+        send_polygons(iso);
+    if (s->used == 0)
+        claim_buffer(s);
+    s->used += collect_pack(n, v, s->buffer[s->filling] + s->used);
 }
 
 static void request(int buffer)
@@ -86,7 +101,7 @@ static struct chunk next_chunk(void)
         double start;
 
         if (slave.o->policy.flush == FLUSH_WAIT)
-            send_polygons();
+            flush_polygons();
         start = dclock();
         msgwait(slave.receive);
         slave_idle_s += dclock() - start;
@@ -108,7 +123,7 @@ static void compute(const struct chunk *c)
     if (lead == 0)
         request(other);
     if (slave.o->policy.flush == FLUSH_CHUNK)
-        send_polygons();
+        flush_polygons();
 }
 
 static void serve(int host)
@@ -123,7 +138,7 @@ static void serve(int host)
         compute(&c);
     if (c.kind == CHUNK_DISCARD)
         return; /* the host was finished when we came; it does not count us */
-    send_polygons();
+    flush_polygons();
     fin.messages = slave.messages;
     csend(FIN, &fin, sizeof fin, host, 0);
 }

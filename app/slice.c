@@ -2,30 +2,30 @@
 #include <math.h>
 #include "slice.h"
 
-struct point {
-    double x, y, z;
-};
-
-static struct point centre(const struct grid *g)
+static void centre(const struct grid *g, double c[3])
 {
-    struct point c;
-
-    c.x = (g->pixels_x - 1) / 2.0;
-    c.y = (g->pixels_y - 1) / 2.0;
-    c.z = (g->slices - 1) / 2.0 * g->dz;
-    return c;
+    c[0] = (g->pixels_x - 1) / 2.0;
+    c[1] = (g->pixels_y - 1) / 2.0;
+    c[2] = (g->slices - 1) / 2.0 * g->dz;
 }
 
-static double distance(double dx, double dy, double dz)
+static double distance(const double p[3], const double q[3])
 {
-    return sqrt(dx * dx + dy * dy + dz * dz);
+    double sum = 0;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        sum += (p[i] - q[i]) * (p[i] - q[i]);
+    return sqrt(sum);
 }
 
 static double levels_per_pixel(const struct grid *g)
 {
-    struct point c = centre(g);
+    static const double corner[3] = {0, 0, 0};
+    double c[3];
 
-    return 65535.0 / distance(c.x, c.y, c.z);
+    centre(g, c);
+    return 65535.0 / distance(corner, c);
 }
 
 double slice_level(const struct grid *g, double radius)
@@ -35,11 +35,16 @@ double slice_level(const struct grid *g, double radius)
 
 void slice_sphere(const struct grid *g, int k, pixel *image)
 {
-    struct point c = centre(g);
-    double scale = levels_per_pixel(g);
+    double scale = levels_per_pixel(g), c[3], p[3], level;
     int x, y;
 
+    centre(g, c);
+    p[2] = k * g->dz;
     for (y = 0; y < g->pixels_y; y++)
-        for (x = 0; x < g->pixels_x; x++)
-            *image++ = (pixel)(scale * distance(x - c.x, y - c.y, k * g->dz - c.z) + 0.5);
+        for (x = 0; x < g->pixels_x; x++) {
+            p[0] = x;
+            p[1] = y;
+            level = floor(scale * distance(p, c) + 0.5);
+            *image++ = level < 65535 ? (pixel)level : 65535;
+        }
 }

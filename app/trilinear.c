@@ -7,7 +7,7 @@
 #include <math.h>
 #include "subcube.h"
 
-#define INTERVALS 4
+#define INTERVALS 2
 
 static double mix(double a, double b, double t)
 {
