@@ -1,0 +1,50 @@
+#!/bin/bash
+# arguments.sh - what the user got wrong is said in his own terms, with 64 for arguments and 65 for input.
+. "$(dirname "$0")/common.bash"
+compile ring
+
+"$BUILD/touchstone" --help >out 2>err
+check "--help lists the commands" grep -q 'touchstone tables' out
+"$BUILD/touchstone" nonsense >out 2>err
+status=$?
+check "an unknown command" ended_with 64
+for c in run tables; do
+    "$BUILD/touchstone" $c --help >out 2>err
+    check "$c --help" grep -q '^usage: touchstone '$c out
+done
+
+wrong() { # NAME STATUS PATTERN ARGS...
+    local name=$1 expected=$2 pattern=$3
+    shift 3
+    "$BUILD/touchstone" "$@" >out 2>err </dev/null
+    status=$?
+    check "$name: status" ended_with "$expected"
+    check "$name: message" said "$pattern"
+}
+wrong "no program" 64 'which program' run
+wrong "an unknown option" 64 'no option --colour' run --colour ring
+wrong "no nodes" 64 "not '0'" run -n 0 ring
+wrong "words for a number" 64 "not 'many'" run -n many ring
+wrong "a program that is not there" 65 'nowhere' run nowhere
+wrong "a program of the host" 65 'nxcc' run /bin/true
+wrong "a machine that is not there" 65 'no machine "detla".*delta, ipsc860' run -m detla ring
+wrong "more nodes than the machine has" 65 '529 nodes.*16 x 33' run -n 529 ring
+wrong "more nodes than the hypercube has" 65 '129 nodes' run -m ipsc860 -n 129 ring
+wrong "an unknown table" 65 'none of these tables' tables -t 9
+wrong "a table that is no number" 64 "not 'one'" tables -t one
+wrong "no jobs" 64 "not '0'" tables -j 0
+
+# A machine file of one's own, gone wrong: file, line and key.
+bad() { # NAME SED-EXPRESSION PATTERN
+    sed "$2" "$tests/../../machines/delta.cfg" | sed "s#cpu/i860xr.cfg#$tests/../../machines/cpu/i860xr.cfg#" >bad.cfg
+    wrong "$1" 65 "$3" run -m ./bad.cfg ring
+}
+bad "machine file: a key misspelt" 's/rows =/row =/' 'bad.cfg:[0-9]+: row: unknown key; known here: kind, rows, columns'
+bad "machine file: a number out of range" 's/rows = 16/rows = 0/' 'bad.cfg:[0-9]+: rows: 0 is out of range'
+bad "machine file: a key missing" '/message_ids/d' 'bad.cfg:[0-9]+: message_ids: missing'
+bad "machine file: not a libconfig file" 's/topology = {/topology {/' 'bad.cfg:[0-9]+: syntax error'
+
+"$BUILD/nxcc" -o missing "$tests/missing.c" 2>err
+status=$?
+check "a call that is not there fails at link time" test $status != 0
+check "a call that is not there is named" said "undefined reference to .gfrobnicate"

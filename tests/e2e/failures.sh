@@ -1,0 +1,41 @@
+#!/bin/bash
+# failures.sh - a program that goes wrong: what touchstone says of it and the exit status.
+. "$(dirname "$0")/common.bash"
+for p in deadlock crash quits endless greedy flood; do compile $p; done
+
+run -n 4 deadlock
+check "deadlock: exit status 2" ended_with 2
+check "deadlock: a line for each node, with call, type and since when" \
+    test "$(grep -cE '^  node [0-3]: (crecv|cprobe|msgwait)\(-?[0-9]+\) since [0-9.]+ s' err)" = 4
+check "deadlock: crecv names its type" said '^  node 0: crecv\(7\) since'
+
+run -n 4 crash
+check "crash: exit status 1" ended_with 1
+check "crash: node and virtual time" said 'node 1 crashed at .*[0-9]\.[0-9]+ s'
+check "crash: backtrace with function and line" said 'in read_it.*crash\.c:8'
+check "crash: backtrace goes up to its callers" said 'ask_for_it.*crash\.c'
+
+run -n 3 quits
+check "exit(3) in a node: exit status 1" ended_with 1
+check "exit(3) in a node: it is named" said 'node 1 ended at .* with exit\(3\)'
+check "exit(3) in a node: the others go on" test "$(cat out)" = "$(printf 'node 0 is done\nnode 2 is done')"
+
+run --max-virtual-time 2.5 endless
+check "--max-virtual-time: exit status 1" ended_with 1
+check "--max-virtual-time: says so" said 'virtual time limit of 2\.5.* s'
+
+begun=$(date +%s)
+run --max-wall-time 1 endless
+check "--max-wall-time: exit status 1" ended_with 1
+check "--max-wall-time: says so" said 'wall time limit of 1 s'
+check "--max-wall-time: within a few seconds" test $(($(date +%s) - begun)) -le 4
+
+run -n 2 greedy
+check "memory: malloc gives NULL when the node's 16 MB are used" ended_with 0
+check "memory: a node of 16 MB has 13 or 14 for the program's heap" grep -qxE '1[34] MB' out
+run -n 2 greedy careless
+check "memory: the crash of a program that does not look says what was short" said 'memory was exhausted'
+
+run -n 2 flood
+check "flood: messages fill the receiver's memory, and the sender waits" ended_with 2
+check "flood: the sender is named" said '^  node 0: csend\(5\) since'

@@ -1,0 +1,7 @@
+/* missing.c - calls something that NX never had. */
+long gfrobnicate(long node);
+
+int main(void)
+{
+    return (int)gfrobnicate(0);
+}

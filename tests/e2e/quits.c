@@ -1,0 +1,12 @@
+/* quits.c - node 1 leaves with a status, the others go on. */
+#include <stdio.h>
+#include <stdlib.h>
+#include "nx.h"
+
+int main(void)
+{
+    if (mynode() == 1)
+        exit(3);
+    printf("node %ld is done\n", mynode());
+    return 0;
+}
