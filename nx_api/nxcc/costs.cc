@@ -285,6 +285,13 @@ bool is_quiet_name(const char *name)
     return false;
 }
 
+/* A program may have its own round() or log2(): then it is not declared in a system header. */
+bool is_declared_by_library(tree decl)
+{
+    location_t where = DECL_SOURCE_LOCATION(decl);
+    return where <= BUILTINS_LOCATION || in_system_header_at(where);
+}
+
 /* __builtin_ctz and its kin: an operation in the clothes of a call. */
 bool is_operation(gcall *call)
 {
@@ -385,5 +392,19 @@ bool costs_call_is_quiet(gcall *call)
     if (gimple_call_internal_p(call))
         return true;
     const char *name = library_name(call);
-    return name && (expanded_cost(call) >= 0 || is_quiet_name(name) || is_operation(call));
+    if (!name)
+        return false;
+    return expanded_cost(call) >= 0 || is_operation(call) ||
+           (is_quiet_name(name) && is_declared_by_library(gimple_call_fndecl(call)));
+}
+
+void costs_warn_if_taken_for_library(tree function)
+{
+    if (TREE_PUBLIC(function) && DECL_NAME(function) &&
+        is_quiet_name(IDENTIFIER_POINTER(DECL_NAME(function))))
+        warning_at(DECL_SOURCE_LOCATION(function), 0,
+                   "nxcc: %qD has the name of a C library function: files that include the library%'s header "
+                   "do not count "
+                   "it and must not be preempted in it; rename it or make it static",
+                   function);
 }

@@ -365,6 +365,7 @@ class count_pass : public gimple_opt_pass
     {
         if (!counter)
             counter = make_counter();
+        costs_warn_if_taken_for_library(f->decl);
         counting(f).run();
         return 0;
     }

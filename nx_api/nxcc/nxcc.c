@@ -44,7 +44,11 @@ static const char help[] =
     "node has;\n"
     "anything else is an undefined reference when it is linked. -node and -nx, which linked NX programs in "
     "their day,\n"
-    "are accepted.\n";
+    "are accepted.\n"
+    "\n"
+    "Handlers (hrecv, hsend) interrupt a program at loops and function calls. As everywhere in C, a variable "
+    "that a handler\n"
+    "changes must be volatile if a loop without calls waits for it.\n";
 
 /* --- errors and small strings --- */
 

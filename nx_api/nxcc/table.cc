@@ -205,7 +205,8 @@ std::string read_file(const char *path, T &into, bool (*read)(reader &, const co
     config_set_include_dir(&config, slash == std::string::npos ? "." : directory.substr(0, slash).c_str());
     if (config_read_file(&config, path) != CONFIG_TRUE) {
         bool syntax = config_error_type(&config) == CONFIG_ERR_PARSE;
-        r.error = std::string(path) + ":" +
+        const char *file = config_error_file(&config);
+        r.error = std::string(syntax && file ? file : path) + ":" +
                   (syntax ? std::to_string(config_error_line(&config)) + ": " : " ") +
                   config_error_text(&config);
         if (r.error.find("include") != std::string::npos)

@@ -80,6 +80,20 @@ factors() {
 }
 check "factors multiply what was written in a file or function, inlined or not" factors
 
+own_function() { # a program's own cbrt, declared by itself, counts like any function
+    cat >own.c <<'EOF'
+double cbrt(double x) { for (int i = 0; i < 100; i++) x = x * 0.5 + 1; return x; }
+EOF
+    cat >p.c <<'EOF'
+#include <stdio.h>
+double cbrt(double);
+int main(void) { double sum = 0; for (int i = 0; i < 10; i++) sum += cbrt(i); printf("%f\n", sum); return 0; }
+EOF
+    "$NXCC" -O2 -c own.c 2>said && grep -q "has the name of a C library function" said && "$NXCC" -O2 -c p.c &&
+        gcc -o p p.o own.o "$TEST"/{counter,report,hosted}.o && [ "$(./p 2>&1 >/dev/null)" -gt 10000000 ]
+}
+check "a function of the program's with a library's name is counted, with a warning" own_function
+
 bad() { # LINE-OF-CFG TEXT
     cp "$TEST/../../node/cpu/i860-calls.cfg" .
     sed "s/^    integer .*/$1/" "$TEST/../../node/cpu/i860xr.cfg" >bad.cfg
