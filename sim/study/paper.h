@@ -30,7 +30,7 @@ struct paper_table {
 };
 
 /* A choice that the paper leaves open and that was fitted to its figures. */
-struct paper_policy {
+struct paper_choice {
     char *option;
     char *fitted_to;
 };
@@ -40,8 +40,8 @@ struct paper {
     char *program; /* relative to where the built programs are */
     struct paper_table *tables;
     size_t count;
-    struct paper_policy *policies;
-    size_t policy_count;
+    struct paper_choice *choices;
+    size_t choice_count;
 };
 
 /* Each reads a file; NULL with a malloc'd *error for the user. */

@@ -104,8 +104,8 @@ static void print_fitted(FILE *out, const struct ink *ink, const struct results 
     }
     if (!fitted->count)
         fputs("  cost    none\n", out);
-    for (size_t i = 0; i < r->paper->policy_count; i++)
-        fprintf(out, "  policy  %s: %s\n", r->paper->policies[i].option, r->paper->policies[i].fitted_to);
+    for (size_t i = 0; i < r->paper->choice_count; i++)
+        fprintf(out, "  choice  %s: %s\n", r->paper->choices[i].option, r->paper->choices[i].fitted_to);
 }
 
 void results_print(const struct results *r, FILE *out)
