@@ -6,9 +6,10 @@
 #include "options.h"
 #include "slice.h"
 
-/* Isovalues are moved up by this much. Gray levels, and the cubic at lattice points, are whole multiples of some 1/4096,
- * so that F never equals an isovalue there and neighbouring subcubes always agree which points are inside. */
-#define OFF_LATTICE 1e-6
+/* Isovalues are moved up by this much. Gray levels are whole numbers and the cubic at lattice points mostly multiples of
+ * 1/4096, so that F does not equal an isovalue there: neighbouring subcubes agree which points are inside although
+ * they round differently, and no polygon shrinks to a point. */
+#define OFF_LATTICE (9.5 / 4096)
 
 /* By default the outermost of the equidistant spheres has this part of the shorter half side of the image. */
 #define OUTERMOST (11.0 / 12.0)

@@ -169,8 +169,10 @@ static void on_polygons(long type, long count, long node, long pid)
     double start = dclock();
 
     (void)type, (void)count, (void)pid;
-    crecv(BODY + node, body, host.o->policy.buffer);
-    collect_packed(header.iso, body, header.doubles);
+    if (header.doubles > 0) {
+        crecv(BODY + node, body, host.o->policy.buffer);
+        collect_packed(header.iso, body, header.doubles);
+    }
     host.bodies++;
     hrecv(POLYGONS, &header, sizeof header, on_polygons);
     wake();

@@ -52,20 +52,22 @@ static void send_polygons(int iso)
     struct polygons_message header = {iso, s->used};
 
     csend(POLYGONS, &header, sizeof header, slave.host, 0);
+    slave.messages++;
+    if (s->used == 0)
+        return;
     s->send[s->filling] =
         isend(BODY + mynode(), s->buffer[s->filling], s->used * (long)sizeof(double), slave.host, 0);
-    slave.messages++;
     s->filling ^= 1;
     s->used = 0;
 }
 
+/* All sets are sent, empty ones too: the host is told of every surface each time. */
 static void flush_polygons(void)
 {
     int iso;
 
     for (iso = 0; iso < slave.o->iso.n; iso++)
-        if (slave.surface[iso].used > 0)
-            send_polygons(iso);
+        send_polygons(iso);
 }
 
 /* Before the first polygon goes into a buffer its last sending must be complete. */
