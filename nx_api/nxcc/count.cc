@@ -212,6 +212,7 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
     }
     if (!is_gimple_reg(gimple_call_lhs(call)))
         return behind;
+    gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
     gimple *last = subtract(&seq, append_amount(&seq, call, per, *of)).after;
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);

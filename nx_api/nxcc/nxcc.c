@@ -79,6 +79,14 @@ static bool readable(const char *path)
     return access(path, R_OK) == 0;
 }
 
+static bool readable_in(const char *directory, const char *name)
+{
+    char *path = text("%s/%s", directory, name);
+    bool yes = readable(path);
+    free(path);
+    return yes;
+}
+
 /* --- where things are --- */
 
 struct places {
@@ -97,15 +105,16 @@ static struct places find_places(void)
     *strrchr(self, '/') = '\0';
 
     char *built = text("%s/node", self);
-    if (readable(text("%s/count.so", built)))
+    if (readable_in(built, "count.so"))
         return (struct places){
             .lib = built, .include = text("%s/include", built), .cpu = text("%s/cpu", built)};
+    free(built);
     struct places p = {
         .lib = text("%s/../lib/touchstone", self),
         .include = text("%s/../share/touchstone/include", self),
         .cpu = text("%s/../share/touchstone/cpu", self),
     };
-    if (!readable(text("%s/count.so", p.lib)))
+    if (!readable_in(p.lib, "count.so"))
         fail("count.so is neither in %s/node (build tree) nor in %s (installed): is the installation "
              "complete?",
              self, p.lib);
@@ -119,6 +128,7 @@ static char *find_costs(const struct places *p, const char *name)
     char *own = text("%s/%s", p->cpu, name);
     if (!strchr(name, '/') && readable(own))
         return own;
+    free(own);
     fail("--costs %s: %s (looked for it here and in %s)", name, strerror(errno), p->cpu);
 }
 
@@ -231,7 +241,9 @@ static struct arguments read_arguments(int argc, char **argv)
 static void add_plugin(struct arguments *a, const struct places *p)
 {
     add(a, text("-fplugin=%s/count.so", p->lib));
-    add(a, text("-fplugin-arg-count-costs=%s", find_costs(p, a->costs)));
+    char *costs = find_costs(p, a->costs);
+    add(a, text("-fplugin-arg-count-costs=%s", costs));
+    free(costs);
     if (a->factors) {
         if (!readable(a->factors))
             fail("--factors %s: %s", a->factors, strerror(errno));
@@ -301,15 +313,15 @@ static void print_command(const struct arguments *a)
 
 int main(int argc, char **argv)
 {
-    struct arguments user = read_arguments(argc, argv);
-    struct places p = find_places();
+    static struct arguments user, a; /* static: they live until gcc replaces us */
+    static struct places p;
+    user = read_arguments(argc, argv);
+    p = find_places();
     if (!user.has_file && argc == 1)
         fail("no input files; nxcc --help shows how it is used");
     bool link = user.links && user.has_file;
 
-    struct arguments a = user;
-    a.gcc = NULL;
-    a.count = 0;
+    a = (struct arguments){.costs = user.costs, .factors = user.factors};
     add(&a, user.gcc[0]);
     add_plugin(&a, &p);
     if (link)
@@ -319,7 +331,7 @@ int main(int argc, char **argv)
     add_compile(&a, &p);
     if (link)
         add_link(&a, &p);
-    if (a.dry_run) {
+    if (user.dry_run) {
         print_command(&a);
         return 0;
     }

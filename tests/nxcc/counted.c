@@ -2,6 +2,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "counted.h"
@@ -128,6 +129,11 @@ void c_copy(void *to, const void *from, size_t n)
 size_t c_length(const char *s)
 {
     return strlen(s);
+}
+
+int c_print(char *to, int number)
+{
+    return snprintf(to, 20, "%d", number);
 }
 
 int c_compare(const void *a, const void *b)

@@ -22,6 +22,7 @@ int c_tail_call(int (*f)(void));
 int c_pure_calls(int n);
 void c_copy(void *to, const void *from, size_t n);
 size_t c_length(const char *s);
+int c_print(char *to, int number);
 void c_sort(int *a, size_t n);
 int c_compare(const void *a, const void *b);
 long c_goto(const unsigned char *code);

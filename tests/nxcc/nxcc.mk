@@ -12,7 +12,7 @@ $(NXCC_TEST)/counted.o: tests/nxcc/counted.c tests/nxcc/counted.h tests/nxcc/dig
 	$B/nxcc -O2 --costs tests/nxcc/digits.cfg -c -o $@ $<
 
 $(NXCC_TEST)/test_count: tests/nxcc/test_count.c tests/nxcc/counter.c tests/nxcc/counter.h $(NXCC_TEST)/counted.o $(NXCC_TEST)/hosted.o
-	$(CC) $(CFLAGS) -o $@ $(filter %.c %.o,$^) -lcmocka -lm
+	$(CC) $(CFLAGS) -Wl,-z,execstack -o $@ $(filter %.c %.o,$^) -lcmocka -lm # nested functions
 
 $(NXCC_TEST)/linpack.o: tests/nxcc/linpack.c tests/nxcc/linpack.h $(NXCC_TOOLS)
 	@mkdir -p $(@D)

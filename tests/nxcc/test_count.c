@@ -73,6 +73,7 @@ static void calls_by_argument_and_result(void **state)
         assert_int_equal(COST(c_copy(a, b, n)), none + 2 * (int64_t)n);
     assert_int_equal(COST(c_length("")), 400);
     assert_int_equal(COST(c_length("abcdefg")), 400 + 7 * 3);
+    assert_int_equal(COST(c_print(a, 12345)), 200 + 5 * 7);
 }
 
 static void recursion(void **state)

@@ -20,7 +20,7 @@ $(COUNTING)/plain_$(1)/%.o: %.c $(COUNTING_HDR)
 
 $(COUNTING)/counted_$(1)/%.o: %.c $(COUNTING_HDR) $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
-	$B/nxcc $(COUNTING_OPT) -fpatchable-function-entry=$(1),$(1) -DSIDE=counted_$(1) -c -o $$@ $$<
+	$B/nxcc $(COUNTING_OPT) $(COUNTING_NXCC) -fpatchable-function-entry=$(1),$(1) -DSIDE=counted_$(1) -c -o $$@ $$<
 
 $(COUNTING)/plain_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/plain_$(1)/%.o)
 $(COUNTING)/counted_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/counted_$(1)/%.o)
