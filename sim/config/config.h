@@ -23,18 +23,18 @@ struct cfg_machine {
     uint32_t rows, columns; /* mesh: the whole machine; a user gets a rectangle of it */
 
     /* node = { cpu = "cpu/i860xr.cfg"; clock_mhz = 40.0; memory_mb = 16; system_kb = 1536; stack_kb = 512; } */
-    char *cpu;             /* class costs the node programs are to be built with, as a path */
+    char *cpu; /* class costs the node programs are to be built with, as a path */
     uint64_t clock_hz;
     uint64_t memory_bytes; /* all of a node's memory */
     uint64_t system_bytes; /* of which the operating system takes this much */
     uint64_t stack_bytes;  /* and the program's stack this much */
 
     /* net = { ... }: the wires */
-    uint64_t short_hop_ps;        /* a hop of a short message */
-    uint64_t long_hop_ps;         /* a hop of each of the three trips of a long one */
+    uint64_t short_hop_ps; /* a hop of a short message */
+    uint64_t long_hop_ps;  /* a hop of each of the three trips of a long one */
     uint64_t short_ps_per_byte;
     uint64_t long_ps_per_byte;
-    uint64_t short_limit;         /* longest message, in bytes, sent in one trip */
+    uint64_t short_limit; /* longest message, in bytes, sent in one trip */
 
     /* system = { ... }: the processor time that NX takes */
     uint64_t call_ps;             /* any call that looks at or changes the message state */
