@@ -264,6 +264,7 @@ static void add_compile(struct arguments *a, const struct places *p)
         "-fno-stack-protector",        /* a node's stack has guard pages */
         "-U_FORTIFY_SOURCE",           /* no __printf_chk */
         "-fcf-protection=none",        /* */
+        "-gno-record-gcc-switches",    /* the same object wherever nxcc is installed */
         "-mno-red-zone",               /* checks call from leaf functions: see plugin.cc */
         "-fasynchronous-unwind-tables" /* crash reports */
     };
