@@ -49,32 +49,26 @@ static void check_send(struct node *n, long type, const void *buf, long len, lon
         node_fail(n, "%s: the buffer is a null pointer", n->call);
 }
 
-/* One message on its way; s, if not NULL, learns when buf may be used again. */
-static void send_one(struct node *n, long type, const void *buf, long len, uint32_t to, struct send *s)
-{
-    struct proto *p = n->sys->proto;
-    struct message *m = proto_message(p, n->id, to, type, 0, buf, (size_t)len);
-    if (s)
-        mailbox_follow(m, s);
-    node_spend(n, proto_send_time(p, type, (size_t)len));
-    proto_send(p, m, node_now(n));
-    n->stats.sent++;
-    n->stats.sent_bytes += (uint64_t)len;
-}
-
-/* To one node or all others, one after the other. s belongs to the last. */
+/* To one node or all others. s, if not NULL, learns when buf may be used again: when the last message that this node
+ * itself sends is gone. */
 static void send_all(struct node *n, long type, const void *buf, long len, long node, struct send *s)
 {
-    if (node != ALL_NODES) {
-        send_one(n, type, buf, len, (uint32_t)node, s);
-        return;
-    }
-    uint32_t count = n->sys->count, last = n->id == count - 1 ? count - 2 : count - 1;
-    if (count == 1 && s)
+    struct proto *p = n->sys->proto;
+    bool all = node == ALL_NODES;
+    struct message *m = all ? proto_to_all(p, n->id, type, 0, buf, (size_t)len)
+                            : proto_message(p, n->id, (uint32_t)node, type, 0, buf, (size_t)len);
+    uint64_t receivers = all ? n->sys->count - 1 : 1;
+    n->stats.sent += receivers;
+    n->stats.sent_bytes += receivers * (uint64_t)len;
+    if (!m && s)
         s->done = true;
-    for (uint32_t i = 0; count > 1 && i < count; i++)
-        if (i != n->id)
-            send_one(n, type, buf, len, i, i == last ? s : NULL);
+    for (struct message *next; m; m = next) {
+        next = m->also;
+        if (!next && s)
+            mailbox_follow(m, s);
+        node_spend(n, proto_send_time(p, type, (size_t)len));
+        proto_send(p, m, node_now(n));
+    }
 }
 
 static bool send_is_done(struct node *n, void *arg)
@@ -248,7 +242,7 @@ static bool probe(struct node *n, long typesel)
 {
     const struct message *m = mailbox_probe(n, typesel);
     if (m)
-        n->info = (struct node_info){(long)m->type, (long)m->bytes, m->from, (long)m->pid};
+        n->info = (struct node_info){(long)m->type, (long)m->bytes, m->source, (long)m->pid};
     return m;
 }
 

@@ -1,6 +1,7 @@
 /* proto.c - see proto.h. Each function below is one arrow's end in its drawing. */
 #include "net/proto.h"
 #include <assert.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -117,8 +118,9 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
 {
     /* A message that is not under way yet is sent at `next` at the earliest, and takes the sender's time to
      * leave. */
-    vtime first = vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps);
-    vtime horizon = next == VT_NEVER ? VT_NEVER : next + first;
+    if (next == VT_NEVER)
+        return VT_NEVER;
+    vtime horizon = next + vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps);
     for (const struct message *m = p->in[node]; m; m = m->next_in)
         horizon = vt_min(horizon, vt_max(m->at_receiver.at, next + m->at_receiver.after));
     for (const struct message *m = p->out[node]; m; m = m->next_out)
@@ -131,14 +133,44 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
 static void on_started(void *ctx, struct wire_transit *t, vtime now);
 static void on_done(void *ctx, struct wire_transit *t, vtime now);
 
-struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
-                              const void *data, size_t bytes)
+/* What message.data points into: the bytes, and how many messages share them. */
+struct payload {
+    size_t users;
+    char bytes[];
+};
+
+static struct payload *payload_of(void *data)
+{
+    return (struct payload *)((char *)data - offsetof(struct payload, bytes));
+}
+
+static void *payload_new(const void *data, size_t bytes)
+{
+    struct payload *p = malloc(sizeof *p + bytes);
+    if (!p)
+        abort();
+    p->users = 0;
+    if (data)
+        memcpy(p->bytes, data, bytes);
+    return p->bytes;
+}
+
+static void payload_release(void *data)
+{
+    if (--payload_of(data)->users == 0)
+        free(payload_of(data));
+}
+
+/* data: a payload's. */
+static struct message *message_new(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+                                   void *data, size_t bytes)
 {
     struct message *m = calloc(1, sizeof *m);
-    if (!m || !(m->data = malloc(bytes ? bytes : 1)))
+    if (!m)
         abort();
-    memcpy(m->data, data ? data : "", data ? bytes : 0);
-    m->proto = p, m->from = from, m->to = to, m->type = type, m->pid = pid, m->bytes = bytes;
+    m->data = data;
+    payload_of(data)->users++;
+    m->proto = p, m->from = m->source = from, m->to = to, m->type = type, m->pid = pid, m->bytes = bytes;
     m->is_long = !one_trip(p, type, bytes);
     m->forced = (type & PROTO_FORCED) != 0;
     m->order = p->sent++;
@@ -152,13 +184,20 @@ struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64
     return m;
 }
 
+struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+                              const void *data, size_t bytes)
+{
+    return message_new(p, from, to, type, pid, payload_new(data, bytes), bytes);
+}
+
 static void ask_arrives(void *ctx, void *arg, vtime now);
 static void inject(void *ctx, void *arg, vtime now);
 
 void proto_send(struct proto *p, struct message *m, vtime when)
 {
     m->sent_at = when;
-    link_message(p, m);
+    if (!m->link_in)
+        link_message(p, m);
     if (m->is_long) {
         m->at_sender = at(when + 2 * trip(m));
         m->at_receiver = at(when + trip(m));
@@ -170,25 +209,90 @@ void proto_send(struct proto *p, struct message *m, vtime when)
     }
 }
 
+/* --- to all nodes, along a tree --- */
+
+/* What does not change between the messages of one tree. */
+struct tree {
+    struct proto *p;
+    uint32_t root;
+    int64_t type, pid;
+    void *data;
+    size_t bytes;
+};
+
+/* The node that is the i-th seen from the root. */
+static uint32_t tree_node(const struct tree *t, uint32_t i)
+{
+    uint32_t n = t->p->topo.nodes;
+    return (n & (n - 1)) == 0 ? t->root ^ i : (t->root + i) % n;
+}
+
+/* The messages by which i reaches the nodes i to i + count - 1, in the order it sends them. Those that it sends only
+ * when it has got its own are under way from now on: so they keep their place among the root's later messages. */
+static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t count)
+{
+    struct message *first = NULL, **link = &first;
+    while (count > 1) {
+        uint32_t half = 1;
+        while (half * 2 < count)
+            half *= 2;
+        struct message *m =
+            message_new(t->p, tree_node(t, i), tree_node(t, i + half), t->type, t->pid, t->data, t->bytes);
+        m->source = t->root;
+        if (i > 0) {
+            m->at_sender = NOTHING;
+            m->at_receiver = after(vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps));
+            link_message(t->p, m);
+        }
+        m->pass_on = tree_messages(t, i + half, count - half);
+        *link = m;
+        link = &m->also;
+        count = half;
+    }
+    return first;
+}
+
+struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
+                             size_t bytes)
+{
+    if (p->topo.nodes < 2)
+        return NULL;
+    struct tree t = {.p = p, .root = from, .type = type, .pid = pid, .bytes = bytes};
+    t.data = payload_new(data, bytes);
+    return tree_messages(&t, 0, p->topo.nodes);
+}
+
+/* The receiver of m sends on what it is to send on, from `when` on; returns when it is done with that. */
+static vtime pass_on(struct proto *p, struct message *m, vtime when)
+{
+    for (struct message *o = m->pass_on, *next; o; o = next) {
+        next = o->also;
+        when = p->nodes.work(p->nodes.ctx, o->from, when, proto_send_time(p, o->type, o->bytes));
+        proto_send(p, o, when);
+    }
+    m->pass_on = NULL;
+    return when;
+}
+
 /* --- envelopes, in the order sent --- */
 
 static void look_at(struct proto *p, struct message *m, vtime now);
 
-/* Is there a message under way between the same nodes, sent earlier, whose envelope has not come? */
+/* Is there a message under way between the same programs, sent earlier, whose envelope has not come? */
 static bool must_wait(const struct proto *p, const struct message *m)
 {
     for (const struct message *o = p->in [m->to]; o; o = o->next_in)
-        if (o->from == m->from && o->order < m->order && !o->envelope)
+        if (o->source == m->source && o->order < m->order && !o->envelope)
             return true;
     return false;
 }
 
 /* The envelope that waited for the one just seen, if it has come: the next in order. */
-static struct message *released(const struct proto *p, uint32_t from, uint32_t to)
+static struct message *released(const struct proto *p, uint32_t source, uint32_t to)
 {
     struct message *first = NULL;
     for (struct message *o = p->in[to]; o; o = o->next_in)
-        if (o->from == from && !o->envelope && (!first || o->order < first->order))
+        if (o->source == source && !o->envelope && (!first || o->order < first->order))
             first = o;
     return first && first->sent_at == VT_NEVER ? first : NULL;
 }
@@ -202,10 +306,10 @@ static void envelope_comes(struct proto *p, struct message *m, vtime now)
         m->at_receiver = after(0);
         return;
     }
-    uint32_t from = m->from, to = m->to;
+    uint32_t source = m->source, to = m->to;
     do {
         look_at(p, m, now);
-        m = released(p, from, to);
+        m = released(p, source, to);
     } while (m);
 }
 
@@ -300,7 +404,7 @@ static void on_started(void *ctx, struct wire_transit *t, vtime now)
 
 static void complete(struct proto *p, struct message *m, vtime now, vtime system)
 {
-    m->complete = p->nodes.work(p->nodes.ctx, m->to, now, system);
+    m->complete = pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, now, system));
     m->arrived = true;
     unlink_in(m);
     p->nodes.arrived(p->nodes.ctx, m, now);
@@ -312,7 +416,7 @@ static void whole_message(struct proto *p, struct message *m, vtime now)
         complete(p, m, now, p->cfg->short_receive_ps);
     } else {
         assert(m->forced);
-        p->nodes.work(p->nodes.ctx, m->to, now, p->cfg->short_receive_ps);
+        pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, now, p->cfg->short_receive_ps));
         proto_message_free(m);
     }
 }
@@ -330,13 +434,11 @@ static void on_done(void *ctx, struct wire_transit *t, vtime now)
     complete(p, m, now, p->cfg->long_receive_ps);
 }
 
-
-
 void proto_message_free(struct message *m)
 {
     unlink_in(m);
     unlink_out(m);
-    free(m->data);
+    payload_release(m->data);
     free(m);
 }
 

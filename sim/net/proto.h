@@ -11,6 +11,18 @@
  * the channel of long messages byte by byte where the machine has no DMA (send_us_per_byte, receive_us_per_byte).
  * Envelopes (short messages, asks) between two nodes are looked at in the order sent.
  *
+ * To all nodes: along a spanning tree. The sender has all the nodes to reach; it sends to the first of the upper part
+ * and leaves that part to it, and goes on with the lower part, until it is alone. With 8 nodes and node 0 sending, the
+ * three steps are as below; otherwise node numbers are counted from the sender, by exclusive or when they are a power of
+ * two, so that on a hypercube each message goes to a neighbour.
+ *
+ *     0 ----------------------> 4            1st
+ *     0 ---------> 2            4 --> 6      2nd
+ *     0 -> 1       2 -> 3       4 -> 5  6 -> 7   3rd
+ *
+ * A node's operating system passes a message on, whether its program has asked for it or not, before it gives it to the
+ * program. That NX takes log2 N steps is known; where in the kernel a message is passed on, and the order, are open.
+ *
  * The protocol knows nodes only through struct proto_nodes.
  */
 #ifndef PROTO_PROTO_H
@@ -30,9 +42,10 @@ struct proto_bound {
 
 struct message {
     uint32_t from, to;
+    uint32_t source; /* whose program sent it: from, unless it has been passed on */
     int64_t type, pid;
     size_t bytes;
-    void *data;     /* malloc'd copy; owned by the message */
+    void *data;     /* a copy of the sender's, shared by messages to all nodes */
     uint64_t order; /* of all messages, in the order sent */
     vtime sent_at;
 
@@ -48,6 +61,8 @@ struct message {
     struct proto *proto;
     struct message *next_in, **link_in;   /* under way to the receiver */
     struct message *next_out, **link_out; /* being sent by the sender */
+    struct message *pass_on;              /* what the receiver is to send on, linked by also */
+    struct message *also;
 
     /* the receiver's mailbox and the sender's call */
     struct message *next; /* unexpected */
@@ -78,6 +93,10 @@ vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes);
 struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
                               const void *data, size_t bytes);
 void proto_send(struct proto *p, struct message *m, vtime at);
+/* The messages that the sender itself sends to reach all other nodes, in order, linked by `also`; each to be handed to
+ * proto_send. NULL if there is no other node. */
+struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
+                             size_t bytes);
 /* Room has been found for a message whose envelope was answered with false. */
 void proto_grant(struct proto *p, struct message *m, vtime now);
 /* The receiver is done with it, or it is not wanted. */

@@ -286,12 +286,12 @@ void mailbox_take(struct node *n, struct receive *r, const char *call)
     struct message *m = r->m;
     if (m->bytes > r->room)
         node_fail(n, "%s: the message of type %ld from node %u has %zu bytes, but the buffer only %zu", call,
-                  (long)m->type, m->from, m->bytes, r->room);
+                  (long)m->type, m->source, m->bytes, r->room);
     if (m->bytes)
         memcpy(r->buf, m->data, m->bytes);
     if (m->buffered)
         node_spend(n, m->bytes * n->sys->cfg->copy_ps_per_byte);
-    n->info = (struct node_info){(long)m->type, (long)m->bytes, m->from, (long)m->pid};
+    n->info = (struct node_info){(long)m->type, (long)m->bytes, m->source, (long)m->pid};
     unbuffer(n, m);
     proto_message_free(m);
     r->m = NULL;

@@ -170,6 +170,57 @@ static void envelopes_between_two_nodes_are_seen_in_the_order_sent(void **state)
     end(&f);
 }
 
+static vtime to_all(uint32_t root, int64_t type, size_t bytes)
+{
+    struct fake f;
+    vtime last = 0, at = 0;
+    bool reached[NODES] = {false};
+    begin(&f, true);
+    for (struct message *m = proto_to_all(f.proto, root, type, 0, NULL, bytes), *next; m; m = next) {
+        next = m->also;
+        at += proto_send_time(f.proto, type, bytes);
+        proto_send(f.proto, m, at);
+    }
+    run(&f);
+    assert_int_equal(f.arrived_count, NODES - 1);
+    assert_int_equal(proto_under_way(f.proto), 0);
+    for (int i = 0; i < f.seen_count; i++) {
+        assert_int_equal(f.seen[i]->source, root);
+        assert_int_not_equal(f.seen[i]->to, root);
+        assert_false(reached[f.seen[i]->to]);
+        reached[f.seen[i]->to] = true;
+        last = vt_max(last, f.complete[i]);
+    }
+    end(&f);
+    return last;
+}
+
+/* Each of the three steps goes to a neighbour: 65 us and 10 for the hop. */
+static void a_message_to_all_takes_as_many_steps_as_the_cube_has_dimensions(void **state)
+{
+    (void)state;
+    for (uint32_t root = 0; root < NODES; root++) {
+        assert_int_equal(to_all(root, 5, 0), 3 * 75 * US);
+        assert_int_equal(to_all(root, PROTO_FORCED | 5, 0), 3 * 75 * US);
+    }
+    assert_in_range(to_all(5, 5, 1000), 3 * (177 + 390) * (vtime)US, 3 * (177 + 390 + 80) * (vtime)US);
+}
+
+static void a_later_message_does_not_overtake_one_to_all(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f, true);
+    for (struct message *m = proto_to_all(f.proto, 0, 5, 0, NULL, 100), *next; m; m = next) {
+        next = m->also;
+        proto_send(f.proto, m, 0);
+    }
+    struct message *direct = send(&f, 7, 5, 0, 1); /* node 7 gets the one before it by way of 4 and 6 */
+    run(&f);
+    assert_ptr_equal(f.seen[NODES - 1], direct);
+    end(&f);
+}
+
 static void nothing_reaches_a_node_before_its_horizon(void **state)
 {
     struct fake f;
@@ -203,6 +254,8 @@ int main(void)
         cmocka_unit_test(a_long_message_without_room_waits_for_its_grant),
         cmocka_unit_test(a_forced_message_without_a_receive_is_dropped),
         cmocka_unit_test(envelopes_between_two_nodes_are_seen_in_the_order_sent),
+        cmocka_unit_test(a_message_to_all_takes_as_many_steps_as_the_cube_has_dimensions),
+        cmocka_unit_test(a_later_message_does_not_overtake_one_to_all),
         cmocka_unit_test(nothing_reaches_a_node_before_its_horizon),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -25,7 +25,8 @@ int main(void)
     if (mynode() == 0) {
         hrecv(11, box[1], 8, handler);
         hrecv(12, box[2], 8, handler);
-        csend(1, c, 0, -1, 0);
+        csend(1, c, 0, 1, 0);
+        csend(1, c, 0, 2, 0);
         crecv(31, c, 8);
         crecv(32, c, 8);
         printf("both done\n");
