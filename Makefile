@@ -28,7 +28,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
--include nx_api/nxcc/nxcc.mk
+include nx_api/nxcc/nxcc.mk
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
@@ -51,15 +51,18 @@ include $(OWN_RULES)
 
 unit: $(UNIT)
 
-ASAN     := build/asan
+E2E      := $(wildcard tests/e2e/*.sh)
+E2E_ONCE  = %/exact.sh@$(ASAN) %/tables.sh@$(ASAN)
+
+ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
 ASAN_MAKE = $(SUBMAKE) B=$(ASAN) OPT="-O1 -g" SAN="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 
 test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 	$(SUBMAKE) all unit
-	$(ASAN_MAKE) unit
+	$(ASAN_MAKE) all unit
 	$(SUBMAKE) B=build/O0 OPT="-O0 -g" build/O0/touchstone
-	@BUILD=$(abspath $B) tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(wildcard tests/e2e/*.sh)
+	@tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
 
 # --- what a user calls ---------------------------------------------------------------------------------------
 tables: setup ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
