@@ -28,6 +28,17 @@ bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const
     return false;
 }
 
+/* What a file includes is looked for beside it. */
+static void include_beside(struct cfg_reader *r)
+{
+    const char *slash = strrchr(r->path, '/');
+    char *dir = slash ? strndup(r->path, (size_t)(slash - r->path)) : strdup(".");
+    if (!dir)
+        abort();
+    config_set_include_dir(&r->lib, *dir ? dir : "/");
+    free(dir);
+}
+
 bool cfg_open(struct cfg_reader *r, const char *path)
 {
     *r = (struct cfg_reader){.path = path};
@@ -35,10 +46,12 @@ bool cfg_open(struct cfg_reader *r, const char *path)
     FILE *in = fopen(path, "re");
     if (!in)
         return cfg_fail(r, NULL, NULL, "cannot be read: %m");
+    include_beside(r);
     bool read = config_read(&r->lib, in) == CONFIG_TRUE;
     fclose(in);
     if (!read) {
-        if (asprintf(&r->error, "%s:%d: %s (settings are written: key = value;)", path,
+        const char *file = config_error_file(&r->lib); /* the one included, or NULL */
+        if (asprintf(&r->error, "%s:%d: %s (settings are written: key = value;)", file ? file : path,
                      config_error_line(&r->lib), config_error_text(&r->lib)) < 0)
             abort();
         return false;

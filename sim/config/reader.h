@@ -19,8 +19,8 @@ struct cfg_reader {
     char *error;      /* malloc'd text of the first error, NULL while all is well; the caller may take it */
 };
 
-/* Reads path. On false only error is set; cfg_close() is due in either case and leaves error to the caller.
- */
+/* Reads path and what it includes (@include "FILE", looked for beside path). On false only error is set; cfg_close() is
+ * due in either case and leaves error to the caller. */
 bool cfg_open(struct cfg_reader *r, const char *path);
 void cfg_close(struct cfg_reader *r);
 
