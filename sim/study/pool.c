@@ -206,7 +206,7 @@ static void on_child(evutil_socket_t signal, short what, void *arg)
         job->wall_time_s = now_s() - c->started_s;
         c->pid = 0;
         p->status.running--;
-        settle(p, job, describe_end(status, err));
+        settle(p, job, p->stopped ? text_of("stopped") : describe_end(status, err));
         free(err);
         fill(p);
         tell(p, job);
