@@ -78,7 +78,7 @@ setup: ## Install what is missing of packages.txt (Debian, apt-get)
 	    dpkg-query -W -f '$${Status}' "$$p" 2>/dev/null | grep -q ' installed$$' || echo "$$p"; done); \
 	if [ -n "$$missing" ]; then \
 	    sudo=$$([ "$$(id -u)" = 0 ] || echo sudo); \
-	    $$sudo apt-get -q update && $$sudo apt-get -q install -y --no-install-recommends $$missing; \
+	    $$sudo apt-get -q update && $$sudo env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends $$missing; \
 	fi
 
 INST = $(DESTDIR)$(PREFIX)
