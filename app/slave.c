@@ -30,6 +30,7 @@ static struct {
     /* polygons */
     struct surface surface[ISOVALUES_MAX];
     int messages; /* of polygons, sent to this host */
+    int computed; /* something, since the last flush */
 } slave;
 
 void slave_prepare(const struct options *o)
@@ -61,11 +62,15 @@ static void send_polygons(int iso)
     s->used = 0;
 }
 
-/* All sets are sent, empty ones too: the host is told of every surface each time. */
+/* All sets are sent, empty ones too: the host is told of every surface each time. But not before the first chunk: a
+ * host that discards us does not wait for our messages, and must not get any. */
 static void flush_polygons(void)
 {
     int iso;
 
+    if (!slave.computed)
+        return;
+    slave.computed = 0;
     for (iso = 0; iso < slave.o->iso.n; iso++)
         send_polygons(iso);
 }
@@ -122,6 +127,7 @@ static void compute(const struct chunk *c)
             request(other);
         layer_cell(slave.o, &c->layer, c->first + i, keep_polygon);
     }
+    slave.computed = 1;
     if (lead == 0)
         request(other);
     if (slave.o->policy.flush == FLUSH_CHUNK)
