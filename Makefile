@@ -29,6 +29,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
 include nx_api/nxcc/nxcc.mk
+-include bench/machine/validate.mk
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
@@ -89,7 +90,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
-	install -m 644 machines/*.cfg $(INST)/share/touchstone/machines
+	install -m 644 machines/*.cfg machines/*.inc $(INST)/share/touchstone/machines
 	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper

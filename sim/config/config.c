@@ -17,14 +17,19 @@ struct time_key {
     const char *name;
     const char *tail; /* what follows the unit: "" or "_per_byte" */
     size_t offset;    /* of a uint64_t of picoseconds in struct cfg_machine */
+    bool optional;    /* 0 where the file does not give it */
 };
 #define TIME(name, member)                                                                                   \
     {                                                                                                        \
-        name, "", offsetof(struct cfg_machine, member)                                                       \
+        name, "", offsetof(struct cfg_machine, member), false                                                \
     }
 #define RATE(name, member)                                                                                   \
     {                                                                                                        \
-        name, "_per_byte", offsetof(struct cfg_machine, member)                                              \
+        name, "_per_byte", offsetof(struct cfg_machine, member), false                                       \
+    }
+#define OPTIONAL_RATE(name, member)                                                                          \
+    {                                                                                                        \
+        name, "_per_byte", offsetof(struct cfg_machine, member), true                                        \
     }
 
 static const struct time_key net_times[] = {
@@ -32,6 +37,7 @@ static const struct time_key net_times[] = {
     TIME("long_hop", long_hop_ps),
     RATE("short", short_ps_per_byte),
     RATE("long", long_ps_per_byte),
+    OPTIONAL_RATE("channel", channel_ps_per_byte),
 };
 static const struct time_key system_times[] = {
     TIME("call", call_ps),
@@ -66,8 +72,12 @@ static bool read_times(struct cfg_reader *r, config_setting_t *group, const stru
     known[used] = whole;
 
     bool ok = cfg_only(r, group, known) && cfg_whole(r, group, whole, min, max, value);
-    for (size_t i = 0; ok && i < count; i++)
-        ok = cfg_time(r, group, keys[i].name, keys[i].tail, (uint64_t *)((char *)m + keys[i].offset));
+    for (size_t i = 0; ok && i < count; i++) {
+        bool given = config_setting_get_member(group, names[2 * i]) ||
+                     config_setting_get_member(group, names[2 * i + 1]);
+        if (given || !keys[i].optional)
+            ok = cfg_time(r, group, keys[i].name, keys[i].tail, (uint64_t *)((char *)m + keys[i].offset));
+    }
     return ok;
 }
 

@@ -34,7 +34,9 @@ struct cfg_machine {
     uint64_t long_hop_ps;  /* a hop of each of the three trips of a long one */
     uint64_t short_ps_per_byte;
     uint64_t long_ps_per_byte;
-    uint64_t short_limit; /* longest message, in bytes, sent in one trip */
+    uint64_t
+        channel_ps_per_byte; /* what a channel could carry, if that is more than the nodes do; 0: not given */
+    uint64_t short_limit;    /* longest message, in bytes, sent in one trip */
 
     /* system = { ... }: the processor time that NX takes */
     uint64_t call_ps;             /* any call that looks at or changes the message state */

@@ -179,8 +179,9 @@ static struct message *message_new(struct proto *p, uint32_t from, uint32_t to, 
     bool small = bytes <= c->short_limit;
     m->transit =
         (struct wire_transit){.from = from, .to = to, .started = on_started, .done = on_done, .ctx = m};
-    m->transit.duration = hops_time(m, small ? c->short_hop_ps : c->long_hop_ps) +
-                          bytes * (small ? c->short_ps_per_byte : c->long_ps_per_byte);
+    vtime hops = hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
+    m->transit.duration = hops + bytes * (small ? c->short_ps_per_byte : c->long_ps_per_byte);
+    m->transit.holds = c->channel_ps_per_byte ? hops + bytes * c->channel_ps_per_byte : 0;
     return m;
 }
 

@@ -47,6 +47,7 @@ static void queue(struct channel *c, struct wire_transit *t)
     c->last = t;
 }
 
+static void pass(void *ctx, void *arg, vtime now);
 static void finish(void *ctx, void *arg, vtime now);
 
 /* Take channels until the route is complete or one is taken by another. */
@@ -64,6 +65,8 @@ static void advance(struct wire *w, struct wire_transit *t, vtime now)
         }
         c->holder = t;
     }
+    if (t->holds && t->holds < t->duration)
+        evq_put(w->q, now + t->holds, t->to, pass, w, t);
     evq_put(w->q, now + t->duration, t->to, finish, w, t);
     t->started(t->ctx, t, now);
 }
@@ -82,24 +85,40 @@ static struct wire_transit *hand_over(struct wire *w, struct channel *c, vtime n
     return t;
 }
 
-static void finish(void *ctx, void *arg, vtime now)
+/* Give back the channels between nodes, the two ports, or both: a route's first and last channels are the ports. */
+static void give_back(struct wire *w, const struct wire_transit *t, bool links, bool ports, vtime now)
 {
-    struct wire *w = ctx;
-    struct wire_transit *t = arg;
     struct topo_walk walk;
     uint32_t channel;
     topo_begin(&walk, t->from, t->to);
     for (uint32_t i = 0; i < t->held && topo_step(&w->topo, &walk, &channel); i++) {
+        bool port = i == 0 || i == t->held - 1;
+        if (port ? !ports : !links)
+            continue;
         struct wire_transit *heir = hand_over(w, &w->channels[channel], now);
         if (heir)
             advance(w, heir, now);
     }
+}
+
+static void pass(void *ctx, void *arg, vtime now)
+{
+    struct wire_transit *t = arg;
+    t->passed = true;
+    give_back(ctx, t, true, false, now);
+}
+
+static void finish(void *ctx, void *arg, vtime now)
+{
+    struct wire_transit *t = arg;
+    give_back(ctx, t, !t->passed, true, now);
     t->done(t->ctx, t, now);
 }
 
 void wire_send(struct wire *w, struct wire_transit *t, vtime now)
 {
     t->held = 0;
+    t->passed = false;
     topo_begin(&t->walk, t->from, t->to);
     advance(w, t, now);
 }

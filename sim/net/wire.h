@@ -5,6 +5,10 @@
  * taken waits for it, first come first served, keeping those it has. Routes take channels in an order without
  * cycles (topo.h), so this cannot deadlock. Taking a free channel takes no time; the hops' time is part of
  * the transit's duration.
+ *
+ * Where nodes are slower than channels, a message travels in packets, and those of others go between them. Its transit
+ * holds its channels for as long as its bytes would take at the channels' own speed (holds), and the two ports until
+ * it is done: several such messages share a channel until their sum is more than it can carry.
  */
 #ifndef WIRE_WIRE_H
 #define WIRE_WIRE_H
@@ -17,12 +21,14 @@ struct wire_transit {
     /* set by the caller */
     uint32_t from, to;
     vtime duration; /* from the whole route taken until the last byte has arrived */
+    vtime holds;    /* channels between nodes are given back after this time; 0: when it is done */
     void (*started)(void *ctx, struct wire_transit *t, vtime now); /* the whole route is taken */
     void (*done)(void *ctx, struct wire_transit *t, vtime now);    /* the last byte has arrived */
     void *ctx;
     /* the wire's own */
     struct topo_walk walk;
     uint32_t held;
+    bool passed;               /* has given back the channels between nodes */
     struct wire_transit *next; /* in a channel's queue */
 };
 

@@ -54,6 +54,18 @@ static void a_shared_channel_serves_one_at_a_time(void **state)
     assert_int_equal(t[1].done, 200);
 }
 
+static void a_fast_channel_serves_more_than_one_slow_node(void **state)
+{
+    struct trip t[] = {{.transit = {.from = 0, .to = 3, .holds = 30}},
+                       {.transit = {.from = 1, .to = 7, .holds = 30}},  /* shares 1 3 with the first */
+                       {.transit = {.from = 2, .to = 3, .holds = 30}}}; /* and its port at node 3 */
+    (void)state;
+    send(t, 3);
+    assert_int_equal(t[0].done, 100);
+    assert_int_equal(t[1].done, 130);
+    assert_int_equal(t[2].done, 200);
+}
+
 static void a_shared_node_costs_nothing(void **state)
 {
     struct trip t[] = {{.transit = {.from = 0, .to = 3}},
@@ -104,6 +116,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shared_channel_serves_one_at_a_time),
+        cmocka_unit_test(a_fast_channel_serves_more_than_one_slow_node),
         cmocka_unit_test(a_shared_node_costs_nothing),
         cmocka_unit_test(both_directions_go_at_once),
         cmocka_unit_test(a_node_receives_one_message_at_a_time),
