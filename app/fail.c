@@ -8,13 +8,13 @@
 void fail(const char *format, ...)
 {
     va_list arguments;
+    char text[512];
 
     masktrap(1);
-    fprintf(stderr, "model: node %ld: ", mynode());
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    fprintf(stderr, "\n");
+    fprintf(stderr, "model: node %ld: %s\n", mynode(), text); /* at one go: other nodes print too */
     fflush(stderr);
     killproc(-1, 0);
     exit(1);

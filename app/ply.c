@@ -30,12 +30,14 @@ FILE *ply_part_begin(const char *prefix, int surface, int node)
 /* A part file holds floats: n, then n vertices of x y z and normal. */
 void ply_part_write(FILE *part, const double *polygons, int doubles)
 {
-    const double *end = polygons + doubles;
+    static float single[1024];
+    int i, n;
 
-    for (; polygons < end; polygons++) {
-        float f = (float)*polygons;
-
-        if (fwrite(&f, sizeof f, 1, part) != 1)
+    for (; doubles > 0; doubles -= n, polygons += n) {
+        n = doubles < 1024 ? doubles : 1024;
+        for (i = 0; i < n; i++)
+            single[i] = (float)polygons[i];
+        if ((int)fwrite(single, sizeof *single, n, part) != n)
             fail("cannot write a part file: is the disk full?");
     }
 }
