@@ -9,6 +9,7 @@ void fail(const char *format, ...)
 {
     va_list arguments;
     char text[512];
+    long i;
 
     masktrap(1);
     va_start(arguments, format);
@@ -16,7 +17,9 @@ void fail(const char *format, ...)
     va_end(arguments);
     fprintf(stderr, "model: node %ld: %s\n", mynode(), text); /* at one go: other nodes print too */
     fflush(stderr);
-    killproc(-1, 0);
+    for (i = 0; i < numnodes(); i++)
+        if (i != mynode())
+            killproc(i, 0);
     exit(1);
 }
 

@@ -5,6 +5,7 @@
  * and Visualization on the Intel Delta".
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <nx.h>
 #include "host.h"
 #include "ply.h"
@@ -67,7 +68,7 @@ int main(int argc, char **argv)
     int r = read_options(&o, argc, argv), is_host;
 
     if (r)
-        return r < 0;
+        exit(r < 0);
     is_host = mynode() % group_size(&o) == 0;
     prepare(&o, is_host);
     gsync();
