@@ -266,7 +266,8 @@ static void add_compile(struct arguments *a, const struct places *p)
         "-fcf-protection=none",        /* */
         "-gno-record-gcc-switches",    /* the same object wherever nxcc is installed */
         "-mno-red-zone",               /* checks call from leaf functions: see plugin.cc */
-        "-fasynchronous-unwind-tables" /* crash reports */
+        "-fno-omit-frame-pointer",     /* crash reports follow them */
+        "-mno-omit-leaf-frame-pointer"
     };
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         add(a, options[i]);

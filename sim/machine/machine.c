@@ -62,7 +62,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->cfg = options->cfg;
     s->count = s->running = options->nodes;
     s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
-    s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : VT_SECOND;
+    s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : VT_SECOND / 10;
     s->out[0] = options->out, s->out[1] = options->err;
     s->q = evq_new();
     if (!make_shape(m, error))

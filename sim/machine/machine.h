@@ -10,7 +10,7 @@ struct machine_options {
     char **argv, **envp;
     double max_virtual_s; /* 0: none */
     double max_wall_s;    /* 0: none */
-    double slice_s;       /* longest slice of computing, 0: a second; see sim/node/cpu.h */
+    double slice_s;       /* longest slice of computing, 0: a tenth; see sim/node/cpu.h */
     FILE *out, *err;      /* the programs' output */
 };
 
