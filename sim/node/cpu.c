@@ -49,8 +49,7 @@ static void wake(void *ctx, void *arg, vtime now)
 
 void node_wake(struct node *n, vtime t)
 {
-    if (n->state == NODE_BLOCKED)
-        evq_put_late(n->sys->q, t, n->id, wake, n, NULL);
+    evq_put_late(n->sys->q, t, n->id, wake, n, NULL);
 }
 
 void node_start(struct node *n)
