@@ -151,14 +151,20 @@ bool node_run_handlers(struct node *n)
     return any;
 }
 
+/* Handlers that have become due while the node came here; others will wake it. */
+static void catch_up(struct node *n)
+{
+    while (node_run_handlers(n))
+        node_order(n);
+}
+
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
-    while (!ready(n, arg)) {
+    for (catch_up(n); !ready(n, arg); catch_up(n)) {
         vtime since = node_now(n), busy = n->stats.system;
         n->state = NODE_BLOCKED;
         fiber_yield(n->fiber);
-        n->stats.idle += node_now(n) - since - vt_min(n->stats.system - busy, node_now(n) - since);
-        while (node_run_handlers(n))
-            node_order(n);
+        vtime waited = node_now(n) - since;
+        n->stats.idle += waited - vt_min(n->stats.system - busy, waited);
     }
 }
