@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* --- messages ------------------------------------------------------------------------------------------ */
+/* --- messages --- */
 
 /* Send and return when buf may be reused (not: when received). Never waits for the receiver to post. */
 void csend(long type, const void *buf, long len, long node, long pid);
@@ -24,7 +24,8 @@ long isend(long type, const void *buf, long len, long node, long pid);
 /* Post a receive; returns a message id. buf holds the message once msgwait returns or msgdone answers 1. */
 long irecv(long typesel, void *buf, long len);
 /* Start a send; handler(type, count, node, pid) runs when buf may be reused. */
-void hsend(long type, const void *buf, long len, long node, long pid, void (*handler)(long, long, long, long));
+void hsend(long type, const void *buf, long len, long node, long pid,
+           void (*handler)(long, long, long, long));
 /* Post a receive for one message; when it is complete, handler(type, count, node, pid) interrupts the program.
  * Inside the handler infocount() and its kin describe that message; it may send, and post itself again. */
 void hrecv(long typesel, void *buf, long len, void (*handler)(long, long, long, long));
@@ -45,22 +46,73 @@ long infotype(void);  /* its type */
 /* 1 holds handlers back, 0 lets them run, held ones at once; returns the old state. */
 long masktrap(long state);
 
-/* --- the machine --------------------------------------------------------------------------------------- */
+/* --- the machine --- */
 
-long mynode(void);   /* 0 .. numnodes()-1 */
-long numnodes(void); /* nodes of this cube or submesh */
-long mypid(void);    /* 0 */
-long myhost(void);   /* the node number by which the host is addressed: numnodes() */
-long nodedim(void);  /* dimension of the cube: the least d with 2^d >= numnodes() */
-unsigned long mclock(void); /* milliseconds of the node's clock */
-double dclock(void);        /* seconds of the node's clock */
-void flick(void);           /* give the processor away for a moment */
+long mynode(void);                  /* 0 .. numnodes()-1 */
+long numnodes(void);                /* nodes of this cube or submesh */
+long mypid(void);                   /* 0 */
+long myhost(void);                  /* the node number by which the host is addressed: numnodes() */
+long nodedim(void);                 /* dimension of the cube: the least d with 2^d >= numnodes() */
+unsigned long mclock(void);         /* milliseconds of the node's clock */
+double dclock(void);                /* seconds of the node's clock */
+void flick(void);                   /* give the processor away for a moment */
 void killproc(long node, long pid); /* end a process; node -1: all, the caller's too */
 void killcube(long node, long pid); /* end all processes and flush messages */
 long gray(long n);                  /* n-th code of the binary reflected Gray sequence */
 long ginv(long n);                  /* its inverse */
 
-/* --- global operations: every node calls; x holds the result everywhere; work is scratch as long as x ------ */
+/* --- files: those under /cfs are the Concurrent File System's, spread over the disks of its I/O nodes ---
+ *
+ * open, close, read, write, lseek, unlink, stat and stdio work on them too; these calls add asynchronous and shared
+ * access. I/O modes: 0 each node its own file pointer; 1 one pointer, first come first served; 2 one pointer, nodes in
+ * order, any lengths; 3 one pointer, nodes in order, equal lengths in each round (and so without waiting). In 2 and 3
+ * all nodes take part. A pointer is where the first node that set the mode had its own.
+ * An error ends the process with a message, as in all plain calls. */
+
+struct iovec; /* sys/uio.h */
+
+#define M_UNIX 0
+#define M_LOG 1
+#define M_SYNC 2
+#define M_RECORD 3
+
+/* Open on all nodes (which all call it): node 0 creates and truncates. */
+int gopen(const char *path, int flags, int iomode, unsigned permissions);
+long iomode(int fd);
+void setiomode(int fd, int mode);
+
+/* Read or write at the pointer, and wait. Returns the bytes moved: fewer than asked at the end of the file. */
+long cread(int fd, void *buf, unsigned long len);
+long cwrite(int fd, const void *buf, unsigned long len);
+long creadv(int fd, const struct iovec *parts, int count);
+long cwritev(int fd, const struct iovec *parts, int count);
+/* The same, going on while the program computes: return an id for iodone or iowait. What is to be written is taken at
+ * once; what is read is in place once iowait returns or iodone answers 1. */
+long iread(int fd, void *buf, unsigned long len);
+long iwrite(int fd, const void *buf, unsigned long len);
+long ireadv(int fd, const struct iovec *parts, int count);
+long iwritev(int fd, const struct iovec *parts, int count);
+long iodone(long id); /* 1 if complete (the id is given back), else 0 */
+void iowait(long id); /* wait until it is complete; gives the id back */
+
+/* Sizes and places of more than 32 bits: slow the low half, shigh the high. */
+typedef struct s_size {
+    long slow, shigh;
+} esize_t;
+
+#define SIZE_SET 0
+#define SIZE_CUR 1
+#define SIZE_END 2
+
+esize_t eseek(int fd, esize_t offset, int whence); /* as lseek */
+/* Make the file at least so large, from its start, the pointer or its end on; returns its size. */
+long lsize(int fd, long offset, int whence);
+esize_t esize(int fd, esize_t offset, int whence);
+long iseof(int fd); /* 1 if the pointer is at the end of the file, else 0 */
+/* Keep an empty file on these disks (0, 1, ...) only. */
+void restrictvol(int fd, int count, const int disks[]);
+
+/* --- global operations: every node calls; x holds the result everywhere; work is scratch as long as x --- */
 
 void gsync(void);
 void gdsum(double x[], long n, double work[]);

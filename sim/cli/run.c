@@ -17,6 +17,9 @@ static const char HELP[] =
     "\n"
     "  -m MACHINE              a machine file (machines/NAME.cfg by its NAME, or a path); default delta\n"
     "  -n NODES                how many nodes; default 1\n"
+    "  --cfs DIR               the files of /cfs are those of this folder (made if missing); without it, of "
+    "a\n"
+    "                          temporary one that is gone after the run\n"
     "  --json FILE             write the figures of the run, per node too, as JSON\n"
     "  --max-virtual-time S    stop when a node passes S seconds of virtual time\n"
     "  --max-wall-time S       stop after S seconds of real time\n"
@@ -35,7 +38,7 @@ static const char HELP[] =
 enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
 
 struct arguments {
-    const char *machine, *json;
+    const char *machine, *json, *cfs;
     uint32_t nodes;
     double max_virtual_s, max_wall_s, slice_s;
     bool quiet, help;
@@ -62,8 +65,9 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE };
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
+                                         {"cfs", required_argument, NULL, CFS},
                                          {"max-virtual-time", required_argument, NULL, MAX_VIRTUAL},
                                          {"max-wall-time", required_argument, NULL, MAX_WALL},
                                          {"slice", required_argument, NULL, SLICE},
@@ -86,6 +90,9 @@ static int parse(int argc, char **argv, struct arguments *a)
             break;
         case JSON:
             a->json = optarg;
+            break;
+        case CFS:
+            a->cfs = optarg;
             break;
         case MAX_VIRTUAL:
             if (!positive(optarg, &a->max_virtual_s))
@@ -160,6 +167,7 @@ int cli_run(int argc, char **argv)
                                 .max_virtual_s = a.max_virtual_s,
                                 .max_wall_s = a.max_wall_s,
                                 .slice_s = a.slice_s,
+                                .cfs_dir = a.cfs,
                                 .out = stdout,
                                 .err = stderr};
     struct machine *m = machine_new(&o, &error);

@@ -1,5 +1,6 @@
 /* config.c - a machine file's keys, their places in struct cfg_machine, and the ranges they are held to. */
 #include "config/config.h"
+#include "config/cfs.h"
 #include "config/reader.h"
 
 #include <dirent.h>
@@ -149,7 +150,8 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
 
 static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
 {
-    static const char *const keys[] = {"name", "description", "topology", "node", "net", "system", NULL};
+    static const char *const keys[] = {"name", "description", "topology", "node",
+                                       "net",  "system",      "cfs",      NULL};
     const char *name, *description;
     config_setting_t *net, *system;
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "name", &name) ||
@@ -163,7 +165,8 @@ static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
            read_times(r, net, net_times, COUNT(net_times), "short_limit", 0, MB, &m->short_limit, m) &&
            cfg_group(r, r->root, "system", &system) &&
            read_times(r, system, system_times, COUNT(system_times), "message_ids", 1, 1000000,
-                      &m->message_ids, m);
+                      &m->message_ids, m) &&
+           cfg_read_cfs(r, &m->cfs);
 }
 
 static int is_machine(const struct dirent *e)

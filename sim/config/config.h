@@ -12,6 +12,31 @@
 
 enum cfg_topology { CFG_HYPERCUBE, CFG_MESH };
 
+/* cfs = { ... }: the Concurrent File System. io_nodes 0: the machine has none. */
+struct cfg_cfs {
+    uint64_t io_nodes;
+    uint64_t disks;         /* disk d hangs on I/O node d % io_nodes */
+    uint64_t block_bytes;   /* a file's block b is on its disk b % disks */
+    uint64_t window_blocks; /* a call has at most so many blocks per disk asked for and not yet answered */
+
+    /* an I/O node */
+    uint64_t cache_blocks;
+    uint64_t
+        read_ahead_blocks; /* a sequential read from disk brings so many blocks, the one asked for included */
+    uint64_t write_cluster_blocks; /* a write to disk takes up to so many that lie together */
+    uint64_t request_ps;           /* processor time of a request, beside that of its messages */
+    uint64_t copy_ps_per_byte;     /* between cache and message */
+
+    /* a disk */
+    uint64_t seek_ps;     /* to another place than where the last access ended */
+    uint64_t rotation_ps; /* half a turn, before every access */
+    uint64_t disk_ps_per_byte;
+
+    /* the directory process */
+    uint64_t open_ps;    /* open, create, remove, rename */
+    uint64_t pointer_ps; /* shared file pointers, sizes */
+};
+
 struct cfg_machine {
     char *name;        /* "delta" */
     char *description; /* one line for people */
@@ -52,6 +77,8 @@ struct cfg_machine {
     uint64_t copy_ps_per_byte;    /* from system buffer to the program's, when nothing was posted */
     uint64_t interrupt_ps;        /* entry to and exit from a handler, together */
     uint64_t message_ids;         /* ids one process may hold */
+
+    struct cfg_cfs cfs;
 };
 
 /* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.

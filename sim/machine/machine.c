@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "cfs/cfs.h"
 #include "kernel/fiber.h"
 #include "machine/crash.h"
+#include "machine/places.h"
 #include "node/cpu.h"
 #include "node/image.h"
 
@@ -24,8 +26,10 @@ static bool make_shape(struct machine *m, char **error)
     uint32_t n = m->options.nodes;
     bool cube = c->topology == CFG_HYPERCUBE;
     if (cube ? topo_hypercube(&m->sys.topo, n, c->dimension)
-             : topo_mesh(&m->sys.topo, n, c->rows, c->columns))
+             : topo_mesh(&m->sys.topo, n, c->rows, c->columns)) {
+        topo_add_services(&m->sys.topo, cfs_services(c));
         return true;
+    }
     int r = cube ? asprintf(error, "%s has no %u nodes: it is a hypercube of at most %u", c->name, n,
                             1u << c->dimension)
                  : asprintf(error, "%s has no rectangle of %u nodes: it is a mesh of %u x %u", c->name, n,
@@ -33,6 +37,17 @@ static bool make_shape(struct machine *m, char **error)
     if (r < 0)
         abort();
     return false;
+}
+
+static bool make_file_system(struct machine *m, char **error)
+{
+    struct node_system *s = &m->sys;
+    if (!s->cfg->cfs.io_nodes)
+        return true; /* it has none */
+    s->cfs = cfs_new(s, m->options.cfs_dir, error);
+    if (s->cfs)
+        s->fs = cfs_fs(s->cfs);
+    return s->cfs;
 }
 
 static bool make_nodes(struct machine *m, char **error)
@@ -67,9 +82,9 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->q = evq_new();
     if (!make_shape(m, error))
         goto fail;
-    struct proto_nodes up = {s, node_work, mailbox_envelope, mailbox_sent, mailbox_arrived};
+    struct proto_nodes up = places_calls(s);
     s->proto = proto_new(s->cfg, &s->topo, s->q, &up);
-    if (!make_nodes(m, error))
+    if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;
     m->start_s = wall_clock() - begin;
     return m;
@@ -86,6 +101,7 @@ void machine_free(struct machine *m)
     for (uint32_t i = m->sys.nodes ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);
     free(m->sys.nodes);
+    cfs_free(m->sys.cfs);
     proto_free(m->sys.proto);
     evq_free(m->sys.q);
     if (m->image)

@@ -12,6 +12,7 @@ struct machine_options {
     double max_wall_s;    /* 0: none */
     double slice_s;       /* longest slice of computing, 0: a tenth; see sim/node/cpu.h */
     FILE *out, *err;      /* the programs' output */
+    const char *cfs_dir;  /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 
 enum machine_outcome { MACHINE_ENDED, MACHINE_FAILED, MACHINE_DEADLOCK };

@@ -23,8 +23,8 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
         return NULL;
     p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
     p->wire = wire_new(topo, q);
-    p->in = calloc(topo->nodes, sizeof *p->in);
-    p->out = calloc(topo->nodes, sizeof *p->out);
+    p->in = calloc(topo->places, sizeof *p->in);
+    p->out = calloc(topo->places, sizeof *p->out);
     if (!p->wire || !p->in || !p->out) {
         proto_free(p);
         return NULL;
@@ -71,7 +71,7 @@ void proto_free(struct proto *p)
 {
     if (!p)
         return;
-    for (uint32_t i = 0; p->in && i < p->topo.nodes; i++)
+    for (uint32_t i = 0; p->in && i < p->topo.places; i++)
         while (p->in[i])
             proto_message_free(p->in[i]);
     wire_free(p->wire);

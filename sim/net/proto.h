@@ -69,6 +69,7 @@ struct message {
     void *receive;        /* the posted receive it is for, NULL: none yet */
     bool buffered;        /* held in a system buffer */
     void *send;           /* the sender's message id or handler, NULL: nobody asks */
+    void *service;        /* not between programs: what it is about, to a service or its client; else NULL */
 };
 
 struct proto_nodes {

@@ -1,7 +1,10 @@
-/* topo.c - see topo.h. Channel numbers: the links of node i first, then all ports in, then all ports out. */
+/* topo.c - see topo.h. Channel numbers: the links of node i first, then all ports in, then all ports out, then what
+ * each service has. */
 #include "net/topo.h"
+#include <assert.h>
 
 enum { EAST, WEST, SOUTH, NORTH, MESH_LINKS };
+enum { CUBE_SERVICE = 2, MESH_SERVICE = MESH_LINKS + 2 }; /* channels of a service; the last two: in, out */
 
 static uint32_t links(const struct topo *t)
 {
@@ -10,6 +13,7 @@ static uint32_t links(const struct topo *t)
 
 static void count_channels(struct topo *t)
 {
+    t->places = t->positions;
     t->channels = t->positions * (links(t) + 2);
 }
 
@@ -39,6 +43,43 @@ bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns)
     return t->rows > 0;
 }
 
+/* The mesh's added columns are whole: a route may pass where no service is. */
+void topo_add_services(struct topo *t, uint32_t n)
+{
+    assert(t->services == 0);
+    uint32_t routers = t->rows ? (n + t->rows - 1) / t->rows * t->rows : n;
+    t->services = n;
+    t->places = t->positions + n;
+    t->channels += routers * (t->rows ? MESH_SERVICE : CUBE_SERVICE);
+}
+
+/* --- the mesh, with its added columns --- */
+
+struct spot {
+    uint32_t x, y;
+};
+
+static struct spot spot_of(const struct topo *t, uint32_t place)
+{
+    if (place < t->positions)
+        return (struct spot){place % t->columns, place / t->columns};
+    uint32_t i = place - t->positions;
+    return (struct spot){t->columns + i / t->rows, i % t->rows};
+}
+
+static uint32_t place_of(const struct topo *t, struct spot s)
+{
+    return s.x < t->columns ? s.y * t->columns + s.x : t->positions + (s.x - t->columns) * t->rows + s.y;
+}
+
+/* The node of a hypercube at which a place enters and leaves the cube. */
+static uint32_t cube_node(const struct topo *t, uint32_t place)
+{
+    if (place < t->positions)
+        return place;
+    return (uint32_t)((uint64_t)(place - t->positions) * t->positions / t->services);
+}
+
 static uint32_t distance(uint32_t a, uint32_t b)
 {
     return a > b ? a - b : b - a;
@@ -47,8 +88,31 @@ static uint32_t distance(uint32_t a, uint32_t b)
 uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to)
 {
     if (!t->rows)
-        return (uint32_t)__builtin_popcount(from ^ to);
-    return distance(from / t->columns, to / t->columns) + distance(from % t->columns, to % t->columns);
+        return (uint32_t)__builtin_popcount(cube_node(t, from) ^ cube_node(t, to)) + (from >= t->positions) +
+               (to >= t->positions);
+    struct spot a = spot_of(t, from), b = spot_of(t, to);
+    return distance(a.x, b.x) + distance(a.y, b.y);
+}
+
+/* --- channels --- */
+
+/* First channel of a service's (or an empty router's) own. */
+static uint32_t service_channels(const struct topo *t, uint32_t place)
+{
+    return t->positions * (links(t) + 2) + (place - t->positions) * (t->rows ? MESH_SERVICE : CUBE_SERVICE);
+}
+
+/* The port into (0) or out of (1) the network. A hypercube's service has its channel for port. */
+static uint32_t port(const struct topo *t, uint32_t place, uint32_t out)
+{
+    if (place >= t->positions)
+        return service_channels(t, place) + (t->rows ? MESH_LINKS : 0) + out;
+    return t->positions * (links(t) + out) + place;
+}
+
+static uint32_t mesh_link(const struct topo *t, uint32_t place, uint32_t way)
+{
+    return (place < t->positions ? place * MESH_LINKS : service_channels(t, place)) + way;
 }
 
 void topo_begin(struct topo_walk *w, uint32_t from, uint32_t to)
@@ -56,9 +120,9 @@ void topo_begin(struct topo_walk *w, uint32_t from, uint32_t to)
     *w = (struct topo_walk){.at = from, .to = to};
 }
 
-static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w)
+static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32_t to)
 {
-    uint32_t bit = (uint32_t)__builtin_ctz(w->at ^ w->to);
+    uint32_t bit = (uint32_t)__builtin_ctz(w->at ^ to);
     uint32_t channel = w->at * t->dimension + bit;
     w->at ^= UINT32_C(1) << bit;
     return channel;
@@ -66,27 +130,30 @@ static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w)
 
 static uint32_t step_mesh(const struct topo *t, struct topo_walk *w)
 {
-    uint32_t c = t->columns, x = w->at % c, goal = w->to % c, from = w->at;
-    if (x < goal)
-        return w->at += 1, from * MESH_LINKS + EAST;
-    if (x > goal)
-        return w->at -= 1, from * MESH_LINKS + WEST;
-    if (w->at < w->to)
-        return w->at += c, from * MESH_LINKS + SOUTH;
-    return w->at -= c, from * MESH_LINKS + NORTH;
+    struct spot at = spot_of(t, w->at), goal = spot_of(t, w->to);
+    uint32_t from = w->at, way;
+    if (at.x != goal.x)
+        way = at.x < goal.x ? EAST : WEST;
+    else
+        way = at.y < goal.y ? SOUTH : NORTH;
+    at.x += (way == EAST) - (way == WEST);
+    at.y += (way == SOUTH) - (way == NORTH);
+    w->at = place_of(t, at);
+    return mesh_link(t, from, way);
 }
 
 bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel)
 {
-    uint32_t ports = t->positions * links(t);
+    uint32_t to = t->rows ? w->to : cube_node(t, w->to);
     if (!w->entered) {
         w->entered = true;
-        *channel = ports + w->at;
-    } else if (w->at != w->to) {
-        *channel = t->rows ? step_mesh(t, w) : step_hypercube(t, w);
+        *channel = port(t, w->at, 0);
+        w->at = t->rows ? w->at : cube_node(t, w->at);
+    } else if (w->at != to) {
+        *channel = t->rows ? step_mesh(t, w) : step_hypercube(t, w, to);
     } else if (!w->left) {
         w->left = true;
-        *channel = ports + t->positions + w->at;
+        *channel = port(t, w->to, 1);
     } else {
         return false;
     }

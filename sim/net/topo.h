@@ -3,6 +3,18 @@
  * Hypercube: e-cube routes, from the lowest differing bit up. Mesh: along the row first, then along the
  * column; nodes are numbered row by row. Channels are directed (full duplex); each node also has one port
  * into and one out of the network, which are the first and the last channel of every route.
+ *
+ * Services (I/O nodes, the directory of their file system) hang on the same network, at places of their own, numbered
+ * from `positions` up:
+ *   mesh        columns added at the right edge of the rectangle, filled downward, then outward: places of a larger
+ *               mesh, with the same routes.
+ *                   0  1  2 | 9  12
+ *                   3  4  5 | 10 13      3 x 3 nodes, 5 services: 9 to 13
+ *                   6  7  8 | 11 .
+ *   hypercube   each on a channel (one each way) of its own from a node, spread evenly: service i of n on node
+ *               i * positions / n. A route to it is that node's, then its channel.
+ * In both, every route takes classes of channels in one order (in, e-cube dimensions or row then column, out), so that
+ * there is no cycle of channels waiting for each other.
  */
 #ifndef TOPO_TOPO_H
 #define TOPO_TOPO_H
@@ -14,6 +26,8 @@ struct topo {
     uint32_t dimension;     /* hypercube: > 0 or one node; mesh: 0 */
     uint32_t rows, columns; /* mesh: the rectangle; hypercube: 0 */
     uint32_t positions;     /* nodes of the whole cube or rectangle, >= nodes */
+    uint32_t services;      /* places positions .. positions + services - 1 */
+    uint32_t places;        /* numbers in use for nodes and services: 0 .. places - 1 */
     uint32_t channels;
 };
 
@@ -23,10 +37,13 @@ bool topo_hypercube(struct topo *t, uint32_t n, uint32_t max_dimension);
  */
 bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns);
 
-/* Hops between two nodes, ports not counted. */
+/* Adds n services to a shape that has none. */
+void topo_add_services(struct topo *t, uint32_t n);
+
+/* Hops between two places, ports not counted. */
 uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);
 
-/* A route under way: the channels from one node to another, one at a time. */
+/* A route under way: the channels from one place to another, one at a time. */
 struct topo_walk {
     uint32_t at, to;
     bool entered, left;

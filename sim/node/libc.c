@@ -36,6 +36,7 @@ void node_libc_flush(struct node *n)
 void node_libc_free(struct node *n)
 {
     streams_close(&n->libc->streams);
+    descriptors_close(&n->libc->descriptors);
     free(n->libc->atexit);
     free(n->libc);
     n->libc = NULL;

@@ -4,10 +4,12 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include "node/libc.h"
+#include "node/descriptors.h"
 #include "node/streams.h"
 
 struct node_libc {
     struct streams streams;
+    struct descriptors descriptors;
     struct random_data random; /* as glibc's rand() and random(): additive feedback over 31 words */
     char random_state[128];
     struct drand48_data drand48;

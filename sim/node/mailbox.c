@@ -201,6 +201,12 @@ static uint64_t mix(uint64_t h, uint64_t x)
     return h ^ (h >> 29);
 }
 
+void node_system_digest(struct node_system *sys, const struct message *m, vtime now)
+{
+    sys->digest = mix(mix(sys->digest, now), (uint64_t)m->from << 32 | m->to);
+    sys->digest = mix(mix(sys->digest, (uint64_t)m->type), m->bytes);
+}
+
 void mailbox_arrived(void *ctx, struct message *m, vtime now)
 {
     struct node_system *sys = ctx;
@@ -208,8 +214,7 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
     struct receive *r = m->receive;
     sys->messages++;
     sys->bytes += m->bytes;
-    sys->digest = mix(mix(sys->digest, now), (uint64_t)m->from << 32 | m->to);
-    sys->digest = mix(mix(sys->digest, (uint64_t)m->type), m->bytes);
+    node_system_digest(sys, m, now);
     if (r && r->handler)
         add_due(n, m->complete, r, NULL);
     else

@@ -5,7 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
+#include "node/file.h"
 #include "node/libc_parts.h"
 #include "node/node.h"
 
@@ -112,22 +112,9 @@ int node_fflush(FILE *f)
     return 0;
 }
 
-/* --- names --- */
+/* --- names: open, unlink and the like are in descriptors.c --- */
 
 int node_remove(const char *path)
 {
-    node_order(node_self());
-    return remove(path);
-}
-
-int node_unlink(const char *path)
-{
-    node_order(node_self());
-    return unlink(path);
-}
-
-int node_rename(const char *from, const char *to)
-{
-    node_order(node_self());
-    return rename(from, to);
+    return file_unlink(node_self(), path);
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "node/file.h"
 #include "node/node.h"
 #include "node/streams.h"
 
@@ -25,22 +26,7 @@ static ssize_t stream_read(void *cookie, char *buf, size_t size)
         errno = EBADF;
         return -1;
     }
-    node_order(s->node);
-    return read(s->fd, buf, size);
-}
-
-static ssize_t write_file(const struct stream *s, const char *buf, size_t size)
-{
-    size_t done = 0;
-    while (done < size) {
-        ssize_t n = write(s->fd, buf + done, size - done);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            break;
-        done += (size_t)n;
-    }
-    return (ssize_t)done;
+    return file_read(s->target, buf, size);
 }
 
 static ssize_t stream_write(void *cookie, const char *buf, size_t size)
@@ -52,9 +38,11 @@ static ssize_t stream_write(void *cookie, const char *buf, size_t size)
         errno = EBADF;
         return 0;
     }
+    if (s->kind == STREAM_FILE) {
+        ssize_t done = file_write(s->target, buf, size);
+        return done < 0 ? 0 : done;
+    }
     node_order(s->node);
-    if (s->kind == STREAM_FILE)
-        return write_file(s, buf, size);
     node_output(s->node, s->fd, buf, size);
     return (ssize_t)size;
 }
@@ -66,9 +54,9 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
         errno = ESPIPE;
         return -1;
     }
-    if (whence == SEEK_END && on_its_node(s))
-        node_order(s->node); /* where the end is depends on what others have written */
-    off64_t at = lseek64(s->fd, *offset, whence);
+    if (!on_its_node(s))
+        return -1; /* the host's C library, tidying up at the end */
+    off64_t at = file_seek(s->target, *offset, whence);
     if (at < 0)
         return -1;
     *offset = at;
@@ -77,8 +65,13 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
 
 static int close_target(struct stream *s)
 {
-    int r = s->kind == STREAM_FILE ? close(s->fd) : 0;
+    int r = 0;
+    if (s->kind == STREAM_FILE && on_its_node(s))
+        r = file_close(s->target);
+    else if (s->kind == STREAM_FILE)
+        file_drop(s->target);
     s->kind = STREAM_CLOSED;
+    s->target = NULL;
     return r;
 }
 
@@ -89,8 +82,9 @@ static int stream_close(void *cookie)
 
 /* --- the list --- */
 
-static struct stream *add_stream(struct streams *list, struct node *n, enum stream_kind kind, int fd,
-                                 const char *mode)
+/* target NULL: kind is not FILE. */
+static struct stream *add_stream(struct streams *list, struct node *n, enum stream_kind kind,
+                                 struct node_file *target, const char *mode)
 {
     static const cookie_io_functions_t functions = {stream_read, stream_write, stream_seek, stream_close};
     struct stream *s = calloc(1, sizeof *s);
@@ -104,7 +98,7 @@ static struct stream *add_stream(struct streams *list, struct node *n, enum stre
     __fsetlocking(s->file, FSETLOCKING_BYCALLER);
     s->node = n;
     s->kind = kind;
-    s->fd = fd;
+    s->target = target;
     s->next = list->all;
     list->all = s;
     return s;
@@ -127,22 +121,30 @@ static void remove_stream(struct streams *list, struct stream *s)
     free(s);
 }
 
-static FILE *add_standard(struct streams *list, struct node *n, enum stream_kind kind, int fd,
-                          const char *mode)
+static struct stream *add_standard(struct streams *list, struct node *n, enum stream_kind kind,
+                                   struct node_file *target, const char *mode)
 {
-    struct stream *s = add_stream(list, n, kind, fd, mode);
+    struct stream *s = add_stream(list, n, kind, target, mode);
     if (s == NULL)
         abort();
     s->standard = true;
+    return s;
+}
+
+static FILE *add_output(struct streams *list, struct node *n, int fd)
+{
+    struct stream *s = add_standard(list, n, STREAM_OUTPUT, NULL, "w");
+    s->fd = fd;
     return s->file;
 }
 
 void streams_open(struct streams *list, struct node *n)
 {
-    int in = n->id == 0 ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
-    list->in = add_standard(list, n, in < 0 ? STREAM_CLOSED : STREAM_FILE, in, "r");
-    list->out = add_standard(list, n, STREAM_OUTPUT, STDOUT_FILENO, "w");
-    list->err = add_standard(list, n, STREAM_OUTPUT, STDERR_FILENO, "w");
+    int fd = n->id == 0 ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
+    struct node_file *in = file_of_host(n, fd);
+    list->in = add_standard(list, n, in ? STREAM_FILE : STREAM_CLOSED, in, "r")->file;
+    list->out = add_output(list, n, STDOUT_FILENO);
+    list->err = add_output(list, n, STDERR_FILENO);
     setvbuf(list->out, NULL, _IOLBF, BUFSIZ);
     setvbuf(list->err, NULL, _IONBF, 0);
 }
@@ -181,23 +183,20 @@ static int open_flags(const char *mode)
     return flags | (*mode == 'r' ? O_RDONLY : O_WRONLY) | O_CLOEXEC;
 }
 
-static int open_file(struct node *n, const char *path, const char *mode)
+static struct node_file *open_file(struct node *n, const char *path, const char *mode)
 {
     int flags = open_flags(mode);
-    if (flags < 0)
-        return -1;
-    node_order(n);
-    int fd = open(path, flags, 0666);
-    if (fd >= 0 && *mode == 'a')
-        lseek(fd, 0, SEEK_END);
-    return fd;
+    struct node_file *f = flags < 0 ? NULL : file_open(n, path, flags, 0666);
+    if (f != NULL && *mode == 'a')
+        file_seek(f, 0, SEEK_END);
+    return f;
 }
 
-static FILE *file_of(struct streams *list, struct node *n, int fd, const char *mode)
+static FILE *file_of(struct streams *list, struct node *n, struct node_file *f, const char *mode)
 {
-    struct stream *s = fd < 0 ? NULL : add_stream(list, n, STREAM_FILE, fd, mode);
-    if (s == NULL && fd >= 0)
-        close(fd);
+    struct stream *s = f == NULL ? NULL : add_stream(list, n, STREAM_FILE, f, mode);
+    if (s == NULL && f != NULL)
+        file_close(f);
     return s == NULL ? NULL : s->file;
 }
 
@@ -212,7 +211,7 @@ FILE *stream_tmpfile(struct streams *list, struct node *n)
     int fd = mkostemp(path, O_CLOEXEC);
     if (fd >= 0)
         unlink(path);
-    return file_of(list, n, fd, "w+");
+    return file_of(list, n, file_of_host(n, fd), "w+");
 }
 
 int stream_fclose(struct streams *list, FILE *f)
@@ -246,15 +245,15 @@ FILE *stream_freopen(struct streams *list, const char *path, const char *mode, F
     if (__fwriting(f))
         fflush(f);
     close_target(s);
-    int fd = open_file(s->node, path, mode);
-    if (fd < 0) {
+    struct node_file *target = open_file(s->node, path, mode);
+    if (target == NULL) {
         int why = errno;
         if (!s->standard)
             stream_fclose(list, f);
         errno = why;
         return NULL;
     }
-    s->fd = fd;
+    s->target = target;
     s->kind = STREAM_FILE;
     __fpurge(f);
     fseek(f, 0, *mode == 'a' ? SEEK_END : SEEK_SET); /* forget the place in the old file */

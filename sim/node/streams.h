@@ -1,8 +1,8 @@
 /* streams.h - a node's stdio streams: FILEs of the host whose reading and writing go through its node.
  *
  * Everything that leaves or enters a node program does so at the node's place in the machine's order
- * (node_order): what it prints is handed to node_output, and host files are opened, read, written and closed
- * in the order of virtual time. The FILEs take no locks (FSETLOCKING_BYCALLER): a fiber may be switched away
+ * (node_order): what it prints is handed to node_output, and files are opened, read, written and closed in the order
+ * of virtual time (file.h). The FILEs take no locks (FSETLOCKING_BYCALLER): a fiber may be switched away
  * in the middle of one. A program that ends leaves its streams in the list, and streams_close() discards what
  * they still hold.
  */
@@ -12,6 +12,7 @@
 #include <stdio.h>
 
 struct node;
+struct node_file;
 
 enum stream_kind { STREAM_OUTPUT, STREAM_FILE, STREAM_CLOSED };
 
@@ -19,7 +20,8 @@ struct stream {
     struct node *node;
     FILE *file;
     enum stream_kind kind;
-    int fd;        /* OUTPUT: 1 or 2 for node_output. FILE: the host's descriptor */
+    int fd;                   /* OUTPUT: 1 or 2 for node_output */
+    struct node_file *target; /* FILE: file.h */
     bool standard; /* never freed before the node is: the program has it in stdin, stdout or stderr */
     struct stream *next;
 };

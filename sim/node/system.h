@@ -4,6 +4,7 @@
 #include "config/config.h"
 #include "kernel/evq.h"
 #include "net/proto.h"
+#include "node/file.h"
 #include "node/node.h"
 
 enum node_stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
@@ -13,6 +14,8 @@ struct node_system {
     struct evq *q;
     struct proto *proto;
     struct topo topo;
+    const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
+    struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
     uint32_t count, running;
     vtime max_time;      /* VT_NEVER: none */
@@ -35,6 +38,9 @@ struct node_system {
 /* Record the first failure (printf-like), and stop the machine with `why`. */
 void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* A message has arrived: into the digest. */
+void node_system_digest(struct node_system *sys, const struct message *m, vtime now);
 
 /* Make a node with its program loaded, ready to start at time 0. NULL with *error set. */
 struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,

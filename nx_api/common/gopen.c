@@ -1,0 +1,18 @@
+/* gopen.c - opening a file on all nodes: the first creates it, so that the others find it. */
+#include <fcntl.h>
+#include <nx.h>
+
+/* Opens on this node and sets the I/O mode; an error ends the process as gopen's. The simulator's. */
+int nx_gopen_one(const char *path, int flags, int iomode, unsigned permissions);
+
+int gopen(const char *path, int flags, int iomode, unsigned permissions)
+{
+    int fd = -1;
+    if (mynode() == 0)
+        fd = nx_gopen_one(path, flags, iomode, permissions);
+    gsync();
+    if (mynode() != 0)
+        fd = nx_gopen_one(path, flags & ~(O_CREAT | O_EXCL | O_TRUNC), iomode, permissions);
+    gsync();
+    return fd;
+}

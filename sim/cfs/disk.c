@@ -1,0 +1,87 @@
+/* disk.c - see disk.h. */
+#include "cfs/disk.h"
+#include <stdlib.h>
+
+struct disk {
+    const struct cfg_cfs *cfg;
+    struct evq *q;
+    uint32_t place;
+    struct disk_access *first, *last; /* waiting */
+    struct disk_access *now;          /* being served, NULL: idle */
+    bool moved;                       /* the head is at (file, row) */
+    uint32_t file;
+    uint64_t row;
+    struct disk_stats stats;
+};
+
+struct disk *disk_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t place)
+{
+    struct disk *d = calloc(1, sizeof *d);
+    if (!d)
+        abort();
+    d->cfg = cfg, d->q = q, d->place = place;
+    return d;
+}
+
+void disk_free(struct disk *d)
+{
+    free(d);
+}
+
+static vtime service_time(struct disk *d, const struct disk_access *a)
+{
+    bool there = d->moved && d->file == a->file && d->row == a->row;
+    d->moved = true, d->file = a->file, d->row = a->row + a->rows;
+    d->stats.seeks += !there;
+    return (there ? 0 : d->cfg->seek_ps) + d->cfg->rotation_ps +
+           a->rows * d->cfg->block_bytes * d->cfg->disk_ps_per_byte;
+}
+
+static void finish(void *ctx, void *arg, vtime now);
+
+/* Serve the first that is still wanted. */
+static void serve(struct disk *d, vtime now)
+{
+    while (!d->now && d->first) {
+        struct disk_access *a = d->first;
+        d->first = a->next;
+        if (!d->first)
+            d->last = NULL;
+        if (a->starts && !a->starts(a->ctx, a)) {
+            a->rows = 0;
+            a->done(a->ctx, a, now);
+            continue;
+        }
+        vtime t = service_time(d, a);
+        d->now = a;
+        d->stats.busy += t;
+        d->stats.accesses++;
+        d->stats.rows += a->rows;
+        evq_put(d->q, now + t, d->place, finish, d, a);
+    }
+}
+
+static void finish(void *ctx, void *arg, vtime now)
+{
+    struct disk *d = ctx;
+    struct disk_access *a = arg;
+    d->now = NULL;
+    a->done(a->ctx, a, now);
+    serve(d, now);
+}
+
+void disk_put(struct disk *d, struct disk_access *a, vtime now)
+{
+    a->next = NULL;
+    if (d->last)
+        d->last->next = a;
+    else
+        d->first = a;
+    d->last = a;
+    serve(d, now);
+}
+
+const struct disk_stats *disk_stats(const struct disk *d)
+{
+    return &d->stats;
+}

@@ -1,0 +1,379 @@
+/* ionode.c - see ionode.h. */
+#include "cfs/ionode.h"
+#include <stdlib.h>
+#include "cfs/cache.h"
+
+struct io_disk {
+    struct disk *disk;
+    uint64_t **last; /* by file id, by node: the block read last, plus 1; NULL, 0: none */
+    uint32_t files;
+};
+
+struct ionode {
+    const struct cfg_cfs *cfg;
+    struct evq *q;
+    uint32_t index, place, nodes;
+    struct ionode_up up;
+    vtime free_at; /* processor */
+    struct cache *cache;
+    struct io_disk *disks;
+    uint32_t disk_count;
+    struct io_request *stalled, **stalled_end; /* no idle cache block */
+    struct ionode_stats stats;
+};
+
+/* An access to disk: rows of one file, whose blocks are `stride` apart. */
+struct transfer {
+    struct disk_access access;
+    struct ionode *io;
+    struct io_disk *disk;
+    uint64_t block;
+    uint32_t stride;
+};
+
+/* --- making --- */
+
+struct ionode *ionode_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t index, uint32_t place,
+                          uint32_t nodes, const struct ionode_up *up)
+{
+    struct ionode *io = calloc(1, sizeof *io);
+    uint32_t disks = (uint32_t)((cfg->disks - index + cfg->io_nodes - 1) / cfg->io_nodes);
+    if (!io || !(io->disks = calloc(disks, sizeof *io->disks)))
+        abort();
+    io->cfg = cfg, io->q = q, io->index = index, io->place = place, io->nodes = nodes, io->up = *up;
+    io->cache = cache_new(cfg->cache_blocks);
+    io->stalled_end = &io->stalled;
+    io->disk_count = disks;
+    for (uint32_t i = 0; i < disks; i++)
+        io->disks[i].disk = disk_new(cfg, q, place);
+    return io;
+}
+
+void ionode_free(struct ionode *io)
+{
+    if (!io)
+        return;
+    for (uint32_t i = 0; i < io->disk_count; i++) {
+        for (uint32_t f = 0; f < io->disks[i].files; f++)
+            free(io->disks[i].last[f]);
+        free(io->disks[i].last);
+        disk_free(io->disks[i].disk);
+    }
+    free(io->disks);
+    cache_free(io->cache);
+    free(io);
+}
+
+vtime ionode_work(struct ionode *io, vtime at, vtime t)
+{
+    io->stats.busy += t;
+    return io->free_at = vt_max(at, io->free_at) + t;
+}
+
+static struct io_disk *disk_of(struct ionode *io, const struct io_request *r)
+{
+    return &io->disks[r->piece.disk / io->cfg->io_nodes];
+}
+
+static struct cache_block *block_of(struct ionode *io, const struct io_request *r)
+{
+    return cache_find(io->cache, r->file_id, r->piece.block);
+}
+
+static void append(struct io_request ***end, struct io_request *r)
+{
+    r->next = NULL;
+    **end = r;
+    *end = &r->next;
+}
+
+/* --- answering --- */
+
+static void copied_out(void *ctx, void *arg, vtime now)
+{
+    struct ionode *io = ctx;
+    struct io_request *r = arg;
+    uint64_t at = r->piece.block * io->cfg->block_bytes + r->piece.offset;
+    int error = store_read(r->file, at, r->data, r->piece.bytes);
+    if (error)
+        io->up.broken(io->up.ctx, r->file, error);
+    io->up.answer(io->up.ctx, r, now);
+}
+
+static void answer_read(struct ionode *io, struct io_request *r, vtime now)
+{
+    vtime ready = ionode_work(io, now, r->piece.bytes * io->cfg->copy_ps_per_byte);
+    evq_put(io->q, ready, io->place, copied_out, io, r);
+}
+
+/* --- disk --- */
+
+static void serve_stalled(struct ionode *io, vtime now);
+static void put_write(struct ionode *io, struct io_disk *d, const struct cache_block *b, uint32_t stride,
+                      vtime now);
+
+static struct cache_block *nth(const struct transfer *t, uint64_t k)
+{
+    return cache_find(t->io->cache, t->access.file, t->block + k * t->stride);
+}
+
+/* A block has come from or gone to disk: it is clean, unless it was written meanwhile. */
+static void settle(struct transfer *t, struct cache_block *b, vtime now)
+{
+    struct io_request *r = b->waiting;
+    b->waiting = NULL, b->waiting_end = &b->waiting;
+    b->state = b->dirty_again ? CACHE_DIRTY : CACHE_CLEAN;
+    b->dirty_again = false;
+    cache_touch(t->io->cache, b);
+    if (b->state == CACHE_DIRTY)
+        put_write(t->io, t->disk, b, t->stride, now);
+    for (struct io_request *next; r; r = next) {
+        next = r->next;
+        answer_read(t->io, r, now);
+    }
+}
+
+static void transferred(void *ctx, struct disk_access *a, vtime now)
+{
+    struct transfer *t = ctx;
+    struct ionode *io = t->io;
+    uint64_t rows = a->rows;
+    for (uint64_t k = 0; k < rows; k++)
+        settle(t, nth(t, k), now);
+    free(t);
+    if (rows > 0)
+        serve_stalled(io, now);
+}
+
+static struct transfer *transfer_new(struct ionode *io, struct io_disk *d, uint32_t file, uint64_t block,
+                                     uint32_t stride)
+{
+    struct transfer *t = calloc(1, sizeof *t);
+    if (!t)
+        abort();
+    *t = (struct transfer){.io = io, .disk = d, .block = block, .stride = stride};
+    t->access =
+        (struct disk_access){.file = file, .row = block / stride, .rows = 1, .done = transferred, .ctx = t};
+    return t;
+}
+
+/* A write's turn has come: the dirty blocks behind it go with it. Not wanted if it went with another. */
+static bool gather(void *ctx, struct disk_access *a)
+{
+    struct transfer *t = ctx;
+    struct cache_block *b = nth(t, 0);
+    uint64_t rows = 0;
+    while (rows < t->io->cfg->write_cluster_blocks && b && b->state == CACHE_DIRTY) {
+        b->state = CACHE_WRITING;
+        b = nth(t, ++rows);
+    }
+    a->rows = rows;
+    return rows > 0;
+}
+
+static void put_write(struct ionode *io, struct io_disk *d, const struct cache_block *b, uint32_t stride,
+                      vtime now)
+{
+    struct transfer *t = transfer_new(io, d, b->file, b->number, stride);
+    t->access.starts = gather;
+    disk_put(d->disk, &t->access, now);
+}
+
+/* --- reading --- */
+
+/* Does the request go on where its node, or any, read last on that disk? */
+static bool sequential(struct ionode *io, const struct io_request *r)
+{
+    const struct io_disk *d = disk_of(io, r);
+    uint64_t before = r->piece.block - r->stride;
+    if (r->piece.row == 0)
+        return true;
+    if (r->file_id < d->files && d->last[r->file_id] && d->last[r->file_id][r->node] == before + 1)
+        return true;
+    return cache_find(io->cache, r->file_id, before);
+}
+
+static void remember(struct ionode *io, const struct io_request *r)
+{
+    struct io_disk *d = disk_of(io, r);
+    if (r->file_id >= d->files) {
+        uint32_t files = r->file_id + 16;
+        d->last = realloc(d->last, files * sizeof *d->last);
+        if (!d->last)
+            abort();
+        for (; d->files < files; d->files++)
+            d->last[d->files] = NULL;
+    }
+    uint64_t **last = &d->last[r->file_id];
+    if (!*last && !(*last = calloc(io->nodes, sizeof **last)))
+        abort();
+    (*last)[r->node] = r->piece.block + 1;
+}
+
+/* Brings a block, RESERVED, from disk; and those behind it that the file has, are not there, and find room. */
+static void fetch(struct ionode *io, struct io_request *r, struct cache_block *b, uint64_t most, vtime now)
+{
+    struct io_disk *d = disk_of(io, r);
+    struct transfer *t = transfer_new(io, d, b->file, b->number, r->stride);
+    b->state = CACHE_READING;
+    while (t->access.rows < most) {
+        uint64_t next = t->block + t->access.rows * t->stride;
+        if (next * io->cfg->block_bytes >= r->file->size || cache_find(io->cache, b->file, next))
+            break;
+        struct cache_block *ahead = cache_take(io->cache, b->file, next);
+        if (!ahead)
+            break;
+        ahead->state = CACHE_READING;
+        t->access.rows++;
+    }
+    disk_put(d->disk, &t->access, now);
+}
+
+/* False: no idle block. */
+static bool read_block(struct ionode *io, struct io_request *r, vtime now)
+{
+    struct cache_block *b = block_of(io, r);
+    if (b && b->state == CACHE_RESERVED) {
+        append(&b->waiting_end,
+               r); /* a write's data are on their way: what it will not cover is read first */
+        fetch(io, r, b, 1, now);
+    } else if (b && b->state != CACHE_READING) {
+        io->stats.hits++;
+        cache_touch(io->cache, b);
+        answer_read(io, r, now);
+    } else if (b) {
+        append(&b->waiting_end, r);
+    } else {
+        bool ahead = sequential(io, r);
+        if (!(b = cache_take(io->cache, r->file_id, r->piece.block)))
+            return false;
+        append(&b->waiting_end, r);
+        fetch(io, r, b, ahead ? io->cfg->read_ahead_blocks : 1, now);
+    }
+    remember(io, r);
+    return true;
+}
+
+/* --- writing --- */
+
+static bool hold(struct ionode *io, struct io_request *r)
+{
+    struct cache_block *b = block_of(io, r);
+    if (!b && !(b = cache_take(io->cache, r->file_id, r->piece.block)))
+        return false;
+    b->holds++;
+    r->held = true;
+    cache_touch(io->cache, b);
+    return true;
+}
+
+/* Is there more of the block on disk than is being written? */
+static bool is_part(const struct ionode *io, const struct io_request *r)
+{
+    uint64_t start = r->piece.block * io->cfg->block_bytes;
+    uint64_t old = r->file->size > start ? r->file->size - start : 0;
+    return old > 0 && (r->piece.offset > 0 || r->piece.bytes < old) && r->piece.bytes < io->cfg->block_bytes;
+}
+
+/* The data are here, and a block is held for them. */
+static void take_data(struct ionode *io, struct io_request *r, vtime now)
+{
+    struct cache_block *b = block_of(io, r);
+    bool part = is_part(io, r);
+    int error = store_write(r->file, r->piece.block * io->cfg->block_bytes + r->piece.offset, r->data,
+                            r->piece.bytes);
+    if (error)
+        io->up.broken(io->up.ctx, r->file, error);
+    b->holds--;
+    if (b->state == CACHE_RESERVED && part) {
+        b->dirty_again = true; /* the rest of it is read first */
+        fetch(io, r, b, 1, now);
+    } else if (b->state == CACHE_RESERVED || b->state == CACHE_CLEAN) {
+        b->state = CACHE_DIRTY;
+        cache_touch(io->cache, b);
+        put_write(io, disk_of(io, r), b, r->stride, now);
+    } else if (b->state == CACHE_READING || b->state == CACHE_WRITING) {
+        b->dirty_again = true;
+    }
+    io->up.answer(io->up.ctx, r, now);
+}
+
+/* --- requests --- */
+
+/* False: it has to wait for an idle block. */
+static bool admit(struct ionode *io, struct io_request *r, vtime now)
+{
+    if (!r->write)
+        return read_block(io, r, now);
+    if (!r->held && !hold(io, r))
+        return false;
+    if (r->here)
+        take_data(io, r, now);
+    return true;
+}
+
+static void stall(struct ionode *io, struct io_request *r)
+{
+    append(&io->stalled_end, r);
+}
+
+static void serve_stalled(struct ionode *io, vtime now)
+{
+    while (io->stalled) {
+        struct io_request *r = io->stalled, *next = r->next;
+        bool asked = !r->here;
+        /* off the list first: serving it may come back here */
+        io->stalled = next;
+        if (!next)
+            io->stalled_end = &io->stalled;
+        if (!admit(io, r, now)) {
+            r->next = io->stalled;
+            if (!io->stalled)
+                io->stalled_end = &r->next;
+            io->stalled = r;
+            return;
+        }
+        if (asked)
+            io->up.room(io->up.ctx, r, now);
+    }
+}
+
+bool ionode_reserve(struct ionode *io, struct io_request *r, vtime now)
+{
+    r->file_id = r->file->id, r->held = r->here = false;
+    if (!io->stalled && admit(io, r, now))
+        return true;
+    stall(io, r);
+    return false;
+}
+
+static void looked_at(void *ctx, void *arg, vtime now)
+{
+    struct ionode *io = ctx;
+    struct io_request *r = arg;
+    bool must_queue = io->stalled && !(r->write ? r->held : (bool)block_of(io, r));
+    if (must_queue || !admit(io, r, now))
+        stall(io, r);
+}
+
+void ionode_request(struct ionode *io, struct io_request *r, vtime at)
+{
+    if (!r->held)
+        r->file_id = r->file->id;
+    r->here = true;
+    io->stats.reads += !r->write;
+    io->stats.writes += r->write;
+    vtime copy = r->write ? r->piece.bytes * io->cfg->copy_ps_per_byte : 0;
+    vtime ready = ionode_work(io, at, io->cfg->request_ps + copy);
+    evq_put(io->q, ready, io->place, looked_at, io, r);
+}
+
+const struct ionode_stats *ionode_stats(const struct ionode *io)
+{
+    return &io->stats;
+}
+
+const struct disk_stats *ionode_disk_stats(const struct ionode *io, uint32_t which)
+{
+    return which < io->disk_count ? disk_stats(io->disks[which].disk) : NULL;
+}

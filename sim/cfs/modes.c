@@ -1,0 +1,77 @@
+/* modes.c - see modes.h. */
+#include "cfs/modes.h"
+#include <stdlib.h>
+
+void modes_free(struct modes *m)
+{
+    free(m->group[MODE_RECORDS].rounds);
+}
+
+void modes_join(struct modes *m, int mode, uint64_t at)
+{
+    struct modes_group *g = &m->group[mode];
+    if (g->members++ > 0)
+        return;
+    g->at = at;
+    g->turn = 0;
+    g->round_count = 0;
+}
+
+void modes_leave(struct modes *m, int mode)
+{
+    m->group[mode].members--;
+}
+
+uint64_t modes_take(struct modes_group *g, uint64_t bytes)
+{
+    uint64_t at = g->at;
+    g->at += bytes;
+    return at;
+}
+
+void modes_next_turn(struct modes_group *g, uint32_t nodes)
+{
+    g->turn = (g->turn + 1) % nodes;
+}
+
+/* The round, made if it is not there; rounds are reached one after the other. */
+static struct modes_round *the_round(struct modes_group *g, uint64_t round, uint32_t nodes)
+{
+    while (g->round_count <= round) {
+        if ((g->round_count & (g->round_count + 1)) == 0) {
+            void *more = realloc(g->rounds, (2 * g->round_count + 1) * sizeof *g->rounds);
+            if (!more)
+                abort();
+            g->rounds = more;
+        }
+        const struct modes_round *last = g->round_count ? &g->rounds[g->round_count - 1] : NULL;
+        g->rounds[g->round_count++] =
+            (struct modes_round){.start = last ? last->start + last->bytes * nodes : g->at};
+    }
+    return &g->rounds[round];
+}
+
+bool modes_record(struct modes_group *g, uint64_t round, uint32_t node, uint32_t nodes, uint64_t bytes,
+                  uint64_t *at, uint64_t *expected)
+{
+    struct modes_round *r = the_round(g, round, nodes);
+    if (!r->begun)
+        r->begun = true, r->bytes = bytes;
+    *expected = r->bytes;
+    *at = r->start + node * bytes;
+    return r->bytes == bytes;
+}
+
+uint64_t modes_round_start(struct modes_group *g, uint64_t round, uint32_t nodes)
+{
+    return the_round(g, round, nodes)->start;
+}
+
+bool modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start)
+{
+    struct modes_round *r = the_round(g, round, nodes);
+    if (r->begun)
+        return r->start == start;
+    r->start = start;
+    return true;
+}

@@ -1,0 +1,56 @@
+/* modes.h - where in a file a call of a node lies: the I/O modes and their pointers.
+ *
+ *   0  each node its own pointer
+ *   1  one pointer for all; whoever asks first is served first
+ *   2  one pointer for all; nodes are served in order 0, 1, ... n-1, 0, ...; lengths as they like
+ *   3  as 2, but in a round all nodes give the same length: each knows its place without asking
+ *
+ * One group of nodes shares a pointer in each mode of a file: it starts where its first member's own pointer was, and
+ * ends when its last member leaves. Pure arithmetic; who is told when is directory.c's and client.c's business.
+ */
+#ifndef CFS_MODES_H
+#define CFS_MODES_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { MODE_OWN, MODE_FIRST_COME, MODE_ORDERED, MODE_RECORDS, MODES };
+
+/* Mode 3: a round of calls, one of each node. */
+struct modes_round {
+    uint64_t start, bytes; /* bytes a node */
+    bool begun;            /* a node has made its call: start and bytes hold for all */
+};
+
+struct modes_group {
+    uint32_t members;
+    uint64_t at;   /* modes 1, 2: the pointer */
+    uint32_t turn; /* mode 2: the node whose turn it is */
+    struct modes_round *rounds;
+    size_t round_count;
+};
+
+struct modes {
+    struct modes_group group[MODES]; /* [MODE_OWN] is not used */
+};
+
+void modes_free(struct modes *m);
+
+/* A node whose pointer was `at` joins the group of a mode, or leaves it. */
+void modes_join(struct modes *m, int mode, uint64_t at);
+void modes_leave(struct modes *m, int mode);
+
+/* Modes 1 and 2: the place of a call of `bytes`; the pointer goes on. */
+uint64_t modes_take(struct modes_group *g, uint64_t bytes);
+/* Mode 2: node's turn is over; the next one's begins. */
+void modes_next_turn(struct modes_group *g, uint32_t nodes);
+
+/* Mode 3: the place of node's call of `bytes` in the round (its own count of calls since it joined). False: others gave
+ * *expected bytes in that round. */
+bool modes_record(struct modes_group *g, uint64_t round, uint32_t node, uint32_t nodes, uint64_t bytes,
+                  uint64_t *at, uint64_t *expected);
+/* Mode 3: where a round starts as far as is known, the earlier ones over; and setting it before it has begun (false if
+ * it has begun elsewhere). */
+uint64_t modes_round_start(struct modes_group *g, uint64_t round, uint32_t nodes);
+bool modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start);
+#endif

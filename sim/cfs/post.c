@@ -1,0 +1,38 @@
+/* post.c - see post.h. */
+#include "cfs/post.h"
+
+/* Message types: of those reserved (nx.h), with and without the forcing bit. */
+#define ASKING_TYPE INT64_C(1000000001)
+#define FORCED_TYPE (INT64_C(2000000000) | PROTO_FORCED)
+
+static int64_t type_of(enum post_kind kind)
+{
+    return kind == POST_FORCED ? FORCED_TYPE : ASKING_TYPE;
+}
+
+vtime post_send_time(const struct proto *p, enum post_kind kind, size_t bytes)
+{
+    return proto_send_time(p, type_of(kind), bytes);
+}
+
+void post_send(struct proto *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
+               struct parcel *parcel, vtime at)
+{
+    struct message *m = proto_message(p, from, to, type_of(kind), 0, NULL, bytes);
+    m->service = parcel;
+    proto_send(p, m, at);
+}
+
+bool post_envelope(struct message *m, vtime now)
+{
+    struct parcel *p = m->service;
+    return !m->is_long || !p->ask || p->ask(p, m, now);
+}
+
+void post_arrived(struct message *m, vtime now)
+{
+    struct parcel *p = m->service;
+    vtime at = m->complete;
+    proto_message_free(m);
+    p->arrived(p, at, now);
+}

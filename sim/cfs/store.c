@@ -1,0 +1,305 @@
+/* store.c - see store.h. */
+#include "cfs/store.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct store {
+    char *dir;      /* NULL: the temporary one is not made yet */
+    bool temporary; /* to be removed at the end */
+    struct store_file *files;
+    uint32_t ids;
+};
+
+struct store *store_new(const char *dir, char **error)
+{
+    struct store *s = calloc(1, sizeof *s);
+    if (!s)
+        abort();
+    s->temporary = !dir;
+    if (!dir)
+        return s;
+    struct stat st;
+    s->dir = strdup(dir);
+    if ((mkdir(dir, 0777) && errno != EEXIST) || stat(dir, &st) || !S_ISDIR(st.st_mode)) {
+        if (asprintf(error, "--cfs %s: %s", dir, strerror(errno == EEXIST ? ENOTDIR : errno)) < 0)
+            abort();
+        store_free(s);
+        return NULL;
+    }
+    return s;
+}
+
+static int remove_one(const char *path, const struct stat *st, int kind, struct FTW *where)
+{
+    (void)st, (void)kind, (void)where;
+    return remove(path);
+}
+
+void store_free(struct store *s)
+{
+    if (!s)
+        return;
+    for (struct store_file *f = s->files, *next; f; f = next) {
+        next = f->next;
+        if (f->users)
+            close(f->host);
+        modes_free(&f->modes);
+        free(f->volumes);
+        free(f->path);
+        free(f);
+    }
+    if (s->temporary && s->dir)
+        nftw(s->dir, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    free(s->dir);
+    free(s);
+}
+
+/* --- paths --- */
+
+/* "/cfs//a/./b" -> "a/b". False: it leads out of /cfs, or is too long. */
+static bool within(const char *path, char *buf, size_t size)
+{
+    char *end = buf;
+    for (path += 4; *path;) {
+        size_t n = strcspn(path, "/");
+        bool up = n == 2 && memcmp(path, "..", 2) == 0, same = n == 0 || (n == 1 && *path == '.');
+        if (up || (size_t)(end - buf) + n + 2 > size)
+            return false;
+        if (!same) {
+            if (end > buf)
+                *end++ = '/';
+            memcpy(end, path, n);
+            end += n;
+        }
+        path += n + (path[n] == '/');
+    }
+    *end = 0;
+    return true;
+}
+
+/* The folder is made when it is first needed, so that programs without files leave no trace. */
+static bool have_dir(struct store *s)
+{
+    if (s->dir)
+        return true;
+    const char *in = getenv("TMPDIR");
+    char *dir;
+    if (asprintf(&dir, "%s/touchstone-cfs-XXXXXX", in && *in ? in : "/tmp") < 0)
+        abort();
+    if (!mkdtemp(dir)) {
+        free(dir);
+        return false;
+    }
+    s->dir = dir;
+    return true;
+}
+
+static int host_path(struct store *s, const char *name, char *buf, size_t size)
+{
+    if (!have_dir(s))
+        return errno;
+    return (size_t)snprintf(buf, size, "%s/%s", s->dir, name) < size ? 0 : ENAMETOOLONG;
+}
+
+/* Makes the folders above the last name of path, below the store's own. */
+static void make_folders(const struct store *s, char *path)
+{
+    for (char *slash = strchr(path + strlen(s->dir) + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = 0;
+        mkdir(path, 0777);
+        *slash = '/';
+    }
+}
+
+static struct store_file *find(struct store *s, const char *name)
+{
+    for (struct store_file *f = s->files; f; f = f->next)
+        if (!f->gone && strcmp(f->path, name) == 0)
+            return f;
+    return NULL;
+}
+
+/* --- opening --- */
+
+/* A file without users has its host file opened. */
+static int open_host(struct store *s, struct store_file *f, int flags, mode_t permissions)
+{
+    char path[PATH_MAX];
+    struct stat st;
+    int error = host_path(s, f->path, path, sizeof path);
+    if (error)
+        return error;
+    if (flags & O_CREAT)
+        make_folders(s, path);
+    int how = (flags & (O_CREAT | O_EXCL)) | O_CLOEXEC;
+    f->host = open(path, O_RDWR | how, permissions);
+    f->writable = f->host >= 0;
+    if (f->host < 0 && errno == EACCES)
+        f->host = open(path, O_RDONLY | how, permissions);
+    if (f->host < 0)
+        return errno;
+    fstat(f->host, &st);
+    if (S_ISDIR(st.st_mode)) {
+        close(f->host);
+        return EISDIR;
+    }
+    f->size = (uint64_t)st.st_size;
+    return 0;
+}
+
+static struct store_file *add(struct store *s, const char *name)
+{
+    struct store_file *f = calloc(1, sizeof *f);
+    if (!f || !(f->path = strdup(name)))
+        abort();
+    f->id = s->ids++;
+    f->next = s->files;
+    s->files = f;
+    return f;
+}
+
+static int truncate_file(struct store *s, struct store_file *f)
+{
+    if (ftruncate(f->host, 0))
+        return errno;
+    f->size = 0;
+    f->id = s->ids++;
+    return 0;
+}
+
+int store_open(struct store *s, const char *path, int flags, mode_t permissions, struct store_file **file)
+{
+    char name[PATH_MAX];
+    if (!within(path, name, sizeof name))
+        return EACCES;
+    struct store_file *f = find(s, name);
+    if (f && f->users && (flags & O_CREAT) && (flags & O_EXCL))
+        return EEXIST;
+    if (!f)
+        f = add(s, name);
+    int error = f->users ? 0 : open_host(s, f, flags, permissions);
+    if (error)
+        return error;
+    f->users++;
+    if ((flags & O_ACCMODE) != O_RDONLY && !f->writable)
+        error = EACCES;
+    else if (flags & O_TRUNC && f->size)
+        error = truncate_file(s, f);
+    if (error)
+        store_release(f);
+    else
+        *file = f;
+    return error;
+}
+
+void store_hold(struct store_file *f)
+{
+    f->users++;
+}
+
+void store_release(struct store_file *f)
+{
+    if (--f->users == 0)
+        close(f->host);
+}
+
+/* --- names --- */
+
+int store_unlink(struct store *s, const char *path)
+{
+    char name[PATH_MAX], host[PATH_MAX];
+    if (!within(path, name, sizeof name))
+        return EACCES;
+    int error = host_path(s, name, host, sizeof host);
+    if (error)
+        return error;
+    if (remove(host))
+        return errno;
+    struct store_file *f = find(s, name);
+    if (f)
+        f->gone = true;
+    return 0;
+}
+
+int store_rename(struct store *s, const char *from, const char *to)
+{
+    char name[PATH_MAX], new_name[PATH_MAX], host[PATH_MAX], new_host[PATH_MAX];
+    if (!within(from, name, sizeof name) || !within(to, new_name, sizeof new_name))
+        return EACCES;
+    int error = host_path(s, name, host, sizeof host);
+    if (!error)
+        error = host_path(s, new_name, new_host, sizeof new_host);
+    if (error)
+        return error;
+    make_folders(s, new_host);
+    if (rename(host, new_host))
+        return errno;
+    struct store_file *f = find(s, name), *old = find(s, new_name);
+    if (old && old != f)
+        old->gone = true;
+    if (f) {
+        free(f->path);
+        f->path = strdup(new_name);
+    }
+    return 0;
+}
+
+int store_stat(struct store *s, const char *path, struct stat *st)
+{
+    char name[PATH_MAX], host[PATH_MAX];
+    if (!within(path, name, sizeof name))
+        return EACCES;
+    int error = host_path(s, name, host, sizeof host);
+    return error ? error : stat(host, st) ? errno : 0;
+}
+
+/* --- bytes --- */
+
+int store_read(struct store_file *f, uint64_t at, void *buf, size_t bytes)
+{
+    size_t done = 0;
+    while (done < bytes) {
+        ssize_t n = pread(f->host, (char *)buf + done, bytes - done, (off_t)(at + done));
+        if (n < 0 && errno != EINTR)
+            return errno;
+        if (n == 0)
+            break;
+        done += n > 0 ? (size_t)n : 0;
+    }
+    memset((char *)buf + done, 0, bytes - done);
+    return 0;
+}
+
+int store_write(struct store_file *f, uint64_t at, const void *buf, size_t bytes)
+{
+    for (size_t done = 0; done < bytes;) {
+        ssize_t n = pwrite(f->host, (const char *)buf + done, bytes - done, (off_t)(at + done));
+        if (n < 0 && errno != EINTR)
+            return errno;
+        done += n > 0 ? (size_t)n : 0;
+    }
+    if (at + bytes > f->size)
+        f->size = at + bytes;
+    return 0;
+}
+
+int store_grow(struct store_file *f, uint64_t size)
+{
+    if (size <= f->size)
+        return 0;
+    if (ftruncate(f->host, (off_t)size))
+        return errno;
+    f->size = size;
+    return 0;
+}
+
+int store_fstat(struct store_file *f, struct stat *st)
+{
+    return fstat(f->host, st) ? errno : 0;
+}

@@ -1,0 +1,53 @@
+/* store.h - the bytes of /cfs: plain files in a folder of this computer, one for each file of the file system.
+ *
+ * A store keeps a struct store_file for each file opened in this run, under its path within /cfs. The file system
+ * reads and writes bytes here at the moment its I/O nodes do, and nowhere else: so what a program finds depends on
+ * virtual time alone. Folders are made as files need them.
+ */
+#ifndef CFS_STORE_H
+#define CFS_STORE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <sys/stat.h>
+#include "cfs/modes.h"
+
+struct store;
+struct dir_request;
+
+struct store_file {
+    uint32_t id; /* another one after O_TRUNC: what caches hold of the old file is not its own any more */
+    char *path;  /* within /cfs, as "a/b" */
+    uint64_t size;
+    uint32_t users; /* open files and calls under way; while there are any, host is open */
+    int host;
+    bool gone; /* removed: its bytes stay until it has no users */
+    bool writable;
+    uint32_t *volumes; /* the disks it is striped over, in order; NULL: all */
+    uint32_t volume_count;
+    struct modes modes;
+    struct dir_request
+        *waiting; /* mode 2: calls whose turn has not come, in the order they came; client.c's */
+    struct store_file *next;
+};
+
+/* dir: made if missing. NULL: a temporary folder, made when needed and removed by store_free(). NULL with *error set
+ * (malloc'd) when it cannot be. */
+struct store *store_new(const char *dir, char **error);
+void store_free(struct store *s);
+
+/* All functions: 0, or what errno would be. Paths are whole, "/cfs/..."; ".." is not allowed in them. */
+int store_open(struct store *s, const char *path, int flags, mode_t permissions, struct store_file **file);
+int store_unlink(struct store *s, const char *path);
+int store_rename(struct store *s, const char *from, const char *to);
+int store_stat(struct store *s, const char *path, struct stat *st);
+
+void store_hold(struct store_file *f); /* one more user */
+void store_release(struct store_file *f);
+
+/* Bytes past the end of the file read as 0. */
+int store_read(struct store_file *f, uint64_t at, void *buf, size_t bytes);
+int store_write(struct store_file *f, uint64_t at, const void *buf, size_t bytes);
+int store_grow(struct store_file *f, uint64_t size);
+int store_fstat(struct store_file *f, struct stat *st);
+#endif

@@ -1,0 +1,37 @@
+/* places.c - see places.h. Places below the number of nodes are nodes; a message between a node and a service is known
+ * by m->service, in both directions. */
+#include "machine/places.h"
+#include "cfs/cfs.h"
+#include "cfs/post.h"
+
+static vtime work(void *ctx, uint32_t place, vtime at, vtime t)
+{
+    struct node_system *sys = ctx;
+    return place < sys->count ? node_work(ctx, place, at, t) : cfs_work(sys->cfs, place, at, t);
+}
+
+static bool envelope(void *ctx, struct message *m, vtime now)
+{
+    return m->service ? post_envelope(m, now) : mailbox_envelope(ctx, m, now);
+}
+
+static void sent(void *ctx, struct message *m, vtime now)
+{
+    if (!m->service)
+        mailbox_sent(ctx, m, now);
+}
+
+static void arrived(void *ctx, struct message *m, vtime now)
+{
+    if (!m->service) {
+        mailbox_arrived(ctx, m, now);
+        return;
+    }
+    node_system_digest(ctx, m, now);
+    post_arrived(m, now);
+}
+
+struct proto_nodes places_calls(struct node_system *sys)
+{
+    return (struct proto_nodes){sys, work, envelope, sent, arrived};
+}

@@ -1,0 +1,222 @@
+/* file.c - see file.h. */
+#include "node/file.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "node/node.h"
+#include "node/system.h"
+
+/* --- files of this computer --- */
+
+struct host_file {
+    struct node_file base;
+    int fd;
+};
+
+static int fd_of(const struct node_file *f)
+{
+    return ((const struct host_file *)f)->fd;
+}
+
+static ssize_t host_read(struct node_file *f, void *buf, size_t bytes)
+{
+    return read(fd_of(f), buf, bytes);
+}
+
+static ssize_t host_write(struct node_file *f, const void *buf, size_t bytes)
+{
+    size_t done = 0;
+    while (done < bytes) {
+        ssize_t n = write(fd_of(f), (const char *)buf + done, bytes - done);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return done ? (ssize_t)done : -1;
+        done += (size_t)n;
+    }
+    return (ssize_t)done;
+}
+
+static int64_t host_seek(struct node_file *f, int64_t offset, int whence)
+{
+    return lseek64(fd_of(f), offset, whence);
+}
+
+static int host_stat(struct node_file *f, struct stat *st)
+{
+    return fstat(fd_of(f), st);
+}
+
+static int host_close(struct node_file *f)
+{
+    int r = close(fd_of(f));
+    free(f);
+    return r;
+}
+
+static const struct node_file_class HOST_FILE = {
+    .read = host_read, .write = host_write, .seek = host_seek, .stat = host_stat, .close = host_close};
+
+struct node_file *file_of_host(struct node *n, int fd)
+{
+    struct host_file *f = fd < 0 ? NULL : malloc(sizeof *f);
+    if (!f) {
+        if (fd >= 0)
+            close(fd);
+        return NULL;
+    }
+    *f = (struct host_file){{&HOST_FILE, n}, fd};
+    return &f->base;
+}
+
+/* --- which of the two --- */
+
+static bool simulated(const struct node *n, const char *path)
+{
+    return n->sys->fs && strncmp(path, "/cfs", 4) == 0 && (path[4] == '/' || path[4] == 0);
+}
+
+/* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The deadline
+ * that node_leave() sets must be the one without that. */
+static bool enter(struct node *n, const char *call)
+{
+    bool masked = n->masked;
+    n->masked = true;
+    node_enter(n, call);
+    return masked;
+}
+
+static void leave(struct node *n, bool masked)
+{
+    n->masked = masked;
+    if (!masked)
+        n->open_since = node_now(n);
+    int why = errno;
+    node_leave(n);
+    errno = why;
+}
+
+struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
+{
+    if (!simulated(n, path)) {
+        node_order(n);
+        return file_of_host(n, open(path, flags | O_CLOEXEC, permissions));
+    }
+    bool masked = enter(n, "open");
+    struct node_file *f = n->sys->fs->open(n->sys->fs->ctx, n, path, flags, permissions);
+    leave(n, masked);
+    return f;
+}
+
+ssize_t file_read(struct node_file *f, void *buf, size_t bytes)
+{
+    if (!f->class->simulated) {
+        node_order(f->node);
+        return f->class->read(f, buf, bytes);
+    }
+    bool masked = enter(f->node, "read");
+    ssize_t r = f->class->read(f, buf, bytes);
+    leave(f->node, masked);
+    return r;
+}
+
+ssize_t file_write(struct node_file *f, const void *buf, size_t bytes)
+{
+    if (!f->class->simulated) {
+        node_order(f->node);
+        return f->class->write(f, buf, bytes);
+    }
+    bool masked = enter(f->node, "write");
+    ssize_t r = f->class->write(f, buf, bytes);
+    leave(f->node, masked);
+    return r;
+}
+
+int64_t file_seek(struct node_file *f, int64_t offset, int whence)
+{
+    if (!f->class->simulated) {
+        if (whence == SEEK_END)
+            node_order(f->node); /* where the end is depends on what others have written */
+        return f->class->seek(f, offset, whence);
+    }
+    bool masked = enter(f->node, "lseek");
+    int64_t r = f->class->seek(f, offset, whence);
+    leave(f->node, masked);
+    return r;
+}
+
+int file_fstat(struct node_file *f, struct stat *st)
+{
+    if (!f->class->simulated) {
+        node_order(f->node);
+        return f->class->stat(f, st);
+    }
+    bool masked = enter(f->node, "fstat");
+    int r = f->class->stat(f, st);
+    leave(f->node, masked);
+    return r;
+}
+
+int file_close(struct node_file *f)
+{
+    struct node *n = f->node;
+    if (!f->class->simulated) {
+        node_order(n);
+        return f->class->close(f);
+    }
+    bool masked = enter(n, "close");
+    node_spend(n, n->sys->cfg->call_ps);
+    int r = f->class->close(f);
+    leave(n, masked);
+    return r;
+}
+
+void file_drop(struct node_file *f)
+{
+    f->class->close(f);
+}
+
+/* --- names --- */
+
+int file_stat(struct node *n, const char *path, struct stat *st)
+{
+    if (!simulated(n, path)) {
+        node_order(n);
+        return stat(path, st);
+    }
+    bool masked = enter(n, "stat");
+    int r = n->sys->fs->stat(n->sys->fs->ctx, n, path, st);
+    leave(n, masked);
+    return r;
+}
+
+int file_unlink(struct node *n, const char *path)
+{
+    if (!simulated(n, path)) {
+        node_order(n);
+        return unlink(path);
+    }
+    bool masked = enter(n, "unlink");
+    int r = n->sys->fs->unlink(n->sys->fs->ctx, n, path);
+    leave(n, masked);
+    return r;
+}
+
+int file_rename(struct node *n, const char *from, const char *to)
+{
+    if (simulated(n, from) != simulated(n, to)) {
+        errno = EXDEV;
+        return -1;
+    }
+    if (!simulated(n, from)) {
+        node_order(n);
+        return rename(from, to);
+    }
+    bool masked = enter(n, "rename");
+    int r = n->sys->fs->rename(n->sys->fs->ctx, n, from, to);
+    leave(n, masked);
+    return r;
+}
