@@ -1,8 +1,10 @@
 /* fit.c - least squares fit of a trivariate cubic to C3 data.
  *
  * 8 corners with 8 numbers each give 64 equations A b = d in the 64 coefficients. We form the normal equations
- * A'A b = A'd and solve them by Cholesky's method. In the natural order of the unknowns a coefficient meets only
- * coefficients whose indices differ by at most one in each direction, so A'A has half bandwidth 16 + 4 + 1 = 21.
+ * A'A b = A'd and solve them by Cholesky's method. A coefficient meets only coefficients whose indices differ by at most
+ * one in each direction, so that the rows of A'A begin with zeros: the factor keeps that profile, and the work is done
+ * from each row's first element on. A depends on the sides of the subcube only, so that subcubes of one size that are
+ * computed together share the factor; each is then solved for its own data.
  *
  * The value and the normal derivative of F on a face depend on the data of the face's corners only: neighbouring
  * subcubes join with C1 continuity.
@@ -10,14 +12,6 @@
 #include <math.h>
 #include <string.h>
 #include "fit.h"
-
-#define BAND 21
-
-/* Lower triangle by columns: a[j][d] is the element in row j + d, column j. */
-struct normal {
-    double a[FIT_UNKNOWNS][BAND + 1];
-    double rhs[FIT_UNKNOWNS];
-};
 
 /* One univariate functional on cubic Bernstein coefficients: value or derivative at one end of an edge. */
 struct functional {
@@ -43,14 +37,8 @@ static struct functional at_end(int end, int derivative, double width)
     return l;
 }
 
-/* One equation: the product of three functionals; up to 8 coefficients, in rising order of their indices. */
-struct equation {
-    int terms;
-    int index[8];
-    double c[8];
-};
-
-static void product(struct equation *e, const struct functional *x, const struct functional *y,
+/* The equation of a product of three functionals. */
+static void product(struct fit_equation *e, const struct functional *x, const struct functional *y,
                     const struct functional *z)
 {
     int i, j, k, n = 0;
@@ -64,91 +52,109 @@ static void product(struct equation *e, const struct functional *x, const struct
     e->terms = n;
 }
 
-static void add_equation(struct normal *n, const struct equation *e, double d)
-{
-    int i, j;
-
-    for (j = 0; j < e->terms; j++) {
-        double *column = n->a[e->index[j]];
-
-        for (i = j; i < e->terms; i++)
-            column[e->index[i] - e->index[j]] += e->c[i] * e->c[j];
-        n->rhs[e->index[j]] += e->c[j] * d;
-    }
-}
-
-static void build(struct normal *n, const double *const corner[8], const double widths[3])
+static void set_equations(struct fit_equation *e, const double widths[3])
 {
     /* for each number of the C3 data: is it a derivative along x, y, z? */
     static const int derivative[C3_COMPS][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                                 {1, 1, 0}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}};
     struct functional x, y, z;
-    struct equation e;
     int v, q;
 
-    memset(n, 0, sizeof *n);
     for (v = 0; v < 8; v++)
         for (q = 0; q < C3_COMPS; q++) {
             x = at_end(v & 1, derivative[q][0], widths[0]);
             y = at_end(v >> 1 & 1, derivative[q][1], widths[1]);
             z = at_end(v >> 2 & 1, derivative[q][2], widths[2]);
-            product(&e, &x, &y, &z);
-            add_equation(n, &e, corner[v][q]);
+            product(e++, &x, &y, &z);
         }
 }
 
-static int below(int column)
+static void set_profile(struct fit_system *s)
 {
-    return column + BAND < FIT_UNKNOWNS ? BAND : FIT_UNKNOWNS - 1 - column;
-}
+    int i, j, n;
 
-/* A = L L', in place. */
-static void factor(double a[FIT_UNKNOWNS][BAND + 1])
-{
-    int j, i, k;
+    for (i = 0; i < FIT_UNKNOWNS; i++)
+        s->first[i] = i;
+    for (n = 0; n < FIT_UNKNOWNS; n++) {
+        const struct fit_equation *e = &s->equation[n];
 
-    for (j = 0; j < FIT_UNKNOWNS; j++) {
-        double *pivot = a[j], inverse;
-        int m = below(j);
-
-        pivot[0] = sqrt(pivot[0]);
-        inverse = 1.0 / pivot[0];
-        for (i = 1; i <= m; i++)
-            pivot[i] *= inverse;
-        for (k = 1; k <= m; k++) {
-            double *column = a[j + k], factor_k = pivot[k];
-
-            if (factor_k == 0)
-                continue; /* much of the band is empty, and stays so */
-            for (i = k; i <= m; i++)
-                column[i - k] -= pivot[i] * factor_k;
-        }
+        for (i = 0; i < e->terms; i++)
+            if (e->index[0] < s->first[e->index[i]])
+                s->first[e->index[i]] = e->index[0];
     }
+    for (i = 0; i < FIT_UNKNOWNS; i++)
+        for (j = s->first[i]; j <= i; j++)
+            s->l[i][j] = 0;
+}
+
+/* A'A, its lower triangle. */
+static void set_normal(struct fit_system *s)
+{
+    int i, j, n;
+
+    for (n = 0; n < FIT_UNKNOWNS; n++) {
+        const struct fit_equation *e = &s->equation[n];
+
+        for (i = 0; i < e->terms; i++)
+            for (j = 0; j <= i; j++)
+                s->l[e->index[i]][e->index[j]] += e->c[i] * e->c[j];
+    }
+}
+
+/* A'A = L L', in place. */
+static void factor(struct fit_system *s)
+{
+    int i, j, k;
+
+    for (i = 0; i < FIT_UNKNOWNS; i++)
+        for (j = s->first[i]; j <= i; j++) {
+            double *row = s->l[i], *other = s->l[j], sum = row[j];
+
+            k = s->first[i] > s->first[j] ? s->first[i] : s->first[j];
+            for (; k < j; k++)
+                sum -= row[k] * other[k];
+            row[j] = j < i ? sum / other[j] : sqrt(sum);
+        }
+}
+
+void fit_prepare(struct fit_system *s, const double widths[3])
+{
+    memcpy(s->widths, widths, sizeof s->widths);
+    set_equations(s->equation, widths);
+    set_profile(s);
+    set_normal(s);
+    factor(s);
 }
 
 /* L L' x = b, b becomes x. */
-static void substitute(double a[FIT_UNKNOWNS][BAND + 1], double b[FIT_UNKNOWNS])
+static void substitute(const struct fit_system *s, double b[FIT_UNKNOWNS])
 {
-    int j, i, m;
+    int i, j;
 
-    for (j = 0; j < FIT_UNKNOWNS; j++) {
-        b[j] /= a[j][0];
-        for (i = 1, m = below(j); i <= m; i++)
-            b[j + i] -= a[j][i] * b[j];
+    for (i = 0; i < FIT_UNKNOWNS; i++) {
+        for (j = s->first[i]; j < i; j++)
+            b[i] -= s->l[i][j] * b[j];
+        b[i] /= s->l[i][i];
     }
-    for (j = FIT_UNKNOWNS - 1; j >= 0; j--) {
-        for (i = 1, m = below(j); i <= m; i++)
-            b[j] -= a[j][i] * b[j + i];
-        b[j] /= a[j][0];
+    for (i = FIT_UNKNOWNS - 1; i >= 0; i--) {
+        b[i] /= s->l[i][i];
+        for (j = s->first[i]; j < i; j++)
+            b[j] -= s->l[i][j] * b[i];
     }
 }
 
-void fit_tricubic(const double *const corner[8], const double widths[3], double b[FIT_UNKNOWNS])
+void fit_tricubic(const struct fit_system *s, const double *const corner[8], double b[FIT_UNKNOWNS])
 {
-    struct normal n;
+    int v, q, i;
 
-    build(&n, corner, widths);
-    factor(n.a);
-    substitute(n.a, n.rhs);
-    memcpy(b, n.rhs, sizeof n.rhs);
+    for (i = 0; i < FIT_UNKNOWNS; i++)
+        b[i] = 0;
+    for (v = 0; v < 8; v++)
+        for (q = 0; q < C3_COMPS; q++) {
+            const struct fit_equation *e = &s->equation[v * C3_COMPS + q];
+
+            for (i = 0; i < e->terms; i++)
+                b[e->index[i]] += e->c[i] * corner[v][q];
+        }
+    substitute(s, b);
 }

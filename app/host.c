@@ -98,21 +98,28 @@ static void keep_polygon(int iso, int n, const vertex *v)
     masktrap(0);
 }
 
+/* A helped subcube is a job of its own, prepared like a chunk. On a single node the layer is one chunk. */
 static void help(void)
 {
+    static struct fit_system system;
+    int alone = numnodes() == 1;
     const struct policy *q = &host.o->policy;
     int first, n, i;
 
     for (;;) {
         masktrap(1);
-        n = pool_help(&host.pool, q->gran, host.members > 0 ? q->keep : 0, &first);
+        n = pool_help(&host.pool, alone ? pool_left(&host.pool) : q->gran, host.members > 0 ? q->keep : 0,
+                      &first);
         host.helped += n;
         service_watch();
         masktrap(0);
         if (n == 0)
             return;
-        for (i = 0; i < n; i++)
-            layer_cell(host.o, &host.layer, first + i, keep_polygon);
+        for (i = 0; i < n; i++) {
+            if (i == 0 || !alone)
+                layer_prepare(host.o, &system);
+            layer_cell(host.o, &system, &host.layer, first + i, keep_polygon);
+        }
     }
 }
 
@@ -156,7 +163,7 @@ static void drain(void)
     host.stage = DRAINING;
     service_queue();
     masktrap(0);
-    wait_for(FOR_SLAVES);
+    host.drain_s += wait_for(FOR_SLAVES);
 }
 
 int host_run(void)
@@ -170,6 +177,8 @@ int host_run(void)
         open_layer(j);
         if (host.later > 0)
             slices_prepare(j + 2);
+        else
+            slices_overlap();
         help();
         wait_for_requests();
         masktrap(1);

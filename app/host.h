@@ -49,7 +49,7 @@ struct host {
     double few_left_at; /* time when at most one row was left, while the main program waited; or < 0 */
 
     /* measurements */
-    double handler_s, idle_s, idle_last_s;
+    double handler_s, idle_s, idle_last_s, drain_s;
     double chunks, helped;
 };
 

@@ -4,7 +4,17 @@
 /* Header of a chunk: kind, layer, first subcube, number of subcubes. */
 enum { KIND, LAYER, FIRST, COUNT, HEADER };
 
-void layer_cell(const struct options *o, const struct layer *l, int cell, polygon_fn *out)
+void layer_prepare(const struct options *o, struct fit_system *system)
+{
+    struct cell any = grid_cell(&o->grid, 0, 0, 0);
+    const double widths[3] = {any.wx, any.wy, any.dz};
+
+    if (o->grid.comps > 1)
+        fit_prepare(system, widths);
+}
+
+void layer_cell(const struct options *o, struct fit_system *system, const struct layer *l, int cell,
+                polygon_fn *out)
 {
     const struct grid *g = &o->grid;
     int row = cell / g->nx, col = cell - row * g->nx, c;
@@ -17,7 +27,7 @@ void layer_cell(const struct options *o, const struct layer *l, int cell, polygo
     if (g->comps == 1)
         trilinear_polygons(&where, corner, &o->iso, out);
     else
-        tricubic_polygons(&where, corner, &o->iso, o->lattice, out);
+        tricubic_polygons(system, &where, corner, &o->iso, o->lattice, out);
 }
 
 long chunk_bytes_max(const struct grid *g)

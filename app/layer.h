@@ -10,8 +10,12 @@ struct layer {
     int row;
 };
 
+/* Prepare what the subcubes that are computed together have in common. */
+void layer_prepare(const struct options *o, struct fit_system *system);
+
 /* Find the polygons of subcube `cell` (row * nx + column) of a layer. */
-void layer_cell(const struct options *o, const struct layer *l, int cell, polygon_fn *out);
+void layer_cell(const struct options *o, struct fit_system *system, const struct layer *l, int cell,
+                polygon_fn *out);
 
 /* A chunk is a message of doubles: this header, the lower slice's rows, the upper slice's rows. */
 enum chunk_kind { CHUNK_WORK, CHUNK_NO_MORE, CHUNK_DISCARD };

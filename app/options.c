@@ -196,8 +196,8 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
 static void set_defaults(struct options *o)
 {
     static const struct policy usual = {.reassign = 1,
-                                        .keep = 150,
-                                        .gran = 16,
+                                        .keep = 8,
+                                        .gran = 1,
                                         .lead = 12,
                                         .min_rows = 1,
                                         .buffer = 32768,

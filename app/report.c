@@ -5,7 +5,7 @@
 #include "report.h"
 #include "slave.h"
 
-enum { IDLE_LAST, IDLE_ALL, HANDLER, HELPED, CHUNKS, BODIES, SLAVE_IDLE, SLAVES, SUMS };
+enum { IDLE_LAST, IDLE_ALL, DRAIN, HANDLER, HELPED, CHUNKS, BODIES, SLAVE_IDLE, SLAVES, SUMS };
 
 static double percent(double part, double whole)
 {
@@ -32,6 +32,7 @@ static void print(const struct options *o, const double *sum, double total_s, do
     printf("total_s %.6f\n", total_s);
     printf("host_idle_pct %.6f\n", percent(sum[IDLE_LAST] / host.groups, total_s));
     printf("host_idle_all_pct %.6f\n", percent(sum[IDLE_ALL] / host.groups, total_s));
+    printf("host_drain_pct %.6f\n", percent(sum[DRAIN] / host.groups, total_s));
     printf("host_handler_pct %.6f\n", percent(sum[HANDLER] / host.groups, total_s));
     if (host.groups == 1 && sum[SLAVES] > 0) {
         printf("slave_idle_pct %.6f\n", percent(sum[SLAVE_IDLE] / sum[SLAVES], total_s));
@@ -49,6 +50,7 @@ void report(const struct options *o, int is_host, double start_s)
     if (is_host) {
         sum[IDLE_LAST] = host.idle_last_s;
         sum[IDLE_ALL] = host.idle_s;
+        sum[DRAIN] = host.drain_s;
         sum[HANDLER] = host.handler_s;
         sum[HELPED] = host.helped;
         sum[CHUNKS] = host.chunks;

@@ -120,12 +120,14 @@ static struct chunk next_chunk(void)
 /* Compute a chunk; ask for the next one, into the other buffer, when few subcubes are left. */
 static void compute(const struct chunk *c)
 {
+    static struct fit_system system;
     int lead = slave.o->policy.lead < c->count ? slave.o->policy.lead : c->count, other = slave.turn ^ 1, i;
 
+    layer_prepare(slave.o, &system);
     for (i = 0; i < c->count; i++) {
         if (c->count - i == lead)
             request(other);
-        layer_cell(slave.o, &c->layer, c->first + i, keep_polygon);
+        layer_cell(slave.o, &system, &c->layer, c->first + i, keep_polygon);
     }
     slave.computed = 1;
     if (lead == 0)

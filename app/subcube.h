@@ -1,6 +1,7 @@
 /* subcube.h - the work of the slaves: approximate F in one subcube and find the polygons of all isosurfaces in it. */
 #ifndef SUBCUBE_H
 #define SUBCUBE_H
+#include "fit.h"
 #include "grid.h"
 #include "polygon.h"
 
@@ -17,9 +18,10 @@ struct isovalues {
 void trilinear_polygons(const struct cell *cell, const double *const corner[8], const struct isovalues *iso,
                         polygon_fn *out);
 
-/* The cubic is polygonised on lattice x lattice x lattice small cubes, 1 <= lattice <= LATTICE_MAX. */
-void tricubic_polygons(const struct cell *cell, const double *const corner[8], const struct isovalues *iso,
-                       int lattice, polygon_fn *out);
+/* The cubic is polygonised on lattice x lattice x lattice small cubes, 1 <= lattice <= LATTICE_MAX. The system must be one
+ * that fit_prepare has set up; it is set up anew when the subcube's sides are not those it was made for. */
+void tricubic_polygons(struct fit_system *system, const struct cell *cell, const double *const corner[8],
+                       const struct isovalues *iso, int lattice, polygon_fn *out);
 
 /* F and its gradient with respect to u, v, w (0 to 1 across the subcube); b as in fit.h. */
 double tricubic_value(const double b[64], double u, double v, double w);

@@ -237,8 +237,8 @@ static void link_cube(const struct lattice *l, double c, int n, vertex crossing[
     polygon_link(inside, at_edge, number, out);
 }
 
-void tricubic_polygons(const struct cell *cell, const double *const corner[8], const struct isovalues *iso,
-                       int lattice, polygon_fn *out)
+void tricubic_polygons(struct fit_system *system, const struct cell *cell, const double *const corner[8],
+                       const struct isovalues *iso, int lattice, polygon_fn *out)
 {
     const double widths[3] = {cell->wx, cell->wy, cell->dz};
     double b[FIT_UNKNOWNS];
@@ -246,7 +246,9 @@ void tricubic_polygons(const struct cell *cell, const double *const corner[8], c
     vertex crossing[3][POINTS_MAX];
     int s, i, j, k;
 
-    fit_tricubic(corner, widths, b);
+    if (memcmp(system->widths, widths, sizeof widths))
+        fit_prepare(system, widths); /* the last subcube of a row or column may be narrower */
+    fit_tricubic(system, corner, b);
     set_lattice(&l, b, lattice);
     for (s = 0; s < iso->n; s++) {
         cross_edges(cell, b, &l, iso->value[s], crossing);

@@ -34,7 +34,9 @@ static void fit(struct data *d)
     const double *corner[8];
     for (int v = 0; v < 8; v++)
         corner[v] = d->corner[v];
-    fit_tricubic(corner, d->widths, d->b);
+    static struct fit_system system;
+    fit_prepare(&system, d->widths);
+    fit_tricubic(&system, corner, d->b);
 }
 
 /* A mixed derivative of F along the axes for which order is 1, by central differences in the subcube's units. */

@@ -146,11 +146,13 @@ static void a_packed_chunk_is_as_good_as_the_layer(void **state)
         pixel *p = volume_sphere(&o.grid);
         double *data = volume_data(&o.grid, p), *message = malloc((size_t)chunk_bytes_max(&o.grid));
         struct layer l = {.lower = data, .upper = data + grid_slice_doubles(&o.grid)};
+        struct fit_system system;
         int first = 3 * o.grid.nx, count = 4 * o.grid.nx + 5;
         double direct, number;
         sum = polygons = 0;
+        layer_prepare(&o, &system);
         for (int c = 0; c < count; c++)
-            layer_cell(&o, &l, first + c, add_up);
+            layer_cell(&o, &system, &l, first + c, add_up);
         direct = sum;
         number = polygons;
         assert_true(chunk_pack(&o.grid, &l, first, count, message) <= chunk_bytes_max(&o.grid));
@@ -160,7 +162,7 @@ static void a_packed_chunk_is_as_good_as_the_layer(void **state)
         assert_int_equal(c.count, count);
         sum = polygons = 0;
         for (int k = 0; k < c.count; k++)
-            layer_cell(&o, &c.layer, c.first + k, add_up);
+            layer_cell(&o, &system, &c.layer, c.first + k, add_up);
         assert_true(polygons == number && polygons > 0);
         assert_true(sum == direct); /* to the bit */
         free(message);
