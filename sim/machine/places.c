@@ -10,6 +10,16 @@ static vtime work(void *ctx, uint32_t place, vtime at, vtime t)
     return place < sys->count ? node_work(ctx, place, at, t) : cfs_work(sys->cfs, place, at, t);
 }
 
+/* A service's processor is no program's: moving bytes is work like any other. */
+static void move(void *ctx, uint32_t place, vtime at, vtime t)
+{
+    struct node_system *sys = ctx;
+    if (place < sys->count)
+        node_move(ctx, place, t);
+    else
+        cfs_work(sys->cfs, place, at, t);
+}
+
 static bool envelope(void *ctx, struct message *m, vtime now)
 {
     return m->service ? post_envelope(m, now) : mailbox_envelope(ctx, m, now);
@@ -33,5 +43,5 @@ static void arrived(void *ctx, struct message *m, vtime now)
 
 struct proto_nodes places_calls(struct node_system *sys)
 {
-    return (struct proto_nodes){sys, work, envelope, sent, arrived};
+    return (struct proto_nodes){sys, work, move, envelope, sent, arrived};
 }

@@ -373,7 +373,7 @@ static void inject(void *ctx, void *arg, vtime now)
     struct proto *p = ctx;
     struct message *m = arg;
     if (by_hand(m))
-        p->nodes.work(p->nodes.ctx, m->from, now, m->bytes * p->cfg->send_ps_per_byte);
+        p->nodes.move(p->nodes.ctx, m->from, now, m->bytes * p->cfg->send_ps_per_byte);
     m->at_sender = NOTHING;
     m->at_receiver = after(m->is_long ? trip(m) : m->transit.duration);
     if (!m->is_long)
@@ -385,7 +385,7 @@ static void data_flow(void *ctx, void *arg, vtime now)
 {
     struct proto *p = ctx;
     struct message *m = arg;
-    p->nodes.work(p->nodes.ctx, m->to, now, m->bytes * p->cfg->receive_ps_per_byte);
+    p->nodes.move(p->nodes.ctx, m->to, now, m->bytes * p->cfg->receive_ps_per_byte);
     m->at_receiver = at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 

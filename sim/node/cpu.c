@@ -68,6 +68,15 @@ vtime node_work(void *ctx, uint32_t node, vtime at, vtime t)
     return n->sys_free;
 }
 
+void node_move(void *ctx, uint32_t node, vtime t)
+{
+    struct node_system *sys = ctx;
+    struct node *n = sys->nodes[node];
+    if (n->state == NODE_COMPUTING)
+        n->clock.stolen += t;
+    n->stats.system += t;
+}
+
 /* --- the program's side --- */
 
 /* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know. */

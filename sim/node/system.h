@@ -49,6 +49,7 @@ void node_delete(struct node *n);
 
 /* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, vtime at, vtime t);
+void node_move(void *ctx, uint32_t node, vtime t);
 bool mailbox_envelope(void *ctx, struct message *m, vtime now);
 void mailbox_sent(void *ctx, struct message *m, vtime now);
 void mailbox_arrived(void *ctx, struct message *m, vtime now);

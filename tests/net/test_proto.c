@@ -26,6 +26,11 @@ static vtime work(void *ctx, uint32_t node, vtime at, vtime t)
     return f->free_at[node] = vt_max(f->free_at[node], at) + t;
 }
 
+static void move(void *ctx, uint32_t node, vtime at, vtime t)
+{
+    (void)ctx, (void)node, (void)at, (void)t;
+}
+
 static bool envelope(void *ctx, struct message *m, vtime now)
 {
     struct fake *f = ctx;
@@ -63,7 +68,7 @@ static void begin(struct fake *f, bool room)
 {
     struct topo topo;
     *f = (struct fake){.q = evq_new(), .room = room};
-    struct proto_nodes nodes = {f, work, envelope, sent, arrived};
+    struct proto_nodes nodes = {f, work, move, envelope, sent, arrived};
     assert_true(topo_hypercube(&topo, NODES, 3));
     f->proto = proto_new(&IPSC, &topo, f->q, &nodes);
 }
