@@ -8,9 +8,9 @@ struct disk {
     uint32_t place;
     struct disk_access *first, *last; /* waiting */
     struct disk_access *now;          /* being served, NULL: idle */
-    bool moved;                       /* the head is at (file, row) */
+    bool moved;                       /* the head is at a cylinder of a file */
     uint32_t file;
-    uint64_t row;
+    uint64_t cylinder;
     struct disk_stats stats;
 };
 
@@ -30,8 +30,9 @@ void disk_free(struct disk *d)
 
 static vtime service_time(struct disk *d, const struct disk_access *a)
 {
-    bool there = d->moved && d->file == a->file && d->row == a->row;
-    d->moved = true, d->file = a->file, d->row = a->row + a->rows;
+    uint64_t first = a->row / d->cfg->cylinder_blocks;
+    bool there = d->moved && d->file == a->file && d->cylinder == first;
+    d->moved = true, d->file = a->file, d->cylinder = (a->row + a->rows - 1) / d->cfg->cylinder_blocks;
     d->stats.seeks += !there;
     return (there ? 0 : d->cfg->seek_ps) + d->cfg->rotation_ps +
            a->rows * d->cfg->block_bytes * d->cfg->disk_ps_per_byte;

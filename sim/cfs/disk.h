@@ -1,9 +1,10 @@
 /* disk.h - a disk: a queue of accesses, served in the order they came.
  *
- *   access  =  seek, unless it starts where the last one ended  +  half a turn  +  bytes at the disk's rate
+ *   access  =  seek, unless it begins in the cylinder where the last one ended  +  half a turn  +  bytes at the disk's rate
  *
- * A deterministic disk: every seek takes the average, and every access, even one that goes on where the last ended, waits
- * half a turn, since the platter has moved on by the time the next command comes. Long accesses are what makes it fast.
+ * A deterministic disk: every seek takes the average, and every access, even one that goes on where the last ended,
+ * waits half a turn, since the platter has moved on by the time the next command comes. Long accesses are what makes it
+ * fast. A file's rows follow each other on the disk from a cylinder's start on; each file has cylinders of its own.
  */
 #ifndef CFS_DISK_H
 #define CFS_DISK_H

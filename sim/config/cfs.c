@@ -22,7 +22,9 @@ static bool read_sizes(struct cfg_reader *r, config_setting_t *g, struct cfg_cfs
         !cfg_whole(r, g, "window_blocks", 1, MOST_BLOCKS, &c->window_blocks) ||
         !cfg_whole(r, g, "cache_blocks", 1, MOST_BLOCKS, &c->cache_blocks) ||
         !cfg_whole(r, g, "read_ahead_blocks", 1, c->cache_blocks, &c->read_ahead_blocks) ||
-        !cfg_whole(r, g, "write_cluster_blocks", 1, c->cache_blocks, &c->write_cluster_blocks))
+        !cfg_whole(r, g, "write_cluster_blocks", 1, c->cache_blocks,
+                   &c->write_cluster_blocks) ||
+        !cfg_whole(r, g, "cylinder_blocks", 1, MOST_BLOCKS, &c->cylinder_blocks))
         return false;
     c->block_bytes = block_kb * KB;
     return true;
@@ -36,7 +38,7 @@ bool cfg_read_cfs(struct cfg_reader *r, struct cfg_cfs *c)
                                        "window_blocks",
                                        "cache_blocks",
                                        "read_ahead_blocks",
-                                       "write_cluster_blocks",
+                                       "write_cluster_blocks", "cylinder_blocks",
                                        "request_us",
                                        "request_ns",
                                        "copy_us_per_byte",

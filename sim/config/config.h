@@ -28,7 +28,8 @@ struct cfg_cfs {
     uint64_t copy_ps_per_byte;     /* between cache and message */
 
     /* a disk */
-    uint64_t seek_ps;     /* to another place than where the last access ended */
+    uint64_t cylinder_blocks;
+    uint64_t seek_ps;     /* to another cylinder than where the last access ended */
     uint64_t rotation_ps; /* half a turn, before every access */
     uint64_t disk_ps_per_byte;
 
