@@ -72,7 +72,7 @@ struct cfs_stats cfs_stats(const struct cfs *c)
         const struct disk_stats *d;
         s.reads += n->reads, s.writes += n->writes, s.hits += n->hits;
         for (uint32_t k = 0; (d = ionode_disk_stats(c->io[i], k)); k++) {
-            s.disk_accesses += d->accesses, s.disk_seeks += d->seeks;
+            s.disk_accesses += d->accesses, s.disk_seeks += d->seeks, s.disk_rows += d->rows;
             s.disk_busy = vt_max(s.disk_busy, d->busy);
         }
     }

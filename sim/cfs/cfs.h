@@ -58,7 +58,7 @@ int cfs_restrict(struct cfs_file *f, const uint32_t *disks, uint32_t count);
 
 struct cfs_stats {
     uint64_t reads, writes, hits, bytes_read, bytes_written, directory;
-    uint64_t disk_accesses, disk_seeks;
+    uint64_t disk_accesses, disk_seeks, disk_rows;
     vtime disk_busy; /* of the busiest */
 };
 struct cfs_stats cfs_stats(const struct cfs *c);

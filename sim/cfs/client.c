@@ -31,7 +31,7 @@ struct cfs_op {
     struct cfs *cfs;
     struct node *node;
     struct store_file *store;
-    bool write;
+    bool write, shared;
     uint64_t at, bytes;
     char *data;
     struct iovec *parts; /* of the program's memory */
@@ -62,7 +62,8 @@ static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec 
     struct cfs_op *op = calloc(1, sizeof *op);
     if (!op)
         abort();
-    *op = (struct cfs_op){.cfs = c, .node = f->base.node, .store = f->store, .write = write};
+    *op = (struct cfs_op){
+        .cfs = c, .node = f->base.node, .store = f->store, .write = write, .shared = f->mode != MODE_OWN};
     op->part_count = count;
     op->parts = malloc((size_t)count * sizeof *parts + 1);
     for (int i = 0; i < count; i++)
@@ -237,6 +238,7 @@ static void cut(struct cfs_op *op)
                                          .node = op->node->id,
                                          .file = op->store,
                                          .stride = f->volume_count,
+                                         .shared = op->shared,
                                          .data = op->data + done};
         p->request.piece = stripe_first(f->volumes, f->volume_count, block, op->at + done, op->bytes - done);
         done += p->request.piece.bytes;

@@ -1,5 +1,6 @@
 /* disk.c - see disk.h. */
 #include "cfs/disk.h"
+#include <math.h>
 #include <stdlib.h>
 
 struct disk {
@@ -28,14 +29,26 @@ void disk_free(struct disk *d)
     free(d);
 }
 
+/* To a cylinder of a file, where the head then is. */
+static vtime seek_time(const struct disk *d, uint32_t file, uint64_t cylinder)
+{
+    const struct cfg_cfs *c = d->cfg;
+    if (!d->moved || d->file != file)
+        return c->seek_ps;
+    uint64_t distance = d->cylinder > cylinder ? d->cylinder - cylinder : cylinder - d->cylinder;
+    if (distance == 0)
+        return 0;
+    double part = sqrt(3 * (double)distance / (double)c->cylinders);
+    return vt_min(c->seek_ps, c->seek_track_ps + (vtime)((double)(c->seek_ps - c->seek_track_ps) * part));
+}
+
 static vtime service_time(struct disk *d, const struct disk_access *a)
 {
-    uint64_t first = a->row / d->cfg->cylinder_blocks;
-    bool there = d->moved && d->file == a->file && d->cylinder == first;
-    d->moved = true, d->file = a->file, d->cylinder = (a->row + a->rows - 1) / d->cfg->cylinder_blocks;
-    d->stats.seeks += !there;
-    return (there ? 0 : d->cfg->seek_ps) + d->cfg->rotation_ps +
-           a->rows * d->cfg->block_bytes * d->cfg->disk_ps_per_byte;
+    uint64_t per_cylinder = d->cfg->cylinder_blocks;
+    vtime seek = seek_time(d, a->file, a->row / per_cylinder);
+    d->moved = true, d->file = a->file, d->cylinder = (a->row + a->rows - 1) / per_cylinder;
+    d->stats.seeks += seek > 0;
+    return seek + d->cfg->rotation_ps + a->rows * d->cfg->block_bytes * d->cfg->disk_ps_per_byte;
 }
 
 static void finish(void *ctx, void *arg, vtime now);

@@ -1,10 +1,13 @@
 /* disk.h - a disk: a queue of accesses, served in the order they came.
  *
- *   access  =  seek, unless it begins in the cylinder where the last one ended  +  half a turn  +  bytes at the disk's rate
+ *   access  =  seek  +  half a turn  +  bytes at the disk's rate
+ *   seek    =  0 within a cylinder; over d cylinders  track + (average - track) * sqrt(d / (cylinders / 3)),
+ *              and at most the average, which is what it is to another file
  *
- * A deterministic disk: every seek takes the average, and every access, even one that goes on where the last ended,
- * waits half a turn, since the platter has moved on by the time the next command comes. Long accesses are what makes it
- * fast. A file's rows follow each other on the disk from a cylinder's start on; each file has cylinders of its own.
+ * A deterministic disk: every access, even one that goes on where the last ended, waits half a turn, since the platter
+ * has moved on by the time the next command comes. Long accesses are what makes it fast. A file's rows follow each other
+ * from a cylinder's start on; each file has cylinders of its own. The square root is how arms behave that speed up half
+ * of the way and slow down the other half; the average seek of a disk is the one over a third of its cylinders.
  */
 #ifndef CFS_DISK_H
 #define CFS_DISK_H
@@ -18,7 +21,7 @@ struct disk;
 struct disk_access {
     uint32_t file;
     uint64_t row, rows;
-    /* It is about to start: may still change `rows`. False: it is not wanted any more, and done() follows at once
+    /* It is about to start: may still change `row` and `rows`. False: it is not wanted any more, and done() follows at once
      * with rows = 0. NULL: start. */
     bool (*starts)(void *ctx, struct disk_access *a);
     void (*done)(void *ctx, struct disk_access *a, vtime now);

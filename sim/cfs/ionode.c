@@ -157,18 +157,43 @@ static struct transfer *transfer_new(struct ionode *io, struct io_disk *d, uint3
     return t;
 }
 
-/* A write's turn has come: the dirty blocks behind it go with it. Not wanted if it went with another. */
+/* A row more, before the first or behind the last. */
+static void extend(struct transfer *t, bool before)
+{
+    t->block -= before ? t->stride : 0;
+    t->access.row -= before;
+    t->access.rows++;
+}
+
+static struct cache_block *behind(const struct transfer *t)
+{
+    return nth(t, t->access.rows);
+}
+
+static struct cache_block *before(const struct transfer *t)
+{
+    return t->access.row > 0 ? cache_find(t->io->cache, t->access.file, t->block - t->stride) : NULL;
+}
+
+static bool is_dirty(const struct cache_block *b)
+{
+    return b && b->state == CACHE_DIRTY;
+}
+
+/* A write's turn has come: the dirty blocks around it go with it. Not wanted if it went with another. */
 static bool gather(void *ctx, struct disk_access *a)
 {
     struct transfer *t = ctx;
-    struct cache_block *b = nth(t, 0);
-    uint64_t rows = 0;
-    while (rows < t->io->cfg->write_cluster_blocks && b && b->state == CACHE_DIRTY) {
-        b->state = CACHE_WRITING;
-        b = nth(t, ++rows);
-    }
-    a->rows = rows;
-    return rows > 0;
+    uint64_t most = t->io->cfg->write_cluster_blocks;
+    if (!is_dirty(nth(t, 0)))
+        return false;
+    while (a->rows < most && is_dirty(before(t)))
+        extend(t, true);
+    while (a->rows < most && is_dirty(behind(t)))
+        extend(t, false);
+    for (uint64_t k = 0; k < a->rows; k++)
+        nth(t, k)->state = CACHE_WRITING;
+    return true;
 }
 
 static void put_write(struct ionode *io, struct io_disk *d, const struct cache_block *b, uint32_t stride,
@@ -181,12 +206,12 @@ static void put_write(struct ionode *io, struct io_disk *d, const struct cache_b
 
 /* --- reading --- */
 
-/* Does the request go on where its node, or any, read last on that disk? */
+/* Does the request go on where its node, or any, read before on that disk? */
 static bool sequential(struct ionode *io, const struct io_request *r)
 {
     const struct io_disk *d = disk_of(io, r);
     uint64_t before = r->piece.block - r->stride;
-    if (r->piece.row == 0)
+    if (r->shared || r->piece.row == 0)
         return true;
     if (r->file_id < d->files && d->last[r->file_id] && d->last[r->file_id][r->node] == before + 1)
         return true;
@@ -210,22 +235,28 @@ static void remember(struct ionode *io, const struct io_request *r)
     (*last)[r->node] = r->piece.block + 1;
 }
 
-/* Brings a block, RESERVED, from disk; and those behind it that the file has, are not there, and find room. */
-static void fetch(struct ionode *io, struct io_request *r, struct cache_block *b, uint64_t most, vtime now)
+/* A row of the file that is not there, and finds room? */
+static bool reserve_row(struct ionode *io, const struct io_request *r, uint64_t block)
+{
+    if (block * io->cfg->block_bytes >= r->file->size || cache_find(io->cache, r->file_id, block))
+        return false;
+    struct cache_block *b = cache_take(io->cache, r->file_id, block);
+    if (b)
+        b->state = CACHE_READING;
+    return b;
+}
+
+/* Brings a block, RESERVED, from disk, and what is missing around it of its group of `group` rows. */
+static void fetch(struct ionode *io, struct io_request *r, struct cache_block *b, uint64_t group, vtime now)
 {
     struct io_disk *d = disk_of(io, r);
     struct transfer *t = transfer_new(io, d, b->file, b->number, r->stride);
+    uint64_t first = t->access.row / group * group, end = first + group;
     b->state = CACHE_READING;
-    while (t->access.rows < most) {
-        uint64_t next = t->block + t->access.rows * t->stride;
-        if (next * io->cfg->block_bytes >= r->file->size || cache_find(io->cache, b->file, next))
-            break;
-        struct cache_block *ahead = cache_take(io->cache, b->file, next);
-        if (!ahead)
-            break;
-        ahead->state = CACHE_READING;
-        t->access.rows++;
-    }
+    while (t->access.row + t->access.rows < end && reserve_row(io, r, t->block + t->access.rows * t->stride))
+        extend(t, false);
+    while (t->access.row > first && reserve_row(io, r, t->block - t->stride))
+        extend(t, true);
     disk_put(d->disk, &t->access, now);
 }
 

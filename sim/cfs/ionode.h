@@ -6,10 +6,11 @@
  *                                                                          later, in clusters: disk
  *
  * Requests that find no idle cache block wait in a queue, first come first served, until the disk has cleaned one.
- * Read-ahead: a read that has to go to disk and follows what its node read before on that disk (or what is still in
- * the cache, or is the file's first row there) brings further rows of the file, as far as there are idle blocks.
+ * Read-ahead: a read that has to go to disk and is sequential (the file pointer is shared; or it follows what its node
+ * read before on that disk, or what is still in the cache; or it is the file's first row there) brings what is missing around it of its group of rows, as far as there
+ * are idle blocks. Groups start at multiples of their size, so that readers that come in any order share them.
  * Write-behind: a block is put into its disk's queue at once when it becomes dirty; when its turn comes, the dirty
- * blocks that lie behind it go with it.
+ * blocks that lie around it go with it.
  *
  * The file's bytes are read and written (store.h) at the moment a request is answered or its data taken.
  */
@@ -27,6 +28,7 @@ struct io_request {
     uint32_t node;
     struct store_file *file;
     uint32_t stride; /* the file's next block on the same disk */
+    bool shared;     /* the file pointer is: together the nodes read in sequence, each for itself does not */
     struct stripe piece;
     char *data; /* to or from here */
     /* the I/O node's own */

@@ -22,8 +22,8 @@ static bool read_sizes(struct cfg_reader *r, config_setting_t *g, struct cfg_cfs
         !cfg_whole(r, g, "window_blocks", 1, MOST_BLOCKS, &c->window_blocks) ||
         !cfg_whole(r, g, "cache_blocks", 1, MOST_BLOCKS, &c->cache_blocks) ||
         !cfg_whole(r, g, "read_ahead_blocks", 1, c->cache_blocks, &c->read_ahead_blocks) ||
-        !cfg_whole(r, g, "write_cluster_blocks", 1, c->cache_blocks,
-                   &c->write_cluster_blocks) ||
+        !cfg_whole(r, g, "write_cluster_blocks", 1, c->cache_blocks, &c->write_cluster_blocks) ||
+        !cfg_whole(r, g, "cylinders", 1, MOST_BLOCKS, &c->cylinders) ||
         !cfg_whole(r, g, "cylinder_blocks", 1, MOST_BLOCKS, &c->cylinder_blocks))
         return false;
     c->block_bytes = block_kb * KB;
@@ -38,7 +38,10 @@ bool cfg_read_cfs(struct cfg_reader *r, struct cfg_cfs *c)
                                        "window_blocks",
                                        "cache_blocks",
                                        "read_ahead_blocks",
-                                       "write_cluster_blocks", "cylinder_blocks",
+                                       "write_cluster_blocks",
+                                       "cylinder_blocks",
+                                       "cylinders",
+                                       "seek_track_ms",
                                        "request_us",
                                        "request_ns",
                                        "copy_us_per_byte",
@@ -57,10 +60,13 @@ bool cfg_read_cfs(struct cfg_reader *r, struct cfg_cfs *c)
     if (!cfg_group(r, r->root, "cfs", &g) || !cfg_only(r, g, KEYS) || !read_sizes(r, g, c) ||
         !cfg_time(r, g, "request", "", &c->request_ps) ||
         !cfg_time(r, g, "copy", "_per_byte", &c->copy_ps_per_byte) ||
-        !read_ms(r, g, "seek_ms", &c->seek_ps) || !read_ms(r, g, "rotation_ms", &c->rotation_ps) ||
+        !read_ms(r, g, "seek_track_ms", &c->seek_track_ps) || !read_ms(r, g, "seek_ms", &c->seek_ps) ||
+        !read_ms(r, g, "rotation_ms", &c->rotation_ps) ||
         !cfg_number(r, g, "disk_mb_per_s", 1e-3, 1e4, &mb_per_s) || !read_ms(r, g, "open_ms", &c->open_ps) ||
         !read_ms(r, g, "pointer_ms", &c->pointer_ps))
         return false;
+    if (c->seek_track_ps > c->seek_ps)
+        return cfg_fail(r, g, "seek_track_ms", "is more than seek_ms, the average");
     c->disk_ps_per_byte = (uint64_t)llround(1e6 / mb_per_s);
     return true;
 }

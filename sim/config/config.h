@@ -21,16 +21,16 @@ struct cfg_cfs {
 
     /* an I/O node */
     uint64_t cache_blocks;
-    uint64_t
-        read_ahead_blocks; /* a sequential read from disk brings so many blocks, the one asked for included */
+    uint64_t read_ahead_blocks; /* a sequential read from disk brings what is missing of a group of so many */
     uint64_t write_cluster_blocks; /* a write to disk takes up to so many that lie together */
     uint64_t request_ps;           /* processor time of a request, beside that of its messages */
     uint64_t copy_ps_per_byte;     /* between cache and message */
 
     /* a disk */
-    uint64_t cylinder_blocks;
-    uint64_t seek_ps;     /* to another cylinder than where the last access ended */
-    uint64_t rotation_ps; /* half a turn, before every access */
+    uint64_t cylinders, cylinder_blocks;
+    uint64_t seek_track_ps; /* to the next cylinder */
+    uint64_t seek_ps;       /* on average */
+    uint64_t rotation_ps;   /* half a turn, before every access */
     uint64_t disk_ps_per_byte;
 
     /* the directory process */

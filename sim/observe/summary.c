@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
+#include "cfs/cfs.h"
 
 static vtime busy(const struct node *n)
 {
@@ -73,6 +74,21 @@ static void print_handlers(const struct machine *m, FILE *f)
                 handlers, vt_seconds(latest) * 1e6, slices);
 }
 
+static void print_files(const struct machine *m, FILE *f)
+{
+    struct cfs_stats s = m->sys.cfs ? cfs_stats(m->sys.cfs) : (struct cfs_stats){0};
+    if (s.directory + s.reads + s.writes == 0)
+        return;
+    fprintf(f,
+            "files          %" PRIu64 " bytes read in %" PRIu64 " pieces (%" PRIu64 " cached), %" PRIu64
+            " written in %" PRIu64 "; %" PRIu64 " directory requests\n",
+            s.bytes_read, s.reads, s.hits, s.bytes_written, s.writes, s.directory);
+    fprintf(f,
+            "disks          %" PRIu64 " accesses of %.1f blocks, %" PRIu64 " seeks; the busiest for %.6f s\n",
+            s.disk_accesses, s.disk_accesses ? (double)s.disk_rows / (double)s.disk_accesses : 0.0,
+            s.disk_seeks, vt_seconds(s.disk_busy));
+}
+
 void summary_print(const struct machine *m, FILE *f)
 {
     size_t peak = 0;
@@ -90,6 +106,7 @@ void summary_print(const struct machine *m, FILE *f)
     print_class(m, f, "with handlers", true);
     print_class(m, f, "others", false);
     print_handlers(m, f);
+    print_files(m, f);
     fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n", (double)peak / 1048576,
             where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
     fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
