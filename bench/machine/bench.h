@@ -1,0 +1,22 @@
+/* bench.h - what the microbenchmarks share: how they say what they found, and the time.
+ *
+ * A program prints lines "figure NAME VALUE" and "point SERIES X... Y" from node 0; `make validate` reads them and sets
+ * them beside what was published (published.cfg). Any other line is a remark.
+ */
+#ifndef BENCH_H
+#define BENCH_H
+#include <nx.h>
+#include <stdio.h>
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+static inline double now_us(void)
+{
+    return 1e6 * dclock();
+}
+
+static inline void figure(const char *name, double value)
+{
+    printf("figure %s %.9g\n", name, value);
+}
+#endif

@@ -1,0 +1,93 @@
+/* validate.h - published figures beside ours: what is to be run, what came out, and how far it is off.
+ *
+ *     published.cfg --plan_read--> plan --measure--> plan with results --judge--> errors --report_*--> table, page, JSON
+ */
+#ifndef VALIDATE_H
+#define VALIDATE_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum { MAX_SIZES = 16, MAX_PIECES = 4 };
+
+struct found {
+    char *name;
+    double value;
+};
+
+/* y over one or two x. */
+struct point {
+    char *series;
+    double x[2], y;
+};
+
+/* A program on a machine, for one or more numbers of nodes. */
+struct run {
+    const char *name, *program, *machine, *costs, *arguments;
+    unsigned nodes[MAX_SIZES];
+    size_t sizes;
+    struct found *found;
+    size_t found_count;
+    struct point *points;
+    size_t point_count;
+};
+
+enum verdict { WITHIN, OUTSIDE, KNOWN_MISS, OPEN };
+
+/* A figure as published: from low to high, which are equal for a single value; or open. */
+struct figure {
+    const struct run *run;
+    const char *name, *text, *unit, *standing, *source, *miss;
+    double low, high, within; /* within: the error allowed, a fraction */
+    bool open;
+    double ours, error;
+    enum verdict verdict;
+};
+
+/* A formula as published, held against every point of a series: for x[0] <= most, constant + per_x x[0] + per_y x[1]. */
+struct piece {
+    double most, constant, per_x, per_y;
+};
+struct curve {
+    const struct run *run;
+    const char *series, *text, *standing, *source;
+    struct piece pieces[MAX_PIECES];
+    size_t piece_count;
+    double within;
+    double worst; /* error, with its sign */
+    const struct point *worst_at;
+    size_t points;
+    enum verdict verdict;
+};
+
+/* Series that are shown and held against nothing. */
+struct listing {
+    const struct run *run;
+    const char *title, *x, *y;
+};
+
+struct plan {
+    struct run *runs;
+    size_t run_count;
+    struct figure *figures;
+    size_t figure_count;
+    struct curve *curves;
+    size_t curve_count;
+    struct listing *listings;
+    size_t listing_count;
+    const char *const *remarks; /* paragraphs for the page */
+    size_t remark_count;
+};
+
+/* Reads what is to be done. False with *error set. */
+bool plan_read(struct plan *p, const char *path, char **error);
+/* Runs everything: touchstone and programs from build, raw output and points into out. False with *error set. */
+bool measure(struct plan *p, const char *build, const char *out, char **error);
+/* Sets errors and verdicts; true if nothing is outside. */
+bool judge(struct plan *p);
+
+void report_terminal(const struct plan *p, FILE *f);
+void report_page(const struct plan *p, FILE *f);
+bool report_json(const struct plan *p, const char *path);
+const char *verdict_name(enum verdict v);
+#endif
