@@ -2,6 +2,7 @@
 #ifndef ESTAT_H
 #define ESTAT_H
 #include <sys/stat.h>
+#include <sys/types.h>
 #include "nx.h"
 #ifdef __cplusplus
 extern "C" {

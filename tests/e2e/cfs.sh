@@ -1,0 +1,33 @@
+#!/bin/bash
+# cfs.sh - the files of /cfs: where they are kept, and what the user is told.
+. "$(dirname "$0")/common.bash"
+compile cfs_keep
+export TMPDIR=$work/tmp
+mkdir tmp
+
+run -m ipsc860 -n 3 --cfs disks cfs_keep write
+check "--cfs makes the folder" test -d disks
+check "files are plain files of it" test "$(grep -c '^node [012] of 3$' disks/kept/lines)" = 3
+check "the summary counts what was written" said '48 written in 3'
+digest=$(grep digest err)
+run -m ipsc860 -n 3 --cfs disks cfs_keep read
+check "a second run finds the bytes of the first" cmp -s out disks/kept/lines
+run -m delta -n 3 --cfs disks cfs_keep read
+check "so does another machine" cmp -s out disks/kept/lines
+
+run -m ipsc860 -n 3 --cfs other cfs_keep write
+check "the same run has the same digest" test "$(grep digest err)" = "$digest"
+run -m ipsc860 -n 3 --slice 0.000001 cfs_keep write
+check "also in slices, and with a temporary folder" test "$(grep digest err)" = "$digest"
+check "which is gone after the run" test -z "$(ls tmp)"
+run -m ipsc860 -n 3 cfs_keep read
+check "without --cfs nothing is kept" ended_with 1
+check "a missing file: call, node and file are named" said 'node 0, at [0-9.]+ s: gopen: /cfs/kept/lines: No such file'
+run -m ipsc860 -n 1 --cfs disks cfs_keep /cfs/../../etc/passwd
+check "nothing outside the folder is reached" said 'gopen: .*Permission denied'
+
+run -m ipsc860 --cfs disks/kept/lines cfs_keep read
+check "--cfs that is no folder: exit status 65" ended_with 65
+check "--cfs that is no folder: says so" said '^touchstone run: --cfs disks/kept/lines: Not a directory'
+run --help
+check "--help tells of --cfs" grep -q -- '--cfs DIR' out
