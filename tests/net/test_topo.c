@@ -100,6 +100,129 @@ static void machines_that_are_too_small_say_no(void **state)
     assert_true(t.positions >= 37 && t.positions <= 38);
 }
 
+/* --- services --- */
+
+/* The channels of a route; how many. */
+static int channels_of(const struct topo *t, uint32_t from, uint32_t to, uint32_t *channels)
+{
+    struct topo_walk w;
+    int n = 0;
+    topo_begin(&w, from, to);
+    while (topo_step(t, &w, &channels[n])) {
+        assert_in_range(channels[n], 0, t->channels - 1);
+        n++;
+    }
+    return n;
+}
+
+static void services_leave_the_nodes_routes_as_they_are(void **state)
+{
+    struct topo plain[2], with[2];
+    uint32_t a[64], b[64];
+    (void)state;
+    assert_true(topo_hypercube(&plain[0], 16, 7));
+    assert_true(topo_mesh(&plain[1], 16, 16, 33));
+    for (int s = 0; s < 2; s++) {
+        with[s] = plain[s];
+        topo_add_services(&with[s], 11);
+        assert_int_equal(with[s].places, 16 + 11);
+        for (uint32_t i = 0; i < 256; i++) {
+            int n = channels_of(&plain[s], i / 16, i % 16, a);
+            assert_int_equal(channels_of(&with[s], i / 16, i % 16, b), n);
+            assert_memory_equal(a, b, (size_t)n * sizeof *a);
+        }
+    }
+}
+
+static void services_of_a_mesh_are_columns_at_its_edge(void **state)
+{
+    struct topo t;
+    (void)state;
+    assert_true(topo_mesh(&t, 9, 16, 33));
+    topo_add_services(&t, 5);
+    assert_int_equal(topo_hops(&t, 2, 9), 1);  /* the first row's */
+    assert_int_equal(topo_hops(&t, 5, 10), 1); /* the second's */
+    assert_int_equal(topo_hops(&t, 2, 12), 2); /* the first row's second */
+    assert_int_equal(topo_hops(&t, 6, 12), 6);
+    assert_int_equal(topo_hops(&t, 13, 11), 2);
+}
+
+static void services_of_a_hypercube_hang_on_nodes_spread_evenly(void **state)
+{
+    struct topo t;
+    uint32_t c[16], used[128] = {0};
+    (void)state;
+    assert_true(topo_hypercube(&t, 128, 7));
+    topo_add_services(&t, 10);
+    for (uint32_t i = 0; i < 10; i++) {
+        uint32_t host = i * 128 / 10;
+        assert_int_equal(used[host]++, 0);
+        assert_int_equal(topo_hops(&t, host, 128 + i), 1);
+        assert_int_equal(channels_of(&t, host, 128 + i, c), 2); /* the node's port, the service's channel */
+        assert_int_equal(topo_hops(&t, host ^ 127, 128 + i), 8);
+    }
+}
+
+/* The order of channels of which each route takes some, one after the other, has no cycle: Kahn's algorithm takes
+ * away channels that no other comes before, until none is left. */
+static void no_cycle(const struct topo *t)
+{
+    uint32_t n = t->channels, *before = calloc(n, sizeof *before), left = n, c[128];
+    char *follows = calloc((size_t)n * n, 1), *gone = calloc(n, 1);
+    for (uint32_t a = 0; a < t->places; a++)
+        for (uint32_t b = 0; b < t->places; b++)
+            for (int i = 1, m = channels_of(t, a, b, c); i < m; i++)
+                if (!follows[(size_t)c[i - 1] * n + c[i]]) {
+                    follows[(size_t)c[i - 1] * n + c[i]] = 1;
+                    before[c[i]]++;
+                }
+    for (uint32_t last = n + 1; left < last;) {
+        last = left;
+        for (uint32_t i = 0; i < n; i++) {
+            if (gone[i] || before[i] > 0)
+                continue;
+            gone[i] = 1, left--;
+            for (uint32_t k = 0; k < n; k++)
+                before[k] -= follows[(size_t)i * n + k];
+        }
+    }
+    assert_int_equal(left, 0);
+    free(before);
+    free(follows);
+    free(gone);
+}
+
+static void routes_with_services_have_no_cycle(void **state)
+{
+    static const uint32_t sizes[] = {1, 2, 7, 16, 24};
+    (void)state;
+    for (int i = 0; i < 5; i++) {
+        struct topo cube, mesh;
+        assert_true(topo_hypercube(&cube, sizes[i], 7));
+        assert_true(topo_mesh(&mesh, sizes[i], 16, 33));
+        topo_add_services(&cube, 11);
+        topo_add_services(&mesh, 11);
+        no_cycle(&cube);
+        no_cycle(&mesh);
+    }
+}
+
+static void every_route_ends_where_it_should(void **state)
+{
+    struct topo t;
+    uint32_t c[128];
+    (void)state;
+    for (int mesh = 0; mesh < 2; mesh++) {
+        assert_true(mesh ? topo_mesh(&t, 13, 16, 33) : topo_hypercube(&t, 13, 7));
+        topo_add_services(&t, 33);
+        for (uint32_t a = 0; a < t.places; a++)
+            for (uint32_t b = 0; b < t.places; b++) {
+                uint32_t ends = mesh ? 2 : 2 - (a >= t.positions) - (b >= t.positions);
+                assert_int_equal(channels_of(&t, a, b, c), topo_hops(&t, a, b) + ends);
+            }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -108,6 +231,11 @@ int main(void)
         cmocka_unit_test(every_route_has_as_many_links_as_hops),
         cmocka_unit_test(no_two_channels_share_a_number),
         cmocka_unit_test(machines_that_are_too_small_say_no),
+        cmocka_unit_test(services_leave_the_nodes_routes_as_they_are),
+        cmocka_unit_test(services_of_a_mesh_are_columns_at_its_edge),
+        cmocka_unit_test(services_of_a_hypercube_hang_on_nodes_spread_evenly),
+        cmocka_unit_test(routes_with_services_have_no_cycle),
+        cmocka_unit_test(every_route_ends_where_it_should),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
