@@ -30,6 +30,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 
 include nx_api/nxcc/nxcc.mk
 -include bench/machine/validate.mk
+include bench/machine/cfs.mk
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg

@@ -42,8 +42,14 @@ static bool make_shape(struct machine *m, char **error)
 static bool make_file_system(struct machine *m, char **error)
 {
     struct node_system *s = &m->sys;
-    if (!s->cfg->cfs.io_nodes)
-        return true; /* it has none */
+    if (!s->cfg->cfs.io_nodes && !m->options.cfs_dir)
+        return true;
+    if (!s->cfg->cfs.io_nodes) {
+        if (asprintf(error, "--cfs %s: %s has no Concurrent File System", m->options.cfs_dir, s->cfg->name) <
+            0)
+            abort();
+        return false;
+    }
     s->cfs = cfs_new(s, m->options.cfs_dir, error);
     if (s->cfs)
         s->fs = cfs_fs(s->cfs);

@@ -69,6 +69,22 @@ static void unknown_name_lists_the_known(void **state)
     free(error);
 }
 
+static void file_systems_are_as_published(void **state)
+{
+    (void)state;
+    struct cfg_machine *m = shipped("ipsc860");
+    assert_int_equal(m->cfs.io_nodes, 10);
+    assert_int_equal(m->cfs.disks, 10);
+    assert_int_equal(m->cfs.block_bytes, 4096);
+    assert_int_equal(m->cfs.disk_ps_per_byte, US); /* 1 MB/s */
+    assert_int_equal(m->cfs.rotation_ps, 8330 * US);
+    cfg_free(m);
+    m = shipped("delta");
+    assert_int_equal(m->cfs.io_nodes, 32);
+    assert_int_equal(m->cfs.disks, 64);
+    cfg_free(m);
+}
+
 /* A good file; a test changes one line of it. Lines are counted from 1. */
 static const char *const good[] = {
     /* 1 */ "name = \"toy\"; description = \"for tests\";",
@@ -152,6 +168,10 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {14, "interrupt_us = -1.0;", "toy.cfg:14: interrupt_us: -1 is out of range: 0 to 1e+06 are allowed"},
         {14, "", "toy.cfg:11: interrupt_us: missing"},
         {15, "message_ids = 0; };", "toy.cfg:15: message_ids: 0 is out of range: 1 to 1000000 are allowed"},
+        {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; disks = 1; };",
+         "toy.cfg:1: disks: 1 is out of range: 2 to 4096 are allowed"},
+        {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; discs = 1; };",
+         "toy.cfg:1: discs: unknown key; known here: io_nodes, disks"},
         {14, "interrupt_us 1;", "toy.cfg:14: syntax error (settings are written: key = value;)"},
         {14, "interrupt_us = 1; call_us = 2;",
          "toy.cfg:14: duplicate setting name (settings are written: key = value;)"},
@@ -194,9 +214,13 @@ static int leave_scratch(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ipsc860_adds_up_to_bokhari),          cmocka_unit_test(delta_is_a_mesh_of_528),
-        cmocka_unit_test(unknown_name_lists_the_known),        cmocka_unit_test(times_are_exact_picoseconds),
-        cmocka_unit_test(bad_files_are_named_by_line_and_key), cmocka_unit_test(file_that_is_not_there),
+        cmocka_unit_test(ipsc860_adds_up_to_bokhari),
+        cmocka_unit_test(delta_is_a_mesh_of_528),
+        cmocka_unit_test(file_systems_are_as_published),
+        cmocka_unit_test(unknown_name_lists_the_known),
+        cmocka_unit_test(times_are_exact_picoseconds),
+        cmocka_unit_test(bad_files_are_named_by_line_and_key),
+        cmocka_unit_test(file_that_is_not_there),
     };
     return cmocka_run_group_tests(tests, enter_scratch, leave_scratch);
 }

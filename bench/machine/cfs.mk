@@ -1,0 +1,12 @@
+# cfs.mk - the Concurrent File System beside what was measured. Included by the Makefile.
+CFS_BENCH := $B/bench/machine/cfs/rates
+
+$(CFS_BENCH): bench/machine/cfs/rates.c $(NXCC_DEPS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 -Wall -Wextra -o $@ $<
+
+validate-cfs: setup ## Rates of the iPSC/860's file system for 1 to 128 nodes, beside the published
+	$(SUBMAKE) all $(CFS_BENCH)
+	@bench/machine/cfs/validate $B
+
+.PHONY: validate-cfs
