@@ -370,6 +370,11 @@ void costs_use(const cost_table &t, const std::vector<cost_factor> &f)
     factors = f;
 }
 
+bool costs_is_memory(tree operand)
+{
+    return is_memory(operand);
+}
+
 int64_t costs_of(gimple *stmt)
 {
     return with_factor(stmt, plain_cost(stmt));

@@ -15,6 +15,9 @@ void costs_use(const cost_table &table, const std::vector<cost_factor> &factors)
 /* Units of one execution of stmt. For a call this is the fixed part: see costs_of_call. */
 int64_t costs_of(gimple *stmt);
 
+/* Is it an operand that lies in memory? */
+bool costs_is_memory(tree operand);
+
 /* The part of a call's cost that depends on its arguments or result: units each, 0 if none; *of tells of
  * what. */
 int64_t costs_of_call(gcall *call, const std::vector<int> **of);

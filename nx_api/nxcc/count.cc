@@ -21,6 +21,7 @@
  * check is a branch over nothing, and a leaf function stays a leaf.
  */
 #include "gcc.h"
+#include "cache.h"
 #include "costs.h"
 #include "count.h"
 
@@ -50,6 +51,7 @@ class counting
     void mark_checked_blocks();
     void count_block(basic_block bb);
     gimple *hand_over(gcall *call);
+    void pay_misses(gimple *stmt);
     void pay_argument(gcall *call);
     gimple *pay_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, int64_t cost);
@@ -183,6 +185,18 @@ tree append_amount(gimple_seq *seq, gcall *call, int64_t per, const std::vector<
     return amount;
 }
 
+/* Only with a simulated cache. */
+void counting::pay_misses(gimple *stmt)
+{
+    auto_vec<tree> misses;
+    cache_look_up(stmt, misses);
+    gimple_seq seq = NULL;
+    for (tree units : misses)
+        subtract(&seq, units);
+    gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+}
+
 void counting::pay_argument(gcall *call)
 {
     const std::vector<int> *of = nullptr;
@@ -248,6 +262,7 @@ void counting::count_block(basic_block bb)
     gimple *stmt;
     FOR_EACH_VEC_ELT (statements, i, stmt) {
         cost += costs_of(stmt);
+        pay_misses(stmt);
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
             continue;

@@ -21,6 +21,7 @@
 #include "tree-cfg.h"
 #include "tree-into-ssa.h"
 #include "tree-ssa-operands.h"
+#include "tree-ssa-address.h"
 #include "cfganal.h"
 #include "cfgloop.h"
 #include "cgraph.h"

@@ -21,6 +21,7 @@
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
 #define NXC_IMAGE_VERSION 1u
 #define NXC_UNITS_PER_CLOCK 1000
+#define NXC_CACHE_LINES 4096 /* at most, of a simulated data cache: cache.h */
 
 struct nxc_image {
     uint32_t magic;

@@ -43,7 +43,12 @@ $(NODE)/obj/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h) $(NXCC_TOOLS)
 	@mkdir -p $(@D)
 	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
 
-$(NODE)/libnx.a: $(COMMON_OBJ)
+# A simulated cache is not counted.
+$(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
+
+$(NODE)/libnx.a: $(COMMON_OBJ) $(NODE)/obj/cache_runtime.o
 	@mkdir -p $(@D)
 	@rm -f $@
 	ar rcs $@ $^

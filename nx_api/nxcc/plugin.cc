@@ -3,6 +3,7 @@
  * Arguments: costs=FILE (needed), factors=FILE; for tests: before=PASS (where the pass stands), memory (no registers).
  */
 #include "gcc.h"
+#include "cache.h"
 #include "costs.h"
 #include "count.h"
 
@@ -54,6 +55,7 @@ void read_files(const arguments &a)
     if (a.factors)
         stop_if(table_read_factors(a.factors, factors));
     costs_use(table, factors);
+    cache_use(table.cache);
 }
 
 /* The routine behind a check saves the registers that x86-64 has always had, and uses the stack below the

@@ -144,9 +144,41 @@ bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
     return true;
 }
 
+bool power_of_two(reader &r, const config_setting_t *group, const char *key, int64_t &value)
+{
+    const config_setting_t *s = config_setting_get_member(group, key);
+    value = s ? config_setting_get_int64(s) : 0;
+    if (value < 1 || value > 1 << 20 || (value & (value - 1)))
+        return r.fail(s ? s : group, std::string("cache: '") + key + "' must be a power of two");
+    return true;
+}
+
+/* cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; }, which may be left out. */
+bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
+{
+    int64_t bytes;
+    if (!only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss"}))
+        return false;
+    const config_setting_t *load = config_setting_get_member(group, "load_miss");
+    const config_setting_t *store = config_setting_get_member(group, "store_miss");
+    if (!load || !store)
+        return r.fail(group, "cache: 'load_miss' and 'store_miss' are needed");
+    if (!power_of_two(r, group, "bytes", bytes) || !power_of_two(r, group, "ways", cache.ways) ||
+        !power_of_two(r, group, "line", cache.line) || !units(r, load, cache.load_miss) ||
+        !units(r, store, cache.store_miss))
+        return false;
+    cache.sets = bytes / (cache.ways * cache.line);
+    if (cache.sets < 1 || cache.sets * cache.ways > NXC_CACHE_LINES)
+        return r.fail(group, "cache: must have 1 to " + std::to_string(NXC_CACHE_LINES) + " lines");
+    return true;
+}
+
 bool read_costs(reader &r, const config_setting_t *root, cost_table &table)
 {
-    if (!only_keys(r, root, {"name", "clock_mhz", "clocks", "calls"}))
+    if (!only_keys(r, root, {"name", "clock_mhz", "clocks", "calls", "cache"}))
+        return false;
+    const config_setting_t *cache = config_setting_get_member(root, "cache");
+    if (cache && !read_cache(r, cache, table.cache))
         return false;
     const config_setting_t *clocks = config_setting_get_member(root, "clocks");
     const config_setting_t *calls = config_setting_get_member(root, "calls");

@@ -16,11 +16,11 @@
     CLASS(multiply)                                                                                          \
     CLASS(divide)                                                                                            \
     CLASS(large_constant)                                                                                    \
-    CLASS(index) CLASS(bitfield) CLASS(load) CLASS(store) CLASS(branch) CLASS(jump_table) CLASS(call)        \
-        CLASS(argument) CLASS(fp_add_single) CLASS(fp_add_double) CLASS(fp_multiply_single)                  \
-            CLASS(fp_multiply_double) CLASS(fp_divide_single) CLASS(fp_divide_double) CLASS(fp_sqrt_single)  \
-                CLASS(fp_sqrt_double) CLASS(fp_compare) CLASS(fp_move) CLASS(convert_integer)                \
-                    CLASS(convert_precision)
+    CLASS(index)                                                                                             \
+    CLASS(bitfield) CLASS(load) CLASS(store) CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument)     \
+        CLASS(fp_add_single) CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double)        \
+            CLASS(fp_divide_single) CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double)      \
+                CLASS(fp_compare) CLASS(fp_move) CLASS(convert_integer) CLASS(convert_precision)
 
 struct class_costs {
 #define CLASS(name) int64_t name;
@@ -36,8 +36,15 @@ struct call_cost {
     std::vector<int> of;
 };
 
+/* A data cache that is simulated while the program runs: slow, for studies. sets 0: there is none. */
+struct cache_costs {
+    int64_t sets = 0, ways = 0, line = 0;  /* powers of two; line in bytes */
+    int64_t load_miss = 0, store_miss = 0; /* on top of a hit */
+};
+
 struct cost_table {
     class_costs clocks;
+    cache_costs cache;
     std::map<std::string, call_cost> calls;
 };
 
