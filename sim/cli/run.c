@@ -17,6 +17,8 @@ static const char HELP[] =
     "\n"
     "  -m MACHINE              a machine file (machines/NAME.cfg by its NAME, or a path); default delta\n"
     "  -n NODES                how many nodes; default 1\n"
+    "  --set KEY=VALUE         a number of the machine file by its dotted path, instead of the file's, such as\n"
+    "                          system.interrupt_us=150; may be given several times\n"
     "  --cfs DIR               the files of /cfs are those of this folder (made if missing); without it, of "
     "a\n"
     "                          temporary one that is gone after the run\n"
@@ -39,6 +41,7 @@ enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
 
 struct arguments {
     const char *machine, *json, *cfs;
+    const char **set; /* ended by NULL */
     uint32_t nodes;
     double max_virtual_s, max_wall_s, slice_s;
     bool quiet, help;
@@ -65,8 +68,9 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS };
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
+                                         {"set", required_argument, NULL, SET},
                                          {"cfs", required_argument, NULL, CFS},
                                          {"max-virtual-time", required_argument, NULL, MAX_VIRTUAL},
                                          {"max-wall-time", required_argument, NULL, MAX_WALL},
@@ -76,7 +80,10 @@ static int parse(int argc, char **argv, struct arguments *a)
                                          {"quiet", no_argument, NULL, 'q'},
                                          {"help", no_argument, NULL, 'h'},
                                          {0}};
-    *a = (struct arguments){.machine = "delta", .nodes = 1};
+    size_t set = 0;
+    *a = (struct arguments){.machine = "delta", .nodes = 1, .set = calloc((size_t)argc + 1, sizeof *a->set)};
+    if (!a->set)
+        abort();
     optind = 0;
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, "+:m:n:qh", LONG, NULL)) != -1;) {
@@ -93,6 +100,12 @@ static int parse(int argc, char **argv, struct arguments *a)
             break;
         case CFS:
             a->cfs = optarg;
+            break;
+        case SET:
+            if (!strchr(optarg, '=') || *optarg == '=')
+                return cli_usage("run", "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'",
+                                 optarg);
+            a->set[set++] = optarg;
             break;
         case MAX_VIRTUAL:
             if (!positive(optarg, &a->max_virtual_s))
@@ -142,43 +155,47 @@ static int report(const struct machine *m, const struct arguments *a)
     return error ? input_error(error) : status;
 }
 
-int cli_run(int argc, char **argv)
+static int run(const struct arguments *a)
 {
-    struct arguments a;
     char home[4096], machines[4128], *error = NULL;
-    int wrong = parse(argc, argv, &a);
-    if (wrong)
-        return wrong;
-    if (a.help)
-        return fputs(HELP, stdout), 0;
     if (!cfg_home(home, sizeof home))
         return input_error(
             strdup("machines/ is not where this program was built or installed; set TOUCHSTONE_HOME"));
     snprintf(machines, sizeof machines, "%s/machines", home);
-    struct cfg_machine *cfg = cfg_load(a.machine, machines, &error);
+    struct cfg_machine *cfg = cfg_load_with(a->machine, machines, a->set, &error);
     if (!cfg)
         return input_error(error);
     extern char **environ;
     struct machine_options o = {.cfg = cfg,
-                                .nodes = a.nodes,
-                                .argc = a.program_count,
-                                .argv = a.program,
+                                .nodes = a->nodes,
+                                .argc = a->program_count,
+                                .argv = a->program,
                                 .envp = environ,
-                                .max_virtual_s = a.max_virtual_s,
-                                .max_wall_s = a.max_wall_s,
-                                .slice_s = a.slice_s,
-                                .cfs_dir = a.cfs,
+                                .max_virtual_s = a->max_virtual_s,
+                                .max_wall_s = a->max_wall_s,
+                                .slice_s = a->slice_s,
+                                .cfs_dir = a->cfs,
                                 .out = stdout,
                                 .err = stderr};
     struct machine *m = machine_new(&o, &error);
     int status = EXIT_INPUT;
     if (m) {
         machine_run(m);
-        status = report(m, &a);
+        status = report(m, a);
         machine_free(m);
     } else {
         input_error(error);
     }
     cfg_free(cfg);
+    return status;
+}
+
+int cli_run(int argc, char **argv)
+{
+    struct arguments a;
+    int status = parse(argc, argv, &a);
+    if (!status)
+        status = a.help ? (fputs(HELP, stdout), 0) : run(&a);
+    free(a.set);
     return status;
 }

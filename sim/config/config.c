@@ -2,6 +2,7 @@
 #include "config/config.h"
 #include "config/cfs.h"
 #include "config/reader.h"
+#include "config/set.h"
 
 #include <dirent.h>
 #include <limits.h>
@@ -196,7 +197,27 @@ static char *no_such_machine(const char *name, const char *dir)
     return text;
 }
 
+/* Puts the settings into what was read, and keeps their texts, which error messages refer to. */
+static bool apply(struct cfg_reader *r, const char *const set[], struct cfg_machine *m)
+{
+    size_t count = 0;
+    while (set && set[count])
+        count++;
+    m->set = calloc(count + 1, sizeof *m->set);
+    if (!m->set)
+        abort();
+    for (size_t i = 0; i < count; i++)
+        if (!(m->set[i] = strdup(set[i])) || !cfg_set(r, m->set[i]))
+            return false;
+    return true;
+}
+
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error)
+{
+    return cfg_load_with(name, dir, NULL, error);
+}
+
+struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char *const set[], char **error)
 {
     size_t n = strlen(name);
     bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
@@ -210,7 +231,7 @@ struct cfg_machine *cfg_load(const char *name, const char *dir, char **error)
     }
 
     struct cfg_reader r;
-    bool ok = cfg_open(&r, m->path) && read_machine(&r, m);
+    bool ok = cfg_open(&r, m->path) && apply(&r, set, m) && read_machine(&r, m);
     cfg_close(&r);
     if (ok)
         return m;
@@ -226,6 +247,9 @@ void cfg_free(struct cfg_machine *m)
     free(m->name);
     free(m->description);
     free(m->path);
+    for (size_t i = 0; m->set && m->set[i]; i++)
+        free(m->set[i]);
+    free(m->set);
     free(m->cpu);
     free(m);
 }

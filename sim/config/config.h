@@ -42,6 +42,7 @@ struct cfg_machine {
     char *name;        /* "delta" */
     char *description; /* one line for people */
     char *path;        /* the file it was read from */
+    char **set;        /* settings that took the place of the file's, KEY=VALUE, ended by NULL */
 
     /* topology = { kind = "hypercube"; dimension = 7; } or { kind = "mesh"; rows = 16; columns = 33; } */
     enum cfg_topology topology;
@@ -85,6 +86,8 @@ struct cfg_machine {
 /* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.
  * Returns NULL with *error set to a malloc'd message for the user. */
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error);
+/* The same, with settings KEY=VALUE in place of the file's, in this order (set.h); set is ended by NULL, or is NULL. */
+struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char *const set[], char **error);
 void cfg_free(struct cfg_machine *m);
 
 /* The directory that holds machines/ for a running binary: from $TOUCHSTONE_HOME, the build tree or the installed

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_TEXT = 1024, MAX_KEY = 64 };
+enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
 bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const char *format, ...)
 {
@@ -19,10 +19,13 @@ bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
 
-    /* The root group has no line of its own. */
-    if (at && config_setting_source_line(at) > 0)
+    /* The root group has no line of its own; a value that did not come from the file has its setting's text. */
+    const char *set = at ? config_setting_get_hook(at) : NULL;
+    if (at && !set && config_setting_source_line(at) > 0)
         snprintf(where, sizeof where, ":%u", (unsigned)config_setting_source_line(at));
-    const char *file = at && config_setting_source_file(at) ? config_setting_source_file(at) : r->path;
+    const char *file = set                                    ? set
+                       : at && config_setting_source_file(at) ? config_setting_source_file(at)
+                                                              : r->path;
     if (asprintf(&r->error, "%s%s: %s%s%s", file, where, key ? key : "", key ? ": " : "", text) < 0)
         abort();
     return false;

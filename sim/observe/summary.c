@@ -137,7 +137,11 @@ static json_t *machine_json(const struct machine *m)
         json_array_append_new(arguments, json_string(m->options.argv[i]));
     for (uint32_t k = 0; k < m->sys.count; k++)
         json_array_append_new(nodes, node_json(m->sys.nodes[k]));
+    json_t *set = json_array();
+    for (char **s = m->sys.cfg->set; s && *s; s++)
+        json_array_append_new(set, json_string(*s));
     json_object_set_new(root, "arguments", arguments);
+    json_object_set_new(root, "settings", set);
     json_object_set_new(root, "node", nodes);
     if (m->message)
         json_object_set_new(root, "message", json_string(m->message));

@@ -27,6 +27,8 @@ wrong "no nodes" 64 "not '0'" run -n 0 ring
 wrong "words for a number" 64 "not 'many'" run -n many ring
 wrong "a program that is not there" 65 'nowhere' run nowhere
 wrong "a program of the host" 65 'nxcc' run /bin/true
+wrong "a setting that is none" 64 "KEY=VALUE.*not 'interrupt'" run --set interrupt ring
+wrong "a setting of an unknown key" 65 'known here: .*interrupt_us' run --set system.interupt_us=1 ring
 wrong "a machine that is not there" 65 'no machine "detla".*delta, ipsc860' run -m detla ring
 wrong "more nodes than the machine has" 65 '529 nodes.*16 x 33' run -n 529 ring
 wrong "more nodes than the hypercube has" 65 '129 nodes' run -m ipsc860 -n 129 ring
