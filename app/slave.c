@@ -62,25 +62,28 @@ static void send_polygons(int iso)
     s->used = 0;
 }
 
+/* Before polygons go into a buffer its last sending must be complete. */
+static void claim_buffer(struct surface *s, int buffer)
+{
+    if (s->send[buffer] >= 0)
+        msgwait(s->send[buffer]);
+    s->send[buffer] = -1;
+}
+
 /* All sets are sent, empty ones too: the host is told of every surface each time. But not before the first chunk: a
- * host that discards us does not wait for our messages, and must not get any. */
+ * host that discards us does not wait for our messages, and must not get any. The buffers are free again afterwards. */
 static void flush_polygons(void)
 {
-    int iso;
+    int iso, i;
 
     if (!slave.computed)
         return;
     slave.computed = 0;
     for (iso = 0; iso < slave.o->iso.n; iso++)
         send_polygons(iso);
-}
-
-/* Before the first polygon goes into a buffer its last sending must be complete. */
-static void claim_buffer(struct surface *s)
-{
-    if (s->send[s->filling] >= 0)
-        msgwait(s->send[s->filling]);
-    s->send[s->filling] = -1;
+    for (iso = 0; iso < slave.o->iso.n; iso++)
+        for (i = 0; i < 2; i++)
+            claim_buffer(&slave.surface[iso], i);
 }
 
 static void keep_polygon(int iso, int n, const vertex *v)
@@ -90,7 +93,7 @@ static void keep_polygon(int iso, int n, const vertex *v)
     if ((s->used + 1 + 6 * n) * (long)sizeof(double) > slave.o->policy.buffer)
         send_polygons(iso);
     if (s->used == 0)
-        claim_buffer(s);
+        claim_buffer(s, s->filling);
     s->used += collect_pack(n, v, s->buffer[s->filling] + s->used);
 }
 
