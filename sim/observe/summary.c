@@ -122,6 +122,15 @@ static json_t *node_json(const struct node *n)
                      (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
 }
 
+static json_t *files_json(const struct cfs *c)
+{
+    struct cfs_stats s = cfs_stats(c);
+    return json_pack("{s:I, s:I, s:I, s:I, s:I, s:f}", "bytes_read", (json_int_t)s.bytes_read,
+                     "bytes_written", (json_int_t)s.bytes_written, "cache_hits", (json_int_t)s.hits,
+                     "disk_accesses", (json_int_t)s.disk_accesses, "disk_seeks", (json_int_t)s.disk_seeks,
+                     "busiest_disk_s", vt_seconds(s.disk_busy));
+}
+
 static json_t *machine_json(const struct machine *m)
 {
     static const char *const OUTCOMES[] = {"ended", "failed", "deadlock"};
@@ -143,6 +152,8 @@ static json_t *machine_json(const struct machine *m)
     json_object_set_new(root, "arguments", arguments);
     json_object_set_new(root, "settings", set);
     json_object_set_new(root, "node", nodes);
+    if (m->sys.cfs)
+        json_object_set_new(root, "files", files_json(m->sys.cfs));
     if (m->message)
         json_object_set_new(root, "message", json_string(m->message));
     return root;
