@@ -29,8 +29,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
 include nx_api/nxcc/nxcc.mk
--include bench/machine/validate.mk
-include bench/machine/cfs.mk
+include $(wildcard bench/machine/*.mk)
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
@@ -96,7 +95,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
 
-FORMATTED = $(wildcard sim/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch])
+FORMATTED = $(wildcard sim/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)
@@ -108,6 +107,6 @@ clean: ## Remove build/ and out/
 	rm -rf build out
 
 help: ## Show this list
-	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' Makefile | expand -t 20
+	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
 .PHONY: all unit test tables bench setup install format check-format clean help
