@@ -21,6 +21,28 @@ for approx in 111 333; do
     done
 done
 
+# A volume in a file: plain, compressed, in two compressed members, and each of them on the Concurrent File System.
+awk 'BEGIN { for (z = 0; z < 6; z++) for (y = 0; y < 32; y++) for (x = 0; x < 40; x++)
+    printf "%c", 33 + int((x + 2 * y + 5 * z + x * y / 16) % 90) }' >volume.raw
+gzip -c volume.raw >volume.gz
+{ head -c 3000 volume.raw | gzip -c; tail -c +3001 volume.raw | gzip -c; } >volume2.gz
+mkdir cfs
+cp volume.raw volume.gz cfs
+polygons 4 -volume volume.raw 40 32 6 8 -isovalues 60.5 >plain
+check "a file: there are polygons" grep -qE '^polygons [1-9]' plain
+for file in volume.gz volume2.gz; do
+    polygons 4 -volume $file 40 32 6 8 -isovalues 60.5 >packed
+    check "a file: $file as plain" cmp plain packed
+done
+for file in volume.raw volume.gz; do
+    run -q --cfs cfs -n 4 "$BUILD/app/model" -digest -volume /cfs/$file 40 32 6 8 -isovalues 60.5
+    grep -E '^polygon(s|s_by_isovalue|_digest) ' out >onfs
+    check "a file: /cfs/$file as plain" cmp plain onfs
+done
+head -c 7000 volume.raw >short.raw
+run -q -n 2 "$BUILD/app/model" -volume short.raw 40 32 6 8
+check "a file that ends too soon is an error that names it" grep -q 'short.raw ends before slice 6 of 6' err
+
 # A CT scan of an engine block, if it is at hand.
 scan=$tests/../../../shared/data/engine_256x256x128_uint8.raw.gz
 if [ -r "$scan" ]; then
