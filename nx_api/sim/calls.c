@@ -25,8 +25,8 @@ static struct node *enter(const char *call)
 static struct node *enter_with(const char *call, long what)
 {
     struct node *n = enter(call);
-    n->call_type = what;
-    n->call_has_type = true;
+    n->call_type = n->awaited = what;
+    n->call_has_type = n->awaits = true;
     return n;
 }
 
@@ -66,7 +66,7 @@ static void send_all(struct node *n, long type, const void *buf, long len, long 
         next = m->also;
         if (!next && s)
             mailbox_follow(m, s);
-        node_spend(n, proto_send_time(p, type, (size_t)len));
+        node_spend_on(n, NODE_SENDING, proto_send_time(p, type, (size_t)len));
         proto_send(p, m, node_now(n));
     }
 }
@@ -194,6 +194,7 @@ void node_msgwait(long id)
         no_such_id(n, LOW(id));
     node_spend(n, n->sys->cfg->call_ps);
     node_order(n);
+    n->awaited = r ? (long)r->typesel : s->m ? (long)s->m->type : 0;
     if (r) {
         node_wait(n, receive_is_complete, r);
         mailbox_take(n, r, "msgwait");

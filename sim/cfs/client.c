@@ -204,7 +204,7 @@ static void answer_arrived(struct parcel *parcel, vtime at, vtime now)
     op->answered++;
     op->complete = vt_max(op->complete, at);
     if (op->issued < op->count && op->node->state != NODE_ENDED)
-        issue(op, node_work(op->cfs->sys, op->node->id, at, issue_time(op)));
+        issue(op, node_work(op->cfs->sys, op->node->id, PROTO_SEND, at, issue_time(op)));
     if (op->answered == op->issued)
         finish(op, op->complete);
 }
@@ -256,7 +256,7 @@ static void go(struct cfs_op *op)
 {
     cut(op);
     for (uint32_t first = window(op); op->issued < first;) {
-        node_spend(op->node, issue_time(op));
+        node_spend_on(op->node, NODE_SENDING, issue_time(op));
         issue(op, node_now(op->node));
     }
     if (op->count == 0)
@@ -268,7 +268,7 @@ static void go_later(struct cfs_op *op, vtime at)
 {
     cut(op);
     for (uint32_t first = window(op); op->issued < first;)
-        issue(op, node_work(op->cfs->sys, op->node->id, at, issue_time(op)));
+        issue(op, node_work(op->cfs->sys, op->node->id, PROTO_SEND, at, issue_time(op)));
     if (op->count == 0)
         finish(op, at);
 }
@@ -338,7 +338,7 @@ static void ask_place(struct cfs_op *op, int mode)
                                        .takes = c->cfg->pointer_ps,
                                        .serve = mode == MODE_ORDERED ? serve_ordered : serve_first_come,
                                        .answered = pointer_comes};
-    node_spend(op->node, directory_ask_time(c->directory));
+    node_spend_on(op->node, NODE_SENDING, directory_ask_time(c->directory));
     directory_ask(c->directory, &op->pointer, node_now(op->node));
 }
 

@@ -4,18 +4,18 @@
 #include "cfs/cfs.h"
 #include "cfs/post.h"
 
-static vtime work(void *ctx, uint32_t place, vtime at, vtime t)
+static vtime work(void *ctx, uint32_t place, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
-    return place < sys->count ? node_work(ctx, place, at, t) : cfs_work(sys->cfs, place, at, t);
+    return place < sys->count ? node_work(ctx, place, task, at, t) : cfs_work(sys->cfs, place, at, t);
 }
 
 /* A service's processor is no program's: moving bytes is work like any other. */
-static void move(void *ctx, uint32_t place, vtime at, vtime t)
+static void move(void *ctx, uint32_t place, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
     if (place < sys->count)
-        node_move(ctx, place, t);
+        node_move(ctx, place, task, t);
     else
         cfs_work(sys->cfs, place, at, t);
 }

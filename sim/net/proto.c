@@ -268,7 +268,7 @@ static vtime pass_on(struct proto *p, struct message *m, vtime when)
 {
     for (struct message *o = m->pass_on, *next; o; o = next) {
         next = o->also;
-        when = p->nodes.work(p->nodes.ctx, o->from, when, proto_send_time(p, o->type, o->bytes));
+        when = p->nodes.work(p->nodes.ctx, o->from, PROTO_SEND, when, proto_send_time(p, o->type, o->bytes));
         proto_send(p, o, when);
     }
     m->pass_on = NULL;
@@ -323,7 +323,7 @@ static void look_at(struct proto *p, struct message *m, vtime now)
         whole_message(p, m, now);
         return;
     }
-    vtime answered = p->nodes.work(p->nodes.ctx, m->to, now, p->cfg->ask_receive_ps);
+    vtime answered = p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, p->cfg->ask_receive_ps);
     m->at_receiver = m->at_sender = after(trip(m));
     if (p->nodes.envelope(p->nodes.ctx, m, now))
         proto_grant(p, m, answered);
@@ -340,7 +340,7 @@ static void grant_arrives(void *ctx, void *arg, vtime now)
 {
     struct proto *p = ctx;
     struct message *m = arg;
-    vtime ready = p->nodes.work(p->nodes.ctx, m->from, now, p->cfg->grant_receive_ps);
+    vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTO_SEND, now, p->cfg->grant_receive_ps);
     m->at_sender = at(ready);
     m->at_receiver = at(ready + trip(m));
     evq_put(p->q, ready, m->from, inject, p, m);
@@ -373,7 +373,7 @@ static void inject(void *ctx, void *arg, vtime now)
     struct proto *p = ctx;
     struct message *m = arg;
     if (by_hand(m))
-        p->nodes.move(p->nodes.ctx, m->from, now, m->bytes * p->cfg->send_ps_per_byte);
+        p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
     m->at_sender = NOTHING;
     m->at_receiver = after(m->is_long ? trip(m) : m->transit.duration);
     if (!m->is_long)
@@ -385,7 +385,7 @@ static void data_flow(void *ctx, void *arg, vtime now)
 {
     struct proto *p = ctx;
     struct message *m = arg;
-    p->nodes.move(p->nodes.ctx, m->to, now, m->bytes * p->cfg->receive_ps_per_byte);
+    p->nodes.move(p->nodes.ctx, m->to, PROTO_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
     m->at_receiver = at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
@@ -405,7 +405,7 @@ static void on_started(void *ctx, struct wire_transit *t, vtime now)
 
 static void complete(struct proto *p, struct message *m, vtime now, vtime system)
 {
-    m->complete = pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, now, system));
+    m->complete = pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, system));
     m->arrived = true;
     unlink_in(m);
     p->nodes.arrived(p->nodes.ctx, m, now);
@@ -417,7 +417,7 @@ static void whole_message(struct proto *p, struct message *m, vtime now)
         complete(p, m, now, p->cfg->short_receive_ps);
     } else {
         assert(m->forced);
-        pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, now, p->cfg->short_receive_ps));
+        pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, p->cfg->short_receive_ps));
         proto_message_free(m);
     }
 }

@@ -72,14 +72,17 @@ struct message {
     void *service;        /* not between programs: what it is about, to a service or its client; else NULL */
 };
 
+/* At which end of a message a processor has something to do. */
+enum proto_task { PROTO_SEND, PROTO_RECEIVE };
+
 struct proto_nodes {
     void *ctx;
     /* The operating system of a node works for t, from `at` on or when it is free; returns when it has
      * finished. */
-    vtime (*work)(void *ctx, uint32_t node, vtime at, vtime t);
+    vtime (*work)(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);
     /* The processor of a node moves bytes for t in all, from `at` on. That is interrupted by the work above and does not
      * hold it up: both directions of an exchange go on at once. */
-    void (*move)(void *ctx, uint32_t node, vtime at, vtime t);
+    void (*move)(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);
     /* An envelope has come: match it with a receive, or find a buffer. False: no room yet; proto_grant()
      * later. For a forced message with nothing posted return false too: it is dropped and freed. */
     bool (*envelope)(void *ctx, struct message *m, vtime now);

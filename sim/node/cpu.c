@@ -57,24 +57,35 @@ void node_start(struct node *n)
     evq_put_late(n->sys->q, 0, n->id, go_on, n, NULL);
 }
 
-vtime node_work(void *ctx, uint32_t node, vtime at, vtime t)
+static void account(struct node *n, enum node_task task, vtime t)
+{
+    n->stats.tasks[task] += t;
+    n->stats.system += t;
+}
+
+/* The system has the processor for t, beside or instead of the program. */
+static void steal(struct node *n, enum node_task task, vtime t)
+{
+    if (n->state == NODE_ENDED)
+        return; /* nobody's time any more */
+    if (n->state == NODE_COMPUTING)
+        n->clock.stolen += t;
+    account(n, task, t);
+}
+
+vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
     struct node *n = sys->nodes[node];
     n->sys_free = vt_max(at, n->sys_free) + t;
-    if (n->state == NODE_COMPUTING)
-        n->clock.stolen += t;
-    n->stats.system += t;
+    steal(n, task == PROTO_SEND ? NODE_SENDING : NODE_RECEIVING, t);
     return n->sys_free;
 }
 
-void node_move(void *ctx, uint32_t node, vtime t)
+void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
 {
     struct node_system *sys = ctx;
-    struct node *n = sys->nodes[node];
-    if (n->state == NODE_COMPUTING)
-        n->clock.stolen += t;
-    n->stats.system += t;
+    steal(sys->nodes[node], task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, t);
 }
 
 /* --- the program's side --- */
@@ -103,17 +114,22 @@ void node_enter(struct node *n, const char *call)
 {
     clock_sync(n);
     n->call = call;
-    n->call_has_type = false;
+    n->call_has_type = n->awaits = false;
     n->call_since = node_now(n);
     do
         node_order(n);
     while (node_run_handlers(n));
 }
 
-void node_spend(struct node *n, vtime t)
+void node_spend_on(struct node *n, enum node_task task, vtime t)
 {
     clock_advance_to(n, clock_sync(n) + t);
-    n->stats.system += t;
+    account(n, task, t);
+}
+
+void node_spend(struct node *n, vtime t)
+{
+    node_spend_on(n, NODE_CALL, t);
 }
 
 static vtime deadline(struct node *n, vtime now)
@@ -150,11 +166,12 @@ bool node_run_handlers(struct node *n)
     bool any = false;
     while (mailbox_handler_due(n, node_now(n))) {
         const char *call = n->call;
-        long type = n->call_type;
-        bool has_type = n->call_has_type;
+        long type = n->call_type, awaited = n->awaited;
+        bool has_type = n->call_has_type, awaits = n->awaits;
         vtime since = n->call_since;
         mailbox_run_handler(n);
         n->call = call, n->call_type = type, n->call_has_type = has_type, n->call_since = since;
+        n->awaited = awaited, n->awaits = awaits;
         any = true;
     }
     return any;
@@ -167,13 +184,23 @@ static void catch_up(struct node *n)
         node_order(n);
 }
 
+/* A wait of `waited` is over, during which the system was busy for `busy`. */
+static void account_wait(struct node *n, vtime waited, vtime busy)
+{
+    vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
+    n->stats.system -= beside;
+    n->stats.beside += beside;
+    n->stats.idle += idle;
+    if (idle)
+        waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
+}
+
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
         vtime since = node_now(n), busy = n->stats.system;
         n->state = NODE_BLOCKED;
         fiber_yield(n->fiber);
-        vtime waited = node_now(n) - since;
-        n->stats.idle += waited - vt_min(n->stats.system - busy, waited);
+        account_wait(n, node_now(n) - since, n->stats.system - busy);
     }
 }

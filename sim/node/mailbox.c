@@ -295,7 +295,7 @@ void mailbox_take(struct node *n, struct receive *r, const char *call)
     if (m->bytes)
         memcpy(r->buf, m->data, m->bytes);
     if (m->buffered)
-        node_spend(n, m->bytes * n->sys->cfg->copy_ps_per_byte);
+        node_spend_on(n, NODE_COPYING, m->bytes * n->sys->cfg->copy_ps_per_byte);
     n->info = (struct node_info){(long)m->type, (long)m->bytes, m->source, (long)m->pid};
     unbuffer(n, m);
     proto_message_free(m);
@@ -414,7 +414,7 @@ void mailbox_run_handler(struct node *n)
     n->in_handler = true;
 
     node_handler *handler = d.receive ? d.receive->handler : d.send->handler;
-    node_spend(n, n->sys->cfg->interrupt_ps / 2);
+    node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps / 2);
     if (d.receive)
         mailbox_take(n, d.receive, "hrecv");
     else
@@ -424,7 +424,7 @@ void mailbox_run_handler(struct node *n)
     node_leave(n);
     handler(n->info.type, n->info.count, n->info.node, n->info.pid);
     node_now(n);
-    node_spend(n, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
+    node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 
     n->in_handler = false;
     n->open_since = node_now(n);

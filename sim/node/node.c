@@ -1,5 +1,6 @@
 /* node.c - a node's making and ending, its memory account, and its errors. See node.h. */
 #include "node/node.h"
+#include <assert.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,6 +61,19 @@ void node_system_fail(struct node_system *sys, enum node_stop why, const char *f
     sys->stop = why;
 }
 
+/* The rule of struct node_stats. */
+static bool time_adds_up(const struct node *n)
+{
+    const struct node_stats *s = &n->stats;
+    vtime tasks = 0, waits = 0;
+    for (int i = 0; i < NODE_TASKS; i++)
+        tasks += s->tasks[i];
+    for (size_t i = 0; i < s->waits.count; i++)
+        waits += s->waits.list[i].idle;
+    return clock_of_units(n, n->clock.units) + s->idle + s->system == s->ended_at + n->clock.stolen &&
+           tasks == s->system + s->beside && waits == s->idle;
+}
+
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
 {
     if (!n->sys->stop)
@@ -68,6 +82,7 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
     n->exit_code = code;
     n->state = NODE_ENDED;
     n->stats.ended_at = node_now(n);
+    assert(time_adds_up(n));
     n->sys->running--;
     fiber_finish(n->fiber);
 }
@@ -181,6 +196,7 @@ void node_delete(struct node *n)
     if (!n)
         return;
     mailbox_free(n->mailbox);
+    waits_free(&n->stats.waits);
     if (n->libc)
         node_libc_free(n);
     if (n->fiber)

@@ -21,6 +21,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include "kernel/vtime.h"
+#include "node/waits.h"
 
 #define NODE_SPAN ((uintptr_t)1 << 30)
 
@@ -44,9 +45,26 @@ struct node_clock {
     vtime stolen;   /* system time not yet added to the program's: see cpu.c */
 };
 
+/* What the operating system has the processor for. */
+enum node_task {
+    NODE_CALL,      /* calls that neither send nor receive here and now */
+    NODE_SENDING,   /* the steps of the protocol at the sender; what is passed on, too */
+    NODE_RECEIVING, /* and at the receiver */
+    NODE_COPYING,   /* from system buffers */
+    NODE_INTERRUPT, /* into and out of handlers */
+    NODE_FEEDING,   /* the channel, by hand */
+    NODE_EMPTYING,  /* it */
+    NODE_TASKS
+};
+
+/* A node's time is the sum of computing (its cost units), idle and system, to the picosecond. The tasks' sum is system
+ * and beside: a wait may be over while the processor still moves bytes, which does not hold up the program. */
 struct node_stats {
-    vtime idle;   /* waiting in a call */
+    vtime idle;   /* waiting in a call, and the processor at rest */
     vtime system; /* in the operating system: calls, messages, interrupts */
+    vtime tasks[NODE_TASKS];
+    vtime beside;            /* tasks that took none of the program's time */
+    struct node_waits waits; /* of idle: in which calls, for which messages */
     vtime ended_at;
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     uint64_t handlers, slices;
@@ -83,6 +101,8 @@ struct node {
     const char *call;
     long call_type; /* type, typesel or id it was given */
     bool call_has_type;
+    long awaited; /* type or typesel of the message the call is about, if awaits */
+    bool awaits;
     vtime call_since;
     bool woken; /* a wake-up is in the queue */
 
@@ -116,8 +136,9 @@ void node_enter(struct node *n, const char *call);
  * handlers: for library calls that show something to the outside (a write) in places that are not safe for a
  * handler. */
 void node_order(struct node *n);
-/* Spend operating system time in a call. */
+/* Spend operating system time in a call: NODE_CALL, or the task named. */
 void node_spend(struct node *n, vtime t);
+void node_spend_on(struct node *n, enum node_task task, vtime t);
 /* Back to the program; every node_enter ends with it. (node_order needs none.) */
 void node_leave(struct node *n);
 /* End the program from inside one of its calls; never returns. */

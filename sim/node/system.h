@@ -48,8 +48,8 @@ struct node *node_new(struct node_system *sys, uint32_t id, const struct node_im
 void node_delete(struct node *n);
 
 /* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
-vtime node_work(void *ctx, uint32_t node, vtime at, vtime t);
-void node_move(void *ctx, uint32_t node, vtime t);
+vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);
+void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t);
 bool mailbox_envelope(void *ctx, struct message *m, vtime now);
 void mailbox_sent(void *ctx, struct message *m, vtime now);
 void mailbox_arrived(void *ctx, struct message *m, vtime now);

@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/cfs.h"
+#include "node/clock.h"
 
+/* What the program itself has computed, by its cost units. */
 static vtime busy(const struct node *n)
 {
-    vtime other = n->stats.idle + n->stats.system;
-    return n->stats.ended_at > other ? n->stats.ended_at - other : 0;
+    return clock_of_units(n, n->clock.units);
 }
 
 /* --- for people --- */
@@ -114,12 +115,41 @@ void summary_print(const struct machine *m, FILE *f)
 
 /* --- for programs --- */
 
+/* Of idle_s: an object for each call and type of message waited for. */
+static json_t *waits_json(const struct node *n)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < n->stats.waits.count; i++) {
+        const struct node_wait *w = &n->stats.waits.list[i];
+        json_t *j = json_pack("{s:s, s:f, s:I}", "call", w->call, "idle_s", vt_seconds(w->idle), "waits",
+                              (json_int_t)w->waits);
+        if (w->has_type)
+            json_object_set_new(j, "type", json_integer(w->type));
+        json_array_append_new(list, j);
+    }
+    return list;
+}
+
+/* Their sum is system_s and beside_s. */
+static json_t *tasks_json(const struct node *n)
+{
+    static const char *const NAMES[NODE_TASKS] = {"calls_s",      "sending_s", "receiving_s", "copying_s",
+                                                  "interrupts_s", "feeding_s", "emptying_s"};
+    json_t *tasks = json_object();
+    for (int i = 0; i < NODE_TASKS; i++)
+        json_object_set_new(tasks, NAMES[i], json_real(vt_seconds(n->stats.tasks[i])));
+    return tasks;
+}
+
+/* busy_s, idle_s and system_s add up to ended_s. */
 static json_t *node_json(const struct node *n)
 {
-    return json_pack("{s:f, s:f, s:f, s:I, s:i, s:I, s:I}", "busy_s", vt_seconds(busy(n)), "idle_s",
-                     vt_seconds(n->stats.idle), "system_s", vt_seconds(n->stats.system), "memory_peak_bytes",
-                     (json_int_t)n->stats.memory_peak, "exit_code", n->exit_code, "messages_sent",
-                     (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
+    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "ended_s",
+                     vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
+                     vt_seconds(n->stats.idle), "system_s", vt_seconds(n->stats.system), "beside_s",
+                     vt_seconds(n->stats.beside), "waits", waits_json(n), "tasks", tasks_json(n),
+                     "memory_peak_bytes", (json_int_t)n->stats.memory_peak, "exit_code", n->exit_code,
+                     "messages_sent", (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
 }
 
 static json_t *files_json(const struct cfs *c)

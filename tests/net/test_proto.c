@@ -20,15 +20,16 @@ struct fake {
     vtime complete[16];
 };
 
-static vtime work(void *ctx, uint32_t node, vtime at, vtime t)
+static vtime work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
 {
     struct fake *f = ctx;
+    (void)task;
     return f->free_at[node] = vt_max(f->free_at[node], at) + t;
 }
 
-static void move(void *ctx, uint32_t node, vtime at, vtime t)
+static void move(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
 {
-    (void)ctx, (void)node, (void)at, (void)t;
+    (void)ctx, (void)node, (void)task, (void)at, (void)t;
 }
 
 static bool envelope(void *ctx, struct message *m, vtime now)
