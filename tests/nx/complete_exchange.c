@@ -1,5 +1,4 @@
-/* Complete exchange in log2 N steps of long messages: a message that comes while its receiver is between two calls wakes
- * the receiver when it is complete, even if nothing else happens on the machine.
+/* Complete exchange in log2 N steps of messages of all lengths, long ones among them, with receives posted early and late.
  * run: -m ipsc860 -n 32
  * run: -m delta -n 16
  * run: -m paragon -n 8
