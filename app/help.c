@@ -18,6 +18,7 @@ const char options_help[] =
     "  -lattice M             333: polygonise each subcube on M x M x M small cubes, 1 to 4  [2]\n"
     "Results\n"
     "  -ply PREFIX            write surface i to PREFIX_i.ply; without it polygons are counted and dropped\n"
+    "  -parts PREFIX          each host writes its polygons of surface i to PREFIX_i.nodeN.part; not joined\n"
     "  -digest                print a hash of all polygons; it does not depend on nodes, groups or chunks\n"
     "Groups\n"
     "  -group G               nodes in a group, the first of them its host; 0: all nodes in one  [0]\n"

@@ -75,7 +75,7 @@ int main(int argc, char **argv)
     start = dclock();
     work(&o, is_host);
     report(&o, is_host, start);
-    if (mynode() == 0 && o.ply)
+    if (mynode() == 0 && o.ply && !o.parts_only)
         write_surfaces(&o);
     return 0;
 }

@@ -145,6 +145,10 @@ static int read_volume_option(struct parser *p, struct options *o, const char *n
     }
     if (!strcmp(name, "-ply"))
         return read_name(p, &o->ply);
+    if (!strcmp(name, "-parts")) {
+        o->parts_only = 1;
+        return read_name(p, &o->ply);
+    }
     if (!strcmp(name, "-digest")) {
         o->digest = 1;
         return 0;

@@ -32,6 +32,7 @@ struct options {
     int bits;           /* of a pixel in the file: 8 or 16 */
     int lattice;        /* the cubic is polygonised on lattice^3 small cubes */
     const char *ply;    /* prefix of output files, or NULL */
+    int parts_only;     /* leave the hosts' part files as they are */
     int digest;         /* print a hash of all polygons */
 };
 
