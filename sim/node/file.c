@@ -72,11 +72,51 @@ struct node_file *file_of_host(struct node *n, int fd)
     return &f->base;
 }
 
+/* --- /cfs on a machine that has no such file system --- */
+
+static int refuse(void)
+{
+    errno = ENODEV;
+    return -1;
+}
+
+static struct node_file *no_open(void *ctx, struct node *n, const char *path, int flags, mode_t permissions)
+{
+    (void)ctx, (void)n, (void)path, (void)flags, (void)permissions;
+    refuse();
+    return NULL;
+}
+
+static int no_unlink(void *ctx, struct node *n, const char *path)
+{
+    (void)ctx, (void)n, (void)path;
+    return refuse();
+}
+
+static int no_rename(void *ctx, struct node *n, const char *from, const char *to)
+{
+    (void)ctx, (void)n, (void)from, (void)to;
+    return refuse();
+}
+
+static int no_stat(void *ctx, struct node *n, const char *path, struct stat *st)
+{
+    (void)ctx, (void)n, (void)path, (void)st;
+    return refuse();
+}
+
+static const struct node_fs NO_FS = {NULL, no_open, no_unlink, no_rename, no_stat};
+
 /* --- which of the two --- */
 
-static bool simulated(const struct node *n, const char *path)
+static const struct node_fs *fs_of(const struct node *n)
 {
-    return n->sys->fs && strncmp(path, "/cfs", 4) == 0 && (path[4] == '/' || path[4] == 0);
+    return n->sys->fs ? n->sys->fs : &NO_FS;
+}
+
+static bool simulated(const char *path)
+{
+    return strncmp(path, "/cfs", 4) == 0 && (path[4] == '/' || path[4] == 0);
 }
 
 /* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The deadline
@@ -101,12 +141,12 @@ static void leave(struct node *n, bool masked)
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
-    if (!simulated(n, path)) {
+    if (!simulated(path)) {
         node_order(n);
         return file_of_host(n, open(path, flags | O_CLOEXEC, permissions));
     }
     bool masked = enter(n, "open");
-    struct node_file *f = n->sys->fs->open(n->sys->fs->ctx, n, path, flags, permissions);
+    struct node_file *f = fs_of(n)->open(fs_of(n)->ctx, n, path, flags, permissions);
     leave(n, masked);
     return f;
 }
@@ -183,40 +223,40 @@ void file_drop(struct node_file *f)
 
 int file_stat(struct node *n, const char *path, struct stat *st)
 {
-    if (!simulated(n, path)) {
+    if (!simulated(path)) {
         node_order(n);
         return stat(path, st);
     }
     bool masked = enter(n, "stat");
-    int r = n->sys->fs->stat(n->sys->fs->ctx, n, path, st);
+    int r = fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
     leave(n, masked);
     return r;
 }
 
 int file_unlink(struct node *n, const char *path)
 {
-    if (!simulated(n, path)) {
+    if (!simulated(path)) {
         node_order(n);
         return unlink(path);
     }
     bool masked = enter(n, "unlink");
-    int r = n->sys->fs->unlink(n->sys->fs->ctx, n, path);
+    int r = fs_of(n)->unlink(fs_of(n)->ctx, n, path);
     leave(n, masked);
     return r;
 }
 
 int file_rename(struct node *n, const char *from, const char *to)
 {
-    if (simulated(n, from) != simulated(n, to)) {
+    if (simulated(from) != simulated(to)) {
         errno = EXDEV;
         return -1;
     }
-    if (!simulated(n, from)) {
+    if (!simulated(from)) {
         node_order(n);
         return rename(from, to);
     }
     bool masked = enter(n, "rename");
-    int r = n->sys->fs->rename(n->sys->fs->ctx, n, from, to);
+    int r = fs_of(n)->rename(fs_of(n)->ctx, n, from, to);
     leave(n, masked);
     return r;
 }

@@ -1,7 +1,7 @@
 /* file.h - an open file of a node: of this computer, or of the simulated machine's file system.
  *
- * Paths under /cfs belong to the machine's file system, if it has one (node_system.fs): opening, reading and writing
- * there takes virtual time. All other paths are this computer's, relative ones from where the simulator was started;
+ * Paths under /cfs belong to the machine's file system (node_system.fs; ENODEV if it has none): opening, reading and
+ * writing there takes virtual time. All other paths are this computer's, relative ones from where the simulator was started;
  * they take no virtual time, but are opened, read and written in its order.
  *
  * file_* functions run on the node's stack and answer as their namesakes in POSIX do: -1 (NULL) with errno. Handlers

@@ -29,5 +29,10 @@ check "nothing outside the folder is reached" said 'gopen: .*Permission denied'
 run -m ipsc860 --cfs disks/kept/lines cfs_keep read
 check "--cfs that is no folder: exit status 65" ended_with 65
 check "--cfs that is no folder: says so" said '^touchstone run: --cfs disks/kept/lines: Not a directory'
+run -m paragon cfs_keep read
+check "a machine without /cfs: the program is told" said 'gopen: /cfs/kept/lines: No such device'
+run -m paragon --cfs disks cfs_keep read
+check "a machine without /cfs: --cfs is refused" ended_with 65
+check "a machine without /cfs: it is named" said 'paragon.* has no Concurrent File System'
 run --help
 check "--help tells of --cfs" grep -q -- '--cfs DIR' out
