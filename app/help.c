@@ -20,6 +20,7 @@ const char options_help[] =
     "  -ply PREFIX            write surface i to PREFIX_i.ply; without it polygons are counted and dropped\n"
     "  -parts PREFIX          each host writes its polygons of surface i to PREFIX_i.nodeN.part; not joined\n"
     "  -digest                print a hash of all polygons; it does not depend on nodes, groups or chunks\n"
+    "  -times                 measure what the nodes do, by activity and by layer, and print that too (times_...)\n"
     "Groups\n"
     "  -group G               nodes in a group, the first of them its host; 0: all nodes in one  [0]\n"
     "  -noreassign            let the nodes of a finished group rest instead of dealing them to the others\n"

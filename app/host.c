@@ -20,6 +20,7 @@
 #include "fail.h"
 #include "host.h"
 #include "slices.h"
+#include "times.h"
 
 struct host host;
 
@@ -69,8 +70,23 @@ void host_prepare(const struct options *o)
  * there is one. */
 void host_read_first(void)
 {
+    enum activity before = times_enter(READING);
+
     if (span.layers > 0)
         slices_prepare(span.first + 1);
+    times_enter(before);
+}
+
+/* While layer j is open: the slice of the one after it. */
+static void read_ahead(int j)
+{
+    enum activity before = times_enter(READING);
+
+    if (host.later > 0)
+        slices_prepare(j + 2);
+    else
+        slices_overlap();
+    times_enter(before);
 }
 
 static void open_layer(int j)
@@ -127,6 +143,7 @@ static void help(void)
 static double wait_for(enum waiting what)
 {
     double start, served;
+    enum activity before;
 
     masktrap(1);
     if (service_ready(what)) {
@@ -137,7 +154,9 @@ static double wait_for(enum waiting what)
     served = host.handler_s;
     host.waiting = what;
     masktrap(0);
+    before = times_enter(what == FOR_REQUESTS ? WAIT_REQUESTS : WAIT_SLAVES);
     crecv(WAKE, NULL, 0);
+    times_enter(before);
     return dclock() - start - (host.handler_s - served);
 }
 
@@ -174,12 +193,12 @@ int host_run(void)
         service_begin();
     host_read_first(); /* nothing to do after a preload */
     for (j = span.first; j < span.first + span.layers; j++) {
+        times_layer(j);
         open_layer(j);
-        if (host.later > 0)
-            slices_prepare(j + 2);
-        else
-            slices_overlap();
+        read_ahead(j);
+        times_enter(HELPING);
         help();
+        times_enter(OTHER);
         wait_for_requests();
         masktrap(1);
         host.open = 0;
@@ -187,7 +206,9 @@ int host_run(void)
         if (host.later > 0)
             group_tell_all(LAYER_FINISHED, host.later);
     }
+    times_layer(-1);
     drain();
+    times_enter(DEALING);
     masktrap(1);
     host.stage = FINISHED;
     collect_end();
@@ -196,5 +217,6 @@ int host_run(void)
     group_register();
     if (host.o->policy.reassign)
         next = group_deal_nodes();
+    times_enter(OTHER);
     return next;
 }

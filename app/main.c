@@ -11,6 +11,7 @@
 #include "ply.h"
 #include "report.h"
 #include "slave.h"
+#include "times.h"
 
 /* All nodes read the same command line; node 0 speaks for them. */
 static int read_options(struct options *o, int argc, char **argv)
@@ -73,8 +74,11 @@ int main(int argc, char **argv)
     prepare(&o, is_host);
     gsync();
     start = dclock();
+    times_begin(o.times, start, o.grid.slices - 1);
     work(&o, is_host);
+    times_end();
     report(&o, is_host, start);
+    times_print(is_host);
     if (mynode() == 0 && o.ply && !o.parts_only)
         write_surfaces(&o);
     return 0;

@@ -153,6 +153,10 @@ static int read_volume_option(struct parser *p, struct options *o, const char *n
         o->digest = 1;
         return 0;
     }
+    if (!strcmp(name, "-times")) {
+        o->times = 1;
+        return 0;
+    }
     return 1;
 }
 

@@ -34,6 +34,7 @@ struct options {
     const char *ply;    /* prefix of output files, or NULL */
     int parts_only;     /* leave the hosts' part files as they are */
     int digest;         /* print a hash of all polygons */
+    int times;          /* measure and print where the time goes */
 };
 
 /* Read the command line. 0: *o is set; 1: the user asks for help; -1: an error, in words in error. */

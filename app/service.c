@@ -5,6 +5,7 @@
 #include <nx.h>
 #include "fail.h"
 #include "host.h"
+#include "times.h"
 
 /* Chunks under way: the host alternates between a few buffers and waits only when the next one is still being sent. */
 struct outgoing {
@@ -99,8 +100,11 @@ static void hand_out(int node)
     const struct policy *q = &host.o->policy;
     struct outgoing *b = free_buffer();
     int first, n = pool_chunk(&host.pool, q->k, host.members + 1, q->min_rows, &first);
+    enum activity before = times_enter(PACKING);
+    long bytes = chunk_pack(&host.o->grid, &host.layer, first, n, b->message);
 
-    b->id = isend(CHUNK, b->message, chunk_pack(&host.o->grid, &host.layer, first, n, b->message), node, 0);
+    times_enter(before);
+    b->id = isend(CHUNK, b->message, bytes, node, 0);
     host.in_hand[node] = n;
     host.all_in_hand += n;
     host.chunks++;
@@ -145,6 +149,7 @@ static void attach(int node)
 static void on_request(long type, long count, long node, long pid)
 {
     double start = dclock();
+    enum activity before = times_enter(ANSWERING);
 
     (void)type, (void)count, (void)pid;
     hrecv(REQUEST, NULL, 0, on_request);
@@ -160,6 +165,7 @@ static void on_request(long type, long count, long node, long pid)
         service_watch();
     }
     wake();
+    times_enter(before);
     host.handler_s += dclock() - start;
 }
 
@@ -167,6 +173,7 @@ static void on_request(long type, long count, long node, long pid)
 static void on_polygons(long type, long count, long node, long pid)
 {
     double start = dclock();
+    enum activity before = times_enter(COLLECTING);
 
     (void)type, (void)count, (void)pid;
     if (header.doubles > 0) {
@@ -176,24 +183,30 @@ static void on_polygons(long type, long count, long node, long pid)
     host.bodies++;
     hrecv(POLYGONS, &header, sizeof header, on_polygons);
     wake();
+    times_enter(before);
     host.handler_s += dclock() - start;
 }
 
 static void on_fin(long type, long count, long node, long pid)
 {
+    enum activity before = times_enter(NEWS);
+
     (void)type, (void)count, (void)node, (void)pid;
     host.fins++;
     host.bodies_sent += fin.messages;
     hrecv(FIN, &fin, sizeof fin, on_fin);
     wake();
+    times_enter(before);
 }
 
 static void on_control(long type, long count, long node, long pid)
 {
     double start = dclock();
+    enum activity before = times_enter(NEWS);
 
     (void)type, (void)count, (void)node, (void)pid;
     group_handle_control(control);
     hrecv(CONTROL, control, control_bytes, on_control);
+    times_enter(before);
     host.handler_s += dclock() - start;
 }

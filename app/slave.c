@@ -10,6 +10,7 @@
 #include "layer.h"
 #include "messages.h"
 #include "slave.h"
+#include "times.h"
 
 double slave_idle_s;
 
@@ -51,22 +52,29 @@ static void send_polygons(int iso)
 {
     struct surface *s = &slave.surface[iso];
     struct polygons_message header = {iso, s->used};
+    enum activity before = times_enter(SENDING);
 
     csend(POLYGONS, &header, sizeof header, slave.host, 0);
     slave.messages++;
-    if (s->used == 0)
-        return;
-    s->send[s->filling] =
-        isend(BODY + mynode(), s->buffer[s->filling], s->used * (long)sizeof(double), slave.host, 0);
-    s->filling ^= 1;
-    s->used = 0;
+    if (s->used > 0) {
+        s->send[s->filling] =
+            isend(BODY + mynode(), s->buffer[s->filling], s->used * (long)sizeof(double), slave.host, 0);
+        s->filling ^= 1;
+        s->used = 0;
+    }
+    times_enter(before);
 }
 
 /* Before polygons go into a buffer its last sending must be complete. */
 static void claim_buffer(struct surface *s, int buffer)
 {
-    if (s->send[buffer] >= 0)
-        msgwait(s->send[buffer]);
+    enum activity before;
+
+    if (s->send[buffer] < 0)
+        return;
+    before = times_enter(SENDING);
+    msgwait(s->send[buffer]);
+    times_enter(before);
     s->send[buffer] = -1;
 }
 
@@ -99,9 +107,12 @@ static void keep_polygon(int iso, int n, const vertex *v)
 
 static void request(int buffer)
 {
+    enum activity before = times_enter(SENDING);
+
     slave.turn = buffer;
     slave.receive = irecv(CHUNK, slave.chunk[buffer], chunk_bytes_max(&slave.o->grid));
     csend(REQUEST, NULL, 0, slave.host, 0);
+    times_enter(before);
 }
 
 /* Wait for the chunk that was asked for. The polygons found so far leave before the node idles. */
@@ -113,7 +124,9 @@ static struct chunk next_chunk(void)
         if (slave.o->policy.flush == FLUSH_WAIT)
             flush_polygons();
         start = dclock();
+        times_enter(WAIT_CHUNK);
         msgwait(slave.receive);
+        times_enter(OTHER);
         slave_idle_s += dclock() - start;
     }
     slave.receive = -1;
@@ -126,12 +139,14 @@ static void compute(const struct chunk *c)
     static struct fit_system system;
     int lead = slave.o->policy.lead < c->count ? slave.o->policy.lead : c->count, other = slave.turn ^ 1, i;
 
+    times_enter(COMPUTING);
     layer_prepare(slave.o, &system);
     for (i = 0; i < c->count; i++) {
         if (c->count - i == lead)
             request(other);
         layer_cell(slave.o, &system, &c->layer, c->first + i, keep_polygon);
     }
+    times_enter(OTHER);
     slave.computed = 1;
     if (lead == 0)
         request(other);
@@ -161,7 +176,9 @@ static int next_order(void)
     struct order_message order;
     double start = dclock();
 
+    times_enter(WAIT_ORDER);
     crecv(ORDER, &order, sizeof order);
+    times_enter(OTHER);
     slave_idle_s += dclock() - start;
     return order.host;
 }
