@@ -267,8 +267,7 @@ static void add_compile(struct arguments *a, const struct places *p)
         "-gno-record-gcc-switches",    /* the same object wherever nxcc is installed */
         "-mno-red-zone",               /* checks call from leaf functions: see plugin.cc */
         "-fno-omit-frame-pointer",     /* crash reports follow them */
-        "-mno-omit-leaf-frame-pointer",
-        "-fno-shrink-wrap"             /* frames from the first instruction on */
+        "-mno-omit-leaf-frame-pointer"
     };
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         add(a, options[i]);

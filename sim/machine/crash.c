@@ -47,6 +47,7 @@ static void on_fault(int signal, siginfo_t *info, void *context)
     g->node = g->sys->current;
     g->signal = signal;
     g->address = (uintptr_t)info->si_addr;
+    g->top = in_stack(g->node, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
     walk(g, (uintptr_t)r[REG_RIP], (uintptr_t)r[REG_RBP]);
     siglongjmp(g->jump, 1);
 }
@@ -108,23 +109,45 @@ static void print_cause(FILE *f, const struct crash_guard *g)
                 vt_seconds(n->failed_malloc_at), n->failed_malloc);
 }
 
+static bool in_program(const struct node *n, uintptr_t address)
+{
+    uintptr_t offset = address - (uintptr_t)n->span;
+    return offset >= NODE_IMAGE_OFFSET && offset < NODE_IMAGE_OFFSET + n->image_bytes;
+}
+
+/* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by frames. */
+static bool has_frame(const struct node *n, uintptr_t pc)
+{
+    enum { PUSH_RBP = 0x55 };
+    static const unsigned char ENDBR64[] = {0xf3, 0x0f, 0x1e, 0xfa};
+    size_t start = node_image_function(n->file, pc - (uintptr_t)n->span);
+    const unsigned char *code = (unsigned char *)n->span + start;
+    return code[memcmp(code, ENDBR64, sizeof ENDBR64) ? 0 : sizeof ENDBR64] == PUSH_RBP;
+}
+
+static void print_frame(FILE *f, const struct node *n, const char *how, uintptr_t pc)
+{
+    char where[256];
+    if (in_program(n, pc))
+        fprintf(f, "\n  %s %s", how, node_image_where(n->file, pc - (uintptr_t)n->span, where, sizeof where));
+}
+
 char *crash_report(const struct crash_guard *g)
 {
     struct node *n = g->node;
-    char *text = NULL, where[256];
+    char *text = NULL;
     size_t size;
     FILE *f = open_memstream(&text, &size);
     fprintf(f, "node %u crashed at or soon after %.9f s, %s%s: ", n->id, vt_seconds(node_now(n)),
             n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, g);
-    for (int i = 0; i < g->depth; i++) {
-        uintptr_t offset = g->frames[i] - (uintptr_t)n->span;
-        if (offset < NODE_IMAGE_OFFSET + n->image_bytes)
-            fprintf(f, "\n  %s %s", i ? "called from" : "in",
-                    node_image_where(n->file, offset - (i > 0), where, sizeof where));
-        else if (i == 0)
-            fprintf(f, "\n  in the library");
-    }
+    if (!in_program(n, g->frames[0]))
+        fprintf(f, "\n  in the library");
+    print_frame(f, n, "in", g->frames[0]);
+    if (!in_program(n, g->frames[0]) || !has_frame(n, g->frames[0]))
+        print_frame(f, n, "called from", g->top - 1);
+    for (int i = 1; i < g->depth; i++)
+        print_frame(f, n, "called from", g->frames[i] - 1);
     fclose(f);
     return text;
 }

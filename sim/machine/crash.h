@@ -14,6 +14,7 @@ struct crash_guard {
     struct node *node; /* that crashed */
     int signal;
     uintptr_t address; /* that could not be used, for SIGSEGV and SIGBUS */
+    uintptr_t top;     /* word on top of the stack */
     uintptr_t frames[24];
     int depth;
     void *stack; /* the handler's own */

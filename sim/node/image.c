@@ -332,6 +332,13 @@ static bool source_line(const struct elf_file *f, uint64_t vaddr, char *buf, siz
     return pclose(p) == 0 && known;
 }
 
+size_t node_image_function(const struct node_image *img, size_t offset)
+{
+    const char *name;
+    const Elf64_Sym *s = elf_function_at(img->elf, offset - NODE_IMAGE_OFFSET, &name);
+    return s ? NODE_IMAGE_OFFSET + s->st_value : offset;
+}
+
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size)
 {
     uint64_t vaddr = offset - NODE_IMAGE_OFFSET;

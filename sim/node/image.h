@@ -23,6 +23,9 @@ size_t node_image_bytes(const struct node_image *img);
  * (stdout and its kin are copied from it). */
 bool node_image_map(const struct node_image *img, struct node *n, char **error);
 
+/* Offset from the span's start at which the function around an offset begins; the offset itself if none is known. */
+size_t node_image_function(const struct node_image *img, size_t offset);
+
 /* Name of the function at an offset from the span's start, e.g. "pack+0x1c"; with "file:line" when the program was
  * built with -g and addr2line is there. Writes at most size bytes; returns buf. */
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size);
