@@ -47,10 +47,10 @@ struct message {
     size_t bytes;
     void *data;     /* a copy of the sender's, shared by messages to all nodes */
     uint64_t order; /* of all messages, in the order sent */
-    vtime sent_at;
 
     /* protocol */
     bool is_long, forced;
+    bool waits;    /* its envelope has come before an earlier one's */
     bool envelope; /* has been looked at by the receiver */
     bool sent;     /* the sender's buffer may be used again */
     bool granted;

@@ -1,0 +1,53 @@
+/* proto_tree.c - a message to all nodes goes along a spanning tree; see the drawing in proto.h. */
+#include "net/proto_parts.h"
+
+/* What does not change between the messages of one tree. */
+struct tree {
+    struct proto *p;
+    uint32_t root;
+    int64_t type, pid;
+    void *data;
+    size_t bytes;
+};
+
+/* The node that is the i-th seen from the root. */
+static uint32_t tree_node(const struct tree *t, uint32_t i)
+{
+    uint32_t n = t->p->topo.nodes;
+    return (n & (n - 1)) == 0 ? t->root ^ i : (t->root + i) % n;
+}
+
+/* The messages by which i reaches the nodes i to i + count - 1, in the order it sends them. Those that it sends only
+ * when it has got its own are under way from now on: so they keep their place among the root's later messages. */
+static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t count)
+{
+    struct message *first = NULL, **link = &first;
+    while (count > 1) {
+        uint32_t half = 1;
+        while (half * 2 < count)
+            half *= 2;
+        struct message *m = proto_message_new(t->p, tree_node(t, i), tree_node(t, i + half), t->type, t->pid,
+                                              t->data, t->bytes);
+        m->source = t->root;
+        if (i > 0) {
+            m->at_sender = PROTO_NOTHING;
+            m->at_receiver = proto_after(vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps));
+            proto_link(t->p, m);
+        }
+        m->pass_on = tree_messages(t, i + half, count - half);
+        *link = m;
+        link = &m->also;
+        count = half;
+    }
+    return first;
+}
+
+struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
+                             size_t bytes)
+{
+    if (p->topo.nodes < 2)
+        return NULL;
+    struct tree t = {.p = p, .root = from, .type = type, .pid = pid, .bytes = bytes};
+    t.data = proto_payload(data, bytes);
+    return tree_messages(&t, 0, p->topo.nodes);
+}
