@@ -9,6 +9,7 @@ static const char HELP[] =
     "iPSC/860, Touchstone Delta and Paragon nodes, in exact virtual time.\n"
     "\n"
     "  touchstone run     run a program built by nxcc on a machine\n"
+    "  touchstone study   run a program over several axes: nodes, machine, arguments\n"
     "  touchstone tables  reproduce Tables 1-5 of Bajaj & Lin, beside the paper's\n"
     "\n"
     "touchstone COMMAND --help tells more. Programs are built with nxcc: nxcc -O2 -o prog prog.c\n";
@@ -29,7 +30,7 @@ int main(int argc, char **argv)
     static const struct {
         const char *name;
         int (*run)(int, char **);
-    } COMMANDS[] = {{"run", cli_run}, {"tables", cli_tables}};
+    } COMMANDS[] = {{"run", cli_run}, {"study", cli_study}, {"tables", cli_tables}};
     if (argc < 2 || !strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help")) {
         fputs(HELP, argc < 2 ? stderr : stdout);
         return argc < 2 ? 64 : 0;

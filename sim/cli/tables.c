@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "cli/cli.h"
 #include "config/config.h"
@@ -27,7 +26,7 @@ static const char HELP[] =
     "arguments;\n"
     "65 the program or the paper's figures cannot be used, or the results not written.\n";
 
-enum { EXIT_USAGE = 64, EXIT_INPUT = 65, MAX_TABLES = 16, MAX_JOBS = 1024 };
+enum { EXIT_USAGE = 64, EXIT_INPUT = 65, MAX_TABLES = 16 };
 
 struct arguments {
     unsigned tables[MAX_TABLES + 1]; /* ended by 0; none: all */
@@ -52,14 +51,6 @@ static bool read_tables(const char *text, unsigned tables[])
     return false;
 }
 
-static bool read_jobs(const char *text, unsigned *jobs)
-{
-    char *end;
-    long number = strtol(text, &end, 10);
-    *jobs = (unsigned)number;
-    return end != text && !*end && number >= 1 && number <= MAX_JOBS;
-}
-
 static int parse(int argc, char **argv, struct arguments *a)
 {
     static const struct option LONG[] = {{"tables", required_argument, NULL, 't'},
@@ -67,8 +58,7 @@ static int parse(int argc, char **argv, struct arguments *a)
                                          {"jobs", required_argument, NULL, 'j'},
                                          {"help", no_argument, NULL, 'h'},
                                          {0}};
-    long cpus = sysconf(_SC_NPROCESSORS_ONLN);
-    *a = (struct arguments){.dir = "out", .jobs = cpus > 0 ? (unsigned)cpus : 1};
+    *a = (struct arguments){.dir = "out", .jobs = cli_processors()};
     optind = 0;
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, "+:t:o:j:h", LONG, NULL)) != -1;) {
@@ -81,8 +71,8 @@ static int parse(int argc, char **argv, struct arguments *a)
             a->dir = optarg;
             break;
         case 'j':
-            if (!read_jobs(optarg, &a->jobs))
-                return cli_usage("tables", "-j takes a number from 1 to %d, not '%s'", MAX_JOBS, optarg);
+            if (!cli_jobs(optarg, &a->jobs))
+                return cli_usage("tables", "-j takes a number from 1 to %d, not '%s'", CLI_MAX_JOBS, optarg);
             break;
         case 'h':
             a->help = true;
@@ -96,30 +86,16 @@ static int parse(int argc, char **argv, struct arguments *a)
     return optind == argc ? 0 : cli_usage("tables", "'%s' is one argument too many", argv[optind]);
 }
 
-/* This binary, and where the node programs built with it are: beside it in a build, in lib/touchstone when installed. */
-static bool find_programs(char runner[PATH_MAX], char programs[PATH_MAX + 32])
-{
-    ssize_t n = readlink("/proc/self/exe", runner, PATH_MAX - 1);
-    if (n <= 0)
-        return false;
-    runner[n] = '\0';
-    int dir = (int)(strrchr(runner, '/') - runner);
-    snprintf(programs, PATH_MAX + 32, "%.*s/../lib/touchstone", dir, runner);
-    if (access(programs, X_OK) != 0)
-        snprintf(programs, PATH_MAX + 32, "%.*s", dir, runner);
-    return true;
-}
-
 int cli_tables(int argc, char **argv)
 {
     struct arguments a;
-    char home[PATH_MAX], runner[PATH_MAX], programs[PATH_MAX + 32], *error = NULL;
+    char home[PATH_MAX], runner[PATH_MAX], programs[CLI_MAX_PROGRAMS], *error = NULL;
     int wrong = parse(argc, argv, &a);
     if (wrong)
         return wrong;
     if (a.help)
         return fputs(HELP, stdout), 0;
-    if (!cfg_home(home, sizeof home) || !find_programs(runner, programs)) {
+    if (!cfg_home(home, sizeof home) || !cli_find_programs(runner, programs)) {
         fputs("touchstone tables: machines/ is not where this program was built or installed; set "
               "TOUCHSTONE_HOME\n",
               stderr);

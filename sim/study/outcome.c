@@ -70,7 +70,7 @@ struct outcome outcome_read(const char *out, const char *json_path, const char *
     o.run = json_load_file(json_path, 0, &why);
     if (!json_is_object(o.run))
         o.error = text_of("no figures from the simulator: %s", o.run ? "not a JSON object" : why.text);
-    else if (isnan(outcome_figure(&o, required)))
+    else if (required && isnan(outcome_figure(&o, required)))
         o.error = text_of("the program printed no line \"%s NUMBER\"", required);
     if (o.error) {
         json_decref(o.printed);

@@ -14,7 +14,8 @@ struct outcome {
     char *error; /* NULL, or why there are no figures; then the objects are NULL */
 };
 
-/* Reads both; out is the program's standard output. `required` is a key that must be there. */
+/* Reads both; out is the program's standard output. `required` is a key that must be there, or
+ * NULL. */
 struct outcome outcome_read(const char *out, const char *json_path, const char *required);
 void outcome_clear(struct outcome *o);
 

@@ -1,15 +1,14 @@
 /* tables.c - from the paper's rows to runs, through the pool, to results; see tables.h. */
 #include "study/tables.h"
+#include "study/folder.h"
 #include "study/pool.h"
 #include "study/progress.h"
 #include "study/results.h"
 #include "study/text.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 static void *zeroed(size_t count, size_t size)
@@ -89,24 +88,6 @@ static bool run_all(const struct tables_options *o, struct results *r, const cha
 
 /* --- writing them down ----------------------------------------------------------------------------------- */
 
-/* Makes path and what is missing above it. */
-static bool make_directory(const char *path)
-{
-    char part[PATH_MAX];
-    struct stat st;
-    if (strlen(path) >= sizeof part)
-        return errno = ENAMETOOLONG, false;
-    strcpy(part, path);
-    for (char *slash = part + (*part == '/'); (slash = strchr(slash, '/')); *slash++ = '/') {
-        *slash = '\0';
-        if (mkdir(part, 0777) != 0 && errno != EEXIST)
-            return false;
-    }
-    if (mkdir(part, 0777) != 0 && errno != EEXIST)
-        return false;
-    return stat(part, &st) == 0 && (S_ISDIR(st.st_mode) || (errno = ENOTDIR, false));
-}
-
 /* Whole or not at all: under another name first. */
 static bool write_json(const struct results *r, const char *dir, char **error)
 {
@@ -171,7 +152,7 @@ static enum tables_end make(const struct tables_options *o, struct results *r, c
     char *scratch = text_of("%s/touchstone-tables.XXXXXX", tmp && *tmp ? tmp : "/tmp");
     if (!r->table_count)
         *error = text_of("none of these tables is in paper.cfg");
-    else if (!make_directory(o->dir))
+    else if (!folder_make(o->dir))
         *error = text_of("%s cannot be made: %s", o->dir, strerror(errno));
     else if (!mkdtemp(scratch))
         *error = text_of("%s cannot be made: %s", scratch, strerror(errno));

@@ -1,0 +1,190 @@
+/* chart.c - see chart.h.
+ *
+ * One panel for each value of the panels' axis, in it one line for each value of the lines' axis. A data block is a
+ * line: $dPANEL_LINE. What is drawn at x is the figure of the point there; or of several points, which differ in the
+ * axis `best`, that axis's value at the one with the least figure.
+ */
+#include "study/chart.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of how many values an axis is, and what they are called; one without a name where there is no axis. */
+static size_t count_of(const struct spec_axis *axis)
+{
+    return axis ? axis->count : 1;
+}
+
+static const char *label_of(const struct spec_axis *axis, size_t i)
+{
+    return axis ? axis->values[i].label : "";
+}
+
+/* Where a value is drawn: numbers where they are, texts at 1, 2, 3 ... */
+static double position(const struct spec_axis *axis, size_t i)
+{
+    return axis->numeric ? axis->values[i].number : (double)(i + 1);
+}
+
+static bool is_at(const struct points *p, const struct point *point, const struct spec_axis *axis, size_t i)
+{
+    return !axis || point->at[spec_place(p->spec, axis)] == i;
+}
+
+/* What is drawn at that place; NAN if nothing is. */
+static double drawn_at(const struct points *p, const struct spec_picture *c, size_t panel, size_t line,
+                       size_t x)
+{
+    double least = INFINITY, drawn = NAN;
+    for (size_t i = 0; i < p->count; i++) {
+        const struct point *point = &p->point[i];
+        double figure = points_figure(point, c->figure);
+        if (!is_at(p, point, c->panels, panel) || !is_at(p, point, c->lines, line) ||
+            !is_at(p, point, c->x, x) || !(figure < least))
+            continue;
+        least = figure;
+        drawn = c->best ? position(c->best, point->at[spec_place(p->spec, c->best)]) : figure;
+    }
+    return drawn;
+}
+
+/* A data block; false if it is empty. */
+static bool write_line(const struct points *p, const struct spec_picture *c, size_t panel, size_t line,
+                       FILE *out)
+{
+    bool any = false;
+    fprintf(out, "$d%zu_%zu << END\n", panel, line);
+    for (size_t x = 0; x < c->x->count; x++) {
+        double y = drawn_at(p, c, panel, line, x);
+        if (!isnan(y))
+            fprintf(out, "%.9g %.9g\n", position(c->x, x), y);
+        any |= !isnan(y);
+    }
+    fputs("END\n", out);
+    return any;
+}
+
+/* Single quotes hold anything but themselves, which are doubled. */
+static void write_quoted(const char *text, FILE *out)
+{
+    fputc('\'', out);
+    for (; *text; text++) {
+        if (*text == '\'')
+            fputc('\'', out);
+        fputc(*text, out);
+    }
+    fputc('\'', out);
+}
+
+static void write_words(const char *before, const char *text, FILE *out)
+{
+    fputs(before, out);
+    write_quoted(text, out);
+    fputc('\n', out);
+}
+
+/* The values of an axis are its tics. */
+static void write_tics(char which, const struct spec_axis *axis, bool log, FILE *out)
+{
+    double first = position(axis, 0), last = first;
+    fprintf(out, "set %ctics (", which);
+    for (size_t i = 0; i < axis->count; i++) {
+        write_quoted(axis->values[i].label, out);
+        fprintf(out, " %.9g%s", position(axis, i), i + 1 < axis->count ? ", " : ")\n");
+        first = fmin(first, position(axis, i));
+        last = fmax(last, position(axis, i));
+    }
+    double room = first == last ? 1 : (last - first) / 16;
+    if (log && first > 0)
+        fprintf(out, "set logscale %c\nset %crange [%.9g:%.9g]\n", which, which, first / 1.25, last * 1.25);
+    else
+        fprintf(out, "set %crange [%.9g:%.9g]\n", which, first - room, last + room);
+}
+
+static void write_frame(const struct spec_picture *c, FILE *out)
+{
+    write_words("set xlabel ", *c->x_label ? c->x_label : c->x->name, out);
+    write_words("set ylabel ", *c->y_label ? c->y_label : c->best ? c->best->name : c->figure, out);
+    fputs("set grid xtics ytics back lt 1 lw 0.6 lc rgb '#d8d8d8'\n"
+          "set border 3\nset tics nomirror\nset offsets 0, 0, graph 0.05, graph 0.05\n",
+          out);
+    write_tics('x', c->x, c->log_x, out);
+    if (c->best)
+        write_tics('y', c->best, c->log_y, out);
+    else if (c->log_y)
+        fputs("set logscale y\n", out);
+}
+
+static void write_panel(const struct spec_picture *c, size_t panel, const bool drawn[], FILE *out)
+{
+    static const char *const colours[] = {"#404040", "#c04000", "#0060ad", "#2e8b57",
+                                          "#8b4fae", "#c8a000", "#d6629a", "#4fb0c6"};
+    enum { COLOURS = sizeof colours / sizeof *colours };
+    size_t lines = count_of(c->lines);
+    char title[256];
+    snprintf(title, sizeof title, "%s %s", c->panels ? c->panels->name : "", label_of(c->panels, panel));
+    write_words("set title ", title, out);
+    fputs(lines > 1 ? "set key top right\n" : "unset key\n", out);
+    const char *before = "plot";
+    for (size_t line = 0; line < lines; line++) {
+        if (!drawn[line])
+            continue;
+        /* Lines that meet are still all seen: the later ones have smaller points. */
+        fprintf(out, "%s $d%zu_%zu with linespoints lw 2 pt 7 ps %.2f lc rgb '%s' title ", before, panel,
+                line, 0.7 + 0.25 * (double)(lines - line - 1), colours[line % COLOURS]);
+        write_quoted(label_of(c->lines, line), out);
+        before = ",";
+    }
+    fputs("\n", out);
+}
+
+enum { MAX_PANELS = 64, MAX_LINES = 64 };
+
+/* All panels, as a picture of that kind. */
+static void write_page(const struct spec_picture *c, bool (*drawn)[MAX_LINES], bool svg, const char *dir,
+                       FILE *out)
+{
+    size_t panels = count_of(c->panels);
+    unsigned columns = panels < 4 ? (unsigned)panels : (unsigned)ceil(sqrt((double)panels));
+    unsigned rows = ((unsigned)panels + columns - 1) / columns;
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s.%s", dir, c->file, svg ? "svg" : "png");
+    fprintf(out, "set terminal %s size %u,%u font 'Sans,%d'\n",
+            svg ? "svg background rgb 'white'" : "pngcairo", panels == 1 ? 760 : 560 * columns,
+            400 * rows + 40, svg ? 12 : 10);
+    write_words("set output ", path, out);
+    fprintf(out, "set multiplot layout %u,%u title heading font ',13'\n", rows, columns);
+    for (size_t panel = 0; panel < panels; panel++) {
+        bool any = false;
+        for (size_t line = 0; line < count_of(c->lines); line++)
+            any |= drawn[panel][line];
+        if (any)
+            write_panel(c, panel, drawn[panel], out);
+    }
+    fputs("unset multiplot\n", out);
+}
+
+/* The study's title and the picture's. */
+static void write_heading(const struct spec *s, const struct spec_picture *c, FILE *out)
+{
+    char heading[512];
+    snprintf(heading, sizeof heading, "%s%s%s", s->title, *s->title && *c->title ? ": " : "", c->title);
+    write_words("heading = ", heading, out);
+}
+
+bool chart_write(const struct points *p, const struct spec_picture *c, const char *dir, FILE *script)
+{
+    bool drawn[MAX_PANELS][MAX_LINES] = {0}, any = false;
+    if (count_of(c->panels) > MAX_PANELS || count_of(c->lines) > MAX_LINES)
+        return false;
+    for (size_t panel = 0; panel < count_of(c->panels); panel++)
+        for (size_t line = 0; line < count_of(c->lines); line++)
+            any |= drawn[panel][line] = write_line(p, c, panel, line, script);
+    if (!any)
+        return false;
+    write_heading(p->spec, c, script);
+    write_frame(c, script);
+    write_page(c, drawn, false, dir, script);
+    write_page(c, drawn, true, dir, script);
+    return true;
+}

@@ -1,0 +1,63 @@
+#!/bin/bash
+# study.sh - touchstone study from end to end: a real program at all points, one of which fails.
+. "$(dirname "$0")/common.bash"
+compile halves
+
+cat >halves.cfg <<'END'
+title = "Halves";
+program = "halves";
+machine = "delta";
+axes = (
+    { name = "nodes"; values = ( 2, 4, 8 ); },
+    { name = "share"; values = ( 0.5, 3 ); arguments = "{}"; },
+    { name = "call_us"; values = ( 5, 500 ); set = ( "system.call_us={}", "system.short_send_us={}" ); }
+);
+only = ( "nodes < 8", "share != 3" );
+pictures = (
+    { file = "time"; title = "it's time"; x = "nodes"; y = "total_s"; lines = "call_us"; panels = "share"; },
+    { file = "best"; x = "nodes"; best = "call_us"; least = "total_s"; lines = "share"; logarithmic = "x"; }
+);
+END
+study() {
+    "$BUILD/touchstone" study "$@" >out 2>err </dev/null
+    status=$?
+}
+# cell KEY NODES SHARE CALL_US - that figure, from results.csv
+cell() {
+    awk -F, -v key="$1" -v point="$2,$3,$4," 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == key) column = i }
+        index($0, point) == 1 { print $column }' first/results.csv
+}
+
+study halves.cfg -o first
+check "it ends well" ended_with 0
+check "what was left out is not run" grep -qE '^4 points, 0 failed; first has results.json, results.csv and 2 pictures$' out
+check "the program's figures are there" test "$(cell sum 4 0.5 5)" = 2
+check "other lines are not" bash -c '! grep -q words first/results.csv'
+check "the number of nodes reached the machine" test "$(cell others.nodes 4 0.5 5)" = 4
+check "the setting too" awk -v a="$(cell total_s 2 0.5 5)" -v b="$(cell total_s 2 0.5 500)" 'BEGIN { exit !(b > a + 495e-6) }'
+check "each point has a file system of its own" bash -c '! grep -q left_by_another first/results.csv'
+for f in time best; do check "picture $f" test -s first/$f.png -a -s first/$f.svg; done
+
+study halves.cfg -o again -j 1
+grep -v wall_time first/results.json >a
+grep -v wall_time again/results.json >b
+check "all but wall times is the same twice" cmp a b
+check "nothing unfinished is left" test "$(ls again | sort | tr '\n' ' ')" = "best.png best.svg results.csv results.json time.png time.svg "
+
+sed -i '/^only/d; s/2, 4, 8/2, 4/' halves.cfg
+study halves.cfg -o first
+check "a point that fails is told" ended_with 1
+check "by name, with its end" said '^\[[0-9]/8\] nodes 4, share 3, call_us 500: exit status 1'
+check "and the rest is there" grep -qE '^8 points, 2 failed' out
+check "the failure is in the results" test "$(grep -c '"failure": "exit' first/results.json)" = 2
+
+study none.cfg
+check "no such file" ended_with 65
+check "is said" said '^touchstone study: none.cfg: cannot be read'
+sed -i 's/"halves"/"quarters"/' halves.cfg
+study halves.cfg
+check "no such program" said '^touchstone study: halves.cfg: program: there is neither ./quarters nor'
+study
+check "no file given" ended_with 64
+study --help
+check "there is help" grep -q 'usage: touchstone study FILE' out
