@@ -70,6 +70,11 @@ tables: setup ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pi
 	$(SUBMAKE) all
 	$B/touchstone tables
 
+report: setup ## Write bench/paper/REPORT.md, and README's part on exactness, from a run of all tables
+	$(SUBMAKE) all
+	$B/touchstone tables --ties --report bench/paper/REPORT.md
+	bench/paper/copy-accuracy bench/paper/REPORT.md README.md
+
 bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
 	bench/speed/run $B
@@ -109,4 +114,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: all unit test tables bench setup install format check-format clean help
+.PHONY: all unit test tables report bench setup install format check-format clean help

@@ -59,6 +59,14 @@ static json_t *row_json(const struct result_table *t, size_t i)
     set(j, "paper_slave_idle_pct", figure(paper->slave_idle_pct));
     set(j, "paper_slave_idle_spread_pct", figure(paper->slave_idle_spread_pct));
     set(j, "paper_speed_per_node", figure(paper->speed_per_node));
+    set(j, "fitted", json_boolean(row->run->fitted));
+    set(j, "paper_rounding_pct", figure(results_rounding_pct(row)));
+    set(j, "paper_contradiction_pct", figure(results_contradiction_pct(t, i)));
+    if (row->run->tie_runs) {
+        set(j, "tie_runs", json_integer(row->run->tie_runs));
+        set(j, "tie_least_s", figure(row->run->tie_least_s));
+        set(j, "tie_most_s", figure(row->run->tie_most_s));
+    }
     set(j, "failure", text(o->error));
     if (!o->error) {
         set(j, "wall_time_s", json_real(o->wall_time_s));
@@ -122,6 +130,9 @@ json_t *results_json(const struct results *r)
     }
     struct result_errors all = results_all_errors(r);
     json_t *summary = errors_json(&all);
+    struct result_errors fitted = results_fitted_errors(r, true), others = results_fitted_errors(r, false);
+    set(summary, "fitted_rows", errors_json(&fitted));
+    set(summary, "predicted_rows", errors_json(&others));
     set(summary, "tables", tables);
     set(summary, "wall_time_s", json_real(r->wall_time_s));
     set(root, "rows", rows);

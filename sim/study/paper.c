@@ -1,6 +1,7 @@
 /* paper.c - reads the paper's tables; see paper.h and the head of bench/paper/paper.cfg. */
 #include "study/paper.h"
 #include "config/reader.h"
+#include "study/notes.h"
 #include "study/text.h"
 
 #include <math.h>
@@ -23,18 +24,34 @@ static void *zeroed(size_t count, size_t size)
     return p;
 }
 
-/* Column `column` of a row: a number, or "-" for none. */
-static bool read_figure(struct cfg_reader *r, config_setting_t *row, unsigned column, double *out)
+/* A number as printed, in quotes, and one in its last digit. */
+static bool read_printed(const char *text, double *value, double *unit)
 {
+    char *end;
+    const char *point = strchr(text, '.');
+    *value = strtod(text, &end);
+    *unit = point ? pow(10, -(double)strlen(point + 1)) : 1;
+    return end != text && !*end;
+}
+
+/* Column `column` of a row: a number, a number as printed in quotes (then *unit is one in its last digit, else NAN), or
+ * "-" for none. */
+static bool read_figure(struct cfg_reader *r, config_setting_t *row, unsigned column, double *out,
+                        double *unit)
+{
+    double ignored;
     static const char *const names[] = {"nodes", "total_s", "host_idle", "slave_idle", "spread", "speed"};
     config_setting_t *s = config_setting_get_elem(row, column);
     if (!s)
         return cfg_fail(r, row, names[column],
                         "missing; a row is ( nodes, total_s, host_idle, slave_idle, spread, speed )");
     int type = config_setting_type(s);
-    *out = NAN;
+    *out = *(unit ? unit : &ignored) = NAN;
     if (type == CONFIG_TYPE_STRING && strcmp(config_setting_get_string(s), "-") == 0)
         return true;
+    if (type == CONFIG_TYPE_STRING &&
+        !read_printed(config_setting_get_string(s), out, unit ? unit : &ignored))
+        *out = NAN;
     if (type == CONFIG_TYPE_FLOAT)
         *out = config_setting_get_float(s);
     else if (type == CONFIG_TYPE_INT)
@@ -57,18 +74,19 @@ static bool read_row(struct cfg_reader *r, config_setting_t *s, const struct rec
     struct paper_figures *f = &row->paper;
     if (!config_setting_is_list(s))
         return cfg_fail(r, s, "rows", "must hold lists: ( nodes, total_s, ... )");
-    if (!read_figure(r, s, 0, &nodes) || !read_figure(r, s, 1, &f->total_s) ||
-        !read_figure(r, s, 2, &f->host_idle_pct) || !read_figure(r, s, 3, &f->slave_idle_pct) ||
-        !read_figure(r, s, 4, &f->slave_idle_spread_pct) || !read_figure(r, s, 5, &f->speed_per_node))
+    if (!read_figure(r, s, 0, &nodes, NULL) || !read_figure(r, s, 1, &f->total_s, &f->total_unit_s) ||
+        !read_figure(r, s, 2, &f->host_idle_pct, NULL) || !read_figure(r, s, 3, &f->slave_idle_pct, NULL) ||
+        !read_figure(r, s, 4, &f->slave_idle_spread_pct, NULL) ||
+        !read_figure(r, s, 5, &f->speed_per_node, NULL))
         return false;
     if (!(nodes >= 1 && nodes <= MAX_NODES && nodes == floor(nodes)))
         return cfg_fail(r, s, "nodes", "must be a whole number from 1 to %d", MAX_NODES);
     if (!(f->total_s > 0))
         return cfg_fail(r, s, "total_s", "must be a number above 0");
     row->nodes = (unsigned)nodes;
-    unsigned group = recipe->group && recipe->group < row->nodes ? (unsigned)recipe->group : row->nodes;
-    const char *several = row->nodes > group ? recipe->several_groups : "";
-    row->arguments = text_of("%s -group %u%s%s", recipe->arguments, group, *several ? " " : "", several);
+    row->group = recipe->group && recipe->group < row->nodes ? (unsigned)recipe->group : row->nodes;
+    const char *several = row->nodes > row->group ? recipe->several_groups : "";
+    row->arguments = text_of("%s -group %u%s%s", recipe->arguments, row->group, *several ? " " : "", several);
     return words(row->arguments) <= PAPER_MAX_ARGS ||
            cfg_fail(r, s, "arguments", "more than %d words", PAPER_MAX_ARGS);
 }
@@ -125,7 +143,8 @@ static bool read_choices(struct cfg_reader *r, struct paper *p)
 
 static bool read_paper(struct cfg_reader *r, struct paper *p)
 {
-    static const char *const keys[] = {"machine", "program", "choices", "tables", NULL};
+    static const char *const keys[] = {"machine",  "program", "choices",  "tables", "fitted_rows",
+                                       "tie_rows", "remarks", "messages", NULL};
     const char *machine, *program;
     config_setting_t *tables;
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "machine", &machine) ||
@@ -139,7 +158,7 @@ static bool read_paper(struct cfg_reader *r, struct paper *p)
     for (unsigned i = 0; i < p->count; i++)
         if (!read_table(r, config_setting_get_elem(tables, i), &p->tables[i]))
             return false;
-    return true;
+    return paper_read_notes(r, p);
 }
 
 struct paper *paper_read(const char *path, char **error)
@@ -161,7 +180,7 @@ void paper_free(struct paper *p)
         return;
     for (size_t t = 0; t < p->count; t++) {
         for (size_t i = 0; i < p->tables[t].count; i++)
-            free(p->tables[t].rows[i].arguments);
+            free(p->tables[t].rows[i].arguments), free(p->tables[t].rows[i].remark);
         free(p->tables[t].rows);
         free(p->tables[t].title);
     }
@@ -169,6 +188,9 @@ void paper_free(struct paper *p)
         free(p->choices[i].option);
         free(p->choices[i].fitted_to);
     }
+    for (size_t i = 0; i < p->message_count; i++)
+        free(p->messages[i].name);
+    free(p->messages);
     free(p->tables);
     free(p->choices);
     free(p->machine);

@@ -2,6 +2,7 @@
  * fitted to them (bench/paper/fitted.cfg). */
 #ifndef STUDY_PAPER_H
 #define STUDY_PAPER_H
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -14,12 +15,17 @@ struct paper_figures {
     double slave_idle_pct;
     double slave_idle_spread_pct;
     double speed_per_node;
+    double total_unit_s; /* one in the last digit printed; NAN: not known */
 };
 
 struct paper_row {
     unsigned nodes;
     struct paper_figures paper;
     char *arguments; /* of the program, separated by spaces: equal texts are the same run */
+    unsigned group;  /* nodes in a group; the first of each is its host */
+    bool fitted;     /* a constant or choice was fitted to it */
+    bool ties;       /* what happens turns on which of two things is first, if by nothing */
+    char *remark;    /* a known reason for the difference; NULL none */
 };
 
 struct paper_table {
@@ -35,6 +41,12 @@ struct paper_choice {
     char *fitted_to;
 };
 
+/* What the program's messages of types first to last are called. */
+struct paper_message {
+    long first, last;
+    char *name;
+};
+
 struct paper {
     char *machine; /* to run them on */
     char *program; /* relative to where the built programs are */
@@ -42,11 +54,20 @@ struct paper {
     size_t count;
     struct paper_choice *choices;
     size_t choice_count;
+    struct paper_message *messages;
+    size_t message_count;
 };
 
 /* Each reads a file; NULL with a malloc'd *error for the user. */
 struct paper *paper_read(const char *path, char **error);
 void paper_free(struct paper *p);
+
+/* "5:64": table 5, 64 nodes. False: no such text. */
+bool paper_row_name(const char *text, unsigned *table, unsigned *nodes);
+/* The row of that name; NULL none. */
+struct paper_row *paper_find(const struct paper *p, const char *name);
+/* NULL: the type has no name. */
+const char *paper_message_name(const struct paper *p, long type);
 
 /* A cost factor of the program that was fitted to a figure. */
 struct paper_factor {

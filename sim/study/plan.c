@@ -69,8 +69,11 @@ struct results results_plan(const struct paper *paper, const struct paper_fitted
             continue;
         struct result_table *result = &r.tables[r.table_count++];
         *result = (struct result_table){table, zeroed(table->count, sizeof *result->rows)};
-        for (size_t i = 0; i < table->count; i++)
+        for (size_t i = 0; i < table->count; i++) {
             result->rows[i] = (struct result_row){&table->rows[i], run_for(&r, &table->rows[i])};
+            result->rows[i].run->fitted |= table->rows[i].fitted;
+            result->rows[i].run->ties |= table->rows[i].ties;
+        }
     }
     for (size_t i = 0; i < r.run_count; i++)
         name_run(&r, &r.runs[i]);
@@ -81,10 +84,7 @@ void results_free(struct results *r)
 {
     for (size_t t = 0; t < r->table_count; t++)
         free(r->tables[t].rows);
-    for (size_t i = 0; i < r->run_count; i++) {
-        outcome_clear(&r->runs[i].outcome);
-        free(r->runs[i].name);
-    }
+    runs_clear(r->runs, r->run_count);
     free(r->tables);
     free(r->runs);
 }

@@ -34,32 +34,29 @@ static void pair(FILE *out, int decimals, double ours, double papers)
     figure(out, 7, decimals, papers);
 }
 
-/* As many decimals as the paper prints: four significant figures. */
-static int decimals_of(double total_s)
-{
-    return total_s < 10 ? 3 : total_s < 100 ? 2 : 1;
-}
-
 static void print_row(FILE *out, const struct ink *ink, const struct result_table *t, size_t i)
 {
     const struct result_row *row = &t->rows[i];
     const struct paper_figures *paper = &row->row->paper;
     const struct outcome *o = &row->run->outcome;
     double error = results_error_pct(row);
+    int decimals = results_decimals(paper->total_s);
     fprintf(out, "%6u", row->row->nodes);
     if (o->error) {
-        fprintf(out, "%10s%9.*f  %sfailed%s\n", "-", decimals_of(paper->total_s), paper->total_s, ink->bad,
-                ink->off);
+        fprintf(out, "%10s%9.*f  %sfailed%s\n", "-", decimals, paper->total_s, ink->bad, ink->off);
         return;
     }
-    figure(out, 10, decimals_of(paper->total_s), outcome_figure(o, "total_s"));
-    figure(out, 9, decimals_of(paper->total_s), paper->total_s);
+    figure(out, 10, decimals, outcome_figure(o, "total_s"));
+    figure(out, 9, decimals, paper->total_s);
     fprintf(out, "  %s%+6.1f %%%s", fabs(error) < 5 ? ink->good : ink->bad, error, ink->off);
     pair(out, 1, outcome_figure(o, "host_idle_pct"), paper->host_idle_pct);
     figure(out, 9, 1, outcome_figure(o, "host_idle_all_pct"));
     pair(out, 1, outcome_figure(o, "slave_idle_pct"), paper->slave_idle_pct);
     pair(out, 1, outcome_figure(o, "slave_idle_spread_pct"), paper->slave_idle_spread_pct);
     pair(out, 3, results_speed_per_node(t, i), paper->speed_per_node);
+    if (row->run->tie_runs)
+        fprintf(out, "  %.*f to %.*f s", decimals + 1, row->run->tie_least_s, decimals + 1,
+                row->run->tie_most_s);
     fputc('\n', out);
 }
 
@@ -108,6 +105,14 @@ static void print_fitted(FILE *out, const struct ink *ink, const struct results 
         fprintf(out, "  choice  %s: %s\n", r->paper->choices[i].option, r->paper->choices[i].fitted_to);
 }
 
+static bool any_ties(const struct results *r)
+{
+    for (size_t i = 0; i < r->run_count; i++)
+        if (r->runs[i].tie_runs)
+            return true;
+    return false;
+}
+
 void results_print(const struct results *r, FILE *out)
 {
     struct ink ink = choose_ink(out);
@@ -116,6 +121,10 @@ void results_print(const struct results *r, FILE *out)
     fputs("\nhost idle: \"ours\" is the waits for the last request of a layer, \"all\" every wait for a "
           "request.\n",
           out);
+    if (any_ties(r))
+        fprintf(
+            out,
+            "behind some rows: the range of their times when a message's latency is 2 %% less to 2 %% more.\n");
     print_fitted(out, &ink, r);
 
     bool failures = false;
@@ -128,8 +137,13 @@ void results_print(const struct results *r, FILE *out)
         fprintf(out, "  %s: %s\n", r->runs[i].name, r->runs[i].outcome.error);
     }
 
-    struct result_errors all = results_all_errors(r);
+    struct result_errors all = results_all_errors(r), fitted = results_fitted_errors(r, true),
+                         others = results_fitted_errors(r, false);
     fprintf(out, "\n%sAll tables%s, %zu different runs in %.0f s: ", ink.title, ink.off, r->run_count,
             r->wall_time_s);
     print_errors(out, &all, true);
+    fprintf(out, "  %zu runs that something was fitted to: ", fitted.rows);
+    print_errors(out, &fitted, true);
+    fprintf(out, "  %zu predicted: ", others.rows);
+    print_errors(out, &others, true);
 }

@@ -60,12 +60,45 @@ static bool shown_before(const struct results *r, size_t table, const struct run
     return false;
 }
 
-struct result_errors results_all_errors(const struct results *r)
+static struct result_errors errors_of(const struct results *r, bool fitted, bool others)
 {
     struct result_errors e = {0};
     for (size_t t = 0; t < r->table_count; t++)
-        for (size_t i = 0; i < r->tables[t].table->count; i++)
-            if (!shown_before(r, t, r->tables[t].rows[i].run))
+        for (size_t i = 0; i < r->tables[t].table->count; i++) {
+            const struct run *run = r->tables[t].rows[i].run;
+            if ((run->fitted ? fitted : others) && !shown_before(r, t, run))
                 add(&e, &r->tables[t].rows[i], r->tables[t].table->number);
+        }
     return finish(e);
+}
+
+struct result_errors results_all_errors(const struct results *r)
+{
+    return errors_of(r, true, true);
+}
+
+struct result_errors results_fitted_errors(const struct results *r, bool fitted)
+{
+    return errors_of(r, fitted, !fitted);
+}
+
+int results_decimals(double total_s)
+{
+    return total_s < 10 ? 3 : total_s < 100 ? 2 : 1;
+}
+
+double results_rounding_pct(const struct result_row *row)
+{
+    return 100 * row->row->paper.total_unit_s / 2 / row->row->paper.total_s;
+}
+
+double results_contradiction_pct(const struct result_table *t, size_t row)
+{
+    const struct paper_row *r = &t->table->rows[row];
+    for (size_t i = 0; i < t->table->count; i++)
+        if (t->table->rows[i].nodes == 1)
+            return 100 * (t->table->rows[i].paper.total_s / (r->nodes * r->paper.speed_per_node) /
+                              r->paper.total_s -
+                          1);
+    return NAN;
 }

@@ -1,4 +1,4 @@
-/* results.h - the rows of the paper's tables with their outcomes, and the three forms in which they are shown.
+/* results.h - the rows of the paper's tables with their outcomes, and the forms in which they are shown.
  * Internal to the making of tables (tables.h). */
 #ifndef STUDY_RESULTS_H
 #define STUDY_RESULTS_H
@@ -8,15 +8,7 @@
 
 #include "study/outcome.h"
 #include "study/paper.h"
-
-/* One run; several rows may be the same one. */
-struct run {
-    unsigned nodes;
-    const char *arguments; /* of its first row */
-    char *name;            /* "tables 1, 2, 3; 8 nodes" */
-    double weight;         /* its share of the work */
-    struct outcome outcome;
-};
+#include "study/runs.h"
 
 struct result_row {
     const struct paper_row *row;
@@ -58,9 +50,19 @@ struct result_errors {
     unsigned worst_table;
 };
 struct result_errors results_table_errors(const struct result_table *t);
-/* Of all rows, a run that several tables share counted once. */
+/* Of all rows, a run that several tables share counted once; and of those that something was fitted to, and the others.
+ */
 struct result_errors results_all_errors(const struct results *r);
+struct result_errors results_fitted_errors(const struct results *r, bool fitted);
+/* Half a unit of the last digit of the paper's total, percent; NAN: not known. */
+double results_rounding_pct(const struct result_row *row);
+/* The total that the paper's column of speeds implies, against the column of totals, percent; NAN: none. */
+double results_contradiction_pct(const struct result_table *t, size_t row);
 
+/* As many decimals as make four significant figures of a time. */
+int results_decimals(double total_s);
+
+/* Wide text for people, JSON, and Markdown (report.c). */
 void results_print(const struct results *r, FILE *out);
 json_t *results_json(const struct results *r);
 /* A gnuplot script that draws table t into DIR/table-N.png and .svg. */

@@ -1,10 +1,11 @@
 /* tables.h - reproduces the paper's tables: runs every row, sets the figures beside the paper's, writes them down.
  *
  * Each different run is a child process "RUNNER run ... PROGRAM ARGS"; rows that are the same run share it. What comes
- * out: the tables as text on `out`; DIR/tables.json; DIR/table-N.png and .svg.
+ * out: the tables as text on `out`; DIR/tables.json; DIR/table-N.png and .svg; with `report`, that too.
  */
 #ifndef STUDY_TABLES_H
 #define STUDY_TABLES_H
+#include <stdbool.h>
 #include <stdio.h>
 
 struct tables_options {
@@ -14,6 +15,8 @@ struct tables_options {
     const char *dir;        /* for the results; made if need be */
     const unsigned *wanted; /* numbers of the tables to do, ended by 0; NULL: all */
     unsigned at_once;       /* children at a time */
+    bool ties;              /* say how far rows that turn on ties depend on them: ties.h */
+    const char *report;     /* a file for the report (report.h); NULL: none */
     FILE *out;              /* the tables */
     FILE *progress;         /* how it is getting on */
 };
@@ -24,4 +27,7 @@ enum tables_end {
     TABLES_ERROR,      /* nothing was written; *error is a malloc'd text for the user */
 };
 enum tables_end tables_make(const struct tables_options *options, char **error);
+
+/* Says on `out` where the time of one row goes (explain.h); row: "1:128", table and nodes. Nothing is written to dir. */
+enum tables_end tables_explain(const struct tables_options *options, const char *row, char **error);
 #endif

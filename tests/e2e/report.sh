@@ -1,0 +1,59 @@
+#!/bin/bash
+# report.sh - what touchstone tables says beside the tables: --explain, --ties, --report. On a paper of our own: one small
+# table, so that it takes no time.
+. "$(dirname "$0")/common.bash"
+root=$tests/../..
+export TOUCHSTONE_HOME=$work/home
+mkdir -p home/bench/paper
+ln -s "$root/machines" home/machines
+cat >home/bench/paper/fitted.cfg <<END
+factors = ( { file = "slice.c"; factor = 1.5; fitted_to = "a slice"; } );
+END
+cat >home/bench/paper/paper.cfg <<END
+machine = "delta"; program = "app/model"; choices = ( ( "-k 1.6", "Table 1" ) );
+fitted_rows = ( "1:1" ); tie_rows = ( "1:2" ); remarks = ( ( "1:8", "It is like that." ) );
+messages = ( ( 6, 6, "chunks" ), ( 7, 7, "orders" ), ( 9, 9, "wakes" ) );
+tables = ( { table = 1; title = "small"; group = 4; arguments = "-approx 111 -sphere 64 64 9"; rows = (
+    ( 1, "1.9", 0.0, "-", "-", 1.0 ), ( 2, "1.1", 0.5, "-", "-", 0.9 ), ( 8, "0.25", 0.5, "-", "-", 0.9 ) ); } );
+END
+tables() {
+    "$BUILD/touchstone" tables "$@" >out 2>err </dev/null
+    status=$?
+}
+
+tables --explain 1:8
+check "--explain: it ends well" ended_with 0
+check "--explain: both accounts add up to nodes x total" \
+    awk '/^Table/ { total = $5 * (1 + $(NF - 1) / 100) }
+         /nodes x total/ { n++; if (($4 - 2 * total)^2 > 1e-4 || ($6 - 6 * total)^2 > 1e-4) bad = 1 }
+         END { exit bad || n != 2 }' out
+check "--explain: what is waited for is named" grep -qE '^  idle: msgwait, chunks ' out
+check "--explain: a line for each layer" test "$(grep -cE '^ +[0-9]+ +[04]( +[0-9.]+){7}$' out)" = 8
+check "--explain: how much measuring takes" grep -qE 'measuring it \(-times\) makes it [-+][0-9.]+ %' out
+tables --explain 1:1
+check "--explain: one node has no slaves" bash -c '! grep -q slave out'
+tables --explain 1:3
+check "--explain: a row that is not there" ended_with 65
+check "--explain: how rows are named" said 'no row 1:3 .*1:128'
+
+tables --ties --report report.md -o made
+check "--report: it ends well" ended_with 0
+check "--ties: a range stands beside the row" grep -qE '^ +2 .* [0-9.]+ to [0-9.]+ s$' out
+check "--ties: in the JSON too" grep -q '"tie_runs": 8' made/tables.json
+check "report: every row, its rounding and standing" test "$(grep -cE '^\| [128] \|.*\| (fitted|predicted) \|' report.md)" = 3
+check "report: half a unit of 1.9 s" grep -qE '^\| 1 \|.*\| 2\.63 \| \+0\.00 \| fitted' report.md
+check "report: fitted and predicted runs apart" grep -qE 'predictions \| 2 \|' report.md
+check "report: what was fitted" grep -qF '| cost of slice.c | x 1.5 | a slice |' report.md
+check "report: a remark of paper.cfg" grep -qF 'It is like that.' report.md
+check "report: where the time of a row goes" grep -qE '^\| computing \|' report.md
+tables --ties --report again.md -o made
+check "report: the same twice" cmp report.md again.md
+
+printf 'before\n<!-- accuracy: x -->\nold\n<!-- accuracy ends -->\nafter\n' >readme
+"$root/bench/paper/copy-accuracy" report.md readme 2>err
+check "copy-accuracy: what is around stays" test "$(sed -n '1p;$p' readme | tr '\n' ' ')" = "before after "
+block() { sed -n '/^<!-- accuracy: /,/^<!-- accuracy ends/p' "$1"; }
+check "copy-accuracy: the README has what the report has" test "$(block readme)" = "$(block report.md)"
+check "the README in the tree agrees with the report in the tree" \
+    test "$(block "$root/README.md")" = "$(block "$root/bench/paper/REPORT.md")"
+check "that part is not empty" test "$(block "$root/README.md" | wc -l)" -gt 5
