@@ -27,9 +27,28 @@ static bool read_factor(struct cfg_reader *r, config_setting_t *g, struct paper_
     return f->file || f->function || cfg_fail(r, g, "file", "missing; file or function must be given");
 }
 
+/* Adds a list of ( what, fitted to ), if it is there. */
+static bool read_choices(struct cfg_reader *r, const char *key, bool policy, struct paper_fitted *f)
+{
+    config_setting_t *list = config_setting_get_member(r->root, key);
+    unsigned count = list ? (unsigned)config_setting_length(list) : 0;
+    f->choices = realloc(f->choices, (f->choice_count + count + 1) * sizeof *f->choices);
+    if (!f->choices)
+        abort();
+    for (unsigned i = 0; i < count; i++) {
+        config_setting_t *s = config_setting_get_elem(list, i);
+        const char *what = config_setting_get_string_elem(s, 0);
+        const char *fitted_to = config_setting_get_string_elem(s, 1);
+        if (!config_setting_is_list(s) || !what || !fitted_to)
+            return cfg_fail(r, s, key, "must hold lists of two texts: ( what, fitted to )");
+        f->choices[f->choice_count++] = (struct paper_choice){policy, strdup(what), strdup(fitted_to)};
+    }
+    return true;
+}
+
 static bool read_factors(struct cfg_reader *r, struct paper_fitted *f)
 {
-    static const char *const keys[] = {"factors", NULL};
+    static const char *const keys[] = {"factors", "constants", "policies", NULL};
     config_setting_t *list;
     if (!cfg_only(r, r->root, keys) || !cfg_list(r, r->root, "factors", &list))
         return false;
@@ -40,7 +59,7 @@ static bool read_factors(struct cfg_reader *r, struct paper_fitted *f)
     for (unsigned i = 0; i < f->count; i++)
         if (!read_factor(r, config_setting_get_elem(list, i), &f->factors[i]))
             return false;
-    return true;
+    return read_choices(r, "constants", false, f) && read_choices(r, "policies", true, f);
 }
 
 struct paper_fitted *paper_read_fitted(const char *path, char **error)
@@ -67,6 +86,11 @@ void paper_free_fitted(struct paper_fitted *f)
         free(f->factors[i].function);
         free(f->factors[i].fitted_to);
     }
+    for (size_t i = 0; i < f->choice_count; i++) {
+        free(f->choices[i].what);
+        free(f->choices[i].fitted_to);
+    }
+    free(f->choices);
     free(f->factors);
     free(f);
 }

@@ -103,13 +103,14 @@ static json_t *fitted_json(const struct paper_fitted *fitted)
     return list;
 }
 
-static json_t *choices_json(const struct paper *paper)
+static json_t *choices_json(const struct paper_fitted *fitted)
 {
     json_t *list = json_array();
-    for (size_t i = 0; i < paper->choice_count; i++) {
+    for (size_t i = 0; i < fitted->choice_count; i++) {
         json_t *j = json_object();
-        set(j, "option", text(paper->choices[i].option));
-        set(j, "fitted_to", text(paper->choices[i].fitted_to));
+        set(j, "kind", text(fitted->choices[i].policy ? "policy" : "constant"));
+        set(j, "what", text(fitted->choices[i].what));
+        set(j, "fitted_to", text(fitted->choices[i].fitted_to));
         json_array_append_new(list, j);
     }
     return list;
@@ -137,7 +138,7 @@ json_t *results_json(const struct results *r)
     set(summary, "wall_time_s", json_real(r->wall_time_s));
     set(root, "rows", rows);
     set(root, "fitted", fitted_json(r->fitted));
-    set(root, "fitted_choices", choices_json(r->paper));
+    set(root, "fitted_choices", choices_json(r->fitted));
     set(root, "summary", summary);
     return root;
 }

@@ -117,39 +117,14 @@ static bool read_table(struct cfg_reader *r, config_setting_t *g, struct paper_t
     return true;
 }
 
-static bool read_choice(struct cfg_reader *r, config_setting_t *s, struct paper_choice *choice)
-{
-    const char *option = config_setting_get_string_elem(s, 0),
-               *fitted_to = config_setting_get_string_elem(s, 1);
-    if (!config_setting_is_list(s) || !option || !fitted_to)
-        return cfg_fail(r, s, "choices", "must hold lists of two texts: ( option, fitted to )");
-    choice->option = strdup(option);
-    choice->fitted_to = strdup(fitted_to);
-    return true;
-}
-
-static bool read_choices(struct cfg_reader *r, struct paper *p)
-{
-    config_setting_t *list;
-    if (!cfg_list(r, r->root, "choices", &list))
-        return false;
-    p->choice_count = (size_t)config_setting_length(list);
-    p->choices = zeroed(p->choice_count, sizeof *p->choices);
-    for (unsigned i = 0; i < p->choice_count; i++)
-        if (!read_choice(r, config_setting_get_elem(list, i), &p->choices[i]))
-            return false;
-    return true;
-}
-
 static bool read_paper(struct cfg_reader *r, struct paper *p)
 {
-    static const char *const keys[] = {"machine",  "program", "choices",  "tables", "fitted_rows",
+    static const char *const keys[] = {"machine",  "program", "tables",   "fitted_rows",
                                        "tie_rows", "remarks", "messages", NULL};
     const char *machine, *program;
     config_setting_t *tables;
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "machine", &machine) ||
-        !cfg_text(r, r->root, "program", &program) || !read_choices(r, p) ||
-        !cfg_list(r, r->root, "tables", &tables))
+        !cfg_text(r, r->root, "program", &program) || !cfg_list(r, r->root, "tables", &tables))
         return false;
     p->machine = strdup(machine);
     p->program = strdup(program);
@@ -184,15 +159,10 @@ void paper_free(struct paper *p)
         free(p->tables[t].rows);
         free(p->tables[t].title);
     }
-    for (size_t i = 0; i < p->choice_count; i++) {
-        free(p->choices[i].option);
-        free(p->choices[i].fitted_to);
-    }
     for (size_t i = 0; i < p->message_count; i++)
         free(p->messages[i].name);
     free(p->messages);
     free(p->tables);
-    free(p->choices);
     free(p->machine);
     free(p->program);
     free(p);

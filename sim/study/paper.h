@@ -35,12 +35,6 @@ struct paper_table {
     size_t count;
 };
 
-/* A choice that the paper leaves open and that was fitted to its figures. */
-struct paper_choice {
-    char *option;
-    char *fitted_to;
-};
-
 /* What the program's messages of types first to last are called. */
 struct paper_message {
     long first, last;
@@ -52,8 +46,6 @@ struct paper {
     char *program; /* relative to where the built programs are */
     struct paper_table *tables;
     size_t count;
-    struct paper_choice *choices;
-    size_t choice_count;
     struct paper_message *messages;
     size_t message_count;
 };
@@ -75,9 +67,20 @@ struct paper_factor {
     double factor;
     char *fitted_to;
 };
+
+/* Another constant that was fitted: an option of the program or a number of the machine file; or a policy of the program
+ * that the paper leaves open, chosen with its tables in view. */
+struct paper_choice {
+    bool policy;
+    char *what;
+    char *fitted_to;
+};
+
 struct paper_fitted {
     struct paper_factor *factors;
     size_t count;
+    struct paper_choice *choices;
+    size_t choice_count;
 };
 struct paper_fitted *paper_read_fitted(const char *path, char **error);
 void paper_free_fitted(struct paper_fitted *f);

@@ -101,8 +101,9 @@ static void print_fitted(FILE *out, const struct ink *ink, const struct results 
     }
     if (!fitted->count)
         fputs("  cost    none\n", out);
-    for (size_t i = 0; i < r->paper->choice_count; i++)
-        fprintf(out, "  choice  %s: %s\n", r->paper->choices[i].option, r->paper->choices[i].fitted_to);
+    for (size_t i = 0; i < fitted->choice_count; i++)
+        fprintf(out, "  %s  %s: %s\n", fitted->choices[i].policy ? "policy" : "number",
+                fitted->choices[i].what, fitted->choices[i].fitted_to);
 }
 
 static bool any_ties(const struct results *r)

@@ -127,8 +127,10 @@ static void write_fitted(FILE *out, const struct results *r)
         fprintf(out, "| cost of %s%s%s | x %g | %s |\n", f->file ? f->file : "",
                 f->file && f->function ? ", " : "", f->function ? f->function : "", f->factor, f->fitted_to);
     }
-    for (size_t i = 0; i < r->paper->choice_count; i++)
-        fprintf(out, "| choice | %s | %s |\n", r->paper->choices[i].option, r->paper->choices[i].fitted_to);
+    for (size_t i = 0; i < r->fitted->choice_count; i++) {
+        const struct paper_choice *c = &r->fitted->choices[i];
+        fprintf(out, "| %s | %s | %s |\n", c->policy ? "policy" : "constant", c->what, c->fitted_to);
+    }
     fputs("\nEverything else is prediction.\n", out);
 }
 

@@ -8,9 +8,10 @@ mkdir -p home/bench/paper
 ln -s "$root/machines" home/machines
 cat >home/bench/paper/fitted.cfg <<END
 factors = ( { file = "slice.c"; factor = 1.5; fitted_to = "a slice"; } );
+constants = ( ( "-k 1.6", "Table 1" ) );
 END
 cat >home/bench/paper/paper.cfg <<END
-machine = "delta"; program = "app/model"; choices = ( ( "-k 1.6", "Table 1" ) );
+machine = "delta"; program = "app/model";
 fitted_rows = ( "1:1" ); tie_rows = ( "1:2" ); remarks = ( ( "1:8", "It is like that." ) );
 messages = ( ( 6, 6, "chunks" ), ( 7, 7, "orders" ), ( 9, 9, "wakes" ) );
 tables = ( { table = 1; title = "small"; group = 4; arguments = "-approx 111 -sphere 64 64 9"; rows = (

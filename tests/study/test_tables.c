@@ -29,7 +29,7 @@ static const char stand_in[] =
     " \\\"messages\\\": 12, \\\"bytes\\\": 34, \\\"wall_time_s\\\": 0.$$, \\\"node\\\": [1]}\" >$json\n";
 
 static const char paper_cfg[] =
-    "machine = \"delta\"; program = \"app/model\"; choices = ( ( \"-keep 9\", \"table 5\" ) );\n"
+    "machine = \"delta\"; program = \"app/model\";\n"
     "tables = ( { table = 1; title = \"one\"; group = 0; arguments = \"-approx 111\"; several_groups = "
     "\"\";\n"
     "  rows = ( ( 1, 1000.0, 0.0, \"-\", \"-\", 1.0 ), ( 8, 150.0, 0.1, 1.0, 0.0, 0.9 ),\n"
@@ -172,12 +172,15 @@ static void a_row_that_fails_is_named_and_the_rest_is_there(void **state)
 static void fitted_factors_are_named(void **state)
 {
     (void)state;
-    write_file("bench/paper/fitted.cfg",
-               "factors = ( { file = \"slice.c\"; factor = 1.1; fitted_to = \"table 1, 1 node\"; } );\n");
+    write_file(
+        "bench/paper/fitted.cfg",
+        "factors = ( { file = \"slice.c\"; factor = 1.1; fitted_to = \"table 1, 1 node\"; } );\n"
+        "constants = ( ( \"-keep 9\", \"table 5\" ) ); policies = ( ( \"-gran 1\", \"table 1\" ) );\n");
     assert_int_equal(make(NULL, NULL), TABLES_DONE);
     char *said = read_text("said");
     assert_non_null(strstr(said, "cost    slice.c x 1.1: table 1, 1 node"));
-    assert_non_null(strstr(said, "choice  -keep 9: table 5"));
+    assert_non_null(strstr(said, "number  -keep 9: table 5"));
+    assert_non_null(strstr(said, "policy  -gran 1: table 1"));
     free(said);
 }
 
@@ -186,7 +189,7 @@ static void bad_figures_are_named_by_line(void **state)
     (void)state;
     char *error = NULL;
     write_file("bench/paper/paper.cfg",
-               "machine = \"m\"; program = \"p\"; choices = ();\ntables = ( { table = 1; title = \"t\";\n"
+               "machine = \"m\"; program = \"p\";\ntables = ( { table = 1; title = \"t\";\n"
                "group = 0; arguments = \"a\"; rows = (\n( 1, \"x\" ) ); } );\n");
     assert_int_equal(make(NULL, &error), TABLES_ERROR);
     assert_string_equal(error,
