@@ -375,6 +375,17 @@ bool costs_is_memory(tree operand)
     return is_memory(operand);
 }
 
+tree costs_written_in(gimple *stmt)
+{
+    return written_in(stmt);
+}
+
+const char *costs_priced_call(gimple *stmt)
+{
+    gcall *call = dyn_cast<gcall *>(stmt);
+    return call && listed(call) ? library_name(call) : NULL;
+}
+
 int64_t costs_of(gimple *stmt)
 {
     return with_factor(stmt, plain_cost(stmt));

@@ -15,6 +15,12 @@ void costs_use(const cost_table &table, const std::vector<cost_factor> &factors)
 /* Units of one execution of stmt. For a call this is the fixed part: see costs_of_call. */
 int64_t costs_of(gimple *stmt);
 
+/* The function that stmt was written in. */
+tree costs_written_in(gimple *stmt);
+
+/* The name of the library function that stmt calls, if the cost table prices it, or NULL. */
+const char *costs_priced_call(gimple *stmt);
+
 /* Is it an operand that lies in memory? */
 bool costs_is_memory(tree operand);
 

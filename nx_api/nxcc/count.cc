@@ -24,6 +24,8 @@
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "profile.h"
+#include <memory>
 
 #define COUNTER "nxc_left"
 #define PREEMPT "nxc_enter" /* runtime.c */
@@ -40,6 +42,12 @@ struct check {
     tree value;
 };
 
+/* What a stretch costs, and of whom. */
+struct stretch {
+    int64_t cost = 0;
+    profile_shares shares; /* only with a profile */
+};
+
 class counting
 {
   public:
@@ -54,8 +62,11 @@ class counting
     void pay_misses(gimple *stmt);
     void pay_argument(gcall *call);
     gimple *pay_result(gcall *call, gimple *behind);
-    void pay(basic_block bb, gimple *behind, int64_t cost);
+    void pay(basic_block bb, gimple *behind, const stretch &s);
+    void spend(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
+    check charge(gimple_seq *seq, gimple *stmt, tree amount);
+    void store(gimple_seq *seq);
     void load_on_entry();
     void store_on_exit();
     void insert_check(const check &c);
@@ -63,6 +74,7 @@ class counting
     function *fun;
     tree left = NULL_TREE; /* the register, or NULL: count in memory */
     bool calls = false;    /* something here may look at the counter */
+    std::unique_ptr<profiling> profile; /* NULL: none is wanted */
     auto_sbitmap checked;  /* blocks that check: the heads of cycles, and the first */
     auto_vec<check> checks;
 };
@@ -149,15 +161,43 @@ check counting::subtract(gimple_seq *seq, tree amount)
     return {store, is};
 }
 
+/* The same on behalf of a statement. */
+check counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
+{
+    check paid = subtract(seq, amount);
+    if (profile)
+        profile->add(seq, gimple_bb(stmt), profile->cell_of(stmt), amount);
+    return paid;
+}
+
+/* Appends counter = left: somebody else may look at it now. */
+void counting::store(gimple_seq *seq)
+{
+    if (profile)
+        profile->give_away(seq, counter, left);
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, left));
+}
+
+/* Adds the fixed cost of stmt to a stretch. */
+void counting::spend(stretch *s, gimple *stmt)
+{
+    int64_t cost = costs_of(stmt);
+    s->cost += cost;
+    if (profile && cost)
+        s->shares[profile->cell_of(stmt)] += cost;
+}
+
 /* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
  * is. */
-void counting::pay(basic_block bb, gimple *behind, int64_t cost)
+void counting::pay(basic_block bb, gimple *behind, const stretch &s)
 {
     bool check_here = !behind && bitmap_bit_p(checked, bb->index);
-    if (!cost && !check_here)
+    if (!s.cost && !check_here)
         return;
     gimple_seq seq = NULL;
-    check paid = subtract(&seq, units_constant(cost));
+    check paid = subtract(&seq, units_constant(s.cost));
+    for (auto &share : s.shares)
+        profile->add(&seq, bb, share.first, units_constant(share.second));
     if (check_here)
         checks.safe_push(paid);
     if (behind) {
@@ -192,7 +232,7 @@ void counting::pay_misses(gimple *stmt)
     cache_look_up(stmt, misses);
     gimple_seq seq = NULL;
     for (tree units : misses)
-        subtract(&seq, units);
+        charge(&seq, stmt, units);
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
@@ -205,7 +245,7 @@ void counting::pay_argument(gcall *call)
         return;
     gimple_seq seq = NULL;
     if (tree amount = append_amount(&seq, call, per, *of))
-        subtract(&seq, amount);
+        charge(&seq, call, amount);
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
@@ -228,7 +268,8 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    gimple *last = subtract(&seq, append_amount(&seq, call, per, *of)).after;
+    charge(&seq, call, append_amount(&seq, call, per, *of));
+    gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
     return last;
@@ -243,7 +284,9 @@ gimple *counting::hand_over(gcall *call)
     if (!left)
         return call;
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
-    gsi_insert_before(&gsi, gimple_build_assign(counter, left), GSI_SAME_STMT);
+    gimple_seq seq = NULL;
+    store(&seq);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
     if (stmt_ends_bb_p(call))
         return call;
     gimple *reload = gimple_build_assign(left, counter);
@@ -256,12 +299,12 @@ void counting::count_block(basic_block bb)
     auto_vec<gimple *> statements;
     for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         statements.safe_push(gsi_stmt(gsi));
-    int64_t cost = 0;
+    stretch now;
     gimple *behind = NULL;
     unsigned i;
     gimple *stmt;
     FOR_EACH_VEC_ELT (statements, i, stmt) {
-        cost += costs_of(stmt);
+        spend(&now, stmt);
         pay_misses(stmt);
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
@@ -269,8 +312,8 @@ void counting::count_block(basic_block bb)
         pay_argument(call);
         gimple *last = call;
         if (looks(call)) {
-            pay(bb, behind, cost);
-            cost = 0;
+            pay(bb, behind, now);
+            now = stretch();
             behind = last = hand_over(call);
         } else {
             gimple_call_set_tail(call, false); /* the store at the function's end must come after it */
@@ -281,7 +324,7 @@ void counting::count_block(basic_block bb)
             behind = last;
     }
     if (!behind || !stmt_ends_bb_p(behind))
-        pay(bb, behind, cost);
+        pay(bb, behind, now);
 }
 
 void counting::load_on_entry()
@@ -296,8 +339,11 @@ void counting::store_on_exit()
     edge_iterator ei;
     FOR_EACH_EDGE (e, ei, EXIT_BLOCK_PTR_FOR_FN(fun)->preds) {
         gimple_stmt_iterator gsi = gsi_last_nondebug_bb(e->src);
-        if (!gsi_end_p(gsi) && gimple_code(gsi_stmt(gsi)) == GIMPLE_RETURN)
-            gsi_insert_before(&gsi, gimple_build_assign(counter, left), GSI_SAME_STMT);
+        if (gsi_end_p(gsi) || gimple_code(gsi_stmt(gsi)) != GIMPLE_RETURN)
+            continue;
+        gimple_seq seq = NULL;
+        store(&seq);
+        gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
     }
 }
 
@@ -325,8 +371,10 @@ void counting::insert_check(const check &c)
     vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
     gasm *call = gimple_build_asm_vec("call\t" PREEMPT, NULL, NULL, clobbers, NULL);
     gimple_asm_set_volatile(call, true);
+    if (profile)
+        profile->flush(&seq, bb);
     if (left)
-        gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(counter, left));
+        store(&seq);
     gimple_seq_add_stmt_without_update(&seq, call);
     if (left)
         gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, counter));
@@ -337,6 +385,8 @@ void counting::insert_check(const check &c)
 void counting::run()
 {
     look_at_function();
+    if (profile_on)
+        profile = std::make_unique<profiling>(fun, !left, looks);
     mark_checked_blocks();
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
@@ -345,6 +395,8 @@ void counting::run()
         load_on_entry();
         store_on_exit();
     }
+    if (profile)
+        profile->finish();
     unsigned i;
     check *c;
     FOR_EACH_VEC_ELT (checks, i, c)

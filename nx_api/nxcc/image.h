@@ -11,6 +11,10 @@
  * spent since the simulator last set *left to B  =  B - *left so an event that is due after U units is seen
  * at the first check at or past it when B = U - 1.
  *
+ * Profile. A program built with --profile adds what it spends to cells as well (how: profile.h). At any call
+ * and check the cells are up to date with *left, and the bodies' sum is what was spent since the program
+ * began.
+ *
  * Unit. One unit is 1/1000 clock of the simulated processor, so that cost factors near one can be expressed;
  * class costs are whole or fractional clocks in machines/cpu/.cfg files.
  */
@@ -19,9 +23,20 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 1u
+#define NXC_IMAGE_VERSION 2u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_CACHE_LINES 4096 /* at most, of a simulated data cache: cache.h */
+
+/* Units spent in one function's body, all that was inlined into it included; or in a part of a body: what was
+ * inlined from one other function, or one library call. So what a function has spent is the sum over the cells
+ * with its name, less the sum over the parts of its bodies. */
+struct nxc_cell {
+    int64_t units;
+    const char *file, *function; /* where it was written */
+    const char *called;          /* the library function it was spent in, NULL: none */
+    struct nxc_cell *body;       /* it is a part of this one, NULL: it is a body */
+    int64_t line;                /* of the function */
+};
 
 struct nxc_image {
     uint32_t magic;
@@ -30,6 +45,8 @@ struct nxc_image {
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);
+    struct nxc_cell *cells_begin; /* both NULL: built without --profile */
+    struct nxc_cell *cells_end;
 };
 
 /* Served by the simulator: let virtual time catch up; returns with *left set anew. */

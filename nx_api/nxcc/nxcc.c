@@ -33,6 +33,7 @@ static const char help[] =
     "                     touchstone's own cpu directory as well (default " DEFAULT_COSTS ")\n"
     "    --factors FILE   cost factors of source files or functions: factors = ( { file = \"a.c\"; factor = "
     "1.02; } );\n"
+    "    --profile        also count by function, for touchstone run --profile; the times stay the same\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"
     "\n"
@@ -139,6 +140,7 @@ struct arguments {
     size_t count;
     const char *costs;
     const char *factors;
+    bool profile;
     bool links;    /* gcc will link */
     bool has_file; /* there is something to compile or link */
     bool dry_run;
@@ -220,6 +222,8 @@ static struct arguments read_arguments(int argc, char **argv)
             a.costs = value;
         } else if ((value = own_option("--factors", argc, argv, &i))) {
             a.factors = value;
+        } else if (!strcmp(argv[i], "--profile")) {
+            a.profile = true;
         } else if (!strcmp(argv[i], "--dry-run")) {
             a.dry_run = true;
         } else if (is_one_of(argv[i], with_value) && i + 1 < argc) {
@@ -249,6 +253,8 @@ static void add_plugin(struct arguments *a, const struct places *p)
             fail("--factors %s: %s", a->factors, strerror(errno));
         add(a, text("-fplugin-arg-count-factors=%s", a->factors));
     }
+    if (a->profile)
+        add(a, "-fplugin-arg-count-profile");
 }
 
 /* Compiling: position-independent and plain, so that the same source computes the same and costs the same
@@ -302,7 +308,7 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, "-x");
     add(a, "none");
     add(a, text("%s/runtime.o", p->lib));
-    add(a, text("%s/libnx.a", p->lib));
+    add(a, text("%s/%s", p->lib, a->profile ? "libnx_profile.a" : "libnx.a"));
     add(a, "-lgcc");
     add(a, text("%s/libnode.so", p->lib));
 }
@@ -323,7 +329,7 @@ int main(int argc, char **argv)
         fail("no input files; nxcc --help shows how it is used");
     bool link = user.links && user.has_file;
 
-    a = (struct arguments){.costs = user.costs, .factors = user.factors};
+    a = (struct arguments){.costs = user.costs, .factors = user.factors, .profile = user.profile};
     add(&a, user.gcc[0]);
     add_plugin(&a, &p);
     if (link)

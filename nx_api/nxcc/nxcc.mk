@@ -8,10 +8,11 @@ PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
 COMMON_SRC := $(wildcard nx_api/common/*.c)
 COMMON_OBJ := $(COMMON_SRC:nx_api/common/%.c=$(NODE)/obj/%.o)
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
+PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
 NXCC_TOOLS := $B/nxcc $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libnx_profile.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: nx_api/nxcc/nxcc.c
 	@mkdir -p $(@D)
@@ -43,12 +44,18 @@ $(NODE)/obj/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h) $(NXCC_TOOLS)
 	@mkdir -p $(@D)
 	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
 
+$(NODE)/obj/profile/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h) $(NXCC_TOOLS)
+	@mkdir -p $(@D)
+	$B/nxcc -std=gnu17 -O2 $(WARN) --profile -c -o $@ $<
+
 # A simulated cache is not counted.
 $(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
 $(NODE)/libnx.a: $(COMMON_OBJ) $(NODE)/obj/cache_runtime.o
+$(NODE)/libnx_profile.a: $(PROFILED) $(NODE)/obj/cache_runtime.o
+$(NODE)/libnx.a $(NODE)/libnx_profile.a:
 	@mkdir -p $(@D)
 	@rm -f $@
 	ar rcs $@ $^

@@ -1,11 +1,12 @@
 /* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
  *
- * Arguments: costs=FILE (needed), factors=FILE; for tests: before=PASS (where the pass stands), memory (no registers).
+ * Arguments: costs=FILE (needed), factors=FILE, profile; for tests: before=PASS (where the pass stands), memory (no registers).
  */
 #include "gcc.h"
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "profile.h"
 
 int plugin_is_GPL_compatible;
 
@@ -28,6 +29,8 @@ arguments read_arguments(const plugin_name_args *info)
             a.factors = arg.value;
         else if (!strcmp(arg.key, "before"))
             a.before = arg.value;
+        else if (!strcmp(arg.key, "profile"))
+            profile_on = true;
         else if (!strcmp(arg.key, "memory"))
             count_in_memory = true;
         else
@@ -69,6 +72,11 @@ void check_target(void *, void *)
     if (TARGET_RED_ZONE)
         error("nxcc: node programs need %<-mno-red-zone%>");
 }
+
+void finish_unit(void *, void *)
+{
+    profile_write_cells();
+}
 } // namespace
 
 int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
@@ -84,6 +92,9 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(count_roots()));
+    register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
+                      const_cast<ggc_root_tab *>(profile_roots()));
+    register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
     return 0;
 }

@@ -10,6 +10,9 @@ __attribute__((visibility("hidden"))) int64_t nxc_left;
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
 extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
+/* The linker's names for the ends of section nxc_cells, if there is one. */
+extern struct nxc_cell __start_nxc_cells[] __attribute__((visibility("hidden"), weak));
+extern struct nxc_cell __stop_nxc_cells[] __attribute__((visibility("hidden"), weak));
 
 struct nxc_image nxc_image = {
     .magic = NXC_IMAGE_MAGIC,
@@ -18,6 +21,8 @@ struct nxc_image nxc_image = {
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,
+    .cells_begin = __start_nxc_cells,
+    .cells_end = __stop_nxc_cells,
 };
 
 /* nxc_enter: called from inline assembly where a check finds the counter negative. Nothing is known to be

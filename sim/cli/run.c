@@ -6,6 +6,7 @@
 #include <string.h>
 #include "cli/cli.h"
 #include "machine/machine.h"
+#include "observe/profile.h"
 #include "observe/summary.h"
 
 static const char HELP[] =
@@ -23,6 +24,9 @@ static const char HELP[] =
     "a\n"
     "                          temporary one that is gone after the run\n"
     "  --json FILE             write the figures of the run, per node too, as JSON\n"
+    "  --profile FILE          write as JSON where the nodes' time went, by function, and show the dearest "
+    "functions;\n"
+    "                          for a PROGRAM built with nxcc --profile\n"
     "  --max-virtual-time S    stop when a node passes S seconds of virtual time\n"
     "  --max-wall-time S       stop after S seconds of real time\n"
     "  --slice S               look at computing programs at least every S virtual seconds: results must "
@@ -40,7 +44,7 @@ static const char HELP[] =
 enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
 
 struct arguments {
-    const char *machine, *json, *cfs;
+    const char *machine, *json, *profile, *cfs;
     const char **set; /* ended by NULL */
     uint32_t nodes;
     double max_virtual_s, max_wall_s, slice_s;
@@ -68,8 +72,9 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET };
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET, PROFILE };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
+                                         {"profile", required_argument, NULL, PROFILE},
                                          {"set", required_argument, NULL, SET},
                                          {"cfs", required_argument, NULL, CFS},
                                          {"max-virtual-time", required_argument, NULL, MAX_VIRTUAL},
@@ -97,6 +102,9 @@ static int parse(int argc, char **argv, struct arguments *a)
             break;
         case JSON:
             a->json = optarg;
+            break;
+        case PROFILE:
+            a->profile = optarg;
             break;
         case CFS:
             a->cfs = optarg;
@@ -143,6 +151,17 @@ static int input_error(char *error)
     return EXIT_INPUT;
 }
 
+/* Shows and writes it. NULL, or an error. */
+static char *report_profile(const struct machine *m, const struct arguments *a)
+{
+    struct profile p = profile_collect(m);
+    if (!a->quiet)
+        profile_print(&p, stderr);
+    char *error = profile_json(&p, m, a->profile);
+    profile_free(&p);
+    return error;
+}
+
 static int report(const struct machine *m, const struct arguments *a)
 {
     int status = m->outcome == MACHINE_ENDED ? 0 : m->outcome == MACHINE_DEADLOCK ? 2 : 1;
@@ -152,7 +171,18 @@ static int report(const struct machine *m, const struct arguments *a)
     if (!a->quiet)
         summary_print(m, stderr);
     char *error = a->json ? summary_json(m, a->json) : NULL;
+    if (!error && a->profile)
+        error = report_profile(m, a);
     return error ? input_error(error) : status;
+}
+
+static int unprofiled(const char *program)
+{
+    char *error;
+    if (asprintf(&error, "--profile: %s was built without it: compile and link it with nxcc --profile",
+                 program) < 0)
+        abort();
+    return input_error(error);
 }
 
 static int run(const struct arguments *a)
@@ -178,14 +208,16 @@ static int run(const struct arguments *a)
                                 .out = stdout,
                                 .err = stderr};
     struct machine *m = machine_new(&o, &error);
-    int status = EXIT_INPUT;
-    if (m) {
+    int status;
+    if (!m) {
+        status = input_error(error);
+    } else if (a->profile && !profile_possible(m)) {
+        status = unprofiled(a->program[0]);
+    } else {
         machine_run(m);
         status = report(m, a);
-        machine_free(m);
-    } else {
-        input_error(error);
     }
+    machine_free(m);
     cfg_free(cfg);
     return status;
 }

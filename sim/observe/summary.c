@@ -1,12 +1,9 @@
 /* summary.c - see summary.h. */
 #include "observe/summary.h"
-#include <errno.h>
 #include <inttypes.h>
-#include <jansson.h>
-#include <stdlib.h>
-#include <string.h>
 #include "cfs/cfs.h"
 #include "node/clock.h"
+#include "observe/json_file.h"
 
 /* What the program itself has computed, by its cost units. */
 static vtime busy(const struct node *n)
@@ -130,24 +127,13 @@ static json_t *waits_json(const struct node *n)
     return list;
 }
 
-/* Their sum is system_s and beside_s. */
-static json_t *tasks_json(const struct node *n)
-{
-    static const char *const NAMES[NODE_TASKS] = {"calls_s",      "sending_s", "receiving_s", "copying_s",
-                                                  "interrupts_s", "feeding_s", "emptying_s"};
-    json_t *tasks = json_object();
-    for (int i = 0; i < NODE_TASKS; i++)
-        json_object_set_new(tasks, NAMES[i], json_real(vt_seconds(n->stats.tasks[i])));
-    return tasks;
-}
-
-/* busy_s, idle_s and system_s add up to ended_s. */
+/* busy_s, idle_s and system_s add up to ended_s; the tasks to system_s and beside_s. */
 static json_t *node_json(const struct node *n)
 {
     return json_pack("{s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "ended_s",
                      vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
                      vt_seconds(n->stats.idle), "system_s", vt_seconds(n->stats.system), "beside_s",
-                     vt_seconds(n->stats.beside), "waits", waits_json(n), "tasks", tasks_json(n),
+                     vt_seconds(n->stats.beside), "waits", waits_json(n), "tasks", json_tasks(n->stats.tasks),
                      "memory_peak_bytes", (json_int_t)n->stats.memory_peak, "exit_code", n->exit_code,
                      "messages_sent", (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
 }
@@ -191,14 +177,5 @@ static json_t *machine_json(const struct machine *m)
 
 char *summary_json(const struct machine *m, const char *path)
 {
-    char *text = NULL, *temporary = NULL;
-    if (asprintf(&temporary, "%s.tmp", path) < 0)
-        abort();
-    json_t *root = machine_json(m);
-    if (json_dump_file(root, temporary, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) || rename(temporary, path))
-        if (asprintf(&text, "cannot write %s: %s", path, strerror(errno)) < 0)
-            abort();
-    json_decref(root);
-    free(temporary);
-    return text;
+    return json_file_write(machine_json(m), path);
 }

@@ -1,0 +1,261 @@
+/* profile.cc - see profile.h. The cells are one array a compiled file, .Lnxc_cells, written as assembly when the file is
+ * done: only then is their number known. */
+#include "gcc.h"
+#include "costs.h"
+#include "profile.h"
+#include "output.h"
+#include <string>
+
+bool profile_on;
+
+namespace
+{
+/* struct nxc_cell, as it will be written. */
+struct cell {
+    std::string file, function, called; /* called: the library function, "" none */
+    int line;
+    int body; /* the cell of the body that this is a part of; -1: it is one */
+};
+
+enum { CELL_BYTES = 48 };
+
+tree units_constant(int64_t units)
+{
+    return build_int_cst(long_integer_type_node, units);
+}
+
+/* Written in which function, calling what, as part of which body: trees by their DECL_UID, which stay. */
+struct cell_key {
+    unsigned function;
+    std::string called;
+    int body;
+    bool operator<(const cell_key &o) const
+    {
+        return std::tie(function, called, body) < std::tie(o.function, o.called, o.body);
+    }
+};
+
+std::vector<cell> cells;
+std::map<cell_key, int> known;
+tree array; /* .Lnxc_cells, as longs */
+
+/* A clone or part that GCC made of a function is that function to who wrote it. */
+tree as_written(tree function)
+{
+    return DECL_ORIGIN(function);
+}
+
+int find_cell(tree function, const char *called, int body)
+{
+    function = as_written(function);
+    /* bodies differ by what is compiled: a function and its clones have one each */
+    cell_key key = {body < 0 ? DECL_UID(current_function_decl) : DECL_UID(function), called, body};
+    auto found = known.find(key);
+    if (found != known.end())
+        return found->second;
+    const char *name = DECL_NAME(function) ? IDENTIFIER_POINTER(DECL_NAME(function)) : "?";
+    cells.push_back({DECL_SOURCE_FILE(function), name, called, DECL_SOURCE_LINE(function), body});
+    return known[key] = (int)cells.size() - 1;
+}
+
+tree make_array()
+{
+    tree type = build_array_type_nelts(long_integer_type_node, 1 << 20);
+    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier("nxc_cells"), type);
+    SET_DECL_ASSEMBLER_NAME(var, get_identifier("*.Lnxc_cells"));
+    TREE_STATIC(var) = 1;      /* of this file ... */
+    TREE_ASM_WRITTEN(var) = 1; /* ... and not GCC's to write */
+    TREE_USED(var) = 1;
+    TREE_ADDRESSABLE(var) = 1;
+    DECL_ARTIFICIAL(var) = 1;
+    DECL_IGNORED_P(var) = 1;
+    varpool_node::get_create(var);
+    return var;
+}
+
+/* nxc_cell.units of a cell, in memory. */
+tree units_of(int cell)
+{
+    if (!array)
+        array = make_array();
+    return build2(MEM_REF, long_integer_type_node, build_fold_addr_expr(array),
+                  build_int_cst(build_pointer_type(long_integer_type_node), cell * CELL_BYTES));
+}
+
+void add_to_cell(gimple_seq *seq, int cell, tree amount)
+{
+    tree was = make_ssa_name(long_integer_type_node);
+    tree is = make_ssa_name(long_integer_type_node);
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, units_of(cell)));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, PLUS_EXPR, was, amount));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(units_of(cell), is));
+}
+
+void write_string(const std::string &s)
+{
+    fputs("\t.string \"", asm_out_file);
+    for (char c : s) {
+        if (c == '"' || c == '\\')
+            fputc('\\', asm_out_file);
+        fputc(c, asm_out_file);
+    }
+    fputs("\"\n", asm_out_file);
+}
+} // namespace
+
+/* --- one function --------------------------------------------------------------------------------------- */
+
+profiling::profiling(function *f, bool memory, bool (*looks)(gimple *)) : fun(f), in_memory(memory)
+{
+    body = find_cell(current_function_decl, "", -1);
+    if (in_memory)
+        return;
+    if (!current_loops)
+        loop_optimizer_init(AVOID_CFG_MODIFICATIONS);
+    else if (loops_state_satisfies_p(LOOPS_NEED_FIXUP))
+        fix_loop_structure(NULL);
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, fun)
+        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+            if (looks(gsi_stmt(gsi)))
+                for (class loop *l = bb->loop_father; l; l = loop_outer(l))
+                    loud.insert(l->num);
+    loud.insert(0); /* the function, which is a loop to GCC */
+}
+
+int profiling::cell_of(gimple *stmt) const
+{
+    tree function = costs_written_in(stmt);
+    const char *called = costs_priced_call(stmt);
+    if (!called && as_written(function) == as_written(current_function_decl))
+        return body;
+    return find_cell(function, called ? called : "", body);
+}
+
+/* The outermost loop around bb that gives control to nobody, or NULL. */
+class loop *profiling::quiet_loop(basic_block bb) const
+{
+    class loop *quiet = NULL;
+    if (!in_memory)
+        for (class loop *l = bb->loop_father; l && !loud.count(l->num); l = loop_outer(l))
+            quiet = l;
+    return quiet;
+}
+
+void profiling::add(gimple_seq *seq, basic_block bb, int cell, tree amount)
+{
+    if (in_memory)
+        add_to_cell(seq, body, amount);
+    if (cell == body)
+        return;
+    class loop *loop = quiet_loop(bb);
+    if (!loop) {
+        add_to_cell(seq, cell, amount);
+        return;
+    }
+    tree &sum = sums[{loop->num, cell}];
+    if (!sum)
+        sum = create_tmp_reg(long_integer_type_node, "part");
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(sum, PLUS_EXPR, sum, amount));
+}
+
+void profiling::give_away(gimple_seq *seq, tree counter, tree left) const
+{
+    tree was = make_ssa_name(long_integer_type_node);
+    tree spent = make_ssa_name(long_integer_type_node);
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(spent, MINUS_EXPR, was, left));
+    add_to_cell(seq, body, spent);
+}
+
+void profiling::flush(gimple_seq *seq, basic_block bb) const
+{
+    class loop *loop = quiet_loop(bb);
+    for (auto &s : sums) {
+        if (!loop || s.first.first != loop->num)
+            continue;
+        add_to_cell(seq, s.first.second, s.second);
+        gimple_seq_add_stmt_without_update(seq, gimple_build_assign(s.second, units_constant(0)));
+    }
+}
+
+/* A loop that GCC knows as one is entered only at its header. */
+void profiling::begin_sums(class loop *loop) const
+{
+    edge e;
+    edge_iterator ei;
+    FOR_EACH_EDGE (e, ei, loop->header->preds)
+        if (!flow_bb_inside_loop_p(loop, e->src))
+            for (auto &s : sums)
+                if (s.first.first == loop->num)
+                    gsi_insert_on_edge(e, gimple_build_assign(s.second, units_constant(0)));
+}
+
+void profiling::end_sums(class loop *loop) const
+{
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, fun) {
+        edge e;
+        edge_iterator ei;
+        FOR_EACH_EDGE (e, ei, bb->succs) {
+            if (!flow_bb_inside_loop_p(loop, bb) || flow_bb_inside_loop_p(loop, e->dest))
+                continue;
+            gimple_seq seq = NULL;
+            flush(&seq, bb);
+            gsi_insert_seq_on_edge(e, seq);
+        }
+    }
+}
+
+void profiling::finish()
+{
+    int done = 0;
+    for (auto &s : sums) {
+        if (s.first.first == done)
+            continue;
+        done = s.first.first;
+        begin_sums(get_loop(fun, done));
+        end_sums(get_loop(fun, done));
+    }
+    if (!sums.empty())
+        gsi_commit_edge_inserts();
+}
+
+/* --- the unit --------------------------------------------------------------------------------------------- */
+
+void profile_write_cells()
+{
+    if (cells.empty() || !asm_out_file)
+        return;
+    fputs("\t.section nxc_cells,\"aw\"\n\t.balign 8\n.Lnxc_cells:\n", asm_out_file);
+    for (size_t i = 0; i < cells.size(); i++) {
+        fprintf(asm_out_file, "\t.quad 0, .Lnxc_file%zu, .Lnxc_function%zu, ", i, i);
+        fprintf(asm_out_file, cells[i].called.empty() ? "0" : ".Lnxc_called%zu", i);
+        fprintf(asm_out_file, cells[i].body < 0 ? ", 0, " : ", .Lnxc_cells+%d, ", cells[i].body * CELL_BYTES);
+        fprintf(asm_out_file, "%d\n", cells[i].line);
+    }
+    fputs("\t.section .rodata.str1.1,\"aMS\",@progbits,1\n", asm_out_file);
+    for (size_t i = 0; i < cells.size(); i++) {
+        fprintf(asm_out_file, ".Lnxc_file%zu:\n", i);
+        write_string(cells[i].file);
+        fprintf(asm_out_file, ".Lnxc_function%zu:\n", i);
+        write_string(cells[i].function);
+        if (cells[i].called.empty())
+            continue;
+        fprintf(asm_out_file, ".Lnxc_called%zu:\n", i);
+        write_string(cells[i].called);
+    }
+}
+
+namespace
+{
+const ggc_root_tab roots[] = {
+    {&array, 1, sizeof array, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
+    LAST_GGC_ROOT_TAB,
+};
+}
+
+const ggc_root_tab *profile_roots()
+{
+    return roots;
+}

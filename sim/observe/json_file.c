@@ -1,0 +1,29 @@
+/* json_file.c - see json_file.h. */
+#include "observe/json_file.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+char *json_file_write(json_t *root, const char *path)
+{
+    char *text = NULL, *temporary = NULL;
+    if (asprintf(&temporary, "%s.tmp", path) < 0)
+        abort();
+    if (json_dump_file(root, temporary, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) || rename(temporary, path))
+        if (asprintf(&text, "cannot write %s: %s", path, strerror(errno)) < 0)
+            abort();
+    json_decref(root);
+    free(temporary);
+    return text;
+}
+
+json_t *json_tasks(const vtime tasks[NODE_TASKS])
+{
+    static const char *const NAMES[NODE_TASKS] = {"calls_s",      "sending_s", "receiving_s", "copying_s",
+                                                  "interrupts_s", "feeding_s", "emptying_s"};
+    json_t *object = json_object();
+    for (int i = 0; i < NODE_TASKS; i++)
+        json_object_set_new(object, NAMES[i], json_real(vt_seconds(tasks[i])));
+    return object;
+}

@@ -1,0 +1,185 @@
+/* profile.c - see profile.h. The cells are in each node's image, the same ones in each: node 0's tell the names. */
+#include "observe/profile.h"
+#include <stdlib.h>
+#include <string.h>
+#include "node/clock.h"
+#include "nx_api/nxcc/image.h"
+
+/* Of what was compiled without --profile, if the program has such parts. */
+static const char REST[] = "(compiled without --profile)";
+
+static size_t cell_count(const struct node *n)
+{
+    return (size_t)(n->image->cells_end - n->image->cells_begin);
+}
+
+bool profile_possible(const struct machine *m)
+{
+    return cell_count(m->sys.nodes[0]) > 0;
+}
+
+static enum profile_class class_of(const struct node *n)
+{
+    return n->stats.armed ? PROFILE_ARMED : PROFILE_OTHERS;
+}
+
+static void *zeroed(size_t count, size_t size)
+{
+    void *p = calloc(count + 1, size);
+    if (!p)
+        abort();
+    return p;
+}
+
+/* --- functions ---------------------------------------------------------------------------------------------- */
+
+static int compare_texts(const char *a, const char *b)
+{
+    return a == b ? 0 : !a ? -1 : !b ? 1 : strcmp(a, b);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    const struct nxc_cell *x = *(struct nxc_cell *const *)a, *y = *(struct nxc_cell *const *)b;
+    int order = compare_texts(x->file, y->file);
+    order = order ? order : compare_texts(x->function, y->function);
+    order = order ? order : (x->line > y->line) - (x->line < y->line);
+    return order ? order : compare_texts(x->called, y->called);
+}
+
+/* Makes an entry for each name among node 0's cells; entry[k] is that of the cell k. */
+static void name_functions(struct profile *p, const struct node *n, size_t *entry)
+{
+    size_t count = cell_count(n);
+    struct nxc_cell **sorted = zeroed(count, sizeof(struct nxc_cell *));
+    p->functions = zeroed(count + 1, sizeof *p->functions);
+    for (size_t k = 0; k < count; k++)
+        sorted[k] = n->image->cells_begin + k;
+    qsort(sorted, count, sizeof *sorted, by_name);
+    for (size_t k = 0; k < count; k++) {
+        const struct nxc_cell *c = sorted[k];
+        if (k == 0 || by_name(&sorted[k - 1], &sorted[k]))
+            p->functions[p->function_count++] = (struct profile_function){
+                .file = c->file, .function = c->function, .called = c->called, .line = c->line};
+        entry[c - n->image->cells_begin] = p->function_count - 1;
+    }
+    free(sorted);
+}
+
+/* Returns the sum of all. */
+static int64_t add_functions(struct profile *p, const struct node *n, const size_t *entry)
+{
+    const struct nxc_cell *cells = n->image->cells_begin;
+    enum profile_class c = class_of(n);
+    int64_t sum = 0;
+    for (size_t k = 0; k < cell_count(n); k++) {
+        p->functions[entry[k]].units[c] += cells[k].units;
+        if (cells[k].body)
+            p->functions[entry[cells[k].body - cells]].units[c] -= cells[k].units;
+        else
+            sum += cells[k].units;
+    }
+    return sum;
+}
+
+static int64_t units_of(const struct profile_function *f)
+{
+    return f->units[PROFILE_OTHERS] + f->units[PROFILE_ARMED];
+}
+
+static int dearest_first(const void *a, const void *b)
+{
+    const struct profile_function *x = a, *y = b;
+    int order = (units_of(y) > units_of(x)) - (units_of(y) < units_of(x));
+    order = order ? order : compare_texts(x->file, y->file);
+    order = order ? order : compare_texts(x->function, y->function);
+    return order ? order : compare_texts(x->called, y->called);
+}
+
+static void collect_functions(struct profile *p, const struct machine *m)
+{
+    struct profile_function rest = {.file = "", .function = REST};
+    size_t *entry = zeroed(cell_count(m->sys.nodes[0]), sizeof *entry);
+    name_functions(p, m->sys.nodes[0], entry);
+    for (uint32_t k = 0; k < m->sys.count; k++) {
+        const struct node *n = m->sys.nodes[k];
+        rest.units[class_of(n)] += (int64_t)n->clock.units - add_functions(p, n, entry);
+    }
+    free(entry);
+    if (rest.units[PROFILE_OTHERS] || rest.units[PROFILE_ARMED])
+        p->functions[p->function_count++] = rest;
+    qsort(p->functions, p->function_count, sizeof *p->functions, dearest_first);
+    while (p->function_count > 0 && units_of(&p->functions[p->function_count - 1]) == 0)
+        p->function_count--; /* never ran */
+}
+
+/* --- the other time ----------------------------------------------------------------------------------------- */
+
+static struct profile_idle *idle_in(struct profile *p, const char *call)
+{
+    for (size_t i = 0; i < p->idle_count; i++)
+        if (!strcmp(p->idle[i].call, call))
+            return &p->idle[i];
+    p->idle = realloc(p->idle, (p->idle_count + 1) * sizeof *p->idle);
+    if (!p->idle)
+        abort();
+    p->idle[p->idle_count] = (struct profile_idle){.call = call};
+    return &p->idle[p->idle_count++];
+}
+
+static int longest_first(const void *a, const void *b)
+{
+    const struct profile_idle *x = a, *y = b;
+    vtime left = x->idle[0] + x->idle[1], right = y->idle[0] + y->idle[1];
+    return left != right ? (right > left) - (right < left) : strcmp(x->call, y->call);
+}
+
+static void add_times(struct profile *p, const struct node *n)
+{
+    enum profile_class c = class_of(n);
+    struct profile_times *t = &p->times[c];
+    t->nodes++;
+    t->computing += clock_of_units(n, n->clock.units);
+    t->system += n->stats.system;
+    t->idle += n->stats.idle;
+    t->beside += n->stats.beside;
+    for (int i = 0; i < NODE_TASKS; i++)
+        t->tasks[i] += n->stats.tasks[i];
+    for (size_t i = 0; i < n->stats.waits.count; i++) {
+        const struct node_wait *w = &n->stats.waits.list[i];
+        struct profile_idle *idle = idle_in(p, w->call);
+        idle->idle[c] += w->idle;
+        idle->waits[c] += w->waits;
+    }
+}
+
+struct profile profile_collect(const struct machine *m)
+{
+    struct profile p = {.end = m->end, .units_per_second = m->sys.cfg->clock_hz * NXC_UNITS_PER_CLOCK};
+    collect_functions(&p, m);
+    for (uint32_t k = 0; k < m->sys.count; k++)
+        add_times(&p, m->sys.nodes[k]);
+    for (int c = 0; c < PROFILE_CLASSES; c++) {
+        struct profile_times *t = &p.times[c];
+        t->rest = (int64_t)(profile_node_time(&p, c) - t->computing - t->system - t->idle);
+    }
+    if (p.idle)
+        qsort(p.idle, p.idle_count, sizeof *p.idle, longest_first);
+    return p;
+}
+
+void profile_free(struct profile *p)
+{
+    free(p->functions);
+    free(p->idle);
+}
+
+vtime profile_node_time(const struct profile *p, enum profile_class c)
+{
+    return p->end * p->times[c].nodes;
+}
+
+double profile_seconds(const struct profile *p, int64_t units)
+{
+    return (double)units / (double)p->units_per_second;
+}
