@@ -55,6 +55,14 @@ long c_inlined(long n)
     return twice_and_one(n);
 }
 
+long c_inlined_in_loop(long n)
+{
+    long sum = 0;
+    for (long i = 0; i < n; i++)
+        sum ^= twice_and_one(i);
+    return sum;
+}
+
 double c_sqrt(double x)
 {
     return sqrt(x);

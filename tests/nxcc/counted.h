@@ -12,6 +12,7 @@ double c_divide(double a, double b);
 int c_multiply(int a, int b);
 int c_divide_by_8(int a);
 long c_inlined(long n);
+long c_inlined_in_loop(long n);
 double c_sqrt(double x);
 double c_exp(double x);
 double c_from_int(int i);

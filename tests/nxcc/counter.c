@@ -1,5 +1,6 @@
 /* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied on. */
 #include "counter.h"
+#include <string.h>
 
 struct counter counter;
 
@@ -25,6 +26,8 @@ void nxc_preempt(void)
     counter.overshoot = -left > counter.overshoot ? -left : counter.overshoot;
     counter.preemptions++;
     *nxc_image.left = counter.budget;
+    if (counter.handler)
+        counter.handler();
     spoil_registers();
 }
 
@@ -32,9 +35,34 @@ void counter_start(int64_t budget)
 {
     counter = (struct counter){.budget = budget};
     *nxc_image.left = budget;
+    for (struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++)
+        c->units = 0;
 }
 
 int64_t counter_spent(void)
 {
     return counter.spent + counter.budget - *nxc_image.left;
+}
+
+int64_t counter_profiled(void)
+{
+    int64_t sum = 0;
+    for (const struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++)
+        sum += c->body ? 0 : c->units;
+    return sum;
+}
+
+static int names(const struct nxc_cell *c, const char *function, const char *called)
+{
+    return !strcmp(c->function, function) && !strcmp(c->called ? c->called : "", called ? called : "");
+}
+
+int64_t counter_of(const char *function, const char *called)
+{
+    int64_t sum = 0;
+    for (const struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++) {
+        sum += names(c, function, called) ? c->units : 0;
+        sum -= c->body && names(c->body, function, called) ? c->units : 0;
+    }
+    return sum;
 }

@@ -7,9 +7,10 @@
 extern struct nxc_image nxc_image;
 
 struct counter {
-    int64_t budget;    /* units between preemptions */
-    int64_t spent;     /* units up to the last preemption */
-    int64_t overshoot; /* the most by which a check came late */
+    int64_t budget;        /* units between preemptions */
+    void (*handler)(void); /* called at each preemption, unless NULL */
+    int64_t spent;         /* units up to the last preemption */
+    int64_t overshoot;     /* the most by which a check came late */
     long preemptions;
 };
 
@@ -17,4 +18,8 @@ extern struct counter counter;
 
 void counter_start(int64_t budget);
 int64_t counter_spent(void);
+/* What all functions have spent since counter_start, by the cells of a program built with --profile. */
+int64_t counter_profiled(void);
+/* What one of them has, itself or in the library function called, if that is not NULL. */
+int64_t counter_of(const char *function, const char *called);
 #endif

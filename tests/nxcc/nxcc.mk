@@ -1,6 +1,6 @@
 # nxcc.mk - tests of the counting compiler: counted objects linked into ordinary programs, and a script for the driver.
 NXCC_TEST := $B/tests/nxcc
-UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_speed $(NXCC_TEST)/test_driver $(NXCC_TEST)/test_random
+UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(NXCC_TEST)/test_driver $(NXCC_TEST)/test_random
 
 # runtime.o without _start, for programs that are not node programs
 $(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
@@ -13,6 +13,14 @@ $(NXCC_TEST)/counted.o: tests/nxcc/counted.c tests/nxcc/counted.h tests/nxcc/dig
 
 $(NXCC_TEST)/test_count: tests/nxcc/test_count.c tests/nxcc/counter.c tests/nxcc/counter.h $(NXCC_TEST)/counted.o $(NXCC_TEST)/hosted.o
 	$(CC) $(CFLAGS) -Wl,-z,execstack -o $@ $(filter %.c %.o,$^) -lcmocka -lm # nested functions
+
+# The same functions, with the cost of each counted too.
+$(NXCC_TEST)/profiled.o: tests/nxcc/counted.c tests/nxcc/counted.h tests/nxcc/digits.cfg $(NXCC_TOOLS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 --profile --costs tests/nxcc/digits.cfg -c -o $@ $<
+
+$(NXCC_TEST)/test_profile: tests/nxcc/test_profile.c tests/nxcc/counter.c tests/nxcc/counter.h $(NXCC_TEST)/profiled.o $(NXCC_TEST)/hosted.o
+	$(CC) $(CFLAGS) -Wl,-z,execstack -o $@ $(filter %.c %.o,$^) -lcmocka -lm
 
 $(NXCC_TEST)/linpack.o: tests/nxcc/linpack.c tests/nxcc/linpack.h $(NXCC_TOOLS)
 	@mkdir -p $(@D)

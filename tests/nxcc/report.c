@@ -1,5 +1,5 @@
 /* report.c - makes any counted program, linked with counter.c, say at its end what it spent: "UNITS PREEMPTIONS" on
- * stderr. BUDGET in the environment is the number of units between preemptions. */
+ * stderr, and if functions were counted too and spent another sum, that. BUDGET in the environment is the number of units between preemptions. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "counter.h"
@@ -12,5 +12,8 @@ __attribute__((constructor)) static void begin(void)
 
 __attribute__((destructor)) static void end(void)
 {
-    fprintf(stderr, "%lld\n", (long long)counter_spent());
+    int64_t spent = counter_spent();
+    fprintf(stderr, "%lld\n", (long long)spent);
+    if (nxc_image.cells_begin != nxc_image.cells_end && counter_profiled() != spent)
+        fprintf(stderr, "but %lld by function\n", (long long)counter_profiled());
 }
