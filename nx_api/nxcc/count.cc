@@ -65,7 +65,7 @@ class counting
     void pay(basic_block bb, gimple *behind, const stretch &s);
     void spend(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
-    check charge(gimple_seq *seq, gimple *stmt, tree amount);
+    void charge(gimple_seq *seq, gimple *stmt, tree amount);
     void store(gimple_seq *seq);
     void load_on_entry();
     void store_on_exit();
@@ -162,12 +162,11 @@ check counting::subtract(gimple_seq *seq, tree amount)
 }
 
 /* The same on behalf of a statement. */
-check counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
+void counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 {
-    check paid = subtract(seq, amount);
+    subtract(seq, amount);
     if (profile)
         profile->add(seq, gimple_bb(stmt), profile->cell_of(stmt), amount);
-    return paid;
 }
 
 /* Appends counter = left: somebody else may look at it now. */

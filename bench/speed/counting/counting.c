@@ -1,7 +1,7 @@
-/* counting.c - what counting costs: each kernel by gcc and by nxcc, in turn, in one run.
+/* counting.c - what counting costs: each kernel by gcc, by nxcc and by nxcc --profile, in turn, in one run.
  *
  * Prints for each kernel the ratio time counted / time plain: the median over all rounds, and the least and greatest of
- * the medians at the places (counting.mk says what those are). Then the simulated processor's clocks for the kernel,
+ * the medians at the places (counting.mk says what those are); and time profiled / time counted. Then the simulated processor's clocks for the kernel,
  * how many it does in a second of the host, and the most by which a check came after the time it was due, in microseconds
  * of a 40 MHz processor: the accuracy of interrupts. Results and clocks must be equal at all places.
  */
@@ -12,7 +12,8 @@
 #include "nx_api/nxcc/image.h"
 #include "kernels.h"
 
-#define DECLARE_AT(place, name) double plain_##place##_##name(void), counted_##place##_##name(void);
+#define DECLARE_AT(place, name)                                                                              \
+    double plain_##place##_##name(void), counted_##place##_##name(void), profiled_##place##_##name(void);
 #define DECLARE(name) DECLARE_AT(0, name) DECLARE_AT(8, name) DECLARE_AT(24, name) DECLARE_AT(40, name)
 KERNELS(DECLARE)
 
@@ -36,13 +37,14 @@ typedef double kernel_fn(void);
 
 struct kernel {
     const char *name;
-    kernel_fn *plain[PLACES], *counted[PLACES];
+    kernel_fn *plain[PLACES], *counted[PLACES], *profiled[PLACES];
 };
 
 #define ROW(name)                                                                                            \
     {#name,                                                                                                  \
      {plain_0_##name, plain_8_##name, plain_24_##name, plain_40_##name},                                     \
-     {counted_0_##name, counted_8_##name, counted_24_##name, counted_40_##name}},
+     {counted_0_##name, counted_8_##name, counted_24_##name, counted_40_##name},                             \
+     {profiled_0_##name, profiled_8_##name, profiled_24_##name, profiled_40_##name}},
 static const struct kernel kernels[] = {KERNELS(ROW)};
 
 static double seconds(kernel_fn *run, int times)
@@ -83,58 +85,70 @@ static void check_equal(const struct kernel *k)
     for (int p = 0; p < PLACES; p++) {
         k->plain[p]();
         k->counted[p]();
-        if (k->plain[p]() == result && k->counted[p]() == result &&
-            units_of(k->counted[p], budget) == units_of(k->counted[0], short_budget))
+        k->profiled[p]();
+        int64_t units = units_of(k->counted[p], budget);
+        if (k->plain[p]() == result && k->counted[p]() == result && k->profiled[p]() == result &&
+            units == units_of(k->counted[0], short_budget) && units == units_of(k->profiled[p], budget))
             continue;
         fprintf(stderr, "%s: results or counts differ\n", k->name);
         exit(1);
     }
 }
 
-/* The ratios of one kernel at one place, in turn: first one side, then the other. Also adds up the counted side's time. */
-static void measure_at(const struct kernel *k, int place, double ratio[ROUNDS], double *counted_seconds)
+/* Of one kernel: all rounds at all places. */
+struct rounds {
+    double counted[PLACES * ROUNDS],
+        profiled[PLACES * ROUNDS]; /* time counted / plain, and profiled / counted */
+    double seconds;                /* of one run counted, the mean */
+};
+
+/* The sides in turn, each round another one first. */
+static void measure_at(const struct kernel *k, int place, struct rounds *r)
 {
-    double once = seconds(k->plain[place], 1);
+    kernel_fn *const side[] = {k->plain[place], k->counted[place], k->profiled[place]};
+    double once = seconds(k->plain[place], 1), t[3];
     int times = once < round_seconds ? (int)(round_seconds / once) + 1 : 1;
     for (int i = 0; i < ROUNDS; i++) {
-        double plain = 0, counted;
-        if (i & 1)
-            plain = seconds(k->plain[place], times);
-        counted = seconds(k->counted[place], times);
-        if (!(i & 1))
-            plain = seconds(k->plain[place], times);
-        ratio[i] = counted / plain;
-        *counted_seconds += counted / times / (PLACES * ROUNDS);
+        for (int j = i; j < i + 3; j++)
+            t[j % 3] = seconds(side[j % 3], times);
+        r->counted[place * ROUNDS + i] = t[1] / t[0];
+        r->profiled[place * ROUNDS + i] = t[2] / t[1];
+        r->seconds += t[1] / times / (PLACES * ROUNDS);
     }
 }
 
-static double measure(const struct kernel *k)
+/* Multiplies product[] by the kernel's ratios. */
+static void measure(const struct kernel *k, double product[2])
 {
-    double all[PLACES * ROUNDS], at_place[PLACES], counted = 0;
+    struct rounds r = {.seconds = 0};
+    double at_place[PLACES];
     check_equal(k);
     *nxc_image.left = given = budget;
     for (int p = 0; p < PLACES; p++)
-        measure_at(k, p, all + p * ROUNDS, &counted);
+        measure_at(k, p, &r);
     for (int p = 0; p < PLACES; p++)
-        at_place[p] = median(all + p * ROUNDS, ROUNDS);
-    double ratio = median(all, PLACES * ROUNDS);
+        at_place[p] = median(r.counted + p * ROUNDS, ROUNDS);
+    double ratio = median(r.counted, PLACES * ROUNDS), profiled = median(r.profiled, PLACES * ROUNDS);
     double clocks = (double)units_of(k->counted[0], short_budget) / NXC_UNITS_PER_CLOCK;
     double late_us = (double)latest / NXC_UNITS_PER_CLOCK / 40;
     qsort(at_place, PLACES, sizeof *at_place, rising);
-    printf("%-14s %8.3f   %5.3f-%5.3f %12.0f %10.0f %8.2f\n", k->name, ratio, at_place[0],
-           at_place[PLACES - 1], clocks, clocks / counted / 1e6, late_us);
-    return ratio;
+    printf("%-14s %8.3f   %5.3f-%5.3f %9.3f %12.0f %10.0f %8.2f\n", k->name, ratio, at_place[0],
+           at_place[PLACES - 1], profiled, clocks, clocks / r.seconds / 1e6, late_us);
+    product[0] *= ratio;
+    product[1] *= profiled;
 }
 
 int main(void)
 {
-    double sum = 0;
+    double product[2] = {1, 1};
     size_t n = sizeof kernels / sizeof *kernels;
-    printf("%-14s %8s   %11s %12s %10s %8s\n", "kernel", "counted/", "at places", "i860 clocks", "million",
-           "latest");
-    printf("%-14s %8s   %11s %12s %10s %8s\n", "", "plain", "least-most", "", "a second", "us");
+    printf("%-14s %8s   %11s %9s %12s %10s %8s\n", "kernel", "counted/", "at places", "profiled/",
+           "i860 clocks", "million", "latest");
+    printf("%-14s %8s   %11s %9s %12s %10s %8s\n", "", "plain", "least-most", "counted", "", "a second",
+           "us");
     for (size_t i = 0; i < n; i++)
-        sum += log(measure(&kernels[i]));
-    printf("%-14s %8.3f\n", "geometric mean", exp(sum / (double)n));
+        measure(&kernels[i], product);
+    printf("%-14s %8.3f   %11s %9.3f\n", "geometric mean", pow(product[0], 1 / (double)n), "",
+           pow(product[1], 1 / (double)n));
     return 0;
 }

@@ -1,8 +1,8 @@
-# counting.mk - builds $B/bench/counting: the same kernels by gcc and by nxcc.
+# counting.mk - builds $B/bench/counting: the same kernels by gcc, by nxcc, and by nxcc --profile.
 #
 # How fast a short loop runs depends on where it happens to lie in memory, by more than what is measured here. So each side
 # is compiled for several places: PLACE bytes, never executed, stand before each function. A side at a place is one object
-# that shows only its kernels' names, plain_PLACE_* or counted_PLACE_*.
+# that shows only its kernels' names, plain_PLACE_*, counted_PLACE_* or profiled_PLACE_*.
 COUNTING      := $B/bench/speed/counting
 COUNTING_DIR  := bench/speed/counting
 PLACES        := 0 8 24 40
@@ -10,7 +10,7 @@ COUNTING_APP  := $(wildcard $(patsubst %,app/%.c,c3 fit grid polygon slice tricu
 COUNTING_SRC  := $(COUNTING_DIR)/kernels.c $(COUNTING_DIR)/app_kernels.c $(COUNTING_APP)
 COUNTING_HDR  := $(wildcard $(COUNTING_DIR)/*.h app/*.h)
 COUNTING_OPT  := -std=gnu17 -O2 -fPIE -falign-functions=64 -I.
-COUNTING_OBJ  := $(foreach place,$(PLACES),$(COUNTING)/plain_$(place).o $(COUNTING)/counted_$(place).o)
+COUNTING_OBJ  := $(foreach side,plain counted profiled,$(PLACES:%=$(COUNTING)/$(side)_%.o))
 
 define COUNTING_PLACE
 $(COUNTING)/plain_$(1)/%.o: %.c $(COUNTING_HDR)
@@ -22,8 +22,13 @@ $(COUNTING)/counted_$(1)/%.o: %.c $(COUNTING_HDR) $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
 	$B/nxcc $(COUNTING_OPT) $(COUNTING_NXCC) -fpatchable-function-entry=$(1),$(1) -DSIDE=counted_$(1) -c -o $$@ $$<
 
+$(COUNTING)/profiled_$(1)/%.o: %.c $(COUNTING_HDR) $(NXCC_TOOLS)
+	@mkdir -p $$(@D)
+	$B/nxcc $(COUNTING_OPT) $(COUNTING_NXCC) --profile -fpatchable-function-entry=$(1),$(1) -DSIDE=profiled_$(1) -c -o $$@ $$<
+
 $(COUNTING)/plain_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/plain_$(1)/%.o)
 $(COUNTING)/counted_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/counted_$(1)/%.o)
+$(COUNTING)/profiled_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/profiled_$(1)/%.o)
 endef
 $(foreach place,$(PLACES),$(eval $(call COUNTING_PLACE,$(place))))
 
