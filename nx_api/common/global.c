@@ -21,14 +21,23 @@
  * one such type from one other node only, and messages of one type between two nodes keep their order. So a message of
  * the next call, or of the next operation, is never taken for one of this.
  */
-#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include "global.h"
 #include "nx.h"
 
 /* out = low combined with high, n elements; out is one of the two. */
 typedef void combine(void *out, const void *low, const void *high, long n);
 
-enum { FIRST_TYPE = 1000000000, TYPES_PER_OPERATION = 64, FOLD = 62, TELL = 63 };
-enum operation { GSYNC, GDSUM, GDHIGH, GDLOW, GISUM, GIHIGH, GILOW };
+enum { FOLD = 62, TELL = 63 };
+
+#define REDUCTION(name, operation, element, expression) operation,
+enum operation {
+    GSYNC,
+#include "reductions.def"
+    GOPF,
+};
+#undef REDUCTION
 
 struct global {
     long type;        /* of the operation's step 0 */
@@ -73,11 +82,10 @@ static void run(const struct global *g)
 
 static void reduce(enum operation op, combine *f, long n, size_t size, void *x, void *work)
 {
-    const struct global g = {FIRST_TYPE + op * TYPES_PER_OPERATION, f, n, n * (long)size, x, work};
+    const struct global g = {GLOBAL_FIRST_TYPE + op * GLOBAL_TYPES, f, n, n * (long)size, x, work};
     run(&g);
 }
 
-/* A call name(x, n, work) that combines elements a, of the lower node, and b. */
 #define REDUCTION(name, operation, element, expression)                                                      \
     static void name##_combine(void *out, const void *low, const void *high, long n)                         \
     {                                                                                                        \
@@ -91,14 +99,25 @@ static void reduce(enum operation op, combine *f, long n, size_t size, void *x, 
         reduce(operation, name##_combine, n, sizeof(element), x, work);                                      \
     }
 
-REDUCTION(gdsum, GDSUM, double, a + b)
-REDUCTION(gdhigh, GDHIGH, double, a > b ? a : b)
-REDUCTION(gdlow, GDLOW, double, a < b ? a : b)
-REDUCTION(gisum, GISUM, long, a + b)
-REDUCTION(gihigh, GIHIGH, long, a > b ? a : b)
-REDUCTION(gilow, GILOW, long, a < b ? a : b)
+#include "reductions.def"
 
 void gsync(void)
 {
     reduce(GSYNC, NULL, 0, 0, NULL, NULL);
+}
+
+/* The program's operation, while gopf is under way. f(low, high) leaves the result in low. */
+static long (*program_operation)(void *, void *);
+
+static void gopf_combine(void *out, const void *low, const void *high, long bytes)
+{
+    program_operation((void *)(uintptr_t)low, (void *)(uintptr_t)high);
+    if (out != low)
+        memcpy(out, low, (size_t)bytes);
+}
+
+void gopf(void *x, long len, void *work, long (*f)(void *, void *))
+{
+    program_operation = f;
+    reduce(GOPF, gopf_combine, len, 1, x, work);
 }

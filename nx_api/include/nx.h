@@ -3,63 +3,152 @@
  * Types (message types): 0 to 999,999,999 for users; force types have bit 30 set (1,073,741,824 to
  * 1,999,999,999): sent without asking, dropped when no matching receive is posted. Others are reserved.
  * typesel: >= 0 that type; -1 any type; other negative values a mask: bits 0-29 select types 0-29, bit 30
- * all types from 30 up. Lengths are bytes. node -1 in a send: all other nodes. pid: always 0 here.
- * An error in a plain call ends the process with a message naming the call and the node (NX rule).
- * Sources: calls as surviving programs make them; semantics from Intel's iPSC/860 manuals as quoted there.
+ * all types from 30 up. Lengths are bytes, 0 or more. node -1 in a send: all other nodes.
+ * pid (Paragon: ptype): there is one process a node, which gets what is sent to its node, whatever the pid.
+ * Integers are longs, of which the low 32 bits count, as signed.
+ *
+ * An error in a plain call ends the process with a message naming the call and the node (NX rule). Each call exists once
+ * more with an underscore before its name, which returns -1 and sets errno instead: nx_underscore.h.
+ *
+ * Sources: calls as surviving programs make them; semantics from Intel's iPSC/860 manuals as quoted there. Where they
+ * are silent a comment says "silent", and the rule is what programs need.
  */
 #ifndef NX_H
 #define NX_H
+#include "nxerrno.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /* --- messages --- */
 
-/* Send and return when buf may be reused (not: when received). Never waits for the receiver to post. */
+/* Send and return when buf may be reused (not: when received). Never waits for the receiver to post. Errors: EQNODE,
+ * EQTYPE, EQLEN, EQPBUF (a null pointer and len not 0); of all sends. */
 void csend(long type, const void *buf, long len, long node, long pid);
-/* Receive one selected message, waiting for it. A message longer than len is an error. */
+/* Receive one selected message, waiting for it. A message longer than len is an error, EQMSGLONG: it is lost, and buf is
+ * as it was (silent). Errors: EQLEN, EQPBUF, EQMSGLONG; of all receives. */
 void crecv(long typesel, void *buf, long len);
-/* Start a send; returns a message id to be given to msgwait, msgdone or msgcancel. */
+/* Start a send; returns a message id to be given to msgwait, msgdone, msgcancel or msgignore. Ids are limited in number
+ * (machine file: message_ids): EQNOMID when all are in use. */
 long isend(long type, const void *buf, long len, long node, long pid);
 /* Post a receive; returns a message id. buf holds the message once msgwait returns or msgdone answers 1. */
 long irecv(long typesel, void *buf, long len);
-/* Start a send; handler(type, count, node, pid) runs when buf may be reused. */
+/* Start a send; handler(type, count, node, pid) runs when buf may be reused. Errors: EQHND for a null pointer. */
 void hsend(long type, const void *buf, long len, long node, long pid,
            void (*handler)(long, long, long, long));
 /* Post a receive for one message; when it is complete, handler(type, count, node, pid) interrupts the program.
  * Inside the handler infocount() and its kin describe that message; it may send, and post itself again. */
 void hrecv(long typesel, void *buf, long len, void (*handler)(long, long, long, long));
 
+/* Send a message and receive the answer, which is the message that typesel selects. The receive is posted first.
+ * csendrecv returns the answer's length; isendrecv returns one id that is complete when the answer is there and buf may
+ * be reused; hsendrecv's handler runs when the answer is there. */
+long csendrecv(long type, const void *buf, long len, long node, long pid, long typesel, void *answer,
+               long room);
+long isendrecv(long type, const void *buf, long len, long node, long pid, long typesel, void *answer,
+               long room);
+void hsendrecv(long type, const void *buf, long len, long node, long pid, long typesel, void *answer,
+               long room, void (*handler)(long, long, long, long));
+
+/* Send to each of the nodes listed, in this order, and return when buf may be reused. A node may be listed twice, and
+ * the sender itself; -1 may not (silent). */
+void gsendx(long type, const void *buf, long len, const long nodes[], long count);
+
 void msgwait(long id);   /* wait until the send or receive is complete; gives the id back */
 long msgdone(long id);   /* 1 if complete (the id is given back), else 0 */
 void msgcancel(long id); /* withdraw a send or receive that is not complete; gives the id back */
+/* The id is given back as soon as it is complete; the program uses it no more. A message received so is in its buffer
+ * after the first NX call that returns after it is complete (silent). */
+void msgignore(long id);
+/* Make two ids one, which is complete when both are; returns it, the first. If one of them is -1, returns the other. What
+ * infocount() and its kin say after it is of the receive merged last (silent). An id that is not in use, or twice the
+ * same: EQMID. */
+long msgmerge(long first, long second);
 
 void cprobe(long typesel); /* wait until a selected message has come in; leaves it there */
 long iprobe(long typesel); /* 1 if one has, else 0 */
+
+/* Throw away messages for a node (-1: all) that typesel selects and that it has not received: those that have come in,
+ * and long ones under way that have asked for a buffer (silent). A receive posted is left alone. */
+void flushmsg(long typesel, long node, long pid);
 
 /* Of the message last received, probed for, waited for, or handled: */
 long infocount(void); /* its length in bytes */
 long infonode(void);  /* the node that sent it */
 long infopid(void);   /* its process */
+long infoptype(void); /* the same */
 long infotype(void);  /* its type */
 
 /* 1 holds handlers back, 0 lets them run, held ones at once; returns the old state. */
 long masktrap(long state);
 
+/* The Paragon's x forms select the sending node and its ptype too, -1: any. They put into info, if it is not NULL, the
+ * message's type, length, node and ptype; the other four longs are reserved, and stay as they are. infocount() and its
+ * kin are set as well (silent). irecvx fills info when the message is taken. A handler gets hparam as its fifth. */
+extern long msginfo[8]; /* for programs that want no array of their own */
+void crecvx(long typesel, void *buf, long len, long node, long ptype, long info[]);
+long irecvx(long typesel, void *buf, long len, long node, long ptype, long info[]);
+void hrecvx(long typesel, void *buf, long len, long node, long ptype,
+            void (*handler)(long, long, long, long, long), long hparam);
+void hsendx(long type, const void *buf, long len, long node, long ptype,
+            void (*handler)(long, long, long, long, long), long hparam);
+void cprobex(long typesel, long node, long ptype, long info[]);
+long iprobex(long typesel, long node, long ptype, long info[]);
+
 /* --- the machine --- */
 
-long mynode(void);                  /* 0 .. numnodes()-1 */
-long numnodes(void);                /* nodes of this cube or submesh */
-long mypid(void);                   /* 0 */
-long myhost(void);                  /* the node number by which the host is addressed: numnodes() */
-long nodedim(void);                 /* dimension of the cube: the least d with 2^d >= numnodes() */
-unsigned long mclock(void);         /* milliseconds of the node's clock */
-double dclock(void);                /* seconds of the node's clock */
-void flick(void);                   /* give the processor away for a moment */
+/* Sizes, places and counts of more than 32 bits: slow the low half, shigh the high. */
+typedef struct s_size {
+    long slow, shigh;
+} esize_t;
+
+long mynode(void);                      /* 0 .. numnodes()-1 */
+long numnodes(void);                    /* nodes of this cube or submesh */
+long myhost(void);                      /* the node number by which the host is addressed: numnodes() */
+long nodedim(void);                     /* dimension of the cube: the least d with 2^d >= numnodes() */
+void mypart(long *rows, long *columns); /* shape of the submesh; 1 x numnodes() on a hypercube (silent) */
+unsigned long mclock(void);             /* milliseconds of the node's clock */
+double dclock(void);                    /* seconds of the node's clock */
+void hwclock(esize_t *ticks); /* ticks of the node's clock: 10 MHz, Paragon 50 (machine file: hwclock_mhz) */
+void flick(void);             /* give the processor away for a moment */
+void led(long state);         /* a light on the node's board; nobody sees it */
+long gray(long n);            /* n-th code of the binary reflected Gray sequence */
+long ginv(long n);            /* its inverse */
+
+/* --- processes: one on each node; touchstone run loads them all before the first starts --- */
+
+long mypid(void); /* 0, unless set */
+long myptype(void);
+/* 0 or more, else EQPID. Messages sent from then on carry it; it may be set more than once (silent). */
+void setpid(long pid);
+void setptype(long ptype);
 void killproc(long node, long pid); /* end a process; node -1: all, the caller's too */
 void killcube(long node, long pid); /* end all processes and flush messages */
-long gray(long n);                  /* n-th code of the binary reflected Gray sequence */
-long ginv(long n);                  /* its inverse */
+/* Wait until the process of a node has ended, or with -1 those of all other nodes. */
+void waitall(long node, long pid);
+/* The same for one process that no such call has told of yet: which it was, and its exit status. Pointers may be NULL.
+ * EQNOPROC when there is none. */
+void waitone(long node, long pid, long *ended_node, long *ended_pid, long *status);
+
+/* Two more calls are there but not declared, as programs often have functions of their own by these names:
+ *     handler(trap, function)    is accepted; traps are not simulated, the function is never called
+ *     load(path, node, pid)      is an error (ENOSYS): no program is loaded while others run */
+
+/* What a program for the Paragon calls that would start itself on its nodes. It is there already: nx_initve returns the
+ * number of nodes, whatever it is asked for, nx_nfork returns 0, as in a child, and nx_waitall 0 at once. nx_load is
+ * always an error: -1 with errno ENOSYS. */
+long nx_initve(const char *partition, long size, const char *account, int *argc, char *argv[]);
+long nx_nfork(const long nodes[], long count, long ptype, long pids[]);
+long nx_load(const long nodes[], long count, long ptype, long pids[], const char *path);
+long nx_waitall(void);
+/* The numbers of the program's nodes in the machine (here: 0, 1, ...) as an array to be freed by the caller. 0, or -1 and
+ * errno. */
+typedef long *nx_nodes_t;
+long nx_app_nodes(long process_group, nx_nodes_t *nodes, unsigned long *count);
+long nx_app_rect(long *rows, long *columns); /* as mypart; 0 */
+
+/* Text for errno, after "(node N, ptype P) what: ", on the standard error output. */
+void nxperror(const char *what);
 
 /* --- files: those under /cfs are the Concurrent File System's, spread over the disks of its I/O nodes ---
  *
@@ -95,11 +184,6 @@ long iwritev(int fd, const struct iovec *parts, int count);
 long iodone(long id); /* 1 if complete (the id is given back), else 0 */
 void iowait(long id); /* wait until it is complete; gives the id back */
 
-/* Sizes and places of more than 32 bits: slow the low half, shigh the high. */
-typedef struct s_size {
-    long slow, shigh;
-} esize_t;
-
 #define SIZE_SET 0
 #define SIZE_CUR 1
 #define SIZE_END 2
@@ -112,17 +196,53 @@ long iseof(int fd); /* 1 if the pointer is at the end of the file, else 0 */
 /* Keep an empty file on these disks (0, 1, ...) only. */
 void restrictvol(int fd, int count, const int disks[]);
 
-/* --- global operations: every node calls; x holds the result everywhere; work is scratch as long as x --- */
+/* --- extended arithmetic: signed, 64 bits --- */
 
-void gsync(void);
+esize_t eadd(esize_t a, esize_t b);
+esize_t esub(esize_t a, esize_t b);
+esize_t emul(esize_t a, long n);
+long ediv(esize_t a, long n);    /* towards 0 */
+long emod(esize_t a, long n);    /* what ediv leaves, with the sign of a */
+long ecmp(esize_t a, esize_t b); /* -1, 0 or 1: less, equal, greater */
+/* Decimal digits, after a sign perhaps. stoe: EQESIZE for anything else, or too large. etos: at most 21 bytes with the
+ * terminating 0. A sum or product of more than 64 bits, or a quotient of more than 32: EQESIZE. n = 0: EQPARAM. */
+esize_t stoe(const char *s);
+void etos(esize_t a, char *s);
+
+/* --- global operations: all nodes call; x holds the result everywhere, bit for bit alike; work is scratch as long as
+ * x. n elements: long (gi, gl), float (gs), double (gd). Errors: as of the messages that they are made of. --- */
+
+void gsync(void); /* no node goes on before all have come */
+
 void gdsum(double x[], long n, double work[]);
+void gdprod(double x[], long n, double work[]);
 void gdhigh(double x[], long n, double work[]);
 void gdlow(double x[], long n, double work[]);
+void gssum(float x[], long n, float work[]);
+void gsprod(float x[], long n, float work[]);
+void gshigh(float x[], long n, float work[]);
+void gslow(float x[], long n, float work[]);
 void gisum(long x[], long n, long work[]);
+void giprod(long x[], long n, long work[]);
 void gihigh(long x[], long n, long work[]);
 void gilow(long x[], long n, long work[]);
+void giand(long x[], long n, long work[]); /* bit by bit */
+void gior(long x[], long n, long work[]);
+void gixor(long x[], long n, long work[]);
+void gland(long x[], long n, long work[]); /* truth: the result is 0 or 1 */
+void glor(long x[], long n, long work[]);
+void glxor(long x[], long n, long work[]); /* 1 if true on an odd number of nodes */
+
+/* Any operation: f(a, b) combines two vectors of len bytes and leaves the result in a; a is of lower nodes than b. It is
+ * to be associative. */
+void gopf(void *x, long len, void *work, long (*f)(void *a, void *b));
+/* All nodes' x, in the order of the nodes. lens[i]: the bytes of node i, on all nodes alike. */
+void gcolx(const void *x, const long lens[], void *y);
+/* The same when nobody knows the others' lengths. *total: the bytes collected; more than room are an error, EQBLEN. */
+void gcol(const void *x, long len, void *y, long room, long *total);
 
 #ifdef __cplusplus
 }
 #endif
+#include "nx_underscore.h"
 #endif

@@ -31,7 +31,7 @@ $(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
-$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def
+$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/sim/calls.def
 	@mkdir -p $(@D)
 	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
 
@@ -40,7 +40,7 @@ $(STAND_INS): | $(NODE)/libnode.so
 	echo '/* these names are in libnode.so */ INPUT(-lnode)' > $@
 
 # Node code of our own is counted like the user's.
-$(NODE)/obj/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h) $(NXCC_TOOLS)
+$(NODE)/obj/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h nx_api/common/*.def) $(NXCC_TOOLS)
 	@mkdir -p $(@D)
 	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
 

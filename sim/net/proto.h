@@ -68,6 +68,7 @@ struct message {
     struct message *next; /* unexpected */
     void *receive;        /* the posted receive it is for, NULL: none yet */
     bool buffered;        /* held in a system buffer */
+    bool unwanted;        /* to be thrown away when it arrives */
     void *send;           /* the sender's message id or handler, NULL: nobody asks */
     void *service;        /* not between programs: what it is about, to a service or its client; else NULL */
 };

@@ -17,4 +17,7 @@ struct node_libc {
     void (**atexit)(void);
     size_t atexit_count;
 };
+
+/* strerror, with NX's errors: nx_api/sim/errors.c. */
+char *node_strerror(int code);
 #endif

@@ -3,17 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "node/cpu.h"
+#include "node/mailbox_ids.h"
 #include "node/system.h"
+#include "nx_api/include/nxerrno.h"
 
 #define FIRST_RESERVED INT64_C(1000000000)
-
-enum id_kind { ID_FREE, ID_RECEIVE, ID_SEND };
-
-struct id {
-    enum id_kind kind;
-    struct receive receive;
-    struct send *send; /* malloc'd */
-};
 
 /* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
 struct due {
@@ -29,8 +23,7 @@ struct mailbox {
     struct due *due, **due_end;
     uint32_t handlers; /* posted or due */
     uint32_t waiting;  /* unexpected long messages that found no room */
-    struct id *ids;    /* made when the first is wanted */
-    uint32_t ids_count;
+    struct mailbox_ids ids;
 };
 
 struct mailbox *mailbox_new(uint32_t ids)
@@ -38,7 +31,7 @@ struct mailbox *mailbox_new(uint32_t ids)
     struct mailbox *b = calloc(1, sizeof *b);
     if (!b)
         abort();
-    b->ids_count = ids;
+    b->ids.count = ids;
     b->posted_end = &b->posted;
     b->unexpected_end = &b->unexpected;
     b->due_end = &b->due;
@@ -53,8 +46,7 @@ void mailbox_free(struct mailbox *b)
         next = m->next;
         proto_message_free(m);
     }
-    for (uint32_t i = 0; b->ids && i < b->ids_count; i++)
-        free(b->ids[i].send);
+    ids_free(&b->ids);
     for (struct due *d = b->due, *next; d; d = next) {
         next = d->next;
         if (d->receive && d->receive->m)
@@ -68,7 +60,6 @@ void mailbox_free(struct mailbox *b)
         if (r->handler)
             free(r);
     }
-    free(b->ids);
     free(b);
 }
 
@@ -81,6 +72,17 @@ bool mailbox_selects(int64_t typesel, int64_t type)
     if (typesel == -1)
         return true;
     return typesel >> (type < 30 ? type : 30) & 1;
+}
+
+static bool selects(const struct selector *s, const struct message *m)
+{
+    return mailbox_selects(s->type, m->type) && (s->node < 0 || s->node == (long)m->source) &&
+           (s->pid < 0 || s->pid == m->pid);
+}
+
+struct mailbox_ids *mailbox_ids(const struct node *n)
+{
+    return &n->mailbox->ids;
 }
 
 /* --- queues --- */
@@ -142,7 +144,7 @@ static bool room_for(struct node *n, const struct message *m)
 }
 
 /* Buffers have been given back: grant what waits for them, in the order asked. */
-static void grant_waiting(struct node *n)
+static void grant_waiting(struct node *n, vtime now)
 {
     for (struct message *m = n->mailbox->unexpected; m && n->mailbox->waiting; m = m->next) {
         if (!m->is_long || m->granted)
@@ -151,17 +153,17 @@ static void grant_waiting(struct node *n)
             return;
         n->mailbox->waiting--;
         buffer(n, m);
-        proto_grant(m->proto, m, node_now(n));
+        proto_grant(m->proto, m, now);
     }
 }
 
-static void unbuffer(struct node *n, struct message *m)
+static void unbuffer(struct node *n, struct message *m, vtime now)
 {
     if (!m->buffered)
         return;
     m->buffered = false;
     n->buffered -= m->bytes;
-    grant_waiting(n);
+    grant_waiting(n, now);
 }
 
 /* --- what the protocol tells --- */
@@ -178,7 +180,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     struct mailbox *b = n->mailbox;
     (void)now;
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
-        if (!mailbox_selects((*link)->typesel, m->type))
+        if (!selects(&(*link)->select, m))
             continue;
         give(*link, m);
         unpost(b, link);
@@ -215,7 +217,9 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
     sys->messages++;
     sys->bytes += m->bytes;
     node_system_digest(sys, m, now);
-    if (r && r->handler)
+    if (m->unwanted)
+        proto_message_free(m);
+    else if (r && r->handler)
         add_due(n, m->complete, r, NULL);
     else
         node_wake(n, m->complete);
@@ -248,7 +252,7 @@ void mailbox_post(struct node *n, struct receive *r)
     struct mailbox *b = n->mailbox;
     for (struct message **link = &b->unexpected; *link; link = &(*link)->next) {
         struct message *m = *link;
-        if (!mailbox_selects(r->typesel, m->type))
+        if (!selects(&r->select, m))
             continue;
         unkeep(b, link);
         give(r, m);
@@ -286,98 +290,95 @@ bool mailbox_complete(struct node *n, const struct receive *r)
     return r->m && r->m->arrived && r->m->complete <= node_now(n);
 }
 
-void mailbox_take(struct node *n, struct receive *r, const char *call)
+void mailbox_tell(struct node *n, const struct message *m, long info[])
 {
-    struct message *m = r->m;
-    if (m->bytes > r->room)
-        node_fail(n, "%s: the message of type %ld from node %u has %zu bytes, but the buffer only %zu", call,
-                  (long)m->type, m->source, m->bytes, r->room);
-    if (m->bytes)
-        memcpy(r->buf, m->data, m->bytes);
-    if (m->buffered)
-        node_spend_on(n, NODE_COPYING, m->bytes * n->sys->cfg->copy_ps_per_byte);
     n->info = (struct node_info){(long)m->type, (long)m->bytes, m->source, (long)m->pid};
-    unbuffer(n, m);
-    proto_message_free(m);
-    r->m = NULL;
+    if (info)
+        info[0] = n->info.type, info[1] = n->info.count, info[2] = n->info.node, info[3] = n->info.pid;
 }
 
-const struct message *mailbox_probe(struct node *n, int64_t typesel)
+long mailbox_take(struct node *n, struct receive *r)
+{
+    struct message *m = r->m;
+    long result = 0;
+    if (m->bytes > r->room)
+        result = node_error(n, EQMSGLONG,
+                            "the message of type %ld from node %u has %zu bytes, but the buffer only %zu",
+                            (long)m->type, m->source, m->bytes, r->room);
+    else if (m->bytes)
+        memcpy(r->buf, m->data, m->bytes);
+    if (m->buffered && result == 0)
+        node_spend_on(n, NODE_COPYING, m->bytes * n->sys->cfg->copy_ps_per_byte);
+    mailbox_tell(n, m, r->info);
+    unbuffer(n, m, node_now(n));
+    proto_message_free(m);
+    r->m = NULL;
+    return result;
+}
+
+/* --- looking, and throwing away --- */
+
+const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
     vtime now = node_now(n);
     for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
-        if (mailbox_selects(typesel, m->type) && m->arrived && m->complete <= now)
+        if (selects(select, m) && m->arrived && m->complete <= now)
             return m;
     return NULL;
 }
 
-/* --- ids --- */
-
-long mailbox_id_new(struct node *n, bool sends)
+/* A message that has left the queue is not wanted any more. */
+static void throw_away(struct node *n, struct message *m, vtime now)
 {
-    struct mailbox *b = n->mailbox;
-    if (!b->ids && !(b->ids = calloc(b->ids_count, sizeof *b->ids)))
-        abort();
-    for (uint32_t i = 0; i < b->ids_count; i++) {
-        struct id *id = &b->ids[i];
-        if (id->kind != ID_FREE)
-            continue;
-        *id = (struct id){.kind = sends ? ID_SEND : ID_RECEIVE};
-        if (sends && !(id->send = calloc(1, sizeof *id->send)))
-            abort();
-        return i;
+    m->unwanted = true;
+    if (m->is_long && !m->granted) {
+        n->mailbox->waiting--;
+        proto_grant(m->proto, m, now);
     }
-    return -1;
+    unbuffer(n, m, now);
+    if (m->arrived)
+        proto_message_free(m);
 }
 
-static struct id *find_id(struct node *n, long id, enum id_kind kind)
+void mailbox_flush(struct node *n, int64_t typesel, vtime now)
 {
-    struct mailbox *b = n->mailbox;
-    if (id < 0 || id >= b->ids_count || !b->ids || b->ids[id].kind != kind)
-        return NULL;
-    return &b->ids[id];
-}
-
-struct receive *mailbox_id_receive(struct node *n, long id)
-{
-    struct id *i = find_id(n, id, ID_RECEIVE);
-    return i ? &i->receive : NULL;
-}
-
-struct send *mailbox_id_send(struct node *n, long id)
-{
-    struct id *i = find_id(n, id, ID_SEND);
-    return i ? i->send : NULL;
-}
-
-void mailbox_id_release(struct node *n, long id)
-{
-    struct id *i = &n->mailbox->ids[id];
-    if (i->send && i->send->m)
-        i->send->m->send = NULL;
-    free(i->send);
-    *i = (struct id){.kind = ID_FREE};
+    struct message *unwanted = NULL, **end = &unwanted;
+    struct message **link = &n->mailbox->unexpected;
+    while (*link) {
+        struct message *m = *link;
+        if (!mailbox_selects(typesel, m->type)) {
+            link = &m->next;
+            continue;
+        }
+        unkeep(n->mailbox, link);
+        m->next = NULL;
+        *end = m, end = &m->next;
+    }
+    for (struct message *m = unwanted, *next; m; m = next) {
+        next = m->next;
+        throw_away(n, m, now);
+    }
 }
 
 /* --- handlers --- */
 
-void mailbox_post_handler(struct node *n, int64_t typesel, void *buf, size_t room, node_handler *handler)
+void mailbox_post_handler(struct node *n, const struct receive *what)
 {
     struct receive *r = calloc(1, sizeof *r);
     if (!r)
         abort();
-    *r = (struct receive){.typesel = typesel, .buf = buf, .room = room, .handler = handler};
+    *r = *what;
     n->mailbox->handlers++;
     n->stats.armed = true;
     mailbox_post(n, r);
 }
 
-struct send *mailbox_send_handler(struct node *n, node_handler *handler)
+struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long param)
 {
     struct send *s = calloc(1, sizeof *s);
     if (!s)
         abort();
-    s->handler = handler;
+    s->handler = handler, s->param = param;
     n->mailbox->handlers++;
     n->stats.armed = true;
     return s;
@@ -413,16 +414,17 @@ void mailbox_run_handler(struct node *n)
     n->stats.latest = vt_max(n->stats.latest, since - vt_max(d.at, vt_min(n->open_since, since)));
     n->in_handler = true;
 
-    node_handler *handler = d.receive ? d.receive->handler : d.send->handler;
+    mailbox_handler *handler = d.receive ? d.receive->handler : d.send->handler;
+    long param = d.receive ? d.receive->param : d.send->param;
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps / 2);
-    if (d.receive)
-        mailbox_take(n, d.receive, "hrecv");
-    else
+    if (!d.receive)
         n->info = d.send->info;
+    else if (mailbox_take(n, d.receive) < 0)
+        node_fail(n, "hrecv: %s", n->error.text);
     free(d.receive);
     free(d.send);
     node_leave(n);
-    handler(n->info.type, n->info.count, n->info.node, n->info.pid);
+    handler(n->info.type, n->info.count, n->info.node, n->info.pid, param);
     node_now(n);
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 

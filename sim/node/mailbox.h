@@ -13,22 +13,32 @@
 #include "net/proto.h"
 #include "node/node.h"
 
-typedef void node_handler(long type, long count, long node, long pid);
+/* param is what hrecvx or hsendx was given; the other handlers have no such parameter, and do not look. */
+typedef void mailbox_handler(long type, long count, long node, long pid, long param);
+
+/* What a receive or probe selects: types as in nx.h; a sending node and its process type, or -1: any. */
+struct selector {
+    int64_t type;
+    long node, pid;
+};
 
 /* A receive, from its posting to its completion. */
 struct receive {
-    int64_t typesel;
+    struct selector select;
     void *buf;
     size_t room;
-    node_handler *handler; /* hrecv, else NULL */
-    struct message *m;     /* NULL until one is selected */
-    struct receive *next;  /* posted */
+    long *info;               /* the program's, NULL: not wanted */
+    mailbox_handler *handler; /* hrecv, else NULL */
+    long param;               /* the handler's */
+    struct message *m;        /* NULL until one is selected */
+    struct receive *next;     /* posted */
 };
 
 /* A send, from the call to the buffer being free again. */
 struct send {
     bool done;
-    node_handler *handler; /* hsend, else NULL */
+    mailbox_handler *handler; /* hsend, else NULL */
+    long param;               /* the handler's */
     struct node_info info;
     struct message *m; /* while not done */
 };
@@ -44,23 +54,38 @@ void mailbox_post(struct node *n, struct receive *r);
 /* Withdraw a receive that is not complete; a message already selected goes back to the unexpected. */
 void mailbox_withdraw(struct node *n, struct receive *r);
 bool mailbox_complete(struct node *n, const struct receive *r);
-/* Put a complete message into the program's buffer: spends the copying, sets n->info, frees the message. call
- * names the call in the error for a message that is too long. */
-void mailbox_take(struct node *n, struct receive *r, const char *call);
-/* The first complete unexpected message that typesel selects, NULL if none. */
-const struct message *mailbox_probe(struct node *n, int64_t typesel);
+/* Put a complete message into the program's buffer: spends the copying, tells of the message, frees it. 0, or -1 with
+ * n->error when it is longer than the buffer: then it is lost, and the buffer is as it was. */
+long mailbox_take(struct node *n, struct receive *r);
+/* Sets n->info and, if not NULL, the program's info array: type, length, node and process type; four more are reserved. */
+void mailbox_tell(struct node *n, const struct message *m, long info[]);
+/* The first complete unexpected message selected, NULL if none. */
+const struct message *mailbox_probe(struct node *n, const struct selector *select);
+/* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
+void mailbox_flush(struct node *n, int64_t typesel, vtime now);
 
-/* Message ids. 0 or more; -1 when all are taken. */
 /* Follow a message for s until its buffer is free. */
 void mailbox_follow(struct message *m, struct send *s);
-long mailbox_id_new(struct node *n, bool sends);
-struct receive *mailbox_id_receive(struct node *n, long id); /* NULL: no such id, or a send's */
+
+/* Message ids, 0 or more. An id stands for a receive, a send, or both; ids that have been merged are parts of the first,
+ * which goes on standing for all of them. */
+enum { ID_RECEIVES = 1, ID_SENDS = 2 };
+long mailbox_id_new(struct node *n, unsigned use);           /* -1: all are taken */
+bool mailbox_id_is_valid(const struct node *n, long id);     /* in use, and neither a part nor ignored */
+long mailbox_id_next(const struct node *n, long id);         /* the next of its parts, -1: no more */
+struct receive *mailbox_id_receive(struct node *n, long id); /* NULL: it has none */
 struct send *mailbox_id_send(struct node *n, long id);
-void mailbox_id_release(struct node *n, long id);
+bool mailbox_id_is_complete(struct node *n, long id); /* with all its parts */
+void mailbox_id_release(struct node *n, long id);     /* and its parts */
+void mailbox_id_merge(struct node *n, long id, long part);
+void mailbox_id_ignore(struct node *n, long id);
+/* Puts the messages of ignored ids that are complete into their buffers, and releases the ids. An error ends the
+ * process: nobody asks for the id any more. */
+void mailbox_settle(struct node *n);
 
 /* Handlers. */
-void mailbox_post_handler(struct node *n, int64_t typesel, void *buf, size_t room, node_handler *handler);
-struct send *mailbox_send_handler(struct node *n, node_handler *handler);
+void mailbox_post_handler(struct node *n, const struct receive *r);
+struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long param);
 bool mailbox_armed(const struct node *n);     /* may a handler have to be run before the next call? */
 vtime mailbox_next_due(const struct node *n); /* VT_NEVER: none due yet */
 bool mailbox_handler_due(const struct node *n, vtime now);

@@ -74,17 +74,41 @@ static bool time_adds_up(const struct node *n)
            tasks == s->system + s->beside && waits == s->idle;
 }
 
+static void has_ended(struct node *n, enum node_end how, int code, vtime at)
+{
+    n->end = how;
+    n->exit_code = code;
+    n->state = NODE_ENDED;
+    n->stats.ended_at = at;
+    n->sys->running--;
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (n->sys->nodes[i]->awaits_end)
+            node_wake(n->sys->nodes[i], at);
+}
+
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
 {
     if (!n->sys->stop)
         node_order(n);
-    n->end = how;
-    n->exit_code = code;
-    n->state = NODE_ENDED;
-    n->stats.ended_at = node_now(n);
+    has_ended(n, how, code, node_now(n));
     assert(time_adds_up(n));
-    n->sys->running--;
     fiber_finish(n->fiber);
+}
+
+void node_kill(struct node *n, struct node *victim)
+{
+    if (victim->state != NODE_ENDED)
+        has_ended(victim, NODE_KILLED, 0, node_now(n));
+}
+
+long node_error(struct node *n, int code, const char *fmt, ...)
+{
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(n->error.text, sizeof n->error.text, fmt, ap);
+    va_end(ap);
+    n->error.code = code;
+    return -1;
 }
 
 _Noreturn void node_fail(struct node *n, const char *fmt, ...)

@@ -78,8 +78,15 @@ struct node_info {
     long type, count, node, pid;
 };
 
+/* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */
+struct node_error {
+    int code; /* nxerrno.h, or the C library's */
+    char text[200];
+};
+
 struct node {
     uint32_t id;
+    long pid; /* process type: 0, unless the program has set it */
     struct node_system *sys;
     char *span;
     size_t image_bytes;      /* program text, data and bss, page rounded */
@@ -93,9 +100,12 @@ struct node {
     enum node_state state;
     enum node_end end;
     int exit_code;
+    bool awaits_end;  /* is in a call that waits for another node's end */
+    bool end_noticed; /* such a call has told of this one's */
     struct node_clock clock;
     struct node_stats stats;
     int saved_errno;
+    struct node_error error;
 
     /* the call the program is in, for reports; NULL while it computes */
     const char *call;
@@ -143,6 +153,10 @@ void node_spend_on(struct node *n, enum node_task task, vtime t);
 void node_leave(struct node *n);
 /* End the program from inside one of its calls; never returns. */
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code);
+/* End another node's program, at the time of the caller. */
+void node_kill(struct node *n, struct node *victim);
+/* An error in an NX call: sets n->error, and is -1 so that a function can return it. */
+long node_error(struct node *n, int code, const char *fmt, ...) __attribute__((format(printf, 3, 4)));
 /* An error in a plain NX call: message naming call, node, time; ends the process (NX rule) with status 1. */
 _Noreturn void node_fail(struct node *n, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* Hand bytes the program wrote to its output (fd 1) or error output (fd 2) on, at the node's present time. */

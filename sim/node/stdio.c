@@ -45,7 +45,7 @@ void node_perror(const char *s)
 {
     int why = errno;
     bool named = s != NULL && *s != 0;
-    fprintf(streams()->err, "%s%s%s\n", named ? s : "", named ? ": " : "", strerror(why));
+    fprintf(streams()->err, "%s%s%s\n", named ? s : "", named ? ": " : "", node_strerror(why));
 }
 
 int node_getchar(void)

@@ -1,0 +1,23 @@
+/* global.h - what the calls that are node programs themselves share: message types, of those reserved (nx.h), and
+ * errors. */
+#ifndef COMMON_GLOBAL_H
+#define COMMON_GLOBAL_H
+#include <errno.h>
+
+/* Each operation has GLOBAL_TYPES of its own: those of global.c in its order, the others from here on. */
+enum { GLOBAL_FIRST_TYPE = 1000000000, GLOBAL_TYPES = 64, GLOBAL_GCOL = 100, GLOBAL_GCOL_LENGTHS };
+
+/* Ends the process as a plain call does: the message names call and node, and says what the errno value stands for. The
+ * simulator's. */
+_Noreturn void nx_fail(const char *call, int error);
+
+/* What a call with an underscore returns: 0, or -1 and errno. */
+static inline long nx_result(int error)
+{
+    if (!error)
+        return 0;
+    errno = error;
+    return -1;
+}
+
+#endif

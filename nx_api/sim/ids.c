@@ -1,0 +1,115 @@
+/* ids.c - message ids: given out by isend and irecv and their kin, given back by these. */
+#include "nx_api/sim/call.h"
+
+long nx_new_id(struct node *n, unsigned use)
+{
+    mailbox_settle(n);
+    long id = mailbox_id_new(n, use);
+    if (id < 0)
+        return node_error(n, EQNOMID,
+                          "out of message ids (%lu): msgwait, msgdone or msgcancel give them back",
+                          (unsigned long)n->sys->cfg->message_ids);
+    return id;
+}
+
+static long check_id(struct node *n, long id)
+{
+    if (mailbox_id_is_valid(n, id))
+        return 0;
+    return node_error(n, EQMID, "%ld is no message id in use", id);
+}
+
+/* What an id waits for, as the type or typesel of its first part. */
+static long type_of(struct node *n, long id)
+{
+    const struct receive *r = mailbox_id_receive(n, id);
+    const struct send *s = mailbox_id_send(n, id);
+    return r ? (long)r->select.type : s->m ? (long)s->m->type : 0;
+}
+
+static bool is_complete(struct node *n, void *id)
+{
+    return mailbox_id_is_complete(n, *(long *)id);
+}
+
+/* Puts the messages of a complete id where they belong, and gives it back, also after an error. */
+static long take(struct node *n, long id)
+{
+    long result = 0;
+    for (long i = id; i >= 0; i = mailbox_id_next(n, i)) {
+        struct receive *r = mailbox_id_receive(n, i);
+        if (r && mailbox_take(n, r) < 0)
+            result = -1;
+    }
+    mailbox_id_release(n, id);
+    return result;
+}
+
+long nxs_msgwait(word mid)
+{
+    struct node *n = node_self();
+    long id = mid;
+    nx_about(n, id);
+    if (check_id(n, id) < 0)
+        return -1;
+    nx_spend_call(n);
+    node_order(n);
+    n->awaited = type_of(n, id);
+    node_wait(n, is_complete, &id);
+    return take(n, id);
+}
+
+long nxs_msgdone(word id)
+{
+    struct node *n = node_self();
+    nx_about(n, id);
+    if (check_id(n, id) < 0)
+        return -1;
+    bool done = mailbox_id_is_complete(n, id);
+    nx_spend_call(n);
+    if (done && take(n, id) < 0)
+        return -1;
+    return done;
+}
+
+long nxs_msgcancel(word id)
+{
+    struct node *n = node_self();
+    nx_about(n, id);
+    if (check_id(n, id) < 0)
+        return -1;
+    nx_spend_call(n);
+    for (long i = id; i >= 0; i = mailbox_id_next(n, i))
+        if (mailbox_id_receive(n, i))
+            mailbox_withdraw(n, mailbox_id_receive(n, i));
+    mailbox_id_release(n, id);
+    return 0;
+}
+
+long nxs_msgignore(word id)
+{
+    struct node *n = node_self();
+    nx_about(n, id);
+    if (check_id(n, id) < 0)
+        return -1;
+    nx_spend_call(n);
+    mailbox_id_ignore(n, id);
+    return 0;
+}
+
+long nxs_msgmerge(word first, word second)
+{
+    struct node *n = node_self();
+    nx_about(n, first);
+    if (first == ANY && second == ANY)
+        return node_error(n, EQMID, "neither is a message id");
+    if ((first != ANY && check_id(n, first) < 0) || (second != ANY && check_id(n, second) < 0))
+        return -1;
+    if (first == second)
+        return node_error(n, EQMID, "%d is given twice", first);
+    nx_spend_call(n);
+    if (first == ANY || second == ANY)
+        return first == ANY ? second : first;
+    mailbox_id_merge(n, first, second);
+    return first;
+}

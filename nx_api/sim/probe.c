@@ -1,0 +1,70 @@
+/* probe.c - looking at messages that have come in, and throwing them away. */
+#include "nx_api/sim/call.h"
+
+static bool probe(struct node *n, const struct incoming *in)
+{
+    const struct message *m = mailbox_probe(n, &in->select);
+    if (m)
+        mailbox_tell(n, m, in->info);
+    return m;
+}
+
+static bool probe_finds(struct node *n, void *in)
+{
+    return probe(n, in);
+}
+
+static long wait_for(struct incoming in)
+{
+    struct node *n = node_self();
+    if (nx_check_receive(n, &in) < 0)
+        return -1;
+    nx_spend_call(n);
+    node_order(n);
+    node_wait(n, probe_finds, &in);
+    return 0;
+}
+
+static long look_for(const struct incoming *in)
+{
+    struct node *n = node_self();
+    if (nx_check_receive(n, in) < 0)
+        return -1;
+    nx_spend_call(n);
+    return probe(n, in);
+}
+
+long nxs_cprobe(word typesel)
+{
+    return wait_for((struct incoming){.select = {typesel, ANY, ANY}});
+}
+
+long nxs_cprobex(word typesel, word node, word pid, long info[])
+{
+    return wait_for((struct incoming){.select = {typesel, node, pid}, .info = info});
+}
+
+long nxs_iprobe(word typesel)
+{
+    return look_for(&(struct incoming){.select = {typesel, ANY, ANY}});
+}
+
+long nxs_iprobex(word typesel, word node, word pid, long info[])
+{
+    return look_for(&(struct incoming){.select = {typesel, node, pid}, .info = info});
+}
+
+long nxs_flushmsg(word typesel, word node, word pid)
+{
+    struct node *n = node_self();
+    (void)pid;
+    nx_about(n, typesel);
+    if (nx_check_node(n, node) < 0)
+        return -1;
+    nx_spend_call(n);
+    node_order(n);
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (node == ALL_NODES || node == (word)i)
+            mailbox_flush(n->sys->nodes[i], typesel, node_now(n));
+    return 0;
+}

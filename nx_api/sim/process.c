@@ -1,0 +1,147 @@
+/* process.c - processes: one on each node, all loaded before the first starts; and their ends. */
+#include "nx_api/sim/call.h"
+#include <errno.h>
+
+/* --- their numbers --- */
+
+long nxs_setptype(word ptype)
+{
+    struct node *n = node_self();
+    if (ptype < 0)
+        return node_error(n, EQPID, "%d is negative", ptype);
+    n->pid = ptype;
+    return 0;
+}
+
+long nxs_setpid(word pid)
+{
+    return nxs_setptype(pid);
+}
+
+/* --- what the processor or a host would do --- */
+
+/* Traps are not simulated: a program that divides by zero or loses its way ends with a report. */
+long nxs_handler(word trap, void (*f)(void))
+{
+    (void)trap, (void)f;
+    return 0;
+}
+
+long nxs_load(const char *path, word node, word pid)
+{
+    (void)node, (void)pid;
+    return node_error(node_self(), ENOSYS,
+                      "%s: no program is loaded while others run: touchstone run loads one on all nodes",
+                      path ? path : "(null)");
+}
+
+/* --- ending --- */
+
+long nxs_killcube(word node, word pid)
+{
+    struct node *n = node_self();
+    (void)node, (void)pid;
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (i != n->id)
+            node_kill(n, n->sys->nodes[i]);
+    n->sys->stop = STOP_KILLED;
+    node_end_here(n, NODE_KILLED, 0);
+}
+
+long nxs_killproc(word node, word pid)
+{
+    struct node *n = node_self();
+    if (node == ALL_NODES)
+        return nxs_killcube(node, pid);
+    if (node < 0 || node >= (word)n->sys->count)
+        return node_error(n, EQNODE, "there is no node %d (nodes are 0 to %u; -1 is all)", node,
+                          n->sys->count - 1);
+    if (node == (word)n->id)
+        node_end_here(n, NODE_KILLED, 0);
+    node_kill(n, n->sys->nodes[node]);
+    nx_spend_call(n);
+    return 0;
+}
+
+/* --- waiting for ends --- */
+
+struct awaited {
+    word node; /* or all others */
+    struct node *found;
+};
+
+static bool is_meant(const struct node *n, const struct node *other, word node)
+{
+    return other != n && !other->end_noticed && (node == ALL_NODES || node == (word)other->id);
+}
+
+static bool one_has_ended(struct node *n, void *arg)
+{
+    struct awaited *a = arg;
+    for (uint32_t i = 0; i < n->sys->count; i++) {
+        struct node *other = n->sys->nodes[i];
+        if (is_meant(n, other, a->node) && other->state == NODE_ENDED &&
+            (!a->found || other->stats.ended_at < a->found->stats.ended_at))
+            a->found = other;
+    }
+    return a->found;
+}
+
+static bool all_have_ended(struct node *n, void *arg)
+{
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (is_meant(n, n->sys->nodes[i], *(word *)arg) && n->sys->nodes[i]->state != NODE_ENDED)
+            return false;
+    return true;
+}
+
+/* Are there nodes to wait for? */
+static long check(struct node *n, word node)
+{
+    if (nx_check_node(n, node) < 0)
+        return -1;
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (is_meant(n, n->sys->nodes[i], node))
+            return 0;
+    return node_error(n, EQNOPROC, "no process to wait for: not one's own, and each once");
+}
+
+static void wait_for_end(struct node *n, bool (*ready)(struct node *, void *), void *arg)
+{
+    nx_spend_call(n);
+    node_order(n);
+    n->awaits_end = true;
+    node_wait(n, ready, arg);
+    n->awaits_end = false;
+}
+
+long nxs_waitall(word node, word pid)
+{
+    struct node *n = node_self();
+    (void)pid;
+    if (nx_check_node(n, node) < 0)
+        return -1;
+    wait_for_end(n, all_have_ended, &node);
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (is_meant(n, n->sys->nodes[i], node))
+            n->sys->nodes[i]->end_noticed = true;
+    return 0;
+}
+
+long nxs_waitone(word node, word pid, long *ended, long *ended_pid, long *status)
+{
+    struct node *n = node_self();
+    struct awaited a = {node, NULL};
+    (void)pid;
+    if (check(n, node) < 0)
+        return -1;
+    wait_for_end(n, one_has_ended, &a);
+    a.found->end_noticed = true;
+    if (ended)
+        *ended = a.found->id;
+    if (ended_pid)
+        *ended_pid = a.found->pid;
+    if (status)
+        *status = a.found->exit_code;
+    return 0;
+}

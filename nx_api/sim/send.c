@@ -1,0 +1,115 @@
+/* send.c - csend, isend, hsend and their kin. */
+#include "nx_api/sim/call.h"
+
+long nx_check_send(struct node *n, const struct outgoing *o)
+{
+    nx_about(n, o->type);
+    if (nx_check_node(n, o->node) < 0)
+        return -1;
+    if (o->type < 0 || o->type > 1999999999)
+        return node_error(n, EQTYPE,
+                          "type %ld is out of range (0 to 999999999; force types 1073741824 to 1999999999)",
+                          o->type);
+    return nx_check_buffer(n, o->buf, o->len);
+}
+
+void nx_send(struct node *n, const struct outgoing *o, struct send *s)
+{
+    struct proto *p = n->sys->proto;
+    bool all = o->node == ALL_NODES;
+    size_t len = (size_t)o->len;
+    struct message *m = all ? proto_to_all(p, n->id, o->type, n->pid, o->buf, len)
+                            : proto_message(p, n->id, (uint32_t)o->node, o->type, n->pid, o->buf, len);
+    uint64_t receivers = all ? n->sys->count - 1 : 1;
+    n->stats.sent += receivers;
+    n->stats.sent_bytes += receivers * len;
+    if (!m && s)
+        s->done = true;
+    for (struct message *next; m; m = next) {
+        next = m->also;
+        if (!next && s)
+            mailbox_follow(m, s);
+        node_spend_on(n, NODE_SENDING, proto_send_time(p, o->type, len));
+        proto_send(p, m, node_now(n));
+    }
+}
+
+bool nx_send_is_done(struct node *n, void *send)
+{
+    (void)n;
+    return ((struct send *)send)->done;
+}
+
+/* Sends, and waits until the buffer may be used again. */
+static void send_and_wait(struct node *n, const struct outgoing *o)
+{
+    struct send s = {0};
+    nx_send(n, o, &s);
+    node_order(n);
+    node_wait(n, nx_send_is_done, &s);
+}
+
+long nxs_csend(word type, const void *buf, word len, word node, word pid)
+{
+    struct node *n = node_self();
+    const struct outgoing o = {type, buf, len, node, pid};
+    if (nx_check_send(n, &o) < 0)
+        return -1;
+    send_and_wait(n, &o);
+    return 0;
+}
+
+long nxs_isend(word type, const void *buf, word len, word node, word pid)
+{
+    struct node *n = node_self();
+    const struct outgoing o = {type, buf, len, node, pid};
+    if (nx_check_send(n, &o) < 0)
+        return -1;
+    long id = nx_new_id(n, ID_SENDS);
+    if (id >= 0)
+        nx_send(n, &o, mailbox_id_send(n, id));
+    return id;
+}
+
+long nxs_hsendx(word type, const void *buf, word len, word node, word pid, mailbox_handler *handler,
+                long param)
+{
+    struct node *n = node_self();
+    const struct outgoing o = {type, buf, len, node, pid};
+    if (nx_check_send(n, &o) < 0)
+        return -1;
+    if (!handler)
+        return node_error(n, EQHND, "the handler is a null pointer");
+    struct send *s = mailbox_send_handler(n, handler, param);
+    s->info = (struct node_info){type, len, node, pid};
+    nx_send(n, &o, s);
+    return 0;
+}
+
+long nxs_hsend(word type, const void *buf, word len, word node, word pid, mailbox_handler *handler)
+{
+    return nxs_hsendx(type, buf, len, node, pid, handler, 0);
+}
+
+/* Nothing is sent unless all the nodes are there. */
+long nxs_gsendx(word type, const void *buf, word len, const long nodes[], word count)
+{
+    struct node *n = node_self();
+    struct outgoing o = {type, buf, len, 0, 0};
+    if (nx_check_send(n, &o) < 0)
+        return -1;
+    if (count < 0)
+        return node_error(n, EQLEN, "%d nodes", count);
+    if (count > 0 && !nodes)
+        return node_error(n, EQPBUF, "the list of nodes is a null pointer");
+    for (word i = 0; i < count; i++)
+        if ((word)nodes[i] == ALL_NODES)
+            return node_error(n, EQNODE, "node -1 stands for all others, and has no place in a list");
+        else if (nx_check_node(n, (word)nodes[i]) < 0)
+            return -1;
+    for (word i = 0; i < count; i++) {
+        o.node = (word)nodes[i];
+        send_and_wait(n, &o);
+    }
+    return 0;
+}

@@ -1,0 +1,19 @@
+#!/bin/bash
+# old_style.sh - C of 1990 compiles with the options that such programs need, and runs.
+. "$(dirname "$0")/common.bash"
+
+old() { "$BUILD/nxcc" -std=gnu89 -fcommon -w -O2 -o old "$tests/old_style.c" "$tests/old_style_part.c"; }
+check "old style: two files with common variables, without prototypes" old
+
+for machine in "ipsc860 -n 2" "ipsc860 -n 8" "delta -n 33"; do
+    # shellcheck disable=SC2086
+    run -m $machine old
+    check "old style on $machine: it ends well" ended_with 0
+    for ((i = 0, n = ${machine##* }; i < n; i++)); do
+        echo "node $(((i + 1) % n)): type $((20 + (i + 1) % n)), $i bytes from $i"
+    done | sort >expected
+    check "old style on $machine: one handler a node" diff expected <(sort out)
+done
+
+strict() { ! "$BUILD/nxcc" -std=gnu89 -fcommon -w -o old "$tests/missing.c"; }
+check "old style: a call that is not there is still named when it is linked" strict
