@@ -9,6 +9,14 @@
 #include <math.h>
 #include <string.h>
 
+enum { MAX_PANELS = 64, MAX_LINES = 64 };
+
+/* What a panel has. */
+struct panel {
+    bool line[MAX_LINES]; /* is there anything of it? */
+    double low, high;     /* of all that is drawn; high < low: nothing */
+};
+
 /* Of how many values an axis is, and what they are called; one without a name where there is no axis. */
 static size_t count_of(const struct spec_axis *axis)
 {
@@ -48,20 +56,21 @@ static double drawn_at(const struct points *p, const struct spec_picture *c, siz
     return drawn;
 }
 
-/* A data block; false if it is empty. */
-static bool write_line(const struct points *p, const struct spec_picture *c, size_t panel, size_t line,
-                       FILE *out)
+/* A data block. */
+static void write_line(const struct points *p, const struct spec_picture *c, size_t number, size_t line,
+                       struct panel *panel, FILE *out)
 {
-    bool any = false;
-    fprintf(out, "$d%zu_%zu << END\n", panel, line);
+    fprintf(out, "$d%zu_%zu << END\n", number, line);
     for (size_t x = 0; x < c->x->count; x++) {
-        double y = drawn_at(p, c, panel, line, x);
-        if (!isnan(y))
-            fprintf(out, "%.9g %.9g\n", position(c->x, x), y);
-        any |= !isnan(y);
+        double y = drawn_at(p, c, number, line, x);
+        if (isnan(y))
+            continue;
+        fprintf(out, "%.9g %.9g\n", position(c->x, x), y);
+        panel->line[line] = true;
+        panel->low = fmin(panel->low, y);
+        panel->high = fmax(panel->high, y);
     }
     fputs("END\n", out);
-    return any;
 }
 
 /* Single quotes hold anything but themselves, which are doubled. */
@@ -106,42 +115,51 @@ static void write_frame(const struct spec_picture *c, FILE *out)
     write_words("set xlabel ", *c->x_label ? c->x_label : c->x->name, out);
     write_words("set ylabel ", *c->y_label ? c->y_label : c->best ? c->best->name : c->figure, out);
     fputs("set grid xtics ytics back lt 1 lw 0.6 lc rgb '#d8d8d8'\n"
-          "set border 3\nset tics nomirror\nset offsets 0, 0, graph 0.05, graph 0.05\n",
+          "set border 3\nset tics nomirror\n",
           out);
     write_tics('x', c->x, c->log_x, out);
     if (c->best)
         write_tics('y', c->best, c->log_y, out);
-    else if (c->log_y)
-        fputs("set logscale y\n", out);
 }
 
-static void write_panel(const struct spec_picture *c, size_t panel, const bool drawn[], FILE *out)
+static void write_range(const struct spec_picture *c, const struct panel *panel, FILE *out)
+{
+    bool log = c->log_y && panel->low > 0;
+    double room = (panel->high - panel->low) / 12 + (panel->high == panel->low);
+    if (c->best)
+        return; /* its axis has set it */
+    fputs(log ? "set logscale y 2\n" : "unset logscale y\n", out);
+    fprintf(out, "set yrange [%.9g:%.9g]\n", log ? panel->low / 1.15 : panel->low - room,
+            log ? panel->high * 1.15 : panel->high + room);
+}
+
+static void write_panel(const struct spec_picture *c, size_t number, const struct panel *panel, FILE *out)
 {
     static const char *const colours[] = {"#404040", "#c04000", "#0060ad", "#2e8b57",
                                           "#8b4fae", "#c8a000", "#d6629a", "#4fb0c6"};
     enum { COLOURS = sizeof colours / sizeof *colours };
     size_t lines = count_of(c->lines);
     char title[256];
-    snprintf(title, sizeof title, "%s %s", c->panels ? c->panels->name : "", label_of(c->panels, panel));
+    snprintf(title, sizeof title, "%s %s", c->panels ? c->panels->name : "", label_of(c->panels, number));
     write_words("set title ", title, out);
-    fputs(lines > 1 ? "set key top right\n" : "unset key\n", out);
+    fputs(lines > 1 ? "set key top left\n" : "unset key\n", out);
+    write_range(c, panel, out);
     const char *before = "plot";
     for (size_t line = 0; line < lines; line++) {
-        if (!drawn[line])
+        if (!panel->line[line])
             continue;
-        /* Lines that meet are still all seen: the later ones have smaller points. */
-        fprintf(out, "%s $d%zu_%zu with linespoints lw 2 pt 7 ps %.2f lc rgb '%s' title ", before, panel,
-                line, 0.7 + 0.25 * (double)(lines - line - 1), colours[line % COLOURS]);
+        /* Lines that meet are still all seen: the later ones are thinner. */
+        double over = (double)(lines - line - 1);
+        fprintf(out, "%s $d%zu_%zu with linespoints lw %.1f pt 7 ps %.2f lc rgb '%s' title ", before, number,
+                line, 1.6 + 2 * over, 0.6 + 0.35 * over, colours[line % COLOURS]);
         write_quoted(label_of(c->lines, line), out);
         before = ",";
     }
     fputs("\n", out);
 }
 
-enum { MAX_PANELS = 64, MAX_LINES = 64 };
-
 /* All panels, as a picture of that kind. */
-static void write_page(const struct spec_picture *c, bool (*drawn)[MAX_LINES], bool svg, const char *dir,
+static void write_page(const struct spec_picture *c, const struct panel panel[], bool svg, const char *dir,
                        FILE *out)
 {
     size_t panels = count_of(c->panels);
@@ -154,13 +172,9 @@ static void write_page(const struct spec_picture *c, bool (*drawn)[MAX_LINES], b
             400 * rows + 40, svg ? 12 : 10);
     write_words("set output ", path, out);
     fprintf(out, "set multiplot layout %u,%u title heading font ',13'\n", rows, columns);
-    for (size_t panel = 0; panel < panels; panel++) {
-        bool any = false;
-        for (size_t line = 0; line < count_of(c->lines); line++)
-            any |= drawn[panel][line];
-        if (any)
-            write_panel(c, panel, drawn[panel], out);
-    }
+    for (size_t i = 0; i < panels; i++)
+        if (panel[i].high >= panel[i].low)
+            write_panel(c, i, &panel[i], out);
     fputs("unset multiplot\n", out);
 }
 
@@ -174,17 +188,21 @@ static void write_heading(const struct spec *s, const struct spec_picture *c, FI
 
 bool chart_write(const struct points *p, const struct spec_picture *c, const char *dir, FILE *script)
 {
-    bool drawn[MAX_PANELS][MAX_LINES] = {0}, any = false;
+    struct panel panel[MAX_PANELS];
+    bool any = false;
     if (count_of(c->panels) > MAX_PANELS || count_of(c->lines) > MAX_LINES)
         return false;
-    for (size_t panel = 0; panel < count_of(c->panels); panel++)
+    for (size_t i = 0; i < count_of(c->panels); i++) {
+        panel[i] = (struct panel){.low = INFINITY, .high = -INFINITY};
         for (size_t line = 0; line < count_of(c->lines); line++)
-            any |= drawn[panel][line] = write_line(p, c, panel, line, script);
+            write_line(p, c, i, line, &panel[i], script);
+        any |= panel[i].high >= panel[i].low;
+    }
     if (!any)
         return false;
     write_heading(p->spec, c, script);
     write_frame(c, script);
-    write_page(c, drawn, false, dir, script);
-    write_page(c, drawn, true, dir, script);
+    write_page(c, panel, false, dir, script);
+    write_page(c, panel, true, dir, script);
     return true;
 }
