@@ -262,19 +262,18 @@ static void add_plugin(struct arguments *a, const struct places *p)
 static void add_compile(struct arguments *a, const struct places *p)
 {
     static const char *const options[] = {
-        "-fPIE",                       /* an image that can be loaded once per node ... */
-        "-mno-direct-extern-access",   /* ... with no variable copied out of the C library */
-        "-fno-tree-vectorize",         /* the i860 has no vectors: operations are counted as it ran them */
-        "-fno-tree-slp-vectorize",     /* */
-        "-ffp-contract=off",           /* no fused multiply-add: results as with separate ones */
-        "-fno-stack-protector",        /* a node's stack has guard pages */
-        "-U_FORTIFY_SOURCE",           /* no __printf_chk */
-        "-fcf-protection=none",        /* */
-        "-gno-record-gcc-switches",    /* the same object wherever nxcc is installed */
-        "-mno-red-zone",               /* checks call from leaf functions: see plugin.cc */
-        "-fno-omit-frame-pointer",     /* crash reports follow them */
-        "-mno-omit-leaf-frame-pointer"
-    };
+        "-fPIE",                     /* an image that can be loaded once per node ... */
+        "-mno-direct-extern-access", /* ... with no variable copied out of the C library */
+        "-fno-tree-vectorize",       /* the i860 has no vectors: operations are counted as it ran them */
+        "-fno-tree-slp-vectorize",   /* */
+        "-ffp-contract=off",         /* no fused multiply-add: results as with separate ones */
+        "-fno-stack-protector",      /* a node's stack has guard pages */
+        "-U_FORTIFY_SOURCE",         /* no __printf_chk */
+        "-fcf-protection=none",      /* */
+        "-gno-record-gcc-switches",  /* the same object wherever nxcc is installed */
+        "-mno-red-zone",             /* checks call from leaf functions: see plugin.cc */
+        "-fno-omit-frame-pointer",   /* crash reports follow them */
+        "-mno-omit-leaf-frame-pointer"};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         add(a, options[i]);
     add(a, "-isystem");

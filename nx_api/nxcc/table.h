@@ -18,10 +18,11 @@
     CLASS(large_constant)                                                                                    \
     CLASS(index)                                                                                             \
     CLASS(bitfield)                                                                                          \
-    CLASS(load) CLASS(store) CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument)                     \
-        CLASS(fp_add_single) CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double)        \
-            CLASS(fp_divide_single) CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double)      \
-                CLASS(fp_compare) CLASS(fp_move) CLASS(convert_integer) CLASS(convert_precision)
+    CLASS(load)                                                                                              \
+    CLASS(store) CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument) CLASS(fp_add_single)            \
+        CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double) CLASS(fp_divide_single)     \
+            CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double) CLASS(fp_compare)            \
+                CLASS(fp_move) CLASS(convert_integer) CLASS(convert_precision)
 
 struct class_costs {
 #define CLASS(name) int64_t name;

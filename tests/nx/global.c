@@ -16,7 +16,8 @@ int main(void)
     for (round = 0; round < 3; round++) {
         dv[0] = (double)me, dv[1] = 1, dv[2] = -0.5 * (double)me;
         gdsum(dv, 3, dw);
-        wrong += dv[0] != (double)(n * (n - 1) / 2) || dv[1] != (double)n || dv[2] != -0.25 * (double)(n * (n - 1));
+        wrong += dv[0] != (double)(n * (n - 1) / 2) || dv[1] != (double)n ||
+                 dv[2] != -0.25 * (double)(n * (n - 1));
         dv[0] = (double)(me * me), gdhigh(dv, 1, dw), wrong += dv[0] != (double)((n - 1) * (n - 1));
         dv[0] = (double)me + 2, gdlow(dv, 1, dw), wrong += dv[0] != 2;
         iv[0] = me, iv[1] = -me;
