@@ -106,7 +106,7 @@ format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)
 
 check-format: ## Fail if a C file is laid out otherwise
-	clang-format --dry-run -Werror $(FORMATTED)
+	@clang-format --dry-run -Werror $(FORMATTED)
 
 clean: ## Remove build/ and out/
 	rm -rf build out
