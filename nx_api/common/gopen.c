@@ -4,6 +4,8 @@
 
 /* Opens on this node and sets the I/O mode; an error ends the process as gopen's. The simulator's. */
 int nx_gopen_one(const char *path, int flags, int iomode, unsigned permissions);
+/* Returns -1 with errno instead. */
+int _nx_gopen_one(const char *path, int flags, int iomode, unsigned permissions);
 
 int gopen(const char *path, int flags, int iomode, unsigned permissions)
 {
@@ -14,5 +16,19 @@ int gopen(const char *path, int flags, int iomode, unsigned permissions)
     if (mynode() != 0)
         fd = nx_gopen_one(path, flags & ~(O_CREAT | O_EXCL | O_TRUNC), iomode, permissions);
     gsync();
+    return fd;
+}
+
+int _gopen(const char *path, int flags, int iomode, unsigned permissions)
+{
+    int fd = -1, error = 0;
+    if (mynode() == 0 && (fd = _nx_gopen_one(path, flags, iomode, permissions)) < 0)
+        error = errno;
+    gsync();
+    if (mynode() != 0 &&
+        (fd = _nx_gopen_one(path, flags & ~(O_CREAT | O_EXCL | O_TRUNC), iomode, permissions)) < 0)
+        error = errno;
+    gsync();
+    errno = error ? error : errno;
     return fd;
 }

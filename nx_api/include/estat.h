@@ -26,6 +26,8 @@ struct estat {
 
 long estat(const char *path, struct estat *st);
 long festat(int fd, struct estat *st);
+long _estat(const char *path, struct estat *st); /* -1 and errno for an error */
+long _festat(int fd, struct estat *st);
 
 #ifdef __cplusplus
 }

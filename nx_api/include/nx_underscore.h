@@ -67,6 +67,27 @@ long _waitone(long node, long pid, long *ended_node, long *ended_pid, long *stat
 long _handler(long trap, void (*function)(void));
 long _load(const char *path, long node, long pid);
 
+/* Files. Errors are the C library's too: EBADF, EINVAL and others. After one, sizes are {-1, -1}. */
+struct iovec;
+int _gopen(const char *path, int flags, int iomode, unsigned permissions);
+long _iomode(int fd);
+long _setiomode(int fd, int mode);
+long _cread(int fd, void *buf, unsigned long len);
+long _cwrite(int fd, const void *buf, unsigned long len);
+long _creadv(int fd, const struct iovec *parts, int count);
+long _cwritev(int fd, const struct iovec *parts, int count);
+long _iread(int fd, void *buf, unsigned long len);
+long _iwrite(int fd, const void *buf, unsigned long len);
+long _ireadv(int fd, const struct iovec *parts, int count);
+long _iwritev(int fd, const struct iovec *parts, int count);
+long _iodone(long id);
+long _iowait(long id);
+esize_t _eseek(int fd, esize_t offset, int whence);
+long _lsize(int fd, long offset, int whence);
+esize_t _esize(int fd, esize_t offset, int whence);
+long _iseof(int fd);
+long _restrictvol(int fd, int count, const int disks[]);
+
 /* The global operations check lengths and pointers first, on this node; an error in one of the messages that they are
  * made of ends the process (silent). */
 long _gsync(void);

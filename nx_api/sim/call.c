@@ -40,7 +40,7 @@ static void leave(struct node *n)
 }
 
 /* NAME: an error ends the process. */
-static long plain(struct node *n, long result)
+long nx_plain(struct node *n, long result)
 {
     if (result < 0)
         node_fail(n, "%s: %s", n->call, n->error.text);
@@ -49,7 +49,7 @@ static long plain(struct node *n, long result)
 }
 
 /* _NAME: an error is the program's to see. */
-static long returning(struct node *n, long result)
+long nx_returning(struct node *n, long result)
 {
     int why = n->error.code;
     leave(n);
@@ -62,12 +62,12 @@ static long returning(struct node *n, long result)
     long node_##name parameters                                                                              \
     {                                                                                                        \
         struct node *self = enter(#name);                                                                    \
-        return plain(self, nxs_##name arguments);                                                            \
+        return nx_plain(self, nxs_##name arguments);                                                         \
     }                                                                                                        \
     long node__##name parameters                                                                             \
     {                                                                                                        \
         struct node *self = enter("_" #name);                                                                \
-        return returning(self, nxs_##name arguments);                                                        \
+        return nx_returning(self, nxs_##name arguments);                                                     \
     }
 #define NX_VALUE(name, expression)                                                                           \
     long node_##name(void)                                                                                   \

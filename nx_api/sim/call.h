@@ -13,6 +13,7 @@
 #include "node/cpu.h"
 #include "node/mailbox.h"
 #include "node/system.h"
+#include "nx_api/include/estat.h"
 #include "nx_api/include/nx.h"
 
 /* An integer argument. Its C type is long, but only its low 32 bits count, as signed: programs without prototypes pass
@@ -28,6 +29,11 @@ enum { ALL_NODES = -1, ANY = -1 };
 #undef NX_CALL
 #undef NX_VALUE
 #undef NX_OTHER
+
+/* The ends of the two faces, for those that are written out: given a call's result, or -1, they leave. nx_plain does not
+ * return when there is an error. */
+typedef long nx_face(struct node *n, long result);
+nx_face nx_plain, nx_returning;
 
 /* Says what the call is about, for reports: its type, typesel or id. */
 static inline void nx_about(struct node *n, long what)

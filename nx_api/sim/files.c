@@ -1,54 +1,45 @@
 /* files.c - the NX calls on files, served by the simulator. On files of this computer they work too, at once and
  * without taking time; the I/O mode there is always 0. */
 #include <errno.h>
-#include <fcntl.h>
-#include <stdint.h>
 #include <string.h>
 #include "cfs/cfs.h"
-#include "nx_api/include/estat.h"
-#include "node/cpu.h"
 #include "node/libc_parts.h"
+#include "nx_api/sim/call.h"
 
-#define LOW(x) ((long)(int32_t)(x))
+/* --- errors --- */
 
-/* --- entering --- */
-
-static _Noreturn void fail(struct node *n, const char *what)
+/* An error that errno tells of. */
+static long fail(struct node *n, const char *what)
 {
-    node_fail(n, "%s: %s: %s", n->call, what, strerror(errno));
+    int why = errno;
+    return node_error(n, why, "%s: %s", what, strerror(why));
 }
 
-/* Enter a call on a descriptor that must be open. */
-static struct node_file *enter(const char *call, int fd)
+static long fail_on(struct node *n, int fd)
+{
+    return fail(n, descriptor_path(n, fd));
+}
+
+/* The file of a descriptor; NULL with the error when it is not open. */
+static struct node_file *file_of(int fd)
 {
     struct node *n = node_self();
-    node_enter(n, call);
     struct node_file *f = descriptor_file(n, fd);
     if (!f)
-        node_fail(n, "%s: %d is not an open file", call, fd);
+        node_error(n, EBADF, "%d is not an open file", fd);
     return f;
-}
-
-static _Noreturn void fail_on(struct node *n, int fd)
-{
-    fail(n, descriptor_path(n, fd));
 }
 
 /* --- reading and writing --- */
 
-struct io_call {
-    const char *name;
-    bool write;
-};
-
-static const struct iovec *check_parts(struct node *n, const struct iovec *parts, long count)
+static long check_parts(struct node *n, const struct iovec *parts, long count)
 {
     if (count < 0 || count > 1024)
-        node_fail(n, "%s: %ld parts; 0 to 1024 are allowed", n->call, count);
+        return node_error(n, EQLEN, "%ld parts; 0 to 1024 are allowed", count);
     for (long i = 0; i < count; i++)
         if (!parts[i].iov_base && parts[i].iov_len)
-            node_fail(n, "%s: the buffer is a null pointer", n->call);
-    return parts;
+            return node_error(n, EQPBUF, "the buffer is a null pointer");
+    return 0;
 }
 
 /* A file of this computer: moved at once. */
@@ -68,45 +59,47 @@ static ssize_t move_host(struct node_file *f, bool write, const struct iovec *pa
 }
 
 /* Starts it. *op is NULL when it is done already, with *moved bytes. */
-static void start(struct io_call c, int fd, struct node_file *f, const struct iovec *parts, int count,
+static long start(bool write, int fd, struct node_file *f, const struct iovec *parts, int count,
                   struct cfs_op **op, ssize_t *moved)
 {
     struct cfs_file *file = cfs_file_of(f);
-    struct node *n = f->node;
-    check_parts(n, parts, count);
-    *op = file ? cfs_start(file, c.write, parts, count) : NULL;
-    *moved = file ? 0 : move_host(f, c.write, parts, count);
-    if ((file && !*op) || *moved < 0)
-        fail_on(n, fd);
+    if (check_parts(f->node, parts, count) < 0)
+        return -1;
+    *op = file ? cfs_start(file, write, parts, count) : NULL;
+    *moved = file ? 0 : move_host(f, write, parts, count);
+    return (file && !*op) || *moved < 0 ? fail_on(f->node, fd) : 0;
 }
 
-static long move(struct io_call c, int fd, const struct iovec *parts, int count)
+static long move(bool write, int fd, const struct iovec *parts, int count)
 {
-    struct node_file *f = enter(c.name, fd);
+    struct node_file *f = file_of(fd);
     struct cfs_op *op;
     ssize_t moved;
-    start(c, fd, f, parts, count, &op, &moved);
-    if (op) {
-        cfs_wait(f->node, op);
-        moved = cfs_end(op);
-    }
-    node_leave(f->node);
-    return moved;
+    if (!f || start(write, fd, f, parts, count, &op, &moved) < 0)
+        return -1;
+    if (!op)
+        return moved;
+    cfs_wait(f->node, op);
+    return cfs_end(op);
 }
 
-static long move_later(struct io_call c, int fd, const struct iovec *parts, int count)
+static long move_later(bool write, int fd, const struct iovec *parts, int count)
 {
-    struct node_file *f = enter(c.name, fd);
-    struct io_id *ids = f->node->libc->descriptors.io;
+    struct node_file *f = file_of(fd);
     long id = 0;
     ssize_t moved;
+    if (!f)
+        return -1;
+    struct io_id *ids = f->node->libc->descriptors.io;
     while (id < NODE_IO_IDS && ids[id].used)
         id++;
     if (id == NODE_IO_IDS)
-        node_fail(f->node, "%s: out of ids (%d): iowait or iodone give them back", c.name, NODE_IO_IDS);
+        return node_error(f->node, EQNOMID, "out of ids (%d): iowait or iodone give them back", NODE_IO_IDS);
     ids[id].used = true;
-    start(c, fd, f, parts, count, &ids[id].op, &moved);
-    node_leave(f->node);
+    if (start(write, fd, f, parts, count, &ids[id].op, &moved) < 0) {
+        ids[id] = (struct io_id){0};
+        return -1;
+    }
     return id;
 }
 
@@ -116,62 +109,64 @@ static struct iovec whole(const void *buf, unsigned long len)
     return (struct iovec){(void *)(uintptr_t)buf, (uint32_t)len};
 }
 
-long node_cread(int fd, void *buf, unsigned long len)
+long nxs_cread(word fd, void *buf, unsigned long len)
 {
     struct iovec part = whole(buf, len);
-    return move((struct io_call){"cread", false}, fd, &part, 1);
+    return move(false, fd, &part, 1);
 }
 
-long node_cwrite(int fd, const void *buf, unsigned long len)
+long nxs_creadv(word fd, const struct iovec *parts, word count)
+{
+    return move(false, fd, parts, count);
+}
+
+long nxs_cwrite(word fd, const void *buf, unsigned long len)
 {
     struct iovec part = whole(buf, len);
-    return move((struct io_call){"cwrite", true}, fd, &part, 1);
+    return move(true, fd, &part, 1);
 }
 
-long node_creadv(int fd, const struct iovec *parts, int count)
+long nxs_cwritev(word fd, const struct iovec *parts, word count)
 {
-    return move((struct io_call){"creadv", false}, fd, parts, count);
+    return move(true, fd, parts, count);
 }
 
-long node_cwritev(int fd, const struct iovec *parts, int count)
-{
-    return move((struct io_call){"cwritev", true}, fd, parts, count);
-}
-
-long node_iread(int fd, void *buf, unsigned long len)
+long nxs_iread(word fd, void *buf, unsigned long len)
 {
     struct iovec part = whole(buf, len);
-    return move_later((struct io_call){"iread", false}, fd, &part, 1);
+    return move_later(false, fd, &part, 1);
 }
 
-long node_iwrite(int fd, const void *buf, unsigned long len)
+long nxs_ireadv(word fd, const struct iovec *parts, word count)
+{
+    return move_later(false, fd, parts, count);
+}
+
+long nxs_iwrite(word fd, const void *buf, unsigned long len)
 {
     struct iovec part = whole(buf, len);
-    return move_later((struct io_call){"iwrite", true}, fd, &part, 1);
+    return move_later(true, fd, &part, 1);
 }
 
-long node_ireadv(int fd, const struct iovec *parts, int count)
+long nxs_iwritev(word fd, const struct iovec *parts, word count)
 {
-    return move_later((struct io_call){"ireadv", false}, fd, parts, count);
-}
-
-long node_iwritev(int fd, const struct iovec *parts, int count)
-{
-    return move_later((struct io_call){"iwritev", true}, fd, parts, count);
+    return move_later(true, fd, parts, count);
 }
 
 /* --- ids --- */
 
-static struct io_id *enter_id(const char *call, long id)
+/* The id given to the call; NULL with the error. */
+static struct io_id *find_id(struct node *n, long id)
 {
-    struct node *n = node_self();
-    node_enter(n, call);
+    struct io_id *ids = n->libc->descriptors.io;
     n->call_type = id;
     n->call_has_type = true;
-    if (id < 0 || id >= NODE_IO_IDS || !n->libc->descriptors.io[id].used)
-        node_fail(n, "%s: %ld is no id in use", call, id);
+    if (id < 0 || id >= NODE_IO_IDS || !ids[id].used) {
+        node_error(n, EQMID, "%ld is no id in use", id);
+        return NULL;
+    }
     node_spend(n, n->sys->cfg->call_ps);
-    return &n->libc->descriptors.io[id];
+    return &ids[id];
 }
 
 static void give_back(struct io_id *id)
@@ -181,72 +176,85 @@ static void give_back(struct io_id *id)
     *id = (struct io_id){0};
 }
 
-long node_iodone(long id)
+long nxs_iodone(word id)
 {
-    struct io_id *i = enter_id("iodone", LOW(id));
     struct node *n = node_self();
+    struct io_id *i = find_id(n, id);
+    if (!i)
+        return -1;
     node_order(n);
     bool done = !i->op || cfs_done(n, i->op);
     if (done)
         give_back(i);
-    node_leave(n);
     return done;
 }
 
-void node_iowait(long id)
+long nxs_iowait(word id)
 {
-    struct io_id *i = enter_id("iowait", LOW(id));
     struct node *n = node_self();
+    struct io_id *i = find_id(n, id);
+    if (!i)
+        return -1;
     if (i->op)
         cfs_wait(n, i->op);
     give_back(i);
-    node_leave(n);
+    return 0;
 }
 
 /* --- opening and modes --- */
 
-static void set_mode(struct node *n, int fd, struct node_file *f, long mode)
+static long set_mode(struct node *n, int fd, struct node_file *f, long mode)
 {
     enum { M_ASYNC = 5 }; /* the Paragon's name for mode 0 without its promises */
     struct cfs_file *file = cfs_file_of(f);
     if (mode == M_ASYNC)
         mode = M_UNIX;
     if (mode < M_UNIX || mode > M_RECORD)
-        node_fail(n, "%s: %s: there is no I/O mode %ld (0 to 3)", n->call, descriptor_path(n, fd), mode);
+        return node_error(n, EQPARAM, "%s: there is no I/O mode %ld (0 to 3)", descriptor_path(n, fd), mode);
     if (!file && mode != M_UNIX)
-        node_fail(n, "%s: %s: only files under /cfs have I/O modes other than 0", n->call,
-                  descriptor_path(n, fd));
+        return node_error(n, EQPARAM, "%s: only files under /cfs have I/O modes other than 0",
+                          descriptor_path(n, fd));
     if (file && cfs_mode(file) != mode)
         cfs_set_mode(file, (int)mode);
+    return 0;
 }
 
-int node_nx_gopen_one(const char *path, int flags, int iomode, unsigned permissions)
+/* gopen's part on one node. The file is opened as by open(), which enters and leaves by itself. */
+static long open_one(const char *call, const char *path, int flags, int mode, unsigned permissions,
+                     nx_face *face)
 {
     struct node *n = node_self();
     int fd = descriptor_new(n, file_open(n, path, flags, permissions), path);
     int why = errno;
-    node_enter(n, "gopen");
+    node_enter(n, call);
     errno = why;
     if (fd < 0)
-        fail(n, path);
-    set_mode(n, fd, descriptor_file(n, fd), LOW(iomode));
-    node_leave(n);
-    return fd;
+        return face(n, fail(n, path));
+    return face(n, set_mode(n, fd, descriptor_file(n, fd), mode) < 0 ? -1 : fd);
 }
 
-void node_setiomode(int fd, int mode)
+long node_nx_gopen_one(const char *path, int flags, int mode, unsigned permissions)
 {
-    struct node_file *f = enter("setiomode", fd);
-    set_mode(f->node, fd, f, mode);
-    node_leave(f->node);
+    return open_one("gopen", path, flags, mode, permissions, nx_plain);
 }
 
-long node_iomode(int fd)
+long node__nx_gopen_one(const char *path, int flags, int mode, unsigned permissions)
 {
-    struct node_file *f = enter("iomode", fd);
-    long mode = cfs_file_of(f) ? cfs_mode(cfs_file_of(f)) : M_UNIX;
-    node_leave(f->node);
-    return mode;
+    return open_one("_gopen", path, flags, mode, permissions, nx_returning);
+}
+
+long nxs_setiomode(word fd, word mode)
+{
+    struct node_file *f = file_of(fd);
+    return f ? set_mode(f->node, fd, f, mode) : -1;
+}
+
+long nxs_iomode(word fd)
+{
+    struct node_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    return cfs_file_of(f) ? cfs_mode(cfs_file_of(f)) : M_UNIX;
 }
 
 /* --- pointers and sizes --- */
@@ -261,14 +269,34 @@ static esize_t to_esize(int64_t x)
     return (esize_t){(long)(uint32_t)x, (long)(x >> 32)};
 }
 
+/* A size, or -1 for an error. */
+static esize_t size_call(const char *call, int64_t (*f)(struct node *, int, int64_t, int), nx_face *face,
+                         int fd, esize_t offset, int whence)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    int64_t size = f(n, fd, from_esize(offset), whence);
+    face(n, size < 0 ? -1 : 0);
+    return size < 0 ? (esize_t){-1, -1} : to_esize(size);
+}
+
+static int64_t seek(struct node *n, int fd, int64_t offset, int whence)
+{
+    struct node_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    int64_t at = f->class->seek(f, offset, whence);
+    return at < 0 ? fail_on(n, fd) : at;
+}
+
 esize_t node_eseek(int fd, esize_t offset, int whence)
 {
-    struct node_file *f = enter("eseek", fd);
-    int64_t at = f->class->seek(f, from_esize(offset), whence);
-    if (at < 0)
-        fail_on(f->node, fd);
-    node_leave(f->node);
-    return to_esize(at);
+    return size_call("eseek", seek, nx_plain, fd, offset, whence);
+}
+
+esize_t node__eseek(int fd, esize_t offset, int whence)
+{
+    return size_call("_eseek", seek, nx_returning, fd, offset, whence);
 }
 
 /* Where the present size, or the pointer, is. */
@@ -286,57 +314,64 @@ static int64_t start_of(struct node_file *f, int whence)
     return f->class->stat(f, &st) ? -1 : st.st_size;
 }
 
-static int64_t resize(const char *call, int fd, int64_t offset, int whence)
+static int64_t resize(struct node *n, int fd, int64_t offset, int whence)
 {
-    struct node_file *f = enter(call, fd);
+    struct node_file *f = file_of(fd);
+    if (!f)
+        return -1;
     struct cfs_file *file = cfs_file_of(f);
     if (!file)
-        node_fail(f->node, "%s: %s: only files under /cfs can be sized", call, descriptor_path(f->node, fd));
+        return node_error(n, EINVAL, "%s: only files under /cfs can be sized", descriptor_path(n, fd));
     int64_t from = start_of(f, whence);
     if (from >= 0 && from + offset < 0)
         errno = EINVAL, from = -1;
     int64_t size = from < 0 ? -1 : cfs_grow(file, (uint64_t)(from + offset));
-    if (size < 0)
-        fail_on(f->node, fd);
-    node_leave(f->node);
-    return size;
+    return size < 0 ? fail_on(n, fd) : size;
 }
 
-long node_lsize(int fd, long offset, int whence)
+long nxs_lsize(word fd, word offset, word whence)
 {
-    return resize("lsize", fd, LOW(offset), whence);
+    return resize(node_self(), fd, offset, whence);
 }
 
 esize_t node_esize(int fd, esize_t offset, int whence)
 {
-    return to_esize(resize("esize", fd, from_esize(offset), whence));
+    return size_call("esize", resize, nx_plain, fd, offset, whence);
 }
 
-long node_iseof(int fd)
+esize_t node__esize(int fd, esize_t offset, int whence)
 {
-    struct node_file *f = enter("iseof", fd);
-    struct cfs_file *file = cfs_file_of(f);
+    return size_call("_esize", resize, nx_returning, fd, offset, whence);
+}
+
+long nxs_iseof(word fd)
+{
+    struct node_file *f = file_of(fd);
     struct stat st;
-    node_spend(f->node, f->node->sys->cfg->call_ps);
+    if (!f)
+        return -1;
+    struct cfs_file *file = cfs_file_of(f);
+    nx_spend_call(f->node);
     node_order(f->node);
-    bool end =
-        file ? cfs_at_end(file) : f->class->stat(f, &st) == 0 && f->class->seek(f, 0, SEEK_CUR) >= st.st_size;
-    node_leave(f->node);
-    return end;
+    if (file)
+        return cfs_at_end(file);
+    return f->class->stat(f, &st) == 0 && f->class->seek(f, 0, SEEK_CUR) >= st.st_size;
 }
 
-void node_restrictvol(int fd, int count, const int disks[])
+long nxs_restrictvol(word fd, word count, const int disks[])
 {
-    struct node_file *f = enter("restrictvol", fd);
-    struct cfs_file *file = cfs_file_of(f);
+    struct node_file *f = file_of(fd);
     uint32_t list[1024];
-    if (!file || count < 1 || count > 1024)
-        errno = EINVAL, fail_on(f->node, fd);
+    if (!f)
+        return -1;
+    struct cfs_file *file = cfs_file_of(f);
+    if (!file || count < 1 || count > 1024) {
+        errno = EINVAL;
+        return fail_on(f->node, fd);
+    }
     for (int i = 0; i < count; i++)
         list[i] = (uint32_t)disks[i];
-    if (cfs_restrict(file, list, (uint32_t)count))
-        fail_on(f->node, fd);
-    node_leave(f->node);
+    return cfs_restrict(file, list, (uint32_t)count) ? fail_on(f->node, fd) : 0;
 }
 
 /* --- state --- */
@@ -358,27 +393,39 @@ static void to_estat(struct estat *e, const struct stat *st)
                         .st_ctim = st->st_ctim};
 }
 
-long node_estat(const char *path, struct estat *e)
+/* As by stat(), which enters and leaves by itself. */
+static long stat_path(const char *call, const char *path, struct estat *e, nx_face *face)
 {
     struct node *n = node_self();
     struct stat st;
     int r = file_stat(n, path, &st), why = errno;
     if (r) {
-        node_enter(n, "estat");
+        node_enter(n, call);
         errno = why;
-        fail(n, path);
+        return face(n, fail(n, path));
     }
     to_estat(e, &st);
     return 0;
 }
 
-long node_festat(int fd, struct estat *e)
+long node_estat(const char *path, struct estat *e)
 {
-    struct node_file *f = enter("festat", fd);
+    return stat_path("estat", path, e, nx_plain);
+}
+
+long node__estat(const char *path, struct estat *e)
+{
+    return stat_path("_estat", path, e, nx_returning);
+}
+
+long nxs_festat(word fd, struct estat *e)
+{
+    struct node_file *f = file_of(fd);
     struct stat st;
+    if (!f)
+        return -1;
     if (f->class->stat(f, &st))
-        fail_on(f->node, fd);
-    node_leave(f->node);
+        return fail_on(f->node, fd);
     to_estat(e, &st);
     return 0;
 }
