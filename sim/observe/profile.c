@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "node/clock.h"
+#include "node/image.h"
 #include "nx_api/nxcc/image.h"
 
 /* Of what was compiled without --profile, if the program has such parts. */
@@ -47,37 +48,66 @@ static int by_name(const void *a, const void *b)
     return order ? order : compare_texts(x->called, y->called);
 }
 
-/* Makes an entry for each name among node 0's cells; entry[k] is that of the cell k. */
-static void name_functions(struct profile *p, const struct node *n, size_t *entry)
+/* The cells' names, as node 0 has them. */
+struct names {
+    struct nxc_cell *cells;
+    size_t count;
+    size_t *entry; /* of each cell, in profile.functions */
+};
+
+static bool is_in_program(const struct node *n, const void *p)
 {
-    size_t count = cell_count(n);
-    struct nxc_cell **sorted = zeroed(count, sizeof(struct nxc_cell *));
-    p->functions = zeroed(count + 1, sizeof *p->functions);
-    for (size_t k = 0; k < count; k++)
-        sorted[k] = n->image->cells_begin + k;
-    qsort(sorted, count, sizeof *sorted, by_name);
-    for (size_t k = 0; k < count; k++) {
+    return (uintptr_t)p - (uintptr_t)n->span < NODE_IMAGE_OFFSET + n->image_bytes;
+}
+
+/* The cells are in the program's memory, and it may have written there by mistake: then a name is "?". */
+static void copy_names(struct names *names, const struct node *n)
+{
+    names->count = cell_count(n);
+    names->cells = zeroed(names->count, sizeof *names->cells);
+    names->entry = zeroed(names->count, sizeof *names->entry);
+    for (size_t k = 0; k < names->count; k++) {
+        struct nxc_cell *c = &names->cells[k];
+        *c = n->image->cells_begin[k];
+        c->file = is_in_program(n, c->file) ? c->file : "?";
+        c->function = is_in_program(n, c->function) ? c->function : "?";
+        c->called = !c->called || is_in_program(n, c->called) ? c->called : "?";
+        size_t body = (size_t)(c->body - n->image->cells_begin);
+        c->body = c->body && body < names->count ? &names->cells[body] : NULL;
+    }
+}
+
+/* Makes an entry for each name. */
+static void name_functions(struct profile *p, struct names *names)
+{
+    struct nxc_cell **sorted = zeroed(names->count, sizeof(struct nxc_cell *));
+    p->functions = zeroed(names->count + 1, sizeof *p->functions);
+    for (size_t k = 0; k < names->count; k++)
+        sorted[k] = &names->cells[k];
+    qsort(sorted, names->count, sizeof *sorted, by_name);
+    for (size_t k = 0; k < names->count; k++) {
         const struct nxc_cell *c = sorted[k];
         if (k == 0 || by_name(&sorted[k - 1], &sorted[k]))
             p->functions[p->function_count++] = (struct profile_function){
                 .file = c->file, .function = c->function, .called = c->called, .line = c->line};
-        entry[c - n->image->cells_begin] = p->function_count - 1;
+        names->entry[c - names->cells] = p->function_count - 1;
     }
     free(sorted);
 }
 
 /* Returns the sum of all. */
-static int64_t add_functions(struct profile *p, const struct node *n, const size_t *entry)
+static int64_t add_functions(struct profile *p, const struct node *n, const struct names *names)
 {
-    const struct nxc_cell *cells = n->image->cells_begin;
     enum profile_class c = class_of(n);
     int64_t sum = 0;
-    for (size_t k = 0; k < cell_count(n); k++) {
-        p->functions[entry[k]].units[c] += cells[k].units;
-        if (cells[k].body)
-            p->functions[entry[cells[k].body - cells]].units[c] -= cells[k].units;
+    for (size_t k = 0; k < names->count; k++) {
+        const struct nxc_cell *body = names->cells[k].body;
+        int64_t units = n->image->cells_begin[k].units;
+        p->functions[names->entry[k]].units[c] += units;
+        if (body)
+            p->functions[names->entry[body - names->cells]].units[c] -= units;
         else
-            sum += cells[k].units;
+            sum += units;
     }
     return sum;
 }
@@ -99,13 +129,15 @@ static int dearest_first(const void *a, const void *b)
 static void collect_functions(struct profile *p, const struct machine *m)
 {
     struct profile_function rest = {.file = "", .function = REST};
-    size_t *entry = zeroed(cell_count(m->sys.nodes[0]), sizeof *entry);
-    name_functions(p, m->sys.nodes[0], entry);
+    struct names names;
+    copy_names(&names, m->sys.nodes[0]);
+    name_functions(p, &names);
     for (uint32_t k = 0; k < m->sys.count; k++) {
         const struct node *n = m->sys.nodes[k];
-        rest.units[class_of(n)] += (int64_t)n->clock.units - add_functions(p, n, entry);
+        rest.units[class_of(n)] += (int64_t)n->clock.units - add_functions(p, n, &names);
     }
-    free(entry);
+    free(names.cells);
+    free(names.entry);
     if (rest.units[PROFILE_OTHERS] || rest.units[PROFILE_ARMED])
         p->functions[p->function_count++] = rest;
     qsort(p->functions, p->function_count, sizeof *p->functions, dearest_first);
