@@ -13,3 +13,13 @@ long ginv(long n)
         g ^= g >> shift;
     return (long)g;
 }
+
+long _gray(long n)
+{
+    return gray(n);
+}
+
+long _ginv(long n)
+{
+    return ginv(n);
+}

@@ -54,11 +54,12 @@ void hsendrecv(long type, const void *buf, long len, long node, long pid, long t
  * the sender itself; -1 may not (silent). */
 void gsendx(long type, const void *buf, long len, const long nodes[], long count);
 
-void msgwait(long id);   /* wait until the send or receive is complete; gives the id back */
-long msgdone(long id);   /* 1 if complete (the id is given back), else 0 */
-void msgcancel(long id); /* withdraw a send or receive that is not complete; gives the id back */
+void msgwait(long id); /* wait until the send or receive is complete; gives the id back */
+long msgdone(long id); /* 1 if complete (the id is given back), else 0 */
+void msgcancel(
+    long id); /* withdraw a receive that is not complete; a send goes on (silent). Gives the id back */
 /* The id is given back as soon as it is complete; the program uses it no more. A message received so is in its buffer
- * after the first NX call that returns after it is complete (silent). */
+ * after the first NX call that takes time and returns when it is complete (silent). */
 void msgignore(long id);
 /* Make two ids one, which is complete when both are; returns it, the first. If one of them is -1, returns the other. What
  * infocount() and its kin say after it is of the receive merged last (silent). An id that is not in use, or twice the

@@ -13,6 +13,7 @@ long _isend(long type, const void *buf, long len, long node, long pid);
 long _irecv(long typesel, void *buf, long len);
 long _hsend(long type, const void *buf, long len, long node, long pid,
             void (*handler)(long, long, long, long));
+/* A message too long for a handler's buffer ends the process: there is no call to return from. */
 long _hrecv(long typesel, void *buf, long len, void (*handler)(long, long, long, long));
 long _csendrecv(long type, const void *buf, long len, long node, long pid, long typesel, void *answer,
                 long room);
@@ -55,6 +56,8 @@ double _dclock(void);
 long _hwclock(esize_t *ticks);
 long _flick(void);
 long _led(long state);
+long _gray(long n);
+long _ginv(long n);
 
 long _mypid(void);
 long _myptype(void);

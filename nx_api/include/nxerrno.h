@@ -1,5 +1,6 @@
 /* nxerrno.h - the errno values of NX, which the calls with an underscore before their names (nx_underscore.h) set. nx.h
- * includes it. The names are NX's; the numbers are this header's own, above those of the C library. */
+ * includes it. The names are NX's; the numbers are this header's own, above those of the C library. No call here sets
+ * EQMEM, EQSET, EQNOSET or EQUSEPID. */
 #ifndef NXERRNO_H
 #define NXERRNO_H
 #include <errno.h>
@@ -14,9 +15,9 @@
 #define EQMID 208     /* no message id in use */
 #define EQMEM 209     /* the node's memory is used up */
 #define EQNOMID 210   /* all message ids are in use */
-#define EQSET 211     /* the process id is set already (does not occur here) */
-#define EQNOSET 212   /* no process id has been set (does not occur here) */
-#define EQUSEPID 213  /* the process id is another process's (does not occur here) */
+#define EQSET 211     /* the process id is set already */
+#define EQNOSET 212   /* no process id has been set */
+#define EQUSEPID 213  /* the process id is another process's */
 #define EQHND 214     /* the handler is a null pointer */
 #define EQNOPROC 215  /* no such process, or no more of them */
 #define EQPARAM 216   /* another parameter is out of range */

@@ -43,7 +43,7 @@ long nxs_killcube(word node, word pid)
     (void)node, (void)pid;
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (i != n->id)
-            node_kill(n, n->sys->nodes[i]);
+            node_end_other(n, n->sys->nodes[i]);
     n->sys->stop = STOP_KILLED;
     node_end_here(n, NODE_KILLED, 0);
 }
@@ -58,9 +58,23 @@ long nxs_killproc(word node, word pid)
                           n->sys->count - 1);
     if (node == (word)n->id)
         node_end_here(n, NODE_KILLED, 0);
-    node_kill(n, n->sys->nodes[node]);
+    node_end_other(n, n->sys->nodes[node]);
     nx_spend_call(n);
     return 0;
+}
+
+/* kill(2), with which a Paragon program ends itself: 0 and -1 are all its processes, and there is no other. */
+int node_kill(int pid, int sig)
+{
+    struct node *n = node_self();
+    if (pid == 0 || pid == -1) {
+        if (sig == 0)
+            return 0;
+        node_enter(n, "kill");
+        nxs_killcube(ALL_NODES, 0);
+    }
+    errno = ESRCH;
+    return -1;
 }
 
 /* --- waiting for ends --- */

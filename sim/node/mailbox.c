@@ -46,7 +46,6 @@ void mailbox_free(struct mailbox *b)
         next = m->next;
         proto_message_free(m);
     }
-    ids_free(&b->ids);
     for (struct due *d = b->due, *next; d; d = next) {
         next = d->next;
         if (d->receive && d->receive->m)
@@ -60,6 +59,7 @@ void mailbox_free(struct mailbox *b)
         if (r->handler)
             free(r);
     }
+    ids_free(&b->ids); /* receives posted are in there */
     free(b);
 }
 

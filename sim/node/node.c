@@ -95,7 +95,7 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
     fiber_finish(n->fiber);
 }
 
-void node_kill(struct node *n, struct node *victim)
+void node_end_other(struct node *n, struct node *victim)
 {
     if (victim->state != NODE_ENDED)
         has_ended(victim, NODE_KILLED, 0, node_now(n));

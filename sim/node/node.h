@@ -154,7 +154,7 @@ void node_leave(struct node *n);
 /* End the program from inside one of its calls; never returns. */
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code);
 /* End another node's program, at the time of the caller. */
-void node_kill(struct node *n, struct node *victim);
+void node_end_other(struct node *n, struct node *victim);
 /* An error in an NX call: sets n->error, and is -1 so that a function can return it. */
 long node_error(struct node *n, int code, const char *fmt, ...) __attribute__((format(printf, 3, 4)));
 /* An error in a plain NX call: message naming call, node, time; ends the process (NX rule) with status 1. */

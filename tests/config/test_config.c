@@ -69,6 +69,17 @@ static void unknown_name_lists_the_known(void **state)
     free(error);
 }
 
+static void hwclock_counts_at_10_mhz_and_on_the_paragon_at_50(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"ipsc860", "delta", "paragon"};
+    for (int i = 0; i < 3; i++) {
+        struct cfg_machine *m = shipped(names[i]);
+        assert_int_equal(m->hwclock_hz, i == 2 ? 50000000 : 10000000);
+        cfg_free(m);
+    }
+}
+
 static void file_systems_are_as_published(void **state)
 {
     (void)state;
@@ -216,6 +227,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ipsc860_adds_up_to_bokhari),
         cmocka_unit_test(delta_is_a_mesh_of_528),
+        cmocka_unit_test(hwclock_counts_at_10_mhz_and_on_the_paragon_at_50),
         cmocka_unit_test(file_systems_are_as_published),
         cmocka_unit_test(unknown_name_lists_the_known),
         cmocka_unit_test(times_are_exact_picoseconds),
