@@ -122,15 +122,34 @@ static void write_frame(const struct spec_picture *c, FILE *out)
         write_tics('y', c->best, c->log_y, out);
 }
 
+/* Tics of a logarithmic axis, near enough to read values by. */
+static void write_log_tics(double low, double high, FILE *out)
+{
+    static const double steps[] = {1, 1.5, 2, 3, 4, 6, 8};
+    const char *comma = "";
+    fputs("set ytics (", out);
+    for (double power = pow(10, floor(log10(low))); power <= high; power *= 10)
+        for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
+            if (power * steps[i] >= low && power * steps[i] <= high) {
+                fprintf(out, "%s%.9g", comma, power * steps[i]);
+                comma = ", ";
+            }
+    fputs(")\n", out);
+}
+
+/* Each panel has its own range; one of less than a factor of two is linear in any case. */
 static void write_range(const struct spec_picture *c, const struct panel *panel, FILE *out)
 {
-    bool log = c->log_y && panel->low > 0;
+    bool log = c->log_y && panel->low > 0 && panel->high >= 2 * panel->low;
     double room = (panel->high - panel->low) / 12 + (panel->high == panel->low);
+    double low = log ? panel->low / 1.15 : panel->low - room,
+           high = log ? panel->high * 1.15 : panel->high + room;
     if (c->best)
         return; /* its axis has set it */
-    fputs(log ? "set logscale y 2\n" : "unset logscale y\n", out);
-    fprintf(out, "set yrange [%.9g:%.9g]\n", log ? panel->low / 1.15 : panel->low - room,
-            log ? panel->high * 1.15 : panel->high + room);
+    fputs(log ? "set logscale y\n" : "unset logscale y\nset ytics autofreq\n", out);
+    if (log)
+        write_log_tics(low, high, out);
+    fprintf(out, "set yrange [%.9g:%.9g]\n", low, high);
 }
 
 static void write_panel(const struct spec_picture *c, size_t number, const struct panel *panel, FILE *out)
@@ -142,7 +161,7 @@ static void write_panel(const struct spec_picture *c, size_t number, const struc
     char title[256];
     snprintf(title, sizeof title, "%s %s", c->panels ? c->panels->name : "", label_of(c->panels, number));
     write_words("set title ", title, out);
-    fputs(lines > 1 ? "set key top left\n" : "unset key\n", out);
+    fputs(lines > 1 ? "set key bmargin center horizontal samplen 1.5 height 1.5\n" : "unset key\n", out);
     write_range(c, panel, out);
     const char *before = "plot";
     for (size_t line = 0; line < lines; line++) {
@@ -151,7 +170,7 @@ static void write_panel(const struct spec_picture *c, size_t number, const struc
         /* Lines that meet are still all seen: the later ones are thinner. */
         double over = (double)(lines - line - 1);
         fprintf(out, "%s $d%zu_%zu with linespoints lw %.1f pt 7 ps %.2f lc rgb '%s' title ", before, number,
-                line, 1.6 + 2 * over, 0.6 + 0.35 * over, colours[line % COLOURS]);
+                line, 1.6 + 1.3 * over, 0.6 + 0.3 * over, colours[line % COLOURS]);
         write_quoted(label_of(c->lines, line), out);
         before = ",";
     }
