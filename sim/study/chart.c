@@ -187,8 +187,8 @@ static void write_page(const struct spec_picture *c, const struct panel panel[],
     char path[4096];
     snprintf(path, sizeof path, "%s/%s.%s", dir, c->file, svg ? "svg" : "png");
     fprintf(out, "set terminal %s size %u,%u font 'Sans,%d'\n",
-            svg ? "svg background rgb 'white'" : "pngcairo", panels == 1 ? 760 : 560 * columns,
-            400 * rows + 40, svg ? 12 : 10);
+            svg ? "svg noenhanced background rgb 'white'" : "pngcairo noenhanced",
+            panels == 1 ? 760 : 560 * columns, 400 * rows + 40, svg ? 12 : 10);
     write_words("set output ", path, out);
     fprintf(out, "set multiplot layout %u,%u title heading font ',13'\n", rows, columns);
     for (size_t i = 0; i < panels; i++)
