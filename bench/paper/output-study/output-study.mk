@@ -6,7 +6,7 @@ $B/bench/output-report: $(OUTPUT_STUDY)/report.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $< -ljansson -lm
 
-output-study: setup ## Run the paper's untabulated experiment, polygons written to disk; about 8 minutes
+output-study: setup ## Run the paper's untabulated experiment, polygons written to disk; 8 minutes on 2 free processors
 	$(SUBMAKE) all $B/bench/output-report
 	for study in $(OUTPUT_FILES:$(OUTPUT_STUDY)/%.cfg=%); do \
 	    $B/touchstone study $(OUTPUT_STUDY)/$$study.cfg -o out/output-study/$$study || exit 1; \
