@@ -19,33 +19,33 @@ static esize_t to(int64_t x)
 
 static int add(int64_t a, int64_t b, int64_t *result)
 {
-    return __builtin_add_overflow(a, b, result) ? EQESIZE : 0;
+    return __builtin_add_overflow(a, b, result) ? ERANGE : 0;
 }
 
 static int subtract(int64_t a, int64_t b, int64_t *result)
 {
-    return __builtin_sub_overflow(a, b, result) ? EQESIZE : 0;
+    return __builtin_sub_overflow(a, b, result) ? ERANGE : 0;
 }
 
 static int multiply(int64_t a, int64_t b, int64_t *result)
 {
-    return __builtin_mul_overflow(a, b, result) ? EQESIZE : 0;
+    return __builtin_mul_overflow(a, b, result) ? ERANGE : 0;
 }
 
 static int divide(int64_t a, int64_t n, int64_t *result)
 {
     if (n == 0)
-        return EQPARAM;
+        return EINVAL;
     if (n == -1) /* the least number has no opposite */
-        return subtract(0, a, result) || *result != (int32_t)*result ? EQESIZE : 0;
+        return subtract(0, a, result) || *result != (int32_t)*result ? ERANGE : 0;
     *result = a / n;
-    return *result == (int32_t)*result ? 0 : EQESIZE;
+    return *result == (int32_t)*result ? 0 : ERANGE;
 }
 
 static int remainder_of(int64_t a, int64_t n, int64_t *result)
 {
     if (n == 0)
-        return EQPARAM;
+        return EINVAL;
     *result = n == -1 ? 0 : a % n;
     return 0;
 }
@@ -57,7 +57,7 @@ static int read(const char *s, int64_t *result)
         return EQPBUF;
     errno = 0;
     *result = strtoll(s, &end, 10);
-    return errno || end == s || *end ? EQESIZE : 0;
+    return errno || end == s || *end ? ERANGE : 0;
 }
 
 /* --- the calls: NAME and _NAME that do one of them --- */

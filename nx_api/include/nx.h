@@ -205,8 +205,8 @@ esize_t emul(esize_t a, long n);
 long ediv(esize_t a, long n);    /* towards 0 */
 long emod(esize_t a, long n);    /* what ediv leaves, with the sign of a */
 long ecmp(esize_t a, esize_t b); /* -1, 0 or 1: less, equal, greater */
-/* Decimal digits, after a sign perhaps. stoe: EQESIZE for anything else, or too large. etos: at most 21 bytes with the
- * terminating 0. A sum or product of more than 64 bits, or a quotient of more than 32: EQESIZE. n = 0: EQPARAM. */
+/* Decimal digits, after a sign perhaps. stoe: ERANGE for anything else, or too large. etos: at most 21 bytes with the
+ * terminating 0. A sum or product of more than 64 bits, or a quotient of more than 32: ERANGE. n = 0: EINVAL. */
 esize_t stoe(const char *s);
 void etos(esize_t a, char *s);
 

@@ -20,7 +20,5 @@
 #define EQUSEPID 213  /* the process id is another process's */
 #define EQHND 214     /* the handler is a null pointer */
 #define EQNOPROC 215  /* no such process, or no more of them */
-#define EQPARAM 216   /* another parameter is out of range */
-#define EQESIZE 217   /* a size does not fit */
 
 #endif

@@ -11,18 +11,15 @@
 #include <vector>
 
 /* One name for each class of operation; CLASS(name) appears as the key `name` of `clocks` in a cpu file. */
-#define NXCC_CLASSES(CLASS)                                                                                  \
-    CLASS(integer)                                                                                           \
-    CLASS(multiply)                                                                                          \
-    CLASS(divide)                                                                                            \
-    CLASS(large_constant)                                                                                    \
-    CLASS(index)                                                                                             \
-    CLASS(bitfield)                                                                                          \
-    CLASS(load)                                                                                              \
-    CLASS(store) CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument) CLASS(fp_add_single)            \
-        CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double) CLASS(fp_divide_single)     \
-            CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double) CLASS(fp_compare)            \
-                CLASS(fp_move) CLASS(convert_integer) CLASS(convert_precision)
+/* clang-format off */
+#define NXCC_CLASSES(CLASS) \
+    CLASS(integer) CLASS(multiply) CLASS(divide) CLASS(large_constant) \
+    CLASS(index) CLASS(bitfield) CLASS(load) CLASS(store) \
+    CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument) \
+    CLASS(fp_add_single) CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double) \
+    CLASS(fp_divide_single) CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double) \
+    CLASS(fp_compare) CLASS(fp_move) CLASS(convert_integer) CLASS(convert_precision)
+/* clang-format on */
 
 struct class_costs {
 #define CLASS(name) int64_t name;

@@ -21,8 +21,6 @@ static const char *const texts[] = {
     [EQUSEPID - EQPBUF] = "the process id is another process's",
     [EQHND - EQPBUF] = "the handler is a null pointer",
     [EQNOPROC - EQPBUF] = "no such process",
-    [EQPARAM - EQPBUF] = "a parameter is out of range",
-    [EQESIZE - EQPBUF] = "a size does not fit",
 };
 
 char *node_strerror(int code)

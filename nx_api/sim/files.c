@@ -210,9 +210,9 @@ static long set_mode(struct node *n, int fd, struct node_file *f, long mode)
     if (mode == M_ASYNC)
         mode = M_UNIX;
     if (mode < M_UNIX || mode > M_RECORD)
-        return node_error(n, EQPARAM, "%s: there is no I/O mode %ld (0 to 3)", descriptor_path(n, fd), mode);
+        return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 3)", descriptor_path(n, fd), mode);
     if (!file && mode != M_UNIX)
-        return node_error(n, EQPARAM, "%s: only files under /cfs have I/O modes other than 0",
+        return node_error(n, EINVAL, "%s: only files under /cfs have I/O modes other than 0",
                           descriptor_path(n, fd));
     if (file && cfs_mode(file) != mode)
         cfs_set_mode(file, (int)mode);

@@ -27,7 +27,7 @@ static void errors(int fd)
     expect("null pointer", _iread(fd, 0, 1), EQPBUF);
     expect("no id", _iowait(3), EQMID);
     expect("no id", _iodone(0), EQMID);
-    expect("no mode", _setiomode(fd, 9), EQPARAM);
+    expect("no mode", _setiomode(fd, 9), EINVAL);
     expect("no such file", _estat("/cfs/none", &st), ENOENT);
     expect("no such file", _estat("/none/at/all", &st), ENOENT);
     at = _eseek(77, five, SIZE_SET);

@@ -23,13 +23,13 @@ int main(void)
            emod(esub(one, big), 7));
     printf("ecmp %ld %ld %ld\n", ecmp(one, big), ecmp(big, big), ecmp(one, least));
     printf("errors");
-    errno = 0, _eadd(least, least), printf(" %d", errno == EQESIZE);
-    errno = 0, _emul(least, 2), printf(" %d", errno == EQESIZE);
-    errno = 0, _ediv(big, 1), printf(" %d", errno == EQESIZE);
-    errno = 0, _ediv(least, -1), printf(" %d", errno == EQESIZE);
-    errno = 0, _emod(big, 0), printf(" %d", errno == EQPARAM);
-    errno = 0, _stoe("12x"), printf(" %d", errno == EQESIZE);
-    errno = 0, _stoe("9223372036854775808"), printf(" %d\n", errno == EQESIZE);
+    errno = 0, _eadd(least, least), printf(" %d", errno == ERANGE);
+    errno = 0, _emul(least, 2), printf(" %d", errno == ERANGE);
+    errno = 0, _ediv(big, 1), printf(" %d", errno == ERANGE);
+    errno = 0, _ediv(least, -1), printf(" %d", errno == ERANGE);
+    errno = 0, _emod(big, 0), printf(" %d", errno == EINVAL);
+    errno = 0, _stoe("12x"), printf(" %d", errno == ERANGE);
+    errno = 0, _stoe("9223372036854775808"), printf(" %d\n", errno == ERANGE);
     ediv(big, 0); /* ends this process with an error */
     return 0;
 }
