@@ -132,6 +132,8 @@ json_t *results_json(const struct results *r)
     struct result_errors all = results_all_errors(r);
     json_t *summary = errors_json(&all);
     struct result_errors fitted = results_fitted_errors(r, true), others = results_fitted_errors(r, false);
+    struct result_errors as_printed = results_row_errors(r);
+    set(summary, "all_rows", errors_json(&as_printed));
     set(summary, "fitted_rows", errors_json(&fitted));
     set(summary, "predicted_rows", errors_json(&others));
     set(summary, "tables", tables);

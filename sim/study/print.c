@@ -138,11 +138,13 @@ void results_print(const struct results *r, FILE *out)
         fprintf(out, "  %s: %s\n", r->runs[i].name, r->runs[i].outcome.error);
     }
 
-    struct result_errors all = results_all_errors(r), fitted = results_fitted_errors(r, true),
-                         others = results_fitted_errors(r, false);
+    struct result_errors rows = results_row_errors(r), all = results_all_errors(r),
+                         fitted = results_fitted_errors(r, true), others = results_fitted_errors(r, false);
     fprintf(out, "\n%sAll tables%s, %zu different runs in %.0f s: ", ink.title, ink.off, r->run_count,
             r->wall_time_s);
     print_errors(out, &all, true);
+    fprintf(out, "  all %zu rows, as printed: ", rows.rows);
+    print_errors(out, &rows, true);
     fprintf(out, "  %zu runs that something was fitted to: ", fitted.rows);
     print_errors(out, &fitted, true);
     fprintf(out, "  %zu predicted: ", others.rows);

@@ -43,8 +43,9 @@ void report_accuracy(const struct results *r, FILE *out)
         accuracy_row(out, name, &e);
         free(name);
     }
-    struct result_errors all = results_all_errors(r), fitted = results_fitted_errors(r, true),
-                         others = results_fitted_errors(r, false);
+    struct result_errors rows = results_row_errors(r), all = results_all_errors(r),
+                         fitted = results_fitted_errors(r, true), others = results_fitted_errors(r, false);
+    accuracy_row(out, "all rows", &rows);
     accuracy_row(out, "all, each run once", &all);
     accuracy_row(out, "of these: something was fitted to them", &fitted);
     accuracy_row(out, "of these: predictions", &others);

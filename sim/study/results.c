@@ -72,6 +72,15 @@ static struct result_errors errors_of(const struct results *r, bool fitted, bool
     return finish(e);
 }
 
+struct result_errors results_row_errors(const struct results *r)
+{
+    struct result_errors e = {0};
+    for (size_t t = 0; t < r->table_count; t++)
+        for (size_t i = 0; i < r->tables[t].table->count; i++)
+            add(&e, &r->tables[t].rows[i], r->tables[t].table->number);
+    return finish(e);
+}
+
 struct result_errors results_all_errors(const struct results *r)
 {
     return errors_of(r, true, true);

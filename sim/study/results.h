@@ -50,6 +50,7 @@ struct result_errors {
     unsigned worst_table;
 };
 struct result_errors results_table_errors(const struct result_table *t);
+struct result_errors results_row_errors(const struct results *r); /* of all rows, as the tables print them */
 /* Of all rows, a run that several tables share counted once; and of those that something was fitted to, and the others.
  */
 struct result_errors results_all_errors(const struct results *r);
