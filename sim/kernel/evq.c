@@ -15,7 +15,7 @@ struct event {
 struct evq {
     struct event *heap;
     size_t length, room;
-    uint64_t sequence, steps;
+    uint64_t sequence;
     vtime now;
 };
 
@@ -115,7 +115,6 @@ bool evq_step(struct evq *q)
     assert(e.time >= q->now);
     remove_first(q);
     q->now = e.time;
-    q->steps++;
     e.fire(e.ctx, e.arg, e.time);
     return true;
 }
@@ -123,9 +122,4 @@ bool evq_step(struct evq *q)
 size_t evq_length(const struct evq *q)
 {
     return q->length;
-}
-
-uint64_t evq_steps(const struct evq *q)
-{
-    return q->steps;
 }

@@ -29,6 +29,4 @@ bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
 /* Takes the earliest event out and lets it happen. False when there is none. */
 bool evq_step(struct evq *q);
 size_t evq_length(const struct evq *q);
-/* Events that have happened. */
-uint64_t evq_steps(const struct evq *q);
 #endif

@@ -112,10 +112,9 @@ void node_order(struct node *n)
 
 void node_enter(struct node *n, const char *call)
 {
-    clock_sync(n);
     n->call = call;
     n->call_has_type = n->awaits = false;
-    n->call_since = node_now(n);
+    n->call_since = clock_sync(n);
     do
         node_order(n);
     while (node_run_handlers(n));

@@ -257,11 +257,6 @@ const char *node_image_path(const struct node_image *img)
 {
     return img->elf->path;
 }
-size_t node_image_bytes(const struct node_image *img)
-{
-    return img->bytes;
-}
-
 static bool map_pages(const struct node_image *img, char *base)
 {
     for (size_t i = 0; i < img->shared_count; i++) {

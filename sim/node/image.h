@@ -15,9 +15,8 @@ struct node_image *node_image_open(const char *path, char **error);
 void node_image_close(struct node_image *img);
 const char *node_image_path(const struct node_image *img);
 
-/* Where in a node's span the program lies: [NODE_IMAGE_OFFSET, NODE_IMAGE_OFFSET + node_image_bytes). Page rounded. */
+/* Where in a node's span the program lies: [NODE_IMAGE_OFFSET, NODE_IMAGE_OFFSET + n->image_bytes). Page rounded. */
 #define NODE_IMAGE_OFFSET ((size_t)0x10000)
-size_t node_image_bytes(const struct node_image *img);
 
 /* Maps the program into n->span, relocates it and sets n->image, n->image_bytes, n->file. n->libc exists already
  * (stdout and its kin are copied from it). */

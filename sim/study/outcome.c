@@ -88,8 +88,13 @@ void outcome_clear(struct outcome *o)
     *o = (struct outcome){0};
 }
 
+double figure_of(const json_t *figures, const char *key)
+{
+    const json_t *value = json_object_get(figures, key);
+    return json_is_number(value) ? json_number_value(value) : NAN;
+}
+
 double outcome_figure(const struct outcome *o, const char *key)
 {
-    json_t *value = o->printed ? json_object_get(o->printed, key) : NULL;
-    return json_is_number(value) ? json_number_value(value) : NAN;
+    return figure_of(o->printed, key);
 }

@@ -19,6 +19,8 @@ struct outcome {
 struct outcome outcome_read(const char *out, const char *json_path, const char *required);
 void outcome_clear(struct outcome *o);
 
+/* The number of that name in an object, which may be NULL; NAN when there is none. */
+double figure_of(const json_t *figures, const char *key);
 /* The printed figure of that name; NAN when there is none. */
 double outcome_figure(const struct outcome *o, const char *key);
 #endif

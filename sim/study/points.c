@@ -1,9 +1,9 @@
 /* points.c - from axes to command lines; see points.h. */
 #include "study/points.h"
 #include "study/condition.h"
+#include "study/outcome.h"
 #include "study/text.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -146,6 +146,5 @@ void points_free(struct points *p)
 
 double points_figure(const struct point *p, const char *key)
 {
-    json_t *value = p->figures ? json_object_get(p->figures, key) : NULL;
-    return json_is_number(value) ? json_number_value(value) : NAN;
+    return figure_of(p->figures, key);
 }
