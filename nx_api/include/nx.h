@@ -131,9 +131,9 @@ void waitall(long node, long pid);
  * EQNOPROC when there is none. */
 void waitone(long node, long pid, long *ended_node, long *ended_pid, long *status);
 
-/* Two more calls are there but not declared, as programs often have functions of their own by these names:
+/* One more call is there but not declared, as programs often have a function of their own by this name:
  *     handler(trap, function)    is accepted; traps are not simulated, the function is never called
- *     load(path, node, pid)      is an error (ENOSYS): no program is loaded while others run */
+ * And those of host programs: host.h. */
 
 /* What a program for the Paragon calls that would start itself on its nodes. It is there already: nx_initve returns the
  * number of nodes, whatever it is asked for, nx_nfork returns 0, as in a child, and nx_waitall 0 at once. nx_load is
@@ -246,4 +246,7 @@ void gcol(const void *x, long len, void *y, long room, long *total);
 }
 #endif
 #include "nx_underscore.h"
+#ifdef __NX_HOST__
+#include "host.h"
+#endif
 #endif

@@ -68,7 +68,6 @@ long _killcube(long node, long pid);
 long _waitall(long node, long pid);
 long _waitone(long node, long pid, long *ended_node, long *ended_pid, long *status);
 long _handler(long trap, void (*function)(void));
-long _load(const char *path, long node, long pid);
 
 /* Files. Errors are the C library's too: EBADF, EINVAL and others. After one, sizes are {-1, -1}. */
 struct iovec;

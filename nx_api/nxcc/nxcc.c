@@ -34,6 +34,7 @@ static const char help[] =
     "    --factors FILE   cost factors of source files or functions: factors = ( { file = \"a.c\"; factor = "
     "1.02; } );\n"
     "    --profile        also count by function, for touchstone run --profile; the times stay the same\n"
+    "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"
     "\n"
@@ -224,6 +225,8 @@ static struct arguments read_arguments(int argc, char **argv)
             a.factors = value;
         } else if (!strcmp(argv[i], "--profile")) {
             a.profile = true;
+        } else if (!strcmp(argv[i], "-host")) {
+            add(&a, "-D__NX_HOST__");
         } else if (!strcmp(argv[i], "--dry-run")) {
             a.dry_run = true;
         } else if (is_one_of(argv[i], with_value) && i + 1 < argc) {

@@ -14,6 +14,7 @@
 #include "node/mailbox.h"
 #include "node/system.h"
 #include "nx_api/include/estat.h"
+#include "nx_api/include/host.h"
 #include "nx_api/include/nx.h"
 
 /* An integer argument. Its C type is long, but only its low 32 bits count, as signed: programs without prototypes pass

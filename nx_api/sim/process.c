@@ -1,6 +1,7 @@
-/* process.c - processes: one on each node, all loaded before the first starts; and their ends. */
+/* process.c - processes, one on each node, and their ends. Without a host program all are loaded before the first starts. */
 #include "nx_api/sim/call.h"
 #include <errno.h>
+#include "node/cube.h"
 
 /* --- their numbers --- */
 
@@ -27,20 +28,26 @@ long nxs_handler(word trap, void (*f)(void))
     return 0;
 }
 
-long nxs_load(const char *path, word node, word pid)
-{
-    (void)node, (void)pid;
-    return node_error(node_self(), ENOSYS,
-                      "%s: no program is loaded while others run: touchstone run loads one on all nodes",
-                      path ? path : "(null)");
-}
-
 /* --- ending --- */
+
+/* There is a host program, which goes on. */
+static long kill_in_cube(struct node *n, word node, bool flush)
+{
+    if (node != ALL_NODES && (node < 0 || node >= (word)n->sys->count))
+        return node_error(n, EQNODE, "there is no node %d (nodes are 0 to %ld; -1 is all)", node,
+                          (long)n->sys->count - 1);
+    cube_kill(n, node, flush);
+    if (!n->is_host && (node == ALL_NODES || node == (word)n->id))
+        node_end_here(n, NODE_KILLED, 0);
+    return 0;
+}
 
 long nxs_killcube(word node, word pid)
 {
     struct node *n = node_self();
     (void)node, (void)pid;
+    if (n->sys->cube)
+        return kill_in_cube(n, node, true);
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (i != n->id)
             node_end_other(n, n->sys->nodes[i]);
@@ -51,6 +58,8 @@ long nxs_killcube(word node, word pid)
 long nxs_killproc(word node, word pid)
 {
     struct node *n = node_self();
+    if (n->sys->cube)
+        return kill_in_cube(n, node, false);
     if (node == ALL_NODES)
         return nxs_killcube(node, pid);
     if (node < 0 || node >= (word)n->sys->count)
@@ -86,7 +95,8 @@ struct awaited {
 
 static bool is_meant(const struct node *n, const struct node *other, word node)
 {
-    return other != n && !other->end_noticed && (node == ALL_NODES || node == (word)other->id);
+    return other != n && !other->end_noticed && other->end != NODE_NOT_LOADED &&
+           (node == ALL_NODES || node == (word)other->id);
 }
 
 static bool one_has_ended(struct node *n, void *arg)

@@ -1,10 +1,11 @@
 /* send.c - csend, isend, hsend and their kin. */
+#include "node/cube.h"
 #include "nx_api/sim/call.h"
 
 long nx_check_send(struct node *n, const struct outgoing *o)
 {
     nx_about(n, o->type);
-    if (nx_check_node(n, o->node) < 0)
+    if (nx_check_node(n, o->node) < 0 || (n->is_host && cube_check_send(n, o->node) < 0))
         return -1;
     if (o->type < 0 || o->type > 1999999999)
         return node_error(n, EQTYPE,
@@ -13,14 +14,19 @@ long nx_check_send(struct node *n, const struct outgoing *o)
     return nx_check_buffer(n, o->buf, o->len);
 }
 
+static uint32_t place_of(const struct node *n, long node)
+{
+    return node == n->sys->count ? n->sys->host->place : (uint32_t)node;
+}
+
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
     struct proto *p = n->sys->proto;
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
-    struct message *m = all ? proto_to_all(p, n->id, o->type, n->pid, o->buf, len)
-                            : proto_message(p, n->id, (uint32_t)o->node, o->type, n->pid, o->buf, len);
-    uint64_t receivers = all ? n->sys->count - 1 : 1;
+    struct message *m = all ? proto_to_all(p, n->place, o->type, n->pid, o->buf, len)
+                            : proto_message(p, n->place, place_of(n, o->node), o->type, n->pid, o->buf, len);
+    uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     n->stats.sent += receivers;
     n->stats.sent_bytes += receivers * len;
     if (!m && s)

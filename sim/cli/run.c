@@ -11,6 +11,7 @@
 
 static const char HELP[] =
     "usage: touchstone run [-m MACHINE] [-n NODES] [options] PROGRAM [ARGS...]\n"
+    "       touchstone run --host HOST [-m MACHINE] [-n NODES] [options] [PROGRAM [ARGS...]]\n"
     "\n"
     "Runs PROGRAM, built by nxcc, on every node of a simulated machine. What the nodes print comes out on "
     "standard\n"
@@ -18,6 +19,11 @@ static const char HELP[] =
     "\n"
     "  -m MACHINE              a machine file (machines/NAME.cfg by its NAME, or a path); default delta\n"
     "  -n NODES                how many nodes; default 1\n"
+    "  --host HOST             run HOST, built by nxcc -host, on the machine's host; it loads the nodes itself: "
+    "load(\"x\")\n"
+    "                          finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. MACHINE is "
+    "ipsc860\n"
+    "                          by default; with -n HOST has its nodes from the start, without it calls getcube\n"
     "  --set KEY=VALUE         a number of the machine file by its dotted path, instead of the file's, such as\n"
     "                          system.interrupt_us=150; may be given several times\n"
     "  --cfs DIR               the files of /cfs are those of this folder (made if missing); without it, of "
@@ -44,7 +50,7 @@ static const char HELP[] =
 enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
 
 struct arguments {
-    const char *machine, *json, *profile, *cfs;
+    const char *machine, *json, *profile, *cfs, *host;
     const char **set; /* ended by NULL */
     uint32_t nodes;
     double max_virtual_s, max_wall_s, slice_s;
@@ -72,9 +78,10 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET, PROFILE };
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET, PROFILE, HOST };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
                                          {"profile", required_argument, NULL, PROFILE},
+                                         {"host", required_argument, NULL, HOST},
                                          {"set", required_argument, NULL, SET},
                                          {"cfs", required_argument, NULL, CFS},
                                          {"max-virtual-time", required_argument, NULL, MAX_VIRTUAL},
@@ -86,7 +93,7 @@ static int parse(int argc, char **argv, struct arguments *a)
                                          {"help", no_argument, NULL, 'h'},
                                          {0}};
     size_t set = 0;
-    *a = (struct arguments){.machine = "delta", .nodes = 1, .set = calloc((size_t)argc + 1, sizeof *a->set)};
+    *a = (struct arguments){.set = calloc((size_t)argc + 1, sizeof *a->set)};
     if (!a->set)
         abort();
     optind = 0;
@@ -105,6 +112,9 @@ static int parse(int argc, char **argv, struct arguments *a)
             break;
         case PROFILE:
             a->profile = optarg;
+            break;
+        case HOST:
+            a->host = optarg;
             break;
         case CFS:
             a->cfs = optarg;
@@ -141,6 +151,13 @@ static int parse(int argc, char **argv, struct arguments *a)
     }
     a->program = argv + optind;
     a->program_count = argc - optind;
+    a->machine = a->machine ? a->machine : a->host ? "ipsc860" : "delta";
+    if (a->host && a->profile)
+        return cli_usage("run",
+                         "--profile is for programs that are on all nodes from the start, not with --host");
+    if (a->host)
+        return 0;
+    a->nodes = a->nodes ? a->nodes : 1;
     return a->program_count ? 0 : cli_usage("run", "which program? (built by nxcc)");
 }
 
@@ -185,6 +202,16 @@ static int unprofiled(const char *program)
     return input_error(error);
 }
 
+/* The host program gets the arguments, its own name in place of the node program's, if that is given. */
+static void give_host(struct machine_options *o, const struct arguments *a)
+{
+    static char *only[2];
+    o->program = a->program_count ? a->program[0] : NULL;
+    o->argc = a->program_count ? a->program_count : 1;
+    o->argv = a->program_count ? a->program : only;
+    o->argv[0] = (char *)(uintptr_t)a->host;
+}
+
 static int run(const struct arguments *a)
 {
     char home[4096], machines[4128], *error = NULL;
@@ -200,6 +227,7 @@ static int run(const struct arguments *a)
                                 .nodes = a->nodes,
                                 .argc = a->program_count,
                                 .argv = a->program,
+                                .host = a->host,
                                 .envp = environ,
                                 .max_virtual_s = a->max_virtual_s,
                                 .max_wall_s = a->max_wall_s,
@@ -207,6 +235,8 @@ static int run(const struct arguments *a)
                                 .cfs_dir = a->cfs,
                                 .out = stdout,
                                 .err = stderr};
+    if (a->host)
+        give_host(&o, a);
     struct machine *m = machine_new(&o, &error);
     int status;
     if (!m) {

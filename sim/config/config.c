@@ -1,6 +1,7 @@
 /* config.c - a machine file's keys, their places in struct cfg_machine, and the ranges they are held to. */
 #include "config/config.h"
 #include "config/cfs.h"
+#include "config/host.h"
 #include "config/reader.h"
 #include "config/set.h"
 
@@ -155,8 +156,8 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
 
 static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
 {
-    static const char *const keys[] = {"name", "description", "topology", "node",
-                                       "net",  "system",      "cfs",      NULL};
+    static const char *const keys[] = {"name",   "description", "topology", "node", "net",
+                                       "system", "cfs",         "host",     NULL};
     const char *name, *description;
     config_setting_t *net, *system;
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "name", &name) ||
@@ -171,7 +172,7 @@ static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
            cfg_group(r, r->root, "system", &system) &&
            read_times(r, system, system_times, COUNT(system_times), "message_ids", 1, 1000000,
                       &m->message_ids, m) &&
-           cfg_read_cfs(r, &m->cfs);
+           cfg_read_cfs(r, &m->cfs) && cfg_read_host(r, m);
 }
 
 static int is_machine(const struct dirent *e)

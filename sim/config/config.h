@@ -38,6 +38,18 @@ struct cfg_cfs {
     uint64_t pointer_ps; /* shared file pointers, sizes */
 };
 
+/* host = { ... }: the System Resource Manager, which runs host programs. clock_hz 0: the machine has none. */
+struct cfg_host {
+    uint64_t
+        clock_hz; /* clocks of a node's processor that its own does in a second: clock_mhz / cpu_factor */
+    uint64_t memory_bytes; /* for a program, its stack included */
+    uint64_t system_milli; /* its system takes so many thousandths of a node's time for everything; >= 1000 */
+    uint64_t link_ps;      /* the link between it and node 0: each trip, beside the hops */
+    uint64_t link_ps_per_byte; /* never less than between nodes */
+    uint64_t load_ps;          /* load(): beside the program's bytes on the link */
+    uint64_t cube_ps;          /* getcube, relcube, killcube and their kin */
+};
+
 struct cfg_machine {
     char *name;        /* "delta" */
     char *description; /* one line for people */
@@ -83,6 +95,7 @@ struct cfg_machine {
     uint64_t message_ids;         /* ids one process may hold */
 
     struct cfg_cfs cfs;
+    struct cfg_host host;
 };
 
 /* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.

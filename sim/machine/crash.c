@@ -138,7 +138,7 @@ char *crash_report(const struct crash_guard *g)
     char *text = NULL;
     size_t size;
     FILE *f = open_memstream(&text, &size);
-    fprintf(f, "node %u crashed at or soon after %.9f s, %s%s: ", n->id, vt_seconds(node_now(n)),
+    fprintf(f, "%s crashed at or soon after %.9f s, %s%s: ", n->name, vt_seconds(node_now(n)),
             n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, g);
     if (!in_program(n, g->frames[0]))

@@ -9,6 +9,7 @@
 #include "machine/crash.h"
 #include "machine/places.h"
 #include "node/cpu.h"
+#include "node/cube.h"
 #include "node/image.h"
 
 static double wall_clock(void)
@@ -20,14 +21,39 @@ static double wall_clock(void)
 
 /* --- putting together --- */
 
+/* Those there are room for. */
+static uint32_t nodes_of(const struct machine_options *o)
+{
+    const struct cfg_machine *c = o->cfg;
+    if (o->nodes)
+        return o->nodes;
+    return c->topology == CFG_HYPERCUBE ? UINT32_C(1) << c->dimension : c->rows * c->columns;
+}
+
+static bool has_host(const struct machine *m, char **error)
+{
+    const struct cfg_machine *c = m->options.cfg;
+    if (!m->options.host || c->host.clock_hz)
+        return true;
+    if (asprintf(
+            error,
+            "%s has no host (its machine file, %s, has no group host): run the host program on an iPSC/860, "
+            "-m ipsc860",
+            c->name, c->path) < 0)
+        abort();
+    return false;
+}
+
 static bool make_shape(struct machine *m, char **error)
 {
     const struct cfg_machine *c = m->options.cfg;
-    uint32_t n = m->options.nodes;
+    uint32_t n = m->sys.count;
     bool cube = c->topology == CFG_HYPERCUBE;
     if (cube ? topo_hypercube(&m->sys.topo, n, c->dimension)
              : topo_mesh(&m->sys.topo, n, c->rows, c->columns)) {
         topo_add_services(&m->sys.topo, cfs_services(c));
+        if (m->options.host)
+            topo_add_host(&m->sys.topo);
         return true;
     }
     int r = cube ? asprintf(error, "%s has no %u nodes: it is a hypercube of at most %u", c->name, n,
@@ -56,18 +82,38 @@ static bool make_file_system(struct machine *m, char **error)
     return s->cfs;
 }
 
+/* The host program, and nodes without programs. */
+static bool make_host(struct machine *m, char **error)
+{
+    const struct machine_options *o = &m->options;
+    struct node_system *s = &m->sys;
+    cube_new(s, &(struct cube_options){.most = s->count,
+                                       .given = o->nodes > 0,
+                                       .program = o->program,
+                                       .host = o->argv[0],
+                                       .envp = o->envp});
+    s->host = node_new_host(s, topo_host(&s->topo), m->image, o->argc, o->argv, o->envp, error);
+    if (!s->host)
+        return false;
+    s->running = 1;
+    node_start(s->host, 0);
+    return true;
+}
+
 static bool make_nodes(struct machine *m, char **error)
 {
     struct node_system *s = &m->sys;
     m->image = node_image_open(m->options.argv[0], error);
     if (!m->image)
         return false;
+    if (m->options.host)
+        return make_host(m, error);
     s->nodes = calloc(s->count, sizeof *s->nodes);
     for (uint32_t i = 0; i < s->count; i++) {
         s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);
         if (!s->nodes[i])
             return false;
-        node_start(s->nodes[i]);
+        node_start(s->nodes[i], 0);
     }
     return true;
 }
@@ -81,12 +127,12 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     m->options = *options;
     struct node_system *s = &m->sys;
     s->cfg = options->cfg;
-    s->count = s->running = options->nodes;
+    s->count = s->running = nodes_of(options);
     s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
     s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : VT_SECOND / 10;
     s->out[0] = options->out, s->out[1] = options->err;
     s->q = evq_new();
-    if (!make_shape(m, error))
+    if (!has_host(m, error) || !make_shape(m, error))
         goto fail;
     struct proto_nodes up = places_calls(s);
     s->proto = proto_new(s->cfg, &s->topo, s->q, &up);
@@ -104,8 +150,10 @@ void machine_free(struct machine *m)
     if (!m)
         return;
     /* Latest first: the C library finds the streams made last soonest. */
-    for (uint32_t i = m->sys.nodes ? m->sys.count : 0; i-- > 0;)
+    node_delete(m->sys.host);
+    for (uint32_t i = m->sys.nodes && !m->sys.cube ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);
+    cube_free(m->sys.cube);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
     proto_free(m->sys.proto);
@@ -162,8 +210,10 @@ static void run_guarded(struct machine *m)
 
 static void describe_waiting(FILE *f, const struct node *n)
 {
-    fprintf(f, "\n  node %u: ", n->id);
-    if (n->state == NODE_ENDED)
+    fprintf(f, "\n  %s: ", n->name);
+    if (n->end == NODE_NOT_LOADED)
+        fprintf(f, "no program");
+    else if (n->state == NODE_ENDED)
         fprintf(f, "ended at %.9f s", vt_seconds(n->stats.ended_at));
     else if (!n->call)
         fprintf(f, "computing");
@@ -179,19 +229,26 @@ static char *describe(const struct machine *m, const char *what)
     size_t size;
     FILE *f = open_memstream(&text, &size);
     fprintf(f, "%s", what);
+    if (m->sys.host)
+        describe_waiting(f, m->sys.host);
     for (uint32_t i = 0; i < m->sys.count; i++)
         describe_waiting(f, m->sys.nodes[i]);
     fclose(f);
     return text;
 }
 
+static bool exited_badly(const struct node *n)
+{
+    return n->end == NODE_EXITED && n->exit_code != 0;
+}
+
 /* The first node that called exit or abort with an error; NULL none. */
 static struct node *bad_exit(const struct machine *m)
 {
     for (uint32_t i = 0; i < m->sys.count; i++)
-        if (m->sys.nodes[i]->end == NODE_EXITED && m->sys.nodes[i]->exit_code != 0)
+        if (exited_badly(m->sys.nodes[i]))
             return m->sys.nodes[i];
-    return NULL;
+    return m->sys.host && exited_badly(m->sys.host) ? m->sys.host : NULL;
 }
 
 static void judge(struct machine *m)
@@ -206,15 +263,29 @@ static void judge(struct machine *m)
     } else if (bad) {
         m->outcome = MACHINE_FAILED;
         char *first;
-        if (asprintf(&first, "node %u ended at %.9f s with exit(%d)", bad->id,
-                     vt_seconds(bad->stats.ended_at), bad->exit_code) < 0)
+        if (asprintf(&first, "%s ended at %.9f s with exit(%d)", bad->name, vt_seconds(bad->stats.ended_at),
+                     bad->exit_code) < 0)
             abort();
         m->message = s->running ? describe(m, first) : strdup(first);
         free(first);
+    } else if (s->running && s->host && s->host->state == NODE_ENDED) {
+        m->message = describe(m, "the host program has ended; what still waits on its nodes is killed");
     } else if (s->running && s->stop != STOP_KILLED) {
         m->outcome = MACHINE_DEADLOCK;
         m->message = describe(m, "deadlock: every program waits, and no message is under way");
     }
+}
+
+uint32_t machine_nodes(const struct machine *m)
+{
+    return m->sys.cube ? cube_most(m->sys.cube) : m->sys.count;
+}
+
+static void note_end(struct machine *m, struct node *n)
+{
+    if (n->state != NODE_ENDED)
+        n->stats.ended_at = node_now(n);
+    m->end = vt_max(m->end, n->stats.ended_at);
 }
 
 void machine_run(struct machine *m)
@@ -230,12 +301,10 @@ void machine_run(struct machine *m)
         sigwait(&keyboard, &taken);
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
-    for (uint32_t i = 0; i < m->sys.count; i++) {
-        struct node *n = m->sys.nodes[i];
-        if (n->state != NODE_ENDED)
-            n->stats.ended_at = node_now(n);
-        m->end = vt_max(m->end, n->stats.ended_at);
-    }
+    for (uint32_t i = 0; i < machine_nodes(m); i++)
+        note_end(m, m->sys.nodes[i]);
+    if (m->sys.host)
+        note_end(m, m->sys.host);
     judge(m);
     m->wall_s = wall_clock() - begin;
 }

@@ -5,8 +5,10 @@
 
 struct machine_options {
     const struct cfg_machine *cfg;
-    uint32_t nodes;
-    int argc; /* of the program; argv[0] is its path */
+    uint32_t nodes;      /* 0, with host: all that the machine has, and the host program gets some of them */
+    bool host;           /* the program is one for the host, which gets nodes and loads others on them */
+    const char *program; /* with host: what it may find by name, whatever the folder; NULL: nothing */
+    int argc;            /* of the program; argv[0] is its path */
     char **argv, **envp;
     double max_virtual_s; /* 0: none */
     double max_wall_s;    /* 0: none */
@@ -31,5 +33,7 @@ struct machine {
 struct machine *machine_new(const struct machine_options *options, char **error);
 /* Runs it until all programs have ended or something stops it; sets outcome and message. */
 void machine_run(struct machine *m);
+/* Nodes that there are in a report: all, or those that a host program has ever had. */
+uint32_t machine_nodes(const struct machine *m);
 void machine_free(struct machine *m);
 #endif

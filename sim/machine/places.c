@@ -1,23 +1,28 @@
-/* places.c - see places.h. Places below the number of nodes are nodes; a message between a node and a service is known
+/* places.c - see places.h. Places are nodes, services, or the host (topo.h); a message between a node and a service is known
  * by m->service, in both directions. */
 #include "machine/places.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"
 
+static bool is_service(const struct node_system *sys, uint32_t place)
+{
+    return place >= sys->topo.positions && !topo_is_host(&sys->topo, place);
+}
+
 static vtime work(void *ctx, uint32_t place, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
-    return place < sys->count ? node_work(ctx, place, task, at, t) : cfs_work(sys->cfs, place, at, t);
+    return is_service(sys, place) ? cfs_work(sys->cfs, place, at, t) : node_work(ctx, place, task, at, t);
 }
 
 /* A service's processor is no program's: moving bytes is work like any other. */
 static void move(void *ctx, uint32_t place, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
-    if (place < sys->count)
-        node_move(ctx, place, task, t);
-    else
+    if (is_service(sys, place))
         cfs_work(sys->cfs, place, at, t);
+    else
+        node_move(ctx, place, task, t);
 }
 
 static bool envelope(void *ctx, struct message *m, vtime now)

@@ -52,6 +52,23 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
     return horizon;
 }
 
+void proto_set_nodes(struct proto *p, uint32_t n)
+{
+    p->topo.nodes = n;
+}
+
+void proto_forget(struct proto *p, uint32_t node, bool all)
+{
+    for (struct message *m = p->out[node]; m; m = m->next_out)
+        m->send = NULL;
+    for (struct message *m = p->in[node]; m; m = m->next_in) {
+        if (m->service)
+            continue;
+        m->unwanted = m->unwanted || all || m->receive;
+        m->receive = NULL;
+    }
+}
+
 /* --- sending --- */
 
 static void ask_arrives(void *ctx, void *arg, vtime now);

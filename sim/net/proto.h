@@ -20,6 +20,7 @@
  *     0 ---------> 2            4 --> 6      2nd
  *     0 -> 1       2 -> 3       4 -> 5  6 -> 7   3rd
  *
+ * The host sends to node 0 only, which is then the root of the tree; a node's message to all does not go to the host.
  * A node's operating system passes a message on, whether its program has asked for it or not, before it gives it to the
  * program. That NX takes log2 N steps is known; where in the kernel a message is passed on, and the order, are open.
  *
@@ -105,6 +106,11 @@ void proto_send(struct proto *p, struct message *m, vtime at);
  * proto_send. NULL if there is no other node. */
 struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
                              size_t bytes);
+/* From now on all nodes are the first n of the cube. Not more than it was made for. */
+void proto_set_nodes(struct proto *p, uint32_t n);
+/* A node's program is gone. Messages that it has sent go on, but nobody asks for its buffers any more; those on their way
+ * to it are thrown away when they come: all, or only those that one of its receives has selected. */
+void proto_forget(struct proto *p, uint32_t node, bool all);
 /* Room has been found for a message whose envelope was answered with false. */
 void proto_grant(struct proto *p, struct message *m, vtime now);
 /* The receiver is done with it, or it is not wanted. */

@@ -9,9 +9,20 @@ static vtime hops_time(const struct message *m, vtime per_hop)
     return topo_hops(&m->proto->topo, m->from, m->to) * per_hop;
 }
 
+/* Does it use the host's link? */
+static bool is_hosts(const struct message *m)
+{
+    return topo_is_host(&m->proto->topo, m->from) || topo_is_host(&m->proto->topo, m->to);
+}
+
+static vtime link_time(const struct message *m)
+{
+    return is_hosts(m) ? m->proto->cfg->host.link_ps : 0;
+}
+
 vtime proto_trip(const struct message *m)
 {
-    return hops_time(m, m->proto->cfg->long_hop_ps);
+    return link_time(m) + hops_time(m, m->proto->cfg->long_hop_ps);
 }
 
 bool proto_one_trip(const struct proto *p, int64_t type, size_t bytes)
@@ -101,8 +112,11 @@ struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, i
     bool small = bytes <= c->short_limit;
     m->transit =
         (struct wire_transit){.from = from, .to = to, .started = proto_started, .done = proto_done, .ctx = m};
-    vtime hops = hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
-    m->transit.duration = hops + bytes * (small ? c->short_ps_per_byte : c->long_ps_per_byte);
+    vtime hops = link_time(m) + hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
+    vtime per_byte = is_hosts(m) ? c->host.link_ps_per_byte
+                     : small     ? c->short_ps_per_byte
+                                 : c->long_ps_per_byte;
+    m->transit.duration = hops + bytes * per_byte;
     m->transit.holds = c->channel_ps_per_byte ? hops + bytes * c->channel_ps_per_byte : 0;
     return m;
 }

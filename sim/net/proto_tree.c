@@ -4,7 +4,7 @@
 /* What does not change between the messages of one tree. */
 struct tree {
     struct proto *p;
-    uint32_t root;
+    uint32_t root, source; /* source: the root, or the host that has it done by node 0 */
     int64_t type, pid;
     void *data;
     size_t bytes;
@@ -28,8 +28,8 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
             half *= 2;
         struct message *m = proto_message_new(t->p, tree_node(t, i), tree_node(t, i + half), t->type, t->pid,
                                               t->data, t->bytes);
-        m->source = t->root;
-        if (i > 0) {
+        m->source = t->source;
+        if (i > 0 || t->source != t->root) {
             m->at_sender = PROTO_NOTHING;
             m->at_receiver = proto_after(vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps));
             proto_link(t->p, m);
@@ -45,9 +45,15 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
 struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
                              size_t bytes)
 {
-    if (p->topo.nodes < 2)
+    bool host = topo_is_host(&p->topo, from);
+    if (p->topo.nodes < (host ? 1 : 2))
         return NULL;
-    struct tree t = {.p = p, .root = from, .type = type, .pid = pid, .bytes = bytes};
+    struct tree t = {
+        .p = p, .root = host ? 0 : from, .source = from, .type = type, .pid = pid, .bytes = bytes};
     t.data = proto_payload(data, bytes);
-    return tree_messages(&t, 0, p->topo.nodes);
+    if (!host)
+        return tree_messages(&t, 0, p->topo.nodes);
+    struct message *m = proto_message_new(p, from, 0, type, pid, t.data, bytes);
+    m->pass_on = tree_messages(&t, 0, p->topo.nodes);
+    return m;
 }

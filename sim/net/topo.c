@@ -53,6 +53,14 @@ void topo_add_services(struct topo *t, uint32_t n)
     t->channels += routers * (t->rows ? MESH_SERVICE : CUBE_SERVICE);
 }
 
+void topo_add_host(struct topo *t)
+{
+    assert(!t->rows && !t->host);
+    t->host = true;
+    t->places++;
+    t->channels += CUBE_SERVICE;
+}
+
 /* --- the mesh, with its added columns --- */
 
 struct spot {
@@ -77,6 +85,8 @@ static uint32_t cube_node(const struct topo *t, uint32_t place)
 {
     if (place < t->positions)
         return place;
+    if (topo_is_host(t, place))
+        return 0;
     return (uint32_t)((uint64_t)(place - t->positions) * t->positions / t->services);
 }
 

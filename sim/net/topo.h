@@ -27,7 +27,8 @@ struct topo {
     uint32_t rows, columns; /* mesh: the rectangle; hypercube: 0 */
     uint32_t positions;     /* nodes of the whole cube or rectangle, >= nodes */
     uint32_t services;      /* places positions .. positions + services - 1 */
-    uint32_t places;        /* numbers in use for nodes and services: 0 .. places - 1 */
+    bool host;       /* the last place is the host's: on a channel (one each way) of its own from node 0 */
+    uint32_t places; /* numbers in use for nodes, services and host: 0 .. places - 1 */
     uint32_t channels;
 };
 
@@ -39,6 +40,17 @@ bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns);
 
 /* Adds n services to a shape that has none. */
 void topo_add_services(struct topo *t, uint32_t n);
+
+/* Adds the host to a hypercube, after its services; its place is topo_host(). */
+void topo_add_host(struct topo *t);
+static inline uint32_t topo_host(const struct topo *t)
+{
+    return t->places - 1;
+}
+static inline bool topo_is_host(const struct topo *t, uint32_t place)
+{
+    return t->host && place == topo_host(t);
+}
 
 /* Hops between two places, ports not counted. */
 uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);

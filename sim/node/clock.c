@@ -8,7 +8,7 @@
 
 vtime clock_of_units(const struct node *n, uint64_t units)
 {
-    uint64_t units_per_second = n->sys->cfg->clock_hz * UNITS_PER_CLOCK;
+    uint64_t units_per_second = n->clock_hz * UNITS_PER_CLOCK;
     if (VT_SECOND % units_per_second == 0)
         return units * (VT_SECOND / units_per_second);
     return (vtime)((unsigned __int128)units * VT_SECOND / units_per_second);
@@ -16,7 +16,7 @@ vtime clock_of_units(const struct node *n, uint64_t units)
 
 static uint64_t units_of_time(const struct node *n, vtime t)
 {
-    uint64_t units_per_second = n->sys->cfg->clock_hz * UNITS_PER_CLOCK;
+    uint64_t units_per_second = n->clock_hz * UNITS_PER_CLOCK;
     return (uint64_t)(((unsigned __int128)t * units_per_second + VT_SECOND - 1) / VT_SECOND);
 }
 

@@ -33,7 +33,7 @@ static void go_on(void *ctx, void *arg, vtime now)
     if (n->clock.stolen) {
         vtime until = now + n->clock.stolen;
         n->clock.stolen = 0;
-        evq_put_late(n->sys->q, until, n->id, go_on, n, NULL);
+        evq_put_late(n->sys->q, until, n->place, go_on, n, NULL);
         return;
     }
     resume(n, now);
@@ -49,18 +49,24 @@ static void wake(void *ctx, void *arg, vtime now)
 
 void node_wake(struct node *n, vtime t)
 {
-    evq_put_late(n->sys->q, t, n->id, wake, n, NULL);
+    evq_put_late(n->sys->q, t, n->place, wake, n, NULL);
 }
 
-void node_start(struct node *n)
+void node_start(struct node *n, vtime t)
 {
-    evq_put_late(n->sys->q, 0, n->id, go_on, n, NULL);
+    evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
 }
 
 static void account(struct node *n, enum node_task task, vtime t)
 {
     n->stats.tasks[task] += t;
     n->stats.system += t;
+}
+
+/* What takes a node's system t takes the host's so long. */
+static vtime system_time(const struct node *n, vtime t)
+{
+    return n->is_host ? t * n->sys->cfg->host.system_milli / 1000 : t;
 }
 
 /* The system has the processor for t, beside or instead of the program. */
@@ -76,7 +82,8 @@ static void steal(struct node *n, enum node_task task, vtime t)
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
-    struct node *n = sys->nodes[node];
+    struct node *n = node_at(sys, node);
+    t = system_time(n, t);
     n->sys_free = vt_max(at, n->sys_free) + t;
     steal(n, task == PROTO_SEND ? NODE_SENDING : NODE_RECEIVING, t);
     return n->sys_free;
@@ -85,7 +92,8 @@ vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime 
 void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
 {
     struct node_system *sys = ctx;
-    steal(sys->nodes[node], task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, t);
+    struct node *n = node_at(sys, node);
+    steal(n, task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, system_time(n, t));
 }
 
 /* --- the program's side --- */
@@ -94,8 +102,8 @@ void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
 static bool must_stop(struct node *n, vtime now)
 {
     if (now > n->sys->max_time && !n->sys->stop)
-        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by node %u%s%s",
-                         vt_seconds(n->sys->max_time), n->id, n->call ? " in " : " computing",
+        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by %s%s%s",
+                         vt_seconds(n->sys->max_time), n->name, n->call ? " in " : " computing",
                          n->call ? n->call : "");
     return n->sys->stop || ++n->sys->unseen > MOST_UNSEEN;
 }
@@ -103,8 +111,8 @@ static bool must_stop(struct node *n, vtime now)
 void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
-    while (n->clock.stolen || !evq_late_is_first(n->sys->q, now, n->id) || must_stop(n, now)) {
-        evq_put_late(n->sys->q, now, n->id, go_on, n, NULL);
+    while (n->clock.stolen || !evq_late_is_first(n->sys->q, now, n->place) || must_stop(n, now)) {
+        evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
         fiber_yield(n->fiber);
         now = clock_sync(n);
     }
@@ -122,6 +130,7 @@ void node_enter(struct node *n, const char *call)
 
 void node_spend_on(struct node *n, enum node_task task, vtime t)
 {
+    t = system_time(n, t);
     clock_advance_to(n, clock_sync(n) + t);
     account(n, task, t);
 }
@@ -137,7 +146,7 @@ static vtime deadline(struct node *n, vtime now)
         vt_min(now + n->sys->longest_slice, n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1);
     if (!mailbox_armed(n))
         return slice;
-    vtime due = vt_min(mailbox_next_due(n), proto_horizon(n->sys->proto, n->id, evq_next(n->sys->q)));
+    vtime due = vt_min(mailbox_next_due(n), proto_horizon(n->sys->proto, n->place, evq_next(n->sys->q)));
     return vt_min(slice, due);
 }
 

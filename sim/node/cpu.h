@@ -21,6 +21,6 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
 void node_wake(struct node *n, vtime t);
 /* Run the handlers that are due. True if any ran. */
 bool node_run_handlers(struct node *n);
-/* Scheduler: put the node's start into the queue. */
-void node_start(struct node *n);
+/* Scheduler: put the node's start, at time t, into the queue. */
+void node_start(struct node *n, vtime t);
 #endif

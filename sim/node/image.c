@@ -257,6 +257,12 @@ const char *node_image_path(const struct node_image *img)
 {
     return img->elf->path;
 }
+
+size_t node_image_load_bytes(const struct node_image *img)
+{
+    return img->data_at + img->template_bytes;
+}
+
 static bool map_pages(const struct node_image *img, char *base)
 {
     for (size_t i = 0; i < img->shared_count; i++) {
@@ -293,8 +299,7 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
 {
     char *base = n->span + NODE_IMAGE_OFFSET;
     if (!map_pages(img, base))
-        return elf_fail(error, "%s: cannot be loaded into node %u: %s%s", img->elf->path, n->id,
-                        strerror(errno),
+        return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->name, strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
     fill_data(img, n, base);
     n->file = img;

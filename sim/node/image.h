@@ -14,6 +14,8 @@ struct node_image;
 struct node_image *node_image_open(const char *path, char **error);
 void node_image_close(struct node_image *img);
 const char *node_image_path(const struct node_image *img);
+/* What has to be brought to a node: text, constants and initialised data. */
+size_t node_image_load_bytes(const struct node_image *img);
 
 /* Where in a node's span the program lies: [NODE_IMAGE_OFFSET, NODE_IMAGE_OFFSET + n->image_bytes). Page rounded. */
 #define NODE_IMAGE_OFFSET ((size_t)0x10000)

@@ -38,14 +38,8 @@ struct mailbox *mailbox_new(uint32_t ids)
     return b;
 }
 
-void mailbox_free(struct mailbox *b)
+static void free_due(struct mailbox *b)
 {
-    if (!b)
-        return;
-    for (struct message *m = b->unexpected, *next; m; m = next) {
-        next = m->next;
-        proto_message_free(m);
-    }
     for (struct due *d = b->due, *next; d; d = next) {
         next = d->next;
         if (d->receive && d->receive->m)
@@ -54,11 +48,28 @@ void mailbox_free(struct mailbox *b)
         free(d->send);
         free(d);
     }
+}
+
+/* Those that the program did not make on its stack, or with an id. */
+static void free_posted(struct mailbox *b)
+{
     for (struct receive *r = b->posted, *next; r; r = next) {
         next = r->next;
         if (r->handler)
             free(r);
     }
+}
+
+void mailbox_free(struct mailbox *b)
+{
+    if (!b)
+        return;
+    for (struct message *m = b->unexpected, *next; m; m = next) {
+        next = m->next;
+        proto_message_free(m);
+    }
+    free_due(b);
+    free_posted(b);
     ids_free(&b->ids); /* receives posted are in there */
     free(b);
 }
@@ -74,9 +85,10 @@ bool mailbox_selects(int64_t typesel, int64_t type)
     return typesel >> (type < 30 ? type : 30) & 1;
 }
 
-static bool selects(const struct selector *s, const struct message *m)
+static bool selects(const struct node *n, const struct selector *s, const struct message *m)
 {
-    return mailbox_selects(s->type, m->type) && (s->node < 0 || s->node == (long)m->source) &&
+    return mailbox_selects(s->type, m->type) &&
+           (s->node < 0 || s->node == (long)node_number(n->sys, m->source)) &&
            (s->pid < 0 || s->pid == m->pid);
 }
 
@@ -176,11 +188,13 @@ static void give(struct receive *r, struct message *m)
 
 bool mailbox_envelope(void *ctx, struct message *m, vtime now)
 {
-    struct node *n = ((struct node_system *)ctx)->nodes[m->to];
+    struct node *n = node_at(ctx, m->to);
     struct mailbox *b = n->mailbox;
     (void)now;
+    if (m->unwanted)
+        return true;
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
-        if (!selects(&(*link)->select, m))
+        if (!selects(n, &(*link)->select, m))
             continue;
         give(*link, m);
         unpost(b, link);
@@ -212,7 +226,7 @@ void node_system_digest(struct node_system *sys, const struct message *m, vtime 
 void mailbox_arrived(void *ctx, struct message *m, vtime now)
 {
     struct node_system *sys = ctx;
-    struct node *n = sys->nodes[m->to];
+    struct node *n = node_at(sys, m->to);
     struct receive *r = m->receive;
     sys->messages++;
     sys->bytes += m->bytes;
@@ -227,7 +241,7 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
 
 void mailbox_sent(void *ctx, struct message *m, vtime now)
 {
-    struct node *n = ((struct node_system *)ctx)->nodes[m->from];
+    struct node *n = node_at(ctx, m->from);
     struct send *s = m->send;
     if (!s)
         return;
@@ -252,7 +266,7 @@ void mailbox_post(struct node *n, struct receive *r)
     struct mailbox *b = n->mailbox;
     for (struct message **link = &b->unexpected; *link; link = &(*link)->next) {
         struct message *m = *link;
-        if (!selects(&r->select, m))
+        if (!selects(n, &r->select, m))
             continue;
         unkeep(b, link);
         give(r, m);
@@ -292,7 +306,7 @@ bool mailbox_complete(struct node *n, const struct receive *r)
 
 void mailbox_tell(struct node *n, const struct message *m, long info[])
 {
-    n->info = (struct node_info){(long)m->type, (long)m->bytes, m->source, (long)m->pid};
+    n->info = (struct node_info){(long)m->type, (long)m->bytes, node_number(n->sys, m->source), (long)m->pid};
     if (info)
         info[0] = n->info.type, info[1] = n->info.count, info[2] = n->info.node, info[3] = n->info.pid;
 }
@@ -302,9 +316,9 @@ long mailbox_take(struct node *n, struct receive *r)
     struct message *m = r->m;
     long result = 0;
     if (m->bytes > r->room)
-        result = node_error(n, EQMSGLONG,
-                            "the message of type %ld from node %u has %zu bytes, but the buffer only %zu",
-                            (long)m->type, m->source, m->bytes, r->room);
+        result =
+            node_error(n, EQMSGLONG, "the message of type %ld from %s has %zu bytes, but the buffer only %zu",
+                       (long)m->type, node_at(n->sys, m->source)->name, m->bytes, r->room);
     else if (m->bytes)
         memcpy(r->buf, m->data, m->bytes);
     if (m->buffered && result == 0)
@@ -322,7 +336,7 @@ const struct message *mailbox_probe(struct node *n, const struct selector *selec
 {
     vtime now = node_now(n);
     for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
-        if (selects(select, m) && m->arrived && m->complete <= now)
+        if (selects(n, select, m) && m->arrived && m->complete <= now)
             return m;
     return NULL;
 }
@@ -358,6 +372,40 @@ void mailbox_flush(struct node *n, int64_t typesel, vtime now)
         next = m->next;
         throw_away(n, m, now);
     }
+}
+
+/* --- when a program is gone --- */
+
+void mailbox_empty(struct node *n, vtime now)
+{
+    struct message **link = &n->mailbox->unexpected;
+    while (*link) {
+        struct message *m = *link;
+        unkeep(n->mailbox, link);
+        throw_away(n, m, now);
+    }
+}
+
+void mailbox_abandon(struct node *n)
+{
+    struct mailbox *b = n->mailbox;
+    free_due(b);
+    free_posted(b);
+    b->posted = NULL, b->posted_end = &b->posted;
+    b->due = NULL, b->due_end = &b->due;
+}
+
+void mailbox_inherit(struct node *n, struct node *before)
+{
+    struct mailbox *old = before->mailbox;
+    for (struct message *m = old->unexpected, *next; m; m = next) {
+        next = m->next;
+        keep(n->mailbox, m);
+    }
+    n->mailbox->waiting = old->waiting;
+    n->buffered = before->buffered;
+    old->unexpected = NULL, old->unexpected_end = &old->unexpected;
+    node_memory_changed(n);
 }
 
 /* --- handlers --- */

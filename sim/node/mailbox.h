@@ -64,6 +64,12 @@ const struct message *mailbox_probe(struct node *n, const struct selector *selec
 /* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
 void mailbox_flush(struct node *n, int64_t typesel, vtime now);
 
+/* The node's program is gone, and what it has posted, too. Then: throw away all unexpected messages; or hand them to the
+ * node's next program. */
+void mailbox_abandon(struct node *n);
+void mailbox_empty(struct node *n, vtime now);
+void mailbox_inherit(struct node *n, struct node *before);
+
 /* Follow a message for s until its buffer is free. */
 void mailbox_follow(struct message *m, struct send *s);
 

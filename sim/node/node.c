@@ -21,11 +21,14 @@ enum { PAGE = 4096 };
 
 size_t node_memory_limit(const struct node *n)
 {
-    return n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
+    return n->is_host ? n->sys->cfg->host.memory_bytes
+                      : n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
 }
 
 size_t node_memory_used(const struct node *n)
 {
+    if (!n->heap)
+        return n->buffered; /* no program */
     return n->image_bytes + n->sys->cfg->stack_bytes + node_heap_used(n->heap) + n->buffered;
 }
 
@@ -70,8 +73,16 @@ static bool time_adds_up(const struct node *n)
         tasks += s->tasks[i];
     for (size_t i = 0; i < s->waits.count; i++)
         waits += s->waits.list[i].idle;
-    return clock_of_units(n, n->clock.units) + s->idle + s->system == s->ended_at + n->clock.stolen &&
+    return clock_of_units(n, n->clock.units) + s->idle + s->system ==
+               s->ended_at - s->away + n->clock.stolen &&
            tasks == s->system + s->beside && waits == s->idle;
+}
+
+/* Another program may come: nothing is to be received, or waited for, on behalf of this one any more. */
+static void let_go(struct node *n)
+{
+    mailbox_abandon(n);
+    proto_forget(n->sys->proto, n->place, false);
 }
 
 static void has_ended(struct node *n, enum node_end how, int code, vtime at)
@@ -81,9 +92,13 @@ static void has_ended(struct node *n, enum node_end how, int code, vtime at)
     n->state = NODE_ENDED;
     n->stats.ended_at = at;
     n->sys->running--;
+    if (n->sys->cube)
+        let_go(n);
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (n->sys->nodes[i]->awaits_end)
             node_wake(n->sys->nodes[i], at);
+    if (n->sys->host && n->sys->host->awaits_end)
+        node_wake(n->sys->host, at);
 }
 
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
@@ -120,7 +135,7 @@ _Noreturn void node_fail(struct node *n, const char *fmt, ...)
     if (vasprintf(&text, fmt, ap) < 0)
         abort();
     va_end(ap);
-    node_system_fail(n->sys, STOP_FAILED, "node %u, at %.9f s: %s", n->id, vt_seconds(node_now(n)), text);
+    node_system_fail(n->sys, STOP_FAILED, "%s, at %.9f s: %s", n->name, vt_seconds(node_now(n)), text);
     free(text);
     node_end_here(n, NODE_CRASHED, 1);
 }
@@ -175,7 +190,7 @@ static bool make_span(struct node *n)
 static bool make_parts(struct node *n, const struct node_image *img, char **error)
 {
     if (!make_span(n)) {
-        if (asprintf(error, "node %u: no address space left on this computer", n->id) < 0)
+        if (asprintf(error, "%s: no address space left on this computer", n->name) < 0)
             abort();
         return false;
     }
@@ -199,26 +214,57 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     return true;
 }
 
-struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
-                      char **argv, char **envp, char **error)
+static struct node *make(struct node_system *sys, uint32_t id)
 {
     struct node *n = calloc(1, sizeof *n);
     if (!n)
         abort();
-    n->sys = sys, n->id = id, n->argc = argc, n->argv = argv, n->envp = envp;
+    n->sys = sys, n->id = n->place = id;
+    n->clock_hz = sys->cfg->clock_hz;
+    snprintf(n->name, sizeof n->name, "node %u", id);
     n->mailbox = mailbox_new((uint32_t)sys->cfg->message_ids);
     n->info = (struct node_info){-1, -1, -1, -1};
-    if (!make_parts(n, img, error)) {
-        node_delete(n);
-        return NULL;
-    }
     return n;
 }
 
-void node_delete(struct node *n)
+static struct node *load(struct node *n, const struct node_image *img, int argc, char **argv, char **envp,
+                         char **error)
 {
-    if (!n)
-        return;
+    n->argc = argc, n->argv = argv, n->envp = envp;
+    if (make_parts(n, img, error))
+        return n;
+    node_delete(n);
+    return NULL;
+}
+
+struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
+                      char **argv, char **envp, char **error)
+{
+    return load(make(sys, id), img, argc, argv, envp, error);
+}
+
+struct node *node_new_empty(struct node_system *sys, uint32_t id)
+{
+    struct node *n = make(sys, id);
+    n->state = NODE_ENDED;
+    n->end = NODE_NOT_LOADED;
+    return n;
+}
+
+struct node *node_new_host(struct node_system *sys, uint32_t place, const struct node_image *img, int argc,
+                           char **argv, char **envp, char **error)
+{
+    struct node *n = make(sys, sys->count);
+    n->is_host = true;
+    n->place = place;
+    n->clock_hz = sys->cfg->host.clock_hz;
+    snprintf(n->name, sizeof n->name, "host");
+    return load(n, img, argc, argv, envp, error);
+}
+
+/* All but what messages and events may still refer to. */
+static void strip(struct node *n)
+{
     mailbox_free(n->mailbox);
     waits_free(&n->stats.waits);
     if (n->libc)
@@ -229,5 +275,30 @@ void node_delete(struct node *n)
         node_heap_free(n->heap);
     if (n->span)
         munmap(n->span, NODE_SPAN);
+    n->mailbox = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL,
+    n->heap = NULL;
+    n->span = NULL, n->image = NULL;
+}
+
+void node_succeed(struct node *n, struct node *before, vtime t)
+{
+    size_t peak = n->stats.memory_peak;
+    vtime accounted = clock_of_units(before, (clock_sync(before), before->clock.units)) + before->stats.idle +
+                      before->stats.system;
+    n->clock.units = before->clock.units;
+    n->stats = before->stats;
+    before->stats.waits = (struct node_waits){0};
+    n->stats.away = t - accounted;
+    n->stats.memory_peak = peak > n->stats.memory_peak ? peak : n->stats.memory_peak;
+    n->sys_free = before->sys_free;
+    mailbox_inherit(n, before);
+    strip(before);
+}
+
+void node_delete(struct node *n)
+{
+    if (!n)
+        return;
+    strip(n);
     free(n);
 }

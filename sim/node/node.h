@@ -36,7 +36,7 @@ struct nxc_image;   /* nx_api/nxcc/image.h */
 enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
 
 /* Why a node ended. */
-enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED };
+enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED, NODE_NOT_LOADED };
 
 struct node_clock {
     uint64_t units; /* cost units spent up to the last synchronisation */
@@ -57,7 +57,7 @@ enum node_task {
     NODE_TASKS
 };
 
-/* A node's time is the sum of computing (its cost units), idle and system, to the picosecond. The tasks' sum is system
+/* A node's time, less that without a program, is the sum of computing (its cost units), idle and system, to the picosecond. The tasks' sum is system
  * and beside: a wait may be over while the processor still moves bytes, which does not hold up the program. */
 struct node_stats {
     vtime idle;   /* waiting in a call, and the processor at rest */
@@ -66,6 +66,9 @@ struct node_stats {
     vtime beside;            /* tasks that took none of the program's time */
     struct node_waits waits; /* of idle: in which calls, for which messages */
     vtime ended_at;
+    vtime
+        away; /* before its program was loaded; with several, one after the other, time without any, less what those
+                   * killed had computed ahead of their end. Modulo 2^64. Of no node's time is anything said here. */
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     uint64_t handlers, slices;
     uint64_t sent, sent_bytes;
@@ -86,6 +89,10 @@ struct node_error {
 
 struct node {
     uint32_t id;
+    char name[16];  /* for people: "node 3", "host" */
+    uint32_t place; /* on the network: its id, except for the host's */
+    bool is_host;
+    uint64_t clock_hz;
     long pid; /* process type: 0, unless the program has set it */
     struct node_system *sys;
     char *span;

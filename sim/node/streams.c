@@ -9,6 +9,7 @@
 #include "node/file.h"
 #include "node/node.h"
 #include "node/streams.h"
+#include "node/system.h"
 
 /* --- what a FILE calls --- */
 
@@ -138,9 +139,10 @@ static FILE *add_output(struct streams *list, struct node *n, int fd)
     return s->file;
 }
 
+/* What comes in on standard input is node 0's, or the host program's when there is one. */
 void streams_open(struct streams *list, struct node *n)
 {
-    int fd = n->id == 0 ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
+    int fd = (n->sys->cube ? n->is_host : n->id == 0) ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
     struct node_file *in = file_of_host(n, fd);
     list->in = add_standard(list, n, in ? STREAM_FILE : STREAM_CLOSED, in, "r")->file;
     list->out = add_output(list, n, STDOUT_FILENO);

@@ -17,7 +17,10 @@ struct node_system {
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
-    uint32_t count, running;
+    struct node *host;   /* the node that runs the host program, NULL: none. Its number is count. */
+    struct cube *cube;   /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
+    uint32_t count;      /* nodes; with a host program: of its cube, 0 when it has none */
+    uint32_t running;    /* programs */
     vtime max_time;      /* VT_NEVER: none */
     vtime longest_slice; /* computing is cut into slices of at most this; results do not depend on it */
 
@@ -35,6 +38,16 @@ struct node_system {
     struct node *current;     /* whose fiber runs, NULL: none. For reports of crashes. */
 };
 
+/* Who lives at a place of the network, and the number by which programs know them. */
+static inline struct node *node_at(const struct node_system *sys, uint32_t place)
+{
+    return sys->host && place == sys->host->place ? sys->host : sys->nodes[place];
+}
+static inline uint32_t node_number(const struct node_system *sys, uint32_t place)
+{
+    return sys->host && place == sys->host->place ? sys->count : place;
+}
+
 /* Record the first failure (printf-like), and stop the machine with `why`. */
 void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
@@ -46,6 +59,14 @@ void node_system_digest(struct node_system *sys, const struct message *m, vtime 
 struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
                       char **argv, char **envp, char **error);
 void node_delete(struct node *n);
+/* The same without a program: it has ended before it began. Messages wait for the one to be loaded. */
+struct node *node_new_empty(struct node_system *sys, uint32_t id);
+/* The host, at its place. */
+struct node *node_new_host(struct node_system *sys, uint32_t place, const struct node_image *img, int argc,
+                           char **argv, char **envp, char **error);
+/* Makes n, a new node, the one that comes after `before`, whose program has ended: its books go on in n, and n gets the
+ * messages that wait. Time is t. */
+void node_succeed(struct node *n, struct node *before, vtime t);
 
 /* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);

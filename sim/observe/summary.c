@@ -35,12 +35,20 @@ static void print_spread(FILE *f, const char *what, const struct spread *s)
         fprintf(f, " (%.6f to %.6f)", s->least, s->most);
 }
 
+static void print_host(const struct machine *m, FILE *f)
+{
+    const struct node *n = m->sys.host;
+    if (n)
+        fprintf(f, "host           busy %.6f s  idle %.6f s  system %.6f s\n", vt_seconds(busy(n)),
+                vt_seconds(n->stats.idle), vt_seconds(n->stats.system));
+}
+
 static void print_class(const struct machine *m, FILE *f, const char *name, bool armed)
 {
     struct spread b = {0}, i = {0}, s = {0};
-    for (uint32_t k = 0; k < m->sys.count; k++) {
+    for (uint32_t k = 0; k < machine_nodes(m); k++) {
         const struct node *n = m->sys.nodes[k];
-        if (n->stats.armed != armed)
+        if (n->stats.armed != armed || n->end == NODE_NOT_LOADED)
             continue;
         add(&b, vt_seconds(busy(n)));
         add(&i, vt_seconds(n->stats.idle));
@@ -48,7 +56,7 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
     }
     if (b.count == 0)
         return;
-    fprintf(f, "%-14s %u %s:", b.count == m->sys.count ? "nodes" : name, b.count,
+    fprintf(f, "%-14s %u %s:", b.count == machine_nodes(m) ? "nodes" : name, b.count,
             b.count == 1 ? "node" : "nodes");
     print_spread(f, "busy", &b);
     print_spread(f, "idle", &i);
@@ -60,7 +68,7 @@ static void print_handlers(const struct machine *m, FILE *f)
 {
     uint64_t handlers = 0, slices = 0;
     vtime latest = 0;
-    for (uint32_t k = 0; k < m->sys.count; k++) {
+    for (uint32_t k = 0; k < machine_nodes(m); k++) {
         handlers += m->sys.nodes[k]->stats.handlers;
         slices += m->sys.nodes[k]->stats.slices;
         latest = vt_max(latest, m->sys.nodes[k]->stats.latest);
@@ -91,22 +99,24 @@ void summary_print(const struct machine *m, FILE *f)
 {
     size_t peak = 0;
     uint32_t where = 0;
-    for (uint32_t k = 0; k < m->sys.count; k++)
+    for (uint32_t k = 0; k < machine_nodes(m); k++)
         if (m->sys.nodes[k]->stats.memory_peak > peak)
             peak = m->sys.nodes[k]->stats.memory_peak, where = k;
-    fprintf(f, "virtual time   %.9f s on %u %s of %s\n", vt_seconds(m->end), m->sys.count,
-            m->sys.count == 1 ? "node" : "nodes", m->sys.cfg->name);
+    fprintf(f, "virtual time   %.9f s on %u %s of %s\n", vt_seconds(m->end), machine_nodes(m),
+            machine_nodes(m) == 1 ? "node" : "nodes", m->sys.cfg->name);
     fprintf(f, "wall time      %.3f s, and %.3f s to start\n", m->wall_s, m->start_s);
     fprintf(
         f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
         m->sys.messages, m->sys.bytes, wire_waits(proto_wire(m->sys.proto)),
         vt_seconds(wire_waited(proto_wire(m->sys.proto))));
+    print_host(m, f);
     print_class(m, f, "with handlers", true);
     print_class(m, f, "others", false);
     print_handlers(m, f);
     print_files(m, f);
-    fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n", (double)peak / 1048576,
-            where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
+    if (machine_nodes(m))
+        fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n",
+                (double)peak / 1048576, where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
     fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
 }
 
@@ -154,13 +164,13 @@ static json_t *machine_json(const struct machine *m)
     snprintf(digest, sizeof digest, "%016" PRIx64, m->sys.digest);
     json_t *root =
         json_pack("{s:s, s:s, s:i, s:s, s:f, s:f, s:s, s:I, s:I}", "program", m->options.argv[0], "machine",
-                  m->sys.cfg->name, "nodes", (int)m->sys.count, "outcome", OUTCOMES[m->outcome],
+                  m->sys.cfg->name, "nodes", (int)machine_nodes(m), "outcome", OUTCOMES[m->outcome],
                   "virtual_time_s", vt_seconds(m->end), "wall_time_s", m->wall_s, "digest", digest,
                   "messages", (json_int_t)m->sys.messages, "bytes", (json_int_t)m->sys.bytes);
     json_t *arguments = json_array(), *nodes = json_array();
     for (int i = 1; i < m->options.argc; i++)
         json_array_append_new(arguments, json_string(m->options.argv[i]));
-    for (uint32_t k = 0; k < m->sys.count; k++)
+    for (uint32_t k = 0; k < machine_nodes(m); k++)
         json_array_append_new(nodes, node_json(m->sys.nodes[k]));
     json_t *set = json_array();
     for (char **s = m->sys.cfg->set; s && *s; s++)
@@ -168,6 +178,8 @@ static json_t *machine_json(const struct machine *m)
     json_object_set_new(root, "arguments", arguments);
     json_object_set_new(root, "settings", set);
     json_object_set_new(root, "node", nodes);
+    if (m->sys.host)
+        json_object_set_new(root, "host", node_json(m->sys.host));
     if (m->sys.cfs)
         json_object_set_new(root, "files", files_json(m->sys.cfs));
     if (m->message)

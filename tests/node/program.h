@@ -135,7 +135,7 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
 static inline void nodes_run(struct nodes *x)
 {
     for (uint32_t i = 0; i < x->sys.count; i++)
-        node_start(x->node[i]);
+        node_start(x->node[i], 0);
     while (!x->sys.stop && evq_step(x->sys.q))
         ;
     fflush(x->sys.out[0]);

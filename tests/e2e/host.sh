@@ -1,0 +1,85 @@
+#!/bin/bash
+# host.sh - host programs: the classic pair, loading again, and what is said when one goes wrong.
+. "$(dirname "$0")/common.bash"
+
+for source in "$tests"/host/*.c; do
+    "$BUILD/nxcc" -host -O1 -g -Wall -I "$tests/host" -o "$(basename "$source" .c)" "$source" 2>compile.err && continue
+    echo "not ok $(basename "$source") compiles"
+    cat compile.err
+done
+
+# host N NAME ARGS...: runs the host program with a node program, and keeps the digest line
+host() { run --max-wall-time 60 --host "$@" && grep -E '^(virtual time|digest)' err >"figures"; }
+
+host farm farm_node
+cat >want <<'END'
+8 nodes, dimension 3, host is 8, mynode 8, pid 100
+50 pieces, sum 12497500, 50 told of
+1 cube, farm of 8 nodes
+0 cubes
+END
+check "farm: exit status 0" ended_with 0
+check "farm: host and nodes exchange work and results" cmp want out
+cp figures first
+host farm --slice 1e-5 farm_node
+check "the same times and messages again, however computing is cut" cmp first figures
+run -n 8 -q --host ./farm "$work/farm_node" <<<"input"
+check "with -n, the path of the node program does not matter, nor that of the host's" cmp want out
+echo "a line" | "$BUILD/touchstone" run -q --host farm farm_node >out 2>err
+check "standard input is the host's" grep -qx 'the host reads: a line' out
+host farm farm_node 5
+check "five nodes are a cube of eight" cmp want out
+
+run -n 4 --host again
+cat >want <<'END'
+node 3 ended with 3
+node 2 ended with 2
+node 1 ended with 1
+node 0 ended with 0
+nobody left: -1
+first: node 1 says 1
+memory and messages are new: node 1 says 1
+memory is new: node 1 says 101
+sends: node 3 says 0
+all again: node 0 says 1
+all again: node 1 says 1
+all again: node 2 says 1
+all again: node 3 says 1
+loaded twice: -1
+no program: -1
+no node: -1
+END
+check "again: exit status 0" ended_with 0
+check "again: nodes are loaded again, memory new, messages as the rules say" cmp want out
+check "again: the books of a node go on" \
+    said '^others +2 nodes:  busy .* \(0\.[0-9]+ to 0\.70[0-9]+\)'
+sed '/wall/d' err >first
+run -n 4 --host again
+check "again: the same times once more" eval "sed '/wall/d' err | cmp - first"
+
+run --host hang counts
+check "deadlock: exit status 2" ended_with 2
+check "deadlock: what the host waits for" said '^  host: crecv\(77\) since'
+check "deadlock: what the nodes wait for" said '^  node 2: crecv\(1\) since'
+check "deadlock: which have no program" said '^  node 3: no program'
+run --host leaves counts
+check "the host ends first: exit status 0" ended_with 0
+check "the host ends first: says who is killed" said '^  node 3: crecv\(1\) since'
+run --host early
+check "csend before load" said 'host, at 0\.[0-9]+ s: csend: node 2 has no program: load one first'
+run --host nocube
+check "load without a cube" said 'load: the host has no cube: getcube first'
+run --host twice
+check "a second getcube" said 'getcube: the host has a cube already, "c": relcube first'
+run --host big
+check "too many nodes" said 'type "129" asks for 256 nodes, and there are 128'
+run --host kind
+check "no such kind of nodes" said "'vx' is no kind of node"
+run --host crash_host
+check "the host crashes" said '^touchstone run: host crashed at .*'
+run --host fails
+check "exit(3) of the host" said '^touchstone run: host ended at .* with exit\(3\)'
+run -m delta --host farm farm_node
+check "a mesh has no host" said 'delta has no host'
+run -n 2 farm
+check "getcube without a host program" said 'node 0, at .*: getcube: there is no host program: touchstone run --host'

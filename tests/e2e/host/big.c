@@ -1,0 +1,10 @@
+/* big.c - a host program that goes wrong: see host.sh. */
+#include <stdlib.h>
+#include "cube.h"
+
+int main(void)
+{
+    long x = 0;
+    getcube("c", "129", "", 0);
+    return (int)x;
+}

@@ -1,0 +1,10 @@
+/* nocube.c - a host program that goes wrong: see host.sh. */
+#include <stdlib.h>
+#include "cube.h"
+
+int main(void)
+{
+    long x = 0;
+    load("counts", -1, 0);
+    return (int)x;
+}

@@ -1,0 +1,11 @@
+/* twice.c - a host program that goes wrong: see host.sh. */
+#include <stdlib.h>
+#include "cube.h"
+
+int main(void)
+{
+    long x = 0;
+    getcube("c", "4", "", 0);
+    getcube("d", "4", "", 0);
+    return (int)x;
+}
