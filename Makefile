@@ -9,7 +9,7 @@ WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lz -lm
 
-SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c))
+SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 APP_SRC := $(wildcard app/*.c)
 

@@ -3,11 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "node/cpu.h"
-#include "node/mailbox_ids.h"
 #include "node/system.h"
+#include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/include/nxerrno.h"
-
-#define FIRST_RESERVED INT64_C(1000000000)
 
 /* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
 struct due {
@@ -72,17 +70,6 @@ void mailbox_free(struct mailbox *b)
     free_posted(b);
     ids_free(&b->ids); /* receives posted are in there */
     free(b);
-}
-
-bool mailbox_selects(int64_t typesel, int64_t type)
-{
-    if (typesel >= 0)
-        return typesel == type;
-    if (type >= FIRST_RESERVED && type < PROTO_FORCED)
-        return false; /* the library's own messages are none of the program's */
-    if (typesel == -1)
-        return true;
-    return typesel >> (type < 30 ? type : 30) & 1;
 }
 
 static bool selects(const struct node *n, const struct selector *s, const struct message *m)
@@ -257,6 +244,12 @@ void mailbox_follow(struct message *m, struct send *s)
 {
     m->send = s;
     s->m = m;
+}
+
+void mailbox_unfollow(struct send *s)
+{
+    if (s->m)
+        s->m->send = NULL;
 }
 
 /* --- receiving --- */

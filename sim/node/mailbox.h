@@ -4,63 +4,18 @@
  *                       none does                    ->  it waits, unexpected, in a system buffer
  *   a receive is made:  the first unexpected message it selects, else it is posted (first posted, first served)
  *
- * A message is complete when it has arrived and the operating system is done with it (message.complete). Its
- * bytes are put into the program's buffer when the program asks (crecv, msgwait, msgdone, handler), not
- * before: a program that looks too early finds its old bytes, the same in every run.
+ * A message is complete when it has arrived and the operating system is done with it (message.complete). What NX's calls
+ * do with it is declared in nx_api/calls/mailbox.h.
  */
 #ifndef NODE_MAILBOX_H
 #define NODE_MAILBOX_H
 #include "net/proto.h"
 #include "node/node.h"
-
-/* param is what hrecvx or hsendx was given; the other handlers have no such parameter, and do not look. */
-typedef void mailbox_handler(long type, long count, long node, long pid, long param);
-
-/* What a receive or probe selects: types as in nx.h; a sending node and its process type, or -1: any. */
-struct selector {
-    int64_t type;
-    long node, pid;
-};
-
-/* A receive, from its posting to its completion. */
-struct receive {
-    struct selector select;
-    void *buf;
-    size_t room;
-    long *info;               /* the program's, NULL: not wanted */
-    mailbox_handler *handler; /* hrecv, else NULL */
-    long param;               /* the handler's */
-    struct message *m;        /* NULL until one is selected */
-    struct receive *next;     /* posted */
-};
-
-/* A send, from the call to the buffer being free again. */
-struct send {
-    bool done;
-    mailbox_handler *handler; /* hsend, else NULL */
-    long param;               /* the handler's */
-    struct node_info info;
-    struct message *m; /* while not done */
-};
+#include "nx_api/calls/mailbox.h"
 
 struct mailbox *mailbox_new(uint32_t ids);
 void mailbox_free(struct mailbox *b);
 
-/* Does typesel select type? (nx.h) */
-bool mailbox_selects(int64_t typesel, int64_t type);
-
-/* Select an unexpected message for r, or post it. */
-void mailbox_post(struct node *n, struct receive *r);
-/* Withdraw a receive that is not complete; a message already selected goes back to the unexpected. */
-void mailbox_withdraw(struct node *n, struct receive *r);
-bool mailbox_complete(struct node *n, const struct receive *r);
-/* Put a complete message into the program's buffer: spends the copying, tells of the message, frees it. 0, or -1 with
- * n->error when it is longer than the buffer: then it is lost, and the buffer is as it was. */
-long mailbox_take(struct node *n, struct receive *r);
-/* Sets n->info and, if not NULL, the program's info array: type, length, node and process type; four more are reserved. */
-void mailbox_tell(struct node *n, const struct message *m, long info[]);
-/* The first complete unexpected message selected, NULL if none. */
-const struct message *mailbox_probe(struct node *n, const struct selector *select);
 /* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
 void mailbox_flush(struct node *n, int64_t typesel, vtime now);
 
@@ -73,25 +28,7 @@ void mailbox_inherit(struct node *n, struct node *before);
 /* Follow a message for s until its buffer is free. */
 void mailbox_follow(struct message *m, struct send *s);
 
-/* Message ids, 0 or more. An id stands for a receive, a send, or both; ids that have been merged are parts of the first,
- * which goes on standing for all of them. */
-enum { ID_RECEIVES = 1, ID_SENDS = 2 };
-long mailbox_id_new(struct node *n, unsigned use);           /* -1: all are taken */
-bool mailbox_id_is_valid(const struct node *n, long id);     /* in use, and neither a part nor ignored */
-long mailbox_id_next(const struct node *n, long id);         /* the next of its parts, -1: no more */
-struct receive *mailbox_id_receive(struct node *n, long id); /* NULL: it has none */
-struct send *mailbox_id_send(struct node *n, long id);
-bool mailbox_id_is_complete(struct node *n, long id); /* with all its parts */
-void mailbox_id_release(struct node *n, long id);     /* and its parts */
-void mailbox_id_merge(struct node *n, long id, long part);
-void mailbox_id_ignore(struct node *n, long id);
-/* Puts the messages of ignored ids that are complete into their buffers, and releases the ids. An error ends the
- * process: nobody asks for the id any more. */
-void mailbox_settle(struct node *n);
-
 /* Handlers. */
-void mailbox_post_handler(struct node *n, const struct receive *r);
-struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long param);
 bool mailbox_armed(const struct node *n);     /* may a handler have to be run before the next call? */
 vtime mailbox_next_due(const struct node *n); /* VT_NEVER: none due yet */
 bool mailbox_handler_due(const struct node *n, vtime now);

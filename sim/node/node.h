@@ -22,6 +22,7 @@
 #include <stdio.h>
 #include "kernel/vtime.h"
 #include "node/waits.h"
+#include "nx_api/calls/mailbox.h"
 
 #define NODE_SPAN ((uintptr_t)1 << 30)
 
@@ -74,11 +75,6 @@ struct node_stats {
     uint64_t sent, sent_bytes;
     size_t memory_peak;
     bool armed; /* posted a handler at any time */
-};
-
-/* What infocount() and its kin answer. */
-struct node_info {
-    long type, count, node, pid;
 };
 
 /* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */

@@ -1,5 +1,5 @@
 /* receive.c - crecv, irecv, hrecv, and the Paragon's x forms of them. */
-#include "nx_api/sim/call.h"
+#include "nx_api/calls/call.h"
 
 long nx_check_receive(struct node *n, const struct incoming *in)
 {

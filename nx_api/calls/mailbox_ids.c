@@ -3,7 +3,7 @@
  *
  *     id 3 -> id 7 -> id 2        3 is valid; 7 and 2 are parts
  */
-#include "node/mailbox_ids.h"
+#include "nx_api/calls/mailbox_ids.h"
 #include <stdlib.h>
 
 struct id {
@@ -83,8 +83,8 @@ void mailbox_id_release(struct node *n, long id)
     while (id >= 0) {
         struct id *i = &mailbox_ids(n)->table[id];
         id = i->next;
-        if (i->send && i->send->m)
-            i->send->m->send = NULL;
+        if (i->send)
+            mailbox_unfollow(i->send);
         free(i->send);
         *i = (struct id){0};
     }

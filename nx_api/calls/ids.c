@@ -1,5 +1,5 @@
 /* ids.c - message ids: given out by isend and irecv and their kin, given back by these. */
-#include "nx_api/sim/call.h"
+#include "nx_api/calls/call.h"
 
 long nx_new_id(struct node *n, unsigned use)
 {
@@ -8,7 +8,7 @@ long nx_new_id(struct node *n, unsigned use)
     if (id < 0)
         return node_error(n, EQNOMID,
                           "out of message ids (%lu): msgwait, msgdone or msgcancel give them back",
-                          (unsigned long)n->sys->cfg->message_ids);
+                          (unsigned long)nx_message_ids(n));
     return id;
 }
 

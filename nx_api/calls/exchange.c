@@ -1,6 +1,6 @@
 /* exchange.c - csendrecv and its kin: send a message and receive the answer. The receive is posted first, so that the
  * answer finds its buffer. */
-#include "nx_api/sim/call.h"
+#include "nx_api/calls/call.h"
 
 static long check(struct node *n, const struct outgoing *o, const struct incoming *in)
 {

@@ -1,7 +1,7 @@
 /* mailbox_ids.h - the table of message ids in a mailbox. What others may do with ids is in mailbox.h. */
-#ifndef NODE_MAILBOX_IDS_H
-#define NODE_MAILBOX_IDS_H
-#include "node/mailbox.h"
+#ifndef CALLS_MAILBOX_IDS_H
+#define CALLS_MAILBOX_IDS_H
+#include "nx_api/calls/backend.h"
 
 struct mailbox_ids {
     struct id *table; /* made when the first is wanted */
@@ -9,7 +9,7 @@ struct mailbox_ids {
     uint32_t ignored; /* ids that mailbox_settle looks after */
 };
 
-/* The node's: mailbox.c. */
+/* The node's. */
 struct mailbox_ids *mailbox_ids(const struct node *n);
 void ids_free(struct mailbox_ids *ids);
 #endif

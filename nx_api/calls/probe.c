@@ -1,5 +1,5 @@
 /* probe.c - looking at messages that have come in, and throwing them away. */
-#include "nx_api/sim/call.h"
+#include "nx_api/calls/call.h"
 
 static bool probe(struct node *n, const struct incoming *in)
 {
@@ -63,8 +63,6 @@ long nxs_flushmsg(word typesel, word node, word pid)
         return -1;
     nx_spend_call(n);
     node_order(n);
-    for (uint32_t i = 0; i < n->sys->count; i++)
-        if (node == ALL_NODES || node == (word)i)
-            mailbox_flush(n->sys->nodes[i], typesel, node_now(n));
+    nx_flush(n, node, typesel);
     return 0;
 }

@@ -1,43 +1,16 @@
 /* send.c - csend, isend, hsend and their kin. */
-#include "node/cube.h"
-#include "nx_api/sim/call.h"
+#include "nx_api/calls/call.h"
 
 long nx_check_send(struct node *n, const struct outgoing *o)
 {
     nx_about(n, o->type);
-    if (nx_check_node(n, o->node) < 0 || (n->is_host && cube_check_send(n, o->node) < 0))
+    if (nx_check_node(n, o->node) < 0 || nx_check_way(n, o->node) < 0)
         return -1;
     if (o->type < 0 || o->type > 1999999999)
         return node_error(n, EQTYPE,
                           "type %ld is out of range (0 to 999999999; force types 1073741824 to 1999999999)",
                           o->type);
     return nx_check_buffer(n, o->buf, o->len);
-}
-
-static uint32_t place_of(const struct node *n, long node)
-{
-    return node == n->sys->count ? n->sys->host->place : (uint32_t)node;
-}
-
-void nx_send(struct node *n, const struct outgoing *o, struct send *s)
-{
-    struct proto *p = n->sys->proto;
-    bool all = o->node == ALL_NODES;
-    size_t len = (size_t)o->len;
-    struct message *m = all ? proto_to_all(p, n->place, o->type, n->pid, o->buf, len)
-                            : proto_message(p, n->place, place_of(n, o->node), o->type, n->pid, o->buf, len);
-    uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
-    n->stats.sent += receivers;
-    n->stats.sent_bytes += receivers * len;
-    if (!m && s)
-        s->done = true;
-    for (struct message *next; m; m = next) {
-        next = m->also;
-        if (!next && s)
-            mailbox_follow(m, s);
-        node_spend_on(n, NODE_SENDING, proto_send_time(p, o->type, len));
-        proto_send(p, m, node_now(n));
-    }
 }
 
 bool nx_send_is_done(struct node *n, void *send)

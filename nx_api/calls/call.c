@@ -1,5 +1,5 @@
 /* call.c - the two faces of every call, and their errors. See call.h. */
-#include "nx_api/sim/call.h"
+#include "nx_api/calls/call.h"
 #include <errno.h>
 
 /* --- checks that several calls make --- */
@@ -80,4 +80,4 @@ long nx_returning(struct node *n, long result)
         return node_##name();                                                                                \
     }
 #define NX_OTHER(name)
-#include "nx_api/sim/calls.def"
+#include "nx_api/calls/calls.def"

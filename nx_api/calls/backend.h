@@ -1,0 +1,42 @@
+/* backend.h - what the calls need of what serves them: the simulator, or MPI (compiled with NX_ON_MPI).
+ *
+ * A backend's header gives struct node with id, pid, info, error, call and sys->count, the functions
+ *
+ *     node_self           the node that calls
+ *     node_enter, _leave  begin and end a call;  node_order: all that happened earlier is to be seen now
+ *     node_wait           wait in a call until something is so; handlers run meanwhile
+ *     node_error, _fail   note an error (-1);  end the program because of one
+ *
+ * and the following; mailbox.h has those that deal with messages.
+ */
+#ifndef CALLS_BACKEND_H
+#define CALLS_BACKEND_H
+#ifdef NX_ON_MPI
+#include "nx_api/mpi/node.h"
+#else
+#include "node/cpu.h"
+#include "node/mailbox.h"
+#include "node/system.h"
+#endif
+
+struct outgoing {
+    long type;
+    const void *buf;
+    long len, node, pid;
+};
+
+/* Send to one node or all others. s, if not NULL, learns when buf may be used again: when the last message that this node
+ * itself sends is gone. */
+void nx_send(struct node *n, const struct outgoing *o, struct send *s);
+/* May n send there? The node exists. 0, or -1 with the error. */
+long nx_check_way(struct node *n, long node);
+/* Throw away what typesel selects of the messages that have come for a node (-1: all). */
+void nx_flush(struct node *n, long node, int64_t typesel);
+/* Says what the call is about, for reports: its type, typesel or id. */
+void nx_about(struct node *n, long what);
+/* Any call that looks at or changes the message state takes this time. */
+void nx_spend_call(struct node *n);
+/* How many message ids a node has. */
+uint32_t nx_message_ids(const struct node *n);
+
+#endif

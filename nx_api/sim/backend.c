@@ -1,0 +1,57 @@
+/* backend.c - the simulator behind the calls: see nx_api/calls/backend.h. */
+#include "node/cube.h"
+#include "nx_api/calls/call.h"
+
+void nx_about(struct node *n, long what)
+{
+    n->call_type = n->awaited = what;
+    n->call_has_type = n->awaits = true;
+}
+
+void nx_spend_call(struct node *n)
+{
+    node_spend(n, n->sys->cfg->call_ps);
+}
+
+uint32_t nx_message_ids(const struct node *n)
+{
+    return (uint32_t)n->sys->cfg->message_ids;
+}
+
+long nx_check_way(struct node *n, long node)
+{
+    return n->is_host ? cube_check_send(n, node) : 0;
+}
+
+static uint32_t place_of(const struct node *n, long node)
+{
+    return node == n->sys->count ? n->sys->host->place : (uint32_t)node;
+}
+
+void nx_send(struct node *n, const struct outgoing *o, struct send *s)
+{
+    struct proto *p = n->sys->proto;
+    bool all = o->node == ALL_NODES;
+    size_t len = (size_t)o->len;
+    struct message *m = all ? proto_to_all(p, n->place, o->type, n->pid, o->buf, len)
+                            : proto_message(p, n->place, place_of(n, o->node), o->type, n->pid, o->buf, len);
+    uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
+    n->stats.sent += receivers;
+    n->stats.sent_bytes += receivers * len;
+    if (!m && s)
+        s->done = true;
+    for (struct message *next; m; m = next) {
+        next = m->also;
+        if (!next && s)
+            mailbox_follow(m, s);
+        node_spend_on(n, NODE_SENDING, proto_send_time(p, o->type, len));
+        proto_send(p, m, node_now(n));
+    }
+}
+
+void nx_flush(struct node *n, long node, int64_t typesel)
+{
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (node == ALL_NODES || node == (long)i)
+            mailbox_flush(n->sys->nodes[i], typesel, node_now(n));
+}
