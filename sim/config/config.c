@@ -129,10 +129,25 @@ static bool read_cpu(struct cfg_reader *r, config_setting_t *node, struct cfg_ma
            cfg_fail(r, config_setting_get_member(node, "cpu"), "cpu", "%s cannot be read: %m", m->cpu);
 }
 
+/* Some nodes' other clock: both keys, or none. */
+static bool read_fast_nodes(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)
+{
+    double clock_mhz;
+    uint64_t every;
+    if (!config_setting_get_member(g, "fast_every") && !config_setting_get_member(g, "fast_clock_mhz"))
+        return true;
+    if (!cfg_whole(r, g, "fast_every", 1, UINT32_MAX, &every) ||
+        !cfg_number(r, g, "fast_clock_mhz", 0.001, 100000, &clock_mhz))
+        return false;
+    m->fast_every = (uint32_t)every;
+    m->fast_clock_hz = (uint64_t)llround(clock_mhz * 1e6);
+    return true;
+}
+
 static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
 {
-    static const char *const keys[] = {"cpu",       "clock_mhz", "hwclock_mhz", "memory_mb",
-                                       "system_kb", "stack_kb",  NULL};
+    static const char *const keys[] = {"cpu",      "clock_mhz",  "hwclock_mhz",    "memory_mb", "system_kb",
+                                       "stack_kb", "fast_every", "fast_clock_mhz", NULL};
     config_setting_t *g;
     double clock_mhz, hwclock_mhz = 10;
     uint64_t memory, system, stack;
@@ -142,7 +157,7 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
          !cfg_number(r, g, "hwclock_mhz", 0.001, 100000, &hwclock_mhz)) ||
         !cfg_whole(r, g, "memory_mb", 1, 65536, &memory) ||
         !cfg_whole(r, g, "system_kb", 0, memory * KB, &system) ||
-        !cfg_whole(r, g, "stack_kb", 16, memory * KB, &stack))
+        !cfg_whole(r, g, "stack_kb", 16, memory * KB, &stack) || !read_fast_nodes(r, g, m))
         return false;
     if (system + stack >= memory * KB)
         return cfg_fail(r, g, "memory_mb", "system_kb and stack_kb leave nothing of it to the program");

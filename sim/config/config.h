@@ -65,6 +65,10 @@ struct cfg_machine {
      *          hwclock_mhz = 10.0; } */
     char *cpu; /* class costs the node programs are to be built with, as a path */
     uint64_t clock_hz;
+    /* fast_every = 8; fast_clock_mhz = 80.0: nodes 0, 8, 16 ... have a faster (or slower) processor, for programs and
+     * system alike: what if hosts were faster than their slaves? fast_every 0: none. */
+    uint32_t fast_every;
+    uint64_t fast_clock_hz;
     uint64_t hwclock_hz;   /* of the count that hwclock() gives; 10 MHz where the file does not say */
     uint64_t memory_bytes; /* all of a node's memory */
     uint64_t system_bytes; /* of which the operating system takes this much */

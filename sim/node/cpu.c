@@ -63,10 +63,10 @@ static void account(struct node *n, enum node_task task, vtime t)
     n->stats.system += t;
 }
 
-/* What takes a node's system t takes the host's so long. */
+/* What takes an ordinary node's system t takes this one's so long. */
 static vtime system_time(const struct node *n, vtime t)
 {
-    return n->is_host ? t * n->sys->cfg->host.system_milli / 1000 : t;
+    return n->system_milli == 1000 ? t : t * n->system_milli / 1000;
 }
 
 /* The system has the processor for t, beside or instead of the program. */

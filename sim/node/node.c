@@ -214,13 +214,21 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     return true;
 }
 
+static void set_clock(struct node *n)
+{
+    const struct cfg_machine *c = n->sys->cfg;
+    bool fast = c->fast_every && n->id % c->fast_every == 0;
+    n->clock_hz = fast ? c->fast_clock_hz : c->clock_hz;
+    n->system_milli = (1000 * c->clock_hz + n->clock_hz / 2) / n->clock_hz;
+}
+
 static struct node *make(struct node_system *sys, uint32_t id)
 {
     struct node *n = calloc(1, sizeof *n);
     if (!n)
         abort();
     n->sys = sys, n->id = n->place = id;
-    n->clock_hz = sys->cfg->clock_hz;
+    set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
     n->mailbox = mailbox_new((uint32_t)sys->cfg->message_ids);
     n->info = (struct node_info){-1, -1, -1, -1};
@@ -258,6 +266,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
     n->is_host = true;
     n->place = place;
     n->clock_hz = sys->cfg->host.clock_hz;
+    n->system_milli = sys->cfg->host.system_milli;
     snprintf(n->name, sizeof n->name, "host");
     return load(n, img, argc, argv, envp, error);
 }

@@ -89,7 +89,9 @@ struct node {
     uint32_t place; /* on the network: its id, except for the host's */
     bool is_host;
     uint64_t clock_hz;
-    long pid; /* process type: 0, unless the program has set it */
+    uint64_t
+        system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
+    long pid;         /* process type: 0, unless the program has set it */
     struct node_system *sys;
     char *span;
     size_t image_bytes;      /* program text, data and bss, page rounded */

@@ -95,6 +95,13 @@ static void name_functions(struct profile *p, struct names *names)
     free(sorted);
 }
 
+/* Units of a node with a clock of its own, as those that an ordinary node does in the time. */
+static int64_t ordinary_units(const struct node *n, int64_t units)
+{
+    uint64_t hz = n->sys->cfg->clock_hz;
+    return n->clock_hz == hz ? units : (int64_t)((__int128)units * (__int128)hz / (__int128)n->clock_hz);
+}
+
 /* Returns the sum of all. */
 static int64_t add_functions(struct profile *p, const struct node *n, const struct names *names)
 {
@@ -102,7 +109,7 @@ static int64_t add_functions(struct profile *p, const struct node *n, const stru
     int64_t sum = 0;
     for (size_t k = 0; k < names->count; k++) {
         const struct nxc_cell *body = names->cells[k].body;
-        int64_t units = n->image->cells_begin[k].units;
+        int64_t units = ordinary_units(n, n->image->cells_begin[k].units);
         p->functions[names->entry[k]].units[c] += units;
         if (body)
             p->functions[names->entry[body - names->cells]].units[c] -= units;
@@ -134,7 +141,7 @@ static void collect_functions(struct profile *p, const struct machine *m)
     name_functions(p, &names);
     for (uint32_t k = 0; k < m->sys.count; k++) {
         const struct node *n = m->sys.nodes[k];
-        rest.units[class_of(n)] += (int64_t)n->clock.units - add_functions(p, n, &names);
+        rest.units[class_of(n)] += ordinary_units(n, (int64_t)n->clock.units) - add_functions(p, n, &names);
     }
     free(names.cells);
     free(names.entry);

@@ -12,3 +12,13 @@ check "without any the list is empty" grep -qF '"settings": []' plain
 check "the time is another" test "$(virtual plain)" != "$(virtual slow)"
 run -q -n 4 --json same --set system.short_send_us=40 --set net.short_hop_ns=100 ring
 check "the file's own values change nothing" test "$(virtual plain)" = "$(virtual same)"
+
+# A node with half the clock, for programs and system alike, is a node that takes twice as long.
+run -q -n 1 --json one ring
+run -q -n 1 --json half --set node.fast_every=1 --set node.fast_clock_mhz=20 ring
+ratio() { echo "$(virtual "$1") $(virtual "$2")" | awk '{ printf "%.2f", $2 / $4 }'; }
+check "all nodes at half the clock take twice as long, but for the wires" test "$(ratio half one)" = 2.00
+run -q -n 4 --json fast --set node.fast_every=2 --set node.fast_clock_mhz=80 ring
+check "some faster nodes make it faster" test "$(ratio fast plain)" \< 1
+run -q -n 4 --set node.fast_every=2 ring
+check "one of the two keys is not enough" said "fast_clock_mhz: missing"
