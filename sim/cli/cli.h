@@ -8,6 +8,10 @@
 int cli_run(int argc, char **argv);
 int cli_study(int argc, char **argv);
 int cli_tables(int argc, char **argv);
+int cli_srm(int argc, char **argv);
+int cli_cube(int argc, char **argv);          /* getcube, load and their kin, by argv[0] */
+extern const char *const CLI_CUBE_COMMANDS[]; /* ended by NULL */
+bool cli_is_cube_command(const char *name);
 
 /* For errors in arguments: "touchstone run: what is wrong", then where to find help. Returns 2... see each
  * command. */

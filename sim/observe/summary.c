@@ -46,8 +46,10 @@ static void print_host(const struct machine *m, FILE *f)
 static void print_class(const struct machine *m, FILE *f, const char *name, bool armed)
 {
     struct spread b = {0}, i = {0}, s = {0};
+    uint32_t loaded = 0;
     for (uint32_t k = 0; k < machine_nodes(m); k++) {
         const struct node *n = m->sys.nodes[k];
+        loaded += n->end != NODE_NOT_LOADED;
         if (n->stats.armed != armed || n->end == NODE_NOT_LOADED)
             continue;
         add(&b, vt_seconds(busy(n)));
@@ -56,8 +58,7 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
     }
     if (b.count == 0)
         return;
-    fprintf(f, "%-14s %u %s:", b.count == machine_nodes(m) ? "nodes" : name, b.count,
-            b.count == 1 ? "node" : "nodes");
+    fprintf(f, "%-14s %u %s:", b.count == loaded ? "nodes" : name, b.count, b.count == 1 ? "node" : "nodes");
     print_spread(f, "busy", &b);
     print_spread(f, "idle", &i);
     print_spread(f, "system", &s);

@@ -1,0 +1,62 @@
+/* client.c - see client.h. */
+#include "srm/client.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "srm/socket.h"
+
+/* Passes a frame on. True for the last. */
+static bool pass_on(enum frame_kind kind, const char *bytes, uint32_t length, int *status)
+{
+    if (kind == FRAME_END && length == 1) {
+        *status = (unsigned char)bytes[0];
+        return true;
+    }
+    FILE *to = kind == FRAME_ERR ? stderr : stdout;
+    fwrite(bytes, 1, length, to);
+    fflush(to);
+    return false;
+}
+
+/* The answer's status; -1: it breaks off. */
+static int read_answer(int fd)
+{
+    struct evbuffer *in = evbuffer_new();
+    enum frame_kind kind;
+    char *bytes;
+    uint32_t length;
+    int status = -1, taken = 0;
+    bool last = false;
+    if (!in)
+        abort();
+    while (!last && taken >= 0 && evbuffer_read(in, fd, -1) > 0)
+        while (!last && (taken = frame_take(in, &kind, &bytes, &length)) > 0) {
+            last = pass_on(kind, bytes, length, &status);
+            free(bytes);
+        }
+    evbuffer_free(in);
+    return status;
+}
+
+int client_ask(const char *path, const struct request *r, char **error)
+{
+    int fd, status = -1;
+    *error = socket_connect(path, &fd);
+    if (*error)
+        return -1;
+    struct evbuffer *out = evbuffer_new();
+    if (!out)
+        abort();
+    request_put(out, r);
+    bool sent = true;
+    while (sent && evbuffer_get_length(out) > 0)
+        sent = evbuffer_write(out, fd) > 0;
+    evbuffer_free(out);
+    if (sent)
+        status = read_answer(fd);
+    close(fd);
+    if (status < 0)
+        *error = strdup("the service has gone away: touchstone srm starts one; its cubes are gone too");
+    return status;
+}

@@ -1,0 +1,240 @@
+/* cubes.c - see cubes.h. */
+#include "srm/cubes.h"
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include "srm/job.h"
+
+__attribute__((format(printf, 1, 2))) static char *text(const char *format, ...)
+{
+    char *s;
+    va_list list;
+    va_start(list, format);
+    if (vasprintf(&s, format, list) < 0)
+        abort();
+    va_end(list);
+    return s;
+}
+
+void cubes_open(struct cubes *c, const struct cfg_machine *machine)
+{
+    *c = (struct cubes){.machine = machine};
+    share_open(&c->share, machine);
+}
+
+void cubes_close(struct cubes *c)
+{
+    for (size_t i = 0; i < c->attached_count; i++)
+        free(c->attached[i].session);
+    free(c->attached);
+    share_close(&c->share);
+}
+
+static uint8_t number_of(const struct cubes *c, const struct cube_entry *e)
+{
+    return (uint8_t)(e - c->list + 1);
+}
+
+const char *cubes_nodes(const struct cubes *c, const struct cube_entry *e, char *buf, size_t size)
+{
+    const struct share_piece *p = &e->piece;
+    if (c->share.cube && p->nodes == 1)
+        snprintf(buf, size, "node %u", p->column);
+    else if (c->share.cube)
+        snprintf(buf, size, "nodes %u to %u", p->column, p->column + p->nodes - 1);
+    else
+        snprintf(buf, size, "%u x %u nodes at row %u, column %u", p->rows, p->columns, p->row, p->column);
+    return buf;
+}
+
+/* --- getting one --- */
+
+static char *check_name(struct cubes *c, const char *name)
+{
+    if (!*name || strlen(name) >= CUBE_TEXT)
+        return text("the name of a cube has 1 to %d characters, not \"%s\"", CUBE_TEXT - 1, name);
+    for (const char *at = name; *at; at++)
+        if (!isgraph((unsigned char)*at))
+            return text("the name of a cube has no blanks: \"%s\"", name);
+    for (int i = 0; i < CUBES_MOST; i++)
+        if (c->list[i].used && !strcmp(c->list[i].name, name))
+            return text("there is a cube \"%s\" already, of %s: getcube -c gives another name", name,
+                        c->list[i].owner);
+    return NULL;
+}
+
+static void print_holders(const struct cubes *c, FILE *f)
+{
+    char nodes[80];
+    for (int i = 0; i < CUBES_MOST; i++)
+        if (c->list[i].used)
+            fprintf(f, "\n  %s of %s holds %s", c->list[i].name, c->list[i].owner,
+                    cubes_nodes(c, &c->list[i], nodes, sizeof nodes));
+}
+
+/* Who has the nodes that there are too few of. */
+static char *not_free(const struct cubes *c, const struct cube_type *t)
+{
+    char *s;
+    size_t size;
+    FILE *f = open_memstream(&s, &size);
+    fprintf(f, "%u nodes are asked for; %u of %u are free, the largest %s of them %u:", t->nodes,
+            share_free(&c->share), share_all(&c->share), c->share.cube ? "cube" : "rectangle",
+            share_largest(&c->share));
+    print_holders(c, f);
+    fclose(f);
+    return s;
+}
+
+static char *no_entry(const struct cubes *c)
+{
+    char *s;
+    size_t size;
+    FILE *f = open_memstream(&s, &size);
+    fprintf(f,
+            "there are %d cubes, which is all that the machine allows; relcube gives one back:", CUBES_MOST);
+    print_holders(c, f);
+    fclose(f);
+    return s;
+}
+
+struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type, const char *owner,
+                             const char *session, char **error)
+{
+    struct cube_entry *e = c->list, *end = c->list + CUBES_MOST;
+    struct cube_type t;
+    if ((*error = check_name(c, name)))
+        return NULL;
+    while (e < end && e->used)
+        e++;
+    if (e == end)
+        return *error = no_entry(c), NULL;
+    char *wrong = strlen(type) < CUBE_TEXT ? cube_type_read(type, c->machine, share_all(&c->share), &t)
+                                           : text("it is too long");
+    if (wrong)
+        return *error = text("type \"%s\": %s", type, wrong), free(wrong), NULL;
+    if (!*type && !c->share.cube)
+        t.rows = c->share.rows, t.columns = c->share.columns;
+    if (!share_possible(&c->share, &t))
+        return *error = text("type \"%s\": %s has no %u nodes so, it is a %s of %u", type, c->machine->name,
+                             t.nodes, c->share.cube ? "hypercube" : "mesh", share_all(&c->share)),
+               NULL;
+    *e = (struct cube_entry){.since = time(NULL)};
+    if (!share_take(&c->share, &t, number_of(c, e), &e->piece))
+        return *error = not_free(c, &t), NULL;
+    e->used = true;
+    snprintf(e->name, sizeof e->name, "%s", name);
+    snprintf(e->type, sizeof e->type, "%s", type);
+    snprintf(e->owner, sizeof e->owner, "%s", owner);
+    cubes_attach(c, e, session);
+    return e;
+}
+
+/* --- having it --- */
+
+static void detach(struct cubes *c, size_t i)
+{
+    free(c->attached[i].session);
+    c->attached[i] = c->attached[--c->attached_count];
+}
+
+static struct attachment *attachment_of(const struct cubes *c, const char *session)
+{
+    for (size_t i = 0; i < c->attached_count; i++)
+        if (!strcmp(c->attached[i].session, session))
+            return &c->attached[i];
+    return NULL;
+}
+
+void cubes_attach(struct cubes *c, struct cube_entry *e, const char *session)
+{
+    struct attachment *a = attachment_of(c, session);
+    if (!a) {
+        c->attached = realloc(c->attached, (c->attached_count + 1) * sizeof *c->attached);
+        if (!c->attached)
+            abort();
+        a = &c->attached[c->attached_count++];
+        a->session = strdup(session);
+    }
+    a->cube = number_of(c, e);
+}
+
+void cubes_release(struct cubes *c, struct cube_entry *e)
+{
+    share_give_back(&c->share, number_of(c, e));
+    for (size_t i = c->attached_count; i-- > 0;)
+        if (c->attached[i].cube == number_of(c, e))
+            detach(c, i);
+    free(e->program);
+    *e = (struct cube_entry){0};
+}
+
+struct cube_entry *cubes_find(struct cubes *c, const char *name, const char *session, char **error)
+{
+    const struct attachment *a = attachment_of(c, session);
+    struct cube_entry *only = NULL;
+    int count = 0;
+    if (!*name && a)
+        return &c->list[a->cube - 1];
+    for (int i = 0; i < CUBES_MOST; i++) {
+        struct cube_entry *e = &c->list[i];
+        if (e->used && *name && !strcmp(e->name, name))
+            return e;
+        count += e->used;
+        only = e->used ? e : only;
+    }
+    if (!*name && count == 1)
+        return only;
+    if (count == 0)
+        *error = text("there is no cube: getcube -t 16 gets one of 16 nodes");
+    else if (*name)
+        *error = text("there is no cube \"%s\": cubeinfo lists those there are", name);
+    else
+        *error = text(
+            "which cube? There are %d, and this terminal is attached to none: -c NAME, or attachcube -c NAME",
+            count);
+    return NULL;
+}
+
+/* --- cubeinfo --- */
+
+static void print_state(const struct cube_entry *e, FILE *f)
+{
+    if (!e->program)
+        fprintf(f, "nothing loaded");
+    else if (job_pid(e->job))
+        fprintf(f, "%s, running for %ld s, process %d", e->program, (long)(time(NULL) - job_since(e->job)),
+                (int)job_pid(e->job));
+    else
+        fprintf(f, "%s, ended with %d", e->program, job_status(e->job));
+}
+
+static void print_cube(const struct cubes *c, const struct cube_entry *e, bool attached, FILE *f)
+{
+    char since[32], nodes[80];
+    struct tm tm;
+    localtime_r(&e->since, &tm);
+    strftime(since, sizeof since, "%Y-%m-%d %H:%M:%S", &tm);
+    fprintf(f, "%c %-12s %-6s %-16s %-10s %s  ", attached ? '*' : ' ', e->name, *e->type ? e->type : "all",
+            cubes_nodes(c, e, nodes, sizeof nodes), e->owner, since);
+    print_state(e, f);
+    fputc('\n', f);
+}
+
+void cubes_print(const struct cubes *c, const char *session, FILE *f)
+{
+    const struct attachment *a = attachment_of(c, session);
+    int count = 0;
+    for (int i = 0; i < CUBES_MOST; i++)
+        count += c->list[i].used;
+    if (count)
+        fprintf(f, "  %-12s %-6s %-16s %-10s %-19s  %s\n", "cube", "type", "nodes", "owner", "since",
+                "program");
+    for (int i = 0; i < CUBES_MOST; i++)
+        if (c->list[i].used)
+            print_cube(c, &c->list[i], a && a->cube == i + 1, f);
+    fprintf(f, "%s: %d of %d cubes; %u of %u nodes free, the largest %s %u\n", c->machine->name, count,
+            CUBES_MOST, share_free(&c->share), share_all(&c->share), c->share.cube ? "cube" : "rectangle",
+            share_largest(&c->share));
+}

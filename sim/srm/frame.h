@@ -1,0 +1,36 @@
+/* frame.h - what goes over the service's socket, both ways: frames of a kind, a length and so many bytes.
+ *
+ *     client    FRAME_REQUEST   strings, each ended by 0: struct request in this order, then the program and its arguments
+ *     service   FRAME_OUT, FRAME_ERR   bytes for the client's standard output and error output, any number of them
+ *               FRAME_END       one byte: the client's exit status; the last
+ */
+#ifndef SRM_FRAME_H
+#define SRM_FRAME_H
+#include <event2/buffer.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+enum frame_kind { FRAME_REQUEST = 'R', FRAME_OUT = 'O', FRAME_ERR = 'E', FRAME_END = 'X' };
+enum { FRAME_HEAD = 5, FRAME_MOST = 1 << 20 };
+
+struct request {
+    const char *command; /* "getcube" */
+    const char *folder;  /* the client's current one */
+    const char *session; /* of its terminal: cubes are attached to it */
+    const char *cube;    /* its name, "": the one attached */
+    const char *type;    /* getcube */
+    int argc;            /* load: words for touchstone run */
+    char **argv;
+};
+enum { REQUEST_STRINGS = 5 };
+
+void frame_head(unsigned char head[FRAME_HEAD], enum frame_kind kind, uint32_t length);
+void frame_put(struct evbuffer *b, enum frame_kind kind, const void *bytes, uint32_t length);
+/* Takes a whole frame out of the buffer; *bytes is malloc'd, with a 0 after its end. 1 done, 0 more has to come, -1 what
+ * came is no frame. */
+int frame_take(struct evbuffer *b, enum frame_kind *kind, char **bytes, uint32_t *length);
+
+void request_put(struct evbuffer *b, const struct request *r);
+/* Points into bytes; argv is malloc'd. False: it is no request. */
+bool request_read(struct request *r, char *bytes, uint32_t length);
+#endif

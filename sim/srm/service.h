@@ -1,0 +1,17 @@
+/* service.h - the resident service that shares out a machine's nodes, and runs programs on them. */
+#ifndef SRM_SERVICE_H
+#define SRM_SERVICE_H
+#include <stdio.h>
+#include "config/config.h"
+
+struct service_options {
+    const struct cfg_machine *machine;
+    const char *machine_path; /* for touchstone run -m, from any folder */
+    const char *runner;       /* this binary */
+    int socket;               /* listening; the service's from now on */
+    FILE *log;
+};
+
+/* Serves until SIGINT or SIGTERM; kills what runs then. Clients that go away do it no harm. */
+void service_run(const struct service_options *options);
+#endif
