@@ -2,6 +2,8 @@
 #include "node/cube.h"
 #include "nx_api/calls/call.h"
 
+enum { FIRST_RESERVED_TYPE = 1000000000 };
+
 void nx_about(struct node *n, long what)
 {
     n->call_type = n->awaited = what;
@@ -18,8 +20,12 @@ uint32_t nx_message_ids(const struct node *n)
     return (uint32_t)n->sys->cfg->message_ids;
 }
 
+/* The host program sends none of the library's own messages. */
 long nx_check_way(struct node *n, long node)
 {
+    if (n->is_host && n->call_type >= FIRST_RESERVED_TYPE && n->call_type < PROTO_FORCED)
+        return node_error(n, EQNODE,
+                          "the global operations are the nodes': the host program takes no part in them");
     return n->is_host ? cube_check_send(n, node) : 0;
 }
 
@@ -54,4 +60,6 @@ void nx_flush(struct node *n, long node, int64_t typesel)
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (node == ALL_NODES || node == (long)i)
             mailbox_flush(n->sys->nodes[i], typesel, node_now(n));
+    if (node == (long)n->sys->count)
+        mailbox_flush(n->sys->host, typesel, node_now(n));
 }

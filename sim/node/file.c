@@ -72,7 +72,7 @@ struct node_file *file_of_host(struct node *n, int fd)
     return &f->base;
 }
 
-/* --- /cfs on a machine that has no such file system --- */
+/* --- /cfs on a machine that has no such file system, and on the host, which is not on its network --- */
 
 static int refuse(void)
 {
@@ -111,7 +111,7 @@ static const struct node_fs NO_FS = {NULL, no_open, no_unlink, no_rename, no_sta
 
 static const struct node_fs *fs_of(const struct node *n)
 {
-    return n->sys->fs ? n->sys->fs : &NO_FS;
+    return n->sys->fs && !n->is_host ? n->sys->fs : &NO_FS;
 }
 
 static bool simulated(const char *path)

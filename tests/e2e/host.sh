@@ -57,6 +57,14 @@ sed '/wall/d' err >first
 run -n 4 --host again
 check "again: the same times once more" eval "sed '/wall/d' err | cmp - first"
 
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$tests/../../doc/host-programs.md" | sed '1d;$d'; }
+mkdir page
+block 'c host.c' >page/host.c
+block 'c node.c' >page/node.c
+block sh >page/commands
+(cd page && PATH=$BUILD:$PATH bash -e commands) >out 2>err
+check "the example of doc/host-programs.md" grep -qx "$(sed -n 's/^prints `\(.*\)`, and.*/\1/p' "$tests/../../doc/host-programs.md")" out
+
 run --host hang counts
 check "deadlock: exit status 2" ended_with 2
 check "deadlock: what the host waits for" said '^  host: crecv\(77\) since'
@@ -77,6 +85,12 @@ run --host kind
 check "no such kind of nodes" said "'vx' is no kind of node"
 run --host crash_host
 check "the host crashes" said '^touchstone run: host crashed at .*'
+run --host global
+check "a global operation on the host" said 'csend: the global operations are the nodes'
+run --host cfs
+check "the host has no /cfs" grep -qx 'no such file system: 1' out
+run --host flush counts
+check "the host throws away what has come for it" grep -qx 'before 1, after 0' out
 run --host fails
 check "exit(3) of the host" said '^touchstone run: host ended at .* with exit\(3\)'
 run -m delta --host farm farm_node

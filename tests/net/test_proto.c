@@ -7,13 +7,13 @@
 #include <cmocka.h>
 #include "net/proto.h"
 
-enum { NODES = 8, US = 1000000 };
+enum { NODES = 8, HOST = NODES, US = 1000000 };
 
 /* Nodes that do nothing but note what happens. */
 struct fake {
     struct evq *q;
     struct proto *proto;
-    vtime free_at[NODES];
+    vtime free_at[NODES + 1];
     bool room;
     struct message *seen[16], *kept;
     int seen_count, arrived_count;
@@ -86,6 +86,21 @@ static void end(struct fake *f)
         proto_message_free(f->seen[i]);
     proto_free(f->proto);
     evq_free(f->q);
+}
+
+/* The same with a host, whose link takes 500 us a trip and 1 us a byte. */
+static void begin_with_host(struct fake *f)
+{
+    static struct cfg_machine cfg;
+    struct topo topo;
+    cfg = IPSC;
+    cfg.host.link_ps = 500 * US, cfg.host.link_ps_per_byte = US;
+    *f = (struct fake){.q = evq_new(), .room = true};
+    struct proto_nodes nodes = {f, work, move, envelope, sent, arrived};
+    assert_true(topo_hypercube(&topo, NODES, 3));
+    topo_add_host(&topo);
+    assert_int_equal(topo_host(&topo), HOST);
+    f->proto = proto_new(&cfg, &topo, f->q, &nodes);
 }
 
 /* Sends from node 0 as a call at time 0 would; returns the message. */
@@ -251,6 +266,85 @@ static void nothing_reaches_a_node_before_its_horizon(void **state)
     end(&f);
 }
 
+static vtime from_to_with_host(uint32_t from, uint32_t to, size_t bytes)
+{
+    static char data[10000];
+    struct fake f;
+    begin_with_host(&f);
+    proto_send(f.proto, proto_message(f.proto, from, to, 5, 0, data, bytes),
+               proto_send_time(f.proto, 5, bytes));
+    run(&f);
+    assert_int_equal(f.arrived_count, 1);
+    vtime t = f.complete[0];
+    end(&f);
+    return t;
+}
+
+static void a_trip_to_or_from_the_host_crosses_its_link_and_then_the_cube_from_node_0(void **state)
+{
+    (void)state;
+    assert_int_equal(from_to_with_host(HOST, 0, 0), (65 + 500 + 10) * US);
+    assert_int_equal(from_to_with_host(HOST, 5, 100), (65 + 500 + 30 + 100) * US);
+    assert_int_equal(from_to_with_host(6, HOST, 100), (65 + 500 + 30 + 100) * US);
+    assert_int_equal(from_to_with_host(0, HOST, 10000), (147 + 3 * 510 + 10000) * (vtime)US);
+    assert_int_equal(from_to_with_host(1, 3, 100), 75 * US + 42500000); /* not those between nodes */
+}
+
+static void what_the_host_sends_to_all_goes_to_node_0_and_on_from_there(void **state)
+{
+    struct fake f;
+    bool got[NODES] = {false};
+    (void)state;
+    begin_with_host(&f);
+    struct message *m = proto_to_all(f.proto, HOST, 5, 0, "x", 1);
+    assert_null(m->also);
+    proto_send(f.proto, m, 0);
+    run(&f);
+    assert_int_equal(f.arrived_count, NODES);
+    for (int i = 0; i < NODES; i++) {
+        assert_int_equal(f.seen[i]->source, HOST);
+        assert_false(got[f.seen[i]->to]);
+        got[f.seen[i]->to] = true;
+    }
+    end(&f);
+}
+
+static void to_all_is_to_the_nodes_of_the_cube_that_there_is(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin_with_host(&f);
+    proto_set_nodes(f.proto, 4);
+    for (struct message *m = proto_to_all(f.proto, 3, 5, 0, "x", 1), *next; m; m = next) {
+        next = m->also;
+        proto_send(f.proto, m, 0);
+    }
+    run(&f);
+    assert_int_equal(f.arrived_count, 3); /* not the host, not nodes 4 to 7 */
+    end(&f);
+}
+
+static void messages_to_a_program_that_is_gone_are_marked(void **state)
+{
+    struct fake f;
+    int receive, send_of;
+    (void)state;
+    begin_with_host(&f);
+    struct message *m[3];
+    for (int i = 0; i < 3; i++) {
+        m[i] = proto_message(f.proto, i == 2 ? 1 : HOST, i == 2 ? 0 : 1, 5, 0, "x", 1);
+        proto_send(f.proto, m[i], 0);
+    }
+    m[0]->receive = &receive;
+    m[2]->send = &send_of;
+    proto_forget(f.proto, 1, false);
+    assert_true(m[0]->unwanted && !m[0]->receive && !m[1]->unwanted && !m[2]->unwanted && !m[2]->send);
+    proto_forget(f.proto, 1, true);
+    assert_true(m[1]->unwanted && !m[2]->unwanted);
+    run(&f);
+    end(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -263,6 +357,10 @@ int main(void)
         cmocka_unit_test(a_message_to_all_takes_as_many_steps_as_the_cube_has_dimensions),
         cmocka_unit_test(a_later_message_does_not_overtake_one_to_all),
         cmocka_unit_test(nothing_reaches_a_node_before_its_horizon),
+        cmocka_unit_test(a_trip_to_or_from_the_host_crosses_its_link_and_then_the_cube_from_node_0),
+        cmocka_unit_test(what_the_host_sends_to_all_goes_to_node_0_and_on_from_there),
+        cmocka_unit_test(to_all_is_to_the_nodes_of_the_cube_that_there_is),
+        cmocka_unit_test(messages_to_a_program_that_is_gone_are_marked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

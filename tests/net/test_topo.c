@@ -223,6 +223,30 @@ static void every_route_ends_where_it_should(void **state)
     }
 }
 
+static void the_host_hangs_on_node_0(void **state)
+{
+    struct topo t;
+    struct topo_walk w;
+    uint32_t channel, count[2] = {0, 0}, own[2][8];
+    (void)state;
+    assert_true(topo_hypercube(&t, 8, 7));
+    topo_add_services(&t, 3);
+    uint32_t before = t.channels;
+    topo_add_host(&t);
+    assert_int_equal(topo_host(&t), 11);
+    assert_true(topo_is_host(&t, 11) && !topo_is_host(&t, 10));
+    for (uint32_t i = 0; i < 8; i++) {
+        assert_int_equal(topo_hops(&t, topo_host(&t), i), 1 + __builtin_popcount(i));
+        assert_int_equal(topo_hops(&t, i, topo_host(&t)), 1 + __builtin_popcount(i));
+    }
+    for (int way = 0; way < 2; way++)
+        for (topo_begin(&w, way ? 5 : 11, way ? 11 : 5); topo_step(&t, &w, &channel);)
+            own[way][count[way]++] = channel;
+    assert_true(count[0] == 4 && count[1] == 4); /* its own, two of the cube, the port */
+    assert_true(own[0][0] >= before && own[1][3] >= before && own[0][0] != own[1][3]);
+    assert_true(own[0][0] < t.channels && own[1][3] < t.channels);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +259,7 @@ int main(void)
         cmocka_unit_test(services_of_a_mesh_are_columns_at_its_edge),
         cmocka_unit_test(services_of_a_hypercube_hang_on_nodes_spread_evenly),
         cmocka_unit_test(routes_with_services_have_no_cycle),
+        cmocka_unit_test(the_host_hangs_on_node_0),
         cmocka_unit_test(every_route_ends_where_it_should),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,9 @@
+/* global.c - a host program that goes wrong: see host.sh. */
+#include "cube.h"
+
+int main(void)
+{
+    getcube("c", "4", "", 0);
+    gsync();
+    return 0;
+}
