@@ -92,6 +92,7 @@ INST = $(DESTDIR)$(PREFIX)
 install: all ## Install into PREFIX (default /usr/local)
 	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper)
 	install $B/touchstone $B/nxcc $(INST)/bin
+	ln -sf nxcc $(INST)/bin/nxf77
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include

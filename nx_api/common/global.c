@@ -26,22 +26,11 @@
 #include "global.h"
 #include "nx.h"
 
-/* out = low combined with high, n elements; out is one of the two. */
-typedef void combine(void *out, const void *low, const void *high, long n);
-
 enum { FOLD = 62, TELL = 63 };
 
-#define REDUCTION(name, operation, element, expression) operation,
-enum operation {
-    GSYNC,
-#include "reductions.def"
-    GOPF,
-};
-#undef REDUCTION
-
 struct global {
-    long type;        /* of the operation's step 0 */
-    combine *combine; /* NULL: nothing to combine, nodes only wait for each other */
+    long type;           /* of the operation's step 0 */
+    nx_combine *combine; /* NULL: nothing to combine, nodes only wait for each other */
     long n, bytes;
     void *x, *work;
 };
@@ -80,7 +69,7 @@ static void run(const struct global *g)
         csend(g->type + TELL, g->x, g->bytes, me + p, 0);
 }
 
-static void reduce(enum operation op, combine *f, long n, size_t size, void *x, void *work)
+void nx_reduce(enum nx_operation op, nx_combine *f, long n, size_t size, void *x, void *work)
 {
     const struct global g = {GLOBAL_FIRST_TYPE + op * GLOBAL_TYPES, f, n, n * (long)size, x, work};
     run(&g);
@@ -96,14 +85,14 @@ static void reduce(enum operation op, combine *f, long n, size_t size, void *x, 
     }                                                                                                        \
     void name(element x[], long n, element work[])                                                           \
     {                                                                                                        \
-        reduce(operation, name##_combine, n, sizeof(element), x, work);                                      \
+        nx_reduce(operation, name##_combine, n, sizeof(element), x, work);                                   \
     }
 
 #include "reductions.def"
 
 void gsync(void)
 {
-    reduce(GSYNC, NULL, 0, 0, NULL, NULL);
+    nx_reduce(GSYNC, NULL, 0, 0, NULL, NULL);
 }
 
 /* The program's operation, while gopf is under way. f(low, high) leaves the result in low. */
@@ -119,5 +108,5 @@ static void gopf_combine(void *out, const void *low, const void *high, long byte
 void gopf(void *x, long len, void *work, long (*f)(void *, void *))
 {
     program_operation = f;
-    reduce(GOPF, gopf_combine, len, 1, x, work);
+    nx_reduce(GOPF, gopf_combine, len, 1, x, work);
 }

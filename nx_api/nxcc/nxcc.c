@@ -1,6 +1,8 @@
-/* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link.
+/* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link. nxf77 is another
+ * name for it.
  *
- * It runs gcc once, with the user's arguments followed by its own. Everything it needs it finds from where it
+ * It runs gcc once, with the user's arguments followed by its own; when there are both C and Fortran files, which take
+ * other options, once for each Fortran file before. Everything it needs it finds from where it
  * is itself:
  *
  *     in the build tree   BUILD/nxcc          BUILD/node/{count.so, runtime.o, libnx.a, libnode.so, include,
@@ -14,6 +16,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #define VERSION "0.1"
@@ -34,6 +38,7 @@ static const char help[] =
     "    --factors FILE   cost factors of source files or functions: factors = ( { file = \"a.c\"; factor = "
     "1.02; } );\n"
     "    --profile        also count by function, for touchstone run --profile; the times stay the same\n"
+    "    -node -nx        accepted: they linked NX programs in their day\n"
     "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"
@@ -44,9 +49,14 @@ static const char help[] =
     "same source\n"
     "gives the same count on every computer. A program may use the NX calls of nx.h and the C library that a "
     "node has;\n"
-    "anything else is an undefined reference when it is linked. -node and -nx, which linked NX programs in "
-    "their day,\n"
-    "are accepted.\n"
+    "anything else is an undefined reference when it is linked.\n"
+    "\n"
+    "Fortran (.f .for .f90 ..., and .F .F90 ..., which are preprocessed) is compiled by GNU Fortran, with options that "
+    "old programs\n"
+    "need: -std=legacy -fallow-argument-mismatch -fcray-pointer -fdollar-ok, and without\n"
+    "warnings unless you ask for some (-Wall); yours come after them.\n"
+    "INCLUDE 'fcube.h' or 'fnx.h' declares the NX functions. nxf77 is nxcc by another name. One program may have C "
+    "and Fortran.\n"
     "\n"
     "Handlers (hrecv, hsend) interrupt a program at loops and function calls. As everywhere in C, a variable "
     "that a handler\n"
@@ -57,7 +67,7 @@ static const char help[] =
 __attribute__((format(printf, 1, 2), noreturn)) static void fail(const char *format, ...)
 {
     va_list list;
-    fputs("nxcc: ", stderr);
+    fprintf(stderr, "%s: ", program_invocation_short_name);
     va_start(list, format);
     vfprintf(stderr, format, list);
     va_end(list);
@@ -136,24 +146,44 @@ static char *find_costs(const struct places *p, const char *name)
 
 /* --- arguments --- */
 
+enum kind { OPTION, OUTPUT, C_FILE, FORTRAN_FILE, OTHER_FILE };
+
+struct argument {
+    const char *text;
+    enum kind kind; /* OUTPUT: -o and its file */
+};
+
 struct arguments {
-    const char **gcc; /* what gcc is to get, in order */
+    struct argument *gcc; /* what gcc is to get, in order */
     size_t count;
     const char *costs;
     const char *factors;
     bool profile;
+    bool warnings; /* are asked for */
     bool links;    /* gcc will link */
     bool has_file; /* there is something to compile or link */
     bool dry_run;
 };
 
-static void add(struct arguments *a, const char *argument)
+static void add_kind(struct arguments *a, const char *argument, enum kind kind)
 {
-    a->gcc = reallocarray(a->gcc, a->count + 2, sizeof *a->gcc);
+    a->gcc = reallocarray(a->gcc, a->count + 1, sizeof *a->gcc);
     if (!a->gcc)
         fail("out of memory");
-    a->gcc[a->count++] = argument;
-    a->gcc[a->count] = NULL;
+    a->gcc[a->count++] = (struct argument){argument, kind};
+}
+
+static void add(struct arguments *a, const char *argument)
+{
+    add_kind(a, argument, OPTION);
+}
+
+static bool has_kind(const struct arguments *a, enum kind kind)
+{
+    for (size_t i = 0; i < a->count; i++)
+        if (a->gcc[i].kind == kind)
+            return true;
+    return false;
 }
 
 /* "--costs FILE" or "--costs=FILE": the value, or NULL if argv[*i] is another option. */
@@ -177,6 +207,19 @@ static bool is_one_of(const char *s, const char *const *list)
     return false;
 }
 
+static enum kind kind_of(const char *argument)
+{
+    static const char *const fortran[] = {"f", "for", "ftn", "f90", "f95", "f03", "f08", "fpp", NULL};
+    static const char *const c[] = {"c", "i", NULL};
+    const char *dot = strrchr(argument, '.');
+    if (argument[0] == '-' && argument[1])
+        return OPTION;
+    for (size_t i = 0; dot && fortran[i]; i++)
+        if (!strcasecmp(dot + 1, fortran[i]))
+            return FORTRAN_FILE;
+    return dot && is_one_of(dot + 1, c) ? C_FILE : OTHER_FILE;
+}
+
 /* Options that would make another kind of program, with the reason why they cannot be had. */
 static void refuse(const char *s)
 {
@@ -194,7 +237,7 @@ static void refuse(const char *s)
 
 static void show_version(void)
 {
-    printf("nxcc (touchstone) " VERSION ", around:\n");
+    printf("%s (touchstone) " VERSION ", around:\n", program_invocation_short_name);
     fflush(stdout);
     execlp("gcc", "gcc", "--version", (char *)NULL);
     fail("gcc: %s", strerror(errno));
@@ -204,11 +247,11 @@ static struct arguments read_arguments(int argc, char **argv)
 {
     static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-fsyntax-only", NULL};
     static const char *const with_value[] = {
-        "-o",  "-D",  "-U",      "-I",       "-L", "-l", "-x",       "-include",   "-isystem", "-MF",
-        "-MT", "-MQ", "-iquote", "-Xlinker", "-T", "-u", "-imacros", "-idirafter", "--param",  NULL};
+        "-o",       "-D",       "-U",       "-I",         "-L",      "-l",      "-x",
+        "-include", "-isystem", "-MF",      "-MT",        "-MQ",     "-iquote", "-Xlinker",
+        "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
     static const char *const dropped[] = {"-node", "-nx", "-g0", NULL};
     struct arguments a = {.costs = DEFAULT_COSTS, .links = true};
-    add(&a, "gcc");
     add(&a,
         "-g1"); /* before the user's: lines for crash reports, and inlined code knows where it was written */
     for (int i = 1; i < argc; i++) {
@@ -230,13 +273,16 @@ static struct arguments read_arguments(int argc, char **argv)
         } else if (!strcmp(argv[i], "--dry-run")) {
             a.dry_run = true;
         } else if (is_one_of(argv[i], with_value) && i + 1 < argc) {
-            add(&a, argv[i]);
-            add(&a, argv[++i]);
+            enum kind kind = strcmp(argv[i], "-o") ? OPTION : OUTPUT;
+            add_kind(&a, argv[i], kind);
+            add_kind(&a, argv[++i], kind);
         } else if (!is_one_of(argv[i], dropped)) {
             refuse(argv[i]);
+            a.warnings = a.warnings || (!strncmp(argv[i], "-W", 2) && argv[i][2] != 'l');
             a.links = a.links && !is_one_of(argv[i], no_link);
-            a.has_file = a.has_file || argv[i][0] != '-' || !argv[i][1];
-            add(&a, argv[i]);
+            enum kind kind = kind_of(argv[i]);
+            a.has_file = a.has_file || kind != OPTION;
+            add_kind(&a, argv[i], kind);
         }
     }
     return a;
@@ -262,7 +308,7 @@ static void add_plugin(struct arguments *a, const struct places *p)
 
 /* Compiling: position-independent and plain, so that the same source computes the same and costs the same
  * everywhere. */
-static void add_compile(struct arguments *a, const struct places *p)
+static void add_compile(struct arguments *a, const struct places *p, bool fortran)
 {
     static const char *const options[] = {
         "-fPIE",                     /* an image that can be loaded once per node ... */
@@ -281,6 +327,25 @@ static void add_compile(struct arguments *a, const struct places *p)
         add(a, options[i]);
     add(a, "-isystem");
     add(a, p->include);
+    if (fortran)
+        add(a, text("-I%s", p->include)); /* INCLUDE looks here only */
+}
+
+/* What old Fortran programs need, before the user's arguments, which may take it back. */
+static void add_fortran(struct arguments *a, bool warnings)
+{
+    static const char *const options[] = {
+        "-std=legacy",
+        "-fallow-argument-mismatch", /* a buffer of any type */
+        "-fcray-pointer",
+        "-fdollar-ok",
+        "-fno-backtrace",                  /* the simulator reports */
+        "-finline-matmul-limit=1000000000" /* counted, not the library's */
+    };
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        add(a, options[i]);
+    if (!warnings)
+        add(a, "-w"); /* a warning for each such buffer would hide all others */
 }
 
 /* The stand-ins must be found before the host's libraries, so their directory comes before the user's
@@ -299,7 +364,6 @@ static void add_link(struct arguments *a, const struct places *p)
         "-Wl,--no-dynamic-linker", /* the simulator loads it; run in a shell it reaches runtime.c's _start */
         "-Wl,-z,defs",
         "-Wl,-z,now",
-        "-Wl,-z,nocopyreloc",
         "-Wl,-z,noexecstack",
         "-Wl,--hash-style=sysv", /* its chain count is the number of dynamic symbols */
         "-Wl,--build-id",
@@ -311,40 +375,139 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, "none");
     add(a, text("%s/runtime.o", p->lib));
     add(a, text("%s/%s", p->lib, a->profile ? "libnx_profile.a" : "libnx.a"));
+    add(a, text("%s/libgfortran.a", p->lib));
     add(a, "-lgcc");
     add(a, text("%s/libnode.so", p->lib));
 }
 
-static void print_command(const struct arguments *a)
+static void print_command(const char *const *gcc)
 {
-    for (size_t i = 0; i < a->count; i++)
-        printf("%s%s", a->gcc[i], i + 1 < a->count ? " " : "\n");
+    for (size_t i = 0; gcc[i]; i++)
+        printf("%s%s", gcc[i], gcc[i + 1] ? " " : "\n");
+}
+
+/* The whole command, for execvp. */
+static const char **command(const struct arguments *user, const struct places *p, bool link)
+{
+    bool fortran = has_kind(user, FORTRAN_FILE);
+    struct arguments a = {.costs = user->costs, .factors = user->factors, .profile = user->profile};
+    add(&a, "gcc");
+    add_plugin(&a, p);
+    if (link)
+        add_link_first(&a, p);
+    if (fortran)
+        add_fortran(&a, user->warnings);
+    for (size_t i = 0; i < user->count; i++)
+        add(&a, user->gcc[i].text);
+    add_compile(&a, p, fortran);
+    if (link)
+        add_link(&a, p);
+    const char **gcc = calloc(a.count + 1, sizeof *gcc);
+    if (!gcc)
+        fail("out of memory");
+    for (size_t i = 0; i < a.count; i++)
+        gcc[i] = a.gcc[i].text;
+    return gcc;
+}
+
+/* Does not return, or returns when it is a dry run. */
+static void become(const struct arguments *user, const struct places *p, bool link)
+{
+    const char **gcc = command(user, p, link);
+    if (user->dry_run) {
+        print_command(gcc);
+        return;
+    }
+    execvp("gcc", (char *const *)gcc);
+    fail("gcc: %s", strerror(errno));
+}
+
+/* The same, and waits; gcc's exit status. */
+static int run(const struct arguments *user, const struct places *p, bool link)
+{
+    int status;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child < 0)
+        fail("fork: %s", strerror(errno));
+    if (child == 0) {
+        become(user, p, link);
+        fflush(stdout);
+        _exit(0);
+    }
+    if (waitpid(child, &status, 0) < 0)
+        fail("waitpid: %s", strerror(errno));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/* --- C and Fortran in one command --- */
+
+/* The user's arguments without the files of one kind; with source: without any files and -o, to make output of source. */
+static struct arguments without(const struct arguments *user, enum kind left_out, const char *source,
+                                const char *output)
+{
+    struct arguments a = *user;
+    a.gcc = NULL, a.count = 0;
+    for (size_t i = 0; i < user->count; i++) {
+        enum kind kind = user->gcc[i].kind;
+        bool other_file = source && (kind == C_FILE || kind == OTHER_FILE || kind == OUTPUT);
+        if (kind != left_out && !other_file)
+            add_kind(&a, user->gcc[i].text, kind);
+    }
+    if (source) {
+        add_kind(&a, source, FORTRAN_FILE);
+        add(&a, "-c");
+        add(&a, "-o");
+        add(&a, output);
+    }
+    return a;
+}
+
+/* To be linked: the Fortran files become objects in a folder of their own first, and take their places. */
+static int link_mixed(const struct arguments *user, const struct places *p)
+{
+    char folder[] = P_tmpdir "/nxccXXXXXX";
+    struct arguments all = *user;
+    int status = 0;
+    if (!mkdtemp(folder))
+        fail("%s: %s", folder, strerror(errno));
+    all.gcc = NULL, all.count = 0;
+    for (size_t i = 0; i < user->count; i++) {
+        struct argument g = user->gcc[i];
+        if (g.kind == FORTRAN_FILE && !status) {
+            char *object = text("%s/%zu.o", folder, i);
+            struct arguments one = without(user, FORTRAN_FILE, g.text, object);
+            status = run(&one, p, false);
+            g = (struct argument){object, OTHER_FILE};
+        }
+        add_kind(&all, g.text, g.kind);
+    }
+    if (!status)
+        status = run(&all, p, true);
+    for (size_t i = 0; i < all.count; i++)
+        if (!strncmp(all.gcc[i].text, folder, strlen(folder)))
+            unlink(all.gcc[i].text);
+    rmdir(folder);
+    return status;
+}
+
+static int compile_mixed(const struct arguments *user, const struct places *p)
+{
+    struct arguments fortran = without(user, C_FILE, NULL, NULL), c = without(user, FORTRAN_FILE, NULL, NULL);
+    int status = run(&fortran, p, false);
+    return status ? status : run(&c, p, false);
 }
 
 int main(int argc, char **argv)
 {
-    static struct arguments user, a; /* static: they live until gcc replaces us */
-    static struct places p;
-    user = read_arguments(argc, argv);
-    p = find_places();
+    struct arguments user = read_arguments(argc, argv);
+    struct places p = find_places();
     if (!user.has_file && argc == 1)
-        fail("no input files; nxcc --help shows how it is used");
+        fail("no input files; %s --help shows how it is used", program_invocation_short_name);
     bool link = user.links && user.has_file;
-
-    a = (struct arguments){.costs = user.costs, .factors = user.factors, .profile = user.profile};
-    add(&a, user.gcc[0]);
-    add_plugin(&a, &p);
-    if (link)
-        add_link_first(&a, &p);
-    for (size_t i = 1; i < user.count; i++)
-        add(&a, user.gcc[i]);
-    add_compile(&a, &p);
-    if (link)
-        add_link(&a, &p);
-    if (user.dry_run) {
-        print_command(&a);
+    if (!has_kind(&user, C_FILE) || !has_kind(&user, FORTRAN_FILE)) {
+        become(&user, &p, link);
         return 0;
     }
-    execvp("gcc", (char *const *)a.gcc);
-    fail("gcc: %s", strerror(errno));
+    return link ? link_mixed(&user, &p) : compile_mixed(&user, &p);
 }

@@ -5,18 +5,21 @@ NODE       := $B/node
 PLUGIN_INC  = $(shell $(CC) -print-file-name=plugin)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
-COMMON_SRC := $(wildcard nx_api/common/*.c)
-COMMON_OBJ := $(COMMON_SRC:nx_api/common/%.c=$(NODE)/obj/%.o)
+COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
+COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
 PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
-NXCC_TOOLS := $B/nxcc $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libnx_profile.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libnx_profile.a $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: nx_api/nxcc/nxcc.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $<
+
+$B/nxf77: | $B/nxcc
+	ln -sf nxcc $@
 
 # GCC's headers are not clean under our own warnings; ours are, so theirs are system headers.
 $B/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
@@ -39,19 +42,36 @@ $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/
 $(STAND_INS): | $(NODE)/libnode.so
 	echo '/* these names are in libnode.so */ INPUT(-lnode)' > $@
 
-# Node code of our own is counted like the user's.
-$(NODE)/obj/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h nx_api/common/*.def) $(NXCC_TOOLS)
-	@mkdir -p $(@D)
-	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
+# Node code of our own is counted like the user's: the global operations, and NX's faces to Fortran.
+COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
+define NODE_CODE
+$(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)
+	@mkdir -p $$(@D)
+	$B/nxcc -std=gnu17 -O2 $(WARN) $(2) -c -o $$@ $$<
 
-$(NODE)/obj/profile/%.o: nx_api/common/%.c $(wildcard nx_api/common/*.h) $(NXCC_TOOLS)
-	@mkdir -p $(@D)
-	$B/nxcc -std=gnu17 -O2 $(WARN) --profile -c -o $@ $<
+$(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
+	@mkdir -p $$(@D)
+	$B/nxf77 -O2 -Wall $(2) -c -o $$@ $$<
+endef
+$(eval $(call NODE_CODE,,))
+$(eval $(call NODE_CODE,profile/,--profile))
 
 # A simulated cache is not counted.
 $(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
+
+# What stands in for parts of GNU Fortran's library is not counted either.
+$(NODE)/obj/libgfortran/%.o: nx_api/libgfortran/%.c nx_api/libgfortran/libgfortran.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -mno-direct-extern-access -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
+
+# GNU Fortran's library without the parts that those replace.
+LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortran/*.c))
+$(NODE)/libgfortran.a: $(LIBGFORTRAN)
+	cp "$$(gfortran -print-file-name=libgfortran.a)" $@.new
+	ar d $@.new error.o stop.o backtrace.o async.o
+	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
 $(NODE)/libnx.a: $(COMMON_OBJ) $(NODE)/obj/cache_runtime.o
 $(NODE)/libnx_profile.a: $(PROFILED) $(NODE)/obj/cache_runtime.o

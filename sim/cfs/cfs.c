@@ -131,4 +131,5 @@ const struct node_file_class CFS_FILE = {.simulated = true,
                                          .write = write_file,
                                          .seek = seek_file,
                                          .stat = cfs_fstat,
+                                         .truncate = cfs_truncate,
                                          .close = close_file};

@@ -111,7 +111,9 @@ static int own_stat(const struct cfs *c, struct stat *st, int error)
 {
     if (error)
         return error;
-    *st = (struct stat){.st_mode = st->st_mode, .st_nlink = st->st_nlink, .st_size = st->st_size};
+    *st = (struct stat){
+        .st_ino = st->st_ino, .st_mode = st->st_mode, .st_nlink = st->st_nlink, .st_size = st->st_size};
+    st->st_dev = (dev_t)-1; /* no device of this computer */
     st->st_blksize = (blksize_t)c->cfg->block_bytes;
     st->st_blocks = (st->st_size + 511) / 512;
     return 0;
@@ -153,6 +155,18 @@ int64_t cfs_grow(struct cfs_file *f, uint64_t size)
 {
     struct question q = {.work = do_grow, .file = f, .number = size};
     return ask(f->cfs, f->base.node, &q, f->cfs->cfg->pointer_ps) ? -1 : (int64_t)q.number;
+}
+
+static int do_cut(struct question *q)
+{
+    return store_cut(q->file->store, q->number);
+}
+
+int cfs_truncate(struct node_file *base, int64_t size)
+{
+    struct cfs_file *f = (struct cfs_file *)base;
+    struct question q = {.work = do_cut, .file = f, .number = (uint64_t)size};
+    return ask(f->cfs, base->node, &q, f->cfs->cfg->pointer_ps);
 }
 
 static int do_restrict(struct question *q)

@@ -53,4 +53,5 @@ int cfs_fs_unlink(void *ctx, struct node *n, const char *path);
 int cfs_fs_rename(void *ctx, struct node *n, const char *from, const char *to);
 int cfs_fs_stat(void *ctx, struct node *n, const char *path, struct stat *st);
 int cfs_fstat(struct node_file *f, struct stat *st);
+int cfs_truncate(struct node_file *f, int64_t size);
 #endif

@@ -250,13 +250,25 @@ int store_rename(struct store *s, const char *from, const char *to)
     return 0;
 }
 
+/* A number that tells a file from others, the same on any computer: its name's hash (FNV-1a). */
+static ino_t identity(const char *name)
+{
+    uint64_t h = 0xcbf29ce484222325u;
+    for (; *name; name++)
+        h = (h ^ (unsigned char)*name) * 0x100000001b3u;
+    return (ino_t)h;
+}
+
 int store_stat(struct store *s, const char *path, struct stat *st)
 {
     char name[PATH_MAX], host[PATH_MAX];
     if (!within(path, name, sizeof name))
         return EACCES;
     int error = host_path(s, name, host, sizeof host);
-    return error ? error : stat(host, st) ? errno : 0;
+    if (error || stat(host, st))
+        return error ? error : errno;
+    st->st_ino = identity(name);
+    return 0;
 }
 
 /* --- bytes --- */
@@ -299,7 +311,18 @@ int store_grow(struct store_file *f, uint64_t size)
     return 0;
 }
 
+int store_cut(struct store_file *f, uint64_t size)
+{
+    if (size != f->size && ftruncate(f->host, (off_t)size))
+        return errno;
+    f->size = size;
+    return 0;
+}
+
 int store_fstat(struct store_file *f, struct stat *st)
 {
-    return fstat(f->host, st) ? errno : 0;
+    if (fstat(f->host, st))
+        return errno;
+    st->st_ino = identity(f->path);
+    return 0;
 }

@@ -49,5 +49,6 @@ void store_release(struct store_file *f);
 int store_read(struct store_file *f, uint64_t at, void *buf, size_t bytes);
 int store_write(struct store_file *f, uint64_t at, const void *buf, size_t bytes);
 int store_grow(struct store_file *f, uint64_t size);
+int store_cut(struct store_file *f, uint64_t size); /* or grow it */
 int store_fstat(struct store_file *f, struct stat *st);
 #endif

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/uio.h>
 #include <unistd.h>
 #include "node/libc_parts.h"
 #include "node/node.h"
@@ -129,10 +130,80 @@ off_t node_lseek(int fd, off_t offset, int whence)
     return f ? file_seek(f, (int32_t)offset, whence) : -1;
 }
 
+ssize_t node_writev(int fd, const struct iovec *parts, int count)
+{
+    ssize_t done = 0;
+    for (int i = 0; i < count; i++) {
+        ssize_t n = node_write(fd, parts[i].iov_base, parts[i].iov_len);
+        if (n < 0)
+            return done > 0 ? done : -1;
+        done += n;
+        if ((size_t)n < parts[i].iov_len)
+            break;
+    }
+    return done;
+}
+
+/* The standard descriptors are a terminal, whatever the simulator's are: what a program prints, and when, must not depend
+ * on that. */
+int node_isatty(int fd)
+{
+    if (standard(node_self(), fd))
+        return 1;
+    errno = descriptor_file(node_self(), fd) ? ENOTTY : EBADF;
+    return 0;
+}
+
+int node_ttyname_r(int fd, char *buf, size_t size)
+{
+    (void)buf, (void)size;
+    return node_isatty(fd) ? ENODEV : errno; /* which has no name */
+}
+
 int node_fstat(int fd, struct stat *st)
 {
-    struct node_file *f = descriptor_file(node_self(), fd);
+    struct node *n = node_self();
+    if (standard(n, fd)) {
+        *st = (struct stat){
+            .st_mode = S_IFCHR | 0620, .st_nlink = 1, .st_dev = (dev_t)-2, .st_ino = (ino_t)fd + 1};
+        return 0;
+    }
+    struct node_file *f = descriptor_file(n, fd);
     return f ? file_fstat(f, st) : -1;
+}
+
+int node_ftruncate(int fd, off_t size)
+{
+    struct node_file *f = descriptor_file(node_self(), fd);
+    return f ? file_truncate(f, (int32_t)size) : -1;
+}
+
+/* As open() with O_EXCL, under names that differ from node to node and are the same in each run; those taken are passed
+ * over. */
+int node_mkostemp(char *pattern, int flags)
+{
+    size_t len = strlen(pattern);
+    if (len < 6 || strcmp(pattern + len - 6, "XXXXXX") != 0) {
+        errno = EINVAL;
+        return -1;
+    }
+    for (unsigned i = 0; i < 1000; i++) {
+        char digits[24];
+        snprintf(digits, sizeof digits, "%03u%03u", node_self()->id % 1000, i);
+        memcpy(pattern + len - 6, digits, 6);
+        int fd = node_open(pattern, flags | O_RDWR | O_CREAT | O_EXCL, 0600);
+        if (fd >= 0 || errno != EEXIST)
+            return fd;
+    }
+    errno = EEXIST;
+    return -1;
+}
+
+/* Permissions are those asked for, less what the user of the simulator takes off. */
+mode_t node_umask(mode_t mask)
+{
+    (void)mask;
+    return 0;
 }
 
 /* --- names --- */

@@ -50,6 +50,11 @@ static int host_stat(struct node_file *f, struct stat *st)
     return fstat(fd_of(f), st);
 }
 
+static int host_truncate(struct node_file *f, int64_t size)
+{
+    return ftruncate(fd_of(f), size);
+}
+
 static int host_close(struct node_file *f)
 {
     int r = close(fd_of(f));
@@ -57,8 +62,12 @@ static int host_close(struct node_file *f)
     return r;
 }
 
-static const struct node_file_class HOST_FILE = {
-    .read = host_read, .write = host_write, .seek = host_seek, .stat = host_stat, .close = host_close};
+static const struct node_file_class HOST_FILE = {.read = host_read,
+                                                 .write = host_write,
+                                                 .seek = host_seek,
+                                                 .stat = host_stat,
+                                                 .truncate = host_truncate,
+                                                 .close = host_close};
 
 struct node_file *file_of_host(struct node *n, int fd)
 {
@@ -196,6 +205,18 @@ int file_fstat(struct node_file *f, struct stat *st)
     }
     bool masked = enter(f->node, "fstat");
     int r = f->class->stat(f, st);
+    leave(f->node, masked);
+    return r;
+}
+
+int file_truncate(struct node_file *f, int64_t size)
+{
+    if (!f->class->simulated) {
+        node_order(f->node);
+        return f->class->truncate(f, size);
+    }
+    bool masked = enter(f->node, "ftruncate");
+    int r = f->class->truncate(f, size);
     leave(f->node, masked);
     return r;
 }

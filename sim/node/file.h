@@ -25,6 +25,7 @@ struct node_file_class {
     ssize_t (*write)(struct node_file *f, const void *buf, size_t bytes);
     int64_t (*seek)(struct node_file *f, int64_t offset, int whence);
     int (*stat)(struct node_file *f, struct stat *st);
+    int (*truncate)(struct node_file *f, int64_t size);
     int (*close)(struct node_file *f); /* frees f; also off the node, at the end */
 };
 
@@ -51,6 +52,7 @@ ssize_t file_write(struct node_file *f, const void *buf, size_t bytes); /* all, 
 int64_t file_seek(struct node_file *f, int64_t offset, int whence);
 int file_close(struct node_file *f);
 int file_fstat(struct node_file *f, struct stat *st);
+int file_truncate(struct node_file *f, int64_t size);
 /* Off the node: closes f without taking time. */
 void file_drop(struct node_file *f);
 

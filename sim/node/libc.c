@@ -1,6 +1,7 @@
 /* libc.c - a node's part of the C library: what is made and freed with it, its ending, and its small state.
  * Functions named node_<name> serve the node program's <name>; they run on the node's stack. */
 #include <errno.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,7 +109,28 @@ _Noreturn void node___stack_chk_fail(void)
               caller(n, __builtin_return_address(0), where, sizeof where));
 }
 
-/* --- environment, random numbers, strtok --- */
+/* No signals come to a node's program but those that end it: 0 is what was set before, the default. */
+void (*node_signal(int number, void (*f)(int)))(int)
+{
+    (void)number, (void)f;
+    return SIG_DFL;
+}
+
+int node_raise(int number)
+{
+    char where[128];
+    struct node *n = node_self();
+    node_libc_flush(n);
+    node_fail(n, "raise(%d) called by %s", number,
+              caller(n, __builtin_return_address(0), where, sizeof where));
+}
+
+int node_getpid(void)
+{
+    return (int)node_self()->id + 1;
+}
+
+/* --- environment, random numbers, strtok, locale --- */
 
 char *node_getenv(const char *name)
 {
@@ -117,6 +139,26 @@ char *node_getenv(const char *name)
         if (strncmp(*e, name, len) == 0 && (*e)[len] == '=')
             return *e + len + 1;
     return NULL;
+}
+
+char *node_secure_getenv(const char *name)
+{
+    return node_getenv(name);
+}
+
+/* Every run gets the same: other numbers on each node, from its own generator (splitmix64). */
+int node_getentropy(void *buf, size_t bytes)
+{
+    uint64_t *state = &node_self()->libc->entropy;
+    if (*state == 0)
+        *state = (uint64_t)node_self()->id << 32;
+    for (size_t i = 0; i < bytes; i++) {
+        uint64_t z = *state += 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        ((unsigned char *)buf)[i] = (unsigned char)(z >> 56);
+    }
+    return 0;
 }
 
 /* rand and random share one state, as in glibc. */
@@ -162,4 +204,32 @@ void node_srand48(long seed)
 char *node_strtok(char *s, const char *delimiters)
 {
     return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
+}
+
+/* There is one locale, "C"; asking for another gets it too. */
+static struct node_locale {
+    char name;
+} only = {'C'};
+
+struct node_locale *node_newlocale(int mask, const char *name, struct node_locale *base)
+{
+    (void)mask, (void)name, (void)base;
+    return &only;
+}
+
+struct node_locale *node_uselocale(struct node_locale *to)
+{
+    (void)to;
+    return &only;
+}
+
+void node_freelocale(struct node_locale *l)
+{
+    (void)l;
+}
+
+char *node_strerror_l(int code, struct node_locale *l)
+{
+    (void)l;
+    return node_strerror(code);
 }

@@ -14,6 +14,7 @@ struct node_libc {
     char random_state[128];
     struct drand48_data drand48;
     char *strtok_next;
+    uint64_t entropy;
     void (**atexit)(void);
     size_t atexit_count;
 };

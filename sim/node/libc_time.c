@@ -3,6 +3,7 @@
  * The calendar starts at a fixed moment when the program starts: results must not depend on the day they were
  * made.
  */
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <time.h>
 #include "node/cpu.h"
@@ -45,6 +46,36 @@ int node_gettimeofday(struct timeval *tv, void *zone)
     tv->tv_sec = EPOCH + (time_t)(now / VT_SECOND);
     tv->tv_usec = (suseconds_t)(now % VT_SECOND / VT_MICROSECOND);
     return 0;
+}
+
+/* All clocks are one: the calendar's, and those that count from the program's start. */
+int node_clock_gettime(clockid_t clock, struct timespec *ts)
+{
+    vtime now = clock_call("clock_gettime");
+    if (clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID)
+        now -= node_self()->stats.idle;
+    ts->tv_sec = (time_t)(now / VT_SECOND) + (clock == CLOCK_REALTIME ? EPOCH : 0);
+    ts->tv_nsec = (long)(now % VT_SECOND / (VT_SECOND / 1000000000));
+    return 0;
+}
+
+/* Only the two times; the others are 0. */
+int node_getrusage(int who, struct rusage *use)
+{
+    vtime now = clock_call("getrusage");
+    const struct node_stats *s = &node_self()->stats;
+    vtime user = now - s->idle - s->system;
+    (void)who;
+    *use = (struct rusage){
+        .ru_utime = {(time_t)(user / VT_SECOND), (suseconds_t)(user % VT_SECOND / VT_MICROSECOND)},
+        .ru_stime = {(time_t)(s->system / VT_SECOND), (suseconds_t)(s->system % VT_SECOND / VT_MICROSECOND)}};
+    return 0;
+}
+
+/* The machine's time zone is UTC. */
+struct tm *node_localtime_r(const time_t *t, struct tm *tm)
+{
+    return gmtime_r(t, tm);
 }
 
 static bool is_over(struct node *n, void *until)

@@ -6,9 +6,9 @@ BUILD=${BUILD:-build}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-for source in tests/nx/*.c; do
-    name=$(basename "$source" .c)
-    if ! $BUILD/nxcc -O2 -g -o "$work/$name" "$source" -lm 2>"$work/err"; then
+for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
+    name=$(basename "${source%.*}")
+    if ! $BUILD/nxcc -O2 -g -J "$work" -o "$work/$name" "$source" -lm 2>"$work/err"; then
         echo "not ok $name: does not compile"
         cat "$work/err"
         continue
@@ -16,7 +16,7 @@ for source in tests/nx/*.c; do
     expected=tests/nx/$name.out
     [ -f "$expected" ] || expected=$work/first
     rm -f "$work/first"
-    sed -n 's/^ \* run: //p' "$source" >"$work/runs"
+    sed -n 's/^[ c!][ *]* run: //p' "$source" >"$work/runs"
     while read -r arguments; do
         # shellcheck disable=SC2086
         $BUILD/touchstone run --max-wall-time 60 $arguments "$work/$name" >"$work/out" 2>"$work/err" </dev/null

@@ -1,0 +1,2 @@
+! fnx.h - the Paragon's name for fcube.h
+      include 'fcube.h'

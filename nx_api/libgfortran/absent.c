@@ -1,0 +1,71 @@
+/* absent.c - parts of GNU Fortran's library that a node does not have: threads for asynchronous I/O (async.c), 128-bit
+ * reals (libquadmath), and the host processor's instructions beyond plain x86-64; and how the library is ended. */
+#include <errno.h>
+#include <stdlib.h>
+#include "libgfortran.h"
+
+/* --- asynchronous I/O: OPEN asks for it, and gets a unit without; the rest is never reached --- */
+
+#define NEVER(name)                                                                                          \
+    void _gfortrani_##name(void);                                                                            \
+    void _gfortrani_##name(void)                                                                             \
+    {                                                                                                        \
+        nx_die("asynchronous I/O of the Fortran library: a node has no threads", NULL);                      \
+    }
+
+void _gfortrani_init_async_unit(void *unit);
+void _gfortrani_init_async_unit(void *unit)
+{
+    (void)unit; /* as it is: without a thread */
+}
+
+NEVER(async_close)
+NEVER(async_wait)
+NEVER(async_wait_id)
+NEVER(collect_async_errors)
+NEVER(enqueue_close)
+NEVER(enqueue_data_transfer_init)
+NEVER(enqueue_done)
+NEVER(enqueue_done_id)
+NEVER(enqueue_transfer)
+
+/* OPEN would duplicate a descriptor that it got for a file below 3, which a node's open never answers. */
+__attribute__((visibility("hidden"))) int dup(int fd);
+int dup(int fd)
+{
+    return fd;
+}
+
+/* OPEN's SHARE= would lock. */
+__attribute__((visibility("hidden"))) int fcntl(int fd, int what, ...);
+int fcntl(int fd, int what, ...)
+{
+    (void)fd, (void)what;
+    errno = ENOSYS;
+    return -1;
+}
+
+/* --- REAL(16): its output and input --- */
+
+int quadmath_snprintf(char *buf, size_t size, const char *format, ...);
+int quadmath_snprintf(char *buf, size_t size, const char *format, ...)
+{
+    (void)buf, (void)size, (void)format;
+    nx_die("output of REAL(16): a node has no 128-bit reals; REAL(8) is its longest", NULL);
+}
+
+/* --- no more than x86-64 has always had: MATMUL's variants would differ in their last bits --- */
+
+/* What libgcc keeps about the processor, here that nothing is known of it. */
+__attribute__((visibility("hidden"))) struct {
+    unsigned vendor, type, subtype, features[1];
+} __cpu_model;
+__attribute__((visibility("hidden"))) unsigned __cpu_features2[4];
+
+/* --- the end --- */
+
+/* Units are closed at a program's end, however it comes to it: STOP, END, exit. */
+__attribute__((constructor)) static void begin(void)
+{
+    atexit(_gfortrani_close_units);
+}
