@@ -15,8 +15,8 @@ enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0], HANDLER_STACK = 1 << 16 }
 
 static bool in_stack(const struct node *n, uintptr_t a)
 {
-    uintptr_t top = (uintptr_t)n->span + NODE_SPAN;
-    return a >= top - n->sys->cfg->stack_bytes && a + 2 * sizeof(uintptr_t) <= top;
+    uintptr_t stack = (uintptr_t)n->stack;
+    return a >= stack && a + 2 * sizeof(uintptr_t) <= stack + n->stack_bytes;
 }
 
 /* Follow the frame pointers that nxcc keeps. */
@@ -94,7 +94,7 @@ static const char *signal_text(int s)
 static void print_cause(FILE *f, const struct crash_guard *g)
 {
     const struct node *n = g->node;
-    uintptr_t stack = (uintptr_t)n->span + NODE_SPAN - n->sys->cfg->stack_bytes;
+    uintptr_t stack = (uintptr_t)n->stack;
     bool memory = g->signal == SIGSEGV || g->signal == SIGBUS;
     fprintf(f, "%s (%s)", signal_text(g->signal), strsignal(g->signal));
     if (memory && g->address < stack && g->address >= stack - (1 << 16))
@@ -111,8 +111,7 @@ static void print_cause(FILE *f, const struct crash_guard *g)
 
 static bool in_program(const struct node *n, uintptr_t address)
 {
-    uintptr_t offset = address - (uintptr_t)n->span;
-    return offset >= NODE_IMAGE_OFFSET && offset < NODE_IMAGE_OFFSET + n->image_bytes;
+    return address - (uintptr_t)n->program < n->image_bytes;
 }
 
 /* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by frames. */
@@ -120,8 +119,8 @@ static bool has_frame(const struct node *n, uintptr_t pc)
 {
     enum { PUSH_RBP = 0x55 };
     static const unsigned char ENDBR64[] = {0xf3, 0x0f, 0x1e, 0xfa};
-    size_t start = node_image_function(n->file, pc - (uintptr_t)n->span);
-    const unsigned char *code = (unsigned char *)n->span + start;
+    size_t start = node_image_function(n->file, pc - (uintptr_t)n->program);
+    const unsigned char *code = (unsigned char *)n->program + start;
     return code[memcmp(code, ENDBR64, sizeof ENDBR64) ? 0 : sizeof ENDBR64] == PUSH_RBP;
 }
 
@@ -129,7 +128,8 @@ static void print_frame(FILE *f, const struct node *n, const char *how, uintptr_
 {
     char where[256];
     if (in_program(n, pc))
-        fprintf(f, "\n  %s %s", how, node_image_where(n->file, pc - (uintptr_t)n->span, where, sizeof where));
+        fprintf(f, "\n  %s %s", how,
+                node_image_where(n->file, pc - (uintptr_t)n->program, where, sizeof where));
 }
 
 char *crash_report(const struct crash_guard *g)

@@ -8,7 +8,7 @@
 
 struct node_heap;
 
-/* A heap at base, at most limit bytes of address space (mapped, zeroed on first touch). room(ctx, bytes)
+/* A heap at base, at most limit bytes of address space (that is there already, and zero). room(ctx, bytes)
  * tells whether the heap may grow to that many bytes; grown(ctx) is called after it did or shrank. */
 struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx, size_t bytes),
                                 void (*grown)(void *ctx), void *ctx);

@@ -105,7 +105,7 @@ static bool lay_out(struct node_image *img, char **error)
     img->data_at = p < end ? page_down(p->p_vaddr) : shared_end;
     img->bytes = page_up(end[-1].p_vaddr + end[-1].p_memsz);
     img->data_bytes = img->bytes - img->data_at;
-    if (img->bytes > NODE_SPAN / 2)
+    if (img->bytes > NODE_REGION / 2)
         return elf_fail(error, "%s: the program needs %llu MB, more than a node can address", f->path,
                         (unsigned long long)(img->bytes >> 20));
     if (img->data_at < shared_end)
@@ -253,6 +253,11 @@ void node_image_close(struct node_image *img)
     free(img);
 }
 
+size_t node_image_bytes(const struct node_image *img)
+{
+    return img->bytes;
+}
+
 const char *node_image_path(const struct node_image *img)
 {
     return img->elf->path;
@@ -263,17 +268,25 @@ size_t node_image_load_bytes(const struct node_image *img)
     return img->data_at + img->template_bytes;
 }
 
-static bool map_pages(const struct node_image *img, char *base)
+/* The file's bytes of a part; what its last page has beyond the end of the file is zero. */
+static void copy_part(const struct elf_file *f, const struct shared_part *s, char *at)
+{
+    uint64_t there = f->size - s->file_offset;
+    memcpy(at, f->bytes + s->file_offset, s->bytes < there ? s->bytes : there);
+}
+
+/* Data and bss are zero already. */
+static bool map_pages(const struct node_image *img, const struct node *n)
 {
     for (size_t i = 0; i < img->shared_count; i++) {
         const struct shared_part *s = &img->shared[i];
-        if (mmap(base + s->at, s->bytes, s->protection, MAP_PRIVATE | MAP_FIXED, img->elf->fd,
-                 (off_t)s->file_offset) == MAP_FAILED)
+        if (n->region->copies_text)
+            copy_part(img->elf, s, n->program + s->at);
+        else if (mmap(n->program + s->at, s->bytes, s->protection, MAP_PRIVATE | MAP_FIXED, img->elf->fd,
+                      (off_t)s->file_offset) == MAP_FAILED)
             return false;
     }
-    return img->data_bytes == 0 ||
-           mmap(base + img->data_at, img->data_bytes, PROT_READ | PROT_WRITE,
-                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0) != MAP_FAILED;
+    return true;
 }
 
 /* Fills the data of the program at base. Words need not be aligned (packed structures), hence memcpy. */
@@ -297,8 +310,8 @@ static void fill_data(const struct node_image *img, struct node *n, char *base)
 
 bool node_image_map(const struct node_image *img, struct node *n, char **error)
 {
-    char *base = n->span + NODE_IMAGE_OFFSET;
-    if (!map_pages(img, base))
+    char *base = n->program;
+    if (!map_pages(img, n))
         return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->name, strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
     fill_data(img, n, base);
@@ -335,13 +348,13 @@ static bool source_line(const struct elf_file *f, uint64_t vaddr, char *buf, siz
 size_t node_image_function(const struct node_image *img, size_t offset)
 {
     const char *name;
-    const Elf64_Sym *s = elf_function_at(img->elf, offset - NODE_IMAGE_OFFSET, &name);
-    return s ? NODE_IMAGE_OFFSET + s->st_value : offset;
+    const Elf64_Sym *s = elf_function_at(img->elf, offset, &name);
+    return s ? s->st_value : offset;
 }
 
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size)
 {
-    uint64_t vaddr = offset - NODE_IMAGE_OFFSET;
+    uint64_t vaddr = offset;
     const char *name;
     char line[200];
     if (vaddr >= img->bytes) {

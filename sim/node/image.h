@@ -17,17 +17,17 @@ const char *node_image_path(const struct node_image *img);
 /* What has to be brought to a node: text, constants and initialised data. */
 size_t node_image_load_bytes(const struct node_image *img);
 
-/* Where in a node's span the program lies: [NODE_IMAGE_OFFSET, NODE_IMAGE_OFFSET + n->image_bytes). Page rounded. */
-#define NODE_IMAGE_OFFSET ((size_t)0x10000)
+/* Its text, data and bss in a node, page rounded. */
+size_t node_image_bytes(const struct node_image *img);
 
-/* Maps the program into n->span, relocates it and sets n->image, n->image_bytes, n->file. n->libc exists already
+/* Maps or copies the program to n->program, relocates it and sets n->image, n->image_bytes, n->file. n->libc exists already
  * (stdout and its kin are copied from it). */
 bool node_image_map(const struct node_image *img, struct node *n, char **error);
 
-/* Offset from the span's start at which the function around an offset begins; the offset itself if none is known. */
+/* Offset from the program's start at which the function around an offset begins; the offset itself if none is known. */
 size_t node_image_function(const struct node_image *img, size_t offset);
 
-/* Name of the function at an offset from the span's start, e.g. "pack+0x1c"; with "file:line" when the program was
+/* Name of the function at an offset from the program's start, e.g. "pack+0x1c"; with "file:line" when the program was
  * built with -g and addr2line is there. Writes at most size bytes; returns buf. */
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size);
 #endif

@@ -83,7 +83,7 @@ _Noreturn void node__exit(int code)
 /* "function+offset (file:line)" of the call that returns to address. */
 static const char *caller(const struct node *n, const void *address, char *buf, size_t size)
 {
-    return node_image_where(n->file, (size_t)((const char *)address - 1 - n->span), buf, size);
+    return node_image_where(n->file, (size_t)((const char *)address - 1 - n->program), buf, size);
 }
 
 _Noreturn void node_abort(void)

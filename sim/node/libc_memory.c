@@ -24,7 +24,7 @@ static void *answer(struct node *n, void *p, size_t bytes)
 static _Noreturn void refuse(struct node *n, const char *call, const void *p, const void *caller)
 {
     char where[128];
-    size_t at = (size_t)((const char *)caller - 1 - n->span);
+    size_t at = (size_t)((const char *)caller - 1 - n->program);
     node_fail(n, "%s at %s: %p was not allocated, is freed already, or was written past its end", call,
               node_image_where(n->file, at, where, sizeof where), p);
 }

@@ -4,7 +4,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include "kernel/fiber.h"
 #include "node/clock.h"
 #include "node/cpu.h"
@@ -12,10 +11,9 @@
 #include "node/image.h"
 #include "node/libc.h"
 #include "node/mailbox.h"
+#include "node/span.h"
 #include "node/system.h"
 #include "nx_api/nxcc/image.h"
-
-enum { PAGE = 4096 };
 
 /* --- memory --- */
 
@@ -160,36 +158,25 @@ static void run_program(void *arg)
     node_end_here(n, NODE_RETURNED, code);
 }
 
-/* Reserve a span of address space at a multiple of its own size. */
-static char *reserve_span(void)
+/* Enough for the node's memory, which bounds its program, heap and stack. */
+static bool fits(const struct node *n, const struct node_image *img, char **error)
 {
-    const int prot = PROT_NONE, flags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
-    char *wide = mmap(NULL, 2 * NODE_SPAN, prot, flags, -1, 0);
-    if (wide == MAP_FAILED)
-        return NULL;
-    char *span = (char *)(((uintptr_t)wide + NODE_SPAN - 1) & ~(NODE_SPAN - 1));
-    if (span > wide)
-        munmap(wide, (size_t)(span - wide));
-    munmap(span + NODE_SPAN, (size_t)(wide + NODE_SPAN - span));
-    return span;
-}
-
-static bool make_span(struct node *n)
-{
-    size_t stack = n->sys->cfg->stack_bytes;
-    n->span = reserve_span();
-    if (!n->span)
-        return false;
-    if (mprotect(n->span, PAGE, PROT_READ | PROT_WRITE) ||
-        mprotect(n->span + NODE_SPAN - stack, stack, PROT_READ | PROT_WRITE))
-        return false;
-    *(struct node **)n->span = n;
-    return true;
+    size_t program = node_image_bytes(img), stack = n->sys->cfg->stack_bytes;
+    if (program + stack <= node_memory_limit(n))
+        return true;
+    if (asprintf(
+            error,
+            "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs",
+            node_image_path(img), program, stack, n->sys->cfg->name, node_memory_limit(n)) < 0)
+        abort();
+    return false;
 }
 
 static bool make_parts(struct node *n, const struct node_image *img, char **error)
 {
-    if (!make_span(n)) {
+    if (!fits(n, img, error))
+        return false;
+    if (!span_take(n, node_image_bytes(img))) {
         if (asprintf(error, "%s: no address space left on this computer", n->name) < 0)
             abort();
         return false;
@@ -197,19 +184,10 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     n->libc = node_libc_new(n);
     if (!node_image_map(img, n, error))
         return false;
-    size_t heap_at = (NODE_IMAGE_OFFSET + n->image_bytes + PAGE - 1) / PAGE * PAGE;
-    size_t stack = n->sys->cfg->stack_bytes;
-    n->heap = node_heap_new(n->span + heap_at, NODE_SPAN - heap_at - stack - PAGE, heap_room, heap_grown, n);
-    n->fiber = fiber_new(n->span + NODE_SPAN - stack, stack, run_program, n);
-    if (node_memory_used(n) > node_memory_limit(n)) {
-        if (asprintf(error,
-                     "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to "
-                     "programs",
-                     node_image_path(img), n->image_bytes, stack, n->sys->cfg->name,
-                     node_memory_limit(n)) < 0)
-            abort();
-        return false;
-    }
+    char *heap = n->program + n->image_bytes;
+    n->heap = node_heap_new(heap, (size_t)(n->span + ((size_t)1 << n->region->shift) - heap), heap_room,
+                            heap_grown, n);
+    n->fiber = fiber_new(n->stack, n->stack_bytes, run_program, n);
     node_memory_changed(n);
     return true;
 }
@@ -282,11 +260,10 @@ static void strip(struct node *n)
         fiber_free(n->fiber);
     if (n->heap)
         node_heap_free(n->heap);
-    if (n->span)
-        munmap(n->span, NODE_SPAN);
+    span_release(n);
     n->mailbox = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL,
     n->heap = NULL;
-    n->span = NULL, n->image = NULL;
+    n->image = NULL;
 }
 
 void node_succeed(struct node *n, struct node *before, vtime t)

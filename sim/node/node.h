@@ -1,11 +1,8 @@
 /* node.h - one simulated node: its memory and program image, its processor's clock, its mailbox and
  * interrupts.
  *
- * A node owns NODE_SPAN bytes of address space, aligned to NODE_SPAN; its program, heap and stack lie there,
- * so that a call finds its node from the stack pointer (node_self) and no state is shared or thread-local.
- *
- *     span                                                                              span + NODE_SPAN
- *     | home | program: text, data, bss | heap ->  (not mapped)          | guard | stack <- |
+ * Its program, heap and stack lie in a span of address space (span.h), so that a call finds its node from the stack
+ * pointer (node_self) and no state is shared or thread-local.
  *
  * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image,
  * its stack, its heap up to the highest block in use, and unexpected messages in system buffers.
@@ -24,7 +21,7 @@
 #include "node/waits.h"
 #include "nx_api/calls/mailbox.h"
 
-#define NODE_SPAN ((uintptr_t)1 << 30)
+#define NODE_REGION ((uintptr_t)1 << 30)
 
 struct node;
 struct node_image;  /* a program file, read once: image.h */
@@ -93,9 +90,11 @@ struct node {
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     long pid;         /* process type: 0, unless the program has set it */
     struct node_system *sys;
-    char *span;
-    size_t image_bytes;      /* program text, data and bss, page rounded */
-    struct nxc_image *image; /* inside the span */
+    struct node_region *region;
+    char *span, *stack, *program; /* of the region; the stack's lowest byte, the program's first: span.h */
+    size_t stack_bytes;           /* there; those the machine file gives, or some more */
+    size_t image_bytes;           /* program text, data and bss, page rounded */
+    struct nxc_image *image;      /* of the program */
     const struct node_image *file;
     struct node_heap *heap;
     struct fiber *fiber;
@@ -133,11 +132,27 @@ struct node {
     vtime failed_malloc_at;
 };
 
+/* The start of a region: which nodes its spans belong to, and how they are made. */
+struct node_region {
+    uint64_t shift; /* a span has 2^shift bytes */
+    bool light_guards, guards, copies_text;
+    uint32_t fresh, used;     /* spans: the first that nobody has had yet; taken */
+    struct node_region *next; /* with room: node_system.roomy */
+    struct node *node[];      /* by span */
+};
+
 /* The node on whose stack the caller runs. */
 static inline struct node *node_self(void)
 {
     uintptr_t sp = (uintptr_t)__builtin_frame_address(0);
-    return *(struct node **)(sp & ~(NODE_SPAN - 1));
+    const struct node_region *r = (const struct node_region *)(sp & ~(NODE_REGION - 1));
+    return r->node[(sp & (NODE_REGION - 1)) >> r->shift];
+}
+
+/* Does the caller run on this node's stack? */
+static inline bool node_is_self(const struct node *n)
+{
+    return (uintptr_t)__builtin_frame_address(0) - (uintptr_t)n->stack < n->stack_bytes;
 }
 
 /* --- calls: clock.c, cpu.c --- */

@@ -17,7 +17,7 @@
  */
 static bool on_its_node(const struct stream *s)
 {
-    return (uintptr_t)__builtin_frame_address(0) - (uintptr_t)s->node->span < NODE_SPAN;
+    return node_is_self(s->node);
 }
 
 static ssize_t stream_read(void *cookie, char *buf, size_t size)

@@ -57,7 +57,7 @@ struct names {
 
 static bool is_in_program(const struct node *n, const void *p)
 {
-    return (uintptr_t)p - (uintptr_t)n->span < NODE_IMAGE_OFFSET + n->image_bytes;
+    return (uintptr_t)p - (uintptr_t)n->program < n->image_bytes;
 }
 
 /* The cells are in the program's memory, and it may have written there by mistake: then a name is "?". */

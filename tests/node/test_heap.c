@@ -35,7 +35,7 @@ static void grown(void *ctx)
 static int setup(void **state)
 {
     struct fixture *x = calloc(1, sizeof *x);
-    x->base = mmap(NULL, LIMIT, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    x->base = mmap(NULL, LIMIT, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     x->allowed = LIMIT;
     x->heap = node_heap_new(x->base, LIMIT, room, grown, x);
     *state = x;

@@ -115,10 +115,10 @@ static void addresses_have_names_and_lines(void **state)
     char text[100];
     load(&x, 1,
          build(*state, "-g " LINKED_AS_BY_NXCC " " RUNTIME, "\n\nint main(int argc) { return argc + 1; }"));
-    size_t in_main = (size_t)((char *)x.node[0]->image->main - x.node[0]->span);
+    size_t in_main = (size_t)((char *)x.node[0]->image->main - x.node[0]->program);
     node_image_where(x.image, in_main, text, sizeof text);
     assert_string_equal(text, "main+0x0 (prog.c:3)");
-    assert_string_equal(node_image_where(x.image, 1, text, sizeof text), "outside the program");
+    assert_string_equal(node_image_where(x.image, 1 << 30, text, sizeof text), "outside the program");
     assert_string_equal(node_image_where(x.image, in_main, text, 5), "main");
     nodes_free(&x);
 }
