@@ -160,6 +160,9 @@ void machine_free(struct machine *m)
     evq_free(m->sys.q);
     if (m->image)
         node_image_close(m->image);
+    for (size_t i = 0; i < m->sys.host_file_count; i++)
+        free(m->sys.host_files[i]);
+    free(m->sys.host_files);
     free(m->sys.failure);
     free(m->message);
     free(m);

@@ -148,10 +148,25 @@ static void leave(struct node *n, bool masked)
     errno = why;
 }
 
+/* What a run's results may depend on beside program and machine is in its figures. */
+static void note_host_file(struct node_system *s, const char *path)
+{
+    for (size_t i = 0; i < s->host_file_count; i++)
+        if (strcmp(s->host_files[i], path) == 0)
+            return;
+    if (s->host_file_count == NODE_HOST_FILES)
+        return;
+    if (!s->host_files && !(s->host_files = calloc(NODE_HOST_FILES + 1, sizeof *s->host_files)))
+        abort();
+    if (!(s->host_files[s->host_file_count++] = strdup(path)))
+        abort();
+}
+
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
     if (!simulated(path)) {
         node_order(n);
+        note_host_file(n->sys, path);
         return file_of_host(n, open(path, flags | O_CLOEXEC, permissions));
     }
     bool masked = enter(n, "open");
@@ -246,6 +261,7 @@ int file_stat(struct node *n, const char *path, struct stat *st)
 {
     if (!simulated(path)) {
         node_order(n);
+        note_host_file(n->sys, path);
         return stat(path, st);
     }
     bool masked = enter(n, "stat");
@@ -258,6 +274,7 @@ int file_unlink(struct node *n, const char *path)
 {
     if (!simulated(path)) {
         node_order(n);
+        note_host_file(n->sys, path);
         return unlink(path);
     }
     bool masked = enter(n, "unlink");
@@ -274,6 +291,8 @@ int file_rename(struct node *n, const char *from, const char *to)
     }
     if (!simulated(from)) {
         node_order(n);
+        note_host_file(n->sys, from);
+        note_host_file(n->sys, to);
         return rename(from, to);
     }
     bool masked = enter(n, "rename");

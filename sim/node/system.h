@@ -9,6 +9,8 @@
 
 enum node_stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
 
+enum { NODE_HOST_FILES = 64 };
+
 struct node_system {
     const struct cfg_machine *cfg;
     struct evq *q;
@@ -36,6 +38,8 @@ struct node_system {
 
     uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
     uint64_t messages, bytes; /* received */
+    char **host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
+    size_t host_file_count;   /* at most NODE_HOST_FILES: of more, the first */
     struct node *current;     /* whose fiber runs, NULL: none. For reports of crashes. */
 };
 

@@ -178,6 +178,10 @@ static json_t *machine_json(const struct machine *m)
         json_array_append_new(set, json_string(*s));
     json_object_set_new(root, "arguments", arguments);
     json_object_set_new(root, "settings", set);
+    json_t *files = json_array();
+    for (size_t i = 0; i < m->sys.host_file_count; i++)
+        json_array_append_new(files, json_string(m->sys.host_files[i]));
+    json_object_set_new(root, "host_files", files);
     json_object_set_new(root, "node", nodes);
     if (m->sys.host)
         json_object_set_new(root, "host", node_json(m->sys.host));

@@ -1,71 +1,32 @@
 /* chart.c - see chart.h.
  *
  * One panel for each value of the panels' axis, in it one line for each value of the lines' axis. A data block is a
- * line: $dPANEL_LINE. What is drawn at x is the figure of the point there; or of several points, which differ in the
- * axis `best`, that axis's value at the one with the least figure.
+ * line: $dPANEL_LINE.
  */
-#include "study/chart.h"
+#include "study/chart_parts.h"
+#include "study/folder.h"
+#include "study/pool.h"
+#include "study/text.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
-
-enum { MAX_PANELS = 64, MAX_LINES = 64 };
 
 /* What a panel has. */
 struct panel {
-    bool line[MAX_LINES]; /* is there anything of it? */
-    double low, high;     /* of all that is drawn; high < low: nothing */
+    bool line[CHART_MAX_LINES]; /* is there anything of it? */
+    double low, high;           /* of all that is drawn; high < low: nothing */
 };
 
-/* Of how many values an axis is, and what they are called; one without a name where there is no axis. */
-static size_t count_of(const struct spec_axis *axis)
-{
-    return axis ? axis->count : 1;
-}
-
-static const char *label_of(const struct spec_axis *axis, size_t i)
-{
-    return axis ? axis->values[i].label : "";
-}
-
-/* Where a value is drawn: numbers where they are, texts at 1, 2, 3 ... */
-static double position(const struct spec_axis *axis, size_t i)
-{
-    return axis->numeric ? axis->values[i].number : (double)(i + 1);
-}
-
-static bool is_at(const struct points *p, const struct point *point, const struct spec_axis *axis, size_t i)
-{
-    return !axis || point->at[spec_place(p->spec, axis)] == i;
-}
-
-/* What is drawn at that place; NAN if nothing is. */
-static double drawn_at(const struct points *p, const struct spec_picture *c, size_t panel, size_t line,
-                       size_t x)
-{
-    double least = INFINITY, drawn = NAN;
-    for (size_t i = 0; i < p->count; i++) {
-        const struct point *point = &p->point[i];
-        double figure = points_figure(point, c->figure);
-        if (!is_at(p, point, c->panels, panel) || !is_at(p, point, c->lines, line) ||
-            !is_at(p, point, c->x, x) || !(figure < least))
-            continue;
-        least = figure;
-        drawn = c->best ? position(c->best, point->at[spec_place(p->spec, c->best)]) : figure;
-    }
-    return drawn;
-}
-
 /* A data block. */
-static void write_line(const struct points *p, const struct spec_picture *c, size_t number, size_t line,
-                       struct panel *panel, FILE *out)
+static void write_line(const struct chart_data *d, size_t number, size_t line, struct panel *panel, FILE *out)
 {
     fprintf(out, "$d%zu_%zu << END\n", number, line);
-    for (size_t x = 0; x < c->x->count; x++) {
-        double y = drawn_at(p, c, number, line, x);
+    for (size_t x = 0; x < d->x.count; x++) {
+        double y = chart_at(d, number, line, x);
         if (isnan(y))
             continue;
-        fprintf(out, "%.9g %.9g\n", position(c->x, x), y);
+        fprintf(out, "%.9g %.9g\n", d->x.position[x], y);
         panel->line[line] = true;
         panel->low = fmin(panel->low, y);
         panel->high = fmax(panel->high, y);
@@ -92,17 +53,23 @@ static void write_words(const char *before, const char *text, FILE *out)
     fputc('\n', out);
 }
 
-/* The values of an axis are its tics. */
-static void write_tics(char which, const struct spec_axis *axis, bool log, FILE *out)
+/* The values of an axis are its tics; of many, some. */
+static void write_tics(char which, const struct chart_axis *axis, bool log, FILE *out)
 {
-    double first = position(axis, 0), last = first;
+    enum { MOST_TICS = 24 };
+    double first = axis->position[0], last = first;
+    size_t every = (axis->count + MOST_TICS - 1) / MOST_TICS;
     fprintf(out, "set %ctics (", which);
     for (size_t i = 0; i < axis->count; i++) {
-        write_quoted(axis->values[i].label, out);
-        fprintf(out, " %.9g%s", position(axis, i), i + 1 < axis->count ? ", " : ")\n");
-        first = fmin(first, position(axis, i));
-        last = fmax(last, position(axis, i));
+        if (i % every == 0) {
+            fputs(i ? ", " : "", out);
+            write_quoted(axis->label[i], out);
+            fprintf(out, " %.9g", axis->position[i]);
+        }
+        first = fmin(first, axis->position[i]);
+        last = fmax(last, axis->position[i]);
     }
+    fputs(")\n", out);
     double room = first == last ? 1 : (last - first) / 16;
     if (log && first > 0)
         fprintf(out, "set logscale %c\nset %crange [%.9g:%.9g]\n", which, which, first / 1.25, last * 1.25);
@@ -110,16 +77,16 @@ static void write_tics(char which, const struct spec_axis *axis, bool log, FILE 
         fprintf(out, "set %crange [%.9g:%.9g]\n", which, first - room, last + room);
 }
 
-static void write_frame(const struct spec_picture *c, FILE *out)
+static void write_frame(const struct picture *p, const struct chart_data *d, FILE *out)
 {
-    write_words("set xlabel ", *c->x_label ? c->x_label : c->x->name, out);
-    write_words("set ylabel ", *c->y_label ? c->y_label : c->best ? c->best->name : c->figure, out);
+    write_words("set xlabel ", *p->x_label ? p->x_label : p->x, out);
+    write_words("set ylabel ", *p->y_label ? p->y_label : *p->best ? p->best : p->figure, out);
     fputs("set grid xtics ytics back lt 1 lw 0.6 lc rgb '#d8d8d8'\n"
           "set border 3\nset tics nomirror\n",
           out);
-    write_tics('x', c->x, c->log_x, out);
-    if (c->best)
-        write_tics('y', c->best, c->log_y, out);
+    write_tics('x', &d->x, p->log_x && d->x.numeric, out);
+    if (*p->best)
+        write_tics('y', &d->best, p->log_y && d->best.numeric, out);
 }
 
 /* Tics of a logarithmic axis, near enough to read values by. */
@@ -138,13 +105,13 @@ static void write_log_tics(double low, double high, FILE *out)
 }
 
 /* Each panel has its own range; one of less than a factor of two is linear in any case. */
-static void write_range(const struct spec_picture *c, const struct panel *panel, FILE *out)
+static void write_range(const struct picture *c, const struct panel *panel, FILE *out)
 {
     bool log = c->log_y && panel->low > 0 && panel->high >= 2 * panel->low;
     double room = (panel->high - panel->low) / 12 + (panel->high == panel->low);
     double low = log ? panel->low / 1.15 : panel->low - room,
            high = log ? panel->high * 1.15 : panel->high + room;
-    if (c->best)
+    if (*c->best)
         return; /* its axis has set it */
     fputs(log ? "set logscale y\n" : "unset logscale y\nset ytics autofreq\n", out);
     if (log)
@@ -152,40 +119,41 @@ static void write_range(const struct spec_picture *c, const struct panel *panel,
     fprintf(out, "set yrange [%.9g:%.9g]\n", low, high);
 }
 
-static void write_panel(const struct spec_picture *c, size_t number, const struct panel *panel, FILE *out)
+static void write_panel(const struct picture *p, const struct chart_data *d, size_t number,
+                        const struct panel *panel, FILE *out)
 {
     static const char *const colours[] = {"#404040", "#c04000", "#0060ad", "#2e8b57",
                                           "#8b4fae", "#c8a000", "#d6629a", "#4fb0c6"};
     enum { COLOURS = sizeof colours / sizeof *colours };
-    size_t lines = count_of(c->lines);
+    size_t lines = d->lines.count;
     char title[256];
-    snprintf(title, sizeof title, "%s %s", c->panels ? c->panels->name : "", label_of(c->panels, number));
+    snprintf(title, sizeof title, "%s %s", p->panels, d->panels.label[number]);
     write_words("set title ", title, out);
     fputs(lines > 1 ? "set key bmargin center horizontal samplen 1.5 height 1.5\n" : "unset key\n", out);
-    write_range(c, panel, out);
+    write_range(p, panel, out);
     const char *before = "plot";
     for (size_t line = 0; line < lines; line++) {
         if (!panel->line[line])
             continue;
         /* Lines that meet are still all seen: the later ones are thinner. */
-        double over = (double)(lines - line - 1);
+        double over = lines < 9 ? (double)(lines - line - 1) : 0;
         fprintf(out, "%s $d%zu_%zu with linespoints lw %.1f pt 7 ps %.2f lc rgb '%s' title ", before, number,
                 line, 1.6 + 1.3 * over, 0.6 + 0.3 * over, colours[line % COLOURS]);
-        write_quoted(label_of(c->lines, line), out);
+        write_quoted(d->lines.label[line], out);
         before = ",";
     }
     fputs("\n", out);
 }
 
 /* All panels, as a picture of that kind. */
-static void write_page(const struct spec_picture *c, const struct panel panel[], bool svg, const char *dir,
-                       FILE *out)
+static void write_page(const struct picture *p, const struct chart_data *d, const struct panel panel[],
+                       bool svg, const char *dir, FILE *out)
 {
-    size_t panels = count_of(c->panels);
+    size_t panels = d->panels.count;
     unsigned columns = panels < 4 ? (unsigned)panels : (unsigned)ceil(sqrt((double)panels));
     unsigned rows = ((unsigned)panels + columns - 1) / columns;
     char path[4096];
-    snprintf(path, sizeof path, "%s/%s.%s", dir, c->file, svg ? "svg" : "png");
+    snprintf(path, sizeof path, "%s/%s.%s", dir, p->file, svg ? "svg" : "png");
     fprintf(out, "set terminal %s size %u,%u font 'Sans,%d'\n",
             svg ? "svg noenhanced background rgb 'white'" : "pngcairo noenhanced",
             panels == 1 ? 760 : 560 * columns, 400 * rows + 40, svg ? 12 : 10);
@@ -193,35 +161,161 @@ static void write_page(const struct spec_picture *c, const struct panel panel[],
     fprintf(out, "set multiplot layout %u,%u title heading font ',13'\n", rows, columns);
     for (size_t i = 0; i < panels; i++)
         if (panel[i].high >= panel[i].low)
-            write_panel(c, i, &panel[i], out);
+            write_panel(p, d, i, &panel[i], out);
     fputs("unset multiplot\n", out);
 }
 
-/* The study's title and the picture's. */
-static void write_heading(const struct spec *s, const struct spec_picture *c, FILE *out)
+/* The study's title, the picture's, and what is not drawn. */
+static void write_heading(const struct record_points *points, const struct picture *p,
+                          const struct chart_data *d, FILE *out)
 {
-    char heading[512];
-    snprintf(heading, sizeof heading, "%s%s%s", s->title, *s->title && *c->title ? ": " : "", c->title);
+    const char *study = json_string_value(json_object_get(points->header, "title"));
+    const char *parts[] = {study ? study : "", p->title, d->fixed};
+    char heading[512] = "";
+    size_t used = 0;
+    for (int i = 0; i < 3; i++)
+        if (*parts[i] && used < sizeof heading)
+            used +=
+                (size_t)snprintf(heading + used, sizeof heading - used, "%s%s", used ? ": " : "", parts[i]);
     write_words("heading = ", heading, out);
 }
 
-bool chart_write(const struct points *p, const struct spec_picture *c, const char *dir, FILE *script)
+static bool write_all(const struct record_points *points, const struct picture *p, const struct chart_data *d,
+                      const char *dir, FILE *script, char **error)
 {
-    struct panel panel[MAX_PANELS];
+    struct panel *panel = calloc(d->panels.count, sizeof *panel);
     bool any = false;
-    if (count_of(c->panels) > MAX_PANELS || count_of(c->lines) > MAX_LINES)
-        return false;
-    for (size_t i = 0; i < count_of(c->panels); i++) {
+    if (!panel)
+        abort();
+    for (size_t i = 0; i < d->panels.count; i++) {
         panel[i] = (struct panel){.low = INFINITY, .high = -INFINITY};
-        for (size_t line = 0; line < count_of(c->lines); line++)
-            write_line(p, c, i, line, &panel[i], script);
+        for (size_t line = 0; line < d->lines.count; line++)
+            write_line(d, i, line, &panel[i], script);
         any |= panel[i].high >= panel[i].low;
     }
-    if (!any)
+    if (any) {
+        write_heading(points, p, d, script);
+        write_frame(p, d, script);
+        write_page(p, d, panel, false, dir, script);
+        write_page(p, d, panel, true, dir, script);
+    } else {
+        *error = text_of("no point has its figure, %s", p->figure);
+    }
+    free(panel);
+    return any;
+}
+
+bool chart_write(const struct record_points *points, const struct picture *p, const char *dir, FILE *script,
+                 char **error)
+{
+    struct chart_data d;
+    bool ok = chart_data_take(points, p, &d, error) && write_all(points, p, &d, dir, script, error);
+    chart_data_free(&d);
+    return ok;
+}
+
+static bool run_gnuplot(const char *script, char **error)
+{
+    char *const argv[] = {"gnuplot", (char *)script, NULL};
+    struct pool_job job = {.name = "the picture", .argv = argv};
+    bool drawn = pool_run(&job, 1, 1, NULL).all_done;
+    if (!drawn)
+        *error = text_of("%s", job.error ? job.error : "gnuplot was stopped");
+    pool_clear(&job, 1);
+    return drawn;
+}
+
+bool chart_draw(const struct record_points *points, const struct picture *p, const char *dir, char **error)
+{
+    char *scratch = folder_scratch("touchstone-picture", error);
+    if (!scratch)
         return false;
-    write_heading(p->spec, c, script);
-    write_frame(c, script);
-    write_page(c, panel, false, dir, script);
-    write_page(c, panel, true, dir, script);
-    return true;
+    char *path = text_of("%s/plot", scratch);
+    FILE *script = fopen(path, "we");
+    bool ok = script;
+    if (!script)
+        *error = text_of("%s cannot be written: %m", path);
+    else
+        ok = chart_write(points, p, dir, script, error);
+    if (script)
+        fclose(script);
+    ok = ok && run_gnuplot(path, error);
+    folder_remove(scratch);
+    free(scratch);
+    free(path);
+    return ok;
+}
+
+/* --- pictures for a study that names none ---------------------------------------------------------------- */
+
+static bool all_numbers(const json_t *values)
+{
+    size_t i;
+    json_t *value;
+    json_array_foreach(values, i, value) if (!json_is_number(value)) return false;
+    return json_array_size(values) > 0;
+}
+
+bool chart_is_numeric(const struct record_points *points, const char *axis)
+{
+    return all_numbers(json_object_get(json_object_get(points->header, "axes"), axis));
+}
+
+/* Do the values span so much that equal factors should be equally far apart? */
+static bool is_wide(const json_t *values)
+{
+    double low = json_number_value(json_array_get(values, 0)), high = low;
+    size_t i;
+    json_t *value;
+    json_array_foreach(values, i, value)
+    {
+        low = fmin(low, json_number_value(value));
+        high = fmax(high, json_number_value(value));
+    }
+    return low > 0 && high >= 8 * low;
+}
+
+size_t chart_standard(const struct record_points *points, struct picture list[CHART_STANDARD])
+{
+    static const struct {
+        const char *file, *title, *figure, *label;
+        bool needs_nodes, log_y;
+    } KINDS[CHART_STANDARD] = {
+        {"time", "time", "time_s", "time, s", false, true},
+        {"idle", "idle time", "idle_pct", "idle, % of all nodes' time", false, false},
+        {"speedup", "speed-up against the fewest nodes", "speedup", "speed-up", true, true},
+        {"speed_per_node", "speed per node", "speed_per_node", "speed per node", true, false}};
+    json_t *axes = json_object_get(points->header, "axes"), *values;
+    const char *name, *x = json_object_get(axes, "nodes") ? "nodes" : "", *lines = "", *panels = "";
+    if (json_array_size(json_object_get(axes, "nodes")) < 2)
+        x = "";
+    json_object_foreach(axes, name, values) if (!*x && json_array_size(values) > 1 && all_numbers(values)) x =
+        name;
+    if (!*x)
+        return 0;
+    json_object_foreach(axes, name, values)
+    {
+        size_t count = json_array_size(values);
+        if (count < 2 || strcmp(name, x) == 0)
+            continue;
+        if (!*lines && count <= CHART_MAX_LINES)
+            lines = name;
+        else if (!*panels && count <= CHART_MAX_PANELS)
+            panels = name;
+    }
+    size_t count = strcmp(x, "nodes") == 0 ? CHART_STANDARD : 2;
+    bool wide = is_wide(json_object_get(axes, x));
+    for (size_t i = 0; i < count; i++)
+        list[i] = (struct picture){.file = KINDS[i].file,
+                                   .title = KINDS[i].title,
+                                   .figure = KINDS[i].figure,
+                                   .x = x,
+                                   .lines = lines,
+                                   .panels = panels,
+                                   .best = "",
+                                   .x_label = "",
+                                   .y_label = KINDS[i].label,
+                                   .log_x = wide,
+                                   .log_y = KINDS[i].log_y && wide};
+    return count;
 }

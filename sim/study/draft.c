@@ -2,7 +2,9 @@
 #include "study/draft.h"
 #include "study/text.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static bool fail(struct draft *d, char **error)
@@ -17,8 +19,11 @@ static bool fail(struct draft *d, char **error)
 bool draft_begin(struct draft *d, const char *dir, const char *name, char **error)
 {
     d->path = text_of("%s/%s", dir, name);
-    d->unfinished = text_of("%s.%ld", d->path, (long)getpid());
-    d->out = fopen(d->unfinished, "we");
+    d->unfinished = text_of("%s.XXXXXX", d->path); /* not by our number: other computers have that one too */
+    mode_t without = umask(0);
+    umask(without);
+    int fd = mkostemp(d->unfinished, O_CLOEXEC);
+    d->out = fd >= 0 && fchmod(fd, 0666 & ~without) == 0 ? fdopen(fd, "w") : NULL;
     return d->out || fail(d, error);
 }
 
@@ -30,4 +35,12 @@ bool draft_end(struct draft *d, char **error)
     free(d->path);
     free(d->unfinished);
     return true;
+}
+
+void draft_drop(struct draft *d)
+{
+    fclose(d->out);
+    unlink(d->unfinished);
+    free(d->path);
+    free(d->unfinished);
 }

@@ -13,4 +13,6 @@ struct draft {
 bool draft_begin(struct draft *d, const char *dir, const char *name, char **error);
 /* Ends it, and makes it there under its name if all was written. */
 bool draft_end(struct draft *d, char **error);
+/* Ends it without a trace. */
+void draft_drop(struct draft *d);
 #endif

@@ -83,10 +83,24 @@ static void add_run(json_t *to, json_t *run)
     }
 }
 
+/* Of all nodes' time until the last one's end. */
+static void add_idle(json_t *to, json_t *run, json_t *nodes)
+{
+    size_t i;
+    json_t *node;
+    double idle = 0,
+           all = json_number_value(json_object_get(run, "virtual_time_s")) * (double)json_array_size(nodes);
+    json_array_foreach(nodes, i, node) idle += json_number_value(json_object_get(node, "idle_s"));
+    json_t *percent = json_real(all > 0 ? 100 * idle / all : 0);
+    set_first(to, "idle_pct", percent);
+    json_decref(percent);
+}
+
 json_t *figures_of(const struct outcome *o)
 {
     json_t *figures = json_copy(o->printed), *nodes = json_object_get(o->run, "node");
     add_run(figures, o->run);
+    add_idle(figures, o->run, nodes);
     add_class(figures, nodes, "handlers", true);
     add_class(figures, nodes, "others", false);
     return figures;

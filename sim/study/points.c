@@ -1,24 +1,31 @@
-/* points.c - from axes to command lines; see points.h. */
+/* points.c - from numbers to values, and from values to what a run is given; see points.h. */
 #include "study/points.h"
-#include "study/condition.h"
-#include "study/outcome.h"
 #include "study/text.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Takes a malloc'd word on at the end of argv. */
-static void add(char ***argv, char *word)
+/* --- lists of words -------------------------------------------------------------------------------------- */
+
+void words_add(char ***list, char *word)
 {
     size_t n = 0;
-    while (*argv && (*argv)[n])
+    while (*list && (*list)[n])
         n++;
-    char **more = realloc(*argv, (n + 2) * sizeof *more);
+    char **more = realloc(*list, (n + 2) * sizeof *more);
     if (!more || !word)
         abort();
     more[n] = word;
     more[n + 1] = NULL;
-    *argv = more;
+    *list = more;
+}
+
+void words_free(char **list)
+{
+    for (char **word = list; word && *word; word++)
+        free(*word);
+    free(list);
 }
 
 /* The text with the value's label for each {}; malloc'd. */
@@ -35,116 +42,145 @@ static char *filled_in(const char *text, const char *label)
     return all;
 }
 
-static void add_settings(char ***argv, const struct spec_value *v)
+/* --- a point's values ------------------------------------------------------------------------------------ */
+
+/* Which of the axis's values the number stands for; rest: the number in the product of the axes before it. */
+static size_t digit(const struct spec_axis *axis, size_t *rest)
 {
-    for (int i = 0; v->set && i < config_setting_length(v->set); i++) {
-        add(argv, text_of("--set"));
-        add(argv, filled_in(config_setting_get_string_elem(v->set, i), v->label));
+    size_t at = *rest % axis->count;
+    *rest /= axis->count;
+    return at;
+}
+
+/* Where the set and arguments of the point's value on the axis are said. */
+static const struct spec_value *said_at(const struct spec *s, const struct point *p, size_t axis)
+{
+    size_t rest = p->number, at = 0;
+    for (size_t i = s->axis_count; i-- > axis;)
+        at = digit(&s->axes[i], &rest);
+    return &s->axes[axis].values[s->axes[axis].kind == SPEC_LIST ? at : 0];
+}
+
+static bool derive(const struct spec *s, struct point *p, size_t axis, char **error)
+{
+    const struct spec_axis *a = &s->axes[axis];
+    double number = expr_number(a->value, p->value);
+    bool nodes = strcmp(a->name, "nodes") == 0;
+    if (!isfinite(number) || (nodes && (number < 1 || number > SPEC_MAX_NODES || number != floor(number)))) {
+        char *name = point_name(s, p);
+        *error = text_of("%s:%d: %s: \"%s\" is %g at %s: %s is needed", s->path,
+                         config_setting_source_line(a->at), a->name, expr_text(a->value), number, name,
+                         nodes ? "a whole number of nodes" : "a number");
+        free(name);
+        return false;
     }
+    spec_label(number, p->label[axis]);
+    p->value[axis] = (struct expr_value){strtod(p->label[axis], NULL), p->label[axis]};
+    return true;
 }
 
-static void add_words(char ***argv, const char *arguments, const char *label)
+enum point_is point_make(const struct spec *s, size_t number, struct point *p, char **error)
 {
-    char *text = filled_in(arguments ? arguments : "", label), *save;
-    for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save))
-        add(argv, text_of("%s", word));
-    free(text);
-}
-
-/* The point's value on an axis, or NULL when there is no such axis. */
-static const struct spec_value *value_of(const struct spec *s, const struct point *p, const char *name)
-{
-    const struct spec_axis *axis = spec_axis(s, name);
-    return axis ? &axis->values[p->at[spec_place(s, axis)]] : NULL;
-}
-
-/* Files of the simulated machine's are made where TMPDIR says, and so go with the scratch folder at the latest. */
-static void build_argv(const struct spec *s, struct point *p, size_t number,
-                       const struct points_places *places)
-{
-    const struct spec_value *nodes = value_of(s, p, "nodes"), *machine = value_of(s, p, "machine");
-    add(&p->argv, text_of("env"));
-    add(&p->argv, text_of("TMPDIR=%s", places->scratch));
-    add(&p->argv, text_of("%s", places->runner));
-    add(&p->argv, text_of("run"));
-    add(&p->argv, text_of("-q"));
-    add(&p->argv, text_of("-m"));
-    add(&p->argv, text_of("%s", machine ? machine->label : s->machine));
-    add(&p->argv, text_of("-n"));
-    add(&p->argv, nodes ? text_of("%s", nodes->label) : text_of("%lu", s->nodes));
-    add(&p->argv, text_of("--json"));
-    add(&p->argv, text_of("%s/%zu.json", places->scratch, number));
+    size_t rest = number;
+    p->number = number;
+    for (size_t i = s->axis_count; i-- > 0;) {
+        const struct spec_axis *axis = &s->axes[i];
+        size_t at = digit(axis, &rest);
+        p->value[i] = (struct expr_value){NAN, "?"};
+        if (axis->kind != SPEC_DERIVED)
+            p->value[i].number = spec_value(axis, at, &p->value[i].text, p->label[i]);
+    }
     for (size_t i = 0; i < s->axis_count; i++)
-        add_settings(&p->argv, &s->axes[i].values[p->at[i]]);
-    add(&p->argv, text_of("%s", places->program));
-    add_words(&p->argv, s->arguments, "{}");
-    for (size_t i = 0; i < s->axis_count; i++)
-        add_words(&p->argv, s->axes[i].values[p->at[i]].arguments, s->axes[i].values[p->at[i]].label);
+        if (s->axes[i].kind == SPEC_DERIVED && !derive(s, p, i, error))
+            return POINT_WRONG;
+    for (size_t i = 0; i < s->only_count; i++) {
+        double holds = expr_number(s->only[i], p->value);
+        if (holds == 0 || isnan(holds))
+            return POINT_LEFT_OUT;
+    }
+    return POINT_WANTED;
 }
 
-static char *name_of(const struct spec *s, const struct point *p)
+/* --- what it is called, and what its run is given -------------------------------------------------------- */
+
+char *point_name(const struct spec *s, const struct point *p)
 {
     char *name = text_of("%s", "");
     for (size_t i = 0; i < s->axis_count; i++) {
-        char *longer =
-            text_of("%s%s%s %s", name, i ? ", " : "", s->axes[i].name, s->axes[i].values[p->at[i]].label);
+        char *longer = text_of("%s%s%s %s", name, i ? ", " : "", s->axes[i].name, p->value[i].text);
         free(name);
         name = longer;
     }
     return name;
 }
 
-static bool is_wanted(const struct spec *s, const size_t at[])
+uint64_t point_nodes(const struct spec *s, const struct point *p)
 {
-    for (size_t i = 0; i < s->only_count; i++)
-        if (!condition_holds(&s->only[i], s, at))
-            return false;
-    return true;
+    const struct spec_axis *axis = spec_axis(s, "nodes");
+    return axis ? (uint64_t)p->value[spec_place(s, axis)].number : s->nodes;
 }
 
-/* The next point of the product; false after the last. */
-static bool step(const struct spec *s, size_t at[])
+const char *point_machine(const struct spec *s, const struct point *p)
 {
-    for (size_t i = s->axis_count; i-- > 0; at[i] = 0)
-        if (++at[i] < s->axes[i].count)
-            return true;
-    return false;
+    const struct spec_axis *axis = spec_axis(s, "machine");
+    return axis ? p->value[spec_place(s, axis)].text : s->machine;
 }
 
-struct points points_plan(const struct spec *s, const struct points_places *places)
+static void add_words(char ***list, const char *arguments, const char *label)
 {
-    struct points p = {.spec = s};
-    size_t all = 1, at[SPEC_MAX_AXES] = {0};
+    char *text = filled_in(arguments ? arguments : "", label), *save;
+    for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save))
+        words_add(list, text_of("%s", word));
+    free(text);
+}
+
+char **point_arguments(const struct spec *s, const struct point *p)
+{
+    char **list = NULL;
+    add_words(&list, s->arguments, "{}");
     for (size_t i = 0; i < s->axis_count; i++)
-        all *= s->axes[i].count;
-    if (!(p.point = calloc(all, sizeof *p.point)))
-        abort();
-    do {
-        if (!is_wanted(s, at))
-            continue;
-        struct point *point = &p.point[p.count];
-        memcpy(point->at, at, sizeof at);
-        point->name = name_of(s, point);
-        build_argv(s, point, p.count++, places);
-    } while (step(s, at));
-    return p;
+        add_words(&list, said_at(s, p, i)->arguments, p->value[i].text);
+    return list;
 }
 
-void points_free(struct points *p)
+char **point_settings(const struct spec *s, const struct point *p)
 {
-    for (size_t i = 0; i < p->count; i++) {
-        struct point *point = &p->point[i];
-        for (char **word = point->argv; *word; word++)
-            free(*word);
-        free(point->argv);
-        free(point->name);
-        free(point->failure);
-        json_decref(point->figures);
+    char **list = NULL;
+    for (size_t i = 0; i < s->axis_count; i++) {
+        config_setting_t *set = said_at(s, p, i)->set;
+        for (int k = 0; set && k < config_setting_length(set); k++)
+            words_add(&list, filled_in(config_setting_get_string_elem(set, k), p->value[i].text));
     }
-    free(p->point);
+    return list;
 }
 
-double points_figure(const struct point *p, const char *key)
+config_setting_t *point_setting_at(const struct spec *s, const struct point *p, size_t n)
 {
-    return figure_of(p->figures, key);
+    for (size_t i = 0; i < s->axis_count; i++) {
+        config_setting_t *set = said_at(s, p, i)->set;
+        size_t count = set ? (size_t)config_setting_length(set) : 0;
+        if (n < count)
+            return config_setting_get_elem(set, (unsigned)n);
+        n -= count;
+    }
+    return NULL;
+}
+
+json_t *point_value_json(double number, const char *text)
+{
+    if (isnan(number))
+        return json_string(text);
+    if (number == floor(number) && fabs(number) < 1e15)
+        return json_integer((json_int_t)number);
+    return json_real(number);
+}
+
+json_t *point_values(const struct spec *s, const struct point *p)
+{
+    json_t *values = json_object();
+    for (size_t i = 0; i < s->axis_count; i++)
+        if (json_object_set_new(values, s->axes[i].name,
+                                point_value_json(p->value[i].number, p->value[i].text)) != 0)
+            abort();
+    return values;
 }

@@ -29,18 +29,18 @@ struct child {
     pid_t pid; /* 0: this place is free */
     struct stream out, err;
     double started_s;
+    bool late; /* killed for its limit */
 };
 
 struct pool {
     struct event_base *base;
-    struct pool_job **order; /* all jobs, longest first */
-    size_t next;             /* the first of them not started */
-    struct child *children;  /* at_once places */
+    const struct pool_source *source;
+    struct event *refill;
+    struct child *children; /* at_once places */
     unsigned at_once;
-    double begun_s, weight_done, weight_all;
-    const struct pool_watcher *watcher;
-    struct pool_status status;
-    bool stopped;
+    size_t running;
+    bool no_more; /* jobs from the source */
+    int stopped;  /* by that signal */
 };
 
 static double now_s(void)
@@ -48,17 +48,6 @@ static double now_s(void)
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static void tell(struct pool *p, const struct pool_job *finished)
-{
-    struct pool_status *s = &p->status;
-    s->elapsed_s = now_s() - p->begun_s;
-    double left = p->weight_all - p->weight_done;
-    s->left_s = p->weight_done > 0 && left > 0 ? s->elapsed_s * left / p->weight_done : left > 0 ? -1 : 0;
-    s->finished = finished;
-    if (p->watcher)
-        p->watcher->changed(p->watcher->arg, s);
 }
 
 /* --- a child's output --- */
@@ -116,22 +105,28 @@ static char *close_stream(struct stream *s)
 
 /* --- a child's life --- */
 
-/* In the child, between fork and exec. */
-static void become(char *const argv[], int out, int err, pid_t parent)
+/* In the child, between fork and exec. It has a process group of its own: a terminal's Ctrl-C is for us to act on. */
+static void become(const struct pool_job *job, int out, int err, pid_t parent)
 {
+    extern char **environ;
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
+    setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) /* it died before the line above */
         _exit(127);
     int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (in < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0)
         _exit(127);
-    execvp(argv[0], argv);
-    dprintf(2, "%s cannot be run: %s\n", argv[0], strerror(errno));
+    if (job->dir && chdir(job->dir) != 0) {
+        dprintf(2, "%s: %s\n", job->dir, strerror(errno));
+        _exit(127);
+    }
+    execvpe(job->argv[0], job->argv, job->env ? job->env : environ);
+    dprintf(2, "%s cannot be run: %s\n", job->argv[0], strerror(errno));
     _exit(127);
 }
 
@@ -139,8 +134,7 @@ static void settle(struct pool *p, struct pool_job *job, char *error)
 {
     job->state = error ? POOL_FAILED : POOL_DONE;
     job->error = error;
-    p->weight_done += job->weight;
-    (*(error ? &p->status.failed : &p->status.done))++;
+    p->source->ended(p->source->arg, job);
 }
 
 static void start(struct pool *p, struct child *c, struct pool_job *job)
@@ -148,7 +142,7 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
     int out[2] = {-1, -1}, err[2] = {-1, -1};
     pid_t self = getpid(), pid = -1;
     if (pipe2(out, O_CLOEXEC) == 0 && pipe2(err, O_CLOEXEC) == 0 && (pid = fork()) == 0)
-        become(job->argv, out[1], err[1], self);
+        become(job, out[1], err[1], self);
     if (pid < 0) {
         char *error = text_of("cannot be started: %m");
         for (int i = 0; i < 2; i++) {
@@ -156,25 +150,27 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
             close(err[i]);
         }
         settle(p, job, error);
-        tell(p, job);
         return;
     }
+    setpgid(pid, pid); /* whoever of us two is first */
     close(out[1]);
     close(err[1]);
     job->state = POOL_RUNNING;
     *c = (struct child){.job = job, .pid = pid, .started_s = now_s()};
     open_stream(&c->out, p->base, out[0], POOL_MAX_OUT, false);
     open_stream(&c->err, p->base, err[0], POOL_MAX_ERR, true);
-    p->status.running++;
+    p->running++;
 }
 
 /* How it ended and its last words; NULL when it ended well. */
-static char *describe_end(int status, const char *err)
+static char *describe_end(const struct child *c, int status, const char *err)
 {
     int size = (int)strlen(err);
     while (size > 0 && err[size - 1] == '\n')
         size--;
     const char *sep = size ? ": " : "";
+    if (c->late)
+        return text_of("killed after its limit of %g s of real time%s%.*s", c->job->limit_s, sep, size, err);
     if (WIFSIGNALED(status))
         return text_of("killed by signal %d (%s)%s%.*s", WTERMSIG(status), strsignal(WTERMSIG(status)), sep,
                        size, err);
@@ -183,11 +179,54 @@ static char *describe_end(int status, const char *err)
     return NULL;
 }
 
-static void fill(struct pool *p)
+static void fill_in(struct pool *p, double s)
+{
+    struct timeval after = {(time_t)s, (suseconds_t)(1e6 * (s - (double)(time_t)s))};
+    event_add(p->refill, &after);
+}
+
+static struct child *free_place(struct pool *p)
 {
     for (unsigned i = 0; i < p->at_once; i++)
-        while (!p->stopped && !p->children[i].pid && p->next < p->status.jobs)
-            start(p, &p->children[i], p->order[p->next++]);
+        if (!p->children[i].pid)
+            return &p->children[i];
+    return NULL;
+}
+
+static void fill(struct pool *p)
+{
+    for (struct child *c; !p->stopped && !p->no_more && (c = free_place(p));) {
+        struct pool_job *job = NULL;
+        enum pool_next next = p->source->next(p->source->arg, &job);
+        if (next == POOL_JOB) {
+            start(p, c, job);
+        } else if (next == POOL_NO_MORE) {
+            p->no_more = true;
+        } else {
+            fill_in(p, next == POOL_AGAIN ? 0 : 0.1);
+            return;
+        }
+    }
+}
+
+/* Somebody who kills a child by a signal meant for people does not say that its run has failed. */
+static bool by_hand(int status)
+{
+    return WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM);
+}
+
+static void end_child(struct pool *p, struct child *c, int status)
+{
+    struct pool_job *job = c->job;
+    job->out = close_stream(&c->out);
+    char *err = close_stream(&c->err);
+    job->wall_time_s = now_s() - c->started_s;
+    char *error = describe_end(c, status, err);
+    job->stopped = error && (p->stopped || by_hand(status));
+    c->pid = 0;
+    p->running--;
+    settle(p, job, error);
+    free(err);
 }
 
 static void on_child(evutil_socket_t signal, short what, void *arg)
@@ -196,48 +235,44 @@ static void on_child(evutil_socket_t signal, short what, void *arg)
     int status;
     (void)signal, (void)what;
     /* Each by its own number: other children of this process are not ours to reap. */
-    for (unsigned i = 0; i < p->at_once; i++) {
-        struct child *c = &p->children[i];
-        if (!c->pid || waitpid(c->pid, &status, WNOHANG) != c->pid)
-            continue;
-        struct pool_job *job = c->job;
-        job->out = close_stream(&c->out);
-        char *err = close_stream(&c->err);
-        job->wall_time_s = now_s() - c->started_s;
-        c->pid = 0;
-        p->status.running--;
-        settle(p, job, p->stopped ? text_of("stopped") : describe_end(status, err));
-        free(err);
-        fill(p);
-        tell(p, job);
-    }
+    for (unsigned i = 0; i < p->at_once; i++)
+        if (p->children[i].pid && waitpid(p->children[i].pid, &status, WNOHANG) == p->children[i].pid)
+            end_child(p, &p->children[i], status);
+    fill(p);
+}
+
+static void on_refill(evutil_socket_t fd, short what, void *arg)
+{
+    (void)fd, (void)what;
+    fill(arg);
 }
 
 static void on_second(evutil_socket_t fd, short what, void *arg)
 {
+    struct pool *p = arg;
     (void)fd, (void)what;
-    tell(arg, NULL);
+    for (unsigned i = 0; i < p->at_once; i++) {
+        struct child *c = &p->children[i];
+        if (c->pid && c->job->limit_s > 0 && now_s() - c->started_s > c->job->limit_s) {
+            c->late = true;
+            kill(-c->pid, SIGKILL);
+        }
+    }
+    if (p->source->second)
+        p->source->second(p->source->arg);
 }
 
 static void on_stop(evutil_socket_t signal, short what, void *arg)
 {
     struct pool *p = arg;
-    (void)signal, (void)what;
-    p->stopped = true;
+    (void)what;
+    p->stopped = (int)signal;
     for (unsigned i = 0; i < p->at_once; i++)
         if (p->children[i].pid)
-            kill(p->children[i].pid, SIGKILL);
+            kill(-p->children[i].pid, SIGKILL);
 }
 
 /* --- the pool --- */
-
-static int longer_first(const void *a, const void *b)
-{
-    const struct pool_job *x = *(struct pool_job *const *)a, *y = *(struct pool_job *const *)b;
-    if (x->weight != y->weight)
-        return x->weight < y->weight ? 1 : -1;
-    return x < y ? -1 : x > y; /* equal ones in the caller's order */
-}
 
 static void loop(struct pool *p)
 {
@@ -249,39 +284,104 @@ static void loop(struct pool *p)
         event_new(p->base, -1, EV_PERSIST, on_second, p),
     };
     enum { EVENTS = sizeof events / sizeof *events };
+    p->refill = event_new(p->base, -1, 0, on_refill, p);
     for (int i = 0; i < EVENTS; i++)
-        if (!events[i] || event_add(events[i], i == EVENTS - 1 ? &second : NULL) != 0)
+        if (!p->refill || !events[i] || event_add(events[i], i == EVENTS - 1 ? &second : NULL) != 0)
             abort();
     fill(p);
-    while (p->status.running > 0)
+    while (p->running > 0 || !(p->no_more || p->stopped))
         event_base_loop(p->base, EVLOOP_ONCE);
     for (int i = 0; i < EVENTS; i++)
         event_free(events[i]);
+    event_free(p->refill);
+}
+
+struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once)
+{
+    struct pool p = {.source = source, .at_once = at_once};
+    double begun_s = now_s();
+    p.base = event_base_new();
+    p.children = calloc(at_once, sizeof *p.children);
+    if (!p.base || !p.children)
+        abort();
+    loop(&p);
+    free(p.children);
+    event_base_free(p.base);
+    return (struct pool_end){.all_done = !p.stopped, .stopped = p.stopped, .wall_time_s = now_s() - begun_s};
+}
+
+/* --- a list of jobs --- */
+
+struct list {
+    struct pool_job **order; /* longest first */
+    size_t next;             /* the first of them not started */
+    double begun_s, weight_done, weight_all;
+    const struct pool_watcher *watcher;
+    struct pool_status status;
+};
+
+static void tell(struct list *l, const struct pool_job *finished)
+{
+    struct pool_status *s = &l->status;
+    s->elapsed_s = now_s() - l->begun_s;
+    double left = l->weight_all - l->weight_done;
+    s->left_s = l->weight_done > 0 && left > 0 ? s->elapsed_s * left / l->weight_done : left > 0 ? -1 : 0;
+    s->finished = finished;
+    if (l->watcher)
+        l->watcher->changed(l->watcher->arg, s);
+}
+
+static enum pool_next next_of_list(void *arg, struct pool_job **job)
+{
+    struct list *l = arg;
+    if (l->next == l->status.jobs)
+        return POOL_NO_MORE;
+    *job = l->order[l->next++];
+    l->status.running++;
+    return POOL_JOB;
+}
+
+static void ended_of_list(void *arg, struct pool_job *job)
+{
+    struct list *l = arg;
+    l->weight_done += job->weight;
+    l->status.running--;
+    (*(job->state == POOL_FAILED ? &l->status.failed : &l->status.done))++;
+    tell(l, job);
+}
+
+static void second_of_list(void *arg)
+{
+    tell(arg, NULL);
+}
+
+static int longer_first(const void *a, const void *b)
+{
+    const struct pool_job *x = *(struct pool_job *const *)a, *y = *(struct pool_job *const *)b;
+    if (x->weight != y->weight)
+        return x->weight < y->weight ? 1 : -1;
+    return x < y ? -1 : x > y; /* equal ones in the caller's order */
 }
 
 struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
                          const struct pool_watcher *watcher)
 {
-    struct pool p = {.at_once = at_once, .begun_s = now_s(), .watcher = watcher, .status.jobs = count};
-    p.base = event_base_new();
-    p.order = calloc(count + 1, sizeof *p.order);
-    p.children = calloc(at_once, sizeof *p.children);
-    if (!p.base || !p.order || !p.children)
+    struct list l = {.begun_s = now_s(), .watcher = watcher, .status.jobs = count};
+    struct pool_source source = {next_of_list, ended_of_list, second_of_list, &l};
+    l.order = calloc(count + 1, sizeof *l.order);
+    if (!l.order)
         abort();
     for (size_t i = 0; i < count; i++) {
-        p.order[i] = &jobs[i];
-        p.weight_all += jobs[i].weight;
+        l.order[i] = &jobs[i];
+        l.weight_all += jobs[i].weight;
         jobs[i].state = POOL_WAITING;
         jobs[i].out = jobs[i].error = NULL;
     }
-    qsort(p.order, count, sizeof *p.order, longer_first);
-
-    loop(&p);
-
-    free(p.children);
-    free(p.order);
-    event_base_free(p.base);
-    return (struct pool_end){p.status.done == count, p.stopped, now_s() - p.begun_s};
+    qsort(l.order, count, sizeof *l.order, longer_first);
+    struct pool_end end = pool_run_from(&source, at_once);
+    end.all_done = l.status.done == count;
+    free(l.order);
+    return end;
 }
 
 void pool_clear(struct pool_job jobs[], size_t count)

@@ -19,11 +19,15 @@ struct pool_job {
     const char *name;  /* for people: "table 1, 16 nodes" */
     char *const *argv; /* ended by NULL; argv[0] is looked for in PATH if it has no '/' */
     double weight;     /* how long it should take, in any unit; the longest start first */
+    const char *dir;   /* its working folder; NULL: ours */
+    char *const *env;  /* its environment, ended by NULL; NULL: ours */
+    double limit_s;    /* of real time, after which it is killed; 0: none */
 
     /* Filled in by pool_run(); text is freed by pool_clear(). */
     enum pool_state state;
-    char *out;   /* its standard output (at most POOL_MAX_OUT bytes), ended by '\0' */
-    char *error; /* failed: how it ended and the last lines of its standard error */
+    bool stopped; /* POOL_FAILED not by itself, but by a signal from outside to it or to us */
+    char *out;    /* its standard output (at most POOL_MAX_OUT bytes), ended by '\0' */
+    char *error;  /* failed: how it ended and the last lines of its standard error */
     double wall_time_s;
 };
 enum { POOL_MAX_OUT = 1 << 20, POOL_MAX_ERR = 2048 };
@@ -41,13 +45,29 @@ struct pool_watcher {
 
 struct pool_end {
     bool all_done; /* otherwise the jobs tell which are not POOL_DONE */
-    bool stopped;  /* by a signal */
+    int stopped;   /* by that signal; 0: not */
     double wall_time_s;
 };
 
 /* Runs all jobs, at_once (at least 1) at a time. watcher may be NULL. */
 struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
                          const struct pool_watcher *watcher);
+
+/* For jobs that are made when their turn comes, and forgotten when they have ended: the longest first is the source's own
+ * affair. */
+enum pool_next {
+    POOL_JOB,     /* *job is one; it stays the source's, and must stay until ended() */
+    POOL_AGAIN,   /* ask again: for a source that has had to do for a while, signals may be waiting */
+    POOL_LATER,   /* none now, but there may be in a tenth of a second, or when a job has ended */
+    POOL_NO_MORE, /* and never again */
+};
+struct pool_source {
+    enum pool_next (*next)(void *arg, struct pool_job **job);
+    void (*ended)(void *arg, struct pool_job *job);
+    void (*second)(void *arg); /* a second has passed; may be NULL */
+    void *arg;
+};
+struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once);
 
 void pool_clear(struct pool_job jobs[], size_t count);
 #endif

@@ -15,30 +15,56 @@ static void time_left(char *buf, size_t size, double s)
         snprintf(buf, size, ", about %.0f min left", s / 60);
 }
 
+struct progress progress_to(FILE *to)
+{
+    return (struct progress){to, isatty(fileno(to)) == 1};
+}
+
+void progress_show(struct progress *p, const struct progress_counts *c)
+{
+    char left[48], cached[48] = "";
+    if (!p->live)
+        return;
+    time_left(left, sizeof left, c->left_s);
+    if (c->cached)
+        snprintf(cached, sizeof cached, ", %zu from the cache", c->cached);
+    progress_end(p);
+    fprintf(p->to, "%zu of %zu done%s, %zu running, %zu failed%s", c->done, c->all, cached, c->running,
+            c->failed, left);
+    fflush(p->to);
+}
+
+void progress_ended(struct progress *p, const struct progress_counts *c, const char *name, const char *error,
+                    double wall_time_s)
+{
+    char left[48];
+    time_left(left, sizeof left, c->left_s);
+    progress_end(p);
+    if (!p->live)
+        fprintf(p->to, "[%zu/%zu] ", c->done + c->failed, c->all);
+    if (error)
+        fprintf(p->to, "%s: %s\n", name, error);
+    else if (!p->live)
+        fprintf(p->to, "%s: %.1f s%s\n", name, wall_time_s, left);
+    fflush(p->to);
+    progress_show(p, c);
+}
+
 static void changed(void *arg, const struct pool_status *s)
 {
     struct progress *p = arg;
     const struct pool_job *job = s->finished;
-    char left[48];
-    time_left(left, sizeof left, s->left_s);
-    if (p->live) {
-        progress_end(p);
-        if (job && job->state == POOL_FAILED)
-            fprintf(p->to, "%s: %s\n", job->name, job->error);
-        fprintf(p->to, "%zu of %zu done, %zu running, %zu failed%s", s->done, s->jobs, s->running, s->failed,
-                left);
-    } else if (job && job->state == POOL_FAILED) {
-        fprintf(p->to, "[%zu/%zu] %s: %s\n", s->done + s->failed, s->jobs, job->name, job->error);
-    } else if (job) {
-        fprintf(p->to, "[%zu/%zu] %s: %.1f s%s\n", s->done + s->failed, s->jobs, job->name, job->wall_time_s,
-                left);
-    }
-    fflush(p->to);
+    struct progress_counts counts = {s->jobs, s->done, s->running, s->failed, 0, s->left_s};
+    if (job)
+        progress_ended(p, &counts, job->name, job->state == POOL_FAILED ? job->error : NULL,
+                       job->wall_time_s);
+    else
+        progress_show(p, &counts);
 }
 
 struct pool_watcher progress_watcher(struct progress *p, FILE *to)
 {
-    *p = (struct progress){to, isatty(fileno(to)) == 1};
+    *p = progress_to(to);
     return (struct pool_watcher){changed, p};
 }
 

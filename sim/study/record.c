@@ -1,55 +1,60 @@
 /* record.c - see record.h. */
 #include "study/record.h"
+#include "study/draft.h"
+#include "study/text.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void set(json_t *object, const char *key, json_t *value)
+/* --- JSON ------------------------------------------------------------------------------------------------ */
+
+struct json_writer {
+    FILE *out;
+    size_t count;
+};
+
+/* As jansson lays it out, but further in. */
+static void write_value(const json_t *value, const char *indent, FILE *out)
 {
-    if (json_object_set_new(object, key, value) != 0)
+    char *text = json_dumps(value, JSON_INDENT(1) | JSON_REAL_PRECISION(15) | JSON_ENCODE_ANY);
+    if (!text)
         abort();
-}
-
-static json_t *value_json(const struct spec_value *value)
-{
-    if (isnan(value->number))
-        return json_string(value->label);
-    if (value->number == floor(value->number) && fabs(value->number) < 1e15)
-        return json_integer((json_int_t)value->number);
-    return json_real(value->number);
-}
-
-/* Axes come first, and hide figures of the same name. */
-static json_t *point_json(const struct spec *s, const struct point *p)
-{
-    json_t *j = json_object();
-    for (size_t i = 0; i < s->axis_count; i++)
-        set(j, s->axes[i].name, value_json(&s->axes[i].values[p->at[i]]));
-    set(j, "failure", p->failure ? json_string(p->failure) : json_null());
-    set(j, "wall_time_s", json_real(p->wall_time_s));
-    if (json_object_update_missing(j, p->figures) != 0 && p->figures)
-        abort();
-    return j;
-}
-
-json_t *record_json(const struct points *p)
-{
-    const struct spec *s = p->spec;
-    json_t *root = json_object(), *axes = json_object(), *points = json_array();
-    for (size_t i = 0; i < s->axis_count; i++) {
-        json_t *values = json_array();
-        for (size_t k = 0; k < s->axes[i].count; k++)
-            json_array_append_new(values, value_json(&s->axes[i].values[k]));
-        set(axes, s->axes[i].name, values);
+    for (const char *line = text; *line;) {
+        size_t n = strcspn(line, "\n") + 1;
+        n -= line[n - 1] == '\0';
+        fwrite(line, 1, n, out);
+        line += n;
+        if (*line)
+            fputs(indent, out);
     }
-    for (size_t i = 0; i < p->count; i++)
-        json_array_append_new(points, point_json(s, &p->point[i]));
-    set(root, "title", json_string(s->title));
-    set(root, "program", json_string(s->program));
-    set(root, "axes", axes);
-    set(root, "points", points);
-    return root;
+    free(text);
+}
+
+static bool write_point(void *arg, const json_t *point, char **error)
+{
+    struct json_writer *w = arg;
+    (void)error;
+    fputs(w->count++ ? ",\n  " : "\n  ", w->out);
+    write_value(point, "  ", w->out);
+    return !ferror(w->out) || (*error = text_of("cannot be written"), false);
+}
+
+static bool write_json(const struct record_points *points, FILE *out, char **error)
+{
+    struct json_writer w = {.out = out};
+    const char *key;
+    json_t *value;
+    fputs("{\n", out);
+    json_object_foreach(points->header, key, value)
+    {
+        fprintf(out, " \"%s\": ", key);
+        write_value(value, " ", out);
+        fputs(",\n", out);
+    }
+    fputs(" \"points\": [", out);
+    bool ok = points->each(points->arg, write_point, &w, error);
+    fputs("\n ]\n}\n", out);
+    return ok;
 }
 
 /* --- comma-separated values ------------------------------------------------------------------------------ */
@@ -66,7 +71,7 @@ static void write_text(const char *text, FILE *out)
     fputc('"', out);
 }
 
-static void write_cell(json_t *value, FILE *out)
+static void write_cell(const json_t *value, FILE *out)
 {
     if (json_is_string(value))
         write_text(json_string_value(value), out);
@@ -77,39 +82,108 @@ static void write_cell(json_t *value, FILE *out)
 }
 
 /* The names of all points' figures, in the order in which they come up. */
-static json_t *columns_of(json_t *points)
+static bool add_columns(void *arg, const json_t *point, char **error)
 {
-    json_t *columns = json_object(), *point, *value;
     const char *key;
-    size_t i;
-    json_array_foreach(points, i, point) json_object_foreach(point, key, value) if (!json_is_array(value))
-        set(columns, key, json_null());
-    return columns;
+    json_t *value;
+    (void)error;
+    json_object_foreach(
+        (json_t *)point, key,
+        value) if (!json_is_array(value) && !json_is_object(value) &&
+                   !json_object_get(arg, key)) if (json_object_set_new(arg, key, json_null()) != 0) abort();
+    return true;
 }
 
-void record_csv(const struct points *p, FILE *out)
+struct csv_writer {
+    FILE *out;
+    json_t *columns;
+};
+
+static bool write_row(void *arg, const json_t *point, char **error)
 {
-    json_t *root = record_json(p), *points = json_object_get(root, "points"), *columns = columns_of(points);
-    json_t *point, *value;
+    struct csv_writer *w = arg;
     const char *key, *comma = "";
-    size_t i;
-    json_object_foreach(columns, key, value)
+    json_t *value;
+    (void)error;
+    json_object_foreach(w->columns, key, value)
+    {
+        fputs(comma, w->out);
+        write_cell(json_object_get(point, key), w->out);
+        comma = ",";
+    }
+    fputc('\n', w->out);
+    return true;
+}
+
+static bool write_csv(const struct record_points *points, FILE *out, char **error)
+{
+    struct csv_writer w = {out, json_object()};
+    const char *key, *comma = "";
+    json_t *value;
+    bool ok = points->each(points->arg, add_columns, w.columns, error);
+    json_object_foreach(w.columns, key, value)
     {
         fprintf(out, "%s%s", comma, key);
         comma = ",";
     }
     fputc('\n', out);
-    json_array_foreach(points, i, point)
-    {
-        comma = "";
-        json_object_foreach(columns, key, value)
-        {
-            fputs(comma, out);
-            write_cell(json_object_get(point, key), out);
-            comma = ",";
-        }
-        fputc('\n', out);
-    }
-    json_decref(columns);
+    ok = ok && points->each(points->arg, write_row, &w, error);
+    json_decref(w.columns);
+    return ok;
+}
+
+/* --- files ----------------------------------------------------------------------------------------------- */
+
+static bool write_file(const struct record_points *points, const char *dir, const char *name,
+                       bool (*write)(const struct record_points *, FILE *, char **), char **error)
+{
+    struct draft d;
+    if (!draft_begin(&d, dir, name, error))
+        return false;
+    if (write(points, d.out, error))
+        return draft_end(&d, error);
+    draft_drop(&d);
+    return false;
+}
+
+bool record_write_json(const struct record_points *points, const char *dir, char **error)
+{
+    return write_file(points, dir, "results.json", write_json, error);
+}
+
+bool record_write_csv(const struct record_points *points, const char *dir, char **error)
+{
+    return write_file(points, dir, "results.csv", write_csv, error);
+}
+
+static bool each_of_list(void *list, bool (*visit)(void *, const json_t *, char **), void *to, char **error)
+{
+    size_t i;
+    json_t *point;
+    json_array_foreach((json_t *)list, i, point) if (!visit(to, point, error)) return false;
+    return true;
+}
+
+bool record_read(const char *path, struct record_points *points, char **error)
+{
+    json_error_t why;
+    json_t *root = json_load_file(path, 0, &why), *list = json_object_get(root, "points");
+    bool ok = json_is_array(list) && json_is_object(json_object_get(root, "axes")) &&
+              json_is_string(json_object_get(root, "title"));
+    if (!root && why.line < 0)
+        *error = text_of("%s", why.text);
+    else if (!root)
+        *error = text_of("%s:%d: %s", path, why.line, why.text);
+    else if (!ok)
+        *error = text_of("%s: these are no results of touchstone study", path);
+    *points = (struct record_points){each_of_list, list, root};
+    if (ok)
+        return true;
     json_decref(root);
+    return false;
+}
+
+void record_free(struct record_points *points)
+{
+    json_decref(points->header);
 }

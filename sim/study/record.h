@@ -1,13 +1,25 @@
-/* record.h - a study's results as JSON and as comma-separated values. Only figures whose name holds "wall_time" differ
- * between two runs of one study. */
+/* record.h - a study's results as files: written a point at a time, as they come, and read. Only figures whose name holds
+ * "wall_time" differ between two runs of one study. */
 #ifndef STUDY_RECORD_H
 #define STUDY_RECORD_H
-#include "study/points.h"
-
+#include <jansson.h>
+#include <stdbool.h>
 #include <stdio.h>
 
-/* { title, program, machine, axes: { NAME: [value ...] }, points: [{ AXIS: value ..., failure, KEY: figure ... }] } */
-json_t *record_json(const struct points *p);
-/* A line of names, and one for each point; figures that are lists are left out. */
-void record_csv(const struct points *p, FILE *out);
+/* Where points come from: each is one flat object (study.h). They may be asked for several times. */
+struct record_points {
+    bool (*each)(void *arg, bool (*visit)(void *to, const json_t *point, char **error), void *to,
+                 char **error);
+    void *arg;
+    json_t *header; /* { title, program, axes: { NAME: [value ...] } } */
+};
+
+/* DIR/results.json: the header with points: [{ AXIS: value ..., failure, KEY: figure ... }]; and DIR/results.csv: a line of
+ * names, and one for each point, without figures that are lists. Each is there whole or not at all. */
+bool record_write_json(const struct record_points *points, const char *dir, char **error);
+bool record_write_csv(const struct record_points *points, const char *dir, char **error);
+
+/* Reads results.json, all of it into memory: free with record_free(). False with *error malloc'd. */
+bool record_read(const char *path, struct record_points *points, char **error);
+void record_free(struct record_points *points);
 #endif

@@ -1,164 +1,197 @@
-/* study.c - from a study file to points, through the pool, to results; see study.h. */
-#include "study/study.h"
-#include "study/chart.h"
-#include "study/draft.h"
-#include "study/figures.h"
+/* study.c - opens a study: reads its file, finds and checks all its points, opens its folder; see study.h. */
 #include "study/folder.h"
-#include "study/pool.h"
-#include "study/progress.h"
-#include "study/record.h"
+#include "study/spill.h"
+#include "study/study_parts.h"
 #include "study/text.h"
 
+#include <libgen.h>
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* What the point came to, from its job; takes the job's error over. */
-static void settle(struct point *p, struct pool_job *job, size_t number, const char *scratch)
+/* --- the points ------------------------------------------------------------------------------------------ */
+
+static int by_number(const void *a, const void *b)
 {
-    p->wall_time_s = job->wall_time_s;
-    if (job->state != POOL_DONE) {
-        p->failure = text_of("%s", job->error ? job->error : "not run");
-        return;
+    const struct work *x = a, *y = b;
+    return x->number < y->number ? -1 : x->number > y->number;
+}
+
+static int dearest_first(const void *a, const void *b)
+{
+    const struct work *x = a, *y = b;
+    if (x->cost != y->cost)
+        return x->cost < y->cost ? 1 : -1;
+    return by_number(a, b);
+}
+
+void study_sort(struct study *s, bool by_cost)
+{
+    qsort(s->work, s->count, sizeof *s->work, by_cost ? dearest_first : by_number);
+}
+
+/* As the study file says; or the number of nodes. */
+static double cost_of(const struct spec *s, const struct point *p)
+{
+    double cost = s->cost ? expr_number(s->cost, p->value) : (double)point_nodes(s, p);
+    return cost > 0 && isfinite(cost) ? cost : 1;
+}
+
+/* All points are made and checked before any is run. */
+static bool plan(struct study *s, char **error)
+{
+    struct point p;
+    s->work = spill_new(s->spec->product * sizeof *s->work);
+    for (size_t number = 0; number < s->spec->product; number++) {
+        enum point_is is = point_make(s->spec, number, &p, error);
+        struct work *w = &s->work[s->count];
+        if (is == POINT_WRONG)
+            return false;
+        if (is == POINT_LEFT_OUT)
+            continue;
+        if (!inputs_of(s->inputs, &p, &w->key, NULL, error))
+            return false;
+        w->number = number;
+        w->cost = cost_of(s->spec, &p);
+        s->count++;
     }
-    char *json = text_of("%s/%zu.json", scratch, number);
-    struct outcome o = outcome_read(job->out, json, NULL);
-    if (o.error)
-        p->failure = text_of("%s", o.error);
+    if (!s->count)
+        *error = text_of("%s: only: no point is left", s->options.file);
+    return s->count;
+}
+
+/* --- the rest -------------------------------------------------------------------------------------------- */
+
+/* Where the study file is: programs and machine files that it names are looked for there, and runs are made there. */
+static bool find_dir(struct study *s, char **error)
+{
+    char *file = text_of("%s", s->options.file), real[PATH_MAX];
+    bool found = realpath(dirname(file), real);
+    if (found)
+        s->dir = text_of("%s", real);
     else
-        p->figures = figures_of(&o);
-    outcome_clear(&o);
-    free(json);
+        *error = text_of("%s: %m", s->options.file);
+    free(file);
+    return found;
 }
 
-/* Runs all; false when a signal stopped it. */
-static bool run_all(const struct study_options *o, struct points *p, const char *scratch)
+/* The study's program: beside its file, or among those that come with touchstone. */
+static bool find_program(struct study *s, char **error)
 {
-    struct pool_job *jobs = calloc(p->count, sizeof *jobs);
-    if (!jobs)
-        abort();
-    for (size_t i = 0; i < p->count; i++) {
-        const struct spec_axis *nodes = spec_axis(p->spec, "nodes");
-        double weight = nodes ? nodes->values[p->point[i].at[spec_place(p->spec, nodes)]].number : 1;
-        jobs[i] = (struct pool_job){.name = p->point[i].name, .argv = p->point[i].argv, .weight = weight};
-    }
-    struct progress progress;
-    struct pool_watcher watcher = progress_watcher(&progress, o->progress);
-    struct pool_end end = pool_run(jobs, p->count, o->at_once, &watcher);
-    progress_end(&progress);
-    for (size_t i = 0; i < p->count; i++)
-        settle(&p->point[i], &jobs[i], i, scratch);
-    pool_clear(jobs, p->count);
-    free(jobs);
-    return !end.stopped;
-}
-
-static bool write_json(const struct points *p, const char *dir, char **error)
-{
-    struct draft d;
-    if (!draft_begin(&d, dir, "results.json", error))
-        return false;
-    json_t *root = record_json(p);
-    json_dumpf(root, d.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
-    fputc('\n', d.out);
-    json_decref(root);
-    return draft_end(&d, error);
-}
-
-static bool write_csv(const struct points *p, const char *dir, char **error)
-{
-    struct draft d;
-    if (!draft_begin(&d, dir, "results.csv", error))
-        return false;
-    record_csv(p, d.out);
-    return draft_end(&d, error);
-}
-
-/* A picture that fails is said on progress. */
-static bool draw(const struct study_options *o, const struct points *p, const struct spec_picture *picture,
-                 const char *scratch)
-{
-    char *path = text_of("%s/plot", scratch);
-    FILE *script = fopen(path, "we");
-    bool written = script && chart_write(p, picture, o->dir, script);
-    if (script)
-        fclose(script);
-    char *const argv[] = {"gnuplot", path, NULL};
-    struct pool_job job = {.name = "the picture", .argv = argv};
-    bool drawn = written && pool_run(&job, 1, 1, NULL).all_done;
-    if (!drawn)
-        fprintf(o->progress, "no picture %s: %s\n", picture->file,
-                job.error ? job.error
-                : written ? "gnuplot was stopped"
-                          : "no point has its figure");
-    pool_clear(&job, 1);
-    free(path);
-    return drawn;
-}
-
-static enum study_end report(const struct study_options *o, const struct points *p, const char *scratch,
-                             char **error)
-{
-    size_t failed = 0, drawn = 0;
-    if (!write_json(p, o->dir, error) || !write_csv(p, o->dir, error))
-        return STUDY_ERROR;
-    for (size_t i = 0; i < p->count; i++)
-        failed += p->point[i].failure != NULL;
-    for (size_t i = 0; i < p->spec->picture_count; i++)
-        drawn += draw(o, p, &p->spec->pictures[i], scratch);
-    fprintf(o->out, "%zu points, %zu failed; %s has results.json, results.csv and %zu picture%s\n", p->count,
-            failed, o->dir, drawn, drawn == 1 ? "" : "s");
-    return failed || drawn < p->spec->picture_count ? STUDY_INCOMPLETE : STUDY_DONE;
-}
-
-/* The study's program: beside its file, or among those that come with touchstone. NULL with *error. */
-static char *find_program(const struct study_options *o, const struct spec *s, char **error)
-{
-    const char *slash = strrchr(o->file, '/');
-    char *beside = *s->program == '/' ? text_of("%s", s->program)
-                   : slash            ? text_of("%.*s/%s", (int)(slash - o->file), o->file, s->program)
-                                      : text_of("./%s", s->program);
-    char *ours = text_of("%s/%s", o->programs, s->program), *path = NULL;
+    const char *name = s->spec->program;
+    char *beside = *name == '/' ? text_of("%s", name) : text_of("%s/%s", s->dir, name);
+    char *ours = text_of("%s/%s", s->options.programs, name);
     if (access(beside, X_OK) == 0)
-        path = text_of("%s", beside);
+        s->program = text_of("%s", beside);
     else if (access(ours, X_OK) == 0)
-        path = text_of("%s", ours);
+        s->program = text_of("%s", ours);
     else
-        *error = text_of("%s: program: there is neither %s nor %s", o->file, beside, ours);
+        *error = text_of(
+            "%s:%u: program: there is neither %s nor %s", s->options.file,
+            (unsigned)config_setting_source_line(config_setting_get_member(s->spec->reader.root, "program")),
+            beside, ours);
     free(beside);
     free(ours);
-    return path;
+    return s->program;
 }
 
-static enum study_end make(const struct study_options *o, const struct spec *s, const char *program,
-                           char **error)
+static bool read_inputs(struct study *s, char **error)
 {
-    char *scratch = folder_scratch("touchstone-study", error);
-    if (!scratch)
-        return STUDY_ERROR;
-    enum study_end end = STUDY_ERROR;
-    struct points_places places = {o->runner, program, scratch};
-    struct points points = points_plan(s, &places);
-    if (!points.count)
-        *error = text_of("%s: only: no point is left", o->file);
-    else if (!folder_make(o->dir))
+    struct inputs_places places = {s->options.runner, s->program, s->options.machines, s->dir,
+                                   s->options.set};
+    return (s->inputs = inputs_open(s->spec, &places, error));
+}
+
+static bool open_folder(struct study *s, char **error)
+{
+    const struct study_options *o = &s->options;
+    if (!folder_make(o->dir)) {
         *error = text_of("%s cannot be made: %m", o->dir);
-    else if (!run_all(o, &points, scratch))
-        *error = text_of("stopped; nothing was written");
-    else
-        end = report(o, &points, scratch, error);
-    points_free(&points);
-    folder_remove(scratch);
-    free(scratch);
-    return end;
+        return false;
+    }
+    if (!(s->claims = claims_enter(o->dir, o->session ? o->session : "", error)) ||
+        !(s->journal = journal_open(o->dir, o->progress, error)) ||
+        !(s->scratch = folder_scratch("touchstone-study", error)))
+        return false;
+    if (o->retry_failed)
+        journal_forget_failed(s->journal);
+    return true;
 }
 
-enum study_end study_make(const struct study_options *o, char **error)
+struct study *study_open(const struct study_options *options, char **error)
 {
-    struct spec *s = spec_read(o->file, error);
-    char *program = s ? find_program(o, s, error) : NULL;
-    enum study_end end = program ? make(o, s, program, error) : STUDY_ERROR;
-    free(program);
-    spec_free(s);
+    struct study *s = calloc(1, sizeof *s);
+    if (!s)
+        abort();
+    s->options = *options;
+    if ((s->spec = spec_read(options->file, error)) && find_dir(s, error) && find_program(s, error) &&
+        read_inputs(s, error) && plan(s, error) && open_folder(s, error))
+        return s;
+    study_close(s);
+    return NULL;
+}
+
+void study_close(struct study *s)
+{
+    if (!s)
+        return;
+    journal_close(s->journal);
+    claims_leave(s->claims);
+    if (s->scratch)
+        folder_remove(s->scratch);
+    free(s->scratch);
+    if (s->work)
+        spill_free(s->work, s->spec->product * sizeof *s->work);
+    inputs_close(s->inputs);
+    free(s->program);
+    free(s->dir);
+    spec_free(s->spec);
+    free(s);
+}
+
+const struct spec *study_spec(const struct study *s)
+{
+    return s->spec;
+}
+
+size_t study_count(const struct study *s)
+{
+    return s->count;
+}
+
+struct study_counts study_counts(const struct study *s)
+{
+    return s->counts;
+}
+
+/* How it went, and what to do now. */
+static void tell(const struct study *s)
+{
+    const struct study_options *o = &s->options;
+    const struct study_counts *c = &s->counts;
+    fprintf(o->out, "%zu point%s run, %zu in %s/journal before", c->run, c->run == 1 ? "" : "s", c->before,
+            o->dir);
+    if (o->cache)
+        fprintf(o->out, ", %zu from the cache", c->cached);
+    fprintf(o->out, "; %zu of %zu points failed\n", c->failed, s->count);
+}
+
+enum study_end study_make(const struct study_options *options, int *signal, char **error)
+{
+    struct study *s = study_open(options, error);
+    enum study_end end = s ? study_run(s, error) : STUDY_ERROR;
+    *signal = s ? s->counts.signal : 0;
+    if (end == STUDY_STOPPED) {
+        size_t have = s->counts.run + s->counts.before + s->counts.cached;
+        fprintf(options->progress,
+                "stopped: %zu of %zu points are in %s/journal; the same command goes on from there\n", have,
+                s->count, options->dir);
+    } else if (end == STUDY_DONE && claims_take_report(s->claims)) {
+        tell(s);
+        end = study_report(s, error);
+    }
+    study_close(s);
     return end;
 }

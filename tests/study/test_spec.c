@@ -1,4 +1,5 @@
-/* test_spec.c - study files: each kind of mistake is named with its line and what is allowed; conditions. */
+/* test_spec.c - study files: each kind of mistake is named with its line and what is allowed; the points that
+ * a file means. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,8 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "study/condition.h"
-#include "study/spec.h"
+#include "study/points.h"
 
 static const char good[] =
     "program = \"p\"; machine = \"delta\";\n"
@@ -36,11 +36,16 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {false, "machine = \"m\";\naxes = ( );", "study.cfg: program: missing"},
         {true, "porgram = \"q\";", "study.cfg:4: porgram: unknown key; known here: title, program"},
         {true, "nodes = 4;", "study.cfg:4: nodes: an axis has it: one of them only"},
-        {true, "only = ( \"nodes\" );",
-         "study.cfg:4: only: \"nodes\" is no condition: AXIS < VALUE is one, also <= = != >= >, with blanks between"},
-        {true, "only = ( \"nods < 4\" );", "study.cfg:4: only: neither nods nor 4 is an axis"},
+        {true, "only = ( \"nods < 4\" );",
+         "study.cfg:4: only: there is no axis nods; there are: nodes, kind"},
         {true, "only = ( \"kind < 4\" );",
          "study.cfg:4: only: kind is no number or axis of numbers: only = and != are allowed"},
+        {true, "only = ( \"kind = c\" );",
+         "study.cfg:4: only: c is neither an axis nor a value of kind; its values are: a, b"},
+        {true, "cost = \"nodes * \";", "study.cfg:4: cost: something is missing at the end of \"nodes * \""},
+        {true, "inputs = ( 4 );", "study.cfg:4: inputs: must hold names of files"},
+        {true, "max_wall_s = 0.0;", "study.cfg:4: max_wall_s: 0 is out of range: 1e-09 to 1e+09 are allowed"},
+        {true, "profile = 1;", "study.cfg:4: profile: must be true or false"},
         {true, "only = ( 4 );", "study.cfg:4: only: must hold texts such as \"group <= nodes\""},
         {true, "pictures = ( { file = \"f\"; x = \"group\"; y = \"s\"; } );",
          "study.cfg:4: x: there is no axis group"},
@@ -56,7 +61,7 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {true, "pictures = ( { file = \"f\"; x = \"nodes\"; y = \"s\"; logarithmic = \"z\"; } );",
          "study.cfg:4: logarithmic: must be \"x\", \"y\" or \"xy\""},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( );",
-         "study.cfg:2: axes: 0 axes: 1 to 8 are allowed"},
+         "study.cfg:2: axes: 0 axes: 1 to 16 are allowed"},
         {false,
          "program = \"p\"; machine = \"m\";\naxes = ( { name = \"g\"; values = ( 1 ); arguments = \"{}\"; } );",
          "study.cfg: nodes: missing"},
@@ -67,7 +72,18 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = ( ); } );",
          "study.cfg:2: nodes: is empty: at least one value is needed"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; } );",
-         "study.cfg:2: nodes: needs either values = ( ... ) or cases = ( { ... } )"},
+         "study.cfg:2: nodes: needs either values = ( ... ), values = { from ... }"},
+        {false,
+         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = { from = 1; to = 8; }; } );",
+         "study.cfg:2: nodes: a range needs either step = ...; or times = ...;"},
+        {false,
+         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\nvalues = { from = 1; to = 8; times = 1; }; } );",
+         "study.cfg:3: times: 1 is out of range"},
+        {false,
+         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\nvalues = { from = 1; to = 4; step = 0.5; }; } );",
+         "study.cfg:3: nodes: 1.5 is not a number of nodes: whole, from 1 to 1048576"},
+        {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"g\";\nvalue = \"nodes / 2\"; } );",
+         "study.cfg:3: g: there is no axis nodes; there are: "},
         {false,
          "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = ( { a = 1; } ); } );",
          "study.cfg:2: values: must hold numbers or texts; for more, give cases = ( { ... } );"},
@@ -105,37 +121,64 @@ static void a_file_that_is_not_there(void **state)
     free(error);
 }
 
-static bool holds(const char *text, size_t nodes, size_t kind)
+/* The points' values of an axis, with blanks between; "left out" where none is left. */
+static void assert_values(const char *rest, const char *axis, const char *expected)
 {
-    char *error = NULL;
-    struct spec *s = read_text(good, &error);
-    struct condition c;
-    size_t at[SPEC_MAX_AXES] = {nodes, kind};
-    assert_true(condition_read(&c, text, s, &error));
-    bool does = condition_holds(&c, s, at);
-    condition_clear(&c);
+    char text[2048], *error = NULL, said[256] = "";
+    struct point p;
+    snprintf(text, sizeof text, "program = \"p\"; machine = \"delta\";\n%s\n", rest);
+    struct spec *s = read_text(text, &error);
+    if (!s)
+        fail_msg("%s", error);
+    for (size_t i = 0; i < s->product; i++) {
+        enum point_is is = point_make(s, i, &p, &error);
+        if (is == POINT_WRONG) {
+            snprintf(said, sizeof said, "%s", error);
+            free(error);
+        } else if (is == POINT_WANTED) {
+            snprintf(said + strlen(said), sizeof said - strlen(said), "%s%s", *said ? " " : "",
+                     p.value[spec_place(s, spec_axis(s, axis))].text);
+        }
+    }
+    assert_string_equal(said, expected);
     spec_free(s);
-    return does;
 }
 
-static void conditions_compare_numbers_by_size(void **state)
+static void ranges_hold_both_ends(void **state)
 {
     (void)state;
-    assert_true(holds("nodes < 16", 0, 0)); /* as texts 2 is greater than 16 */
-    assert_false(holds("nodes < 16", 1, 0));
-    assert_true(holds("nodes <= 16", 1, 0));
-    assert_true(holds("16 >= nodes", 1, 0));
-    assert_true(holds("nodes > 2", 1, 0));
-    assert_true(holds("nodes = 2.0", 0, 0));
-    assert_false(holds("nodes != 2", 0, 0));
+    assert_values("axes = ( { name = \"nodes\"; values = { from = 1; to = 64; times = 4; }; } );", "nodes",
+                  "1 4 16 64");
+    assert_values("axes = ( { name = \"nodes\"; values = { from = 3; to = 10; step = 3; }; } );", "nodes",
+                  "3 6 9");
+    assert_values(
+        "nodes = 1; axes = ( { name = \"x\"; arguments = \"{}\"; values = { from = 0; to = 0.3; step = 0.1; }; } );",
+        "x", "0 0.1 0.2 0.3");
 }
 
-static void conditions_tell_texts_apart(void **state)
+static void axes_follow_from_others(void **state)
 {
     (void)state;
-    assert_true(holds("kind = a", 0, 0));
-    assert_false(holds("kind = a", 0, 1));
-    assert_true(holds("kind != a", 0, 1));
+    assert_values(
+        "axes = ( { name = \"nodes\"; values = ( 4, 6 ); },\n { name = \"g\"; value = \"nodes / 4\"; },"
+        " { name = \"h\"; value = \"2 * g\"; } );",
+        "h", "2 3");
+    assert_values(
+        "axes = ( { name = \"n\"; values = ( 4 ); arguments = \"{}\"; },\n { name = \"nodes\"; value = \"n / 8\"; } );",
+        "nodes", "study.cfg:3: nodes: \"n / 8\" is 0.5 at n 4, nodes ?: a whole number of nodes is needed");
+}
+
+static void points_are_left_out(void **state)
+{
+    static const char axes[] =
+        "axes = ( { name = \"nodes\"; values = ( 2, 4, 8 ); },\n"
+        "{ name = \"kind\"; cases = ( { label = \"a\"; }, { label = \"b\"; } ); } );\n";
+    char text[1024];
+    (void)state;
+    snprintf(text, sizeof text, "%sonly = ( \"nodes < 8\", \"kind = b || nodes == 4\" );", axes);
+    assert_values(text, "nodes", "2 4 4");
+    snprintf(text, sizeof text, "%sonly = ( \"kind != 'a'\" );", axes);
+    assert_values(text, "nodes", "2 4 8");
 }
 
 static int enter(void **state)
@@ -156,8 +199,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mistakes_are_named_with_line_and_remedy),
         cmocka_unit_test(a_file_that_is_not_there),
-        cmocka_unit_test(conditions_compare_numbers_by_size),
-        cmocka_unit_test(conditions_tell_texts_apart),
+        cmocka_unit_test(ranges_hold_both_ends),
+        cmocka_unit_test(axes_follow_from_others),
+        cmocka_unit_test(points_are_left_out),
     };
     return cmocka_run_group_tests(tests, enter, leave);
 }

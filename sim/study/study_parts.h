@@ -1,0 +1,35 @@
+/* study_parts.h - what the files of a study share: study.c opens it, study_run.c runs its points, study_points.c reads
+ * what they came to, study_report.c writes it down. */
+#ifndef STUDY_STUDY_PARTS_H
+#define STUDY_STUDY_PARTS_H
+#include "study/claims.h"
+#include "study/inputs.h"
+#include "study/journal.h"
+#include "study/study.h"
+
+/* A point that is wanted. */
+struct work {
+    struct digest key;
+    uint64_t number; /* points.h */
+    double cost;     /* in any unit */
+};
+
+struct study {
+    struct study_options options;
+    struct spec *spec;
+    char *program, *dir; /* as absolute paths: the program, and the folder of the study file */
+    struct inputs *inputs;
+    struct work
+        *work; /* spec->product places, of which count are used; in the order of numbers or of costs */
+    size_t count;
+    char *scratch; /* a folder for what runs leave */
+    struct claims *claims;
+    struct journal *journal;
+    struct study_counts counts;
+};
+
+/* By number, or the dearest first. */
+void study_sort(struct study *s, bool by_cost);
+/* The point of that number if it is wanted and has run: its record, the caller's, and itself. */
+json_t *study_record(struct study *s, size_t number, struct point *p);
+#endif
