@@ -96,11 +96,28 @@ static void add_idle(json_t *to, json_t *run, json_t *nodes)
     json_decref(percent);
 }
 
+/* The most that any node had. */
+static void add_memory(json_t *to, json_t *nodes)
+{
+    size_t i;
+    json_t *node;
+    json_int_t most = 0;
+    json_array_foreach(nodes, i, node)
+    {
+        json_int_t peak = json_integer_value(json_object_get(node, "memory_peak_bytes"));
+        most = peak > most ? peak : most;
+    }
+    json_t *bytes = json_integer(most);
+    set_first(to, "memory_peak_bytes", bytes);
+    json_decref(bytes);
+}
+
 json_t *figures_of(const struct outcome *o)
 {
     json_t *figures = json_copy(o->printed), *nodes = json_object_get(o->run, "node");
     add_run(figures, o->run);
     add_idle(figures, o->run, nodes);
+    add_memory(figures, nodes);
     add_class(figures, nodes, "handlers", true);
     add_class(figures, nodes, "others", false);
     return figures;

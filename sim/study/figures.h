@@ -1,7 +1,7 @@
 /* figures.h - what a run came to as one flat object: key, number or text.
  *
  * The figures that the program printed; what the simulator said of the run, members of its groups as GROUP.MEMBER;
- * idle_pct, the idle part of all nodes' time, percent; and of its nodes the means, of those that ran handlers (handlers.KEY) and of the others (others.KEY):
+ * idle_pct, the idle part of all nodes' time, percent; memory_peak_bytes of the node that had most; and of its nodes the means, of those that ran handlers (handlers.KEY) and of the others (others.KEY):
  *   nodes                      how many
  *   busy_s, idle_s, system_s   where their time went
  *   waits.CALL_s               idle in that call; in waits for messages of the program's own (waits.message_s) or of

@@ -128,14 +128,18 @@ static char *located(const struct inputs *in, const struct point *p, char **sett
 {
     const struct spec_axis *axis = spec_axis(in->spec, "machine");
     config_setting_t *at = axis ? axis->at : config_setting_get_member(in->spec->reader.root, "machine");
-    for (size_t i = 0; settings && settings[i]; i++)
-        if (strncmp(error, settings[i], strlen(settings[i])) == 0 && error[strlen(settings[i])] == ':') {
+    const char *said = error;
+    for (size_t i = 0; settings && settings[i]; i++) {
+        const char *found = strstr(error, settings[i]);
+        if (found && found[strlen(settings[i])] == ':') {
             at = point_setting_at(in->spec, p, i);
+            said = found;
             break;
         }
+    }
     const char *file = at && config_setting_source_file(at) ? config_setting_source_file(at) : in->spec->path;
-    char *text = at ? text_of("%s:%u: %s", file, (unsigned)config_setting_source_line(at), error)
-                    : text_of("%s", error);
+    char *text =
+        at ? text_of("%s:%u: %s", file, (unsigned)config_setting_source_line(at), said) : text_of("%s", said);
     free(error);
     return text;
 }

@@ -1,0 +1,90 @@
+#!/bin/bash
+# axes.sh - axes of a study: ranges, values that follow from others, settings of the machine; mistakes are found before
+# anything is run; touchstone plot.
+. "$(dirname "$0")/common.bash"
+export XDG_CACHE_HOME=$work/cache
+compile counted
+
+study() {
+    "$BUILD/touchstone" study "$@" >out 2>err </dev/null
+    status=$?
+}
+plot() {
+    "$BUILD/touchstone" plot "$@" >out 2>err </dev/null
+    status=$?
+}
+
+cat >axes.cfg <<'END'
+title = "Axes"; program = "counted"; machine = "delta";
+cost = "nodes * steps";
+axes = (
+    { name = "nodes"; values = { from = 1; to = 16; times = 4; }; },
+    { name = "clock"; values = ( 40, 80 ); set = ( "node.clock_mhz={}" ); },
+    { name = "steps"; value = "32 / nodes"; arguments = "-steps {}"; }
+);
+only = ( "nodes < 16 || clock = 80" );
+END
+study axes.cfg -o first -j 1
+check "it ends well" ended_with 0
+check "the longest are first, and points left out are not run" test \
+    "$(sed -n 's/^\[.\/5\] \(.*\): .*/\1/p' err | head -1)" = "nodes 1, clock 40, steps 32"
+check "derived values are in the results" grep -q '^4,80,8,' first/results.csv
+for f in time idle speedup speed_per_node; do
+    check "a study that names no picture gets $f" test -s first/$f.png -a -s first/$f.svg
+done
+# Twice the clock halves the time; with the work shared, 4 nodes are about 4 times as fast.
+speedup() {
+    awk -F, -v point="$1," 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "speedup") c = i } index($0, point) == 1 { print $c }' first/results.csv
+}
+check "the speed-up against one node is 1 there" test "$(speedup 1,40)" = 1
+check "and near 4 on 4 nodes" awk -v s="$(speedup 4,40)" 'BEGIN { exit !(s > 3.9 && s < 4.01) }'
+
+# Mistakes. wrong SED EXPECTED: the study with that change ends before it begins, and says why.
+wrong() {
+    sed "$1" axes.cfg >wrong.cfg
+    study wrong.cfg -o wrong
+    check "before anything is run: $2" bash -c '[ "$1" = 65 ] && [ ! -e wrong ] && grep -qF -- "$2" err' - "$status" "$2"
+}
+wrong 's/clock_mhz/clock_mzh/' 'wrong.cfg:5: node.clock_mzh=40: clock_mzh: unknown key; known here: cpu, clock_mhz'
+wrong 's/40, 80/40, 0/' 'wrong.cfg:5: node.clock_mhz=0: clock_mhz: 0 is out of range: 0.001 to 100000 are allowed'
+wrong 's/node.clock/knot.clock/' 'wrong.cfg:5: knot.clock_mhz=40: there is no group knot; there are: '
+wrong 's/"delta"/"dleta"/' 'wrong.cfg:1: no machine "dleta" in '
+wrong 's/to = 16/to = 4096/' 'wrong.cfg:4: nodes: delta has no rectangle of 1024 nodes: it is a mesh of 16 x 33'
+wrong 's/nodes < 16/nodse < 16/' 'wrong.cfg:8: only: there is no axis nodse; there are: nodes, clock, steps'
+wrong 's/32 \/ nodes/32 \/ (nodes - 1)/' 'wrong.cfg:6: steps: "32 / (nodes - 1)" is inf at nodes 1, clock 40, steps ?: a number is needed'
+wrong 's/^cost/inputs = ( "none.dat" ); cost/' 'inputs: '
+cp "${BUILD%/*}/machines/delta.cfg" own.cfg 2>/dev/null
+study axes.cfg -o first
+check "nothing is wrong with the study itself" ended_with 0
+
+# Inputs: a file that the program reads is a part of what its results depend on.
+cat >reads.cfg <<'END'
+program = "counted"; machine = "delta"; inputs = ( "runs.log" ); arguments = "-log 1";
+axes = ( { name = "nodes"; values = ( 1 ); } );
+END
+: >runs.log
+study reads.cfg -o reads
+check "a file that is named is no reason not to keep" bash -c '! grep -q "not among" err'
+study reads.cfg -o reads
+check "when it has changed the point is another" grep -q '^1 point run, 0 in' out
+
+# Pictures from results alone.
+rm -f first/*.png
+plot first
+check "plot ends well" ended_with 0
+check "the pictures are there again" test -s first/time.png -a -s first/speedup.png
+plot first/results.json -o own --x clock --y virtual_time_s --lines nodes --logarithmic xy --title "it's mine"
+check "a picture of one's own" test -s own/virtual_time_s.png -a -s own/virtual_time_s.svg
+plot first --x nodes --y virtual_time_s -o own --file other
+check "an axis without a place is at its first value, and said" grep -q 'clock 40' own/other.svg
+plot first --x knots --y virtual_time_s
+check "no such axis" said 'no picture virtual_time_s: there is no axis knots'
+plot first --x nodes --y nothing
+check "no such figure" said 'no point has its figure, nothing'
+echo 'pictures = ( { file = "named"; x = "nodes"; y = "x"; lines = "clock"; } );' | cat axes.cfg - >pictures.cfg
+plot first --study pictures.cfg -o own
+check "the pictures of a study file" test -s own/named.png
+plot none
+check "no such results" ended_with 65
+plot --help
+check "there is help" grep -q 'usage: touchstone plot' out
