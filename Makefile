@@ -96,6 +96,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
+	cp -r --no-preserve=mode,ownership nx_api/include/long32 $(INST)/share/touchstone/include
 	install -m 644 machines/*.cfg machines/*.inc $(INST)/share/touchstone/machines
 	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu

@@ -81,13 +81,15 @@ long nxs_gsendx(word type, const void *buf, word len, const long nodes[], word c
         return node_error(n, EQLEN, "%d nodes", count);
     if (count > 0 && !nodes)
         return node_error(n, EQPBUF, "the list of nodes is a null pointer");
-    for (word i = 0; i < count; i++)
-        if ((word)nodes[i] == ALL_NODES)
-            return node_error(n, EQNODE, "node -1 stands for all others, and has no place in a list");
-        else if (nx_check_node(n, (word)nodes[i]) < 0)
-            return -1;
     for (word i = 0; i < count; i++) {
-        o.node = (word)nodes[i];
+        word node = (word)node_get_long(n, nodes, (size_t)i);
+        if (node == ALL_NODES)
+            return node_error(n, EQNODE, "node -1 stands for all others, and has no place in a list");
+        if (nx_check_node(n, node) < 0)
+            return -1;
+    }
+    for (word i = 0; i < count; i++) {
+        o.node = (word)node_get_long(n, nodes, (size_t)i);
         send_and_wait(n, &o);
     }
     return 0;

@@ -23,7 +23,7 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 2u
+#define NXC_IMAGE_VERSION 3u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_CACHE_LINES 4096 /* at most, of a simulated data cache: cache.h */
 
@@ -47,6 +47,7 @@ struct nxc_image {
     void (**init_end)(void);
     struct nxc_cell *cells_begin; /* both NULL: built without --profile */
     struct nxc_cell *cells_end;
+    int64_t long_bytes; /* of a C program's long: 8, or 4 (nxcc --long32) */
 };
 
 /* Served by the simulator: let virtual time catch up; returns with *left set anew. */

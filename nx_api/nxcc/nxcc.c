@@ -40,6 +40,8 @@ static const char help[] =
     "    --profile        also count by function, for touchstone run --profile; the times stay the same\n"
     "    -node -nx        accepted: they linked NX programs in their day\n"
     "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
+    "    --long32         long has 32 bits, as on the i860; without it, 64. All of a program's C files, and its link, need "
+    "it\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"
     "\n"
@@ -158,7 +160,7 @@ struct arguments {
     size_t count;
     const char *costs;
     const char *factors;
-    bool profile;
+    bool profile, long32;
     bool warnings; /* are asked for */
     bool links;    /* gcc will link */
     bool has_file; /* there is something to compile or link */
@@ -270,6 +272,8 @@ static struct arguments read_arguments(int argc, char **argv)
             a.profile = true;
         } else if (!strcmp(argv[i], "-host")) {
             add(&a, "-D__NX_HOST__");
+        } else if (!strcmp(argv[i], "--long32")) {
+            a.long32 = true;
         } else if (!strcmp(argv[i], "--dry-run")) {
             a.dry_run = true;
         } else if (is_one_of(argv[i], with_value) && i + 1 < argc) {
@@ -304,6 +308,28 @@ static void add_plugin(struct arguments *a, const struct places *p)
     }
     if (a->profile)
         add(a, "-fplugin-arg-count-profile");
+    if (a->long32)
+        add(a, text("-fplugin-arg-count-long32=%s/", p->include));
+}
+
+/* What GCC and its headers say of long; and old programs point at longs as ints. */
+static void add_long32(struct arguments *a, const struct places *p)
+{
+    static const char *const options[] = {
+        "-U__LONG_MAX__",
+        "-D__LONG_MAX__=0x7fffffffL",
+        "-U__LONG_WIDTH__",
+        "-D__LONG_WIDTH__=32",
+        "-U__SIZEOF_LONG__",
+        "-D__SIZEOF_LONG__=4",
+        "-U__LP64__",
+        "-U_LP64",
+        "-fno-strict-aliasing",
+        "-fno-canonical-system-headers", /* long32.cc knows nx.h by its folder */
+        "-isystem"};
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        add(a, options[i]);
+    add(a, text("%s/long32", p->include));
 }
 
 /* Compiling: position-independent and plain, so that the same source computes the same and costs the same
@@ -325,6 +351,8 @@ static void add_compile(struct arguments *a, const struct places *p, bool fortra
         "-mno-omit-leaf-frame-pointer"};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         add(a, options[i]);
+    if (a->long32 && !fortran) /* whose INTEGER always has 32 */
+        add_long32(a, p);
     add(a, "-isystem");
     add(a, p->include);
     if (fortran)
@@ -373,8 +401,9 @@ static void add_link(struct arguments *a, const struct places *p)
         add(a, options[i]);
     add(a, "-x");
     add(a, "none");
-    add(a, text("%s/runtime.o", p->lib));
-    add(a, text("%s/%s", p->lib, a->profile ? "libnx_profile.a" : "libnx.a"));
+    const char *kind = a->long32 ? "_long32" : "";
+    add(a, text("%s/runtime%s.o", p->lib, kind));
+    add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     add(a, text("%s/libgfortran.a", p->lib));
     add(a, "-lgcc");
     add(a, text("%s/libnode.so", p->lib));
@@ -390,7 +419,8 @@ static void print_command(const char *const *gcc)
 static const char **command(const struct arguments *user, const struct places *p, bool link)
 {
     bool fortran = has_kind(user, FORTRAN_FILE);
-    struct arguments a = {.costs = user->costs, .factors = user->factors, .profile = user->profile};
+    struct arguments a = {
+        .costs = user->costs, .factors = user->factors, .profile = user->profile, .long32 = user->long32};
     add(&a, "gcc");
     add_plugin(&a, p);
     if (link)

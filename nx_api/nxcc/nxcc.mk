@@ -9,10 +9,11 @@ COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f
 COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
 PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
+LIBNX      := $(NODE)/libnx.a $(patsubst %,$(NODE)/libnx_%.a,profile long32 long32_profile)
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libnx_profile.a $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: nx_api/nxcc/nxcc.c
 	@mkdir -p $(@D)
@@ -55,6 +56,8 @@ $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
 endef
 $(eval $(call NODE_CODE,,))
 $(eval $(call NODE_CODE,profile/,--profile))
+$(eval $(call NODE_CODE,long32/,--long32))
+$(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
 # A simulated cache is not counted.
 $(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
@@ -73,9 +76,15 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	ar d $@.new error.o stop.o backtrace.o async.o
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
+$(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<
+
 $(NODE)/libnx.a: $(COMMON_OBJ) $(NODE)/obj/cache_runtime.o
 $(NODE)/libnx_profile.a: $(PROFILED) $(NODE)/obj/cache_runtime.o
-$(NODE)/libnx.a $(NODE)/libnx_profile.a:
+$(NODE)/libnx_long32.a: $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/long32/%) $(NODE)/obj/cache_runtime.o
+$(NODE)/libnx_long32_profile.a: $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/long32_profile/%) $(NODE)/obj/cache_runtime.o
+$(LIBNX):
 	@mkdir -p $(@D)
 	@rm -f $@
 	ar rcs $@ $^

@@ -1,11 +1,12 @@
 /* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
  *
- * Arguments: costs=FILE (needed), factors=FILE, profile; for tests: before=PASS (where the pass stands), memory (no registers).
+ * Arguments: costs=FILE (needed), factors=FILE, profile, long32=FOLDER (of NX's headers: long32.h); for tests: before=PASS (where the pass stands), memory (no registers).
  */
 #include "gcc.h"
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "long32.h"
 #include "profile.h"
 
 int plugin_is_GPL_compatible;
@@ -15,6 +16,7 @@ namespace
 struct arguments {
     const char *costs = nullptr;
     const char *factors = nullptr;
+    const char *long32 = nullptr;
     const char *before = "optimized"; /* the clean-up of the control flow graph just before expansion */
 };
 
@@ -29,6 +31,8 @@ arguments read_arguments(const plugin_name_args *info)
             a.factors = arg.value;
         else if (!strcmp(arg.key, "before"))
             a.before = arg.value;
+        else if (!strcmp(arg.key, "long32"))
+            a.long32 = arg.value;
         else if (!strcmp(arg.key, "profile"))
             profile_on = true;
         else if (!strcmp(arg.key, "memory"))
@@ -96,5 +100,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
                       const_cast<ggc_root_tab *>(profile_roots()));
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
+    if (a.long32)
+        long32_register(info->base_name, a.long32);
     return 0;
 }

@@ -1,6 +1,9 @@
 /* runtime.c - the part of a node program that nxcc adds: the counter, the image's description, the way to the
  * simulator when the counter is spent. Compiled by plain gcc; see image.h.
  *
+ * NXC_LONG_BYTES is the size of long in the program's C files. Those compiled with --long32 refer to a name that is only
+ * here when it is 4 (long32.cc), so that a program cannot be linked without it.
+ *
  * With NXC_HOSTED (tests) there is no _start, and the objects can be linked into an ordinary program.
  */
 #include "image.h"
@@ -14,6 +17,13 @@ extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
 extern struct nxc_cell __start_nxc_cells[] __attribute__((visibility("hidden"), weak));
 extern struct nxc_cell __stop_nxc_cells[] __attribute__((visibility("hidden"), weak));
 
+#ifndef NXC_LONG_BYTES
+#define NXC_LONG_BYTES 8
+#endif
+#if NXC_LONG_BYTES == 4
+__attribute__((visibility("hidden"))) const char nxc_long_has_4_bytes;
+#endif
+
 struct nxc_image nxc_image = {
     .magic = NXC_IMAGE_MAGIC,
     .version = NXC_IMAGE_VERSION,
@@ -23,6 +33,7 @@ struct nxc_image nxc_image = {
     .init_end = __init_array_end,
     .cells_begin = __start_nxc_cells,
     .cells_end = __stop_nxc_cells,
+    .long_bytes = NXC_LONG_BYTES,
 };
 
 /* nxc_enter: called from inline assembly where a check finds the counter negative. Nothing is known to be

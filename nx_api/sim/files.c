@@ -1,6 +1,7 @@
 /* files.c - the NX calls on files, served by the simulator. On files of this computer they work too, at once and
  * without taking time; the I/O mode there is always 0. */
 #include <errno.h>
+#include <stddef.h>
 #include <string.h>
 #include "cfs/cfs.h"
 #include "node/libc_parts.h"
@@ -270,15 +271,39 @@ static esize_t to_esize(int64_t x)
 }
 
 /* A size, or -1 for an error. */
-static esize_t size_call(const char *call, int64_t (*f)(struct node *, int, int64_t, int), nx_face *face,
-                         int fd, esize_t offset, int whence)
+static int64_t size_call(const char *call, int64_t (*f)(struct node *, int, int64_t, int), nx_face *face,
+                         int fd, int64_t offset, int whence)
 {
     struct node *n = node_self();
     node_enter(n, call);
-    int64_t size = f(n, fd, from_esize(offset), whence);
+    int64_t size = f(n, fd, offset, whence);
     face(n, size < 0 ? -1 : 0);
+    return size < 0 ? -1 : size;
+}
+
+static esize_t size_or_error(int64_t size)
+{
     return size < 0 ? (esize_t){-1, -1} : to_esize(size);
 }
+
+/* NAME and _NAME; and where long has 32 bits, so that an esize_t is a word of 64. */
+#define SIZE_CALLS(name, f)                                                                                  \
+    esize_t node_##name(int fd, esize_t offset, int whence)                                                  \
+    {                                                                                                        \
+        return size_or_error(size_call(#name, f, nx_plain, fd, from_esize(offset), whence));                 \
+    }                                                                                                        \
+    esize_t node__##name(int fd, esize_t offset, int whence)                                                 \
+    {                                                                                                        \
+        return size_or_error(size_call("_" #name, f, nx_returning, fd, from_esize(offset), whence));         \
+    }                                                                                                        \
+    int64_t node_long32_##name(int fd, int64_t offset, int whence)                                           \
+    {                                                                                                        \
+        return size_call(#name, f, nx_plain, fd, offset, whence);                                            \
+    }                                                                                                        \
+    int64_t node_long32__##name(int fd, int64_t offset, int whence)                                          \
+    {                                                                                                        \
+        return size_call("_" #name, f, nx_returning, fd, offset, whence);                                    \
+    }
 
 static int64_t seek(struct node *n, int fd, int64_t offset, int whence)
 {
@@ -289,15 +314,7 @@ static int64_t seek(struct node *n, int fd, int64_t offset, int whence)
     return at < 0 ? fail_on(n, fd) : at;
 }
 
-esize_t node_eseek(int fd, esize_t offset, int whence)
-{
-    return size_call("eseek", seek, nx_plain, fd, offset, whence);
-}
-
-esize_t node__eseek(int fd, esize_t offset, int whence)
-{
-    return size_call("_eseek", seek, nx_returning, fd, offset, whence);
-}
+SIZE_CALLS(eseek, seek)
 
 /* Where the present size, or the pointer, is. */
 static int64_t start_of(struct node_file *f, int whence)
@@ -334,15 +351,7 @@ long nxs_lsize(word fd, word offset, word whence)
     return resize(node_self(), fd, offset, whence);
 }
 
-esize_t node_esize(int fd, esize_t offset, int whence)
-{
-    return size_call("esize", resize, nx_plain, fd, offset, whence);
-}
-
-esize_t node__esize(int fd, esize_t offset, int whence)
-{
-    return size_call("_esize", resize, nx_returning, fd, offset, whence);
-}
+SIZE_CALLS(esize, resize)
 
 long nxs_iseof(word fd)
 {
@@ -376,9 +385,9 @@ long nxs_restrictvol(word fd, word count, const int disks[])
 
 /* --- state --- */
 
-static void to_estat(struct estat *e, const struct stat *st)
+static void to_estat(const struct node *n, struct estat *e, const struct stat *st)
 {
-    *e = (struct estat){.st_dev = st->st_dev,
+    struct estat all = {.st_dev = st->st_dev,
                         .st_ino = st->st_ino,
                         .st_mode = st->st_mode,
                         .st_nlink = st->st_nlink,
@@ -391,6 +400,11 @@ static void to_estat(struct estat *e, const struct stat *st)
                         .st_atim = st->st_atim,
                         .st_mtim = st->st_mtim,
                         .st_ctim = st->st_ctim};
+    size_t before = offsetof(struct estat, st_size), after = before + sizeof all.st_size;
+    memcpy(e, &all, before);
+    node_put_long(n, &e->st_size.slow, 0, all.st_size.slow);
+    node_put_long(n, &e->st_size.slow, 1, all.st_size.shigh);
+    memcpy((char *)e + before + 2 * node_long_bytes(n), (char *)&all + after, sizeof all - after);
 }
 
 /* As by stat(), which enters and leaves by itself. */
@@ -404,7 +418,7 @@ static long stat_path(const char *call, const char *path, struct estat *e, nx_fa
         errno = why;
         return face(n, fail(n, path));
     }
-    to_estat(e, &st);
+    to_estat(node_self(), e, &st);
     return 0;
 }
 
@@ -426,6 +440,6 @@ long nxs_festat(word fd, struct estat *e)
         return -1;
     if (f->class->stat(f, &st))
         return fail_on(f->node, fd);
-    to_estat(e, &st);
+    to_estat(f->node, e, &st);
     return 0;
 }

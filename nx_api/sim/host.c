@@ -1,5 +1,6 @@
 /* host.c - the calls by which a host program deals with a cube of nodes: what they do is in sim/node/cube.h. */
 #include <errno.h>
+#include <stddef.h>
 #include <string.h>
 #include "node/cube.h"
 #include "nx_api/include/host.h"
@@ -62,7 +63,8 @@ long nxs_cubeinfo(struct cubeinfo *table, word slots, word global)
     const char *name = cube_name(n->sys->cube);
     nx_spend_call(n);
     if (name && slots > 0) {
-        *table = (struct cubeinfo){.nodes = n->sys->count};
+        memset(table, 0, offsetof(struct cubeinfo, nodes));
+        node_put_long(n, &table->nodes, 0, n->sys->count);
         snprintf(table->cubename, sizeof table->cubename, "%s", name);
         snprintf(table->cubetype, sizeof table->cubetype, "%u", n->sys->count);
     }

@@ -17,8 +17,8 @@ long nxs_nx_app_rect(long *rows, long *columns)
     const struct topo *t = &n->sys->topo;
     if (!rows || !columns)
         return node_error(n, EQPBUF, "rows or columns is a null pointer");
-    *rows = t->rows ? t->rows : 1;
-    *columns = t->rows ? t->columns : n->sys->count;
+    node_put_long(n, rows, 0, t->rows ? t->rows : 1);
+    node_put_long(n, columns, 0, t->rows ? t->columns : n->sys->count);
     return 0;
 }
 
@@ -71,7 +71,8 @@ long nxs_hwclock(esize_t *ticks)
         return node_error(n, EQPBUF, "the place for the count is a null pointer");
     unsigned __int128 product = (unsigned __int128)read_clock(n) * n->sys->cfg->hwclock_hz;
     uint64_t count = (uint64_t)(product / VT_SECOND);
-    *ticks = (esize_t){(long)(uint32_t)count, (long)(count >> 32)};
+    node_put_long(n, &ticks->slow, 0, (long)(uint32_t)count);
+    node_put_long(n, &ticks->slow, 1, (long)(count >> 32));
     return 0;
 }
 

@@ -162,10 +162,10 @@ long nxs_waitone(word node, word pid, long *ended, long *ended_pid, long *status
     wait_for_end(n, one_has_ended, &a);
     a.found->end_noticed = true;
     if (ended)
-        *ended = a.found->id;
+        node_put_long(n, ended, 0, a.found->id);
     if (ended_pid)
-        *ended_pid = a.found->pid;
+        node_put_long(n, ended_pid, 0, a.found->pid);
     if (status)
-        *status = a.found->exit_code;
+        node_put_long(n, status, 0, a.found->exit_code);
     return 0;
 }

@@ -1,5 +1,6 @@
 /* exports.c - exports.def as a table. Searched from its start: a program asks for a few dozen names, once. */
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 #include "node/exports.h"
 
@@ -20,10 +21,18 @@ static const struct node_export table[] = {
 #include "node/exports.def"
 };
 
-const struct node_export *node_export_find(const char *name)
+static const struct node_export *find(const char *name)
 {
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
         if (strcmp(table[i].name, name) == 0)
             return &table[i];
     return NULL;
+}
+
+const struct node_export *node_export_find(const char *name, bool long32)
+{
+    char own[64];
+    snprintf(own, sizeof own, "long32_%s", name);
+    const struct node_export *e = long32 ? find(own) : NULL;
+    return e ? e : find(name);
 }

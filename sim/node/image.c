@@ -50,6 +50,7 @@ struct node_image {
     struct own_word *own;
     size_t own_count;
     uint64_t object; /* of nxc_image */
+    bool long32;     /* its long has 32 bits */
 };
 
 static void *zeroed(size_t count, size_t size)
@@ -140,6 +141,7 @@ static bool find_object(struct node_image *img, char **error)
     if (s->st_value < img->data_at || s->st_value % 8 != 0)
         return elf_fail(error, "%s: damaged: nxc_image is not among its data", f->path);
     img->object = s->st_value;
+    img->long32 = object.long_bytes == 4;
     return true;
 }
 
@@ -167,7 +169,7 @@ static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at,
         put_address(img, at, s->st_value + r->r_addend);
         return true;
     }
-    const struct node_export *e = node_export_find(name);
+    const struct node_export *e = node_export_find(name, img->long32);
     if (e == NULL && ELF64_ST_BIND(s->st_info) == STB_WEAK) {
         put_word(img, at, 0);
     } else if (e == NULL || (copy && (e->code != NULL || s->st_size != sizeof(void *)))) {

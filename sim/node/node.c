@@ -143,6 +143,24 @@ void node_output(struct node *n, int fd, const char *bytes, size_t len)
     fwrite(bytes, 1, len, n->sys->out[fd - 1]);
 }
 
+size_t node_long_bytes(const struct node *n)
+{
+    return (size_t)n->image->long_bytes;
+}
+
+long node_get_long(const struct node *n, const long *array, size_t i)
+{
+    return node_long_bytes(n) == sizeof(int32_t) ? ((const int32_t *)array)[i] : array[i];
+}
+
+void node_put_long(const struct node *n, long *array, size_t i, long value)
+{
+    if (node_long_bytes(n) == sizeof(int32_t))
+        ((int32_t *)array)[i] = (int32_t)value;
+    else
+        array[i] = value;
+}
+
 /* --- making --- */
 
 static void run_program(void *arg)

@@ -181,6 +181,10 @@ long node_error(struct node *n, int code, const char *fmt, ...) __attribute__((f
 _Noreturn void node_fail(struct node *n, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* Hand bytes the program wrote to its output (fd 1) or error output (fd 2) on, at the node's present time. */
 void node_output(struct node *n, int fd, const char *bytes, size_t len);
+/* An element of a program's array of longs: of 4 bytes in programs compiled with nxcc --long32. */
+size_t node_long_bytes(const struct node *n);
+long node_get_long(const struct node *n, const long *array, size_t i);
+void node_put_long(const struct node *n, long *array, size_t i, long value);
 /* Bytes of the node's memory in use, and all a program may use. */
 size_t node_memory_used(const struct node *n);
 size_t node_memory_limit(const struct node *n);

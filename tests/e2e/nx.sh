@@ -1,5 +1,6 @@
 #!/bin/bash
-# Runs every program of tests/nx on the machines its head names ("run: ARGS"), and compares what it prints, and its exit
+# Compiles every program of tests/nx (with options that its head names: "compile: OPTIONS"), runs it on the machines its head
+# names ("run: ARGS"), and compares what it prints, and its exit
 # status if not 0 ("status N" as the last line), with NAME.out; where there is no such file, all runs must print the
 # same, clock times included, and end well.
 BUILD=${BUILD:-build}
@@ -8,7 +9,9 @@ trap 'rm -rf "$work"' EXIT
 
 for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     name=$(basename "${source%.*}")
-    if ! $BUILD/nxcc -O2 -g -J "$work" -o "$work/$name" "$source" -lm 2>"$work/err"; then
+    options=$(sed -n 's/^ \* compile: //p' "$source")
+    # shellcheck disable=SC2086
+    if ! $BUILD/nxcc -O2 -g -J "$work" $options -o "$work/$name" "$source" -lm 2>"$work/err"; then
         echo "not ok $name: does not compile"
         cat "$work/err"
         continue

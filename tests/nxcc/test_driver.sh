@@ -55,6 +55,18 @@ check "a function that a node does not have is an undefined reference" says "und
 echo 'int undeclared(void); int main(void) { return undeclared(); }' >u.c
 check "so is one that nobody has" says "undefined reference to \`undeclared'" "$NXCC" u.c
 
+cat >long.c <<'EOT'
+#include <limits.h>
+#include <nx.h>
+long wide(unsigned long x) { return x * 65537 / 16; }
+_Static_assert(sizeof(long) == 4 && sizeof LONG_MAX == 4 && sizeof mynode() == 4 && sizeof(sizeof(int)) == 8, "");
+int main(void) { return wide(65537) != 131073 / 16; }
+EOT
+narrow() { "$NXCC" --long32 -O2 -Wall -Werror -o long long.c && "$NXCC" --long32 -c long.c && "$NXCC" --long32 -o long long.o; }
+check "--long32: long has 32 bits in a program and in nx.h" narrow
+check "--long32: its objects are linked with it" says "undefined reference to \`nxc_long_has_4_bytes'" "$NXCC" long.o
+check "without it: long has 64 bits" says "static assertion failed" "$NXCC" -c long.c
+
 same() { "$NXCC" -O2 -S -o a.s hello.c && "$NXCC" -O2 -S -o b.s hello.c && cmp a.s b.s; }
 check "the same source gives the same code" same
 

@@ -1,0 +1,10 @@
+/* stdint.h where long has 32 bits (nxcc --long32): constants of 64 bits are long long. */
+#include_next <stdint.h>
+#undef INT64_C
+#undef UINT64_C
+#undef INTMAX_C
+#undef UINTMAX_C
+#define INT64_C(c) c##LL
+#define UINT64_C(c) c##ULL
+#define INTMAX_C(c) c##LL
+#define UINTMAX_C(c) c##ULL
