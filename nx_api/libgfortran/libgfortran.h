@@ -33,7 +33,27 @@ enum {
     HAS_EOR = 1 << 4,
     HAS_STATUS = 1 << 5,
     HAS_MESSAGE = 1 << 6,
+    TEXT_FORMATS = 1 << 7 | 1 << 12 | 1 << 15, /* *, a FORMAT, NML= */
 };
+
+/* How the compiler hands over an array. */
+struct descriptor {
+    void *first;
+    int64_t offset;
+    uint64_t element_bytes;
+    int32_t version;
+    signed char rank, type; /* TYPE_* */
+    int16_t attribute;
+    int64_t span;
+    struct {
+        int64_t stride, lower, upper;
+    } dimension[];
+};
+
+enum { TYPE_INTEGER = 1, TYPE_LOGICAL, TYPE_REAL, TYPE_COMPLEX, TYPE_DERIVED, TYPE_CHARACTER };
+
+/* Its elements: elements.c. */
+long nx_elements(const struct descriptor *d);
 
 enum { ERROR_EOR = -2, ERROR_END = -1, ERROR_OS = 5000 };
 

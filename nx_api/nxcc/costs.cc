@@ -196,11 +196,21 @@ const char *library_name(gcall *call)
     return strncmp(name, "__builtin_", 10) ? name : name + 10;
 }
 
+/* The entry of that name, or the longest "name*" that it begins with. */
 const call_cost *listed(gcall *call)
 {
     const char *name = library_name(call);
-    auto found = name ? table.calls.find(name) : table.calls.end();
-    return found == table.calls.end() ? NULL : &found->second;
+    if (!name)
+        return NULL;
+    auto exact = table.calls.find(name);
+    if (exact != table.calls.end())
+        return &exact->second;
+    for (size_t n = strlen(name); n > 0; n--) {
+        auto prefix = table.calls.find(std::string(name, n) + "*");
+        if (prefix != table.calls.end())
+            return &prefix->second;
+    }
+    return NULL;
 }
 
 /* Calls that GCC expands in place to a few instructions. Returns -1 for the others. */
@@ -391,11 +401,12 @@ int64_t costs_of(gimple *stmt)
     return with_factor(stmt, plain_cost(stmt));
 }
 
-int64_t costs_of_call(gcall *call, const std::vector<int> **of)
+int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements)
 {
     const call_cost *known = listed(call);
     if (!known || !known->per)
         return 0;
+    *elements = known->elements;
     for (int argument : known->of)
         if (argument > (int)gimple_call_num_args(call))
             return 0; /* the program declares it otherwise */

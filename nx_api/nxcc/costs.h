@@ -25,8 +25,8 @@ const char *costs_priced_call(gimple *stmt);
 bool costs_is_memory(tree operand);
 
 /* The part of a call's cost that depends on its arguments or result: units each, 0 if none; *of tells of
- * what. */
-int64_t costs_of_call(gcall *call, const std::vector<int> **of);
+ * what, *elements whether that is an array with so many elements. */
+int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements);
 
 /* True if the call cannot look at or change the counter, nor come back to counted code: it is expanded in
  * place, or it is one of the C library's pure functions. */

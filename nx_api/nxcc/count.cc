@@ -208,12 +208,27 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
     }
 }
 
-/* Appends per * the product of the values that *of lists. NULL if one of them is not an integer. */
-tree append_amount(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of)
+/* Appends the number of elements of a Fortran array: nx_api/libgfortran/elements.c counts. */
+tree append_elements(gimple_seq *seq, tree array)
+{
+    if (!POINTER_TYPE_P(TREE_TYPE(array)))
+        return NULL_TREE;
+    tree count = build_fn_decl("nx_elements", build_function_type_list(long_integer_type_node, ptr_type_node, NULL_TREE));
+    gcall *call = gimple_build_call(count, 1, array);
+    tree value = make_ssa_name(long_integer_type_node, call);
+    gimple_call_set_lhs(call, value);
+    gimple_seq_add_stmt_without_update(seq, call);
+    return value;
+}
+
+/* Appends per * the product of the values that of lists. NULL if one of them is not what it should be. */
+tree append_amount(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
 {
     tree amount = units_constant(per);
     for (int argument : of) {
         tree value = argument ? gimple_call_arg(call, argument - 1) : gimple_call_lhs(call);
+        if (elements && !(value = append_elements(seq, value)))
+            return NULL_TREE;
         if (!INTEGRAL_TYPE_P(TREE_TYPE(value)))
             return NULL_TREE;
         value = gimple_convert(seq, long_integer_type_node, value);
@@ -239,11 +254,12 @@ void counting::pay_misses(gimple *stmt)
 void counting::pay_argument(gcall *call)
 {
     const std::vector<int> *of = nullptr;
-    int64_t per = costs_of_call(call, &of);
+    bool elements;
+    int64_t per = costs_of_call(call, &of, &elements);
     if (!per || of->at(0) == 0)
         return;
     gimple_seq seq = NULL;
-    if (tree amount = append_amount(&seq, call, per, *of))
+    if (tree amount = append_amount(&seq, call, per, *of, elements))
         charge(&seq, call, amount);
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
@@ -253,7 +269,8 @@ void counting::pay_argument(gcall *call)
 gimple *counting::pay_result(gcall *call, gimple *behind)
 {
     const std::vector<int> *of = nullptr;
-    int64_t per = costs_of_call(call, &of);
+    bool elements;
+    int64_t per = costs_of_call(call, &of, &elements);
     if (!per || of->at(0) != 0)
         return behind;
     tree type = gimple_call_return_type(call);
@@ -267,7 +284,7 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    charge(&seq, call, append_amount(&seq, call, per, *of));
+    charge(&seq, call, append_amount(&seq, call, per, *of, elements));
     gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);

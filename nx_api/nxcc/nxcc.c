@@ -399,6 +399,11 @@ static void add_link(struct arguments *a, const struct places *p)
     };
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         add(a, options[i]);
+    static const char *const items[] = {"integer", "logical", "real", "complex", "character", "array"};
+    for (size_t i = 0; i < sizeof items / sizeof *items; i++) { /* see nx_api/fortran/items.c */
+        add(a, text("-Wl,--wrap=_gfortran_transfer_%s", items[i]));
+        add(a, text("-Wl,--wrap=_gfortran_transfer_%s_write", items[i]));
+    }
     add(a, "-x");
     add(a, "none");
     const char *kind = a->long32 ? "_long32" : "";

@@ -123,7 +123,7 @@ bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
 {
     if (!config_setting_is_group(entry))
         return r.fail(entry, "calls: each entry must be { name = \"...\"; base = ...; }");
-    if (!only_keys(r, entry, {"name", "base", "per", "of"}))
+    if (!only_keys(r, entry, {"name", "base", "per", "of", "elements"}))
         return false;
     const config_setting_t *name = config_setting_get_member(entry, "name");
     const config_setting_t *base = config_setting_get_member(entry, "base");
@@ -131,14 +131,18 @@ bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
     const config_setting_t *of = config_setting_get_member(entry, "of");
     if (!name || !base)
         return r.fail(entry, "calls: 'name' and 'base' are needed");
-    if (!per != !of)
-        return r.fail(entry, "calls: 'per' and 'of' go together");
+    const config_setting_t *elements = config_setting_get_member(entry, "elements");
+    if (!per != !(of || elements) || (of && elements))
+        return r.fail(entry, "calls: 'per' and 'of', or 'per' and 'elements', go together");
     std::string key;
     call_cost cost;
     if (!text(r, name, key) || !units(r, base, cost.base))
         return false;
-    if (per && (!units(r, per, cost.per) || !read_of(r, of, cost.of)))
+    if (per && (!units(r, per, cost.per) || !read_of(r, of ? of : elements, cost.of)))
         return false;
+    cost.elements = elements;
+    if (elements && (cost.of.size() != 1 || cost.of[0] == 0))
+        return r.fail(elements, "elements: must be the number of an argument");
     if (!table.calls.insert({key, cost}).second)
         return r.fail(entry, "calls: '" + key + "' is there twice");
     return true;

@@ -28,11 +28,12 @@ struct class_costs {
 };
 
 /* A call into a library: base, plus per for each unit of the product of the arguments listed in of (1 is the
- * first, 0 the result). */
+ * first, 0 the result); or for each element of a Fortran array, an argument handed over by descriptor. */
 struct call_cost {
     int64_t base = 0;
     int64_t per = 0;
     std::vector<int> of;
+    bool elements = false; /* `of` is the number of an array */
 };
 
 /* A data cache that is simulated while the program runs: slow, for studies. sets 0: there is none. */
@@ -44,7 +45,8 @@ struct cache_costs {
 struct cost_table {
     class_costs clocks;
     cache_costs cache;
-    std::map<std::string, call_cost> calls;
+    std::map<std::string, call_cost>
+        calls; /* "name*" stands for all that begin so and are not there themselves */
 };
 
 /* The counted cost of what is written in file (all of it, or one function) is multiplied by factor. */
