@@ -13,7 +13,7 @@ SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c nx_ap
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 APP_SRC := $(wildcard app/*.c)
 
-all: $B/touchstone $B/nxcc $B/app/model ## Build everything into build/
+all: $B/touchstone $B/nxcc $B/app/model $B/node/mpi/libnx.a ## Build everything into build/
 
 $B/obj/%.o: %.c
 	@mkdir -p $(@D)
@@ -28,7 +28,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
-include nx_api/nxcc/nxcc.mk
+include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk
 include $(wildcard bench/machine/*.mk bench/paper/*/*.mk)
 
 # The model program: plain NX C, built like any node program.

@@ -35,6 +35,8 @@ long nx_check_way(struct node *n, long node);
 void nx_flush(struct node *n, long node, int64_t typesel);
 /* Says what the call is about, for reports: its type, typesel or id. */
 void nx_about(struct node *n, long what);
+/* Says that it waits for these messages: one of them may be NULL. */
+void nx_awaits(struct node *n, const struct receive *r, const struct send *s);
 /* Any call that looks at or changes the message state takes this time. */
 void nx_spend_call(struct node *n);
 /* How many message ids a node has. */

@@ -34,6 +34,9 @@ enum { ALL_NODES = -1, ANY = -1 };
 typedef long nx_face(struct node *n, long result);
 nx_face nx_plain, nx_returning;
 
+/* What an errno value of NX stands for; NULL if it is not one of NX's: errors.c. */
+const char *nx_error_text(int code);
+
 /* The dimension of the smallest cube that holds all nodes: machine.c. */
 long nx_dimension(const struct node *n);
 

@@ -19,14 +19,6 @@ static long check_id(struct node *n, long id)
     return node_error(n, EQMID, "%ld is no message id in use", id);
 }
 
-/* What an id waits for, as the type or typesel of its first part. */
-static long type_of(struct node *n, long id)
-{
-    const struct receive *r = mailbox_id_receive(n, id);
-    const struct send *s = mailbox_id_send(n, id);
-    return r ? (long)r->select.type : s->m ? (long)s->m->type : 0;
-}
-
 static bool is_complete(struct node *n, void *id)
 {
     return mailbox_id_is_complete(n, *(long *)id);
@@ -54,7 +46,7 @@ long nxs_msgwait(word mid)
         return -1;
     nx_spend_call(n);
     node_order(n);
-    n->awaited = type_of(n, id);
+    nx_awaits(n, mailbox_id_receive(n, id), mailbox_id_send(n, id));
     node_wait(n, is_complete, &id);
     return take(n, id);
 }

@@ -73,6 +73,8 @@ long mailbox_take(struct node *n, struct receive *r);
 void mailbox_tell(struct node *n, const struct message *m, long info[]);
 /* The first complete unexpected message selected, NULL if none. */
 const struct message *mailbox_probe(struct node *n, const struct selector *select);
+/* The end of a receive that nobody will take: frees its message, if it has one that has come whole. */
+void mailbox_drop(struct receive *r);
 /* The message that s follows shall tell it no more: s is about to be freed. */
 void mailbox_unfollow(struct send *s);
 

@@ -17,9 +17,7 @@ struct id {
 void ids_free(struct mailbox_ids *ids)
 {
     for (uint32_t i = 0; ids->table && i < ids->count; i++) {
-        struct message *m = ids->table[i].receive.m;
-        if (m && m->arrived)
-            proto_message_free(m);
+        mailbox_drop(&ids->table[i].receive);
         free(ids->table[i].send);
     }
     free(ids->table);

@@ -24,6 +24,7 @@
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "poll.h"
 #include "profile.h"
 #include <memory>
 
@@ -56,7 +57,6 @@ class counting
 
   private:
     void look_at_function();
-    void mark_checked_blocks();
     void count_block(basic_block bb);
     gimple *hand_over(gcall *call);
     void pay_misses(gimple *stmt);
@@ -122,24 +122,6 @@ void counting::look_at_function()
     }
     if (!in_memory)
         left = create_tmp_reg(long_integer_type_node, "left");
-}
-
-/* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
- * cannot be part of a recursion, so that its loops' checks suffice. */
-void counting::mark_checked_blocks()
-{
-    bitmap_clear(checked);
-    mark_dfs_back_edges();
-    basic_block bb;
-    FOR_EACH_BB_FN (bb, fun) {
-        edge e;
-        edge_iterator ei;
-        FOR_EACH_EDGE (e, ei, bb->succs)
-            if (e->flags & EDGE_DFS_BACK)
-                bitmap_set_bit(checked, e->dest->index);
-    }
-    if (calls)
-        bitmap_set_bit(checked, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
 }
 
 /* Appends counter -= amount. The result names the last statement and where the new value is. */
@@ -403,7 +385,7 @@ void counting::run()
     look_at_function();
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, looks);
-    mark_checked_blocks();
+    poll_mark(fun, calls, checked);
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         count_block(bb);

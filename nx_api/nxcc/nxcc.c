@@ -42,6 +42,7 @@ static const char help[] =
     "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
     "    --long32         long has 32 bits, as on the i860; without it, 64. All of a program's C files, and its link, need "
     "it\n"
+    "    --mpi            a program for a cluster, run by mpirun, instead of one for simulated nodes\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"
     "\n"
@@ -165,6 +166,7 @@ struct arguments {
     bool links;    /* gcc will link */
     bool has_file; /* there is something to compile or link */
     bool dry_run;
+    bool mpi;
 };
 
 static void add_kind(struct arguments *a, const char *argument, enum kind kind)
@@ -223,11 +225,13 @@ static enum kind kind_of(const char *argument)
 }
 
 /* Options that would make another kind of program, with the reason why they cannot be had. */
-static void refuse(const char *s)
+static void refuse(const char *s, bool mpi)
 {
     if (!strncmp(s, "-flto", 5) && strcmp(s, "-flto=no"))
         fail("%s: the costs are counted when each file is compiled, so there is no link-time optimisation",
              s);
+    if (mpi)
+        return;
     if (!strcmp(s, "-shared") || !strcmp(s, "-static") || !strcmp(s, "-m32") || !strcmp(s, "-mcmodel=large"))
         fail("%s: a node program is a position-independent 64-bit image that the simulator loads; leave it "
              "out",
@@ -252,8 +256,10 @@ static struct arguments read_arguments(int argc, char **argv)
         "-o",       "-D",       "-U",       "-I",         "-L",      "-l",      "-x",
         "-include", "-isystem", "-MF",      "-MT",        "-MQ",     "-iquote", "-Xlinker",
         "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
-    static const char *const dropped[] = {"-node", "-nx", "-g0", NULL};
+    static const char *const dropped[] = {"-node", "-nx", "-g0", "--mpi", NULL};
     struct arguments a = {.costs = DEFAULT_COSTS, .links = true};
+    for (int i = 1; i < argc; i++)
+        a.mpi = a.mpi || !strcmp(argv[i], "--mpi");
     add(&a,
         "-g1"); /* before the user's: lines for crash reports, and inlined code knows where it was written */
     for (int i = 1; i < argc; i++) {
@@ -281,7 +287,7 @@ static struct arguments read_arguments(int argc, char **argv)
             add_kind(&a, argv[i], kind);
             add_kind(&a, argv[++i], kind);
         } else if (!is_one_of(argv[i], dropped)) {
-            refuse(argv[i]);
+            refuse(argv[i], a.mpi);
             a.warnings = a.warnings || (!strncmp(argv[i], "-W", 2) && argv[i][2] != 'l');
             a.links = a.links && !is_one_of(argv[i], no_link);
             enum kind kind = kind_of(argv[i]);
@@ -289,6 +295,8 @@ static struct arguments read_arguments(int argc, char **argv)
             add_kind(&a, argv[i], kind);
         }
     }
+    if (a.mpi && (a.profile || a.long32))
+        fail("%s: only for simulated nodes; leave it out with --mpi", a.profile ? "--profile" : "--long32");
     return a;
 }
 
@@ -414,6 +422,58 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, text("%s/libnode.so", p->lib));
 }
 
+/* --- for a cluster: nothing is counted, but loops and functions check whether a handler is due --- */
+
+static void add_mpi_compile(struct arguments *a, const struct places *p, bool fortran)
+{
+    add(a, text("-fplugin=%s/count.so", p->lib));
+    add(a, "-fplugin-arg-count-poll");
+    add(a, "-ffp-contract=off"); /* results as on simulated nodes */
+    add(a, "-isystem");
+    add(a, p->include);
+    if (fortran)
+        add(a, text("-I%s", p->include));
+}
+
+static void add_mpi_link(struct arguments *a, const struct places *p, bool fortran)
+{
+    add(a, "-Wl,--wrap=main");                                     /* libnx.a's comes first */
+    add(a, text("-Wl,--version-script=%s/mpi/names.map", p->lib)); /* the program's names are its own */
+    add(a, "-x");
+    add(a, "none");
+    add(a, text("%s/mpi/libnx.a", p->lib));
+    if (fortran)
+        add(a, "-lgfortran");
+    add(a, "-lpthread");
+    add(a, "-lm");
+}
+
+static bool in_path(const char *program)
+{
+    bool found = false;
+    char *path = strdup(getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
+    for (char *rest = path, *folder; !found && (folder = strsep(&rest, ":"));) {
+        char *whole = text("%s/%s", *folder ? folder : ".", program);
+        found = access(whole, X_OK) == 0;
+        free(whole);
+    }
+    free(path);
+    return found;
+}
+
+/* Its compiler driver links; gcc compiles. */
+static const char *mpi_program(bool link)
+{
+    if (!link)
+        return "gcc";
+    if (!in_path("mpicc"))
+        fail(
+            "--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and libopenmpi-dev");
+    setenv("OMPI_CC", "gcc", true); /* the plugin is gcc's */
+    setenv("MPICH_CC", "gcc", true);
+    return "mpicc";
+}
+
 static void print_command(const char *const *gcc)
 {
     for (size_t i = 0; gcc[i]; i++)
@@ -426,16 +486,19 @@ static const char **command(const struct arguments *user, const struct places *p
     bool fortran = has_kind(user, FORTRAN_FILE);
     struct arguments a = {
         .costs = user->costs, .factors = user->factors, .profile = user->profile, .long32 = user->long32};
-    add(&a, "gcc");
-    add_plugin(&a, p);
-    if (link)
+    add(&a, user->mpi ? mpi_program(link) : "gcc");
+    if (!user->mpi)
+        add_plugin(&a, p);
+    if (link && !user->mpi)
         add_link_first(&a, p);
     if (fortran)
         add_fortran(&a, user->warnings);
     for (size_t i = 0; i < user->count; i++)
         add(&a, user->gcc[i].text);
-    add_compile(&a, p, fortran);
-    if (link)
+    (user->mpi ? add_mpi_compile : add_compile)(&a, p, fortran);
+    if (link && user->mpi)
+        add_mpi_link(&a, p, fortran);
+    else if (link)
         add_link(&a, p);
     const char **gcc = calloc(a.count + 1, sizeof *gcc);
     if (!gcc)
@@ -453,8 +516,8 @@ static void become(const struct arguments *user, const struct places *p, bool li
         print_command(gcc);
         return;
     }
-    execvp("gcc", (char *const *)gcc);
-    fail("gcc: %s", strerror(errno));
+    execvp(gcc[0], (char *const *)gcc);
+    fail("%s: %s", gcc[0], strerror(errno));
 }
 
 /* The same, and waits; gcc's exit status. */

@@ -1,12 +1,14 @@
 /* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
  *
- * Arguments: costs=FILE (needed), factors=FILE, profile, long32=FOLDER (of NX's headers: long32.h); for tests: before=PASS (where the pass stands), memory (no registers).
+ * Arguments: costs=FILE (needed), factors=FILE, profile, long32=FOLDER (of NX's headers: long32.h);
+ * or poll (only checks: poll.cc); for tests: before=PASS (where the pass stands), memory (no registers).
  */
 #include "gcc.h"
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
 #include "long32.h"
+#include "poll.h"
 #include "profile.h"
 
 int plugin_is_GPL_compatible;
@@ -17,6 +19,7 @@ struct arguments {
     const char *costs = nullptr;
     const char *factors = nullptr;
     const char *long32 = nullptr;
+    bool poll = false;
     const char *before = "optimized"; /* the clean-up of the control flow graph just before expansion */
 };
 
@@ -33,6 +36,8 @@ arguments read_arguments(const plugin_name_args *info)
             a.before = arg.value;
         else if (!strcmp(arg.key, "long32"))
             a.long32 = arg.value;
+        else if (!strcmp(arg.key, "poll"))
+            a.poll = true;
         else if (!strcmp(arg.key, "profile"))
             profile_on = true;
         else if (!strcmp(arg.key, "memory"))
@@ -40,7 +45,7 @@ arguments read_arguments(const plugin_name_args *info)
         else
             fatal_error(UNKNOWN_LOCATION, "nxcc: unknown plugin argument '%s'", arg.key);
     }
-    if (!a.costs)
+    if (!a.costs && !a.poll)
         fatal_error(UNKNOWN_LOCATION, "nxcc: the plugin needs costs=FILE");
     return a;
 }
@@ -91,6 +96,11 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         return 1;
     }
     arguments a = read_arguments(info);
+    if (a.poll) {
+        register_pass_info pass = {poll_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
+        register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
+        return 0;
+    }
     read_files(a);
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);

@@ -10,6 +10,11 @@ void nx_about(struct node *n, long what)
     n->call_has_type = n->awaits = true;
 }
 
+void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
+{
+    n->awaited = r ? (long)r->select.type : s->m ? (long)s->m->type : 0;
+}
+
 void nx_spend_call(struct node *n)
 {
     node_spend(n, n->sys->cfg->call_ps);

@@ -246,6 +246,12 @@ void mailbox_follow(struct message *m, struct send *s)
     s->m = m;
 }
 
+void mailbox_drop(struct receive *r)
+{
+    if (r->m && r->m->arrived)
+        proto_message_free(r->m);
+}
+
 void mailbox_unfollow(struct send *s)
 {
     if (s->m)

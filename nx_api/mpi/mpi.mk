@@ -1,0 +1,36 @@
+# mpi.mk - NX on MPI, for nxcc --mpi. Included by the Makefile.
+#   $B/node/mpi/libnx.a   what programs are linked with: one object of all that serves the calls, in which only the calls'
+#                         own names are visible, and the calls that are programs over others (nx_api/common)
+MPI        := $(NODE)/mpi
+MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c)
+MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
+MPI_COMMON := $(patsubst nx_api/%.c,$(MPI)/obj/%.o,$(wildcard nx_api/common/*.c))
+MPI_CC      = OMPI_CC=$(CC) MPICH_CC=$(CC) mpicc
+MPI_FLAGS   = -std=gnu17 -O2 -g $(WARN) -D_GNU_SOURCE -fPIE
+NXCC_MPI   := $(NXCC_DEPS) $(MPI)/libnx.a
+
+$(MPI)/mpicc: nx_api/mpi/mpi.mk
+	@mkdir -p $(@D)
+	@command -v mpicc >$@ || { rm -f $@; \
+	    echo "nxcc --mpi needs MPI: install Debian's openmpi-bin and libopenmpi-dev (make setup does)" >&2; exit 1; }
+
+$(MPI_OBJ): $(MPI)/obj/%.o: nx_api/%.c $(MPI)/mpicc nx_api/calls/calls.def
+	@mkdir -p $(@D)
+	$(MPI_CC) $(MPI_FLAGS) -I. -DNX_ON_MPI -fvisibility=hidden -MMD -MP -c -o $@ $<
+
+$(MPI_COMMON): $(MPI)/obj/%.o: nx_api/%.c $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/include/*.h)
+	@mkdir -p $(@D)
+	$(CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
+
+$(MPI)/nx.o: $(MPI_OBJ)
+	ld -r -o $@ $^
+	objcopy --localize-hidden --globalize-symbol=nxc_enter $@
+
+$(MPI)/libnx.a: $(MPI)/nx.o $(MPI_COMMON) | $(MPI)/names.map
+	@rm -f $@
+	ar rcs $@ $^
+
+$(MPI)/names.map: nx_api/mpi/names.map
+	cp $< $@
+
+-include $(MPI_OBJ:.o=.d)

@@ -1,0 +1,111 @@
+/* tick.c - see tick.h; and nxc_enter, where a check goes. */
+#include "nx_api/mpi/tick.h"
+#include <errno.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <time.h>
+
+enum { OFTEN_NS = 200000, SELDOM_NS = 2000000 };
+
+__attribute__((visibility("default"))) volatile int nxc_due;
+static atomic_bool often, resting;
+
+static void *tick(void *unused)
+{
+    for (;;) {
+        bool soon = atomic_load_explicit(&often, memory_order_relaxed) &&
+                    !atomic_load_explicit(&resting, memory_order_relaxed);
+        nanosleep(&(struct timespec){.tv_nsec = soon ? OFTEN_NS : SELDOM_NS}, NULL);
+        nxc_due = 1;
+    }
+    return unused;
+}
+
+bool tick_start(void)
+{
+    sigset_t all, before;
+    pthread_t thread;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* signals are the program's */
+    int error = pthread_create(&thread, NULL, tick, NULL);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    errno = error;
+    return !error;
+}
+
+void tick_often(bool yes)
+{
+    atomic_store_explicit(&often, yes, memory_order_relaxed);
+}
+
+void tick_rest(bool yes)
+{
+    atomic_store_explicit(&resting, yes, memory_order_relaxed);
+}
+
+/* nxc_enter: called from the inline assembly of a check. Nothing is known to be saved there, and the stack may have any
+ * alignment. xsave keeps the vector registers whatever their width: its area has a multiple of 64 as address, 64 bytes of
+ * header behind the first 512 that must be 0, and here room for the state of AVX-512. A processor without it has no wider
+ * registers than fxsave knows. */
+__attribute__((
+    visibility("hidden"))) unsigned nxc_saved; /* the parts of the state to be saved; 0: no xsave */
+
+__asm__(".text\n"
+        ".globl nxc_enter\n"
+        ".type nxc_enter, @function\n"
+        "nxc_enter:\n"
+        "    .cfi_startproc\n"
+        "    pushq %rbp\n"
+        "    .cfi_def_cfa_offset 16\n"
+        "    .cfi_offset %rbp, -16\n"
+        "    movq %rsp, %rbp\n"
+        "    .cfi_def_cfa_register %rbp\n"
+        "    pushq %rax\n"
+        "    pushq %rcx\n"
+        "    pushq %rdx\n"
+        "    pushq %rsi\n"
+        "    pushq %rdi\n"
+        "    pushq %r8\n"
+        "    pushq %r9\n"
+        "    pushq %r10\n"
+        "    pushq %r11\n"
+        "    subq $2816, %rsp\n"
+        "    andq $-64, %rsp\n"
+        "    cld\n"
+        "    movl nxc_saved(%rip), %eax\n"
+        "    testl %eax, %eax\n"
+        "    jz 1f\n"
+        "    xorl %edx, %edx\n"
+        "    movq %rdx, 512(%rsp)\n"
+        "    movq %rdx, 520(%rsp)\n"
+        "    movq %rdx, 528(%rsp)\n"
+        "    movq %rdx, 536(%rsp)\n"
+        "    movq %rdx, 544(%rsp)\n"
+        "    movq %rdx, 552(%rsp)\n"
+        "    movq %rdx, 560(%rsp)\n"
+        "    movq %rdx, 568(%rsp)\n"
+        "    xsave64 (%rsp)\n"
+        "    call nxc_preempt\n"
+        "    movl nxc_saved(%rip), %eax\n"
+        "    xorl %edx, %edx\n"
+        "    xrstor64 (%rsp)\n"
+        "    jmp 2f\n"
+        "1:  fxsave64 (%rsp)\n"
+        "    call nxc_preempt\n"
+        "    fxrstor64 (%rsp)\n"
+        "2:  leaq -72(%rbp), %rsp\n"
+        "    popq %r11\n"
+        "    popq %r10\n"
+        "    popq %r9\n"
+        "    popq %r8\n"
+        "    popq %rdi\n"
+        "    popq %rsi\n"
+        "    popq %rdx\n"
+        "    popq %rcx\n"
+        "    popq %rax\n"
+        "    popq %rbp\n"
+        "    .cfi_def_cfa %rsp, 8\n"
+        "    ret\n"
+        "    .cfi_endproc\n"
+        ".size nxc_enter, .-nxc_enter\n");

@@ -1,0 +1,93 @@
+/* poll.cc - the pass that makes a program look, at each loop and function entry, whether a handler is to run. For programs
+ * on MPI (nxcc --mpi), where time is real and nothing is counted; nx_api/mpi/tick.h has the other side.
+ *
+ * A check is one piece of inline assembly: a compare with memory and a branch that is not taken. Where it leads, out of
+ * the way, every register is saved; to the register allocator a check changes nothing, and a leaf function stays a leaf.
+ * The jump over 128 bytes spares what such a function keeps below the stack pointer.
+ */
+#include "poll.h"
+
+static const char check[] = "cmpl\t$0, nxc_due(%%rip)\n"
+                            "\tjne\t771f\n"
+                            "772:\n"
+                            "\t.subsection 1\n"
+                            "771:\tleaq\t-128(%%rsp), %%rsp\n"
+                            "\tcall\tnxc_enter\n"
+                            "\tleaq\t128(%%rsp), %%rsp\n"
+                            "\tjmp\t772b\n"
+                            "\t.previous";
+
+/* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
+ * cannot be part of a recursion, so that its loops' checks suffice. */
+void poll_mark(function *fun, bool calls, sbitmap marked)
+{
+    bitmap_clear(marked);
+    mark_dfs_back_edges();
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, fun) {
+        edge e;
+        edge_iterator ei;
+        FOR_EACH_EDGE (e, ei, bb->succs)
+            if (e->flags & EDGE_DFS_BACK)
+                bitmap_set_bit(marked, e->dest->index);
+    }
+    if (calls)
+        bitmap_set_bit(marked, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
+}
+
+namespace
+{
+bool has_calls(function *fun)
+{
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, fun)
+        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+            if (is_gimple_call(gsi_stmt(gsi)) && !gimple_call_internal_p(gsi_stmt(gsi)))
+                return true;
+    return false;
+}
+
+/* setjmp has to stay the first of its block. */
+bool may_begin_with_check(basic_block bb)
+{
+    gimple_stmt_iterator gsi = gsi_start_nondebug_after_labels_bb(bb);
+    gcall *call = gsi_end_p(gsi) ? NULL : dyn_cast<gcall *>(gsi_stmt(gsi));
+    return !call || !(gimple_call_flags(call) & ECF_RETURNS_TWICE);
+}
+
+void insert_check(basic_block bb)
+{
+    vec<tree, va_gc> *clobbers = NULL;
+    vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
+    gasm *statement = gimple_build_asm_vec(check, NULL, NULL, clobbers, NULL);
+    gimple_asm_set_volatile(statement, true);
+    gimple_stmt_iterator gsi = gsi_after_labels(bb);
+    gsi_insert_before(&gsi, statement, GSI_NEW_STMT);
+}
+
+const pass_data poll_data = {
+    GIMPLE_PASS, "poll", OPTGROUP_NONE, TV_NONE, PROP_cfg | PROP_ssa, 0, 0, 0, TODO_update_ssa,
+};
+
+class poll_pass : public gimple_opt_pass
+{
+  public:
+    explicit poll_pass(gcc::context *context) : gimple_opt_pass(poll_data, context) {}
+    opt_pass *clone() override { return new poll_pass(m_ctxt); }
+    unsigned int execute(function *f) override
+    {
+        auto_sbitmap marked(last_basic_block_for_fn(f));
+        poll_mark(f, has_calls(f), marked);
+        basic_block bb;
+        FOR_EACH_BB_FN (bb, f)
+            if (bitmap_bit_p(marked, bb->index) && may_begin_with_check(bb))
+                insert_check(bb);
+        return 0;
+    }
+};
+} // namespace
+
+opt_pass *poll_make_pass()
+{
+    return new poll_pass(g);
+}
