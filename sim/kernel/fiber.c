@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/asan_interface.h>
 #include <sanitizer/common_interface_defs.h>
 #endif
 
@@ -45,6 +46,16 @@ static inline void arrived(void *fake, const void **bottom, size_t *size)
 #endif
 }
 
+/* Another fiber may have been there before, and have been forgotten in the middle of its functions. */
+static void clean(void *stack, size_t size)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    __asan_unpoison_memory_region(stack, size);
+#else
+    (void)stack, (void)size;
+#endif
+}
+
 static void start(struct transfer t)
 {
     struct fiber *f = t.data;
@@ -60,6 +71,7 @@ struct fiber *fiber_new(void *stack, size_t size, void (*entry)(void *), void *a
     if (!f)
         return NULL;
     f->stack = stack, f->size = size, f->entry = entry, f->arg = arg;
+    clean(stack, size);
     f->self = make_fcontext((char *)stack + size, size, start);
     return f;
 }

@@ -57,16 +57,14 @@ void proto_set_nodes(struct proto *p, uint32_t n)
     p->topo.nodes = n;
 }
 
-void proto_forget(struct proto *p, uint32_t node, bool all)
+struct message *proto_to(const struct proto *p, uint32_t place)
 {
-    for (struct message *m = p->out[node]; m; m = m->next_out)
-        m->send = NULL;
-    for (struct message *m = p->in[node]; m; m = m->next_in) {
-        if (m->service)
-            continue;
-        m->unwanted = m->unwanted || all || m->receive;
-        m->receive = NULL;
-    }
+    return p->in[place];
+}
+
+struct message *proto_from(const struct proto *p, uint32_t place)
+{
+    return p->out[place];
 }
 
 /* --- sending --- */

@@ -108,9 +108,9 @@ struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64
                              size_t bytes);
 /* From now on all nodes are the first n of the cube. Not more than it was made for. */
 void proto_set_nodes(struct proto *p, uint32_t n);
-/* A node's program is gone. Messages that it has sent go on, but nobody asks for its buffers any more; those on their way
- * to it are thrown away when they come: all, or only those that one of its receives has selected. */
-void proto_forget(struct proto *p, uint32_t node, bool all);
+/* The first of the messages on their way to a place, linked by next_in; and of those being sent from there, by next_out. */
+struct message *proto_to(const struct proto *p, uint32_t place);
+struct message *proto_from(const struct proto *p, uint32_t place);
 /* Room has been found for a message whose envelope was answered with false. */
 void proto_grant(struct proto *p, struct message *m, vtime now);
 /* The receiver is done with it, or it is not wanted. */

@@ -5,7 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "config/cube_type.h"
-#include "node/clock.h"
 #include "node/cpu.h"
 #include "node/image.h"
 #include "node/mailbox.h"
@@ -79,12 +78,18 @@ void cube_free(struct cube *c)
     free(c);
 }
 
-/* The host waits while others work. */
+static bool is_time(struct node *host, void *until)
+{
+    return node_now(host) >= *(vtime *)until;
+}
+
+/* The host waits while others work; its handlers run meanwhile. */
 static void take_time(struct node *host, vtime t)
 {
-    clock_advance_to(host, clock_sync(host) + t);
-    host->stats.idle += t;
-    waits_add(&host->stats.waits, host->call, false, 0, t);
+    node_order(host);
+    vtime until = node_now(host) + t;
+    node_wake(host, until);
+    node_wait(host, is_time, &until);
     node_order(host);
 }
 
@@ -280,6 +285,8 @@ long cube_load(struct node *host, const char *path, long node, long pid)
         return -1;
     const struct cfg_host *h = &host->sys->cfg->host;
     take_time(host, h->load_ps + node_image_load_bytes(p->image) * h->link_ps_per_byte);
+    if (check_load(host, path, node, pid) < 0) /* a handler may have loaded something meanwhile */
+        return -1;
     for (uint32_t i = 0; i < host->sys->count; i++)
         if ((node == ALL || node == (long)i) && load_one(host, p, i, pid) < 0)
             return -1;
@@ -296,10 +303,8 @@ void cube_kill(struct node *caller, long node, bool flush)
         if ((node != ALL && node != (long)i) || n == caller)
             continue;
         node_end_other(caller, n);
-        if (!flush)
-            continue;
-        mailbox_empty(n, node_now(caller));
-        proto_forget(s->proto, i, true);
+        if (flush)
+            mailbox_empty(n, node_now(caller));
     }
 }
 

@@ -376,6 +376,42 @@ void mailbox_flush(struct node *n, int64_t typesel, vtime now)
 
 /* --- when a program is gone --- */
 
+/* Nobody asks any more when m's buffer is free. */
+static void drop_send(struct message *m)
+{
+    struct send *s = m->send;
+    m->send = NULL;
+    if (s)
+        s->m = NULL;
+    if (s && s->handler)
+        free(s);
+}
+
+/* Nobody receives m, which one of the program's receives has selected, and which has not arrived. */
+static void drop_receive(struct message *m)
+{
+    struct receive *r = m->receive;
+    m->receive = NULL;
+    m->unwanted = true;
+    r->m = NULL;
+    if (r->handler)
+        free(r);
+}
+
+void mailbox_abandon(struct node *n)
+{
+    struct mailbox *b = n->mailbox;
+    for (struct message *m = proto_from(n->sys->proto, n->place); m; m = m->next_out)
+        drop_send(m);
+    for (struct message *m = proto_to(n->sys->proto, n->place); m; m = m->next_in)
+        if (m->receive)
+            drop_receive(m);
+    free_due(b);
+    free_posted(b);
+    b->posted = NULL, b->posted_end = &b->posted;
+    b->due = NULL, b->due_end = &b->due;
+}
+
 void mailbox_empty(struct node *n, vtime now)
 {
     struct message **link = &n->mailbox->unexpected;
@@ -384,15 +420,8 @@ void mailbox_empty(struct node *n, vtime now)
         unkeep(n->mailbox, link);
         throw_away(n, m, now);
     }
-}
-
-void mailbox_abandon(struct node *n)
-{
-    struct mailbox *b = n->mailbox;
-    free_due(b);
-    free_posted(b);
-    b->posted = NULL, b->posted_end = &b->posted;
-    b->due = NULL, b->due_end = &b->due;
+    for (struct message *m = proto_to(n->sys->proto, n->place); m; m = m->next_in)
+        m->unwanted = m->unwanted || !m->service;
 }
 
 void mailbox_inherit(struct node *n, struct node *before)

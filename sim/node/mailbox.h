@@ -19,8 +19,8 @@ void mailbox_free(struct mailbox *b);
 /* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
 void mailbox_flush(struct node *n, int64_t typesel, vtime now);
 
-/* The node's program is gone, and what it has posted, too. Then: throw away all unexpected messages; or hand them to the
- * node's next program. */
+/* The node's program is gone, and what it has posted, too: what one of its receives had selected is lost; what it had sent
+ * goes on. Then: throw away all unexpected messages, and those on their way; or hand them to the node's next program. */
 void mailbox_abandon(struct node *n);
 void mailbox_empty(struct node *n, vtime now);
 void mailbox_inherit(struct node *n, struct node *before);

@@ -76,13 +76,6 @@ static bool time_adds_up(const struct node *n)
            tasks == s->system + s->beside && waits == s->idle;
 }
 
-/* Another program may come: nothing is to be received, or waited for, on behalf of this one any more. */
-static void let_go(struct node *n)
-{
-    mailbox_abandon(n);
-    proto_forget(n->sys->proto, n->place, false);
-}
-
 static void has_ended(struct node *n, enum node_end how, int code, vtime at)
 {
     n->end = how;
@@ -91,7 +84,7 @@ static void has_ended(struct node *n, enum node_end how, int code, vtime at)
     n->stats.ended_at = at;
     n->sys->running--;
     if (n->sys->cube)
-        let_go(n);
+        mailbox_abandon(n); /* another program may come */
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (n->sys->nodes[i]->awaits_end)
             node_wake(n->sys->nodes[i], at);

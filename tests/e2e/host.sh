@@ -57,6 +57,15 @@ sed '/wall/d' err >first
 run -n 4 --host again
 check "again: the same times once more" eval "sed '/wall/d' err | cmp - first"
 
+run --host churn churn_node 8
+check "nodes killed and loaded at odd moments" ended_with 0
+check "each round is told of" test "$(grep -c '^round' out)" = 8
+cp out want
+sed '/wall/d; /slices/d' err >first
+run --slice 1e-5 --host churn churn_node 8
+check "the same, however computing is cut" cmp want out
+check "with the same figures" eval "sed '/wall/d; /slices/d' err | cmp - first"
+
 block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$tests/../../doc/host-programs.md" | sed '1d;$d'; }
 mkdir page
 block 'c host.c' >page/host.c
