@@ -41,6 +41,13 @@ void clock_advance_to(struct node *n, vtime t)
     n->clock.origin += t - now;
 }
 
+void clock_cut(struct node *n, vtime t)
+{
+    clock_sync(n);
+    uint64_t units = units_of_time(n, t);
+    n->clock.units -= units < n->clock.units ? units : n->clock.units;
+}
+
 void clock_allow(struct node *n, vtime deadline)
 {
     vtime now = clock_sync(n);

@@ -7,6 +7,8 @@
 vtime clock_sync(struct node *n);
 /* Time goes on without the program: wait, system. t >= clock_sync(n). */
 void clock_advance_to(struct node *n, vtime t);
+/* Take back so much computing, or all there is. */
+void clock_cut(struct node *n, vtime t);
 /* Let the program spend until `deadline`: the first check at or past it calls nxc_preempt. Call after
  * clock_sync. */
 void clock_allow(struct node *n, vtime deadline);

@@ -206,9 +206,19 @@ static void account_wait(struct node *n, vtime waited, vtime busy)
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
-        vtime since = node_now(n), busy = n->stats.system;
+        n->wait_since = node_now(n), n->wait_system = n->stats.system;
         n->state = NODE_BLOCKED;
         fiber_yield(n->fiber);
-        account_wait(n, node_now(n) - since, n->stats.system - busy);
+        account_wait(n, node_now(n) - n->wait_since, n->stats.system - n->wait_system);
     }
+}
+
+void node_cut(struct node *n, vtime t)
+{
+    vtime at = node_now(n) + n->clock.stolen;
+    if (n->state == NODE_BLOCKED)
+        account_wait(n, t - n->wait_since, n->stats.system - n->wait_system);
+    else if (at > t)
+        clock_cut(n, at - t);
+    n->clock.stolen = 0;
 }

@@ -19,6 +19,8 @@
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);
 /* A blocked node looks again at what it waits for at time t. */
 void node_wake(struct node *n, vtime t);
+/* The program is killed at time t: it has waited until then, or what it has computed ahead of it has not happened. */
+void node_cut(struct node *n, vtime t);
 /* Run the handlers that are due. True if any ran. */
 bool node_run_handlers(struct node *n);
 /* Scheduler: put the node's start, at time t, into the queue. */

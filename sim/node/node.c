@@ -62,6 +62,11 @@ void node_system_fail(struct node_system *sys, enum node_stop why, const char *f
     sys->stop = why;
 }
 
+static vtime accounted(const struct node *n)
+{
+    return clock_of_units(n, n->clock.units) + n->stats.idle + n->stats.system;
+}
+
 /* The rule of struct node_stats. */
 static bool time_adds_up(const struct node *n)
 {
@@ -71,9 +76,8 @@ static bool time_adds_up(const struct node *n)
         tasks += s->tasks[i];
     for (size_t i = 0; i < s->waits.count; i++)
         waits += s->waits.list[i].idle;
-    return clock_of_units(n, n->clock.units) + s->idle + s->system ==
-               s->ended_at - s->away + n->clock.stolen &&
-           tasks == s->system + s->beside && waits == s->idle;
+    return accounted(n) == s->ended_at - s->away + n->clock.stolen && tasks == s->system + s->beside &&
+           waits == s->idle;
 }
 
 static void has_ended(struct node *n, enum node_end how, int code, vtime at)
@@ -103,8 +107,12 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
 
 void node_end_other(struct node *n, struct node *victim)
 {
-    if (victim->state != NODE_ENDED)
-        has_ended(victim, NODE_KILLED, 0, node_now(n));
+    vtime now = node_now(n);
+    if (victim->state == NODE_ENDED)
+        return;
+    node_cut(victim, now);
+    victim->stats.away = now - accounted(victim);
+    has_ended(victim, NODE_KILLED, 0, now);
 }
 
 long node_error(struct node *n, int code, const char *fmt, ...)
@@ -280,12 +288,10 @@ static void strip(struct node *n)
 void node_succeed(struct node *n, struct node *before, vtime t)
 {
     size_t peak = n->stats.memory_peak;
-    vtime accounted = clock_of_units(before, (clock_sync(before), before->clock.units)) + before->stats.idle +
-                      before->stats.system;
     n->clock.units = before->clock.units;
     n->stats = before->stats;
     before->stats.waits = (struct node_waits){0};
-    n->stats.away = t - accounted;
+    n->stats.away = t - accounted(n);
     n->stats.memory_peak = peak > n->stats.memory_peak ? peak : n->stats.memory_peak;
     n->sys_free = before->sys_free;
     mailbox_inherit(n, before);

@@ -65,8 +65,8 @@ struct node_stats {
     struct node_waits waits; /* of idle: in which calls, for which messages */
     vtime ended_at;
     vtime
-        away; /* before its program was loaded; with several, one after the other, time without any, less what those
-                   * killed had computed ahead of their end. Modulo 2^64. Of no node's time is anything said here. */
+        away; /* without a program: before it was loaded, between two, and what is less than a unit's time when one is
+                 * killed. Modulo 2^64: system time that a killed one had begun counts as spent. */
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     uint64_t handlers, slices;
     uint64_t sent, sent_bytes;
@@ -118,7 +118,8 @@ struct node {
     long awaited; /* type or typesel of the message the call is about, if awaits */
     bool awaits;
     vtime call_since;
-    bool woken; /* a wake-up is in the queue */
+    vtime wait_since, wait_system; /* while it is blocked: since when, and the system's time until then */
+    bool woken;                    /* a wake-up is in the queue */
 
     struct mailbox *mailbox;
     struct node_info info;

@@ -138,10 +138,11 @@ static json_t *waits_json(const struct node *n)
     return list;
 }
 
-/* busy_s, idle_s and system_s add up to ended_s; the tasks to system_s and beside_s. */
+/* busy_s, idle_s, system_s and away_s (without a program) add up to ended_s; the tasks to system_s and beside_s. */
 static json_t *node_json(const struct node *n)
 {
-    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "ended_s",
+    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
+                     (double)(int64_t)n->stats.away / (double)VT_SECOND, "ended_s",
                      vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
                      vt_seconds(n->stats.idle), "system_s", vt_seconds(n->stats.system), "beside_s",
                      vt_seconds(n->stats.beside), "waits", waits_json(n), "tasks", json_tasks(n->stats.tasks),

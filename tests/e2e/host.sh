@@ -51,11 +51,15 @@ no node: -1
 END
 check "again: exit status 0" ended_with 0
 check "again: nodes are loaded again, memory new, messages as the rules say" cmp want out
-check "again: the books of a node go on" \
-    said '^others +2 nodes:  busy .* \(0\.[0-9]+ to 0\.70[0-9]+\)'
-sed '/wall/d' err >first
-run -n 4 --host again
-check "again: the same times once more" eval "sed '/wall/d' err | cmp - first"
+run -n 4 --json one.json --host again
+run -n 4 --json two.json --slice 1e-4 --host again
+check "again: every figure once more, however computing is cut" \
+    eval "diff <(grep -v wall one.json) <(grep -v wall two.json)"
+check "a node's time is computing, idle, system and without a program" test "$(awk -F': |,' '
+    /_s":/ { v[$1] = $2 }
+    /^   "system_s"/ { d = v["   \"busy_s\""] + v["   \"idle_s\""] + v["   \"system_s\""] + v["   \"away_s\""] - v["   \"ended_s\""]
+                   n += v["   \"ended_s\""] > 1.5 && d < 1e-9 && d > -1e-9 }
+    END { print n }' one.json)" = 4
 
 run --host churn churn_node 8
 check "nodes killed and loaded at odd moments" ended_with 0
