@@ -7,7 +7,7 @@ OPT    ?= -O2 -g
 SAN    ?=
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
-LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lz -lm
+LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgslcblas -lz -lm
 
 SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)

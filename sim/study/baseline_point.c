@@ -40,8 +40,8 @@ static bool begins(const char *text, const char *with)
 /* The means of classes are in `where`; the others say what was run, not what came of it. */
 static bool is_kept(const char *key)
 {
-    static const char *const no[] = {"program",  "machine", "nodes",   "arguments",
-                                     "settings", "outcome", "failure", "profile"};
+    static const char *const no[] = {"program",    "machine", "nodes",   "arguments", "settings",
+                                     "host_files", "outcome", "failure", "profile"};
     for (size_t i = 0; i < sizeof no / sizeof *no; i++)
         if (strcmp(key, no[i]) == 0)
             return false;
@@ -63,12 +63,21 @@ static json_t *figure(const json_t *value)
     return json_is_integer(value) || json_is_string(value) ? json_copy((json_t *)value) : NULL;
 }
 
+/* time_s is one of the two under another name, where the program prints none of its own (study.h). */
+static bool is_twice(const json_t *figures)
+{
+    double time = figure_of(figures, "time_s");
+    return time == figure_of(figures, "total_s") || time == figure_of(figures, "virtual_time_s");
+}
+
 static json_t *figures_kept(const json_t *figures, const json_t *axes)
 {
     json_t *kept = json_object(), *value, *copy;
     const char *key;
     json_object_foreach((json_t *)figures, key, value) if (!json_object_get(axes, key) && is_kept(key) &&
                                                            (copy = figure(value))) set(kept, key, copy);
+    if (is_twice(figures))
+        json_object_del(kept, "time_s");
     return kept;
 }
 
@@ -111,7 +120,6 @@ static json_t *tasks_of(const json_t *class)
         add(to, task, json_number_value(seconds));
         free(task);
     }
-    add(to, "beside the program", -json_number_value(json_object_get(class, "beside_s")));
     return to;
 }
 

@@ -1,5 +1,6 @@
 /* compare.c - see compare.h. */
 #include "study/compare.h"
+#include "study/outcome.h"
 #include "study/text.h"
 
 #include <math.h>
@@ -23,6 +24,12 @@ static int direction(const char *figure)
     return 0;
 }
 
+/* Is the change of this speed its own, and not that of the point it is relative to? Only if the time changed that way. */
+static bool is_own(const struct compare_figure *f, double longer)
+{
+    return isnan(longer) || f->change * longer < 0;
+}
+
 /* The last that is about it; NULL: none. */
 static const struct compare_tolerance *tolerance_of(const struct compare_rules *rules, const char *figure)
 {
@@ -41,7 +48,9 @@ static bool is_within(const struct compare_figure *f, const struct compare_toler
     return t && fabs(f->change) <= t->allowed * (t->relative ? fabs(json_number_value(f->before)) : 1);
 }
 
-static enum compare_verdict judge(const struct compare_figure *f, const struct compare_rules *rules)
+/* longer: how much the run's time is, seconds; NAN: not known. */
+static enum compare_verdict judge(const struct compare_figure *f, double longer,
+                                  const struct compare_rules *rules)
 {
     const struct compare_tolerance *t = tolerance_of(rules, f->name);
     int worse = direction(f->name);
@@ -53,13 +62,12 @@ static enum compare_verdict judge(const struct compare_figure *f, const struct c
         return COMPARE_TOLD;
     if (isnan(f->change))
         return COMPARE_WORSE;
-    if (is_within(f, t))
+    if (is_within(f, t) || (worse < 0 && !(t && t->figure) && !is_own(f, longer)))
         return COMPARE_TOLD;
     return worse && f->change * worse < 0 ? COMPARE_BETTER : COMPARE_WORSE;
 }
 
-static struct compare_figure figure_of_both(const char *name, const json_t *before, const json_t *after,
-                                            const struct compare_rules *rules)
+static struct compare_figure figure_of_both(const char *name, const json_t *before, const json_t *after)
 {
     struct compare_figure f = {
         .name = name, .before = before, .after = after, .change = NAN, .change_pct = NAN};
@@ -68,7 +76,6 @@ static struct compare_figure figure_of_both(const char *name, const json_t *befo
         if (json_number_value(before) != 0)
             f.change_pct = 100 * f.change / fabs(json_number_value(before));
     }
-    f.verdict = judge(&f, rules);
     return f;
 }
 
@@ -83,12 +90,15 @@ static int by_gravity(const void *a, const void *b)
     return p != q ? (p < q ? 1 : -1) : strcmp(x->name, y->name);
 }
 
-static void add_figure(struct compare_point *p, const char *name, const json_t *before, const json_t *after,
+static void add_figure(struct compare_point *p, const char *name, double longer,
                        const struct compare_rules *rules)
 {
+    const json_t *before = json_object_get(json_object_get(p->before, "figures"), name);
+    const json_t *after = json_object_get(json_object_get(p->after, "figures"), name);
     if (before && after && json_equal(before, after))
         return;
-    struct compare_figure f = figure_of_both(name, before, after, rules);
+    struct compare_figure f = figure_of_both(name, before, after);
+    f.verdict = judge(&f, longer, rules);
     if (f.change == 0) /* 1 and 1.0 */
         return;
     p->figures = realloc(p->figures, (p->figure_count + 1) * sizeof *p->figures);
@@ -97,8 +107,6 @@ static void add_figure(struct compare_point *p, const char *name, const json_t *
     p->figures[p->figure_count++] = f;
     if (f.verdict > p->verdict)
         p->verdict = f.verdict;
-    if (f.verdict == COMPARE_WORSE && fabs(f.change_pct) > p->worst_pct)
-        p->worst_pct = fabs(f.change_pct);
 }
 
 static void compare_figures(struct compare_point *p, const struct compare_rules *rules)
@@ -106,9 +114,10 @@ static void compare_figures(struct compare_point *p, const struct compare_rules 
     json_t *before = json_object_get(p->before, "figures"), *after = json_object_get(p->after, "figures");
     const char *name;
     json_t *value;
-    json_object_foreach(before, name, value) add_figure(p, name, value, json_object_get(after, name), rules);
+    double longer = figure_of(after, "virtual_time_s") - figure_of(before, "virtual_time_s");
+    json_object_foreach(before, name, value) add_figure(p, name, longer, rules);
     json_object_foreach(after, name, value) if (!json_object_get(before, name))
-        add_figure(p, name, NULL, value, rules);
+        add_figure(p, name, longer, rules);
     if (p->figure_count)
         qsort(p->figures, p->figure_count, sizeof *p->figures, by_gravity);
 }
@@ -168,7 +177,9 @@ static void compare_where(struct compare_point *p)
 {
     json_t *before = json_object_get(p->before, "where"), *after = json_object_get(p->after, "where"), *value;
     const char *class;
-    if (!before || !after || is_profiled(before) != is_profiled(after))
+    if (!before || !after)
+        return;
+    if ((p->one_profiled = is_profiled(before) != is_profiled(after)))
         return;
     json_object_foreach(before, class, value) compare_class(p, class, value, json_object_get(after, class));
     json_object_foreach(after, class, value) if (!json_object_get(before, class))
@@ -178,6 +189,19 @@ static void compare_where(struct compare_point *p)
 }
 
 /* --- a point --------------------------------------------------------------------------------------------- */
+
+static void set_time(struct compare_point *p)
+{
+    double time = figure_of(json_object_get(p->after, "figures"), "virtual_time_s");
+    p->time_s = isnan(time) ? 0 : time;
+}
+
+static void drop(struct compare_point *p)
+{
+    json_decref(p->before);
+    json_decref(p->after);
+    p->before = p->after = NULL;
+}
 
 struct compare_point *compare_point(const char *study, const char *name, json_t *before, json_t *after,
                                     const char *failure, const struct compare_rules *rules)
@@ -201,6 +225,9 @@ struct compare_point *compare_point(const char *study, const char *name, json_t 
         if (p->verdict != COMPARE_SAME)
             compare_where(p);
     }
+    set_time(p);
+    if (p->verdict == COMPARE_SAME)
+        drop(p);
     return p;
 }
 
@@ -208,8 +235,7 @@ void compare_free(struct compare_point *p)
 {
     if (!p)
         return;
-    json_decref(p->before);
-    json_decref(p->after);
+    drop(p);
     free(p->figures);
     free(p->moves);
     free(p->study);

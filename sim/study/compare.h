@@ -3,7 +3,8 @@
  *
  * Figures of three kinds:
  *   costs       total_s, time_s, virtual_time_s, messages, bytes, memory_peak_bytes: more is worse
- *   speeds      speedup, speed_per_node: less is worse
+ *   speeds      speedup, speed_per_node: less is worse, if the point's own time is; where only the time of the fewest
+ *               nodes has changed, which they are relative to, they are told like the others
  *   the others  the digest, idle times, whatever else the program prints: told, but no reason to fail; unless a tolerance
  *               names it: then any difference beyond is worse
  * Results are exact: without a tolerance the last digit counts. A change for the better is never a failure, except
@@ -21,6 +22,7 @@ struct compare_tolerance {
     char *figure;   /* NULL: all costs and speeds that no other names */
     double allowed; /* of the baseline's value if relative, else in the figure's own unit */
     bool relative;
+    bool used; /* a point has this figure */
 };
 
 struct compare_rules {
@@ -32,8 +34,10 @@ struct compare_rules {
 /* Adds "0.5%", "total_s=1%", "messages=10", or several of them with commas between. False with *why malloc'd. */
 bool compare_rules_add(struct compare_rules *rules, const char *text, char **why);
 void compare_rules_clear(struct compare_rules *rules);
-/* The first figure that a tolerance names and none of the points of `study` has (NAME: POINT); NULL: none. */
-const char *compare_rules_unused(const struct compare_rules *rules, const json_t *points);
+/* Notes which tolerances a point (baseline.h) has figures for; and then, the first figure that is named and that no point
+ * has; NULL: none. */
+void compare_rules_see(struct compare_rules *rules, const json_t *point);
+const char *compare_rules_unused(const struct compare_rules *rules);
 
 /* --- a point --- */
 
@@ -70,8 +74,9 @@ struct compare_point {
     size_t figure_count;
     struct compare_move *moves; /* by kind, each the largest move first */
     size_t move_count;
-    double worst_pct;       /* how much worse the worst figure is, percent: 0 or more */
-    json_t *before, *after; /* what the others point into */
+    double time_s;          /* its virtual time; 0: none */
+    bool one_profiled;      /* only one of the two: so no moves */
+    json_t *before, *after; /* what the others point into; NULL if they are the same */
 };
 
 /* before or after is NULL where there is none; failure: why `after` is missing, or NULL. */

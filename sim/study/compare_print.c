@@ -4,7 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_MOVES = 5 }; /* of a kind */
+enum { MOST_MOVES = 5 };               /* of a kind */
+static const double LEAST_MOVE = 1e-3; /* beside the largest of its kind */
 
 static const char *verdict_word(enum compare_verdict v)
 {
@@ -56,7 +57,7 @@ static void print_figures(const struct compare_point *p, FILE *out)
 
 /* --- where the time moved -------------------------------------------------------------------------------- */
 
-/* Hosts are what the program's own nodes with handlers are in most programs; the words are those of a profile. */
+/* As a profile's table calls them. */
 static const char *class_word(const char *class)
 {
     return strcmp(class, "with_handlers") == 0 ? "handlers" : class;
@@ -74,22 +75,47 @@ static void print_move(const struct compare_move *m, FILE *out)
     fputc('\n', out);
 }
 
+static double change_of(const struct compare_move *m)
+{
+    return m->after_s - m->before_s;
+}
+
+/* The largest, and none that is nothing beside it. */
 static void print_kind(const struct compare_point *p, size_t from, size_t to, FILE *out)
 {
-    double rest = 0;
-    for (size_t i = from; i < to; i++) {
-        if (i - from < MOST_MOVES)
-            print_move(&p->moves[i], out);
-        else
-            rest += p->moves[i].after_s - p->moves[i].before_s;
-    }
-    if (to - from > MOST_MOVES)
-        fprintf(out, "    %zu more, %+.6f s\n", to - from - MOST_MOVES, rest);
+    double rest = 0, least = LEAST_MOVE * fabs(change_of(&p->moves[from]));
+    size_t shown = from;
+    while (shown < to && shown - from < MOST_MOVES && fabs(change_of(&p->moves[shown])) >= least)
+        print_move(&p->moves[shown++], out);
+    for (size_t i = shown; i < to; i++)
+        rest += change_of(&p->moves[i]);
+    if (shown < to)
+        fprintf(out, "    %zu more, %+.6f s\n", to - shown, rest);
+}
+
+/* "others    in all: functions +1.000000 s, idle -0.500000 s" */
+static void print_class(const struct compare_point *p, const char *class, FILE *out)
+{
+    static const char *const kinds[COMPARE_KINDS] = {"functions", "system", "idle", "ended"};
+    double sum[COMPARE_KINDS] = {0};
+    const char *mark = "";
+    for (size_t i = 0; i < p->move_count; i++)
+        if (strcmp(p->moves[i].class, class) == 0)
+            sum[p->moves[i].kind] += change_of(&p->moves[i]);
+    fprintf(out, "    %-9s in all: ", class_word(class));
+    for (int kind = 0; kind < COMPARE_KINDS; kind++)
+        if (sum[kind] != 0) {
+            fprintf(out, "%s%s %+.6f s", mark, kinds[kind], sum[kind]);
+            mark = ", ";
+        }
+    fputc('\n', out);
 }
 
 /* Functions come first: they are the cause where anything is, and waits follow from them. */
 static void print_moves(const struct compare_point *p, FILE *out)
 {
+    const char *class;
+    json_t *value;
     size_t from = 0;
     if (!p->move_count)
         return;
@@ -99,6 +125,7 @@ static void print_moves(const struct compare_point *p, FILE *out)
             print_kind(p, from, to, out);
             from = to;
         }
+    json_object_foreach(json_object_get(p->after, "where"), class, value) print_class(p, class, out);
 }
 
 /* --- a point --------------------------------------------------------------------------------------------- */
@@ -121,6 +148,8 @@ void compare_print(const struct compare_point *p, FILE *out)
         fputs(": not in the baseline", out);
     fputc('\n', out);
     print_figures(p, out);
+    if (p->one_profiled)
+        fputs("  where the time moved is not told: only one of the two has a profile\n", out);
     print_moves(p, out);
 }
 

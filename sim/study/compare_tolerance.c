@@ -59,16 +59,19 @@ void compare_rules_clear(struct compare_rules *rules)
     *rules = (struct compare_rules){0};
 }
 
-const char *compare_rules_unused(const struct compare_rules *rules, const json_t *points)
+void compare_rules_see(struct compare_rules *rules, const json_t *point)
 {
+    const json_t *figures = json_object_get(point, "figures");
     for (size_t i = 0; i < rules->count; i++) {
-        const char *figure = rules->tolerances[i].figure, *name;
-        json_t *point;
-        bool used = !figure;
-        json_object_foreach((json_t *)points, name, point) used |=
-            figure && json_object_get(json_object_get(point, "figures"), figure);
-        if (!used)
-            return figure;
+        struct compare_tolerance *t = &rules->tolerances[i];
+        t->used |= !t->figure || json_object_get(figures, t->figure);
     }
+}
+
+const char *compare_rules_unused(const struct compare_rules *rules)
+{
+    for (size_t i = 0; i < rules->count; i++)
+        if (!rules->tolerances[i].used)
+            return rules->tolerances[i].figure;
     return NULL;
 }

@@ -1,9 +1,7 @@
 /* junit.c - comparisons as JUnit XML; see compare_print.h. */
 #include "study/compare_print.h"
-#include "study/outcome.h"
 #include "study/text.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -69,19 +67,13 @@ static char *told(const struct compare_point *p, void (*print)(const struct comp
     return text;
 }
 
-static double virtual_time(const struct compare_point *p)
-{
-    double time = figure_of(json_object_get(p->after, "figures"), "virtual_time_s");
-    return isnan(time) ? 0 : time;
-}
-
 static void write_case(const struct compare_point *p, FILE *out)
 {
     char *class = text_of("touchstone.%s", p->study), *all = told(p, compare_print);
     fputs("    <testcase", out);
     write_attribute("classname", class, out);
     write_attribute("name", p->name, out);
-    fprintf(out, " time=\"%.9f\">", virtual_time(p));
+    fprintf(out, " time=\"%.9f\">", p->time_s);
     if (compare_is_failure(p->verdict)) {
         const char *element = p->verdict == COMPARE_FAILED ? "error" : "failure";
         char *brief = told(p, compare_print_short);
@@ -109,7 +101,7 @@ static void write_counts(struct compare_point *const points[], size_t count, FIL
     for (size_t i = 0; i < count; i++) {
         failures += points[i]->verdict == COMPARE_WORSE || points[i]->verdict == COMPARE_MISSING;
         errors += points[i]->verdict == COMPARE_FAILED;
-        time += virtual_time(points[i]);
+        time += points[i]->time_s;
     }
     fprintf(out, " tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" time=\"%.9f\">\n", count, failures, errors,
             time);

@@ -91,6 +91,17 @@ static void other_figures_decide_only_if_a_tolerance_names_them(void **state)
     compare_free(p);
 }
 
+static void a_faster_base_makes_no_speed_worse(void **state)
+{
+    (void)state;
+    const char *a = "{\"virtual_time_s\": 2, \"speed_per_node\": 0.9}";
+    assert_int_equal(verdict(a, "{\"virtual_time_s\": 2, \"speed_per_node\": 0.8}", NULL), COMPARE_TOLD);
+    assert_int_equal(verdict(a, "{\"virtual_time_s\": 2, \"speed_per_node\": 0.95}", NULL), COMPARE_TOLD);
+    assert_int_equal(verdict(a, "{\"virtual_time_s\": 2, \"speed_per_node\": 0.8}", "speed_per_node=1%"),
+                     COMPARE_WORSE);
+    assert_int_equal(verdict(a, "{\"virtual_time_s\": 2.1, \"speed_per_node\": 0.8}", "10%"), COMPARE_WORSE);
+}
+
 static void a_tolerance_is_relative_or_in_the_figures_unit(void **state)
 {
     (void)state;
@@ -125,9 +136,10 @@ static void a_tolerance_for_no_figure_is_found(void **state)
     struct compare_rules rules = {0};
     char *why = NULL;
     assert_true(compare_rules_add(&rules, "1%,a=1,b=2", &why));
-    json_t *points = json("{\"p\": {\"figures\": {\"a\": 1}}}");
-    assert_string_equal(compare_rules_unused(&rules, points), "b");
-    json_decref(points);
+    json_t *p = json("{\"figures\": {\"a\": 1}}");
+    compare_rules_see(&rules, p);
+    assert_string_equal(compare_rules_unused(&rules), "b");
+    json_decref(p);
     compare_rules_clear(&rules);
 }
 
@@ -199,7 +211,8 @@ static void time_that_moved_is_told_by_function_first(void **state)
                               "  where the time of all nodes of a class moved:\n"
                               "    others    memcpy called by pack (a.c) +2.000000 s (+100.0 %)\n"
                               "    others    mix (a.c) +0.500000 s (+50.0 %)\n"
-                              "    others    idle: crecv +8.000000 s (+800.0 %)\n");
+                              "    others    idle: crecv +8.000000 s (+800.0 %)\n"
+                              "    others    in all: functions +2.500000 s, idle +8.000000 s\n");
     free(text);
     compare_free(p);
 }
@@ -297,6 +310,7 @@ int main(void)
         cmocka_unit_test(the_last_digit_counts),
         cmocka_unit_test(more_is_worse_of_costs_and_less_of_speeds),
         cmocka_unit_test(other_figures_decide_only_if_a_tolerance_names_them),
+        cmocka_unit_test(a_faster_base_makes_no_speed_worse),
         cmocka_unit_test(a_tolerance_is_relative_or_in_the_figures_unit),
         cmocka_unit_test(wrong_tolerances_are_named),
         cmocka_unit_test(a_tolerance_for_no_figure_is_found),
