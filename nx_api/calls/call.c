@@ -1,6 +1,11 @@
 /* call.c - the two faces of every call, and their errors. See call.h. */
 #include "nx_api/calls/call.h"
+#include <ctype.h>
 #include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* --- checks that several calls make --- */
 
@@ -22,6 +27,62 @@ long nx_check_buffer(struct node *n, const void *buf, long len)
     if (len > 0 && !buf)
         return node_error(n, EQPBUF, "the buffer is a null pointer");
     return 0;
+}
+
+/* --- errors as the user sees them --- */
+
+/* The name in a parameter's declaration. */
+static void print_name(FILE *f, const char *parameter, size_t length)
+{
+    const char *start = parameter, *end = parameter + length, *pointer = strstr(parameter, "(*");
+    if (pointer && pointer < end) {
+        start = pointer + 2;
+        end = start + strcspn(start, ")");
+    } else {
+        const char *array = memchr(start, '[', length);
+        end = array ? array : end;
+        for (start = end; start > parameter && (isalnum(start[-1]) || start[-1] == '_');)
+            start--;
+    }
+    fprintf(f, "%.*s", (int)(end - start), start);
+}
+
+/* Numbers as they are, pointers by the parameters' names, for addresses say nothing; 0 for null. */
+static void print_argument(FILE *f, const char *parameter, size_t length, va_list *ap)
+{
+    if (memchr(parameter, '*', length) || memchr(parameter, '[', length)) {
+        if (va_arg(*ap, void *))
+            print_name(f, parameter, length);
+        else
+            fputc('0', f);
+    } else if (strncmp(parameter, "word", 4) == 0) {
+        fprintf(f, "%d", va_arg(*ap, word));
+    } else {
+        fprintf(f, "%ld", va_arg(*ap, long));
+    }
+}
+
+/* Ends the process: the call failed. parameters are as in calls.def. */
+static _Noreturn void wrong(struct node *n, const char *parameters, ...)
+{
+    char *text = NULL;
+    size_t size;
+    va_list ap;
+    FILE *f = open_memstream(&text, &size);
+    if (!f)
+        abort();
+    va_start(ap, parameters);
+    for (const char *p = parameters + 1; strcmp(p, "void)") != 0;) {
+        size_t length = strcspn(p, ","), last = p[length] ? 0 : 1;
+        print_argument(f, p, length - last, &ap);
+        if (last)
+            break;
+        fputs(", ", f);
+        p += length + 2;
+    }
+    va_end(ap);
+    fclose(f);
+    node_fail(n, "%s(%s): %s", n->call, text, n->error.text);
 }
 
 /* --- the faces --- */
@@ -58,11 +119,15 @@ long nx_returning(struct node *n, long result)
     return result;
 }
 
+#define AND(...) __VA_OPT__(, ) __VA_ARGS__
 #define NX_CALL(name, parameters, arguments)                                                                 \
     long node_##name parameters                                                                              \
     {                                                                                                        \
         struct node *self = enter(#name);                                                                    \
-        return nx_plain(self, nxs_##name arguments);                                                         \
+        long result = nxs_##name arguments;                                                                  \
+        if (result < 0)                                                                                      \
+            wrong(self, #parameters AND arguments);                                                          \
+        return nx_plain(self, result);                                                                       \
     }                                                                                                        \
     long node__##name parameters                                                                             \
     {                                                                                                        \

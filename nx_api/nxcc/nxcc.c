@@ -61,6 +61,10 @@ static const char help[] =
     "INCLUDE 'fcube.h' or 'fnx.h' declares the NX functions. nxf77 is nxcc by another name. One program may have C "
     "and Fortran.\n"
     "\n"
+    "C is GCC's own (gnu17), in which programs of before 1989 compile too, with warnings: -w leaves those out. Common "
+    "variables may be\n"
+    "defined in several files. What needs more: -std=gnu89, --long32.\n"
+    "\n"
     "Handlers (hrecv, hsend) interrupt a program at loops and function calls. As everywhere in C, a variable "
     "that a handler\n"
     "changes must be volatile if a loop without calls waits for it.\n";
@@ -493,6 +497,8 @@ static const char **command(const struct arguments *user, const struct places *p
         add_link_first(&a, p);
     if (fortran)
         add_fortran(&a, user->warnings);
+    else
+        add(&a, "-fcommon"); /* old programs define a variable in several files */
     for (size_t i = 0; i < user->count; i++)
         add(&a, user->gcc[i].text);
     (user->mpi ? add_mpi_compile : add_compile)(&a, p, fortran);

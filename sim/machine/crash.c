@@ -7,32 +7,12 @@
 #include <ucontext.h>
 #include "kernel/fiber.h"
 #include "node/image.h"
+#include "node/trace.h"
 
 static _Thread_local struct crash_guard *guard;
 
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
 enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0], HANDLER_STACK = 1 << 16 };
-
-static bool in_stack(const struct node *n, uintptr_t a)
-{
-    uintptr_t stack = (uintptr_t)n->stack;
-    return a >= stack && a + 2 * sizeof(uintptr_t) <= stack + n->stack_bytes;
-}
-
-/* Follow the frame pointers that nxcc keeps. */
-static void walk(struct crash_guard *g, uintptr_t pc, uintptr_t frame)
-{
-    const int most = sizeof g->frames / sizeof g->frames[0];
-    g->depth = 0;
-    g->frames[g->depth++] = pc;
-    while (g->depth < most && frame % sizeof frame == 0 && in_stack(g->node, frame)) {
-        uintptr_t next = ((uintptr_t *)frame)[0];
-        g->frames[g->depth++] = ((uintptr_t *)frame)[1];
-        if (next <= frame)
-            break;
-        frame = next;
-    }
-}
 
 static void on_fault(int signal, siginfo_t *info, void *context)
 {
@@ -47,8 +27,10 @@ static void on_fault(int signal, siginfo_t *info, void *context)
     g->node = g->sys->current;
     g->signal = signal;
     g->address = (uintptr_t)info->si_addr;
-    g->top = in_stack(g->node, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
-    walk(g, (uintptr_t)r[REG_RIP], (uintptr_t)r[REG_RBP]);
+    g->top = trace_in_stack(g->node, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
+    g->frames[0] = (uintptr_t)r[REG_RIP];
+    g->depth = 1 + trace_walk(g->node, (uintptr_t)r[REG_RBP], g->frames + 1,
+                              sizeof g->frames / sizeof g->frames[0] - 1);
     siglongjmp(g->jump, 1);
 }
 
@@ -109,11 +91,6 @@ static void print_cause(FILE *f, const struct crash_guard *g)
                 vt_seconds(n->failed_malloc_at), n->failed_malloc);
 }
 
-static bool in_program(const struct node *n, uintptr_t address)
-{
-    return address - (uintptr_t)n->program < n->image_bytes;
-}
-
 /* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by frames. */
 static bool has_frame(const struct node *n, uintptr_t pc)
 {
@@ -122,14 +99,6 @@ static bool has_frame(const struct node *n, uintptr_t pc)
     size_t start = node_image_function(n->file, pc - (uintptr_t)n->program);
     const unsigned char *code = (unsigned char *)n->program + start;
     return code[memcmp(code, ENDBR64, sizeof ENDBR64) ? 0 : sizeof ENDBR64] == PUSH_RBP;
-}
-
-static void print_frame(FILE *f, const struct node *n, const char *how, uintptr_t pc)
-{
-    char where[256];
-    if (in_program(n, pc))
-        fprintf(f, "\n  %s %s", how,
-                node_image_where(n->file, pc - (uintptr_t)n->program, where, sizeof where));
 }
 
 char *crash_report(const struct crash_guard *g)
@@ -141,13 +110,13 @@ char *crash_report(const struct crash_guard *g)
     fprintf(f, "%s crashed at or soon after %.9f s, %s%s: ", n->name, vt_seconds(node_now(n)),
             n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, g);
-    if (!in_program(n, g->frames[0]))
+    if (!trace_in_program(n, g->frames[0]))
         fprintf(f, "\n  in the library");
-    print_frame(f, n, "in", g->frames[0]);
-    if (!in_program(n, g->frames[0]) || !has_frame(n, g->frames[0]))
-        print_frame(f, n, "called from", g->top - 1);
+    trace_print(f, n, "in", g->frames[0]);
+    if (!trace_in_program(n, g->frames[0]) || !has_frame(n, g->frames[0]))
+        trace_print(f, n, "called from", g->top - 1);
     for (int i = 1; i < g->depth; i++)
-        print_frame(f, n, "called from", g->frames[i] - 1);
+        trace_print(f, n, "called from", g->frames[i] - 1);
     fclose(f);
     return text;
 }

@@ -5,7 +5,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "node/image.h"
 #include "node/libc_parts.h"
 #include "node/node.h"
 
@@ -80,18 +79,11 @@ _Noreturn void node__exit(int code)
     node_end_here(n, NODE_EXITED, code);
 }
 
-/* "function+offset (file:line)" of the call that returns to address. */
-static const char *caller(const struct node *n, const void *address, char *buf, size_t size)
-{
-    return node_image_where(n->file, (size_t)((const char *)address - 1 - n->program), buf, size);
-}
-
 _Noreturn void node_abort(void)
 {
-    char where[128];
     struct node *n = node_self();
     node_libc_flush(n);
-    node_fail(n, "abort called by %s", caller(n, __builtin_return_address(0), where, sizeof where));
+    node_fail(n, "abort");
 }
 
 _Noreturn void node___assert_fail(const char *what, const char *file, unsigned line, const char *function)
@@ -103,10 +95,7 @@ _Noreturn void node___assert_fail(const char *what, const char *file, unsigned l
 
 _Noreturn void node___stack_chk_fail(void)
 {
-    char where[128];
-    struct node *n = node_self();
-    node_fail(n, "wrote past the end of an array on its stack; found on return from %s",
-              caller(n, __builtin_return_address(0), where, sizeof where));
+    node_fail(node_self(), "a function that ends wrote past the end of an array on its stack");
 }
 
 /* No signals come to a node's program but those that end it: 0 is what was set before, the default. */
@@ -118,11 +107,9 @@ void (*node_signal(int number, void (*f)(int)))(int)
 
 int node_raise(int number)
 {
-    char where[128];
     struct node *n = node_self();
     node_libc_flush(n);
-    node_fail(n, "raise(%d) called by %s", number,
-              caller(n, __builtin_return_address(0), where, sizeof where));
+    node_fail(n, "raise(%d)", number);
 }
 
 int node_getpid(void)

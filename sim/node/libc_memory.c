@@ -4,7 +4,6 @@
 #include <stdint.h>
 #include <string.h>
 #include "node/heap.h"
-#include "node/image.h"
 #include "node/node.h"
 
 void *node_malloc(size_t bytes);
@@ -21,12 +20,9 @@ static void *answer(struct node *n, void *p, size_t bytes)
 }
 
 /* Ends the program, which gave call a pointer that is not a block of its heap. */
-static _Noreturn void refuse(struct node *n, const char *call, const void *p, const void *caller)
+static _Noreturn void refuse(struct node *n, const char *call, const void *p)
 {
-    char where[128];
-    size_t at = (size_t)((const char *)caller - 1 - n->program);
-    node_fail(n, "%s at %s: %p was not allocated, is freed already, or was written past its end", call,
-              node_image_where(n->file, at, where, sizeof where), p);
+    node_fail(n, "%s: %p was not allocated, is freed already, or was written past its end", call, p);
 }
 
 void *node_malloc(size_t bytes)
@@ -49,7 +45,7 @@ void node_free(void *p)
 {
     struct node *n = node_self();
     if (p != NULL && node_heap_release(n->heap, p) != 0)
-        refuse(n, "free", p, __builtin_return_address(0));
+        refuse(n, "free", p);
 }
 
 /* Size 0 frees, as in glibc. */
@@ -59,7 +55,7 @@ void *node_realloc(void *p, size_t bytes)
     if (p == NULL)
         return answer(n, node_heap_alloc(n->heap, bytes), bytes);
     if (!node_heap_owns(n->heap, p))
-        refuse(n, "realloc", p, __builtin_return_address(0));
+        refuse(n, "realloc", p);
     if (bytes > 0)
         return answer(n, node_heap_resize(n->heap, p, bytes), bytes);
     node_heap_release(n->heap, p);

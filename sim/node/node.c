@@ -13,6 +13,7 @@
 #include "node/mailbox.h"
 #include "node/span.h"
 #include "node/system.h"
+#include "node/trace.h"
 #include "nx_api/nxcc/image.h"
 
 /* --- memory --- */
@@ -129,11 +130,17 @@ _Noreturn void node_fail(struct node *n, const char *fmt, ...)
 {
     va_list ap;
     char *text = NULL;
+    size_t size;
     node_order(n);
-    va_start(ap, fmt);
-    if (vasprintf(&text, fmt, ap) < 0)
+    FILE *f = open_memstream(&text, &size);
+    if (!f)
         abort();
+    va_start(ap, fmt);
+    vfprintf(f, fmt, ap);
     va_end(ap);
+    if (!n->sys->failure)
+        trace_print_calls(f, n, (uintptr_t)__builtin_frame_address(0));
+    fclose(f);
     node_system_fail(n->sys, STOP_FAILED, "%s, at %.9f s: %s", n->name, vt_seconds(node_now(n)), text);
     free(text);
     node_end_here(n, NODE_CRASHED, 1);
