@@ -19,6 +19,7 @@ cat >want <<'END'
 0 cubes
 END
 check "farm: exit status 0" ended_with 0
+cp out farm.out
 check "farm: host and nodes exchange work and results" cmp want out
 cp figures first
 host farm --slice 1e-5 farm_node
@@ -69,6 +70,18 @@ sed '/wall/d; /slices/d' err >first
 run --slice 1e-5 --host churn churn_node 8
 check "the same, however computing is cut" cmp want out
 check "with the same figures" eval "sed '/wall/d; /slices/d' err | cmp - first"
+
+for p in sums sums_node; do
+    "$BUILD/nxf77" -host -O1 -o $p "$tests/host/fortran/$p.f" || echo "not ok $p.f compiles"
+done
+run --host sums sums_node
+check "a pair in Fortran" grep -qx ' 4 nodes,   66.0' out
+mkdir long32
+for p in farm farm_node; do
+    "$BUILD/nxcc" --long32 -host -O1 -o long32/$p "$tests/host/$p.c" -I "$tests/host" 2>compile.err || cat compile.err
+done
+"$BUILD/touchstone" run -q --host long32/farm long32/farm_node >out 2>err
+check "with longs of 32 bits" cmp farm.out out
 
 block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$tests/../../doc/host-programs.md" | sed '1d;$d'; }
 mkdir page
