@@ -1,10 +1,10 @@
 # mpi.mk - NX on MPI, for nxcc --mpi. Included by the Makefile.
 #   $B/node/mpi/libnx.a   what programs are linked with: one object of all that serves the calls, in which only the calls'
-#                         own names are visible, and the calls that are programs over others (nx_api/common)
+#                         own names are visible, and the calls that are programs over others (nx_api/common, nx_api/fortran)
 MPI        := $(NODE)/mpi
 MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c)
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
-MPI_COMMON := $(patsubst nx_api/%.c,$(MPI)/obj/%.o,$(wildcard nx_api/common/*.c))
+MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
 MPI_CC      = OMPI_CC=$(CC) MPICH_CC=$(CC) mpicc
 MPI_FLAGS   = -std=gnu17 -O2 -g $(WARN) -D_GNU_SOURCE -fPIE
 NXCC_MPI   := $(NXCC_DEPS) $(MPI)/libnx.a
@@ -18,9 +18,14 @@ $(MPI_OBJ): $(MPI)/obj/%.o: nx_api/%.c $(MPI)/mpicc nx_api/calls/calls.def
 	@mkdir -p $(@D)
 	$(MPI_CC) $(MPI_FLAGS) -I. -DNX_ON_MPI -fvisibility=hidden -MMD -MP -c -o $@ $<
 
-$(MPI_COMMON): $(MPI)/obj/%.o: nx_api/%.c $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/include/*.h)
+MPI_HDR    := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h nx_api/include/*.h)
+$(filter-out %/open_unit.o,$(MPI_COMMON)): $(MPI)/obj/%.o: nx_api/%.c $(MPI_HDR)
 	@mkdir -p $(@D)
 	$(CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
+
+$(MPI)/obj/%.o: nx_api/%.f90
+	@mkdir -p $(@D)
+	gfortran -O2 -g -Wall -fPIE -c -o $@ $<
 
 $(MPI)/nx.o: $(MPI_OBJ)
 	ld -r -o $@ $^

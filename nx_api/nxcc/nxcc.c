@@ -439,15 +439,16 @@ static void add_mpi_compile(struct arguments *a, const struct places *p, bool fo
         add(a, text("-I%s", p->include));
 }
 
-static void add_mpi_link(struct arguments *a, const struct places *p, bool fortran)
+static void add_mpi_link(struct arguments *a, const struct places *p)
 {
     add(a, "-Wl,--wrap=main");                                     /* libnx.a's comes first */
     add(a, text("-Wl,--version-script=%s/mpi/names.map", p->lib)); /* the program's names are its own */
     add(a, "-x");
     add(a, "none");
     add(a, text("%s/mpi/libnx.a", p->lib));
-    if (fortran)
-        add(a, "-lgfortran");
+    add(a, "-Wl,--push-state,--as-needed"); /* for objects of Fortran files, too */
+    add(a, "-lgfortran");
+    add(a, "-Wl,--pop-state");
     add(a, "-lpthread");
     add(a, "-lm");
 }
@@ -503,7 +504,7 @@ static const char **command(const struct arguments *user, const struct places *p
         add(&a, user->gcc[i].text);
     (user->mpi ? add_mpi_compile : add_compile)(&a, p, fortran);
     if (link && user->mpi)
-        add_mpi_link(&a, p, fortran);
+        add_mpi_link(&a, p);
     else if (link)
         add_link(&a, p);
     const char **gcc = calloc(a.count + 1, sizeof *gcc);

@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 
 for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     name=$(basename "${source%.*}")
-    options=$(sed -n 's/^ \* compile: //p' "$source")
+    options=$(sed -n 's/^[ cC!][ *]* compile: //p' "$source")
     # shellcheck disable=SC2086
     if ! $BUILD/nxcc -O2 -g -J "$work" $options -o "$work/$name" "$source" -lm 2>"$work/err"; then
         echo "not ok $name: does not compile"
@@ -19,7 +19,7 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     expected=tests/nx/$name.out
     [ -f "$expected" ] || expected=$work/first
     rm -f "$work/first"
-    sed -n 's/^[ c!][ *]* run: //p' "$source" >"$work/runs"
+    sed -n 's/^[ cC!][ *]* run: //p' "$source" >"$work/runs"
     while read -r arguments; do
         # shellcheck disable=SC2086
         $BUILD/touchstone run --max-wall-time 60 $arguments "$work/$name" >"$work/out" 2>"$work/err" </dev/null
