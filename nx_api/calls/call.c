@@ -47,10 +47,17 @@ static void print_name(FILE *f, const char *parameter, size_t length)
     fprintf(f, "%.*s", (int)(end - start), start);
 }
 
-/* Numbers as they are, pointers by the parameters' names, for addresses say nothing; 0 for null. */
+/* Numbers as they are, texts, other pointers by the parameters' names, for addresses say nothing; 0 for null. */
 static void print_argument(FILE *f, const char *parameter, size_t length, va_list *ap)
 {
-    if (memchr(parameter, '*', length) || memchr(parameter, '[', length)) {
+    static const char TEXT[] = "const char *";
+    if (strncmp(parameter, TEXT, sizeof TEXT - 1) == 0) {
+        const char *text = va_arg(*ap, const char *);
+        if (text)
+            fprintf(f, "\"%.100s\"", text);
+        else
+            fputc('0', f);
+    } else if (memchr(parameter, '*', length) || memchr(parameter, '[', length)) {
         if (va_arg(*ap, void *))
             print_name(f, parameter, length);
         else

@@ -144,6 +144,37 @@ static void times_are_exact_picoseconds(void **state)
     cfg_free(m);
 }
 
+#define HOST                                                                                                 \
+    "clock_mhz = 16.0; cpu_factor = 4.0; memory_mb = 8; system_factor = 2.5; link_us = 7; load_ms = 3.0;"    \
+    " cube_ms = 0.5;"
+
+static void a_host_is_a_slower_processor_behind_a_link(void **state)
+{
+    (void)state;
+    struct cfg_machine *m = shipped("ipsc860");
+    assert_true(m->host.clock_hz > 0 && m->host.clock_hz < m->clock_hz);
+    assert_true(m->host.system_milli > 1000);
+    assert_true(m->host.link_ps_per_byte >= m->long_ps_per_byte);
+    cfg_free(m);
+    m = shipped("delta");
+    assert_int_equal(m->host.clock_hz, 0);
+    cfg_free(m);
+
+    const char *const set[] = {"host.cpu_factor=4.0", "host.system_factor=2.5", "host.load_ms=3.0", NULL};
+    char home[4096], *error = NULL;
+    assert_true(cfg_home(home, sizeof home - 16));
+    strcat(home, "/machines");
+    m = cfg_load_with("ipsc860", home, set, &error);
+    assert_int_equal(m->host.clock_hz, 4000000);
+    assert_int_equal(m->host.system_milli, 2500);
+    assert_int_equal(m->host.load_ps, 3000 * US);
+    cfg_free(m);
+    const char *const fast[] = {"host.link_us_per_byte=0.1", NULL};
+    assert_null(cfg_load_with("ipsc860", home, fast, &error));
+    assert_non_null(strstr(error, "link_us_per_byte: the link is faster than the channels between nodes"));
+    free(error);
+}
+
 static void bad_files_are_named_by_line_and_key(void **state)
 {
     (void)state;
@@ -183,6 +214,12 @@ static void bad_files_are_named_by_line_and_key(void **state)
          "toy.cfg:1: disks: 1 is out of range: 2 to 4096 are allowed"},
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; discs = 1; };",
          "toy.cfg:1: discs: unknown key; known here: io_nodes, disks"},
+        {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " link_us_per_byte = 1; };",
+         "toy.cfg:1: a host hangs on node 0 of a hypercube; this machine is a mesh"},
+        {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " };",
+         "toy.cfg:1: link_us_per_byte: missing"},
+        {1, "name = \"toy\"; description = \"for tests\"; host = { clock_mz = 1; };",
+         "toy.cfg:1: clock_mz: unknown key; known here: clock_mhz, cpu_factor"},
         {14, "interrupt_us 1;", "toy.cfg:14: syntax error (settings are written: key = value;)"},
         {14, "interrupt_us = 1; call_us = 2;",
          "toy.cfg:14: duplicate setting name (settings are written: key = value;)"},
@@ -230,6 +267,7 @@ int main(void)
         cmocka_unit_test(hwclock_counts_at_10_mhz_and_on_the_paragon_at_50),
         cmocka_unit_test(file_systems_are_as_published),
         cmocka_unit_test(unknown_name_lists_the_known),
+        cmocka_unit_test(a_host_is_a_slower_processor_behind_a_link),
         cmocka_unit_test(times_are_exact_picoseconds),
         cmocka_unit_test(bad_files_are_named_by_line_and_key),
         cmocka_unit_test(file_that_is_not_there),
