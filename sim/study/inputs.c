@@ -1,7 +1,6 @@
 /* inputs.c - see inputs.h. */
 #include "study/inputs.h"
 #include "config/config.h"
-#include "config/set.h"
 #include "net/topo.h"
 #include "study/text.h"
 
@@ -25,6 +24,8 @@ struct inputs {
     struct inputs_places places;
     json_t *shared; /* what all points have in common */
     struct checked kept[KEPT];
+    char *latest_path; /* the machine file that was looked at last */
+    struct digest latest;
 };
 
 static void set(json_t *object, const char *key, json_t *value)
@@ -102,6 +103,7 @@ void inputs_close(struct inputs *in)
     for (int i = 0; i < KEPT; i++)
         forget(&in->kept[i]);
     json_decref(in->shared);
+    free(in->latest_path);
     free(in);
 }
 
@@ -144,20 +146,22 @@ static char *located(const struct inputs *in, const struct point *p, char **sett
     return text;
 }
 
-/* The machine file with its settings, as libconfig writes it: without comments, and with what it includes. */
-static bool take_digest(const char *path, char **settings, struct digest *d)
+/* The machine file as libconfig writes it: without comments, and with what it includes. The last one is kept. */
+static bool take_digest(struct inputs *in, const char *path, struct digest *d)
 {
     struct cfg_reader r;
     char *text = NULL;
     size_t size = 0;
-    bool ok = cfg_open(&r, path);
-    for (char **one = settings; ok && one && *one; one++)
-        ok = cfg_set(&r, *one);
-    FILE *out = ok ? open_memstream(&text, &size) : NULL;
+    *d = in->latest;
+    if (in->latest_path && strcmp(in->latest_path, path) == 0)
+        return true;
+    FILE *out = cfg_open(&r, path) ? open_memstream(&text, &size) : NULL;
     if (out) {
         config_write(&r.lib, out);
         fclose(out);
-        *d = digest_of(text, size);
+        in->latest = *d = digest_of(text, size);
+        free(in->latest_path);
+        in->latest_path = text_of("%s", path);
     }
     free(text);
     free(r.error);
@@ -165,13 +169,13 @@ static bool take_digest(const char *path, char **settings, struct digest *d)
     return out;
 }
 
-static bool check(const struct inputs *in, const struct point *p, const char *machine, char **settings,
+static bool check(struct inputs *in, const struct point *p, const char *machine, char **settings,
                   struct checked *c, char **error)
 {
     char *name = machine_name(in, machine);
     struct cfg_machine *m = cfg_load_with(name, in->places.machines, (const char *const *)settings, error);
     free(name);
-    if (!m || !take_digest(m->path, settings, &c->digest)) {
+    if (!m || !take_digest(in, m->path, &c->digest)) {
         *error = m ? text_of("%s cannot be read", m->path) : located(in, p, settings, *error);
         cfg_free(m);
         return false;
@@ -216,10 +220,10 @@ static char *lines_of(const char *machine, char **settings)
 }
 
 /* The point's machine from those kept, or checked now; NULL with *error. */
-static struct checked *machine_of(struct inputs *in, const struct point *p, char **error)
+static struct checked *machine_of(struct inputs *in, const struct point *p, char **settings, char **error)
 {
     const char *machine = point_machine(in->spec, p);
-    char **settings = inputs_settings(in, p), *name = lines_of(machine, settings);
+    char *name = lines_of(machine, settings);
     size_t hash = 0;
     for (const char *c = name; *c; c++)
         hash = hash * 31 + (unsigned char)*c;
@@ -231,23 +235,33 @@ static struct checked *machine_of(struct inputs *in, const struct point *p, char
             kept->name = text_of("%s", name);
     }
     free(name);
-    words_free(settings);
     return ok && fits(in, p, kept, error) ? kept : NULL;
+}
+
+/* Takes the list over. */
+static json_t *words_json(char **words)
+{
+    json_t *list = json_array();
+    for (char **word = words; word && *word; word++)
+        if (json_array_append_new(list, json_string(*word)) != 0)
+            abort();
+    words_free(words);
+    return list;
 }
 
 bool inputs_of(struct inputs *in, const struct point *p, struct digest *key, json_t **all, char **error)
 {
-    const struct checked *machine = machine_of(in, p, error);
-    if (!machine)
+    char **settings = inputs_settings(in, p);
+    const struct checked *machine = machine_of(in, p, settings, error);
+    if (!machine) {
+        words_free(settings);
         return false;
-    json_t *own = json_copy(in->shared), *arguments = json_array();
-    char **words = point_arguments(in->spec, p);
-    for (char **word = words; word && *word; word++)
-        json_array_append_new(arguments, json_string(*word));
-    words_free(words);
+    }
+    json_t *own = json_copy(in->shared);
     set(own, "nodes", json_integer((json_int_t)point_nodes(in->spec, p)));
     set(own, "machine", digest_json(machine->digest));
-    set(own, "arguments", arguments);
+    set(own, "settings", words_json(settings));
+    set(own, "arguments", words_json(point_arguments(in->spec, p)));
     char *text = json_dumps(own, JSON_COMPACT | JSON_SORT_KEYS);
     if (!text)
         abort();

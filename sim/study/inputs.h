@@ -2,7 +2,7 @@
  *
  *     touchstone   the bytes of the simulator        libc         the host's library: some of its functions are the nodes'
  *     program      the bytes of its image            nodes, arguments
- *     machine      the machine file as read, with what it includes and the point's settings in place
+ *     machine      the machine file as read, with what it includes; and the point's settings
  *     inputs       name and bytes of each file that the study names
  *     profile      whether the run has one
  *

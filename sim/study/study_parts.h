@@ -30,6 +30,4 @@ struct study {
 
 /* By number, or the dearest first. */
 void study_sort(struct study *s, bool by_cost);
-/* The point of that number if it is wanted and has run: its record, the caller's, and itself. */
-json_t *study_record(struct study *s, size_t number, struct point *p);
 #endif

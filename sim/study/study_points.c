@@ -13,15 +13,18 @@ static void set(json_t *object, const char *key, json_t *value)
         abort();
 }
 
-json_t *study_record(struct study *s, size_t number, struct point *p)
+/* Work is in the order of numbers. */
+static int compare_number(const void *number, const void *work)
 {
-    struct digest key;
-    char *error = NULL;
-    json_t *record = NULL;
-    if (point_make(s->spec, number, p, &error) == POINT_WANTED && inputs_of(s->inputs, p, &key, NULL, &error))
-        record = journal_record(s->journal, key);
-    free(error);
-    return record;
+    uint64_t x = *(const uint64_t *)number, y = ((const struct work *)work)->number;
+    return x < y ? -1 : x > y;
+}
+
+/* The record of the point of that number, the caller's; NULL if it is not wanted or has not run. */
+static json_t *record_of(const struct study *s, uint64_t number)
+{
+    const struct work *w = bsearch(&number, s->work, s->count, sizeof *w, compare_number);
+    return w ? journal_record(s->journal, w->key) : NULL;
 }
 
 /* --- speed against the fewest nodes ---------------------------------------------------------------------- */
@@ -43,7 +46,7 @@ static size_t stride(const struct spec *s, size_t axis)
 }
 
 /* nodes x time of the point with the fewest nodes among those that are otherwise as p; NAN if none has a time. */
-static double base_work(struct study *s, const struct point *p, size_t axis)
+static double base_work(const struct study *s, const struct point *p, size_t axis)
 {
     const struct spec_axis *nodes = &s->spec->axes[axis];
     size_t apart = stride(s->spec, axis), first = p->number - p->number / apart % nodes->count * apart;
@@ -51,11 +54,10 @@ static double base_work(struct study *s, const struct point *p, size_t axis)
     char label[SPEC_MAX_LABEL];
     const char *text;
     for (size_t i = 0; i < nodes->count; i++) {
-        struct point other;
         double n = spec_value(nodes, i, &text, label);
         if (!(n < fewest))
             continue;
-        json_t *record = study_record(s, first + i * apart, &other);
+        json_t *record = record_of(s, first + i * apart);
         double time = time_of(json_object_get(record, "figures"));
         if (!isnan(time)) {
             fewest = n;
@@ -66,7 +68,7 @@ static double base_work(struct study *s, const struct point *p, size_t axis)
     return work;
 }
 
-static void add_speed(struct study *s, const struct point *p, json_t *flat)
+static void add_speed(const struct study *s, const struct point *p, json_t *flat)
 {
     double own = time_of(flat);
     if (!isnan(own) && !json_object_get(flat, "time_s"))
@@ -87,7 +89,7 @@ static void add_speed(struct study *s, const struct point *p, json_t *flat)
 /* --- all ------------------------------------------------------------------------------------------------- */
 
 /* Axes come first, and hide figures of the same name. */
-static json_t *flat_point(struct study *s, const struct point *p, const json_t *record)
+static json_t *flat_point(const struct study *s, const struct point *p, const json_t *record)
 {
     json_t *flat = point_values(s->spec, p), *failure = json_object_get(record, "failure"),
            *figures = json_object_get(record, "figures"), *profile = json_object_get(record, "profile");
