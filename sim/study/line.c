@@ -36,7 +36,7 @@ bool line_check(const char *line, size_t size, struct digest *key, enum line_sta
         return false;
     write_sum(line + KEY_AT, size - KEY_AT, sum);
     *state = (enum line_state)line[STATE_AT];
-    return memcmp(line, sum, SUM) == 0 && digest_read(line + KEY_AT, key);
+    return memcmp(line, sum, SUM) == 0 && line[SUM] == ' ' && digest_read(line + KEY_AT, key);
 }
 
 json_t *line_record(const char *line, size_t size)
