@@ -440,6 +440,14 @@ double expr_number(const struct expr *e, const struct expr_value values[])
     return number_at(e, e->root, values);
 }
 
+bool expr_uses(const struct expr *e, size_t i)
+{
+    for (short k = 0; k < e->count; k++)
+        if (e->part[k].kind == NAME && (size_t)e->part[k].name == i)
+            return true;
+    return false;
+}
+
 const char *expr_text(const struct expr *e)
 {
     return e->text;

@@ -38,5 +38,7 @@ void expr_free(struct expr *e);
 
 /* Its number; values are those of the names, in their order. What has no number (1 / 0) is NAN or infinite. */
 double expr_number(const struct expr *e, const struct expr_value values[]);
+/* Does it depend on the i'th name? */
+bool expr_uses(const struct expr *e, size_t i);
 const char *expr_text(const struct expr *e); /* as it was read */
 #endif

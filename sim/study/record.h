@@ -11,7 +11,7 @@ struct record_points {
     bool (*each)(void *arg, bool (*visit)(void *to, const json_t *point, char **error), void *to,
                  char **error);
     void *arg;
-    json_t *header; /* { title, program, axes: { NAME: [value ...] } } */
+    json_t *header; /* { title, about, program, axes: { NAME: [value ...] } } */
 };
 
 /* DIR/results.json: the header with points: [{ AXIS: value ..., failure, KEY: figure ... }]; and DIR/results.csv: a line of

@@ -1,6 +1,6 @@
 /* spec.h - a study file: a program, a machine, the axes along which runs differ, and the pictures to draw of them.
  *
- *     title = "...";  program = "app/model";  machine = "delta";  arguments = "-approx 111";
+ *     title = "...";  about = "what it asks";  program = "app/model";  machine = "delta";  arguments = "-approx 111";
  *     inputs = ( "volume.gz" );          # files that the program reads: a change of theirs is another study
  *     axes = (
  *         { name = "nodes"; values = { from = 16; to = 1024; times = 2; }; },
@@ -51,7 +51,7 @@ struct spec_axis {
 
 struct spec {
     struct cfg_reader reader; /* owns the texts */
-    const char *path, *title, *program, *machine, *arguments;
+    const char *path, *title, *about, *program, *machine, *arguments;
     uint64_t nodes; /* 0: an axis has them */
     struct spec_axis axes[SPEC_MAX_AXES];
     size_t axis_count;

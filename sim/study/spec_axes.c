@@ -195,13 +195,8 @@ static bool read_templates(struct cfg_reader *r, config_setting_t *g, struct spe
 {
     config_setting_t *set;
     const char *arguments;
-    bool known =
-        axis->kind == SPEC_DERIVED || strcmp(axis->name, "nodes") == 0 || strcmp(axis->name, "machine") == 0;
     if (!read_set(r, g, &set) || !spec_optional(r, g, "arguments", &arguments))
         return false;
-    if (!known && !set && !*arguments)
-        return cfg_fail(r, g, axis->name,
-                        "changes nothing; give set = ( \"KEY={}\" ) or arguments = \"-option {}\"");
     for (size_t i = 0; i < (axis->kind == SPEC_LIST ? axis->count : 1); i++) {
         axis->values[i].set = set;
         axis->values[i].arguments = arguments;
@@ -240,6 +235,20 @@ static bool read_axis(struct cfg_reader *r, config_setting_t *g, struct spec *s)
     return true;
 }
 
+/* Does the i'th axis change a run, itself or by those that follow from it? */
+static bool changes_something(const struct spec *s, size_t i)
+{
+    const struct spec_axis *axis = &s->axes[i];
+    if (axis->kind == SPEC_DERIVED || strcmp(axis->name, "nodes") == 0 ||
+        strcmp(axis->name, "machine") == 0 || config_setting_get_member(axis->at, "cases") ||
+        axis->values[0].set || *axis->values[0].arguments)
+        return true;
+    for (size_t k = i + 1; k < s->axis_count; k++)
+        if (s->axes[k].kind == SPEC_DERIVED && expr_uses(s->axes[k].value, i))
+            return true;
+    return false;
+}
+
 bool spec_read_axes(struct cfg_reader *r, struct spec *s)
 {
     config_setting_t *list;
@@ -252,6 +261,10 @@ bool spec_read_axes(struct cfg_reader *r, struct spec *s)
     for (unsigned i = 0; i < (unsigned)count; i++)
         if (!read_axis(r, config_setting_get_elem(list, i), s))
             return false;
+    for (size_t i = 0; i < s->axis_count; i++)
+        if (!changes_something(s, i))
+            return cfg_fail(r, s->axes[i].at, s->axes[i].name,
+                            "changes nothing; give set = ( \"KEY={}\" ) or arguments = \"-option {}\"");
     return true;
 }
 

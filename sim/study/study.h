@@ -55,7 +55,7 @@ struct study_counts {
 };
 struct study_counts study_counts(const struct study *s);
 
-/* { title, program, axes: { NAME: [value ...] } } */
+/* { title, about, program, axes: { NAME: [value ...] } } */
 json_t *study_header(const struct study *s);
 /* Calls visit with each point in order, as one flat object: AXIS: value ..., failure (null or a text), wall_time_s,
  * KEY: figure ... (figures.h), time_s (total_s if the program prints that, else virtual_time_s), speedup and speed_per_node against the point with the fewest nodes that is otherwise the

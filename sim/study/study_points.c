@@ -148,5 +148,6 @@ json_t *study_header(const struct study *s)
     for (size_t i = 0; i < s->spec->axis_count; i++)
         if (s->spec->axes[i].kind != SPEC_DERIVED)
             set(axes, s->spec->axes[i].name, axis_values(&s->spec->axes[i]));
-    return json_pack("{s:s, s:s, s:o}", "title", s->spec->title, "program", s->spec->program, "axes", axes);
+    return json_pack("{s:s, s:s, s:s, s:o}", "title", s->spec->title, "about", s->spec->about, "program",
+                     s->spec->program, "axes", axes);
 }

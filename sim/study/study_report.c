@@ -1,5 +1,6 @@
 /* study_report.c - results and pictures of a study that has run; see study.h. */
 #include "study/chart.h"
+#include "study/findings.h"
 #include "study/study_parts.h"
 
 #include <stdlib.h>
@@ -34,10 +35,12 @@ enum study_end study_report(struct study *s, char **error)
     }
     for (size_t i = 0; written && i < pictures; i++)
         drawn += draw(s, &points, &list[i]);
+    written = written && findings_write(&points, list, pictures, o->dir, error);
     json_decref(points.header);
     if (!written)
         return STUDY_ERROR;
-    fprintf(o->out, "%zu points, %zu failed; %s has results.json, results.csv and %zu picture%s\n", s->count,
-            s->counts.failed, o->dir, drawn, drawn == 1 ? "" : "s");
+    fprintf(o->out,
+            "%zu points, %zu failed; %s has findings.md, results.json, results.csv and %zu picture%s\n",
+            s->count, s->counts.failed, o->dir, drawn, drawn == 1 ? "" : "s");
     return s->counts.failed || (s->spec->pictures && drawn < pictures) ? STUDY_INCOMPLETE : STUDY_DONE;
 }

@@ -31,7 +31,7 @@ cell() {
 
 study halves.cfg -o first
 check "it ends well" ended_with 0
-check "what was left out is not run" grep -qE '^4 points, 0 failed; first has results.json, results.csv and 2 pictures$' out
+check "what was left out is not run" grep -qE '^4 points, 0 failed; first has findings.md, results.json, results.csv and 2 pictures$' out
 check "the program's figures are there" test "$(cell sum 4 0.5 5)" = 2
 check "other lines are not" bash -c '! grep -q words first/results.csv'
 check "the number of nodes reached the machine" test "$(cell others.nodes 4 0.5 5)" = 4
@@ -43,7 +43,7 @@ study halves.cfg -o again -j 1
 grep -v wall_time first/results.json >a
 grep -v wall_time again/results.json >b
 check "all but wall times is the same twice" cmp a b
-check "nothing unfinished is left" test "$(ls again | sort | tr '\n' ' ')" = "best.png best.svg journal lock results.csv results.json time.png time.svg "
+check "nothing unfinished is left" test "$(ls again | sort | tr '\n' ' ')" = "best.png best.svg findings.md journal lock results.csv results.json time.png time.svg "
 
 sed -i '/^only/d; s/2, 4, 8/2, 4/' halves.cfg
 study halves.cfg -o first

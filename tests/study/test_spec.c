@@ -34,7 +34,7 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
     } MISTAKES[] = {
         {false, "program = ;", "study.cfg:1: syntax error (settings are written: key = value;)"},
         {false, "machine = \"m\";\naxes = ( );", "study.cfg: program: missing"},
-        {true, "porgram = \"q\";", "study.cfg:4: porgram: unknown key; known here: title, program"},
+        {true, "porgram = \"q\";", "study.cfg:4: porgram: unknown key; known here: title, about, "},
         {true, "nodes = 4;", "study.cfg:4: nodes: an axis has it: one of them only"},
         {true, "only = ( \"nods < 4\" );",
          "study.cfg:4: only: there is no axis nods; there are: nodes, kind"},
@@ -110,6 +110,19 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         assert_string_equal(error, MISTAKES[i].said);
         free(error);
     }
+}
+
+static void an_axis_may_act_through_others(void **state)
+{
+    (void)state;
+    char *error = NULL;
+    struct spec *s = read_text("program = \"p\"; machine = \"m\"; nodes = 1;\n"
+                               "axes = ( { name = \"g\"; values = ( 1, 2 ); },\n"
+                               "{ name = \"h\"; value = \"2 * g\"; set = ( \"net.x={}\" ); } );",
+                               &error);
+    assert_non_null(s);
+    assert_int_equal(s->product, 2);
+    spec_free(s);
 }
 
 static void a_file_that_is_not_there(void **state)
@@ -198,6 +211,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mistakes_are_named_with_line_and_remedy),
+        cmocka_unit_test(an_axis_may_act_through_others),
         cmocka_unit_test(a_file_that_is_not_there),
         cmocka_unit_test(ranges_hold_both_ends),
         cmocka_unit_test(axes_follow_from_others),
