@@ -260,6 +260,11 @@ struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char 
     return NULL;
 }
 
+uint64_t cfg_fast_system_milli(const struct cfg_machine *m)
+{
+    return (1000 * m->clock_hz + m->fast_clock_hz / 2) / m->fast_clock_hz;
+}
+
 void cfg_free(struct cfg_machine *m)
 {
     if (!m)

@@ -107,6 +107,8 @@ struct cfg_machine {
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error);
 /* The same, with settings KEY=VALUE in place of the file's, in this order (set.h); set is ended by NULL, or is NULL. */
 struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char *const set[], char **error);
+/* What takes an ordinary node's system a millisecond takes a fast one's so many microseconds. */
+uint64_t cfg_fast_system_milli(const struct cfg_machine *m);
 void cfg_free(struct cfg_machine *m);
 
 /* The directory that holds machines/ for a running binary: from $TOUCHSTONE_HOME, the build tree or the installed

@@ -10,6 +10,7 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
     if (!p)
         return NULL;
     p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
+    p->least_milli = cfg->fast_every && cfg_fast_system_milli(cfg) < 1000 ? cfg_fast_system_milli(cfg) : 1000;
     p->wire = wire_new(topo, q);
     p->in = calloc(topo->places, sizeof *p->in);
     p->out = calloc(topo->places, sizeof *p->out);
@@ -44,7 +45,7 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
      * leave. */
     if (next == VT_NEVER)
         return VT_NEVER;
-    vtime horizon = next + vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps);
+    vtime horizon = next + proto_least(p, vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps));
     for (const struct message *m = p->in[node]; m; m = m->next_in)
         horizon = vt_min(horizon, vt_max(m->at_receiver.at, next + m->at_receiver.after));
     for (const struct message *m = p->out[node]; m; m = m->next_out)
@@ -174,7 +175,7 @@ void proto_grant(struct proto *p, struct message *m, vtime when)
     assert(m->is_long && !m->granted);
     m->granted = true;
     m->at_sender = proto_at(when + proto_trip(m));
-    m->at_receiver = proto_at(when + proto_trip(m) + p->cfg->grant_receive_ps);
+    m->at_receiver = proto_at(when + proto_trip(m) + proto_least(p, p->cfg->grant_receive_ps));
     evq_put(p->q, when + proto_trip(m), m->from, grant_arrives, p, m);
 }
 

@@ -12,7 +12,15 @@ struct proto {
     struct proto_nodes nodes;
     struct message **in, **out; /* by node: messages on their way to it, being sent by it */
     uint64_t sent, under_way;
+    uint64_t
+        least_milli; /* no node's system takes less than so many thousandths of the time that an ordinary one's does */
 };
+
+/* The least time in which any node's system does what takes an ordinary one's t. */
+static inline vtime proto_least(const struct proto *p, vtime t)
+{
+    return p->least_milli == 1000 ? t : t * p->least_milli / 1000;
+}
 
 static const struct proto_bound PROTO_NOTHING = {.at = VT_NEVER};
 

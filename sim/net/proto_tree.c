@@ -31,7 +31,8 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
         m->source = t->source;
         if (i > 0 || t->source != t->root) {
             m->at_sender = PROTO_NOTHING;
-            m->at_receiver = proto_after(vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps));
+            m->at_receiver =
+                proto_after(proto_least(t->p, vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps)));
             proto_link(t->p, m);
         }
         m->pass_on = tree_messages(t, i + half, count - half);

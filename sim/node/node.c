@@ -223,7 +223,7 @@ static void set_clock(struct node *n)
     const struct cfg_machine *c = n->sys->cfg;
     bool fast = c->fast_every && n->id % c->fast_every == 0;
     n->clock_hz = fast ? c->fast_clock_hz : c->clock_hz;
-    n->system_milli = (1000 * c->clock_hz + n->clock_hz / 2) / n->clock_hz;
+    n->system_milli = fast ? cfg_fast_system_milli(c) : 1000;
 }
 
 static struct node *make(struct node_system *sys, uint32_t id)

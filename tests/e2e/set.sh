@@ -22,3 +22,11 @@ run -q -n 4 --json fast --set node.fast_every=2 --set node.fast_clock_mhz=80 rin
 check "some faster nodes make it faster" test "$(ratio fast plain)" \< 1
 run -q -n 4 --set node.fast_every=2 ring
 check "one of the two keys is not enough" said "fast_clock_mhz: missing"
+
+compile interrupted
+for mhz in 10 400; do
+    run -m delta -n 2 --set node.fast_every=2 --set node.fast_clock_mhz=$mhz interrupted
+    cp out first
+    run -m delta -n 2 --set node.fast_every=2 --set node.fast_clock_mhz=$mhz --slice 1e-6 interrupted
+    check "a node of $mhz MHz interrupts at the same times, however computing is cut" cmp first out
+done
