@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/mailbox.h"
+#include "nx_api/mpi/shared.h"
 
 struct packet {
     uint32_t flights;
@@ -190,6 +191,9 @@ static void act(struct node *n, struct arrival *a)
         break;
     case WIRE_END:
         note_end(n, (uint32_t)a->source, head);
+        break;
+    case WIRE_FILES:
+        shared_message(n, a->source, head->type, head->value, head + 1);
         break;
     }
     free(a->head);

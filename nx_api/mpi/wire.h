@@ -11,7 +11,8 @@ enum wire_kind {
     WIRE_DATA,  /* of the program: type, value: the sender's pid */
     WIRE_FLUSH, /* throw away what typesel `type` selects */
     WIRE_KILL,  /* end */
-    WIRE_END, /* my process has ended: type: its status, value: its pid. It sends nothing to anybody after that */
+    WIRE_END,   /* my process has ended: type: its status, value: its pid. From now on it only answers */
+    WIRE_FILES  /* of shared.c: type: what, value: which pointer */
 };
 
 struct wire_head {

@@ -1,0 +1,513 @@
+/* files.c - the NX calls on files. Those under /cfs are in a folder of the host's (paths.h), the others are the host's as
+ * they are. Reading and writing is done when it is begun: iread and iwrite return when all is moved. */
+#include "nx_api/mpi/files.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#include "nx_api/calls/call.h"
+#include "nx_api/mpi/paths.h"
+#include "nx_api/mpi/shared.h"
+
+enum { IO_IDS = 128 };
+
+static struct open_file *table;
+static int table_size;
+static int32_t pointers; /* numbers given to shared pointers so far */
+static bool io_ids[IO_IDS];
+
+/* --- open files --- */
+
+struct open_file *files_find(int fd)
+{
+    if (fd < 0 || fcntl(fd, F_GETFD) < 0)
+        return NULL;
+    if (fd >= table_size) {
+        struct open_file *more = realloc(table, ((size_t)fd + 1) * sizeof *table);
+        if (!more)
+            node_fail(node_self(), "out of memory");
+        memset(more + table_size, 0, (size_t)(fd + 1 - table_size) * sizeof *table);
+        table = more;
+        table_size = fd + 1;
+    }
+    return &table[fd];
+}
+
+static void forget(struct open_file *f)
+{
+    free(f->path);
+    *f = (struct open_file){0};
+}
+
+void files_opened(int fd, const char *path)
+{
+    struct open_file *f = files_find(fd);
+    if (!f)
+        return;
+    forget(f);
+    f->path = strdup(path);
+}
+
+static const char *name_of(const struct open_file *f)
+{
+    return f->path ? f->path : "the file";
+}
+
+static bool is_cfs(const struct open_file *f)
+{
+    return path_is_cfs(f->path);
+}
+
+/* --- errors --- */
+
+/* An error that errno tells of. */
+static long fail(const char *what)
+{
+    int why = errno;
+    return node_error(node_self(), why, "%s: %s", what, strerrordesc_np(why));
+}
+
+static struct open_file *file_of(int fd)
+{
+    struct open_file *f = files_find(fd);
+    if (!f)
+        node_error(node_self(), EBADF, "%d is not an open file", fd);
+    return f;
+}
+
+/* --- reading and writing --- */
+
+static long check_parts(const struct iovec *parts, long count)
+{
+    struct node *n = node_self();
+    if (count < 0 || count > 1024)
+        return node_error(n, EQLEN, "%ld parts; 0 to 1024 are allowed", count);
+    for (long i = 0; i < count; i++)
+        if (!parts[i].iov_base && parts[i].iov_len)
+            return node_error(n, EQPBUF, "the buffer is a null pointer");
+    return 0;
+}
+
+/* At a place, or -1: at the file's own pointer. The bytes moved, -1 and errno when none could be. */
+static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t place)
+{
+    size_t moved = 0;
+    while (moved < len) {
+        ssize_t r = place < 0  ? syscall(write_it ? SYS_write : SYS_read, fd, at + moved, len - moved)
+                    : write_it ? pwrite(fd, at + moved, len - moved, place + (int64_t)moved)
+                               : pread(fd, at + moved, len - moved, place + (int64_t)moved);
+        if (r < 0 && errno == EINTR)
+            continue;
+        if (r < 0)
+            return moved > 0 ? (ssize_t)moved : -1;
+        if (r == 0)
+            break;
+        moved += (size_t)r;
+    }
+    return (ssize_t)moved;
+}
+
+static ssize_t move_parts(bool write_it, int fd, const struct iovec *parts, int count, int64_t place)
+{
+    ssize_t moved = 0;
+    for (int i = 0; i < count; i++) {
+        ssize_t r =
+            move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, place < 0 ? -1 : place + moved);
+        if (r < 0)
+            return moved > 0 ? moved : -1;
+        moved += r;
+        if ((size_t)r < parts[i].iov_len)
+            break;
+    }
+    return moved;
+}
+
+static int64_t length(const struct iovec *parts, int count)
+{
+    int64_t sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += (int64_t)parts[i].iov_len;
+    return sum;
+}
+
+/* At the shared pointer; the file's own follows it, for those who ask for the end of the file. */
+static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    struct open_file f = *files_find(fd);
+    int64_t bytes = length(parts, count), place, behind;
+    if (f.mode == M_RECORD) {
+        shared_check(n, f.pointer, f.round, bytes);
+        place = f.next + n->id * bytes;
+        behind = f.next + (int64_t)n->sys->count * bytes;
+        table[fd].next = behind;
+        table[fd].round++;
+    } else {
+        place = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
+    }
+    ssize_t moved = move_parts(write_it, fd, parts, count, place);
+    int why = errno;
+    if (f.mode != M_RECORD) {
+        behind = place + (moved > 0 ? moved : 0);
+        shared_give_back(n, f.mode, f.pointer, behind);
+    }
+    lseek(fd, behind, SEEK_SET);
+    errno = why;
+    return moved;
+}
+
+static long move(bool write_it, int fd, const struct iovec *parts, int count)
+{
+    struct open_file *f = file_of(fd);
+    if (!f || check_parts(parts, count) < 0)
+        return -1;
+    ssize_t moved = f->mode == M_UNIX ? move_parts(write_it, fd, parts, count, -1)
+                                      : move_shared(node_self(), write_it, fd, parts, count);
+    return moved < 0 ? fail(name_of(files_find(fd))) : moved;
+}
+
+static long move_later(bool write_it, int fd, const struct iovec *parts, int count)
+{
+    long id = 0;
+    while (id < IO_IDS && io_ids[id])
+        id++;
+    if (id == IO_IDS)
+        return node_error(node_self(), EQNOMID, "out of ids (%d): iowait or iodone give them back", IO_IDS);
+    if (move(write_it, fd, parts, count) < 0)
+        return -1;
+    io_ids[id] = true;
+    return id;
+}
+
+/* A buffer as a part. Lengths are the machine's: 32 bits. */
+static struct iovec whole(const void *buf, unsigned long len)
+{
+    return (struct iovec){(void *)(uintptr_t)buf, (uint32_t)len};
+}
+
+long nxs_cread(word fd, void *buf, unsigned long len)
+{
+    struct iovec part = whole(buf, len);
+    return move(false, fd, &part, 1);
+}
+
+long nxs_creadv(word fd, const struct iovec *parts, word count)
+{
+    return move(false, fd, parts, count);
+}
+
+long nxs_cwrite(word fd, const void *buf, unsigned long len)
+{
+    struct iovec part = whole(buf, len);
+    return move(true, fd, &part, 1);
+}
+
+long nxs_cwritev(word fd, const struct iovec *parts, word count)
+{
+    return move(true, fd, parts, count);
+}
+
+long nxs_iread(word fd, void *buf, unsigned long len)
+{
+    struct iovec part = whole(buf, len);
+    return move_later(false, fd, &part, 1);
+}
+
+long nxs_ireadv(word fd, const struct iovec *parts, word count)
+{
+    return move_later(false, fd, parts, count);
+}
+
+long nxs_iwrite(word fd, const void *buf, unsigned long len)
+{
+    struct iovec part = whole(buf, len);
+    return move_later(true, fd, &part, 1);
+}
+
+long nxs_iwritev(word fd, const struct iovec *parts, word count)
+{
+    return move_later(true, fd, parts, count);
+}
+
+long nxs_iowait(word id)
+{
+    if (id < 0 || id >= IO_IDS || !io_ids[id])
+        return node_error(node_self(), EQMID, "%d is no id in use", id);
+    io_ids[id] = false;
+    return 0;
+}
+
+long nxs_iodone(word id)
+{
+    return nxs_iowait(id) < 0 ? -1 : 1;
+}
+
+/* --- the C library's, for files whose pointer is shared --- */
+
+ssize_t node_read(int fd, void *buf, size_t len) NX_EXPORT("read");
+ssize_t node_write(int fd, const void *buf, size_t len) NX_EXPORT("write");
+int node_close(int fd) NX_EXPORT("close");
+
+static bool is_shared(int fd)
+{
+    return fd >= 0 && fd < table_size && table[fd].mode != M_UNIX;
+}
+
+ssize_t node_read(int fd, void *buf, size_t len)
+{
+    struct iovec part = {buf, len};
+    return is_shared(fd) ? move_shared(node_self(), false, fd, &part, 1) : syscall(SYS_read, fd, buf, len);
+}
+
+ssize_t node_write(int fd, const void *buf, size_t len)
+{
+    struct iovec part = {(void *)(uintptr_t)buf, len};
+    return is_shared(fd) ? move_shared(node_self(), true, fd, &part, 1) : syscall(SYS_write, fd, buf, len);
+}
+
+int node_close(int fd)
+{
+    if (fd >= 0 && fd < table_size)
+        forget(&table[fd]);
+    return (int)syscall(SYS_close, fd);
+}
+
+/* --- opening and modes --- */
+
+static long set_mode(int fd, long mode)
+{
+    enum { M_ASYNC = 5 }; /* the Paragon's name for mode 0 without its promises */
+    struct node *n = node_self();
+    struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    if (mode == M_ASYNC)
+        mode = M_UNIX;
+    if (mode < M_UNIX || mode > M_RECORD)
+        return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 3)", name_of(f), mode);
+    if (!is_cfs(f) && mode != M_UNIX)
+        return node_error(n, EINVAL, "%s: only files under /cfs have I/O modes other than 0", name_of(f));
+    if (f->mode == mode)
+        return 0;
+    f->mode = (int)mode;
+    if (mode == M_UNIX)
+        return 0;
+    f->pointer = pointers++;
+    f->next = lseek(fd, 0, SEEK_CUR);
+    f->round = 0;
+    if (mode == M_SYNC && n->id == 0) /* the pointer begins its way here */
+        shared_start(n, f->pointer, f->next);
+    return 0;
+}
+
+/* gopen's part on one node. */
+static long open_one(const char *path, int flags, int mode, unsigned permissions)
+{
+    int fd = path_open(path, flags, permissions);
+    if (fd < 0)
+        return fail(path);
+    return set_mode(fd, mode) < 0 ? -1 : fd;
+}
+
+long node_nx_gopen_one(const char *path, int flags, int mode, unsigned permissions) NX_EXPORT("nx_gopen_one");
+long node__nx_gopen_one(const char *path, int flags, int mode, unsigned permissions)
+    NX_EXPORT("_nx_gopen_one");
+
+long node_nx_gopen_one(const char *path, int flags, int mode, unsigned permissions)
+{
+    struct node *n = node_self();
+    node_enter(n, "gopen");
+    return nx_plain(n, open_one(path, flags, mode, permissions));
+}
+
+long node__nx_gopen_one(const char *path, int flags, int mode, unsigned permissions)
+{
+    struct node *n = node_self();
+    node_enter(n, "_gopen");
+    return nx_returning(n, open_one(path, flags, mode, permissions));
+}
+
+long nxs_setiomode(word fd, word mode)
+{
+    return set_mode(fd, mode);
+}
+
+long nxs_iomode(word fd)
+{
+    const struct open_file *f = file_of(fd);
+    return f ? f->mode : -1;
+}
+
+/* --- pointers and sizes --- */
+
+static int64_t from_esize(esize_t s)
+{
+    return (int64_t)((uint64_t)(uint32_t)s.shigh << 32 | (uint32_t)s.slow);
+}
+
+static esize_t to_esize(int64_t x)
+{
+    return (esize_t){(long)(uint32_t)x, (long)(x >> 32)};
+}
+
+/* A size, or -1 for an error. */
+static esize_t size_call(const char *call, int64_t (*f)(int, int64_t, int), nx_face *face, int fd,
+                         esize_t offset, int whence)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    int64_t size = f(fd, from_esize(offset), whence);
+    face(n, size < 0 ? -1 : 0);
+    return size < 0 ? (esize_t){-1, -1} : to_esize(size);
+}
+
+static int64_t seek(int fd, int64_t offset, int whence)
+{
+    const struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    int64_t at = lseek(fd, offset, whence);
+    return at < 0 ? fail(name_of(f)) : at;
+}
+
+/* At least so large. */
+static int64_t grow(int fd, int64_t offset, int whence)
+{
+    struct stat st;
+    if (fstat(fd, &st))
+        return -1;
+    int64_t from = whence == SIZE_SET   ? 0
+                   : whence == SIZE_CUR ? lseek(fd, 0, SEEK_CUR)
+                   : whence == SIZE_END ? st.st_size
+                                        : -1;
+    if (from < 0 || from + offset < 0) {
+        errno = EINVAL;
+        return -1;
+    }
+    if (from + offset <= st.st_size)
+        return st.st_size;
+    return ftruncate(fd, from + offset) ? -1 : from + offset;
+}
+
+static int64_t resize(int fd, int64_t offset, int whence)
+{
+    const struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    if (!is_cfs(f))
+        return node_error(node_self(), EINVAL, "%s: only files under /cfs can be sized", name_of(f));
+    int64_t size = grow(fd, offset, whence);
+    return size < 0 ? fail(name_of(f)) : size;
+}
+
+esize_t node_eseek(int fd, esize_t offset, int whence) NX_EXPORT("eseek");
+esize_t node__eseek(int fd, esize_t offset, int whence) NX_EXPORT("_eseek");
+esize_t node_esize(int fd, esize_t offset, int whence) NX_EXPORT("esize");
+esize_t node__esize(int fd, esize_t offset, int whence) NX_EXPORT("_esize");
+
+esize_t node_eseek(int fd, esize_t offset, int whence)
+{
+    return size_call("eseek", seek, nx_plain, fd, offset, whence);
+}
+
+esize_t node__eseek(int fd, esize_t offset, int whence)
+{
+    return size_call("_eseek", seek, nx_returning, fd, offset, whence);
+}
+
+esize_t node_esize(int fd, esize_t offset, int whence)
+{
+    return size_call("esize", resize, nx_plain, fd, offset, whence);
+}
+
+esize_t node__esize(int fd, esize_t offset, int whence)
+{
+    return size_call("_esize", resize, nx_returning, fd, offset, whence);
+}
+
+long nxs_lsize(word fd, word offset, word whence)
+{
+    return resize(fd, offset, whence);
+}
+
+long nxs_iseof(word fd)
+{
+    const struct open_file *f = file_of(fd);
+    struct stat st;
+    if (!f)
+        return -1;
+    if (fstat(fd, &st))
+        return fail(name_of(f));
+    return lseek(fd, 0, SEEK_CUR) >= st.st_size;
+}
+
+/* There are no disks to choose from. */
+long nxs_restrictvol(word fd, word count, const int disks[])
+{
+    const struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    if (is_cfs(f) && count >= 1 && disks)
+        return 0;
+    errno = EINVAL;
+    return fail(name_of(f));
+}
+
+/* --- state --- */
+
+static void to_estat(struct estat *e, const struct stat *st)
+{
+    *e = (struct estat){.st_dev = st->st_dev,
+                        .st_ino = st->st_ino,
+                        .st_mode = st->st_mode,
+                        .st_nlink = st->st_nlink,
+                        .st_uid = st->st_uid,
+                        .st_gid = st->st_gid,
+                        .st_rdev = st->st_rdev,
+                        .st_size = to_esize(st->st_size),
+                        .st_blksize = st->st_blksize,
+                        .st_blocks = st->st_blocks,
+                        .st_atim = st->st_atim,
+                        .st_mtim = st->st_mtim,
+                        .st_ctim = st->st_ctim};
+}
+
+static long stat_path(const char *call, const char *path, struct estat *e, nx_face *face)
+{
+    struct node *n = node_self();
+    struct stat st;
+    char space[PATH_MAX];
+    node_enter(n, call);
+    const char *here = path_here(path, space);
+    if (!here || fstatat(AT_FDCWD, here, &st, 0))
+        return face(n, fail(path));
+    to_estat(e, &st);
+    return face(n, 0);
+}
+
+long node_estat(const char *path, struct estat *e) NX_EXPORT("estat");
+long node__estat(const char *path, struct estat *e) NX_EXPORT("_estat");
+
+long node_estat(const char *path, struct estat *e)
+{
+    return stat_path("estat", path, e, nx_plain);
+}
+
+long node__estat(const char *path, struct estat *e)
+{
+    return stat_path("_estat", path, e, nx_returning);
+}
+
+long nxs_festat(word fd, struct estat *e)
+{
+    const struct open_file *f = file_of(fd);
+    struct stat st;
+    if (!f)
+        return -1;
+    if (fstat(fd, &st))
+        return fail(name_of(f));
+    to_estat(e, &st);
+    return 0;
+}
