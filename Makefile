@@ -53,7 +53,7 @@ include $(OWN_RULES)
 unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
-E2E_ONCE  = $(foreach once,exact tables profile_model,%/$(once).sh@$(ASAN))
+E2E_ONCE  = $(foreach once,exact tables profile_model mpi mpi_nx,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
@@ -94,6 +94,8 @@ install: all ## Install into PREFIX (default /usr/local)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
+	install -d $(INST)/lib/touchstone/mpi
+	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
 	cp -r --no-preserve=mode,ownership nx_api/include/long32 $(INST)/share/touchstone/include

@@ -1,0 +1,78 @@
+#!/bin/bash
+# mpi.sh - programs on MPI (nxcc --mpi): handlers, floods, ends and their messages; the model's polygons as on simulated
+# nodes. The conformance programs run in mpi_nx.sh.
+. "$(dirname "$0")/common.bash"
+. "$tests/mpi.bash"
+
+for program in interrupts masks library flood ends; do
+    check "$program.c compiles" "$BUILD/nxcc" --mpi -O2 -g -Wall -o $program "$tests/mpi/$program.c" -lm
+done
+
+printed() { [ "$(cat out)" = "$1" ]; }
+
+on_mpi 2 ./interrupts
+check "a handler interrupts a computing program" printed "200 handled"
+on_mpi 2 ./masks
+check "masktrap holds handlers back and lets them run" printed $'masked: 0\nunmasked: 1, it was 1'
+on_mpi 2 ./library
+check "no handler runs inside the C library" printed "3000 handled, 0 inside"
+on_mpi 3 ./flood
+check "sends never wait for receives" printed "0 wrong"
+
+# --- ends ---
+sorted() { [ "$(sort out)" = "$1" ]; }
+quiet() { [ "$status" = 0 ] && [ ! -s err ]; }
+
+on_mpi 3 ./ends killcube
+check "killcube ends all nodes, quietly" quiet
+check "killcube: what was printed before is there" sorted $'0\n1\n2'
+on_mpi 3 ./ends killproc
+check "killproc ends one node" sorted $'0 lives\n2 lives'
+check "killproc: quietly" quiet
+on_mpi 2 ./ends returns
+check "main's value is no error" quiet
+check "functions of atexit run" sorted $'0 has ended\n1 has ended'
+on_mpi 2 ./ends exits
+check "exit's is the job's" ended_with 3
+on_mpi 3 ./ends crashes
+check "a crash ends the job" [ "$status" != 0 ]
+check "a crash is told with its node" said '^nx: node 2: crashed: segmentation fault'
+on_mpi 3 ./ends errs
+check "an error ends the job" ended_with 1
+check "an error names node, call and reason" \
+    said '^nx: node 2, at [0-9.]+ s: csend: there is no node 77 \(nodes are 0 to 2; -1 is all others\)'
+check "an error: what was printed before is there" sorted $'0 here\n1 here\n2 here'
+echo "some text" >text
+on_mpi 2 ./ends reads <text
+check "standard input is node 0's" printed "read some text"
+on_mpi 1 ./ends loads
+check "load says that mpirun loads" said 'load is not served on MPI: mpirun starts one program on all nodes'
+
+# --- the driver ---
+mkdir nothing
+PATH=nothing "$BUILD/nxcc" --mpi -o none "$tests/mpi/masks.c" >out 2>err
+status=$?
+check "without mpicc: says which packages" said 'nxcc: --mpi: .*libopenmpi-dev'
+check "objects are compiled apart" "$BUILD/nxcc" --mpi -O2 -c -o part.o "$tests/mpi/masks.c"
+check "and linked" "$BUILD/nxcc" --mpi -o parts part.o
+on_mpi 2 ./parts
+check "and run" printed $'masked: 0\nunmasked: 1, it was 1'
+
+# --- the model ---
+"$BUILD/nxcc" --mpi -O2 -o model "$tests"/../../app/*.c -lz -lm 2>compile.err
+polygons() { grep -E '^polygon(s|s_by_isovalue|_digest) ' out; }
+for approx in 111 333; do
+    volume="-digest -approx $approx -sphere 48 40 9"
+    # shellcheck disable=SC2086
+    run -q -n 4 "$BUILD/app/model" $volume
+    polygons >simulated
+    check "$approx: there are polygons" grep -qE '^polygons [1-9]' simulated
+    for how in 1 2 4 8 "8 -group 4" "4 -group 2 -preload"; do
+        # shellcheck disable=SC2086
+        set -- $how
+        # shellcheck disable=SC2086
+        on_mpi "$1" ./model "${@:2}" $volume
+        polygons >real
+        check "model $approx: the same polygons on $how" cmp simulated real
+    done
+done
