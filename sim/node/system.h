@@ -38,9 +38,10 @@ struct node_system {
 
     uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
     uint64_t messages, bytes; /* received */
-    char **host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
-    size_t host_file_count;   /* at most NODE_HOST_FILES: of more, the first */
-    struct node *current;     /* whose fiber runs, NULL: none. For reports of crashes. */
+    char **
+        host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
+    size_t host_file_count; /* at most NODE_HOST_FILES: of more, the first */
+    struct node *current;   /* whose fiber runs, NULL: none. For reports of crashes. */
 };
 
 /* Who lives at a place of the network, and the number by which programs know them. */

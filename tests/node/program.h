@@ -152,6 +152,9 @@ static inline void nodes_free(struct nodes *x)
         fclose(x->sys.out[i]);
         free(x->text[i]);
     }
+    for (size_t i = 0; i < x->sys.host_file_count; i++)
+        free(x->sys.host_files[i]);
+    free(x->sys.host_files);
     free(x->sys.failure);
 }
 #endif
