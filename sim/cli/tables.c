@@ -30,6 +30,8 @@ static const char HELP[] =
     "      --explain ROW    make no tables: say where the time of one row goes, by activity, processor and layer; ROW\n"
     "                       is table:nodes, such as 1:128\n"
     "\n"
+    "Rows are kept in DIR/journal until all are there: after Ctrl-C or kill -9 the same command goes on.\n"
+    "\n"
     "Exit status: 0 every row is there; 1 a row or a picture failed (named, the rest is there); 64 wrong "
     "arguments;\n"
     "65 the program or the paper's figures cannot be used, or the results not written.\n";
@@ -128,6 +130,7 @@ int cli_tables(int argc, char **argv)
                                      .dir = a.dir,
                                      .wanted = a.tables[0] ? a.tables : NULL,
                                      .at_once = a.jobs,
+                                     .resume = true,
                                      .ties = a.ties,
                                      .report = a.report,
                                      .out = stdout,

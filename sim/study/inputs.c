@@ -146,27 +146,34 @@ static char *located(const struct inputs *in, const struct point *p, char **sett
     return text;
 }
 
-/* The machine file as libconfig writes it: without comments, and with what it includes. The last one is kept. */
-static bool take_digest(struct inputs *in, const char *path, struct digest *d)
+bool inputs_machine_file(const char *path, struct digest *d)
 {
     struct cfg_reader r;
     char *text = NULL;
     size_t size = 0;
-    *d = in->latest;
-    if (in->latest_path && strcmp(in->latest_path, path) == 0)
-        return true;
     FILE *out = cfg_open(&r, path) ? open_memstream(&text, &size) : NULL;
     if (out) {
         config_write(&r.lib, out);
         fclose(out);
-        in->latest = *d = digest_of(text, size);
-        free(in->latest_path);
-        in->latest_path = text_of("%s", path);
+        *d = digest_of(text, size);
     }
     free(text);
     free(r.error);
     cfg_close(&r);
     return out;
+}
+
+/* The last one is kept. */
+static bool take_digest(struct inputs *in, const char *path, struct digest *d)
+{
+    if (!in->latest_path || strcmp(in->latest_path, path) != 0) {
+        if (!inputs_machine_file(path, &in->latest))
+            return false;
+        free(in->latest_path);
+        in->latest_path = text_of("%s", path);
+    }
+    *d = in->latest;
+    return true;
 }
 
 static bool check(struct inputs *in, const struct point *p, const char *machine, char **settings,

@@ -33,4 +33,7 @@ bool inputs_of(struct inputs *in, const struct point *p, struct digest *key, jso
 
 /* All settings of the point's machine, in the order in which they are applied; for words_free(). */
 char **inputs_settings(const struct inputs *in, const struct point *p);
+
+/* A machine file as libconfig writes it, without comments and with what it includes. False: it cannot be read. */
+bool inputs_machine_file(const char *path, struct digest *d);
 #endif

@@ -52,13 +52,17 @@ static size_t digit(const struct spec_axis *axis, size_t *rest)
     return at;
 }
 
-/* Where the set and arguments of the point's value on the axis are said. */
+/* Where the set and arguments of the point's value on the axis are said; something without any if they are not for it. */
 static const struct spec_value *said_at(const struct spec *s, const struct point *p, size_t axis)
 {
+    static const struct spec_value nothing = {.arguments = ""};
+    const struct spec_axis *a = &s->axes[axis];
     size_t rest = p->number, at = 0;
     for (size_t i = s->axis_count; i-- > axis;)
         at = digit(&s->axes[i], &rest);
-    return &s->axes[axis].values[s->axes[axis].kind == SPEC_LIST ? at : 0];
+    if (a->when && !(expr_number(a->when, p->value) != 0))
+        return &nothing;
+    return &a->values[a->kind == SPEC_LIST ? at : 0];
 }
 
 static bool derive(const struct spec *s, struct point *p, size_t axis, char **error)

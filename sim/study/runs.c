@@ -1,11 +1,12 @@
 /* runs.c - see runs.h. */
 #include "study/runs.h"
+#include "study/folder.h"
 #include "study/pool.h"
 #include "study/progress.h"
+#include "study/runs_kept.h"
 #include "study/tables.h"
 #include "study/text.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -58,28 +59,61 @@ static void read_outcome(struct run *run, const struct pool_job *job, const char
     run->outcome.wall_time_s = job->wall_time_s;
 }
 
-static bool do_in(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-                  const char *scratch, double *wall_s)
+/* --- running --------------------------------------------------------------------------------------------- */
+
+struct doing {
+    struct run *runs;
+    struct command *commands;
+    struct pool_job *jobs; /* of the runs that are not in the journal */
+    size_t *which;         /* run each of them is */
+    size_t count;
+    struct runs_kept *kept; /* NULL: nothing is kept */
+    struct progress progress;
+    struct pool_watcher shown;
+};
+
+/* A run has ended: its outcome is read and kept before the next is begun. */
+static void changed(void *arg, const struct pool_status *status)
 {
-    struct command *commands = calloc(count + 1, sizeof *commands);
-    struct pool_job *jobs = calloc(count + 1, sizeof *jobs);
-    if (!commands || !jobs)
+    struct doing *d = arg;
+    if (status->finished && status->finished->state != POOL_WAITING) {
+        size_t job = (size_t)(status->finished - d->jobs), i = d->which[job];
+        read_outcome(&d->runs[i], status->finished, d->commands[i].json);
+        if (d->kept && !d->runs[i].outcome.error)
+            runs_kept_add(d->kept, &d->runs[i]);
+    }
+    d->shown.changed(d->shown.arg, status);
+}
+
+static bool do_in(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
+                  const char *scratch, struct runs_kept *kept, double *wall_s)
+{
+    struct doing d = {.runs = runs, .kept = kept};
+    d.commands = calloc(count + 1, sizeof *d.commands);
+    d.jobs = calloc(count + 1, sizeof *d.jobs);
+    d.which = calloc(count + 1, sizeof *d.which);
+    if (!d.commands || !d.jobs || !d.which)
         abort();
     for (size_t i = 0; i < count; i++) {
-        build_command(&commands[i], o, paper, &runs[i], i, scratch);
-        jobs[i] = (struct pool_job){.name = runs[i].name, .argv = commands[i].argv, .weight = runs[i].weight};
+        build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
+        if (kept && runs_kept_find(kept, &runs[i]))
+            continue;
+        d.jobs[d.count] =
+            (struct pool_job){.name = runs[i].name, .argv = d.commands[i].argv, .weight = runs[i].weight};
+        d.which[d.count++] = i;
     }
-    struct progress progress;
-    struct pool_watcher watcher = progress_watcher(&progress, o->progress);
-    struct pool_end end = pool_run(jobs, count, o->at_once, &watcher);
-    progress_end(&progress);
-    for (size_t i = 0; i < count; i++) {
-        read_outcome(&runs[i], &jobs[i], commands[i].json);
-        free_command(&commands[i]);
-    }
-    pool_clear(jobs, count);
-    free(jobs);
-    free(commands);
+    if (d.count < count)
+        fprintf(o->progress, "%zu of %zu runs are in %s/journal\n", count - d.count, count, o->dir);
+    d.shown = progress_watcher(&d.progress, o->progress);
+    struct pool_watcher watcher = {changed, &d};
+    struct pool_end end = pool_run(d.jobs, d.count, o->at_once, &watcher);
+    progress_end(&d.progress);
+    for (size_t i = 0; i < count; i++)
+        free_command(&d.commands[i]);
+    pool_clear(d.jobs, d.count);
+    free(d.jobs);
+    free(d.which);
+    free(d.commands);
     *wall_s += end.wall_time_s;
     return !end.stopped;
 }
@@ -87,15 +121,16 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
 bool runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
              double *wall_s, char **error)
 {
-    const char *tmp = getenv("TMPDIR");
-    char *scratch = text_of("%s/touchstone-tables.XXXXXX", tmp && *tmp ? tmp : "/tmp");
-    bool ok = mkdtemp(scratch);
-    if (!ok)
-        *error = text_of("%s cannot be made: %s", scratch, strerror(errno));
-    else if (!(ok = do_in(o, paper, runs, count, scratch, wall_s)))
-        *error = text_of("stopped; nothing was written");
-    rmdir(scratch);
+    struct runs_kept *kept = o->resume ? runs_kept_open(o, paper, error) : NULL;
+    char *scratch = o->resume && !kept ? NULL : folder_scratch("touchstone-tables", error);
+    bool ok = scratch && do_in(o, paper, runs, count, scratch, kept, wall_s);
+    if (scratch && !ok)
+        *error = o->resume ? text_of("stopped; the same command goes on from %s/journal", o->dir)
+                           : text_of("stopped; nothing was written");
+    if (scratch)
+        folder_remove(scratch);
     free(scratch);
+    runs_kept_close(kept);
     return ok;
 }
 

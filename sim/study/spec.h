@@ -6,7 +6,7 @@
  *         { name = "nodes"; values = { from = 16; to = 1024; times = 2; }; },
  *         { name = "group"; values = ( 2, 4, 8 ); arguments = "-group {}"; },
  *         { name = "disks"; values = ( 2, 8 ); set = ( "cfs.disks={}" ); },
- *         { name = "share"; value = "nodes / group"; arguments = "-share {}"; },
+ *         { name = "share"; value = "nodes / group"; arguments = "-share {}"; when = "share > 1"; },
  *         { name = "output"; cases = ( { label = "none"; }, { label = "all"; arguments = "-parts /cfs/p"; } ); } );
  *     only = ( "group <= nodes" );
  *     cost = "nodes";                    # how long a point takes, in any unit: the longest start first
@@ -46,6 +46,7 @@ struct spec_axis {
     double from, step;         /* a range's, from + i * step or from * step^i */
     bool times;
     struct expr *value;   /* derived */
+    struct expr *when;    /* its settings and arguments are only for points where this holds; NULL: for all */
     config_setting_t *at; /* where it is, for messages */
 };
 

@@ -191,11 +191,15 @@ static bool read_values(struct cfg_reader *r, config_setting_t *g, const struct 
 }
 
 /* What the values of an axis do is said once, for all of them. */
-static bool read_templates(struct cfg_reader *r, config_setting_t *g, struct spec_axis *axis)
+static bool read_templates(struct cfg_reader *r, config_setting_t *g, const struct spec *s,
+                           struct spec_axis *axis)
 {
     config_setting_t *set;
-    const char *arguments;
-    if (!read_set(r, g, &set) || !spec_optional(r, g, "arguments", &arguments))
+    const char *arguments, *when;
+    if (!read_set(r, g, &set) || !spec_optional(r, g, "arguments", &arguments) ||
+        !spec_optional(r, g, "when", &when))
+        return false;
+    if (*when && !(axis->when = spec_expression(r, config_setting_get_member(g, "when"), "when", when, s)))
         return false;
     for (size_t i = 0; i < (axis->kind == SPEC_LIST ? axis->count : 1); i++) {
         axis->values[i].set = set;
@@ -208,7 +212,7 @@ static bool read_templates(struct cfg_reader *r, config_setting_t *g, struct spe
 
 static bool read_axis(struct cfg_reader *r, config_setting_t *g, struct spec *s)
 {
-    static const char *const of_values[] = {"name", "values", "value", "set", "arguments", NULL};
+    static const char *const of_values[] = {"name", "values", "value", "set", "arguments", "when", NULL};
     static const char *const of_cases[] = {"name", "cases", NULL};
     struct spec_axis *axis = &s->axes[s->axis_count];
     if (!config_setting_is_group(g))
@@ -223,7 +227,7 @@ static bool read_axis(struct cfg_reader *r, config_setting_t *g, struct spec *s)
     axis->at = g;
     bool read = read_values(r, g, s, axis);
     s->axis_count++; /* to be freed even if it is wrong */
-    if (!read || (!cases && !read_templates(r, g, axis)))
+    if (!read || (!cases && !read_templates(r, g, s, axis)))
         return false;
     bool nodes = strcmp(axis->name, "nodes") == 0 && axis->kind != SPEC_DERIVED;
     for (size_t i = 0; nodes && i < axis->count; i++)
@@ -275,5 +279,6 @@ void spec_free_axes(struct spec *s)
             free(s->axes[i].values[k].label);
         free(s->axes[i].values);
         expr_free(s->axes[i].value);
+        expr_free(s->axes[i].when);
     }
 }

@@ -75,6 +75,18 @@ static enum tables_end write_down(const struct tables_options *o, struct results
 
 /* --- the whole ------------------------------------------------------------------------------------------- */
 
+/* Once all is there the next command begins anew: what it prints has been run. */
+static enum tables_end end_journal(const struct tables_options *o, enum tables_end end)
+{
+    static const char *const files[] = {"journal", "lock"};
+    for (size_t i = 0; o->resume && end == TABLES_DONE && i < sizeof files / sizeof *files; i++) {
+        char *path = text_of("%s/%s", o->dir, files[i]);
+        unlink(path);
+        free(path);
+    }
+    return end;
+}
+
 static enum tables_end make(const struct tables_options *o, struct results *r, char **error)
 {
     if (!r->table_count)
@@ -83,7 +95,7 @@ static enum tables_end make(const struct tables_options *o, struct results *r, c
         *error = text_of("%s cannot be made: %s", o->dir, strerror(errno));
     else if (runs_do(o, r->paper, r->runs, r->run_count, &r->wall_time_s, error) &&
              (!o->ties || ties_do(o, r, error)))
-        return write_down(o, r, error);
+        return end_journal(o, write_down(o, r, error));
     return TABLES_ERROR;
 }
 
@@ -124,7 +136,9 @@ static struct explain *run_and_explain(const struct tables_options *o, const str
          .extra = "-times",
          .weight = 1,
          .name = text_of("the row, measured")}};
-    if (runs_do(o, paper, runs, 2, &wall_s, error))
+    struct tables_options alone = *o;
+    alone.resume = false;
+    if (runs_do(&alone, paper, runs, 2, &wall_s, error))
         e = explain_read(paper, row, table, &runs[1].outcome, &runs[0].outcome, error);
     runs_clear(runs, 2);
     return e;

@@ -15,6 +15,7 @@ struct tables_options {
     const char *dir;        /* for the results; made if need be */
     const unsigned *wanted; /* numbers of the tables to do, ended by 0; NULL: all */
     unsigned at_once;       /* children at a time */
+    bool resume;            /* keep rows in DIR/journal until all is done, and take them from there */
     bool ties;              /* say how far rows that turn on ties depend on them: ties.h */
     const char *report;     /* a file for the report (report.h); NULL: none */
     FILE *out;              /* the tables */

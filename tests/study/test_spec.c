@@ -181,6 +181,26 @@ static void axes_follow_from_others(void **state)
         "nodes", "study.cfg:3: nodes: \"n / 8\" is 0.5 at n 4, nodes ?: a whole number of nodes is needed");
 }
 
+static void arguments_may_be_for_some_points(void **state)
+{
+    char *error = NULL;
+    struct point p;
+    (void)state;
+    struct spec *s =
+        read_text("program = \"p\"; machine = \"delta\"; axes = ( { name = \"nodes\"; values = ( 4, 8 ); }, "
+                  "{ name = \"many\"; value = \"nodes > 4\"; when = \"many\"; arguments = \"-x {}\"; } );",
+                  &error);
+    assert_non_null(s);
+    assert_int_equal(point_make(s, 0, &p, &error), POINT_WANTED);
+    assert_null(point_arguments(s, &p));
+    assert_int_equal(point_make(s, 1, &p, &error), POINT_WANTED);
+    char **words = point_arguments(s, &p);
+    assert_string_equal(words[0], "-x");
+    assert_string_equal(words[1], "1");
+    words_free(words);
+    spec_free(s);
+}
+
 static void points_are_left_out(void **state)
 {
     static const char axes[] =
@@ -215,6 +235,7 @@ int main(void)
         cmocka_unit_test(a_file_that_is_not_there),
         cmocka_unit_test(ranges_hold_both_ends),
         cmocka_unit_test(axes_follow_from_others),
+        cmocka_unit_test(arguments_may_be_for_some_points),
         cmocka_unit_test(points_are_left_out),
     };
     return cmocka_run_group_tests(tests, enter, leave);
