@@ -5,7 +5,7 @@
 
 struct together {
     unsigned rank, count; /* 0 of 1: alone */
-    char session[128];    /* the same for all of them, different for others; "": alone */
+    char session[160];    /* the same for all of them, different for others; "": alone */
 };
 struct together together_find(void);
 #endif
