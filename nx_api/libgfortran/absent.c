@@ -62,10 +62,12 @@ __attribute__((visibility("hidden"))) struct {
 } __cpu_model;
 __attribute__((visibility("hidden"))) unsigned __cpu_features2[4];
 
-/* --- the end --- */
+/* --- the beginning and the end --- */
 
-/* Units are closed at a program's end, however it comes to it: STOP, END, exit. */
+/* The object with the library's own constructor is linked if something in it is called; GNU's error.c would. With a main()
+ * in C nothing else does. Units are closed at a program's end, however it comes to it: STOP, END, exit. */
 __attribute__((constructor)) static void begin(void)
 {
+    _gfortrani_stupid_function_name_for_static_linking();
     atexit(_gfortrani_close_units);
 }

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include "libgfortran.h"
 
-#define CALLER __builtin_return_address(0)
+#define FRAME __builtin_frame_address(0)
 #define ALIAS(name) __attribute__((alias(#name)))
 
 enum { TEXT = 400 };
@@ -27,7 +27,7 @@ static void close_units(void)
     _gfortrani_close_units();
 }
 
-_Noreturn static void die(const void *address, const char *format, ...)
+_Noreturn static void die(const void *frame, const char *format, ...)
 {
     char text[TEXT];
     va_list list;
@@ -35,7 +35,7 @@ _Noreturn static void die(const void *address, const char *format, ...)
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
     close_units();
-    nx_die(text, address);
+    nx_die(text, frame);
 }
 
 _Noreturn void _gfortrani_exit_error(int status)
@@ -46,7 +46,7 @@ _Noreturn void _gfortrani_exit_error(int status)
 
 _Noreturn void _gfortrani_sys_abort(void)
 {
-    die(CALLER, "abort");
+    die(FRAME, "abort");
 }
 
 /* --- what the library writes --- */
@@ -191,14 +191,14 @@ _Noreturn void _gfortrani_internal_error(struct statement *s, const char *text)
 {
     if (s)
         die_in(s, text);
-    die(CALLER, "internal error of the Fortran library: %s", text);
+    die(FRAME, "internal error of the Fortran library: %s", text);
 }
 
 /* --- other errors --- */
 
 _Noreturn void _gfortrani_os_error(const char *text)
 {
-    die(CALLER, "Fortran run-time error: %s: %s", text, strerror(errno));
+    die(FRAME, "Fortran run-time error: %s: %s", text, strerror(errno));
 }
 _Noreturn void _gfortran_os_error(const char *) ALIAS(_gfortrani_os_error);
 
@@ -209,31 +209,40 @@ _Noreturn void _gfortrani_runtime_error(const char *format, ...)
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    die(CALLER, "Fortran run-time error: %s", text);
+    die(FRAME, "Fortran run-time error: %s", text);
 }
 _Noreturn void _gfortran_runtime_error(const char *, ...) ALIAS(_gfortrani_runtime_error);
 
-/* where: "At line 7 of file a.f" */
+/* "At line 7 of file a.f" as "a.f:7". */
+static const char *place(const char *where, char *buf, size_t size)
+{
+    int line, name = 0;
+    if (sscanf(where, "At line %d of file %n", &line, &name) < 1 || !name)
+        return where;
+    snprintf(buf, size, "%s:%d", where + name, line);
+    return buf;
+}
+
 _Noreturn void _gfortrani_runtime_error_at(const char *where, const char *format, ...)
 {
-    char text[TEXT];
+    char text[TEXT], at[TEXT];
     va_list list;
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    die(NULL, "%s: Fortran run-time error: %s", where, text);
+    die(FRAME, "%s: Fortran run-time error: %s", place(where, at, sizeof at), text);
 }
 _Noreturn void _gfortran_runtime_error_at(const char *, const char *, ...) ALIAS(_gfortrani_runtime_error_at);
 
 _Noreturn void _gfortrani_os_error_at(const char *where, const char *format, ...)
 {
-    char text[TEXT];
+    char text[TEXT], at[TEXT];
     int why = errno;
     va_list list;
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    die(NULL, "%s: Fortran run-time error: %s: %s", where, text, strerror(why));
+    die(FRAME, "%s: Fortran run-time error: %s: %s", place(where, at, sizeof at), text, strerror(why));
 }
 _Noreturn void _gfortran_os_error_at(const char *, const char *, ...) ALIAS(_gfortrani_os_error_at);
 
@@ -244,7 +253,8 @@ void _gfortrani_runtime_warning_at(const char *where, const char *format, ...)
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    _gfortrani_st_printf("%s: Fortran run-time warning: %s\n", where, text);
+    char at[TEXT];
+    _gfortrani_st_printf("%s: Fortran run-time warning: %s\n", place(where, at, sizeof at), text);
 }
 void _gfortran_runtime_warning_at(const char *, const char *, ...) ALIAS(_gfortrani_runtime_warning_at);
 
@@ -268,11 +278,11 @@ _Noreturn void _gfortran_stop_string(const char *text, size_t bytes, bool quiet)
 _Noreturn void _gfortran_error_stop_numeric(int status, bool quiet)
 {
     (void)quiet;
-    die(CALLER, "ERROR STOP %d", status);
+    die(FRAME, "ERROR STOP %d", status);
 }
 
 _Noreturn void _gfortran_error_stop_string(const char *text, size_t bytes, bool quiet)
 {
     (void)quiet;
-    die(CALLER, "ERROR STOP %.*s", (int)bytes, text);
+    die(FRAME, "ERROR STOP %.*s", (int)bytes, text);
 }

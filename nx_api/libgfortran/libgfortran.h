@@ -59,10 +59,11 @@ enum { ERROR_EOR = -2, ERROR_END = -1, ERROR_OS = 5000 };
 
 /* The library's. */
 void _gfortrani_close_units(void);
-char *_gfortrani_filename_from_unit(int unit); /* to be freed; NULL */
+void _gfortrani_stupid_function_name_for_static_linking(void); /* does nothing */
+char *_gfortrani_filename_from_unit(int unit);                 /* to be freed; NULL */
 
-/* The simulator's: ends the program; the message names node and time, says text, and which function called, if an
- * address in it is given. */
-_Noreturn void nx_die(const char *text, const void *address);
+/* The simulator's: ends the program; the message names node and time, says text, and where the program was, if frame is
+ * that of the function of the library that it called. */
+_Noreturn void nx_die(const char *text, const void *frame);
 
 #endif

@@ -379,7 +379,8 @@ static void add_fortran(struct arguments *a, bool warnings)
         "-fallow-argument-mismatch", /* a buffer of any type */
         "-fcray-pointer",
         "-fdollar-ok",
-        "-fno-backtrace",                  /* the simulator reports */
+        "-fno-backtrace",                  /* the simulator reports ... */
+        "-fno-optimize-sibling-calls",     /* the lines of all calls under way */
         "-finline-matmul-limit=1000000000" /* counted, not the library's */
     };
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)

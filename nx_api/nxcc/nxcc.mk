@@ -67,7 +67,7 @@ $(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
 # What stands in for parts of GNU Fortran's library is not counted either.
 $(NODE)/obj/libgfortran/%.o: nx_api/libgfortran/%.c nx_api/libgfortran/libgfortran.h
 	@mkdir -p $(@D)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -mno-direct-extern-access -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
+	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -mno-direct-extern-access -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
 
 # GNU Fortran's library without the parts that those replace.
 LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortran/*.c))

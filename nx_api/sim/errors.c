@@ -2,7 +2,6 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include "node/image.h"
 #include "node/libc_parts.h"
 #include "nx_api/sim/call.h"
 
@@ -30,15 +29,10 @@ _Noreturn void node_nx_fail(const char *call, int error)
     node_fail(n, "%s: %s", call, node_strerror(error));
 }
 
-/* The same for a run-time library of the program, which has its own words: nx_api/libgfortran. address, if not NULL, is
- * where it was called from. */
-_Noreturn void node_nx_die(const char *text, const void *address)
+/* The same for a run-time library of the program, which has its own words: nx_api/libgfortran. frame: node_fail_in. */
+_Noreturn void node_nx_die(const char *text, const void *frame)
 {
-    char where[128];
     struct node *n = node_self();
     node_libc_flush(n);
-    if (!address)
-        node_fail(n, "%s", text);
-    node_fail(n, "%s, at %s", text,
-              node_image_where(n->file, (size_t)((const char *)address - 1 - n->span), where, sizeof where));
+    node_fail_in(n, frame, "%s", text);
 }

@@ -126,24 +126,36 @@ long node_error(struct node *n, int code, const char *fmt, ...)
     return -1;
 }
 
-_Noreturn void node_fail(struct node *n, const char *fmt, ...)
+/* Names the calls from frame upwards, unless it is NULL. */
+static _Noreturn void fail(struct node *n, const void *frame, const char *fmt, va_list ap)
 {
-    va_list ap;
     char *text = NULL;
     size_t size;
     node_order(n);
     FILE *f = open_memstream(&text, &size);
     if (!f)
         abort();
-    va_start(ap, fmt);
     vfprintf(f, fmt, ap);
-    va_end(ap);
-    if (!n->sys->failure)
-        trace_print_calls(f, n, (uintptr_t)__builtin_frame_address(0));
+    if (frame && !n->sys->failure)
+        trace_print_calls(f, n, (uintptr_t)frame);
     fclose(f);
     node_system_fail(n->sys, STOP_FAILED, "%s, at %.9f s: %s", n->name, vt_seconds(node_now(n)), text);
     free(text);
     node_end_here(n, NODE_CRASHED, 1);
+}
+
+_Noreturn void node_fail_in(struct node *n, const void *frame, const char *fmt, ...)
+{
+    va_list ap;
+    va_start(ap, fmt);
+    fail(n, frame, fmt, ap);
+}
+
+_Noreturn void node_fail(struct node *n, const char *fmt, ...)
+{
+    va_list ap;
+    va_start(ap, fmt);
+    fail(n, __builtin_frame_address(0), fmt, ap);
 }
 
 void node_output(struct node *n, int fd, const char *bytes, size_t len)

@@ -180,6 +180,9 @@ void node_end_other(struct node *n, struct node *victim);
 long node_error(struct node *n, int code, const char *fmt, ...) __attribute__((format(printf, 3, 4)));
 /* An error in a plain NX call: message naming call, node, time; ends the process (NX rule) with status 1. */
 _Noreturn void node_fail(struct node *n, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* The same from inside a library of the program: frame is that of its function which the program called, NULL unknown. */
+_Noreturn void node_fail_in(struct node *n, const void *frame, const char *fmt, ...)
+    __attribute__((format(printf, 3, 4)));
 /* Hand bytes the program wrote to its output (fd 1) or error output (fd 2) on, at the node's present time. */
 void node_output(struct node *n, int fd, const char *bytes, size_t len);
 /* An element of a program's array of longs: of 4 bytes in programs compiled with nxcc --long32. */

@@ -1,0 +1,72 @@
+#!/bin/bash
+# fortran.sh - Fortran programs: how they are compiled and linked, with C and without; what is a node's own; how errors and
+# STOP end them; that their loops cost what C's do. Their NX calls and files are tests/nx/f77_*.
+. "$(dirname "$0")/common.bash"
+f=$tests/fortran
+nxf77() { "$BUILD/nxf77" -O2 "$@" 2>compile.err; }
+prints() { diff <(printf "$1") out; }
+
+# --- state
+check "private: compiles" nxf77 -o private "$f/private.f"
+run -n 3 private
+check "private: common blocks, saved variables, units and random numbers are each node's own" \
+    prints '  0    0    0  2.50   3   0 T\n  1    1    1  2.50   4   1 F\n  2    2    2  2.50   5   2 F\n'
+
+# --- with C
+check "mixed: C and Fortran in one command" "$BUILD/nxcc" -O2 -o mixed "$f/mixed.c" "$f/part.f90"
+run -n 2 mixed
+check "mixed: they call each other, and print in order" \
+    prints 'Fortran makes 42 of it\nC has two 2\nC has and a half 0.5\nFortran has 2  2.5\n'
+cp "$f/mixed.c" "$f/part.f90" .
+check "mixed: compiled in one command" "$BUILD/nxcc" -O2 -c mixed.c part.f90
+check "mixed: linked from objects by nxcc" "$BUILD/nxcc" -o linked mixed.o part.o
+mv out expected
+run -n 2 linked
+check "mixed: the same" diff expected out
+check "mixed: nxf77 compiles C" nxf77 -node -o linked mixed.c part.o
+
+# --- STOP
+stops() { nxf77 "-DSTOP=$1" -o stops "$f/stops.F"; }
+check "STOP 3: compiles, preprocessed" stops "stop 3"
+run -n 2 stops
+check "STOP 3: exit status 1" ended_with 1
+check "STOP 3: node and time" said '^touchstone run: node 1 ended at 0\.[0-9]+ s with exit\(3\)'
+check "STOP 3: what gfortran prints" said '^STOP 3$'
+stops "stop"
+run -n 2 stops
+check "STOP: the others wait for ever" ended_with 2
+stops "stop 'enough'"
+run -n 1 stops
+check "STOP 'text': not an error" ended_with 0
+stops "error stop 'no good'"
+run -n 2 stops
+check "ERROR STOP: exit status 1" ended_with 1
+check "ERROR STOP: node, time and text" said '^touchstone run: node 1, at 0\.[0-9]+ s: ERROR STOP no good$'
+check "ERROR STOP: its line" said "MAIN__.*stops\.F:2"
+
+# --- errors
+check "wrong: compiles, with bounds checked" nxf77 -fcheck=bounds -o wrong "$f/wrong.f"
+wrong() {
+    run -n 2 wrong "$1"
+    check "$2: exit status 1" ended_with 1
+    check "$2: node, time, file, line, and what" said "^touchstone run: node 1, at 0\.[0-9]+ s: $3"
+}
+wrong 1 "end of file" ".*wrong\.f:9: Fortran run-time error: .*[Ee]nd of file.*unit 5"
+wrong 2 "OPEN" ".*wrong\.f:10: Fortran run-time error: .*/nowhere/at/all.*No such file.*unit 7"
+wrong 3 "array bounds" ".*wrong\.f:11: Fortran run-time error: Index '5' of dimension 1 of array 'a'"
+wrong 4 "an NX call" "crecv\(.*-4\): .*"
+check "an NX call: the lines of the calls under way" said "called from .*wrong\.f:16"
+unknown() { ! nxf77 -o unknown "$f/unknown.f" && grep -E "unknown\.f:4: undefined reference to .gsnyc_'" compile.err; }
+check "a call that does not exist is named with its line" unknown
+
+# --- names
+check "owner: compiles" nxf77 -o owner "$f/owner.f"
+run -n 1 owner
+check "owner: a program may have routines by the names of calls" \
+    prints ' flick           1\n load this           2\n gray        1005\n'
+
+# --- costs
+check "costs: compiles" "$BUILD/nxcc" -O2 -o costs "$f/costs.c" "$f/loops.f"
+run -n 1 costs
+check "costs: a loop in Fortran costs within 5 % of the same in C" \
+    awk '{ n++; if ($2 < 950 || $2 > 1050) exit 1 } END { if (n != 3) exit 1 }' out
