@@ -64,6 +64,8 @@ static void print_argument(FILE *f, const char *parameter, size_t length, va_lis
             fputc('0', f);
     } else if (strncmp(parameter, "word", 4) == 0) {
         fprintf(f, "%d", va_arg(*ap, word));
+    } else if (strncmp(parameter, "size_word", 9) == 0) {
+        fprintf(f, "%u", va_arg(*ap, size_word));
     } else {
         fprintf(f, "%ld", va_arg(*ap, long));
     }

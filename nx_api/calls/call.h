@@ -18,6 +18,7 @@
 /* An integer argument. Its C type is long, but only its low 32 bits count, as signed: programs without prototypes pass
  * int. */
 typedef int32_t word;
+typedef uint32_t size_word; /* of a length in bytes */
 
 enum { ALL_NODES = -1, ANY = -1 };
 

@@ -48,13 +48,19 @@ struct send {
     struct message *m; /* while not done */
 };
 
-/* Does typesel select type? (nx.h) The library's own messages, of reserved types, are selected by their type only. */
-static inline bool mailbox_selects(int64_t typesel, int64_t type)
+/* Are messages of this type the library's own, which are none of the program's business? */
+static inline bool mailbox_is_library(int64_t type)
 {
     enum { FIRST_RESERVED = 1000000000, FORCED = 1 << 30 };
+    return type >= FIRST_RESERVED && type < FORCED;
+}
+
+/* Does typesel select type? (nx.h) The library's own messages are selected by their type only. */
+static inline bool mailbox_selects(int64_t typesel, int64_t type)
+{
     if (typesel >= 0)
         return typesel == type;
-    if (type >= FIRST_RESERVED && type < FORCED)
+    if (mailbox_is_library(type))
         return false;
     if (typesel == -1)
         return true;

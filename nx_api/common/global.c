@@ -69,8 +69,10 @@ static void run(const struct global *g)
         csend(g->type + TELL, g->x, g->bytes, me + p, 0);
 }
 
+/* As of all arguments, n's low 32 bits count. */
 void nx_reduce(enum nx_operation op, nx_combine *f, long n, size_t size, void *x, void *work)
 {
+    n = (int)n;
     const struct global g = {GLOBAL_FIRST_TYPE + op * GLOBAL_TYPES, f, n, n * (long)size, x, work};
     run(&g);
 }

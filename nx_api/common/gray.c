@@ -3,15 +3,16 @@
 
 long gray(long n)
 {
-    return n ^ (n >> 1);
+    int code = (int)n; /* only these bits count */
+    return code ^ (code >> 1);
 }
 
 long ginv(long n)
 {
-    unsigned long g = (unsigned long)n;
+    unsigned g = (unsigned)n;
     for (unsigned shift = 1; shift < 8 * sizeof g; shift *= 2)
         g ^= g >> shift;
-    return (long)g;
+    return (int)g;
 }
 
 long _gray(long n)

@@ -73,7 +73,7 @@ long iprobe(long typesel); /* 1 if one has, else 0 */
  * and long ones under way that have asked for a buffer (silent). A receive posted is left alone. */
 void flushmsg(long typesel, long node, long pid);
 
-/* Of the message last received, probed for, waited for, or handled: */
+/* Of the message last received, probed for, waited for, or handled; global operations leave it alone (silent): */
 long infocount(void); /* its length in bytes */
 long infonode(void);  /* the node that sent it */
 long infopid(void);   /* its process */

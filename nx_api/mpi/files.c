@@ -182,12 +182,12 @@ static long move_later(bool write_it, int fd, const struct iovec *parts, int cou
 }
 
 /* A buffer as a part. Lengths are the machine's: 32 bits. */
-static struct iovec whole(const void *buf, unsigned long len)
+static struct iovec whole(const void *buf, size_word len)
 {
     return (struct iovec){(void *)(uintptr_t)buf, (uint32_t)len};
 }
 
-long nxs_cread(word fd, void *buf, unsigned long len)
+long nxs_cread(word fd, void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
     return move(false, fd, &part, 1);
@@ -198,7 +198,7 @@ long nxs_creadv(word fd, const struct iovec *parts, word count)
     return move(false, fd, parts, count);
 }
 
-long nxs_cwrite(word fd, const void *buf, unsigned long len)
+long nxs_cwrite(word fd, const void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
     return move(true, fd, &part, 1);
@@ -209,7 +209,7 @@ long nxs_cwritev(word fd, const struct iovec *parts, word count)
     return move(true, fd, parts, count);
 }
 
-long nxs_iread(word fd, void *buf, unsigned long len)
+long nxs_iread(word fd, void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
     return move_later(false, fd, &part, 1);
@@ -220,7 +220,7 @@ long nxs_ireadv(word fd, const struct iovec *parts, word count)
     return move_later(false, fd, parts, count);
 }
 
-long nxs_iwrite(word fd, const void *buf, unsigned long len)
+long nxs_iwrite(word fd, const void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
     return move_later(true, fd, &part, 1);

@@ -182,7 +182,8 @@ long mailbox_take(struct node *n, struct receive *r)
                             m->type, m->source, m->bytes, r->room);
     else if (m->bytes)
         memcpy(r->buf, m->data, m->bytes);
-    mailbox_tell(n, m, r->info);
+    if (!mailbox_is_library(m->type))
+        mailbox_tell(n, m, r->info);
     message_free(m);
     r->m = NULL;
     return result;

@@ -95,6 +95,7 @@ double node_seconds(void);
     long node__##name(void) NX_EXPORT("_" #name);
 #define NX_OTHER(name)
 typedef int32_t word;
+typedef uint32_t size_word;
 #include "nx_api/calls/calls.def"
 #undef NX_CALL
 #undef NX_VALUE

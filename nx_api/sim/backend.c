@@ -2,8 +2,6 @@
 #include "node/cube.h"
 #include "nx_api/calls/call.h"
 
-enum { FIRST_RESERVED_TYPE = 1000000000 };
-
 void nx_about(struct node *n, long what)
 {
     n->call_type = n->awaited = what;
@@ -28,7 +26,7 @@ uint32_t nx_message_ids(const struct node *n)
 /* The host program sends none of the library's own messages. */
 long nx_check_way(struct node *n, long node)
 {
-    if (n->is_host && n->call_type >= FIRST_RESERVED_TYPE && n->call_type < PROTO_FORCED)
+    if (n->is_host && mailbox_is_library(n->call_type))
         return node_error(n, EQNODE,
                           "the global operations are the nodes': the host program takes no part in them");
     return n->is_host ? cube_check_send(n, node) : 0;

@@ -323,7 +323,8 @@ long mailbox_take(struct node *n, struct receive *r)
         memcpy(r->buf, m->data, m->bytes);
     if (m->buffered && result == 0)
         node_spend_on(n, NODE_COPYING, m->bytes * n->sys->cfg->copy_ps_per_byte);
-    mailbox_tell(n, m, r->info);
+    if (!mailbox_is_library(m->type))
+        mailbox_tell(n, m, r->info);
     unbuffer(n, m, node_now(n));
     proto_message_free(m);
     r->m = NULL;

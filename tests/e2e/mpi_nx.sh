@@ -21,14 +21,16 @@ trap 'rm -rf "$work"' EXIT
 for source in tests/nx/*.c; do
     name=$(basename "$source" .c)
     grep -q "^    $name  " <<<"$not_here" && continue
+    grep -q '^ \* simulator only: ' "$source" && continue
     if ! $BUILD/nxcc --mpi -O2 -g -o "$work/$name" "$source" -lm 2>"$work/err"; then
         echo "not ok $name: does not compile"
         cat "$work/err"
         continue
     fi
-    for nodes in $(sed -n 's/^ \* run: .*-n \([0-9]*\).*/\1/p' "$source" | sort -un); do
+    sed -n 's/^ \* stdin: //p' "$source" >"$work/in"
+    for nodes in $(sed -n 's/^ \* run: all$/-n 1\n-n 2\n-n 3\n-n 8/; s/^ \* run: //p; /^-n/p' "$source" | sed 's/.*-n \([0-9]*\).*/\1/' | sort -un); do
         [ "$nodes" -le 8 ] || continue
-        on_mpi "$nodes" "$work/$name" </dev/null
+        on_mpi "$nodes" "$work/$name" <"$work/in"
         [ $status = 0 ] || echo "status $status" >>"$work/out"
         if diff <(sort "tests/nx/$name.out") <(sort "$work/out") >"$work/differ"; then
             echo "ok $name on $nodes"

@@ -1,11 +1,28 @@
 #!/bin/bash
-# Compiles every program of tests/nx (with options that its head names: "compile: OPTIONS"), runs it on the machines its head
-# names ("run: ARGS"), and compares what it prints, and its exit
-# status if not 0 ("status N" as the last line), with NAME.out; where there is no such file, all runs must print the
-# same, clock times included, and end well.
-BUILD=${BUILD:-build}
+# nx.sh - conformance. Compiles every program of tests/nx, runs it on simulated machines, and compares what it prints, and its exit
+# status if not 0 ("status N" as the last line), with NAME.out; where there is no such file, all runs must print the same,
+# clock times included, and end well. A program's head says
+#     run: ARGS          the machine; "all" is 1, 2, 3, 8 and 33 nodes of a hypercube and of a mesh
+#     compile: OPTIONS   for nxcc
+#     stdin: TEXT        a line for its standard input
+BUILD=$(cd "${BUILD:-build}" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+
+machines() { # of a program, one a line
+    sed -n 's/^[ cC!][ *]* run: //p' "$1" | while read -r run; do
+        if [ "$run" = all ]; then
+            printf -- '-m %s\n' {ipsc860,delta}' -n '{1,2,3,8,33}
+        else
+            echo "$run"
+        fi
+    done
+}
+
+# Every program is named in the table of rules, and every name there is a program's.
+sed -n 's/^| [^|]* | \([^|]*\) |$/\1/p' tests/nx/RULES.md | tail -n +2 | tr ' ' '\n' | sort -u >"$work/named"
+for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do basename "${source%.*}"; done | sort -u >"$work/there"
+if diff "$work/named" "$work/there"; then echo "ok RULES.md names the programs"; else echo "not ok RULES.md names the programs"; fi
 
 for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     name=$(basename "${source%.*}")
@@ -16,13 +33,14 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
         cat "$work/err"
         continue
     fi
-    expected=tests/nx/$name.out
+    expected=$PWD/tests/nx/$name.out
     [ -f "$expected" ] || expected=$work/first
     rm -f "$work/first"
-    sed -n 's/^[ cC!][ *]* run: //p' "$source" >"$work/runs"
+    sed -n 's/^ \* stdin: //p' "$source" >"$work/in"
+    machines "$source" >"$work/runs"
     while read -r arguments; do
         # shellcheck disable=SC2086
-        $BUILD/touchstone run --max-wall-time 60 $arguments "$work/$name" >"$work/out" 2>"$work/err" </dev/null
+        (cd "$work" && "$BUILD/touchstone" run --max-wall-time 60 $arguments "$name" >out 2>err <in)
         status=$?
         [ $status = 0 ] || echo "status $status" >>"$work/out"
         [ -f "$expected" ] || [ $status != 0 ] || cp "$work/out" "$work/first"
