@@ -24,6 +24,7 @@ enum { MESSAGE_IDS = 500, PATIENCE_S = 5 };
 static struct node_system all;
 struct node node_me = {.sys = &all, .info = {-1, -1, -1, -1}};
 static struct timespec began;
+static pid_t process; /* not of children it may have */
 
 static void nap(long ns)
 {
@@ -58,22 +59,41 @@ static void finish(struct node *n, int status, double patience)
     wire_end();
 }
 
-/* exit() has been called, or main has returned. */
+static void kill_others(struct node *n)
+{
+    wire_send(n, ALL_NODES, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);
+}
+
+/* The program has called exit, or _exit. With a status other than 0 it has failed; nobody is to wait for it in vain. */
+static void exits(struct node *n, int status)
+{
+    if (n->over || getpid() != process)
+        return;
+    if (status == 0) {
+        finish(n, 0, 0);
+        return;
+    }
+    fprintf(stderr, "nx: node %ld, at %.6f s: exit(%d), which ends the program on all nodes\n", n->id,
+            node_seconds(), status);
+    kill_others(n);
+    finish(n, status, PATIENCE_S);
+}
+
+/* Also when main has returned, whose value is no status. */
 static void at_exit(int status, void *unused)
 {
     struct node *n = node_self();
     (void)unused;
-    if (n->over)
-        return;
     fflush(NULL);
-    finish(n, n->returned ? (int)n->exit_code : status, 0);
+    if (n->returned && !n->over)
+        finish(n, (int)n->exit_code, 0);
+    exits(n, status);
 }
 
 _Noreturn void node__exit(int status) NX_EXPORT("_exit");
 _Noreturn void node__exit(int status)
 {
-    if (!node_self()->over)
-        finish(node_self(), status, 0);
+    exits(node_self(), status);
     syscall(SYS_exit_group, status);
     __builtin_unreachable();
 }
@@ -109,7 +129,7 @@ _Noreturn void node_fail(struct node *n, const char *fmt, ...)
     if (n->over || !n->ends)
         wire_abort(1);
     fflush(NULL);
-    wire_send(n, ALL_NODES, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);
+    kill_others(n);
     finish(n, 1, PATIENCE_S);
     node__exit(1);
 }
@@ -298,6 +318,7 @@ static void tell_of_crashes(void)
 
 static void begin(struct node *n, int *argc, char ***argv)
 {
+    process = getpid();
     clock_gettime(CLOCK_MONOTONIC, &began);
     wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);

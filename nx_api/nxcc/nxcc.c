@@ -447,9 +447,9 @@ static void add_mpi_link(struct arguments *a, const struct places *p)
     add(a, "-x");
     add(a, "none");
     add(a, text("%s/mpi/libnx.a", p->lib));
-    add(a, "-Wl,--push-state,--as-needed"); /* for objects of Fortran files, too */
-    add(a, "-lgfortran");
-    add(a, "-Wl,--pop-state");
+    add(a,
+        "-l:libgfortran.a"); /* which opens files under /cfs by libnx.a; for objects of Fortran files, too */
+    add(a, "-l:libquadmath.a");
     add(a, "-lpthread");
     add(a, "-lm");
 }

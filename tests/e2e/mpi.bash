@@ -7,6 +7,7 @@ export TOUCHSTONE_CFS=$work/cfs
 on_mpi() {
     local ranks=$1
     shift
+    rm -rf "$TOUCHSTONE_CFS"
     timeout 120 mpirun -np "$ranks" "$@" >"$work/out" 2>"$work/err"
     status=$?
 }

@@ -34,13 +34,14 @@ check "main's value is no error" quiet
 check "functions of atexit run" sorted $'0 has ended\n1 has ended'
 on_mpi 2 ./ends exits
 check "exit's is the job's" ended_with 3
+check "and told" said '^nx: node 1, at [0-9.]+ s: exit\(3\), which ends the program on all nodes'
 on_mpi 3 ./ends crashes
 check "a crash ends the job" [ "$status" != 0 ]
 check "a crash is told with its node" said '^nx: node 2: crashed: segmentation fault'
 on_mpi 3 ./ends errs
 check "an error ends the job" ended_with 1
 check "an error names node, call and reason" \
-    said '^nx: node 2, at [0-9.]+ s: csend: there is no node 77 \(nodes are 0 to 2; -1 is all others\)'
+    said '^nx: node 2, at [0-9.]+ s: csend\(1, buf, 80, 77, 0\): there is no node 77 \(nodes are 0 to 2; -1 is all others\)'
 check "an error: what was printed before is there" sorted $'0 here\n1 here\n2 here'
 echo "some text" >text
 on_mpi 2 ./ends reads <text

@@ -18,17 +18,17 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 . tests/e2e/mpi.bash
 
-for source in tests/nx/*.c; do
-    name=$(basename "$source" .c)
+for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
+    name=$(basename "${source%.*}")
     grep -q "^    $name  " <<<"$not_here" && continue
-    grep -q '^ \* simulator only: ' "$source" && continue
-    if ! $BUILD/nxcc --mpi -O2 -g -o "$work/$name" "$source" -lm 2>"$work/err"; then
+    grep -q '^[ cC!][ *]* simulator only: ' "$source" && continue
+    if ! $BUILD/nxcc --mpi -O2 -g -J "$work" -o "$work/$name" "$source" -lm 2>"$work/err"; then
         echo "not ok $name: does not compile"
         cat "$work/err"
         continue
     fi
     sed -n 's/^ \* stdin: //p' "$source" >"$work/in"
-    for nodes in $(sed -n 's/^ \* run: all$/-n 1\n-n 3\n-n 8/; s/^ \* run: //p; /^-n/p' "$source" | sed 's/.*-n \([0-9]*\).*/\1/' | sort -un); do
+    for nodes in $(sed -n 's/^[ cC!][ *]* run: //; T; s/^all$/-n 3\n-n 8/; p' "$source" | sed 's/.*-n \([0-9]*\).*/\1/' | sort -un); do
         [ "$nodes" -le 8 ] || continue
         on_mpi "$nodes" "$work/$name" <"$work/in"
         [ $status = 0 ] || echo "status $status" >>"$work/out"

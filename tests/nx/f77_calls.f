@@ -148,8 +148,8 @@ c     hsend hrecv hsendx hrecvx hsendrecv masktrap
    10 seen(i) = 0
       call hrecv(31, k(1), 4, came)
       call hrecvx(32, k(2), 4, -1, -1, camex, 321)
-      call gsync
       call check(masktrap(1) .eq. 0, 31)
+      call gsync
       call hsend(31, me, 4, to, 0, sent)
       call hsendx(32, me, 4, to, 0, sentx, 322)
       call check(seen(1) .eq. 0, 32)
