@@ -6,7 +6,6 @@
 #include <cpuid.h>
 #include <errno.h>
 #include <sched.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +15,7 @@
 #include <unistd.h>
 #include "nx_api/calls/call.h"
 #include "nx_api/mpi/mailbox.h"
+#include "nx_api/mpi/signals.h"
 #include "nx_api/mpi/tick.h"
 #include "nx_api/mpi/wire.h"
 
@@ -277,45 +277,6 @@ static unsigned state_to_save(void)
     return low & WANTED;
 }
 
-/* A crash: says whose, and lets MPI say the rest. */
-static void crashed(int sig)
-{
-    static const char digits[] = "0123456789";
-    const struct node *n = node_self();
-    char text[128] = "nx: node ", number[12];
-    size_t at = strlen(text), k = 0;
-    unsigned long id = (unsigned long)n->id;
-    do
-        number[k++] = digits[id % 10];
-    while ((id /= 10) > 0);
-    while (k > 0)
-        text[at++] = number[--k];
-    const char *what = sig == SIGSEGV  ? ": crashed: segmentation fault"
-                       : sig == SIGFPE ? ": crashed: arithmetic error"
-                       : sig == SIGBUS ? ": crashed: bus error"
-                                       : ": crashed: illegal instruction";
-    for (; *what; what++)
-        text[at++] = *what;
-    if (n->call) {
-        for (what = ", in "; *what; what++)
-            text[at++] = *what;
-        for (what = n->call; *what && at < sizeof text - 1; what++)
-            text[at++] = *what;
-    }
-    text[at++] = '\n';
-    if (write(2, text, at) < 0)
-        node__exit(1);
-    signal(sig, SIG_DFL);
-    raise(sig);
-}
-
-static void tell_of_crashes(void)
-{
-    static const int signals[] = {SIGSEGV, SIGFPE, SIGBUS, SIGILL};
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
-        sigaction(signals[i], &(struct sigaction){.sa_handler = crashed, .sa_flags = SA_NODEFER}, NULL);
-}
-
 static void begin(struct node *n, int *argc, char ***argv)
 {
     process = getpid();
@@ -325,7 +286,7 @@ static void begin(struct node *n, int *argc, char ***argv)
     n->ends = calloc(n->sys->count, sizeof *n->ends);
     n->mailbox = mailbox_new(MESSAGE_IDS);
     nxc_saved = state_to_save();
-    tell_of_crashes();
+    signals_begin();
     if (!n->ends || !tick_start())
         node_fail(n, "the node cannot start: %s", strerror(errno));
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);

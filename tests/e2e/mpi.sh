@@ -37,12 +37,29 @@ check "exit's is the job's" ended_with 3
 check "and told" said '^nx: node 1, at [0-9.]+ s: exit\(3\), which ends the program on all nodes'
 on_mpi 3 ./ends crashes
 check "a crash ends the job" [ "$status" != 0 ]
-check "a crash is told with its node" said '^nx: node 2: crashed: segmentation fault'
+check "a crash is told with its node" said '^nx: node 2: crashed \(segmentation fault\) computing'
 on_mpi 3 ./ends errs
 check "an error ends the job" ended_with 1
 check "an error names node, call and reason" \
     said '^nx: node 2, at [0-9.]+ s: csend\(1, buf, 80, 77, 0\): there is no node 77 \(nodes are 0 to 2; -1 is all others\)'
 check "an error: what was printed before is there" sorted $'0 here\n1 here\n2 here'
+"$BUILD/nxcc" --mpi -O2 -o hangs "$tests/mpi/hangs.c"
+mpirun -np 3 ./hangs >out 2>err &
+for _ in $(seq 200); do
+    sleep 0.1
+    [ "$(wc -l <out)" = 3 ] && break
+done
+sleep 0.3
+kill -USR1 $!
+for _ in $(seq 100); do
+    sleep 0.1
+    [ "$(grep -c ' is ' err)" = 3 ] && break
+done
+kill $!
+wait $! 2>wait.err
+check "SIGUSR1: a program that hangs says in which call" said '^nx: node 1: is in crecv, of type or id 12'
+check "SIGUSR1: or that it computes" said '^nx: node 0: is computing$'
+check "SIGUSR1: or that it has ended" said "^nx: node 2: is after its program's end"
 echo "some text" >text
 on_mpi 2 ./ends reads <text
 check "standard input is node 0's" printed "read some text"
