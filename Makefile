@@ -104,6 +104,8 @@ install: all ## Install into PREFIX (default /usr/local)
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
 
+include doc/man/man.mk
+
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says

@@ -56,8 +56,8 @@ void gsendx(long type, const void *buf, long len, const long nodes[], long count
 
 void msgwait(long id); /* wait until the send or receive is complete; gives the id back */
 long msgdone(long id); /* 1 if complete (the id is given back), else 0 */
-void msgcancel(
-    long id); /* withdraw a receive that is not complete; a send goes on (silent). Gives the id back */
+/* Withdraw a receive that is not complete; a send goes on (silent). Gives the id back. */
+void msgcancel(long id);
 /* The id is given back as soon as it is complete; the program uses it no more. A message received so is in its buffer
  * after the first NX call that takes time and returns when it is complete (silent). */
 void msgignore(long id);

@@ -1,0 +1,19 @@
+#!/bin/bash
+# man.sh - the manual pages: all are made, without a mistake in their mark-up, and nx(3) has every call.
+. "$(dirname "$0")/common.bash"
+mkdir build
+ln -s "$BUILD"/* build/
+rm -f build/man
+check "the pages are made" "$tests/../../doc/man/pages" build
+
+for page in nxcc.1 nxf77.1 touchstone.1 touchstone-{run,study,plot,check,tables,srm,getcube}.1 nx.3; do
+    clean() { mandoc -T lint -W error "build/man/$page" && mandoc -T utf8 "build/man/$page" | col -b | grep -q '^SEE ALSO'; }
+    check "$page: is there, and clean" clean
+done
+
+calls=$(sed -n 's/^NX_[A-Z]*(\([a-z_0-9]*\).*/\1/p; s/^REDUCTION(\([a-z]*\).*/\1/p' "$tests"/../../nx_api/{calls/calls,common/reductions}.def |
+    grep -v '^nx_gopen_one$') # gopen's own
+missing() { for call in $calls gcol gcolx gopf gsync nxperror gopen; do grep -qw -- "$call" build/man/nx.3 || echo "$call"; done; }
+check "nx(3) has every call" test -z "$(missing)"
+check "there are many" test "$(wc -w <<<"$calls")" -ge 90
+check "nx(3) has the errors" grep -q EQMSGLONG build/man/nx.3
