@@ -10,7 +10,7 @@ cache_costs cache;
 /* long name(void *address, long sets, long ways, long line, long miss) */
 tree function(const char *name)
 {
-    tree l = long_integer_type_node;
+    tree l = units_type();
     tree type = build_function_type_list(l, ptr_type_node, l, l, l, l, NULL_TREE);
     return build_fn_decl(name, type);
 }
@@ -37,7 +37,7 @@ void look_up(gimple *stmt, tree ref, const char *name, int64_t miss, vec<tree> &
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
     tree address = force_gimple_operand_gsi(&gsi, fold_convert(ptr_type_node, address_of(ref)), true,
                                             NULL_TREE, true, GSI_SAME_STMT);
-    tree l = long_integer_type_node, answer = make_ssa_name(l);
+    tree l = units_type(), answer = make_ssa_name(l);
     gcall *call =
         gimple_build_call(function(name), 5, address, build_int_cst(l, cache.sets),
                           build_int_cst(l, cache.ways), build_int_cst(l, cache.line), build_int_cst(l, miss));

@@ -81,7 +81,7 @@ class counting
 
 tree units_constant(int64_t units)
 {
-    return build_int_cst(long_integer_type_node, units);
+    return build_int_cst(units_type(), units);
 }
 
 bool looks(gimple *stmt)
@@ -121,7 +121,7 @@ void counting::look_at_function()
             calls = calls || looks(gsi_stmt(gsi));
     }
     if (!in_memory)
-        left = create_tmp_reg(long_integer_type_node, "left");
+        left = create_tmp_reg(units_type(), "left");
 }
 
 /* Appends counter -= amount. The result names the last statement and where the new value is. */
@@ -134,8 +134,8 @@ check counting::subtract(gimple_seq *seq, tree amount)
         gimple_seq_add_stmt_without_update(seq, sub);
         return {sub, left};
     }
-    tree was = make_ssa_name(long_integer_type_node);
-    tree is = make_ssa_name(long_integer_type_node);
+    tree was = make_ssa_name(units_type());
+    tree is = make_ssa_name(units_type());
     gimple *store = gimple_build_assign(counter, is);
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, was, amount));
@@ -195,9 +195,9 @@ tree append_elements(gimple_seq *seq, tree array)
 {
     if (!POINTER_TYPE_P(TREE_TYPE(array)))
         return NULL_TREE;
-    tree count = build_fn_decl("nx_elements", build_function_type_list(long_integer_type_node, ptr_type_node, NULL_TREE));
+    tree count = build_fn_decl("nx_elements", build_function_type_list(units_type(), ptr_type_node, NULL_TREE));
     gcall *call = gimple_build_call(count, 1, array);
-    tree value = make_ssa_name(long_integer_type_node, call);
+    tree value = make_ssa_name(units_type(), call);
     gimple_call_set_lhs(call, value);
     gimple_seq_add_stmt_without_update(seq, call);
     return value;
@@ -213,10 +213,10 @@ tree append_amount(gimple_seq *seq, gcall *call, int64_t per, const std::vector<
             return NULL_TREE;
         if (!INTEGRAL_TYPE_P(TREE_TYPE(value)))
             return NULL_TREE;
-        value = gimple_convert(seq, long_integer_type_node, value);
+        value = gimple_convert(seq, units_type(), value);
         if (!argument) /* a negative result is an error, and no amount */
-            value = gimple_build(seq, MAX_EXPR, long_integer_type_node, value, units_constant(0));
-        amount = gimple_build(seq, MULT_EXPR, long_integer_type_node, amount, value);
+            value = gimple_build(seq, MAX_EXPR, units_type(), value, units_constant(0));
+        amount = gimple_build(seq, MULT_EXPR, units_type(), amount, value);
     }
     return amount;
 }
@@ -405,7 +405,7 @@ void counting::run()
 
 tree make_counter()
 {
-    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(COUNTER), long_integer_type_node);
+    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(COUNTER), units_type());
     DECL_EXTERNAL(var) = 1;
     TREE_PUBLIC(var) = 1;
     TREE_USED(var) = 1;

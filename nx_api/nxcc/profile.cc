@@ -21,7 +21,7 @@ enum { CELL_BYTES = 48 };
 
 tree units_constant(int64_t units)
 {
-    return build_int_cst(long_integer_type_node, units);
+    return build_int_cst(units_type(), units);
 }
 
 /* Written in which function, calling what, as part of which body: trees by their DECL_UID, which stay. */
@@ -60,7 +60,7 @@ int find_cell(tree function, const char *called, int body)
 
 tree make_array()
 {
-    tree type = build_array_type_nelts(long_integer_type_node, 1 << 20);
+    tree type = build_array_type_nelts(units_type(), 1 << 20);
     tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier("nxc_cells"), type);
     SET_DECL_ASSEMBLER_NAME(var, get_identifier("*.Lnxc_cells"));
     TREE_STATIC(var) = 1;      /* of this file ... */
@@ -78,14 +78,14 @@ tree units_of(int cell)
 {
     if (!array)
         array = make_array();
-    return build2(MEM_REF, long_integer_type_node, build_fold_addr_expr(array),
-                  build_int_cst(build_pointer_type(long_integer_type_node), cell * CELL_BYTES));
+    return build2(MEM_REF, units_type(), build_fold_addr_expr(array),
+                  build_int_cst(build_pointer_type(units_type()), cell * CELL_BYTES));
 }
 
 void add_to_cell(gimple_seq *seq, int cell, tree amount)
 {
-    tree was = make_ssa_name(long_integer_type_node);
-    tree is = make_ssa_name(long_integer_type_node);
+    tree was = make_ssa_name(units_type());
+    tree is = make_ssa_name(units_type());
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, units_of(cell)));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, PLUS_EXPR, was, amount));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(units_of(cell), is));
@@ -155,14 +155,14 @@ void profiling::add(gimple_seq *seq, basic_block bb, int cell, tree amount)
     }
     tree &sum = sums[{loop->num, cell}];
     if (!sum)
-        sum = create_tmp_reg(long_integer_type_node, "part");
+        sum = create_tmp_reg(units_type(), "part");
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(sum, PLUS_EXPR, sum, amount));
 }
 
 void profiling::give_away(gimple_seq *seq, tree counter, tree left) const
 {
-    tree was = make_ssa_name(long_integer_type_node);
-    tree spent = make_ssa_name(long_integer_type_node);
+    tree was = make_ssa_name(units_type());
+    tree spent = make_ssa_name(units_type());
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(spent, MINUS_EXPR, was, left));
     add_to_cell(seq, body, spent);

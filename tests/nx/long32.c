@@ -115,6 +115,29 @@ static void machine(void)
     print("eadd", size[0].slow == 4 && size[0].shigh == 8 && sizeof size[0] == 8);
 }
 
+static volatile double x = 1;
+
+static void handler(long type, long count, long node, long pid)
+{
+    x = 0;
+    (void)type, (void)count, (void)node, (void)pid;
+}
+
+/* What is counted, and looked at for handlers, has more bits than a long: this takes more than 2^31 thousandths of a clock. */
+static void computing(void)
+{
+    double since = dclock();
+    for (int i = 0; i < 1000000; i++)
+        x = x * 1.0000001;
+    print("computing takes its time", dclock() - since > 0.1 && dclock() - since < 10);
+    hrecv(7, &since, 4, handler);
+    csend(7, &since, 4, mynode(), 0);
+    x = 1;
+    for (int i = 0; i < 1000000 && x != 0; i++)
+        x = x * 1.0000001;
+    print("a handler interrupts it", x == 0);
+}
+
 static void file(void)
 {
     esize_t place = {1, 0};
@@ -135,6 +158,7 @@ int main(void)
     library();
     messages();
     machine();
+    computing();
     file();
     return 0;
 }
