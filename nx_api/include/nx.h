@@ -165,6 +165,10 @@ struct iovec; /* sys/uio.h */
 #define M_LOG 1
 #define M_SYNC 2
 #define M_RECORD 3
+/* The Paragon's: M_GLOBAL, in which all nodes give the same calls and one read serves all, and M_ASYNC, which is 0 without
+ * its promises. Both are taken as 0, and iomode says so: each node reads, or writes the same, at its own pointer (silent). */
+#define M_GLOBAL 4
+#define M_ASYNC 5
 
 /* Open on all nodes (which all call it): node 0 creates and truncates. */
 int gopen(const char *path, int flags, int iomode, unsigned permissions);

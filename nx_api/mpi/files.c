@@ -278,15 +278,14 @@ int node_close(int fd)
 
 static long set_mode(int fd, long mode)
 {
-    enum { M_ASYNC = 5 }; /* the Paragon's name for mode 0 without its promises */
     struct node *n = node_self();
     struct open_file *f = file_of(fd);
     if (!f)
         return -1;
-    if (mode == M_ASYNC)
+    if (mode == M_GLOBAL || mode == M_ASYNC) /* nx.h says why */
         mode = M_UNIX;
     if (mode < M_UNIX || mode > M_RECORD)
-        return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 3)", name_of(f), mode);
+        return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 5)", name_of(f), mode);
     if (!is_cfs(f) && mode != M_UNIX)
         return node_error(n, EINVAL, "%s: only files under /cfs have I/O modes other than 0", name_of(f));
     if (f->mode == mode)

@@ -206,12 +206,11 @@ long nxs_iowait(word id)
 
 static long set_mode(struct node *n, int fd, struct node_file *f, long mode)
 {
-    enum { M_ASYNC = 5 }; /* the Paragon's name for mode 0 without its promises */
     struct cfs_file *file = cfs_file_of(f);
-    if (mode == M_ASYNC)
+    if (mode == M_GLOBAL || mode == M_ASYNC) /* nx.h says why */
         mode = M_UNIX;
     if (mode < M_UNIX || mode > M_RECORD)
-        return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 3)", descriptor_path(n, fd), mode);
+        return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 5)", descriptor_path(n, fd), mode);
     if (!file && mode != M_UNIX)
         return node_error(n, EINVAL, "%s: only files under /cfs have I/O modes other than 0",
                           descriptor_path(n, fd));
