@@ -219,7 +219,7 @@ bool read_factor(reader &r, const config_setting_t *entry, std::vector<cost_fact
 
 bool read_factors(reader &r, const config_setting_t *root, std::vector<cost_factor> &factors)
 {
-    if (!only_keys(r, root, {"factors", "constants", "policies"}))
+    if (!only_keys(r, root, {"factors", "constants", "policies", "fit"}))
         return false;
     const config_setting_t *list = config_setting_get_member(root, "factors");
     if (!list || !config_setting_is_list(list))

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 int cli_check(int argc, char **argv);
+int cli_fit(int argc, char **argv);
 int cli_plot(int argc, char **argv);
 int cli_run(int argc, char **argv);
 int cli_study(int argc, char **argv);

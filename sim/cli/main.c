@@ -13,6 +13,7 @@ static const char HELP[] =
     "  touchstone study   run a program over several axes: nodes, machine, arguments\n"
     "  touchstone plot    draw the pictures of a study again, from its results\n"
     "  touchstone check   compare a study with a baseline: what got slower, and where\n"
+    "  touchstone fit     fit numbers of a machine to measurements\n"
     "  touchstone tables  reproduce Tables 1-5 of Bajaj & Lin, beside the paper's\n"
     "  touchstone srm     share out a machine's nodes among users, as its host did\n"
     "  touchstone getcube, cubeinfo, attachcube, load, waitcube, killcube, relcube\n"
@@ -36,8 +37,8 @@ int main(int argc, char **argv)
     static const struct {
         const char *name;
         int (*run)(int, char **);
-    } COMMANDS[] = {{"run", cli_run},     {"study", cli_study},   {"plot", cli_plot},
-                    {"check", cli_check}, {"tables", cli_tables}, {"srm", cli_srm}};
+    } COMMANDS[] = {{"run", cli_run}, {"study", cli_study},   {"plot", cli_plot}, {"check", cli_check},
+                    {"fit", cli_fit}, {"tables", cli_tables}, {"srm", cli_srm}};
     const char *slash = argc > 0 ? strrchr(argv[0], '/') : NULL, *called = slash      ? slash + 1
                                                                            : argc > 0 ? argv[0]
                                                                                       : "";

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Where the search begins to look, and where it ends: parts of the range. */
-static const double FIRST_STEP = 0.1, LAST_STEP = 1e-6;
+static const double FIRST_STEP = 0.1, LAST_STEP = 1e-5;
 
 struct search {
     const struct fit_problem *problem;

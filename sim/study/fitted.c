@@ -48,7 +48,7 @@ static bool read_choices(struct cfg_reader *r, const char *key, bool policy, str
 
 static bool read_factors(struct cfg_reader *r, struct paper_fitted *f)
 {
-    static const char *const keys[] = {"factors", "constants", "policies", NULL};
+    static const char *const keys[] = {"factors", "constants", "policies", "fit", NULL};
     config_setting_t *list;
     if (!cfg_only(r, r->root, keys) || !cfg_list(r, r->root, "factors", &list))
         return false;

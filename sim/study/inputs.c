@@ -117,6 +117,14 @@ char **inputs_settings(const struct inputs *in, const struct point *p)
     return list;
 }
 
+char **inputs_arguments(const struct inputs *in, const struct point *p)
+{
+    char **list = point_arguments(in->spec, p);
+    for (const char *const *more = in->places.arguments; more && *more; more++)
+        words_add(&list, text_of("%s", *more));
+    return list;
+}
+
 /* The machine file's name as touchstone run takes it, from the study's folder. */
 static char *machine_name(const struct inputs *in, const char *name)
 {
@@ -268,7 +276,7 @@ bool inputs_of(struct inputs *in, const struct point *p, struct digest *key, jso
     set(own, "nodes", json_integer((json_int_t)point_nodes(in->spec, p)));
     set(own, "machine", digest_json(machine->digest));
     set(own, "settings", words_json(settings));
-    set(own, "arguments", words_json(point_arguments(in->spec, p)));
+    set(own, "arguments", words_json(inputs_arguments(in, p)));
     char *text = json_dumps(own, JSON_COMPACT | JSON_SORT_KEYS);
     if (!text)
         abort();

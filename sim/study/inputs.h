@@ -21,6 +21,7 @@ struct inputs_places {
     const char *machines;   /* the folder of machine files */
     const char *dir;        /* the study file's folder */
     const char *const *set; /* settings of every point's machine beside its own, ended by NULL; or NULL */
+    const char *const *arguments; /* words after every point's own, ended by NULL; or NULL */
 };
 
 /* Reads what all points share. NULL with *error a malloc'd text for the user. */
@@ -36,4 +37,6 @@ char **inputs_settings(const struct inputs *in, const struct point *p);
 
 /* A machine file as libconfig writes it, without comments and with what it includes. False: it cannot be read. */
 bool inputs_machine_file(const char *path, struct digest *d);
+/* The program's arguments. */
+char **inputs_arguments(const struct inputs *in, const struct point *p);
 #endif

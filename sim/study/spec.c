@@ -109,9 +109,9 @@ static bool read_nodes_and_machine(struct cfg_reader *r, struct spec *s)
 
 static bool read_spec(struct cfg_reader *r, struct spec *s)
 {
-    static const char *const keys[] = {"title",      "about",         "program", "machine",  "nodes",
-                                       "arguments",  "inputs",        "axes",    "only",     "cost",
-                                       "max_wall_s", "max_virtual_s", "profile", "pictures", NULL};
+    static const char *const keys[] = {
+        "title", "about", "program",    "machine",       "nodes",   "arguments", "inputs", "axes",
+        "only",  "cost",  "max_wall_s", "max_virtual_s", "profile", "pictures",  "fit",    NULL};
     return cfg_only(r, r->root, keys) && cfg_text(r, r->root, "program", &s->program) &&
            spec_optional(r, r->root, "title", &s->title) && spec_optional(r, r->root, "about", &s->about) &&
            spec_optional(r, r->root, "arguments", &s->arguments) && read_inputs(r, s) &&

@@ -99,8 +99,8 @@ static bool find_program(struct study *s, char **error)
 
 static bool read_inputs(struct study *s, char **error)
 {
-    struct inputs_places places = {s->options.runner, s->program, s->options.machines, s->dir,
-                                   s->options.set};
+    struct inputs_places places = {s->options.runner, s->program,          s->options.machines, s->dir,
+                                   s->options.set,    s->options.arguments};
     return (s->inputs = inputs_open(s->spec, &places, error));
 }
 

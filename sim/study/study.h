@@ -26,11 +26,12 @@ struct study_options {
     const char *cache;    /* the folder of results kept for all studies (kept.h); NULL: none */
     const char *session;  /* common to the processes that share the work (together.h); "": this one alone */
     const char *const
-        *set;         /* settings KEY=VALUE of every point's machine, after its own; ended by NULL; or NULL */
-    unsigned at_once; /* children at a time */
-    bool retry_failed; /* run points again that failed in an earlier session */
-    FILE *out;         /* what was done */
-    FILE *progress;    /* how it is getting on, and what is odd */
+        *set; /* settings KEY=VALUE of every point's machine, after its own; ended by NULL; or NULL */
+    const char *const *arguments; /* words after every point's own arguments, ended by NULL; or NULL */
+    unsigned at_once;             /* children at a time */
+    bool retry_failed;            /* run points again that failed in an earlier session */
+    FILE *out;                    /* what was done */
+    FILE *progress;               /* how it is getting on, and what is odd */
 };
 
 enum study_end {

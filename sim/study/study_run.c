@@ -228,7 +228,7 @@ static void build_argv(const struct study *s, const struct point *p, struct task
         add_option(&t->argv, "--max-wall-time", text_of("%.15g", spec->max_wall_s));
     add_list(&t->argv, "--set", inputs_settings(s->inputs, p));
     words_add(&t->argv, text_of("%s", s->program));
-    add_list(&t->argv, NULL, point_arguments(spec, p));
+    add_list(&t->argv, NULL, inputs_arguments(s->inputs, p));
 }
 
 static void begin_task(struct session *e, struct task *t, const struct work *w, const struct point *p,

@@ -1,0 +1,112 @@
+#!/bin/bash
+# fit.sh - touchstone fit: known numbers of a machine are found again from what a machine with them measured.
+. "$(dirname "$0")/common.bash"
+export XDG_CACHE_HOME=$work/cache
+compile parts
+
+fit() {
+    "$BUILD/touchstone" fit "$@" -o runs >out 2>err </dev/null
+    status=$?
+}
+shows() { grep -qE -- "$1" out; }
+study() { # [SETTINGS] - the study, of a machine with these settings
+    cat <<END2
+program = "parts";
+machine = "delta";
+nodes = 2;
+axes = (
+    { name = "messages"; values = ( 0, 100 ); arguments = "{}"; set = ( $1 ); },
+    { name = "interrupts"; values = ( 0, 40 ); arguments = "{}"; }
+);
+only = ( "messages + interrupts > 0" );
+END2
+}
+
+# --- the measurements: what a machine with other numbers does, to nine digits ---
+study '"system.short_send_us=63.7", "system.interrupt_us=137.25"' >truth.cfg
+"$BUILD/touchstone" study truth.cfg -o truth >out 2>err
+check "it can be measured" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i }
+    { print $c["messages"] "," $c["interrupts"] "," $c["total_s"] > "measured.csv" } END { exit NR != 4 }' truth/results.csv
+
+{
+    study
+    cat <<'END2'
+fit = {
+    parameters = (
+        { name = "send"; set = "system.short_send_us={}"; from = 10.0; to = 200.0; start = 40.0; },
+        { name = "interrupt"; set = "system.interrupt_us={}"; from = 20.0; to = 400.0; logarithmic = true; },
+        { name = "disk"; set = "cfs.request_us={}"; from = 100.0; to = 1000.0; start = 400.0; }
+    );
+    measurements = "measured.csv";
+};
+END2
+} >parts.cfg
+near() { awk -v name="$1" -v want="$2" '$1 == name { found = found || $5 > want * 0.999 && $5 < want * 1.001 } END { exit !found }' out; }
+fit parts.cfg
+check "not all is determined" ended_with 1
+check "the time to send is found" near send 63.7
+check "the time of an interrupt is found" near interrupt 137.25
+check "what has no influence is named" shows '^disk .* 400 +400 +any  not determined: no measured figure changes with it$'
+check "the others are not" test "$(grep -c 'not determined' out)" = 1
+check "sensitivities are shown" shows '^messages 100, interrupts 0: total_s +\+0\.[1-9][0-9]* +\+0\.0+ +\+0\.0+$'
+check "each evaluation is told as it comes" said '^ +1  rms, percent [0-9.]+  send 40  interrupt 89.4427  disk 400$'
+check "the constants are those" grep -qE '^    \( "system.short_send_us=63\.[67][0-9]*", "3 measurements in measured.csv, parts.cfg" \)' runs/fitted.cfg
+check "what is not determined is none" bash -c '! sed -n "/^constants/,/^)/p" runs/fitted.cfg | grep -q request'
+check "where they come from is there" grep -qE '^    rows = \($' runs/fitted.cfg
+check "a compiler takes the file for one of factors" "$BUILD/nxcc" -O2 --factors runs/fitted.cfg -o parts2 "$tests/parts.c"
+cp runs/fitted.cfg first.cfg
+cp out first.out
+fit parts.cfg --constants again.cfg
+check "again, nothing is run" shows ' evaluations, 0 runs, [0-9]+ more of before$'
+check "and the same is found" cmp <(grep -v '^    date' first.cfg) <(grep -v '^    date' again.cfg)
+
+# --- numbers that the data cannot tell apart; a list in the study file; arguments of the program ---
+{
+    study
+    cat <<'END2'
+fit = {
+    parameters = (
+        { name = "send"; set = "system.short_send_us={}"; from = 10.0; to = 200.0; start = 40.0; },
+        { name = "receive"; set = "system.short_receive_us={}"; from = 10.0; to = 200.0; start = 40.0; }
+    );
+    measurements = ( { messages = 100; interrupts = 0; total_s = "0.0215"; }, { messages = 100; interrupts = 0; total_s = 0.02152; weight = 2.0; } );
+    weights = "rounding";
+};
+END2
+} >together.cfg
+fit together.cfg
+check "two that do the same" ended_with 1
+check "are told together" shows '^send .* not determined: only together with receive$'
+check "both" shows '^receive .* not determined: only together with send$'
+
+# --- mistakes ---
+wrong() { # NAME SED-SCRIPT MESSAGE - of parts.cfg changed so
+    sed "$2" parts.cfg >wrong.cfg
+    fit wrong.cfg
+    check "$1" ended_with 65
+    check "$1: is told" said "^touchstone fit: $3"
+}
+wrong "no hole" 's/interrupt_us={}/interrupt_us=1/' 'wrong.cfg:12: set: must have \{\}'
+wrong "a range upside down" 's/from = 10.0/from = 300.0/' 'wrong.cfg:11: from: 300 must be less than to, 200'
+wrong "a start outside" 's/start = 40.0/start = 4.0/' 'wrong.cfg:11: start: '
+wrong "an unknown key" 's/ measurements/ measurement/' 'wrong.cfg:15: measurement: '
+wrong "a setting that the machine has not got" 's/short_send_us/shirt_send_us/' '.*shirt_send_us'
+wrong "no such file" 's/measured.csv/none.csv/' 'none.csv: No such file'
+for bad in 's/^0,40,/0,41,/:measured.csv:2: messages 0, interrupts 41: total_s is no point of the study' \
+    's/total_s/totals_s/:measured.csv:2: messages 0, interrupts 40: totals_s: the run has no such figure' \
+    's/^100,0,.*/100,0,fast/:measured.csv:3: total_s: .fast. is no number' \
+    's/^100,0,/100,/:measured.csv:3: 2 cells, and 3 names' \
+    's/^messages,/message,/:measured.csv:2: which messages\?'; do
+    cp measured.csv good.csv
+    sed -i "${bad%%:*}" measured.csv
+    fit parts.cfg
+    check "${bad#*:}" said "^touchstone fit: ${bad#*:}"
+    cp good.csv measured.csv
+done
+study >none.cfg
+fit none.cfg
+check "a study without a fit" said '^touchstone fit: none.cfg: fit: missing'
+fit
+check "no study" ended_with 64
+fit --help
+check "there is help" shows 'usage: touchstone fit STUDY'
