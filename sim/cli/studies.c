@@ -24,6 +24,7 @@ bool cli_studies_begin(struct cli_studies *s, const char *command, unsigned jobs
                                       .programs = s->programs,
                                       .machines = s->machines,
                                       .cache = s->cache,
+                                      .session = "",
                                       .at_once = jobs ? jobs : cli_processors(),
                                       .out = stdout,
                                       .progress = stderr};
