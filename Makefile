@@ -29,7 +29,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
 include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk
-include $(wildcard bench/machine/*.mk bench/paper/*/*.mk bench/studies/*.mk)
+include $(wildcard bench/machine/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
@@ -90,7 +90,7 @@ setup: ## Install what is missing of packages.txt (Debian, apt-get)
 INST = $(DESTDIR)$(PREFIX)
 
 install: all ## Install into PREFIX (default /usr/local)
-	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper)
+	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
@@ -103,6 +103,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
+	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
 
 include doc/man/man.mk
 

@@ -63,6 +63,12 @@ static json_t *figure(const json_t *value)
     return json_is_integer(value) || json_is_string(value) ? json_copy((json_t *)value) : NULL;
 }
 
+/* Programs without files of the machine's have nothing to say of them. */
+static bool is_unused(const char *key, const json_t *value)
+{
+    return begins(key, "files.") && json_is_number(value) && json_number_value(value) == 0;
+}
+
 /* time_s is one of the two under another name, where the program prints none of its own (study.h). */
 static bool is_twice(const json_t *figures)
 {
@@ -75,7 +81,8 @@ static json_t *figures_kept(const json_t *figures, const json_t *axes)
     json_t *kept = json_object(), *value, *copy;
     const char *key;
     json_object_foreach((json_t *)figures, key, value) if (!json_object_get(axes, key) && is_kept(key) &&
-                                                           (copy = figure(value))) set(kept, key, copy);
+                                                           !is_unused(key, value) && (copy = figure(value)))
+        set(kept, key, copy);
     if (is_twice(figures))
         json_object_del(kept, "time_s");
     return kept;
