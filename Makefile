@@ -53,7 +53,7 @@ include $(OWN_RULES)
 unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
-E2E_ONCE  = $(foreach once,exact tables profile_model mpi mpi_nx,%/$(once).sh@$(ASAN))
+E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)

@@ -111,7 +111,7 @@ static bool open_folder(struct study *s, char **error)
         *error = text_of("%s cannot be made: %m", o->dir);
         return false;
     }
-    if (!(s->claims = claims_enter(o->dir, o->session ? o->session : "", error)) ||
+    if (!(s->claims = claims_enter(o->dir, o->session, error)) ||
         !(s->journal = journal_open(o->dir, o->progress, error)) ||
         !(s->scratch = folder_scratch("touchstone-study", error)))
         return false;
@@ -126,6 +126,8 @@ struct study *study_open(const struct study_options *options, char **error)
     if (!s)
         abort();
     s->options = *options;
+    if (!s->options.session)
+        s->options.session = "";
     if ((s->spec = spec_read(options->file, error)) && find_dir(s, error) && find_program(s, error) &&
         read_inputs(s, error) && plan(s, error) && open_folder(s, error))
         return s;
@@ -166,13 +168,17 @@ struct study_counts study_counts(const struct study *s)
     return s->counts;
 }
 
-/* How it went, and what to do now. */
+/* Where the results came from. Of several processes each knows only of its own. */
 static void tell(const struct study *s)
 {
     const struct study_options *o = &s->options;
     const struct study_counts *c = &s->counts;
-    fprintf(o->out, "%zu point%s run, %zu in %s/journal before", c->run, c->run == 1 ? "" : "s", c->before,
-            o->dir);
+    if (*o->session)
+        fprintf(o->out, "%zu of %zu points run by this process, %zu in %s/journal before", c->run, s->count,
+                c->before, o->dir);
+    else
+        fprintf(o->out, "%zu point%s run, %zu in %s/journal before", c->run, c->run == 1 ? "" : "s",
+                c->before, o->dir);
     if (o->cache)
         fprintf(o->out, ", %zu from the cache", c->cached);
     fprintf(o->out, "; %zu of %zu points failed\n", c->failed, s->count);
