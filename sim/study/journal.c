@@ -127,6 +127,22 @@ json_t *journal_record(const struct journal *j, struct digest key)
     return record;
 }
 
+void journal_each(const struct journal *j, void (*visit)(void *arg, struct digest key, const json_t *record),
+                  void *arg)
+{
+    for (size_t i = 0; i < j->capacity; i++) {
+        json_t *record = j->places[i].offset ? journal_record(j, j->places[i].key) : NULL;
+        if (record)
+            visit(arg, j->places[i].key, record);
+        json_decref(record);
+    }
+}
+
+size_t journal_count(const struct journal *j)
+{
+    return j->count;
+}
+
 /* --- adding ---------------------------------------------------------------------------------------------- */
 
 static bool lock(struct journal *j, short type)

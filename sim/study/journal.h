@@ -28,6 +28,12 @@ bool journal_add(struct journal *j, struct digest key, enum line_state state, co
 /* Points that have failed so far count as not run. */
 void journal_forget_failed(struct journal *j);
 
+/* Calls visit with the last record of each point, in no order. */
+void journal_each(const struct journal *j, void (*visit)(void *arg, struct digest key, const json_t *record),
+                  void *arg);
+/* How many points have a line. */
+size_t journal_count(const struct journal *j);
+
 /* How the point of that key ended, by its last line; false: there is none. */
 bool journal_find(const struct journal *j, struct digest key, enum line_state *state);
 /* That line's record, the caller's; NULL: there is none. */

@@ -1,4 +1,5 @@
-/* study_parts.h - what the files of a study share: study.c opens it, study_run.c runs its points, study_points.c reads
+/* study_parts.h - what the files of a study share: study.c opens it, study_estimate.c says how long
+ * its points may take, study_run.c runs them, study_points.c reads
  * what they came to, study_report.c writes it down. */
 #ifndef STUDY_STUDY_PARTS_H
 #define STUDY_STUDY_PARTS_H
@@ -28,6 +29,9 @@ struct study {
     struct study_counts counts;
 };
 
+/* Points that ran before with other inputs, such as another build of the program, should take as long as they did then:
+ * where the journal knows of some, costs are seconds. */
+void study_estimate(struct study *s);
 /* By number, or the dearest first. */
 void study_sort(struct study *s, bool by_cost);
 #endif

@@ -381,6 +381,7 @@ enum study_end study_run(struct study *s, char **error)
     if (!(e.tasks = calloc(s->options.at_once, sizeof *e.tasks)))
         abort();
     e.env = environment(s);
+    study_estimate(s);
     study_sort(s, true);
     count(&e);
     e.cost_done = 0;

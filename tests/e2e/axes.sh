@@ -57,6 +57,19 @@ cp "${BUILD%/*}/machines/delta.cfg" own.cfg 2>/dev/null
 study axes.cfg -o first
 check "nothing is wrong with the study itself" ended_with 0
 
+# What took long before is begun first: here not what the study file says.
+cat >order.cfg <<'END'
+program = "counted"; machine = "delta"; nodes = 1; cost = "steps";
+axes = ( { name = "steps"; values = ( 1, 2, 3 ); arguments = "-steps {}"; },
+         { name = "slow"; value = "if(steps = 2, 400, 0)"; arguments = "-spin {}"; } );
+END
+began() { sed -n 's/^\[1\/3\] \(.*\): .*/\1/p' err; }
+study order.cfg -o order -j 1 --no-cache
+check "at first by what the study says" test "$(began)" = "steps 3, slow 0"
+echo >>counted
+study order.cfg -o order -j 1 --no-cache
+check "then by how long points took before" test "$(began)" = "steps 2, slow 400"
+
 # Inputs: a file that the program reads is a part of what its results depend on.
 cat >reads.cfg <<'END'
 program = "counted"; machine = "delta"; inputs = ( "runs.log" ); arguments = "-log 1";

@@ -28,6 +28,8 @@ int main(int argc, char **argv)
         x += 1;
     for (long i = 0; i < 100000 * steps; i++)
         x = x * 0.5 + 1;
+    for (long i = 0; i < 100000 * option(argc, argv, "-spin"); i++)
+        x = x * 0.5 + 1;
     if (mynode() == 0)
         printf("x %g\ntotal_s %.9f\n", x, dclock());
     return 0;
