@@ -19,27 +19,37 @@ study() {
 }
 lines() { [ -f runs.log ] && wc -l <runs.log || echo 0; }
 results() { cat "$1/journal" 2>/dev/null | grep -c ' [df] {'; }
-# Starts a study, and kills it by that signal when that many points have their results.
+# interrupted SIGNAL POINTS STUDY DIR: starts a study, and sends it that signal when so many points have their results.
 interrupted() {
-    local signal=$1 points=$2
-    "$BUILD/touchstone" study many.cfg -o killed -j 2 >out 2>err </dev/null &
+    "$BUILD/touchstone" study "$3" -o "$4" -j 2 >out 2>err </dev/null &
     for ((i = 0; i < 2000; i++)); do
-        [ "$(results killed)" -ge "$points" ] && break
+        [ "$(results "$4")" -ge "$2" ] && break
         sleep 0.01
     done
-    kill -"$signal" $!
+    kill -"$1" $!
     wait $! 2>/dev/null
     status=$?
 }
 
-interrupted KILL 5
+interrupted KILL 5 many.cfg killed
 check "kill -9 leaves what was done" test "$(results killed)" -ge 5
 printf 'cut off in the midd' >>killed/journal
-interrupted KILL 12
+interrupted KILL 12 many.cfg killed
 check "the next one goes on from there, over a torn line" test "$(results killed)" -ge 12
-interrupted TERM 20
+
+# Three points end, three never do.
+cat >half.cfg <<'END'
+program = "counted";
+machine = "delta";
+cost = "if(endless = 1, 1, 2)";
+axes = (
+    { name = "nodes"; values = ( 1, 2, 4 ); },
+    { name = "endless"; values = ( 0, 1 ); arguments = "-endless {}"; }
+);
+END
+interrupted TERM 3 half.cfg half
 check "a signal to end is obeyed" ended_with 143
-check "and what to do is said" said '^stopped: [0-9]+ of 42 points are in killed/journal; the same command goes on from there$'
+check "and what to do is said" said '^stopped: 3 of 6 points are in half/journal; the same command goes on from there$'
 check "no child is left behind" bash -c '! pgrep -f "$0/counted"' "$work"
 study many.cfg -o killed
 check "in the end all is there" ended_with 0
@@ -112,7 +122,8 @@ study limits.cfg -o limits
 check "a limit ends a point" grep -qE 'endless 1: exit status 1: .*virtual' err
 check "and no other" grep -q '^2 points, 1 failed' out
 
-# The cache.
+# The cache, without what others have put there.
+rm -rf cache
 sed 's/-log 1/-log 0/; s/to = 15/to = 5/' many.cfg >pure.cfg
 study pure.cfg -o pure
 check "points are run" grep -q '^15 points run' out
