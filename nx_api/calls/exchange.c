@@ -21,7 +21,6 @@ long nxs_csendrecv(word type, const void *buf, word len, word node, word pid, wo
     nx_spend_call(n);
     mailbox_post(n, &r);
     nx_send(n, &o, &s);
-    node_order(n);
     node_wait(n, nx_send_is_done, &s);
     nx_about(n, typesel);
     node_wait(n, nx_receive_is_complete, &r);

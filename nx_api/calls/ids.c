@@ -45,7 +45,6 @@ long nxs_msgwait(word mid)
     if (check_id(n, id) < 0)
         return -1;
     nx_spend_call(n);
-    node_order(n);
     nx_awaits(n, mailbox_id_receive(n, id), mailbox_id_send(n, id));
     node_wait(n, is_complete, &id);
     return take(n, id);

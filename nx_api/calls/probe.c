@@ -20,7 +20,6 @@ static long wait_for(struct incoming in)
     if (nx_check_receive(n, &in) < 0)
         return -1;
     nx_spend_call(n);
-    node_order(n);
     node_wait(n, probe_finds, &in);
     return 0;
 }

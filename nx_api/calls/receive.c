@@ -41,7 +41,6 @@ static long receive(const struct incoming *in)
     struct receive r = nx_receive(in);
     nx_spend_call(n);
     mailbox_post(n, &r);
-    node_order(n);
     node_wait(n, nx_receive_is_complete, &r);
     return mailbox_take(n, &r);
 }

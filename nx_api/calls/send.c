@@ -19,13 +19,14 @@ bool nx_send_is_done(struct node *n, void *send)
     return ((struct send *)send)->done;
 }
 
-/* Sends, and waits until the buffer may be used again. */
+/* Sends, and waits until the buffer may be used again. Where it may be at once, the program goes on: what happens until
+ * its next call takes the processor's time from it in any case. */
 static void send_and_wait(struct node *n, const struct outgoing *o)
 {
     struct send s = {0};
     nx_send(n, o, &s);
-    node_order(n);
-    node_wait(n, nx_send_is_done, &s);
+    if (!s.done)
+        node_wait(n, nx_send_is_done, &s);
 }
 
 long nxs_csend(word type, const void *buf, word len, word node, word pid)

@@ -135,8 +135,10 @@ static void wait_for_end(struct node *n, bool (*ready)(struct node *, void *), v
     nx_spend_call(n);
     node_order(n);
     n->awaits_end = true;
+    n->sys->await_ends++;
     node_wait(n, ready, arg);
     n->awaits_end = false;
+    n->sys->await_ends--;
 }
 
 long nxs_waitall(word node, word pid)

@@ -114,10 +114,8 @@ static bool is_done(struct node *n, void *op)
 void cfs_wait(struct node *n, struct cfs_op *op)
 {
     node_order(n);
-    if (op->done && !cfs_done(n, op)) {
-        n->state = NODE_BLOCKED; /* as node_wait is about to say; only a blocked node can be woken */
+    if (op->done && !cfs_done(n, op))
         node_wake(n, op->complete);
-    }
     node_wait(n, is_done, op);
 }
 

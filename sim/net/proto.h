@@ -96,6 +96,8 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
                         const struct proto_nodes *nodes);
 void proto_free(struct proto *p);
 
+/* Is it sent without asking? Then the sender's buffer is free when the message has left. */
+bool proto_one_trip(const struct proto *p, int64_t type, size_t bytes);
 /* Processor time the sender's call spends before the message leaves. */
 vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes);
 /* A message; data are copied. The caller hands it to proto_send at the time its processor is done with it. */

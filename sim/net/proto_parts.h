@@ -34,8 +34,6 @@ static inline struct proto_bound proto_after(vtime t)
     return (struct proto_bound){.after = t};
 }
 
-/* Is it sent without asking? */
-bool proto_one_trip(const struct proto *p, int64_t type, size_t bytes);
 /* Time of one trip of a long message over the hops alone. */
 vtime proto_trip(const struct message *m);
 

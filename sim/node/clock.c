@@ -6,16 +6,24 @@
 
 #define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
 
+void clock_set(struct node *n, uint64_t hz)
+{
+    uint64_t units_per_second = hz * UNITS_PER_CLOCK;
+    n->clock_hz = hz;
+    n->unit_ps = VT_SECOND % units_per_second ? 0 : VT_SECOND / units_per_second;
+}
+
 vtime clock_of_units(const struct node *n, uint64_t units)
 {
-    uint64_t units_per_second = n->clock_hz * UNITS_PER_CLOCK;
-    if (VT_SECOND % units_per_second == 0)
-        return units * (VT_SECOND / units_per_second);
-    return (vtime)((unsigned __int128)units * VT_SECOND / units_per_second);
+    if (n->unit_ps)
+        return units * n->unit_ps;
+    return (vtime)((unsigned __int128)units * VT_SECOND / (n->clock_hz * UNITS_PER_CLOCK));
 }
 
 static uint64_t units_of_time(const struct node *n, vtime t)
 {
+    if (n->unit_ps)
+        return t / n->unit_ps + (t % n->unit_ps > 0);
     uint64_t units_per_second = n->clock_hz * UNITS_PER_CLOCK;
     return (uint64_t)(((unsigned __int128)t * units_per_second + VT_SECOND - 1) / VT_SECOND);
 }
@@ -23,7 +31,7 @@ static uint64_t units_of_time(const struct node *n, vtime t)
 vtime clock_sync(struct node *n)
 {
     struct node_clock *c = &n->clock;
-    if (n->image) {
+    if (c->runs && n->image) {
         c->units += (uint64_t)(c->given - *n->image->left);
         c->given = *n->image->left;
     }

@@ -3,6 +3,8 @@
 #define NODE_CLOCK_H
 #include "node/node.h"
 
+/* The node's processor has so many clocks a second. */
+void clock_set(struct node *n, uint64_t hz);
 /* Take up what the program has spent since the last time; returns the time. */
 vtime clock_sync(struct node *n);
 /* Time goes on without the program: wait, system. t >= clock_sync(n). */

@@ -11,6 +11,30 @@ enum { MOST_UNSEEN = 4096 };
 
 /* --- the scheduler's side --- */
 
+/* A wait of `waited` is over, during which the system was busy for `busy`. */
+static void account_wait(struct node *n, vtime waited, vtime busy)
+{
+    vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
+    n->stats.system -= beside;
+    n->stats.beside += beside;
+    n->stats.idle += idle;
+    if (idle)
+        waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
+}
+
+static void block(struct node *n, vtime now)
+{
+    n->state = NODE_BLOCKED;
+    n->wait.since = now;
+    n->wait.busy = n->stats.system;
+}
+
+/* Has the program, which waits, anything to do now? */
+static bool may_go_on(struct node *n, vtime now)
+{
+    return mailbox_handler_due(n, now) || n->wait.ready(n, n->wait.arg);
+}
+
 static void resume(struct node *n, vtime now)
 {
     clock_advance_to(n, now);
@@ -18,7 +42,10 @@ static void resume(struct node *n, vtime now)
     n->sys->current = n;
     n->sys->unseen = 0;
     errno = n->saved_errno;
+    n->clock.runs = true;
     fiber_resume(n->fiber);
+    clock_sync(n);
+    n->clock.runs = false;
     n->saved_errno = errno;
     n->sys->current = NULL;
 }
@@ -36,15 +63,26 @@ static void go_on(void *ctx, void *arg, vtime now)
         evq_put_late(n->sys->q, until, n->place, go_on, n, NULL);
         return;
     }
-    resume(n, now);
+    clock_advance_to(n, now);
+    if (n->wait.ready && evq_late_is_first(n->sys->q, now, n->place) && !n->sys->stop &&
+        now <= n->sys->max_time && !may_go_on(n, now))
+        block(n, now);
+    else
+        resume(n, now);
 }
 
 static void wake(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
     (void)arg;
-    if (n->state == NODE_BLOCKED)
+    if (n->state != NODE_BLOCKED)
+        return;
+    clock_advance_to(n, now);
+    account_wait(n, now - n->wait.since, n->stats.system - n->wait.busy);
+    if (may_go_on(n, now))
         resume(n, now);
+    else
+        block(n, now);
 }
 
 void node_wake(struct node *n, vtime t)
@@ -108,10 +146,16 @@ static bool must_stop(struct node *n, vtime now)
     return n->sys->stop || ++n->sys->unseen > MOST_UNSEEN;
 }
 
+/* Is something else to happen before the node's call at `now`? */
+static bool must_yield(struct node *n, vtime now)
+{
+    return n->clock.stolen || !evq_late_is_first(n->sys->q, now, n->place) || must_stop(n, now);
+}
+
 void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
-    while (n->clock.stolen || !evq_late_is_first(n->sys->q, now, n->place) || must_stop(n, now)) {
+    while (must_yield(n, now)) {
         evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
         fiber_yield(n->fiber);
         now = clock_sync(n);
@@ -192,24 +236,28 @@ static void catch_up(struct node *n)
         node_order(n);
 }
 
-/* A wait of `waited` is over, during which the system was busy for `busy`. */
-static void account_wait(struct node *n, vtime waited, vtime busy)
+/* Switches away until the program has something to do; on the scheduler's side, go_on and wake see to that. True if it
+ * has been blocked: then all earlier events have happened. */
+static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
-    vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
-    n->stats.system -= beside;
-    n->stats.beside += beside;
-    n->stats.idle += idle;
-    if (idle)
-        waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
+    n->wait.ready = ready, n->wait.arg = arg;
+    fiber_yield(n->fiber);
+    n->wait.ready = NULL;
+    return n->wait.since != VT_NEVER;
 }
 
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
+    vtime now = clock_sync(n);
+    n->wait.since = VT_NEVER;
+    if (must_yield(n, now)) {
+        evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
+        if (!switch_away(n, ready, arg))
+            node_order(n);
+    }
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
-        n->wait_since = node_now(n), n->wait_system = n->stats.system;
-        n->state = NODE_BLOCKED;
-        fiber_yield(n->fiber);
-        account_wait(n, node_now(n) - n->wait_since, n->stats.system - n->wait_system);
+        block(n, node_now(n));
+        switch_away(n, ready, arg);
     }
 }
 
@@ -217,7 +265,7 @@ void node_cut(struct node *n, vtime t)
 {
     vtime at = node_now(n) + n->clock.stolen;
     if (n->state == NODE_BLOCKED)
-        account_wait(n, t - n->wait_since, n->stats.system - n->wait_system);
+        account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);
     else if (at > t)
         clock_cut(n, at - t);
     n->clock.stolen = 0;

@@ -15,7 +15,9 @@
 #define NODE_CPU_H
 #include "node/node.h"
 
-/* Wait in a call until ready(n, arg); then time is node_now(n). Handlers due are run meanwhile. */
+/* Wait in a call until all earlier events of the machine have happened (node_order) and ready(n, arg); then time is
+ * node_now(n). Handlers due are run meanwhile. ready is asked on the node's stack or the scheduler's: a program is not
+ * switched to only to find that it has to wait. */
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);
 /* A blocked node looks again at what it waits for at time t. */
 void node_wake(struct node *n, vtime t);

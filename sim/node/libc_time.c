@@ -90,7 +90,6 @@ static void pause_for(const char *call, vtime t)
     node_enter(n, call);
     vtime until = node_now(n) + t;
     if (t > 0) {
-        n->state = NODE_BLOCKED; /* as node_wait is about to say; only a blocked node can be woken */
         node_wake(n, until);
         node_wait(n, is_over, &until);
     }

@@ -236,7 +236,7 @@ void mailbox_sent(void *ctx, struct message *m, vtime now)
     s->done = true;
     if (s->handler)
         add_due(n, now, NULL, s);
-    else
+    else if (n->state == NODE_BLOCKED)
         node_wake(n, now);
 }
 

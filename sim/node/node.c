@@ -90,6 +90,8 @@ static void has_ended(struct node *n, enum node_end how, int code, vtime at)
     n->sys->running--;
     if (n->sys->cube)
         mailbox_abandon(n); /* another program may come */
+    if (!n->sys->await_ends)
+        return;
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (n->sys->nodes[i]->awaits_end)
             node_wake(n->sys->nodes[i], at);
@@ -234,7 +236,7 @@ static void set_clock(struct node *n)
 {
     const struct cfg_machine *c = n->sys->cfg;
     bool fast = c->fast_every && n->id % c->fast_every == 0;
-    n->clock_hz = fast ? c->fast_clock_hz : c->clock_hz;
+    clock_set(n, fast ? c->fast_clock_hz : c->clock_hz);
     n->system_milli = fast ? cfg_fast_system_milli(c) : 1000;
 }
 
@@ -281,7 +283,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
     struct node *n = make(sys, sys->count);
     n->is_host = true;
     n->place = place;
-    n->clock_hz = sys->cfg->host.clock_hz;
+    clock_set(n, sys->cfg->host.clock_hz);
     n->system_milli = sys->cfg->host.system_milli;
     snprintf(n->name, sizeof n->name, "host");
     return load(n, img, argc, argv, envp, error);

@@ -40,6 +40,7 @@ struct node_clock {
     uint64_t units; /* cost units spent up to the last synchronisation */
     int64_t given;  /* what *left was set to then */
     vtime origin;   /* virtual time not spent computing: now = origin + units as time */
+    bool runs;      /* the program, since it was last switched to: it may have spent some */
     vtime stolen;   /* system time not yet added to the program's: see cpu.c */
 };
 
@@ -85,7 +86,7 @@ struct node {
     char name[16];  /* for people: "node 3", "host" */
     uint32_t place; /* on the network: its id, except for the host's */
     bool is_host;
-    uint64_t clock_hz;
+    uint64_t clock_hz, unit_ps; /* unit_ps: of a cost unit, 0 if that is no whole number; clock_set */
     uint64_t
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     long pid;         /* process type: 0, unless the program has set it */
@@ -118,8 +119,13 @@ struct node {
     long awaited; /* type or typesel of the message the call is about, if awaits */
     bool awaits;
     vtime call_since;
-    vtime wait_since, wait_system; /* while it is blocked: since when, and the system's time until then */
-    bool woken;                    /* a wake-up is in the queue */
+
+    /* what the program has switched away for, ready NULL: nothing but its turn (cpu.c) */
+    struct {
+        bool (*ready)(struct node *n, void *arg);
+        void *arg;
+        vtime since, busy; /* blocked; stats.system then */
+    } wait;
 
     struct mailbox *mailbox;
     struct node_info info;

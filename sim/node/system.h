@@ -24,6 +24,7 @@ struct node_system {
     struct cube *cube;   /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
     uint32_t count;      /* nodes; with a host program: of its cube, 0 when it has none */
     uint32_t running;    /* programs */
+    uint32_t await_ends; /* of them are in calls that wait for another's end */
     vtime max_time;      /* VT_NEVER: none */
     vtime longest_slice; /* computing is cut into slices of at most this; results do not depend on it */
 
