@@ -618,9 +618,11 @@ int main(int argc, char **argv)
     if (!user.has_file && argc == 1)
         fail("no input files; %s --help shows how it is used", program_invocation_short_name);
     bool link = user.links && user.has_file;
-    if (!has_kind(&user, C_FILE) || !has_kind(&user, FORTRAN_FILE)) {
+    int status = 0;
+    if (!has_kind(&user, C_FILE) || !has_kind(&user, FORTRAN_FILE))
         become(&user, &p, link);
-        return 0;
-    }
-    return link ? link_mixed(&user, &p) : compile_mixed(&user, &p);
+    else
+        status = link ? link_mixed(&user, &p) : compile_mixed(&user, &p);
+    fflush(stdout);
+    _exit(status); /* what has been allocated lives as long as the driver */
 }
