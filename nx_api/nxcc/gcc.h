@@ -34,6 +34,7 @@
 /* The type of what is counted: 64 bits, also where long has 32 (long32.cc). */
 static inline tree units_type()
 {
-    return TYPE_PRECISION(long_integer_type_node) == 64 ? long_integer_type_node : long_long_integer_type_node;
+    return TYPE_PRECISION(long_integer_type_node) == 64 ? long_integer_type_node
+                                                        : long_long_integer_type_node;
 }
 #endif
