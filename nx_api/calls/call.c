@@ -118,13 +118,19 @@ long nx_plain(struct node *n, long result)
     return result;
 }
 
+/* Apart: leave() may go on on another thread, where errno is elsewhere, and compilers look for it once in a function. */
+__attribute__((noinline)) static void set_errno(int why)
+{
+    errno = why;
+}
+
 /* _NAME: an error is the program's to see. */
 long nx_returning(struct node *n, long result)
 {
     int why = n->error.code;
     leave(n);
     if (result < 0)
-        errno = why;
+        set_errno(why);
     return result;
 }
 

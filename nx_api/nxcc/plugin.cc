@@ -86,6 +86,16 @@ void finish_unit(void *, void *)
 {
     profile_write_cells();
 }
+
+/* The C library says that errno is at the same place throughout a program. A node may go on on another thread of the
+ * simulator after each call, where it is elsewhere. */
+void look_at_declaration(void *decl, void *)
+{
+    tree d = static_cast<tree>(decl);
+    if (TREE_CODE(d) == FUNCTION_DECL && DECL_NAME(d) &&
+        !strcmp(IDENTIFIER_POINTER(DECL_NAME(d)), "__errno_location"))
+        TREE_READONLY(d) = 0;
+}
 } // namespace
 
 int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
@@ -109,6 +119,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(profile_roots()));
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
+    register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
     if (a.long32)
         long32_register(info->base_name, a.long32);

@@ -12,7 +12,7 @@
 /* An error that errno tells of. */
 static long fail(struct node *n, const char *what)
 {
-    int why = errno;
+    int why = node_errno();
     return node_error(n, why, "%s: %s", what, strerror(why));
 }
 
@@ -225,9 +225,9 @@ static long open_one(const char *call, const char *path, int flags, int mode, un
 {
     struct node *n = node_self();
     int fd = descriptor_new(n, file_open(n, path, flags, permissions), path);
-    int why = errno;
+    int why = node_errno();
     node_enter(n, call);
-    errno = why;
+    node_set_errno(why);
     if (fd < 0)
         return face(n, fail(n, path));
     return face(n, set_mode(n, fd, descriptor_file(n, fd), mode) < 0 ? -1 : fd);

@@ -38,6 +38,9 @@ static const char HELP[] =
     "  --slice S               look at computing programs at least every S virtual seconds: results must "
     "not\n"
     "                          depend on it, and this is how to test that\n"
+    "  -w, --workers N         compute with N threads; default TOUCHSTONE_WORKERS, else as many as processors, at\n"
+    "                          most 8. Results do not depend on it\n"
+    "  --shuffle SEED          let the threads take turns at random, which is how to test that\n"
     "  -q, --quiet             no summary\n"
     "\n"
     "Exit status: 0 all programs ended; 1 a program crashed, ended with an error, ran out of memory, or a "
@@ -47,12 +50,12 @@ static const char HELP[] =
     "\n"
     "example: nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring\n";
 
-enum { EXIT_USAGE = 64, EXIT_INPUT = 65 };
+enum { EXIT_USAGE = 64, EXIT_INPUT = 65, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
 
 struct arguments {
     const char *machine, *json, *profile, *cfs, *host;
     const char **set; /* ended by NULL */
-    uint32_t nodes;
+    uint32_t nodes, workers, shuffle;
     double max_virtual_s, max_wall_s, slice_s;
     bool quiet, help;
     char **program;
@@ -78,7 +81,7 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET, PROFILE, HOST };
+    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET, PROFILE, SHUFFLE, HOST };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
                                          {"profile", required_argument, NULL, PROFILE},
                                          {"host", required_argument, NULL, HOST},
@@ -89,6 +92,8 @@ static int parse(int argc, char **argv, struct arguments *a)
                                          {"slice", required_argument, NULL, SLICE},
                                          {"machine", required_argument, NULL, 'm'},
                                          {"nodes", required_argument, NULL, 'n'},
+                                         {"workers", required_argument, NULL, 'w'},
+                                         {"shuffle", required_argument, NULL, SHUFFLE},
                                          {"quiet", no_argument, NULL, 'q'},
                                          {"help", no_argument, NULL, 'h'},
                                          {0}};
@@ -98,7 +103,7 @@ static int parse(int argc, char **argv, struct arguments *a)
         abort();
     optind = 0;
     opterr = 0;
-    for (int c; (c = getopt_long(argc, argv, "+:m:n:qh", LONG, NULL)) != -1;) {
+    for (int c; (c = getopt_long(argc, argv, "+:m:n:w:qh", LONG, NULL)) != -1;) {
         switch (c) {
         case 'm':
             a->machine = optarg;
@@ -106,6 +111,15 @@ static int parse(int argc, char **argv, struct arguments *a)
         case 'n':
             if (!whole(optarg, &a->nodes))
                 return cli_usage("run", "-n takes a number of nodes, 1 or more, not '%s'", optarg);
+            break;
+        case 'w':
+            if (!whole(optarg, &a->workers) || a->workers > MOST_WORKERS)
+                return cli_usage("run", "-w takes a number of threads, 1 to %d, not '%s'", MOST_WORKERS,
+                                 optarg);
+            break;
+        case SHUFFLE:
+            if (!whole(optarg, &a->shuffle))
+                return cli_usage("run", "--shuffle takes a seed, 1 or more, not '%s'", optarg);
             break;
         case JSON:
             a->json = optarg;
@@ -212,6 +226,18 @@ static void give_host(struct machine_options *o, const struct arguments *a)
     o->argv[0] = (char *)(uintptr_t)a->host;
 }
 
+static unsigned workers(const struct arguments *a)
+{
+    unsigned processors = cli_processors();
+    const char *told = getenv("TOUCHSTONE_WORKERS");
+    uint32_t n;
+    if (a->workers)
+        return a->workers;
+    if (told && whole(told, &n) && n <= MOST_WORKERS)
+        return n;
+    return processors < USUAL_WORKERS ? processors : USUAL_WORKERS;
+}
+
 static int run(const struct arguments *a)
 {
     char home[4096], machines[4128], *error = NULL;
@@ -232,6 +258,8 @@ static int run(const struct arguments *a)
                                 .max_virtual_s = a->max_virtual_s,
                                 .max_wall_s = a->max_wall_s,
                                 .slice_s = a->slice_s,
+                                .workers = workers(a),
+                                .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
                                 .out = stdout,
                                 .err = stderr};

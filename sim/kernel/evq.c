@@ -143,6 +143,11 @@ vtime evq_next(const struct evq *q)
     return q->length ? q->heap[0].time : VT_NEVER;
 }
 
+uint32_t evq_next_place(const struct evq *q)
+{
+    return q->length ? (uint32_t)(q->heap[0].rank >> (SEQUENCE_BITS + 1)) : UINT32_MAX;
+}
+
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place)
 {
     struct entry e = {.time = time, .rank = rank_of(place, LATE)};

@@ -24,6 +24,8 @@ void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, voi
 
 /* Time of the earliest event, VT_NEVER when there is none. */
 vtime evq_next(const struct evq *q);
+/* Its place, UINT32_MAX when there is none. */
+uint32_t evq_next_place(const struct evq *q);
 /* Would a late event at (time, place) be the earliest of all? */
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
 /* Takes the earliest event out and lets it happen. False when there is none. */

@@ -1,5 +1,6 @@
 /* crash.c - see crash.h. */
 #include "machine/crash.h"
+#include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,51 +10,84 @@
 #include "node/image.h"
 #include "node/trace.h"
 
+struct crash_guard {
+    sigjmp_buf jump;
+    struct node *node; /* whose program runs; NULL: none */
+    struct node_crash crash;
+    char stack[1 << 16]; /* the handler's own */
+};
+
 static _Thread_local struct crash_guard *guard;
 
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
-enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0], HANDLER_STACK = 1 << 16 };
+enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
 
 static void on_fault(int signal, siginfo_t *info, void *context)
 {
     struct crash_guard *g = guard;
-    if (!g || !g->sys->current) {
+    if (!g || !g->node) {
         struct sigaction usual = {.sa_handler = SIG_DFL};
         sigaction(signal, &usual, NULL);
         raise(signal);
         return;
     }
     const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
-    g->node = g->sys->current;
-    g->signal = signal;
-    g->address = (uintptr_t)info->si_addr;
-    g->top = trace_in_stack(g->node, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
-    g->frames[0] = (uintptr_t)r[REG_RIP];
-    g->depth = 1 + trace_walk(g->node, (uintptr_t)r[REG_RBP], g->frames + 1,
-                              sizeof g->frames / sizeof g->frames[0] - 1);
+    g->crash.signal = signal;
+    g->crash.address = (uintptr_t)info->si_addr;
+    g->crash.top = trace_in_stack(g->node, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
+    g->crash.frames[0] = (uintptr_t)r[REG_RIP];
+    g->crash.depth = 1 + trace_walk(g->node, (uintptr_t)r[REG_RBP], g->crash.frames + 1,
+                                    sizeof g->crash.frames / sizeof g->crash.frames[0] - 1);
     siglongjmp(g->jump, 1);
 }
 
-void crash_watch(struct crash_guard *g, struct node_system *sys)
+void crash_catch(void)
 {
-    *g = (struct crash_guard){.sys = sys, .stack = malloc(HANDLER_STACK)};
-    stack_t s = {.ss_sp = g->stack, .ss_size = HANDLER_STACK};
-    sigaltstack(&s, NULL);
     struct sigaction a = {.sa_sigaction = on_fault, .sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER};
     for (int i = 0; i < FAULT_COUNT; i++)
         sigaction(FAULTS[i], &a, NULL);
-    guard = g;
+}
+
+void crash_ignore(void)
+{
+    struct sigaction usual = {.sa_handler = SIG_DFL};
+    for (int i = 0; i < FAULT_COUNT; i++)
+        sigaction(FAULTS[i], &usual, NULL);
+}
+
+struct crash_guard *crash_watch(void)
+{
+    guard = calloc(1, sizeof *guard);
+    if (!guard)
+        abort();
+    stack_t s = {.ss_sp = guard->stack, .ss_size = sizeof guard->stack};
+    sigaltstack(&s, NULL);
+    return guard;
 }
 
 void crash_unwatch(struct crash_guard *g)
 {
-    struct sigaction usual = {.sa_handler = SIG_DFL};
     stack_t none = {.ss_flags = SS_DISABLE};
-    for (int i = 0; i < FAULT_COUNT; i++)
-        sigaction(FAULTS[i], &usual, NULL);
     sigaltstack(&none, NULL);
-    free(g->stack);
     guard = NULL;
+    free(g);
+}
+
+bool crash_run(struct node *n)
+{
+    guard->node = n;
+    if (sigsetjmp(guard->jump, 0) == 0) {
+        fiber_resume(n->fiber);
+        guard->node = NULL;
+        return true;
+    }
+    fiber_abandon(n->fiber);
+    guard->node = NULL;
+    n->crash = malloc(sizeof *n->crash);
+    if (!n->crash)
+        abort();
+    *n->crash = guard->crash;
+    return false;
 }
 
 static const char *signal_text(int s)
@@ -73,9 +107,9 @@ static const char *signal_text(int s)
     }
 }
 
-static void print_cause(FILE *f, const struct crash_guard *g)
+static void print_cause(FILE *f, const struct node *n)
 {
-    const struct node *n = g->node;
+    const struct node_crash *g = n->crash;
     uintptr_t stack = (uintptr_t)n->stack;
     bool memory = g->signal == SIGSEGV || g->signal == SIGBUS;
     fprintf(f, "%s (%s)", signal_text(g->signal), strsignal(g->signal));
@@ -101,15 +135,15 @@ static bool has_frame(const struct node *n, uintptr_t pc)
     return code[memcmp(code, ENDBR64, sizeof ENDBR64) ? 0 : sizeof ENDBR64] == PUSH_RBP;
 }
 
-char *crash_report(const struct crash_guard *g)
+char *crash_report(const struct node *n)
 {
-    struct node *n = g->node;
+    const struct node_crash *g = n->crash;
     char *text = NULL;
     size_t size;
     FILE *f = open_memstream(&text, &size);
-    fprintf(f, "%s crashed at or soon after %.9f s, %s%s: ", n->name, vt_seconds(node_now(n)),
+    fprintf(f, "%s crashed at or soon after %.9f s, %s%s: ", n->name, vt_seconds(n->stats.ended_at),
             n->call ? "in " : "computing", n->call ? n->call : "");
-    print_cause(f, g);
+    print_cause(f, n);
     if (!trace_in_program(n, g->frames[0]))
         fprintf(f, "\n  in the library");
     trace_print(f, n, "in", g->frames[0]);

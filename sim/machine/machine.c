@@ -1,13 +1,15 @@
 /* machine.c - see machine.h. */
 #include "machine/machine.h"
 #include <signal.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include "cfs/cfs.h"
-#include "kernel/fiber.h"
+#include "kernel/workers.h"
 #include "machine/crash.h"
 #include "machine/places.h"
+#include "node/clock.h"
 #include "node/cpu.h"
 #include "node/cube.h"
 #include "node/image.h"
@@ -129,7 +131,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->cfg = options->cfg;
     s->count = s->running = nodes_of(options);
     s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
-    s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : VT_SECOND / 10;
+    s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
     s->out[0] = options->out, s->out[1] = options->err;
     s->q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error))
@@ -172,43 +174,96 @@ void machine_free(struct machine *m)
 
 /* The world outside: the wall clock's limit and the keyboard. Neither changes a result, they only end the
  * run. */
-static void look_outside(struct machine *m, double begin)
+static void look_outside(void *ctx)
 {
+    struct machine *m = ctx;
     sigset_t pending;
     sigpending(&pending);
     if (sigismember(&pending, SIGINT))
         node_system_fail(&m->sys, STOP_INTERRUPTED, "interrupted");
-    if (m->options.max_wall_s > 0 && wall_clock() - begin > m->options.max_wall_s)
+    if (m->options.max_wall_s > 0 && wall_clock() - m->begin > m->options.max_wall_s)
         node_system_fail(&m->sys, STOP_WALL_TIME, "wall time limit of %g s reached", m->options.max_wall_s);
+}
+
+static void show_crash(struct node *n)
+{
+    if (!n->call)
+        clock_go_back(n);
+    n->state = NODE_ENDED;
+    n->end = NODE_CRASHED;
+    n->stats.ended_at = node_now(n);
+    char *report = crash_report(n);
+    node_system_fail(n->sys, STOP_FAILED, "%s", report);
+    free(report);
+}
+
+static struct node *node_of(struct work *w)
+{
+    return (struct node *)((char *)w - offsetof(struct node, ahead.work));
+}
+
+/* The earliest event, if nothing that is out may come before it; else something is done about that. False: there is none,
+ * and nothing out. */
+static bool commit_event(struct node_system *s)
+{
+    if (!s->workers || !workers_busy(s->workers))
+        return evq_step(s->q);
+    for (struct work *w; (w = workers_take(s->workers));)
+        node_catch(node_of(w));
+    vtime next = evq_next(s->q);
+    uint32_t place = evq_next_place(s->q);
+    if (workers_allow(s->workers, next, place))
+        return next == VT_NEVER ? workers_busy(s->workers) : evq_step(s->q);
+    s->unseen += 64; /* it may have taken long */
+    workers_advance(s->workers, next, place);
+    return true;
 }
 
 static void commit_events(struct machine *m)
 {
     enum { LOOK_EVERY = 1024 };
     struct node_system *s = &m->sys;
-    double begin = wall_clock();
-    for (uint64_t i = 0; !s->stop && evq_step(s->q); i++)
+    for (uint64_t i = 0; !s->stop && commit_event(s); i++)
         if (i % LOOK_EVERY == 0 || s->unseen > LOOK_EVERY)
-            look_outside(m, begin);
+            look_outside(m);
 }
 
-/* The machine's events, until there are none, something stops it, or a program crashes. */
-static void run_guarded(struct machine *m)
+static void *thread_begins(void *ctx)
 {
-    struct crash_guard guard;
-    crash_watch(&guard, &m->sys);
-    if (sigsetjmp(guard.jump, 1) == 0) {
-        commit_events(m);
-    } else {
-        fiber_abandon(guard.node->fiber);
-        char *report = crash_report(&guard);
-        guard.node->state = NODE_ENDED;
-        guard.node->end = NODE_CRASHED;
-        m->sys.current = NULL;
-        node_system_fail(&m->sys, STOP_FAILED, "%s", report);
-        free(report);
+    (void)ctx;
+    return crash_watch();
+}
+
+static bool thread_runs(void *guard, struct work *w)
+{
+    (void)guard;
+    return node_run_ahead(node_of(w));
+}
+
+static void thread_ends(void *guard)
+{
+    crash_unwatch(guard);
+}
+
+/* The machine's events, until there are none, or something stops it. */
+static void run_events(struct machine *m)
+{
+    const struct workers_calls calls = {NULL, thread_begins, thread_runs, thread_ends};
+    struct node_system *s = &m->sys;
+    struct crash_guard *guard = crash_watch();
+    crash_catch();
+    s->run = crash_run, s->crashed = show_crash, s->look = look_outside, s->look_ctx = m;
+    if (m->options.workers > 1)
+        s->workers = workers_new(m->options.workers - 1, m->options.shuffle, &calls, guard);
+    commit_events(m);
+    if (s->workers) {
+        workers_halt(s->workers);
+        m->workers = workers_stats(s->workers);
+        workers_free(s->workers);
+        s->workers = NULL;
     }
-    crash_unwatch(&guard);
+    crash_ignore();
+    crash_unwatch(guard);
 }
 
 static void describe_waiting(FILE *f, const struct node *n)
@@ -284,21 +339,26 @@ uint32_t machine_nodes(const struct machine *m)
     return m->sys.cube ? cube_most(m->sys.cube) : m->sys.count;
 }
 
+/* One that computes when another fails may have run ahead. */
 static void note_end(struct machine *m, struct node *n)
 {
-    if (n->state != NODE_ENDED)
+    if (n->state == NODE_COMPUTING && m->sys.stop == STOP_FAILED) {
+        node_stop(n, m->sys.stop_at);
+        n->stats.ended_at = m->sys.stop_at;
+    } else if (n->state != NODE_ENDED) {
         n->stats.ended_at = node_now(n);
+    }
     m->end = vt_max(m->end, n->stats.ended_at);
 }
 
 void machine_run(struct machine *m)
 {
-    double begin = wall_clock();
+    m->begin = wall_clock();
     sigset_t keyboard, before;
     sigemptyset(&keyboard);
     sigaddset(&keyboard, SIGINT);
     sigprocmask(SIG_BLOCK, &keyboard, &before);
-    run_guarded(m);
+    run_events(m);
     if (m->sys.stop == STOP_INTERRUPTED) {
         int taken;
         sigwait(&keyboard, &taken);
@@ -309,5 +369,5 @@ void machine_run(struct machine *m)
     if (m->sys.host)
         note_end(m, m->sys.host);
     judge(m);
-    m->wall_s = wall_clock() - begin;
+    m->wall_s = wall_clock() - m->begin;
 }

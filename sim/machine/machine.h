@@ -13,6 +13,8 @@ struct machine_options {
     double max_virtual_s; /* 0: none */
     double max_wall_s;    /* 0: none */
     double slice_s;       /* longest slice of computing, 0: a tenth; see sim/node/cpu.h */
+    unsigned workers;     /* threads in all; 0 or 1: one. Results do not depend on it */
+    uint64_t shuffle;     /* not 0: the threads go about it at random, to test that */
     FILE *out, *err;      /* the programs' output */
     const char *cfs_dir;  /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
@@ -24,9 +26,11 @@ struct machine {
     struct node_system sys;
     struct node_image *image;
     enum machine_outcome outcome;
-    char *message;          /* what went wrong, for the user, one or more lines; NULL: nothing */
-    vtime end;              /* when the last program ended */
-    double wall_s, start_s; /* the run; of which putting the machine together */
+    char *message;                /* what went wrong, for the user, one or more lines; NULL: nothing */
+    struct workers_stats workers; /* how the threads did; all 0: there was one */
+    vtime end;                    /* when the last program ended */
+    double begin;                 /* of the run, by the wall's clock */
+    double wall_s, start_s;       /* the run; of which putting the machine together */
 };
 
 /* Puts it together, all programs loaded. NULL with *error set (malloc'd). */

@@ -6,6 +6,10 @@
 
 #define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
 
+/* Looks come after a quarter of a millisecond of an i860, then each as much later as has passed, up to 8 ms. */
+#define FIRST_LOOK (10000 * UNITS_PER_CLOCK)
+#define LONGEST_LOOK (320000 * UNITS_PER_CLOCK)
+
 void clock_set(struct node *n, uint64_t hz)
 {
     uint64_t units_per_second = hz * UNITS_PER_CLOCK;
@@ -47,20 +51,75 @@ void clock_advance_to(struct node *n, vtime t)
 {
     vtime now = clock_sync(n);
     n->clock.origin += t - now;
+    n->clock.known = n->clock.units;
 }
 
+void clock_is_known(struct node *n)
+{
+    n->clock.known = n->clock.units;
+}
+
+/* --- looks --- */
+
+static uint64_t least(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+void clock_give(struct node *n)
+{
+    struct node_clock *c = &n->clock;
+    c->given_at = c->looked = c->units;
+    c->look = c->units + FIRST_LOOK;
+}
+
+void clock_look(struct node *n)
+{
+    struct node_clock *c = &n->clock;
+    if (c->units < c->look)
+        return;
+    c->looked = c->units;
+    while (c->look <= c->units)
+        c->look += least(c->look - c->given_at, LONGEST_LOOK);
+}
+
+uint64_t clock_stretch(const struct node *n)
+{
+    return n->clock.units - n->clock.given_at;
+}
+
+void clock_go_back(struct node *n)
+{
+    struct node_clock *c = &n->clock;
+    clock_sync(n);
+    c->units = c->looked > c->known ? c->looked : c->known;
+}
+
+vtime clock_next_look(const struct node *n)
+{
+    return n->clock.origin + clock_of_units(n, n->clock.look);
+}
+
+/* Does not depend on how far the program had run ahead. */
 void clock_cut(struct node *n, vtime t)
 {
     clock_sync(n);
-    uint64_t units = units_of_time(n, t);
-    n->clock.units -= units < n->clock.units ? units : n->clock.units;
+    vtime computed = clock_of_units(n, n->clock.units);
+    n->clock.units = computed > t ? units_of_time(n, computed - t) : 0;
 }
 
 void clock_allow(struct node *n, vtime deadline)
 {
-    vtime now = clock_sync(n);
-    uint64_t units = deadline > now ? units_of_time(n, deadline - now) : 1;
+    struct node_clock *c = &n->clock;
+    vtime now = c->origin + clock_of_units(n, c->units);
+    uint64_t units = c->look - c->units;
+    if (n->sys->longest_slice)
+        units = least(units, units_of_time(n, n->sys->longest_slice));
+    if (deadline <= now)
+        units = 1;
+    else if (deadline != VT_NEVER)
+        units = least(units, units_of_time(n, deadline - now));
     /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
-    n->clock.given = units > INT64_MAX / 2 ? INT64_MAX / 2 : (int64_t)units - 1;
-    *n->image->left = n->clock.given;
+    c->given = (int64_t)units - 1;
+    *n->image->left = c->given;
 }

@@ -1,4 +1,7 @@
-/* clock.h - a node's processor clock: cost units counted by the program, and the rest of its time. */
+/* clock.h - a node's processor clock: cost units counted by the program, and the rest of its time.
+ *
+ * While a program computes it is looked at now and then: the first check at or past certain numbers of units since it
+ * got control calls nxc_preempt. Looks come at the same checks in every run, whatever else stops the program. */
 #ifndef NODE_CLOCK_H
 #define NODE_CLOCK_H
 #include "node/node.h"
@@ -9,11 +12,24 @@ void clock_set(struct node *n, uint64_t hz);
 vtime clock_sync(struct node *n);
 /* Time goes on without the program: wait, system. t >= clock_sync(n). */
 void clock_advance_to(struct node *n, vtime t);
-/* Take back so much computing, or all there is. */
-void clock_cut(struct node *n, vtime t);
-/* Let the program spend until `deadline`: the first check at or past it calls nxc_preempt. Call after
- * clock_sync. */
+/* All that happened before this moment of the node has: it is not ahead of the others. Call after clock_sync. */
+void clock_is_known(struct node *n);
+/* The program gets control: the looks begin anew. Call after clock_sync. */
+void clock_give(struct node *n);
+/* Let the program spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
+ * nxc_preempt. Call after clock_sync. */
 void clock_allow(struct node *n, vtime deadline);
+/* In nxc_preempt, after clock_sync: notes the looks that are due. */
+void clock_look(struct node *n);
+/* Units spent since the program got control. */
+uint64_t clock_stretch(const struct node *n);
+/* The program has crashed after its last look: takes back what it has computed since, which depends on where else it was
+ * stopped. */
+void clock_go_back(struct node *n);
+/* When the next look will have been at the earliest. */
+vtime clock_next_look(const struct node *n);
 /* Virtual time of so many cost units. */
 vtime clock_of_units(const struct node *n, uint64_t units);
+/* Take back so much computing, or all there is. */
+void clock_cut(struct node *n, vtime t);
 #endif

@@ -5,11 +5,61 @@
 #include "node/clock.h"
 #include "node/mailbox.h"
 #include "node/system.h"
+#include "nx_api/nxcc/image.h"
 
-/* The most calls a program makes without the scheduler seeing it: for time limits and the keyboard only. */
-enum { MOST_UNSEEN = 4096 };
+/* For time limits and the keyboard only: the most calls between looks at them, and how many a look at a computing program
+ * stands for. */
+enum { MOST_UNSEEN = 4096, LOOK_CALLS = 64 };
+
+/* Worth a thread of its own are stretches of a few microseconds of ours: clocks of an i860. What took so long the last
+ * time will again; and what has taken half as long will take longer. */
+#define LONG_STRETCH (UINT64_C(80000) * NXC_UNITS_PER_CLOCK)
+
+/* --- errno --- */
+
+__attribute__((noipa)) int node_errno(void)
+{
+    return errno;
+}
+
+__attribute__((noipa)) void node_set_errno(int error)
+{
+    errno = error;
+}
 
 /* --- the scheduler's side --- */
+
+/* Lets the program run on this thread until it yields. */
+static void run(struct node *n)
+{
+    errno = n->saved_errno;
+    n->clock.runs = true;
+    if (n->sys->run)
+        n->sys->run(n);
+    else
+        fiber_resume(n->fiber);
+    clock_sync(n);
+    n->clock.runs = false;
+    n->saved_errno = errno;
+}
+
+static void show_crash(void *ctx, void *arg, vtime now)
+{
+    struct node *n = ctx;
+    (void)arg;
+    n->sys->stop_at = now;
+    if (n->state != NODE_ENDED)
+        n->sys->crashed(n);
+}
+
+/* A program has crashed somewhere before its next look, however far it was let run. In a call that is now. */
+static void crash(struct node *n)
+{
+    if (n->call)
+        show_crash(n, NULL, node_now(n));
+    else
+        evq_put_late(n->sys->q, clock_next_look(n), n->place, show_crash, n, NULL);
+}
 
 /* A wait of `waited` is over, during which the system was busy for `busy`. */
 static void account_wait(struct node *n, vtime waited, vtime busy)
@@ -39,15 +89,38 @@ static void resume(struct node *n, vtime now)
 {
     clock_advance_to(n, now);
     n->state = NODE_COMPUTING;
-    n->sys->current = n;
     n->sys->unseen = 0;
-    errno = n->saved_errno;
-    n->clock.runs = true;
-    fiber_resume(n->fiber);
-    clock_sync(n);
-    n->clock.runs = false;
-    n->saved_errno = errno;
-    n->sys->current = NULL;
+    run(n);
+    if (n->crash)
+        crash(n);
+    else if (n->ahead.loose)
+        workers_hand(n->sys->workers, &n->ahead.work);
+}
+
+bool node_run_ahead(struct node *n)
+{
+    n->ahead.paused = false;
+    run(n);
+    return n->crash || !n->ahead.paused;
+}
+
+static void go_on(void *ctx, void *arg, vtime now);
+
+void node_catch(struct node *n)
+{
+    n->ahead.loose = false;
+    if (n->crash)
+        crash(n);
+    else
+        evq_put_late(n->sys->q, n->ahead.arrived, n->place, go_on, n, NULL);
+}
+
+/* Is the node's call or check at `now` the machine's earliest event? */
+static bool is_first(struct node *n, vtime now)
+{
+    const struct node_system *s = n->sys;
+    return evq_late_is_first(s->q, now, n->place) &&
+           (!s->workers || workers_allow(s->workers, now, n->place));
 }
 
 /* A computing node has come to a call or check at `now`. */
@@ -64,8 +137,7 @@ static void go_on(void *ctx, void *arg, vtime now)
         return;
     }
     clock_advance_to(n, now);
-    if (n->wait.ready && evq_late_is_first(n->sys->q, now, n->place) && !n->sys->stop &&
-        now <= n->sys->max_time && !may_go_on(n, now))
+    if (n->wait.ready && is_first(n, now) && !n->sys->stop && now <= n->sys->max_time && !may_go_on(n, now))
         block(n, now);
     else
         resume(n, now);
@@ -146,20 +218,55 @@ static bool must_stop(struct node *n, vtime now)
     return n->sys->stop || ++n->sys->unseen > MOST_UNSEEN;
 }
 
+static vtime end_of_time(const struct node *n)
+{
+    return n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1;
+}
+
+/* Until when the program may compute without looking at what comes: if a handler may have to run, the earliest time at
+ * which anything may reach the node. */
+static vtime deadline(struct node *n)
+{
+    const struct node_system *s = n->sys;
+    vtime end = end_of_time(n);
+    n->ahead.alert = mailbox_armed(n);
+    if (!n->ahead.alert)
+        return end;
+    vtime next = evq_next(s->q);
+    if (s->workers)
+        next = vt_min(next, workers_bound(s->workers));
+    return vt_min(end, vt_min(mailbox_next_due(n), proto_horizon(s->proto, n->place, next)));
+}
+
+/* What the program may spend was reckoned before the system took time from it. */
+static void allow_anew(struct node *n)
+{
+    if (!n->call)
+        clock_allow(n, deadline(n));
+}
+
 /* Is something else to happen before the node's call at `now`? */
 static bool must_yield(struct node *n, vtime now)
 {
-    return n->clock.stolen || !evq_late_is_first(n->sys->q, now, n->place) || must_stop(n, now);
+    return n->ahead.loose || n->clock.stolen || !is_first(n, now) || must_stop(n, now);
 }
 
 void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
+    bool yielded = false;
     while (must_yield(n, now)) {
-        evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
+        if (n->ahead.loose)
+            n->ahead.arrived = now; /* for node_catch */
+        else
+            evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
         fiber_yield(n->fiber);
         now = clock_sync(n);
+        yielded = true;
     }
+    clock_is_known(n);
+    if (yielded)
+        allow_anew(n);
 }
 
 void node_enter(struct node *n, const char *call)
@@ -167,9 +274,12 @@ void node_enter(struct node *n, const char *call)
     n->call = call;
     n->call_has_type = n->awaits = false;
     n->call_since = clock_sync(n);
+    if (n->image)
+        n->ahead.computed = clock_stretch(n);
     do
         node_order(n);
     while (node_run_handlers(n));
+    node_memory_settle(n);
 }
 
 void node_spend_on(struct node *n, enum node_task task, vtime t)
@@ -184,20 +294,65 @@ void node_spend(struct node *n, vtime t)
     node_spend_on(n, NODE_CALL, t);
 }
 
-static vtime deadline(struct node *n, vtime now)
+/* --- computing ahead --- */
+
+/* Is the program one that any thread may run until its next call? */
+static bool is_free(const struct node *n)
 {
-    vtime slice =
-        vt_min(now + n->sys->longest_slice, n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1);
-    if (!mailbox_armed(n))
-        return slice;
-    vtime due = vt_min(mailbox_next_due(n), proto_horizon(n->sys->proto, n->place, evq_next(n->sys->q)));
-    return vt_min(slice, due);
+    return n->sys->workers && !n->ahead.alert && !n->in_handler && workers_worth(n->sys->workers);
+}
+
+/* Has the program handed out. What comes next may be on another thread. */
+static void break_loose(struct node *n)
+{
+    n->ahead.loose = n->ahead.paused = true;
+    n->ahead.work.place = n->place;
+    atomic_store_explicit(&n->ahead.work.reached, clock_sync(n), memory_order_relaxed);
+    fiber_yield(n->fiber);
 }
 
 void node_leave(struct node *n)
 {
     n->call = NULL;
-    clock_allow(n, deadline(n, clock_sync(n)));
+    node_memory_settle(n);
+    clock_sync(n);
+    clock_is_known(n);
+    clock_give(n);
+    clock_allow(n, deadline(n));
+    if (n->ahead.computed >= LONG_STRETCH && is_free(n))
+        break_loose(n);
+}
+
+/* A computing program lets others do something. */
+static void look_around(struct node *n, vtime now)
+{
+    struct node_system *s = n->sys;
+    if (n->ahead.loose) {
+        n->ahead.paused = workers_pass(s->workers, &n->ahead.work, now);
+        if (n->ahead.paused)
+            fiber_yield(n->fiber);
+    } else if (clock_stretch(n) >= LONG_STRETCH / 2 && is_free(n)) {
+        break_loose(n);
+    } else if (s->look && (s->unseen += LOOK_CALLS) > MOST_UNSEEN) {
+        s->unseen = 0;
+        s->look(s->look_ctx);
+        if (s->stop)
+            node_order(n);
+    }
+}
+
+/* Something may have come for an alert program. */
+static void listen(struct node *n)
+{
+    bool any = false;
+    n->sys->unseen += LOOK_CALLS / 8;
+    do
+        node_order(n);
+    while (node_run_handlers(n) && (any = true));
+    if (!any)
+        return;
+    node_memory_settle(n);
+    clock_give(n);
 }
 
 /* A check of the program has found its time used up. */
@@ -205,12 +360,16 @@ void node_nxc_preempt(void);
 void node_nxc_preempt(void)
 {
     struct node *n = node_self();
+    vtime now = clock_sync(n);
     n->stats.slices++;
-    n->sys->unseen += MOST_UNSEEN / 16; /* a slice takes longer than a call */
-    do
+    clock_look(n);
+    if (n->ahead.alert)
+        listen(n);
+    else if (now > n->sys->max_time)
         node_order(n);
-    while (node_run_handlers(n));
-    clock_allow(n, deadline(n, clock_sync(n)));
+    else
+        look_around(n, now);
+    clock_allow(n, n->ahead.loose ? end_of_time(n) : deadline(n));
 }
 
 bool node_run_handlers(struct node *n)
@@ -268,5 +427,6 @@ void node_cut(struct node *n, vtime t)
         account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);
     else if (at > t)
         clock_cut(n, at - t);
+    n->cut_short = n->state == NODE_COMPUTING;
     n->clock.stolen = 0;
 }

@@ -4,6 +4,13 @@
  * an event at the time it ends. A node with an armed, unmasked handler runs only up to the horizon, the
  * earliest time at which anything may reach it (proto_horizon), and stops at the first check at or past it.
  *
+ * With workers (kernel/workers.h), a long stretch of a program without such a handler is handed out: then it is loose, and
+ * runs on any thread, beside others, until its next call (or crash, or the end of time). While it is loose, it and the
+ * thread that runs it have
+ *     the program's memory and heap, the node's clock (all but stolen), its part of the C library, errno
+ * and the committing thread has all else of the node: mailbox, state, statistics. Calls are only ever served on the
+ * committing thread, in order; so are all library calls that show something to the outside.
+ *
  * System time. A message that reaches a computing node takes its processor for a while (node_work): the time
  * is noted as stolen and the node's next call or check is put back by it. The horizon is never past such a
  * moment, so it does not matter into how many slices the computing was cut.
@@ -27,4 +34,9 @@ void node_cut(struct node *n, vtime t);
 bool node_run_handlers(struct node *n);
 /* Scheduler: put the node's start, at time t, into the queue. */
 void node_start(struct node *n, vtime t);
+
+/* Runs a loose program on the calling thread until it comes to its next call, crashes (true), or pauses (false). */
+bool node_run_ahead(struct node *n);
+/* The committing thread takes a program back that is loose no more: its call becomes an event. */
+void node_catch(struct node *n);
 #endif

@@ -143,9 +143,9 @@ static void leave(struct node *n, bool masked)
     n->masked = masked;
     if (!masked)
         n->open_since = node_now(n);
-    int why = errno;
+    int why = node_errno();
     node_leave(n);
-    errno = why;
+    node_set_errno(why);
 }
 
 /* What a run's results may depend on beside program and machine is in its figures. */

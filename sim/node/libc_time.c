@@ -12,15 +12,24 @@
 
 #define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
 
-/* The time when a clock call returns to the program. */
-static vtime clock_call(const char *call)
+/* The time when a clock call returns to the program, and what it is made of. */
+struct reading {
+    vtime now, idle, system;
+};
+
+static struct reading read_clock(const char *call)
 {
     struct node *n = node_self();
     node_enter(n, call);
     node_spend(n, n->sys->cfg->clock_call_ps);
-    vtime now = node_now(n);
+    struct reading r = {node_now(n), n->stats.idle, n->stats.system};
     node_leave(n);
-    return now;
+    return r;
+}
+
+static vtime clock_call(const char *call)
+{
+    return read_clock(call).now;
 }
 
 time_t node_time(time_t *t)
@@ -34,8 +43,8 @@ time_t node_time(time_t *t)
 /* Processor time: what the node did not spend waiting. */
 clock_t node_clock(void)
 {
-    vtime now = clock_call("clock");
-    return (clock_t)((now - node_self()->stats.idle) / (VT_SECOND / CLOCKS_PER_SEC));
+    struct reading r = read_clock("clock");
+    return (clock_t)((r.now - r.idle) / (VT_SECOND / CLOCKS_PER_SEC));
 }
 
 int node_gettimeofday(struct timeval *tv, void *zone)
@@ -51,9 +60,9 @@ int node_gettimeofday(struct timeval *tv, void *zone)
 /* All clocks are one: the calendar's, and those that count from the program's start. */
 int node_clock_gettime(clockid_t clock, struct timespec *ts)
 {
-    vtime now = clock_call("clock_gettime");
-    if (clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID)
-        now -= node_self()->stats.idle;
+    struct reading r = read_clock("clock_gettime");
+    bool own = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
+    vtime now = own ? r.now - r.idle : r.now;
     ts->tv_sec = (time_t)(now / VT_SECOND) + (clock == CLOCK_REALTIME ? EPOCH : 0);
     ts->tv_nsec = (long)(now % VT_SECOND / (VT_SECOND / 1000000000));
     return 0;
@@ -62,13 +71,12 @@ int node_clock_gettime(clockid_t clock, struct timespec *ts)
 /* Only the two times; the others are 0. */
 int node_getrusage(int who, struct rusage *use)
 {
-    vtime now = clock_call("getrusage");
-    const struct node_stats *s = &node_self()->stats;
-    vtime user = now - s->idle - s->system;
+    struct reading r = read_clock("getrusage");
+    vtime user = r.now - r.idle - r.system;
     (void)who;
     *use = (struct rusage){
         .ru_utime = {(time_t)(user / VT_SECOND), (suseconds_t)(user % VT_SECOND / VT_MICROSECOND)},
-        .ru_stime = {(time_t)(s->system / VT_SECOND), (suseconds_t)(s->system % VT_SECOND / VT_MICROSECOND)}};
+        .ru_stime = {(time_t)(r.system / VT_SECOND), (suseconds_t)(r.system % VT_SECOND / VT_MICROSECOND)}};
     return 0;
 }
 

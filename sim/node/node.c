@@ -24,11 +24,15 @@ size_t node_memory_limit(const struct node *n)
                       : n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
 }
 
+/* Without heap and messages. */
+static size_t memory_fixed(const struct node *n)
+{
+    return n->heap ? n->image_bytes + n->sys->cfg->stack_bytes : 0; /* none: no program */
+}
+
 size_t node_memory_used(const struct node *n)
 {
-    if (!n->heap)
-        return n->buffered; /* no program */
-    return n->image_bytes + n->sys->cfg->stack_bytes + node_heap_used(n->heap) + n->buffered;
+    return memory_fixed(n) + n->heap_known + n->buffered;
 }
 
 void node_memory_changed(struct node *n)
@@ -38,15 +42,27 @@ void node_memory_changed(struct node *n)
         n->stats.memory_peak = used;
 }
 
+void node_memory_settle(struct node *n)
+{
+    n->heap_known = node_heap_used(n->heap);
+    n->buffered_known = n->buffered;
+    if (n->peak_ahead > n->stats.memory_peak)
+        n->stats.memory_peak = n->peak_ahead;
+    node_memory_changed(n);
+}
+
 static int heap_room(void *ctx, size_t bytes)
 {
-    struct node *n = ctx;
-    return node_memory_used(n) - node_heap_used(n->heap) + bytes <= node_memory_limit(n);
+    const struct node *n = ctx;
+    return memory_fixed(n) + bytes + n->buffered_known <= node_memory_limit(n);
 }
 
 static void heap_grown(void *ctx)
 {
-    node_memory_changed(ctx);
+    struct node *n = ctx;
+    size_t used = memory_fixed(n) + node_heap_used(n->heap) + n->buffered_known;
+    if (used > n->peak_ahead)
+        n->peak_ahead = used;
 }
 
 /* --- ends --- */
@@ -108,13 +124,21 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
     fiber_finish(n->fiber);
 }
 
+void node_stop(struct node *n, vtime t)
+{
+    node_cut(n, t);
+    n->stats.away = t - accounted(n);
+}
+
 void node_end_other(struct node *n, struct node *victim)
 {
     vtime now = node_now(n);
     if (victim->state == NODE_ENDED)
         return;
-    node_cut(victim, now);
-    victim->stats.away = now - accounted(victim);
+    if (victim->ahead.loose)
+        workers_drop(n->sys->workers, &victim->ahead.work);
+    victim->ahead.loose = false;
+    node_stop(victim, now);
     has_ended(victim, NODE_KILLED, 0, now);
 }
 
@@ -138,6 +162,7 @@ static _Noreturn void fail(struct node *n, const void *frame, const char *fmt, v
     if (!f)
         abort();
     vfprintf(f, fmt, ap);
+    n->sys->stop_at = node_now(n);
     if (frame && !n->sys->failure)
         trace_print_calls(f, n, (uintptr_t)frame);
     fclose(f);

@@ -18,6 +18,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include "kernel/vtime.h"
+#include "kernel/workers.h"
 #include "node/waits.h"
 #include "nx_api/calls/mailbox.h"
 
@@ -30,6 +31,7 @@ struct mailbox;     /* mailbox.h */
 struct fiber;       /* kernel/fiber.h */
 struct node_system; /* what all nodes share: machine file, event queue, network, output: system.h */
 struct nxc_image;   /* nx_api/nxcc/image.h */
+struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
 enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
 
@@ -42,6 +44,10 @@ struct node_clock {
     vtime origin;   /* virtual time not spent computing: now = origin + units as time */
     bool runs;      /* the program, since it was last switched to: it may have spent some */
     vtime stolen;   /* system time not yet added to the program's: see cpu.c */
+    uint64_t known; /* units: what the node did until then is not ahead of the machine */
+
+    /* looks (clock.h), in units */
+    uint64_t given_at, looked, look; /* when the program got control; the last look and the next */
 };
 
 /* What the operating system has the processor for. */
@@ -75,6 +81,16 @@ struct node_stats {
     bool armed; /* posted a handler at any time */
 };
 
+/* A program that computes ahead, on any thread: cpu.c. */
+struct node_ahead {
+    struct work work;
+    bool loose;        /* a piece of work: only the thread that runs it may touch what the program may */
+    bool paused;       /* it has stopped at a check, to be gone on with */
+    bool alert;        /* a handler may have to run: it computes up to a horizon only */
+    vtime arrived;     /* when not paused: the time of its next call */
+    uint64_t computed; /* units between its last two calls, for a guess at the next */
+};
+
 /* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */
 struct node_error {
     int code; /* nxerrno.h, or the C library's */
@@ -105,10 +121,13 @@ struct node {
     enum node_state state;
     enum node_end end;
     int exit_code;
+    bool cut_short;   /* while it computed; its image knows nothing of that */
     bool awaits_end;  /* is in a call that waits for another node's end */
     bool end_noticed; /* such a call has told of this one's */
     struct node_clock clock;
+    struct node_ahead ahead;
     struct node_stats stats;
+    struct node_crash *crash; /* NULL: none */
     int saved_errno;
     struct node_error error;
 
@@ -133,6 +152,11 @@ struct node {
     vtime open_since; /* when handlers were last let run */
     vtime sys_free;   /* the operating system is busy with messages until then */
     size_t buffered;  /* bytes of unexpected messages held */
+
+    /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
+     * in a call. */
+    size_t heap_known, buffered_known;
+    size_t peak_ahead; /* memory_peak as the program sees it */
 
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
     size_t failed_malloc;   /* size of the last allocation refused, 0 none; */
@@ -180,6 +204,8 @@ void node_spend_on(struct node *n, enum node_task task, vtime t);
 void node_leave(struct node *n);
 /* End the program from inside one of its calls; never returns. */
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code);
+/* The program has not come further than time t, when another one ends it, or the machine stops. */
+void node_stop(struct node *n, vtime t);
 /* End another node's program, at the time of the caller. */
 void node_end_other(struct node *n, struct node *victim);
 /* An error in an NX call: sets n->error, and is -1 so that a function can return it. */
@@ -195,9 +221,15 @@ void node_output(struct node *n, int fd, const char *bytes, size_t len);
 size_t node_long_bytes(const struct node *n);
 long node_get_long(const struct node *n, const long *array, size_t i);
 void node_put_long(const struct node *n, long *array, size_t i, long value);
-/* Bytes of the node's memory in use, and all a program may use. */
+/* Bytes of the node's memory in use, its heap as it was in its last call; and all a program may use. */
 size_t node_memory_used(const struct node *n);
 size_t node_memory_limit(const struct node *n);
-/* Notes the high-water mark after a change. */
+/* Notes the high-water mark after a message has come. */
 void node_memory_changed(struct node *n);
+/* In a call: program and messages see all of each other's memory. */
+void node_memory_settle(struct node *n);
+/* errno of the thread that runs the caller now. A program may go on on another thread after node_leave() or any call
+ * that orders it, and compilers take the place of errno to be the same throughout a function. */
+int node_errno(void);
+void node_set_errno(int error);
 #endif

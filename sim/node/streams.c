@@ -249,10 +249,10 @@ FILE *stream_freopen(struct streams *list, const char *path, const char *mode, F
     close_target(s);
     struct node_file *target = open_file(s->node, path, mode);
     if (target == NULL) {
-        int why = errno;
+        int why = node_errno();
         if (!s->standard)
             stream_fclose(list, f);
-        errno = why;
+        node_set_errno(why);
         return NULL;
     }
     s->target = target;

@@ -26,9 +26,10 @@ struct node_system {
     uint32_t running;    /* programs */
     uint32_t await_ends; /* of them are in calls that wait for another's end */
     vtime max_time;      /* VT_NEVER: none */
-    vtime longest_slice; /* computing is cut into slices of at most this; results do not depend on it */
+    vtime longest_slice; /* not 0: computing is stopped at least so often, for tests: it changes no result */
 
     enum node_stop stop; /* why the machine stops before its programs have ended */
+    vtime stop_at;       /* a failed program's time */
     uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
 
     /* the first failure, for the user; NULL none */
@@ -42,7 +43,14 @@ struct node_system {
     char **
         host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
     size_t host_file_count; /* at most NODE_HOST_FILES: of more, the first */
-    struct node *current;   /* whose fiber runs, NULL: none. For reports of crashes. */
+
+    /* Set by the machine; all may be NULL. */
+    struct workers *workers; /* for programs that compute ahead: cpu.h */
+    bool (*run)(
+        struct node *n); /* goes on with a program until it yields; false: it has crashed, n->crash is set */
+    void (*crashed)(struct node *n); /* at its place in the order of events: reports n->crash */
+    void (*look)(void *ctx);         /* at the world outside, which may want the machine to stop */
+    void *look_ctx;
 };
 
 /* Who lives at a place of the network, and the number by which programs know them. */

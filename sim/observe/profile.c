@@ -8,6 +8,8 @@
 
 /* Of what was compiled without --profile, if the program has such parts. */
 static const char REST[] = "(compiled without --profile)";
+/* What programs had computed that another one's end stopped while they computed: their cells may be ahead of that. */
+static const char CUT[] = "(in programs cut short)";
 
 static size_t cell_count(const struct node *n)
 {
@@ -81,7 +83,7 @@ static void copy_names(struct names *names, const struct node *n)
 static void name_functions(struct profile *p, struct names *names)
 {
     struct nxc_cell **sorted = zeroed(names->count, sizeof(struct nxc_cell *));
-    p->functions = zeroed(names->count + 1, sizeof *p->functions);
+    p->functions = zeroed(names->count + 2, sizeof *p->functions);
     for (size_t k = 0; k < names->count; k++)
         sorted[k] = &names->cells[k];
     qsort(sorted, names->count, sizeof *sorted, by_name);
@@ -135,18 +137,23 @@ static int dearest_first(const void *a, const void *b)
 
 static void collect_functions(struct profile *p, const struct machine *m)
 {
-    struct profile_function rest = {.file = "", .function = REST};
+    struct profile_function rest = {.file = "", .function = REST}, cut = {.file = "", .function = CUT};
     struct names names;
     copy_names(&names, m->sys.nodes[0]);
     name_functions(p, &names);
     for (uint32_t k = 0; k < m->sys.count; k++) {
         const struct node *n = m->sys.nodes[k];
-        rest.units[class_of(n)] += ordinary_units(n, (int64_t)n->clock.units) - add_functions(p, n, &names);
+        int64_t units = ordinary_units(n, (int64_t)n->clock.units);
+        if (n->cut_short)
+            cut.units[class_of(n)] += units;
+        else
+            rest.units[class_of(n)] += units - add_functions(p, n, &names);
     }
     free(names.cells);
     free(names.entry);
     if (rest.units[PROFILE_OTHERS] || rest.units[PROFILE_ARMED])
         p->functions[p->function_count++] = rest;
+    p->functions[p->function_count++] = cut;
     qsort(p->functions, p->function_count, sizeof *p->functions, dearest_first);
     while (p->function_count > 0 && units_of(&p->functions[p->function_count - 1]) == 0)
         p->function_count--; /* never ran */

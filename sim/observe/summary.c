@@ -67,18 +67,15 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
 
 static void print_handlers(const struct machine *m, FILE *f)
 {
-    uint64_t handlers = 0, slices = 0;
+    uint64_t handlers = 0;
     vtime latest = 0;
     for (uint32_t k = 0; k < machine_nodes(m); k++) {
         handlers += m->sys.nodes[k]->stats.handlers;
-        slices += m->sys.nodes[k]->stats.slices;
         latest = vt_max(latest, m->sys.nodes[k]->stats.latest);
     }
     if (handlers)
-        fprintf(f,
-                "interrupts     %" PRIu64 " handlers run, the latest %.3f us after it was due; %" PRIu64
-                " slices\n",
-                handlers, vt_seconds(latest) * 1e6, slices);
+        fprintf(f, "interrupts     %" PRIu64 " handlers run, the latest %.3f us after it was due\n", handlers,
+                vt_seconds(latest) * 1e6);
 }
 
 static void print_files(const struct machine *m, FILE *f)

@@ -38,6 +38,7 @@ struct pool {
     struct event *refill;
     struct child *children; /* at_once places */
     unsigned at_once;
+    char threads[24]; /* that each child may compute with, so that all of them fill the processors */
     size_t running;
     bool no_more; /* jobs from the source */
     int stopped;  /* by that signal */
@@ -106,7 +107,7 @@ static char *close_stream(struct stream *s)
 /* --- a child's life --- */
 
 /* In the child, between fork and exec. It has a process group of its own: a terminal's Ctrl-C is for us to act on. */
-static void become(const struct pool_job *job, int out, int err, pid_t parent)
+static void become(const struct pool_job *job, const char *threads, int out, int err, pid_t parent)
 {
     extern char **environ;
     sigset_t none;
@@ -116,6 +117,7 @@ static void become(const struct pool_job *job, int out, int err, pid_t parent)
     signal(SIGTERM, SIG_DFL);
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    setenv("TOUCHSTONE_WORKERS", threads, 0);
     if (getppid() != parent) /* it died before the line above */
         _exit(127);
     int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
@@ -142,7 +144,7 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
     int out[2] = {-1, -1}, err[2] = {-1, -1};
     pid_t self = getpid(), pid = -1;
     if (pipe2(out, O_CLOEXEC) == 0 && pipe2(err, O_CLOEXEC) == 0 && (pid = fork()) == 0)
-        become(job, out[1], err[1], self);
+        become(job, p->threads, out[1], err[1], self);
     if (pid < 0) {
         char *error = text_of("cannot be started: %m");
         for (int i = 0; i < 2; i++) {
@@ -301,6 +303,8 @@ struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once
     struct pool p = {.source = source, .at_once = at_once};
     double begun_s = now_s();
     p.base = event_base_new();
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    snprintf(p.threads, sizeof p.threads, "%ld", processors > at_once ? processors / at_once : 1);
     p.children = calloc(at_once, sizeof *p.children);
     if (!p.base || !p.children)
         abort();
@@ -378,7 +382,7 @@ struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
         jobs[i].out = jobs[i].error = NULL;
     }
     qsort(l.order, count, sizeof *l.order, longer_first);
-    struct pool_end end = pool_run_from(&source, at_once);
+    struct pool_end end = pool_run_from(&source, count && count < at_once ? (unsigned)count : at_once);
     end.all_done = l.status.done == count;
     free(l.order);
     return end;

@@ -4,6 +4,8 @@
  * a result like any other: the rest goes on. Nothing here knows what the children do; the tables and the
  * studies do.
  *
+ * A child is told in the environment how many threads it may compute with (TOUCHSTONE_WORKERS).
+ *
  * SIGINT and SIGTERM end the pool: running children are killed, waiting ones are not started, pool_run()
  * returns. A child does not outlive us: it is killed when we die.
  */

@@ -1,0 +1,577 @@
+/* workers.c - see workers.h. One lock guards everything but `reached` and the flags that are looked at without it;
+ * the committing thread remembers the bound it found last, which can only have risen since (but for what it hands out
+ * itself), so that it takes the lock seldom. */
+#include "kernel/workers.h"
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum {
+    SPINS = 400,         /* looks before a thread that has nothing to do sleeps: tens of microseconds */
+    EPISODES = 32,       /* judged together: workers_worth */
+    INLINE_FOR = 2048,   /* pieces, when they were not worth it */
+    MOST_PASSES = 1000,  /* of work that the committing thread runs, until it looks elsewhere */
+    PATIENCE_MS = 20,    /* so long it waits at a time */
+    MAX_SHUFFLED_US = 50 /* longest random delay */
+};
+
+/* Work pauses for other work that is so far behind. */
+#define FAR_BEHIND (2 * VT_MILLISECOND)
+
+struct bound {
+    vtime time;
+    uint32_t place;
+};
+
+static const struct bound NOTHING = {VT_NEVER, UINT32_MAX};
+
+struct thread {
+    struct workers *ws;
+    pthread_t id;
+    struct work *runs; /* NULL: nothing */
+};
+
+struct workers {
+    struct workers_calls calls;
+    void *here;
+    unsigned count;
+    struct thread *threads;
+    uint64_t shuffle; /* 0: none; else the state of its random numbers */
+    bool shuffled;
+
+    pthread_mutex_t lock;
+    pthread_cond_t more, news; /* work waits; there is something to take, or work has got on */
+    struct work **waiting;     /* a heap, least (reached, place) first */
+    size_t waiting_count, waiting_room;
+    struct work *done;   /* linked by next */
+    struct work *helped; /* what the committing thread runs */
+    uint32_t sleepers;   /* threads that wait for `more` */
+    bool quit;
+
+    /* looked at without the lock */
+    atomic_size_t waits;                   /* waiting_count */
+    _Atomic vtime least;                   /* reached of waiting[0], VT_NEVER: none */
+    atomic_bool any_done, halt, listening; /* listening: the committing thread waits for `news` */
+    atomic_uint asleep;                    /* sleepers */
+
+    /* the committing thread's own */
+    struct bound bound; /* as last found */
+    size_t out;
+    unsigned passes;            /* of what it helps with */
+    vtime until;                /* helps until then */
+    struct workers_stats stats; /* away and away_s: under the lock */
+    double episode_at, episode_gain;
+    unsigned episodes, wasted, skip;
+};
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static inline void relax(void)
+{
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+}
+
+/* --- bounds --- */
+
+static bool before(struct bound a, struct bound b)
+{
+    return a.time != b.time ? a.time < b.time : a.place < b.place;
+}
+
+static struct bound bound_of(const struct work *w)
+{
+    return (struct bound){atomic_load_explicit(&w->reached, memory_order_acquire), w->place};
+}
+
+static void lower(struct bound *b, const struct work *w)
+{
+    struct bound other = w ? bound_of(w) : NOTHING;
+    if (before(other, *b))
+        *b = other;
+}
+
+/* --- the heap of waiting work --- */
+
+static void note_waiting(struct workers *ws)
+{
+    atomic_store(&ws->waits, ws->waiting_count);
+    atomic_store(&ws->least, ws->waiting_count ? atomic_load(&ws->waiting[0]->reached) : VT_NEVER);
+}
+
+static void put(struct workers *ws, struct work *w)
+{
+    if (ws->waiting_count == ws->waiting_room) {
+        ws->waiting_room = ws->waiting_room ? 2 * ws->waiting_room : 64;
+        ws->waiting = realloc(ws->waiting, ws->waiting_room * sizeof(struct work *));
+        if (!ws->waiting)
+            abort();
+    }
+    size_t i = ws->waiting_count++;
+    for (; i > 0 && before(bound_of(w), bound_of(ws->waiting[(i - 1) / 2])); i = (i - 1) / 2)
+        ws->waiting[i] = ws->waiting[(i - 1) / 2];
+    ws->waiting[i] = w;
+    note_waiting(ws);
+}
+
+static void sink(struct workers *ws, size_t i, struct work *w)
+{
+    for (size_t child; (child = 2 * i + 1) < ws->waiting_count; i = child) {
+        if (child + 1 < ws->waiting_count &&
+            before(bound_of(ws->waiting[child + 1]), bound_of(ws->waiting[child])))
+            child++;
+        if (!before(bound_of(ws->waiting[child]), bound_of(w)))
+            break;
+        ws->waiting[i] = ws->waiting[child];
+    }
+    ws->waiting[i] = w;
+}
+
+/* The least of those waiting; NULL: none. */
+static struct work *take_least(struct workers *ws)
+{
+    if (ws->waiting_count == 0)
+        return NULL;
+    struct work *w = ws->waiting[0], *last = ws->waiting[--ws->waiting_count];
+    if (ws->waiting_count > 0)
+        sink(ws, 0, last);
+    note_waiting(ws);
+    return w;
+}
+
+/* --- random scheduling, to test with --- */
+
+static uint64_t random_number(struct workers *ws)
+{
+    ws->shuffle ^= ws->shuffle << 13;
+    ws->shuffle ^= ws->shuffle >> 7;
+    ws->shuffle ^= ws->shuffle << 17;
+    return ws->shuffle;
+}
+
+static struct work *take_any(struct workers *ws)
+{
+    struct work *aside[4];
+    size_t n = ws->waiting_count ? random_number(ws) % (ws->waiting_count < 4 ? ws->waiting_count : 4) : 0;
+    for (size_t i = 0; i < n; i++)
+        aside[i] = take_least(ws);
+    struct work *w = take_least(ws);
+    for (size_t i = 0; i < n; i++)
+        put(ws, aside[i]);
+    return w;
+}
+
+static void dawdle(struct workers *ws)
+{
+    pthread_mutex_lock(&ws->lock);
+    uint64_t r = random_number(ws);
+    pthread_mutex_unlock(&ws->lock);
+    if (r % 4 == 0)
+        nanosleep(&(struct timespec){0, (long)(r / 4 % MAX_SHUFFLED_US) * 1000}, NULL);
+}
+
+/* --- running: with the lock --- */
+
+static struct work *next_work(struct workers *ws)
+{
+    return ws->shuffled ? take_any(ws) : take_least(ws);
+}
+
+static void has_run(struct workers *ws, struct work *w, bool done)
+{
+    if (!done && !atomic_load(&w->dropped)) {
+        put(ws, w);
+        return;
+    }
+    w->next = ws->done;
+    ws->done = w;
+    atomic_store(&ws->any_done, true);
+}
+
+static void tell_committer(struct workers *ws)
+{
+    if (atomic_load(&ws->listening))
+        pthread_cond_signal(&ws->news);
+}
+
+/* --- the threads --- */
+
+/* With the lock: until there is work, or no more is to be done. Looks without the lock for a while. */
+static void wait_for_work(struct workers *ws)
+{
+    pthread_mutex_unlock(&ws->lock);
+    for (int i = 0; i < SPINS && (atomic_load(&ws->waits) == 0 || atomic_load(&ws->halt)); i++)
+        relax();
+    pthread_mutex_lock(&ws->lock);
+    while (!ws->quit && (ws->waiting_count == 0 || atomic_load(&ws->halt))) {
+        atomic_store(&ws->asleep, ++ws->sleepers);
+        pthread_cond_wait(&ws->more, &ws->lock);
+        atomic_store(&ws->asleep, --ws->sleepers);
+    }
+}
+
+static void run_one(struct thread *t, void *own, struct work *w)
+{
+    struct workers *ws = t->ws;
+    t->runs = w;
+    pthread_mutex_unlock(&ws->lock);
+    if (ws->shuffled)
+        dawdle(ws);
+    double begin = seconds();
+    bool done = ws->calls.run(own, w);
+    double took = seconds() - begin;
+    pthread_mutex_lock(&ws->lock);
+    t->runs = NULL;
+    ws->stats.away++;
+    ws->stats.away_s += took;
+    has_run(ws, w, done);
+    tell_committer(ws);
+}
+
+static void *work_on(void *arg)
+{
+    struct thread *t = arg;
+    struct workers *ws = t->ws;
+    void *own = ws->calls.begin(ws->calls.ctx);
+    pthread_mutex_lock(&ws->lock);
+    while (!ws->quit) {
+        struct work *w = atomic_load(&ws->halt) ? NULL : next_work(ws);
+        if (w)
+            run_one(t, own, w);
+        else
+            wait_for_work(ws);
+    }
+    pthread_mutex_unlock(&ws->lock);
+    ws->calls.end(own);
+    return NULL;
+}
+
+bool workers_pass(struct workers *ws, struct work *w, vtime reached)
+{
+    atomic_store_explicit(&w->reached, reached, memory_order_release);
+    if (atomic_load(&ws->listening)) {
+        pthread_mutex_lock(&ws->lock);
+        tell_committer(ws);
+        pthread_mutex_unlock(&ws->lock);
+    }
+    if (atomic_load(&ws->halt) || atomic_load(&w->dropped))
+        return true;
+    if (ws->shuffled) {
+        pthread_mutex_lock(&ws->lock);
+        bool pause = random_number(ws) % 4 == 0;
+        pthread_mutex_unlock(&ws->lock);
+        return pause;
+    }
+    if (w->helped && (reached > ws->until || ++ws->passes > MOST_PASSES))
+        return true;
+    vtime least = atomic_load_explicit(&ws->least, memory_order_relaxed);
+    return least < reached && reached - least > FAR_BEHIND;
+}
+
+/* --- making and ending --- */
+
+struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct workers_calls *calls, void *here)
+{
+    struct workers *ws = calloc(1, sizeof *ws);
+    if (!ws || !(ws->threads = calloc(threads, sizeof *ws->threads)))
+        abort();
+    ws->calls = *calls, ws->here = here;
+    ws->shuffle = shuffle * UINT64_C(0x9e3779b97f4a7c15), ws->shuffled = shuffle != 0;
+    ws->bound = NOTHING;
+    atomic_store(&ws->least, VT_NEVER);
+    pthread_mutex_init(&ws->lock, NULL);
+    pthread_cond_init(&ws->more, NULL);
+    pthread_cond_init(&ws->news, NULL);
+    for (; ws->count < threads; ws->count++) {
+        ws->threads[ws->count].ws = ws;
+        if (pthread_create(&ws->threads[ws->count].id, NULL, work_on, &ws->threads[ws->count]) != 0)
+            break;
+    }
+    if (ws->count > 0)
+        return ws;
+    workers_free(ws);
+    return NULL;
+}
+
+void workers_free(struct workers *ws)
+{
+    if (!ws)
+        return;
+    pthread_mutex_lock(&ws->lock);
+    ws->quit = true;
+    pthread_cond_broadcast(&ws->more);
+    pthread_mutex_unlock(&ws->lock);
+    for (unsigned i = 0; i < ws->count; i++)
+        pthread_join(ws->threads[i].id, NULL);
+    pthread_cond_destroy(&ws->more);
+    pthread_cond_destroy(&ws->news);
+    pthread_mutex_destroy(&ws->lock);
+    free(ws->waiting);
+    free(ws->threads);
+    free(ws);
+}
+
+/* --- is it worth while? --- */
+
+/* An episode begins when the first piece goes out and ends when none is out. What was gained is the time that the
+ * threads computed, less the time that the committing thread waited for them. */
+static double gain(struct workers *ws)
+{
+    pthread_mutex_lock(&ws->lock);
+    double away = ws->stats.away_s;
+    pthread_mutex_unlock(&ws->lock);
+    return away - ws->stats.waited_s;
+}
+
+static void episode_ends(struct workers *ws)
+{
+    double took = seconds() - ws->episode_at, gained = gain(ws) - ws->episode_gain;
+    ws->wasted += gained < took / 4;
+    if (++ws->episodes < EPISODES)
+        return;
+    if (4 * ws->wasted > 3 * ws->episodes)
+        ws->skip = INLINE_FOR;
+    ws->episodes = ws->wasted = 0;
+}
+
+bool workers_worth(struct workers *ws)
+{
+    if (ws->shuffled || ws->skip == 0)
+        return true;
+    ws->skip--;
+    return false;
+}
+
+/* --- the committing thread --- */
+
+void workers_hand(struct workers *ws, struct work *w)
+{
+    atomic_store(&w->dropped, false);
+    if (ws->out++ == 0) {
+        ws->episode_at = seconds();
+        ws->episode_gain = gain(ws);
+    }
+    ws->stats.handed++;
+    lower(&ws->bound, w);
+    pthread_mutex_lock(&ws->lock);
+    put(ws, w);
+    /* To wake a thread takes as long as a short piece: not for one that this thread may have to run at once. */
+    if (ws->sleepers > 0 && (ws->waiting_count > 1 || ws->shuffled))
+        pthread_cond_signal(&ws->more);
+    pthread_mutex_unlock(&ws->lock);
+}
+
+bool workers_busy(const struct workers *ws)
+{
+    return ws->out > 0;
+}
+
+/* With the lock. */
+static void find_bound(struct workers *ws)
+{
+    struct bound b = NOTHING;
+    if (ws->waiting_count > 0)
+        lower(&b, ws->waiting[0]);
+    for (unsigned i = 0; i < ws->count; i++)
+        lower(&b, ws->threads[i].runs);
+    for (const struct work *w = ws->done; w; w = w->next)
+        lower(&b, w);
+    lower(&b, ws->helped);
+    ws->bound = b;
+}
+
+static bool allowed(const struct workers *ws, vtime time, uint32_t place)
+{
+    return !before(ws->bound, (struct bound){time, place});
+}
+
+bool workers_allow(struct workers *ws, vtime time, uint32_t place)
+{
+    if (ws->out == 0)
+        return true;
+    if (!allowed(ws, time, place)) {
+        pthread_mutex_lock(&ws->lock);
+        find_bound(ws);
+        pthread_mutex_unlock(&ws->lock);
+        if (!allowed(ws, time, place))
+            return false;
+    }
+    /* This thread goes on, and so leaves waiting work to others. */
+    if (atomic_load_explicit(&ws->asleep, memory_order_relaxed) > 0 &&
+        atomic_load_explicit(&ws->waits, memory_order_relaxed) > 0)
+        pthread_cond_signal(&ws->more);
+    return true;
+}
+
+vtime workers_bound(const struct workers *ws)
+{
+    return ws->out ? ws->bound.time : VT_NEVER;
+}
+
+static void is_back(struct workers *ws)
+{
+    if (--ws->out > 0)
+        return;
+    ws->bound = NOTHING;
+    episode_ends(ws);
+}
+
+struct work *workers_take(struct workers *ws)
+{
+    if (!atomic_load_explicit(&ws->any_done, memory_order_acquire))
+        return NULL;
+    pthread_mutex_lock(&ws->lock);
+    struct work *w = ws->done;
+    if (w)
+        ws->done = w->next;
+    atomic_store(&ws->any_done, ws->done != NULL);
+    pthread_mutex_unlock(&ws->lock);
+    if (w)
+        is_back(ws);
+    return w;
+}
+
+/* Runs the work that waits and has come the least far. False: none waits. */
+static bool help(struct workers *ws, vtime until)
+{
+    pthread_mutex_lock(&ws->lock);
+    struct work *w = next_work(ws);
+    ws->helped = w;
+    pthread_mutex_unlock(&ws->lock);
+    if (!w)
+        return false;
+    double begin = seconds();
+    ws->until = until;
+    ws->passes = 0;
+    w->helped = true;
+    bool done = ws->calls.run(ws->here, w);
+    w->helped = false;
+    ws->stats.helped++;
+    ws->stats.helped_s += seconds() - begin;
+    pthread_mutex_lock(&ws->lock);
+    ws->helped = NULL;
+    has_run(ws, w, done);
+    pthread_mutex_unlock(&ws->lock);
+    return true;
+}
+
+/* Something to take, or the event is allowed, or work to help with. */
+static bool has_news(struct workers *ws, vtime time, uint32_t place)
+{
+    if (atomic_load(&ws->any_done) || atomic_load(&ws->waits) > 0)
+        return true;
+    for (unsigned i = 0; i < ws->count; i++) {
+        const struct work *w = ws->threads[i].runs;
+        if (w && before(bound_of(w), (struct bound){time, place}))
+            return false;
+    }
+    return true;
+}
+
+/* With the lock: sleeps until a thread has got on, but not for long. */
+static void listen(struct workers *ws)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += PATIENCE_MS * 1000000L;
+    until.tv_sec += until.tv_nsec / 1000000000L;
+    until.tv_nsec %= 1000000000L;
+    atomic_store(&ws->listening, true);
+    pthread_cond_timedwait(&ws->news, &ws->lock, &until);
+    atomic_store(&ws->listening, false);
+}
+
+/* The threads run all that is out. */
+static void wait_for_news(struct workers *ws, vtime time, uint32_t place)
+{
+    double begin = seconds();
+    bool news;
+    ws->stats.waits++;
+    pthread_mutex_lock(&ws->lock);
+    for (int i = 0; !(news = has_news(ws, time, place)) && i < SPINS; i++) {
+        pthread_mutex_unlock(&ws->lock);
+        relax();
+        pthread_mutex_lock(&ws->lock);
+    }
+    if (!news)
+        listen(ws);
+    find_bound(ws);
+    pthread_mutex_unlock(&ws->lock);
+    ws->stats.waited_s += seconds() - begin;
+}
+
+void workers_advance(struct workers *ws, vtime time, uint32_t place)
+{
+    if (atomic_load(&ws->any_done))
+        return;
+    if (ws->shuffled)
+        dawdle(ws);
+    if (!help(ws, time))
+        wait_for_news(ws, time, place);
+}
+
+/* With the lock: does a thread run it? */
+static bool is_running(const struct workers *ws, const struct work *w)
+{
+    for (unsigned i = 0; i < ws->count; i++)
+        if (ws->threads[i].runs == w)
+            return true;
+    return false;
+}
+
+static void unlist(struct workers *ws, struct work *w)
+{
+    size_t i = 0;
+    while (i < ws->waiting_count && ws->waiting[i] != w)
+        i++;
+    if (i < ws->waiting_count) {
+        ws->waiting_count--;
+        memmove(&ws->waiting[i], &ws->waiting[i + 1], (ws->waiting_count - i) * sizeof *ws->waiting);
+        for (i = ws->waiting_count / 2; i-- > 0;)
+            sink(ws, i, ws->waiting[i]);
+        note_waiting(ws);
+    }
+    struct work **link = &ws->done;
+    while (*link && *link != w)
+        link = &(*link)->next;
+    if (*link)
+        *link = w->next;
+    atomic_store(&ws->any_done, ws->done != NULL);
+}
+
+void workers_drop(struct workers *ws, struct work *w)
+{
+    atomic_store(&w->dropped, true);
+    pthread_mutex_lock(&ws->lock);
+    atomic_store(&ws->listening, true);
+    while (is_running(ws, w))
+        pthread_cond_wait(&ws->news, &ws->lock);
+    atomic_store(&ws->listening, false);
+    unlist(ws, w);
+    pthread_mutex_unlock(&ws->lock);
+    is_back(ws);
+}
+
+void workers_halt(struct workers *ws)
+{
+    atomic_store(&ws->halt, true);
+    pthread_mutex_lock(&ws->lock);
+    for (unsigned i = 0; i < ws->count; i++)
+        while (ws->threads[i].runs) {
+            atomic_store(&ws->listening, true);
+            pthread_cond_wait(&ws->news, &ws->lock);
+        }
+    pthread_mutex_unlock(&ws->lock);
+}
+
+struct workers_stats workers_stats(const struct workers *ws)
+{
+    return ws->stats;
+}

@@ -1,0 +1,70 @@
+#!/bin/bash
+# workers.sh - any number of threads, taking turns in any order, gives the same results: what programs print, all figures
+# (but wall times), messages about failures, exit status, profiles. Every program of tests/nx, and those of the other
+# tests that fail in some way, with one thread and then with several at random.
+. "$(dirname "$0")/common.bash"
+nx=$tests/../nx
+
+# All that a run gives, without its wall times.
+results() { # ARGS...
+    rm -f f.json
+    timeout 100 "$BUILD/touchstone" run --max-wall-time 60 --json f.json "$@" >out 2>err </dev/null
+    echo "status $?" && cat out && sed '/^wall time/d' err && grep -v wall_time f.json
+}
+
+# Also with short slices: where computing is cut must not matter.
+WAYS=("-w 2" "-w 4 --shuffle 2" "-w 3 --shuffle 3 --slice 0.0001")
+
+same() { # NAME ARGS...
+    local name=$1
+    shift
+    results -w 1 "$@" >one
+    for way in "${WAYS[@]}"; do
+        # shellcheck disable=SC2086
+        results $way "$@" >several
+        check "$name: $way" diff one several
+    done
+}
+
+for source in "$nx"/*.c; do
+    name=$(basename "$source" .c)
+    "$BUILD/nxcc" -O2 -g -o "$name" "$source" -lm 2>compile.err || check "$name compiles" cat compile.err
+    arguments=$(sed -n 's/^ \* run: //p' "$source" | head -1)
+    # shellcheck disable=SC2086
+    same "$name $arguments" $arguments "$name"
+done
+
+for name in ring crash deadlock flood greedy quits halves cut; do
+    compile $name
+done
+same "ring" -m ipsc860 -n 16 ring
+same "a crash" -n 4 crash
+same "a deadlock" -n 3 deadlock
+same "too little memory" -n 2 flood
+same "malloc without end" -n 2 greedy
+same "exit(3)" -n 4 quits
+same "killed while computing" -n 8 cut kill
+same "all killed while computing" -n 8 cut cube
+same "a crash among others that compute" -n 8 cut crash
+same "one fails while others compute" -n 8 cut fail
+same "a time limit" --max-virtual-time 0.3 -n 8 cut kill
+
+"$BUILD/nxcc" -O2 --profile -o cut_profile "$tests/cut.c" -lm
+profile() { # WORKERS...
+    results "$@" -n 8 --profile p.json cut_profile kill
+    cat p.json 2>/dev/null
+}
+profile -w 1 >one
+profile -w 3 --shuffle 5 >several
+check "profile of programs cut short" diff one several
+
+model() { # WORKERS...
+    results "$@" -n 16 --profile p.json "$BUILD/app/model" -approx 111 -sphere 64 64 9 -group 4
+    cat p.json 2>/dev/null
+}
+model -w 1 >one
+for way in "-w 2" "-w 4 --shuffle 7"; do
+    # shellcheck disable=SC2086
+    model $way >several
+    check "the model program: $way" diff one several
+done
