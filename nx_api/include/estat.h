@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* As struct stat but for st_size. Of files of the Concurrent File System only st_mode, st_nlink, st_size, st_blksize
- * and st_blocks are known; the others are 0. */
+ * and st_blocks are known, and st_dev and st_ino, which tell files from each other by name; the others are 0. */
 struct estat {
     dev_t st_dev;
     ino_t st_ino;
