@@ -79,13 +79,18 @@ bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
 	bench/speed/run $B
 
+PACKAGES = packages.txt
+
 setup: ## Install what is missing of packages.txt (Debian, apt-get)
-	@missing=$$(grep -v '^#' packages.txt | while read -r p; do \
+	@missing=$$(grep -v '^#' $(PACKAGES) | while read -r p; do \
 	    dpkg-query -W -f '$${Status}' "$$p" 2>/dev/null | grep -q ' installed$$' || echo "$$p"; done); \
 	if [ -n "$$missing" ]; then \
 	    sudo=$$([ "$$(id -u)" = 0 ] || echo sudo); \
 	    $$sudo apt-get -q update && $$sudo env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends $$missing; \
 	fi
+
+bench-setup: ## Install what make bench compares with (packages-bench.txt)
+	@$(MAKE) --no-print-directory setup PACKAGES=packages-bench.txt
 
 INST = $(DESTDIR)$(PREFIX)
 
@@ -121,4 +126,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: all unit test tables report bench setup install format check-format clean help
+.PHONY: all unit test tables report bench bench-setup setup install format check-format clean help

@@ -1,0 +1,131 @@
+/* queue.c - the event queue beside others: a "hold" is one event taken out and another put in, so many being pending.
+ *
+ * Two loads. Spread: each next event lies at a random distance, no two at one time. Lockstep: what the simulator sees
+ * when nodes do the same, thousands of events at one time, told apart by their place. Times are nanoseconds a hold; each
+ * cell is the median of RUNS, taken in turn with the others. All structures must give the same order.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include "kernel/evq.h"
+#include "queues.h"
+
+enum { RUNS = 5, HOLDS = 400000 };
+
+struct load {
+    const char *name;
+    uint64_t steps[4]; /* an event's distance to its successor, in turn; 0: random */
+};
+
+static const struct load LOADS[] = {{"spread", {0}}, {"lockstep", {40000000, 5000000, 100000, 35000000}}};
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* What the load does next, from what came out. */
+static struct item successor(const struct load *l, struct item e, uint64_t *random)
+{
+    uint64_t step = l->steps[e.rank & 3];
+    *random = *random * UINT64_C(6364136223846793005) + 1442695040888963407;
+    return (struct item){e.time + (step ? step : 1 + (*random >> 37)),
+                         step ? (e.rank & ~UINT64_C(3)) | ((e.rank + 1) & 3) : e.rank};
+}
+
+/* --- one of the structures of queues.h --- */
+
+static double hold_queue(const struct queue *q, const struct load *l, size_t pending, uint64_t *sum)
+{
+    void *p = q->make();
+    uint64_t random = 1;
+    for (size_t i = 0; i < pending; i++)
+        q->put(p, successor(l, (struct item){0, i << 2}, &random));
+    *sum = 0;
+    double begin = seconds();
+    for (size_t i = 0; i < HOLDS; i++) {
+        struct item e = q->take(p);
+        *sum = *sum * 31 + e.time + e.rank;
+        q->put(p, successor(l, e, &random));
+    }
+    double t = seconds() - begin;
+    q->drop(p);
+    return t / HOLDS;
+}
+
+/* --- the product's --- */
+
+struct hold {
+    struct evq *q;
+    const struct load *load;
+    uint64_t random, sum;
+};
+
+static void fire(void *ctx, void *arg, vtime now)
+{
+    struct hold *h = ctx;
+    struct item e = {now, (uint64_t)(uintptr_t)arg};
+    h->sum = h->sum * 31 + e.time + e.rank;
+    e = successor(h->load, e, &h->random);
+    evq_put(h->q, e.time, (uint32_t)(e.rank >> 2), fire, h, (void *)(uintptr_t)e.rank);
+}
+
+static double hold_evq(const struct load *l, size_t pending, uint64_t *sum)
+{
+    struct hold h = {evq_new(), l, 1, 0};
+    for (size_t i = 0; i < pending; i++) {
+        struct item e = successor(l, (struct item){0, i << 2}, &h.random);
+        evq_put(h.q, e.time, (uint32_t)(e.rank >> 2), fire, &h, (void *)(uintptr_t)e.rank);
+    }
+    double begin = seconds();
+    for (size_t i = 0; i < HOLDS; i++)
+        evq_step(h.q);
+    double t = seconds() - begin;
+    *sum = h.sum;
+    evq_free(h.q);
+    return t / HOLDS;
+}
+
+/* --- the table --- */
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void measure(const struct load *l, size_t pending)
+{
+    static const struct queue *const others[] = {&BINARY_HEAP, &PAIRING_HEAP, &LADDER};
+    enum { OTHERS = sizeof others / sizeof *others };
+    double t[OTHERS + 1][RUNS];
+    for (int r = 0; r < RUNS; r++) {
+        uint64_t right, sum;
+        t[0][r] = hold_evq(l, pending, &right);
+        for (int i = 0; i < OTHERS; i++) {
+            t[i + 1][r] = hold_queue(others[i], l, pending, &sum);
+            if (sum != right) {
+                fprintf(stderr, "queue: the %s gives another order\n", others[i]->name);
+                exit(1);
+            }
+        }
+    }
+    printf("%-9s %8zu", l->name, pending);
+    for (int i = 0; i <= OTHERS; i++) {
+        qsort(t[i], RUNS, sizeof t[i][0], by_size);
+        printf(" %13.0f", 1e9 * t[i][RUNS / 2]);
+    }
+    putchar('\n');
+}
+
+int main(void)
+{
+    static const size_t pending[] = {16, 256, 1024, 4096, 16384, 131072};
+    printf("ns a hold  pending           evq   binary heap  pairing heap  ladder queue\n");
+    for (size_t l = 0; l < sizeof LOADS / sizeof *LOADS; l++)
+        for (size_t i = 0; i < sizeof pending / sizeof *pending; i++)
+            measure(&LOADS[l], pending[i]);
+    return 0;
+}

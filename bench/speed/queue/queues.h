@@ -1,0 +1,26 @@
+/* queues.h - the structures that were tried for the event queue, behind one face, to be measured beside the product's
+ * (sim/kernel/evq.c). All give the same order: by time, then rank. Small and without the product's checks. */
+#ifndef BENCH_QUEUES_H
+#define BENCH_QUEUES_H
+#include <stddef.h>
+#include <stdint.h>
+
+struct item {
+    uint64_t time, rank; /* rank: place, late and sequence in one word, as in evq.c */
+};
+
+struct queue {
+    const char *name;
+    void *(*make)(void);
+    void (*put)(void *q, struct item e);
+    struct item (*take)(void *q); /* the first; there is one */
+    void (*drop)(void *q);
+};
+
+extern const struct queue BINARY_HEAP, PAIRING_HEAP, LADDER;
+
+static inline int item_before(struct item a, struct item b)
+{
+    return ((unsigned __int128)a.time << 64 | a.rank) < ((unsigned __int128)b.time << 64 | b.rank);
+}
+#endif

@@ -1,0 +1,12 @@
+# traffic.mk - the NX program of messages, the tool that measures runs, and the comparison of event queues.
+$B/bench/traffic: bench/speed/traffic/traffic.c $(NXCC_DEPS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 -o $@ $<
+
+$B/bench/measure: bench/speed/traffic/measure.c
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 $(WARN) -o $@ $<
+
+$B/bench/queue: $(wildcard bench/speed/queue/*.c) sim/kernel/evq.c bench/speed/queue/queues.h
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 $(WARN) -Isim -Ibench/speed/queue -o $@ $(filter %.c,$^)
