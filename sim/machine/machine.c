@@ -13,6 +13,7 @@
 #include "node/cpu.h"
 #include "node/cube.h"
 #include "node/image.h"
+#include "node/trace.h"
 
 static double wall_clock(void)
 {
@@ -266,7 +267,7 @@ static void run_events(struct machine *m)
     crash_unwatch(guard);
 }
 
-static void describe_waiting(FILE *f, const struct node *n)
+static void describe_waiting(FILE *f, const struct node *n, struct trace_lines *lines)
 {
     fprintf(f, "\n  %s: ", n->name);
     if (n->end == NODE_NOT_LOADED)
@@ -279,18 +280,23 @@ static void describe_waiting(FILE *f, const struct node *n)
         fprintf(f, "%s(%ld) since %.9f s", n->call, n->call_type, vt_seconds(n->call_since));
     else
         fprintf(f, "%s since %.9f s", n->call, vt_seconds(n->call_since));
+    const char *line = n->call && n->state == NODE_BLOCKED ? trace_line(lines, n) : NULL;
+    if (line)
+        fprintf(f, " (%s)", line);
 }
 
 static char *describe(const struct machine *m, const char *what)
 {
     char *text;
     size_t size;
+    struct trace_lines *lines = trace_lines_new();
     FILE *f = open_memstream(&text, &size);
     fprintf(f, "%s", what);
     if (m->sys.host)
-        describe_waiting(f, m->sys.host);
+        describe_waiting(f, m->sys.host, lines);
     for (uint32_t i = 0; i < m->sys.count; i++)
-        describe_waiting(f, m->sys.nodes[i]);
+        describe_waiting(f, m->sys.nodes[i], lines);
+    trace_lines_free(lines);
     fclose(f);
     return text;
 }

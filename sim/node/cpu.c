@@ -415,6 +415,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
             node_order(n);
     }
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
+        n->frame = (uintptr_t)__builtin_frame_address(0);
         block(n, node_now(n));
         switch_away(n, ready, arg);
     }

@@ -10,6 +10,7 @@
  * streams.
  */
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -327,21 +328,23 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     return true;
 }
 
-/* Asks addr2line for the source line of an address; false when it does not know. path goes through the shell,
- * so that names with a quote in them are not asked about. */
-static bool source_line(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size)
+/* Asks addr2line for the source line of an address, "FILE:LINE"; false when it does not know. Is it in NX's library? path
+ * goes through the shell, so that names with a quote in them are not asked about. */
+static bool source_line(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
 {
-    char *command;
+    char *command, answer[PATH_MAX + 20];
     bool known = false;
     if (!f->debug || strchr(f->path, '\'') != NULL ||
-        asprintf(&command, "addr2line -s -e '%s' 0x%llx 2>/dev/null", f->path, (unsigned long long)vaddr) < 0)
+        asprintf(&command, "addr2line -e '%s' 0x%llx 2>/dev/null", f->path, (unsigned long long)vaddr) < 0)
         return false;
     FILE *p = popen(command, "r");
     free(command);
     if (p == NULL)
         return false;
-    if (fgets(buf, (int)size, p) != NULL) {
-        buf[strcspn(buf, "\n ")] = 0; /* " (discriminator 2)" is of no use */
+    if (fgets(answer, sizeof answer, p) != NULL) {
+        const char *slash = strrchr(answer, '/'), *name = slash ? slash + 1 : answer;
+        snprintf(buf, size, "%.*s", (int)strcspn(name, "\n "), name); /* " (discriminator 2)" is of no use */
+        *library = strstr(answer, "/nx_api/") != NULL;
         known = strchr(buf, '?') == NULL && strchr(buf, ':') != NULL;
     }
     return pclose(p) == 0 && known;
@@ -359,6 +362,7 @@ const char *node_image_where(const struct node_image *img, size_t offset, char *
     uint64_t vaddr = offset;
     const char *name;
     char line[200];
+    bool library;
     if (vaddr >= img->bytes) {
         snprintf(buf, size, "outside the program");
         return buf;
@@ -366,9 +370,15 @@ const char *node_image_where(const struct node_image *img, size_t offset, char *
     const Elf64_Sym *s = elf_function_at(img->elf, vaddr, &name);
     if (s == NULL)
         snprintf(buf, size, "program+0x%llx", (unsigned long long)vaddr);
-    else if (source_line(img->elf, vaddr, line, sizeof line))
+    else if (source_line(img->elf, vaddr, line, sizeof line, &library))
         snprintf(buf, size, "%s+0x%llx (%s)", name, (unsigned long long)(vaddr - s->st_value), line);
     else
         snprintf(buf, size, "%s+0x%llx", name, (unsigned long long)(vaddr - s->st_value));
     return buf;
+}
+
+bool node_image_line(const struct node_image *img, size_t offset, char *buf, size_t size)
+{
+    bool library = false;
+    return offset < img->bytes && source_line(img->elf, offset, buf, size, &library) && !library;
 }

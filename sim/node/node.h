@@ -138,6 +138,7 @@ struct node {
     long awaited; /* type or typesel of the message the call is about, if awaits */
     bool awaits;
     vtime call_since;
+    uintptr_t frame; /* of the call, on the stack, while it is blocked */
 
     /* what the program has switched away for, ready NULL: nothing but its turn (cpu.c) */
     struct {

@@ -13,4 +13,11 @@ bool trace_in_program(const struct node *n, uintptr_t address);
 void trace_print(FILE *f, const struct node *n, const char *how, uintptr_t address);
 /* Such a line for each call under way in the program. */
 void trace_print_calls(FILE *f, const struct node *n, uintptr_t frame);
+
+/* Source lines in which nodes wait. Finding one takes milliseconds, and many nodes wait in the same. */
+struct trace_lines;
+struct trace_lines *trace_lines_new(void);
+void trace_lines_free(struct trace_lines *t);
+/* "FILE:LINE" of the call in which a blocked node's program waits; NULL when it is not known. t keeps it. */
+const char *trace_line(struct trace_lines *t, const struct node *n);
 #endif
