@@ -400,6 +400,7 @@ static void catch_up(struct node *n)
 static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     n->wait.ready = ready, n->wait.arg = arg;
+    n->frame = (uintptr_t)__builtin_frame_address(0);
     fiber_yield(n->fiber);
     n->wait.ready = NULL;
     return n->wait.since != VT_NEVER;
@@ -415,7 +416,6 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
             node_order(n);
     }
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
-        n->frame = (uintptr_t)__builtin_frame_address(0);
         block(n, node_now(n));
         switch_away(n, ready, arg);
     }
