@@ -26,6 +26,7 @@ static const char HELP[] =
     "      parameters = (\n"
     "          { name = \"latency\"; set = \"net.latency_us={}\"; from = 10.0; to = 200.0; start = 50.0; },\n"
     "          { name = \"k\"; arguments = \"-k {}\"; from = 1.0; to = 4.0; logarithmic = true; }\n"
+    "                                    # or factor = \"slice.c\": then build = \"nxcc -O2 --factors {factors} -o {program} a.c\"\n"
     "      );                            # without start from the middle\n"
     "      measurements = \"measured.csv\"; # a line of names: axes, figures, weight; then lines of values\n"
     "      weights = \"relative\";         # or \"rounding\": in halves of a unit of the last digit\n"

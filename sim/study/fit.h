@@ -9,6 +9,9 @@
  *         weights = "relative";
  *     };
  *
+ * A third kind is a cost factor of the compiler's (factor = "slice.c"), for which the program is built anew, by
+ * build = "nxcc -O2 --factors {factors} -o {program} prog.c -lm" in the study file's folder.
+ *
  * A parameter is from its range, evenly or by its logarithm; it starts at `start`, else in the middle. Its text, of six
  * digits, stands for {} in a setting of the machine or in words after the program's arguments.
  *

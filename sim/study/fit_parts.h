@@ -1,4 +1,5 @@
-/* fit_parts.h - what the files of a fit (fit.h) share: fit_read.c and fit_table.c read it, fit_try.c evaluates, fit.c
+/* fit_parts.h - what the files of a fit (fit.h) share: fit_read.c and fit_table.c read it, fit_try.c and
+ * fit_build.c evaluate, fit.c
  * conducts, fit_print.c and fit_write.c tell. */
 #ifndef STUDY_FIT_PARTS_H
 #define STUDY_FIT_PARTS_H
@@ -6,7 +7,7 @@
 #include "study/fit_least.h"
 
 struct fit_parameter {
-    const char *name, *set, *arguments; /* one of the two; the other NULL */
+    const char *name, *set, *arguments, *factor; /* one of the latter three; the others NULL */
     double from, to, start;
     bool logarithmic;
 };
@@ -29,7 +30,8 @@ struct fit {
     size_t parameters;
     struct fit_measurement *measurement;
     size_t measurements;
-    bool by_rounding; /* else relative */
+    bool by_rounding;  /* else relative */
+    const char *build; /* NULL: no factors */
 
     /* Which parameters are looked for, and what the others are: from 0 to 1. */
     size_t searched[FIT_MAX_NUMBERS], count;
@@ -37,7 +39,8 @@ struct fit {
 
     double *computed; /* of the latest evaluation */
     unsigned evaluations;
-    double best_rms;
+    char *built;                /* the factors that the program was built with last */
+    char *program;              /* where it is then; NULL: the study's own */
     struct study_counts counts; /* sums */
     char *error;
 };
@@ -52,6 +55,13 @@ bool fit_table(const char *path, fit_row *row, void *arg, char **error);
 /* The number, and half a unit of its last digit as it is written: 90.7 has 0.05. False unless it is one. */
 bool fit_number(const char *text, double *value, double *half);
 void fit_clear(struct fit *f);
+
+/* --- fit_build.c --- */
+
+/* Builds the program with the factors that the parameters have at these places, unless it is. False with f->error. */
+bool fit_build(struct fit *f, const double place[]);
+/* Text with `with` for each `hole`; malloc'd. */
+char *fit_filled(const char *text, const char *hole, const char *with);
 
 /* --- fit_try.c --- */
 

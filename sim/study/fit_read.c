@@ -30,7 +30,7 @@ static bool read_place(struct cfg_reader *r, config_setting_t *g, const char *ke
 
 static bool read_parameter(struct cfg_reader *r, config_setting_t *g, struct fit_parameter *p)
 {
-    static const char *const keys[] = {"name", "set",   "arguments",   "from",
+    static const char *const keys[] = {"name", "set",   "arguments",   "factor", "from",
                                        "to",   "start", "logarithmic", NULL};
     *p = (struct fit_parameter){0};
     if (!config_setting_is_group(g))
@@ -40,8 +40,12 @@ static bool read_parameter(struct cfg_reader *r, config_setting_t *g, struct fit
         !read_place(r, g, "arguments", &p->arguments) || !cfg_number(r, g, "from", -1e15, 1e15, &p->from) ||
         !cfg_number(r, g, "to", -1e15, 1e15, &p->to))
         return false;
-    if (!p->set == !p->arguments)
-        return cfg_fail(r, g, p->name, "needs either set, a machine's KEY={}, or arguments of the program");
+    if (config_setting_get_member(g, "factor") && !cfg_text(r, g, "factor", &p->factor))
+        return false;
+    if (!!p->set + !!p->arguments + !!p->factor != 1)
+        return cfg_fail(
+            r, g, p->name,
+            "needs one of set, a machine's KEY={}, arguments of the program, factor, a source file");
     if (!(p->from < p->to))
         return cfg_fail(r, g, "from", "%g must be less than to, %g", p->from, p->to);
     if (!read_logarithmic(r, g, p))
@@ -225,15 +229,30 @@ static bool read_weights(struct cfg_reader *r, config_setting_t *in, struct fit 
                     "must be \"relative\" or \"rounding\"");
 }
 
+/* The command that builds the program, where there are factors. */
+static bool read_build(struct cfg_reader *r, config_setting_t *in, struct fit *f)
+{
+    bool factors = false;
+    for (size_t i = 0; i < f->parameters; i++)
+        factors |= f->parameter[i].factor != NULL;
+    if (!factors && !config_setting_get_member(in, "build"))
+        return true;
+    if (!cfg_text(r, in, "build", &f->build))
+        return false;
+    return (strstr(f->build, "{factors}") && strstr(f->build, "{program}")) ||
+           cfg_fail(r, config_setting_get_member(in, "build"), "build",
+                    "must have {factors} and {program}: nxcc -O2 --factors {factors} -o {program} prog.c");
+}
+
 bool fit_read(struct fit *f, char **error)
 {
-    static const char *const keys[] = {"parameters", "measurements", "weights", NULL};
+    static const char *const keys[] = {"parameters", "measurements", "weights", "build", NULL};
     if (!(f->spec = spec_read(f->options->study.file, error)))
         return false;
     struct cfg_reader *r = &f->spec->reader;
     config_setting_t *in = NULL;
     bool good = cfg_group(r, r->root, "fit", &in) && cfg_only(r, in, keys) && read_weights(r, in, f) &&
-                read_parameters(r, in, f) && read_measurements(r, in, f, error);
+                read_parameters(r, in, f) && read_build(r, in, f) && read_measurements(r, in, f, error);
     if (!good && !*error) {
         *error = r->error;
         r->error = NULL;
@@ -252,6 +271,8 @@ void fit_clear(struct fit *f)
     }
     free(f->measurement);
     free(f->computed);
+    free(f->built);
+    free(f->program);
     free(f->error);
     spec_free(f->spec);
 }

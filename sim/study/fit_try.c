@@ -100,20 +100,6 @@ static bool compare(struct fit *f, struct study *s)
 
 /* --- an evaluation --------------------------------------------------------------------------------------- */
 
-/* The text with the value for each {}. */
-static char *filled_in(const char *text, const char *value)
-{
-    char *done = text_of("%s", "");
-    for (const char *hole; (hole = strstr(text, "{}")); text = hole + 2) {
-        char *longer = text_of("%s%.*s%s", done, (int)(hole - text), text, value);
-        free(done);
-        done = longer;
-    }
-    char *all = text_of("%s%s", done, text);
-    free(done);
-    return all;
-}
-
 /* What the parameters say, as settings of the machine and words for the program. */
 struct said {
     char *set[FIT_MAX_NUMBERS + 1], *text[FIT_MAX_NUMBERS + 1];
@@ -127,11 +113,11 @@ static void say(struct said *s, const struct fit *f, const double place[])
     for (size_t i = 0; i < f->parameters; i++) {
         char value[32], *save;
         fit_text(&f->parameter[i], place[i], value);
-        if (f->parameter[i].set) {
-            s->set[s->sets++] = filled_in(f->parameter[i].set, value);
+        if (f->parameter[i].set)
+            s->set[s->sets++] = fit_filled(f->parameter[i].set, "{}", value);
+        if (!f->parameter[i].arguments)
             continue;
-        }
-        char *text = s->text[s->texts++] = filled_in(f->parameter[i].arguments, value);
+        char *text = s->text[s->texts++] = fit_filled(f->parameter[i].arguments, "{}", value);
         for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save)) {
             s->words = realloc(s->words, (s->count + 2) * sizeof *s->words);
             if (!s->words)
@@ -155,7 +141,10 @@ static bool run(struct fit *f, const double place[])
 {
     struct study_options o = f->options->study;
     struct said s;
+    if (!fit_build(f, place))
+        return false;
     say(&s, f, place);
+    o.program = f->program;
     o.set = (const char *const *)s.set;
     o.arguments = s.words;
     struct study *study = study_open(&o, &f->error);

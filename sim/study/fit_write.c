@@ -52,8 +52,9 @@ static void write_date(FILE *out)
 /* "system.interrupt_us=210", "-k 1.6" */
 static char *as_given(const struct fit_parameter *p, const char *value)
 {
-    const char *text = p->set ? p->set : p->arguments, *hole = strstr(text, "{}");
-    return text_of("%.*s%s%s", (int)(hole - text), text, value, hole + 2);
+    if (p->factor)
+        return text_of("factor of %s: %s", p->factor, value);
+    return fit_filled(p->set ? p->set : p->arguments, "{}", value);
 }
 
 /* Malloc'd. */
@@ -62,13 +63,34 @@ static char *fitted_to(const struct fit *f)
     return text_of("%zu measurements in %s, %s", f->measurements, f->data, f->options->study.file);
 }
 
+/* In the form that nxcc takes. */
+static void write_factors(const struct fit *f, const struct fit_result *r, FILE *out)
+{
+    const char *mark = "\n";
+    fputs("factors = (", out);
+    for (size_t i = 0; i < f->parameters; i++) {
+        if (!f->parameter[i].factor || r->number[i].standing != FIT_DETERMINED)
+            continue;
+        char *to = fitted_to(f);
+        fprintf(out, "%s    { file = ", mark);
+        write_text(f->parameter[i].factor, out);
+        fprintf(out, "; factor = %s%s; fitted_to = ", r->text[i], strpbrk(r->text[i], ".e") ? "" : ".0");
+        write_text(to, out);
+        fputs("; }", out);
+        free(to);
+        mark = ",\n";
+    }
+    fputs("\n);\n", out);
+}
+
 static void write_constants(const struct fit *f, const struct fit_result *r, FILE *out)
 {
     const char *mark = "\n";
-    fputs("factors = ( );\n\n# ( what, fitted to )\nconstants = (", out);
+    write_factors(f, r, out);
+    fputs("\n# ( what, fitted to )\nconstants = (", out);
     for (size_t i = 0; i < f->parameters; i++) {
         char *what = as_given(&f->parameter[i], r->text[i]), *to = fitted_to(f);
-        if (r->number[i].standing == FIT_DETERMINED) {
+        if (r->number[i].standing == FIT_DETERMINED && !f->parameter[i].factor) {
             fprintf(out, "%s    ( ", mark);
             write_text(what, out);
             fputs(", ", out);

@@ -80,7 +80,7 @@ static bool find_dir(struct study *s, char **error)
 /* The study's program: beside its file, or among those that come with touchstone. */
 static bool find_program(struct study *s, char **error)
 {
-    const char *name = s->spec->program;
+    const char *name = s->options.program ? s->options.program : s->spec->program;
     char *beside = *name == '/' ? text_of("%s", name) : text_of("%s/%s", s->dir, name);
     char *ours = text_of("%s/%s", s->options.programs, name);
     if (access(beside, X_OK) == 0)

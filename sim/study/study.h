@@ -20,6 +20,7 @@
 struct study_options {
     const char *file;
     const char *runner;   /* the touchstone that runs a point */
+    const char *program;  /* instead of the study's, absolute; NULL: the study's */
     const char *programs; /* where a program is that is not beside the file */
     const char *machines; /* the folder of machine files */
     const char *dir;      /* for journal and results; made if need be */

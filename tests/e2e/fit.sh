@@ -79,6 +79,34 @@ check "two that do the same" ended_with 1
 check "are told together" shows '^send .* not determined: only together with receive$'
 check "both" shows '^receive .* not determined: only together with send$'
 
+# --- cost factors: the program is built for each ---
+cp "$tests/parts.c" parts.c
+echo 'factors = ( { file = "parts.c"; factor = 1.37; } );' >true.cfg
+"$BUILD/nxcc" -O2 --factors true.cfg -o parts parts.c
+study >truth.cfg
+"$BUILD/touchstone" study truth.cfg -o factors >out 2>err
+check "a program with another factor is measured" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i }
+    { print $c["messages"] "," $c["interrupts"] "," $c["total_s"] > "factor.csv" } END { exit NR != 4 }' factors/results.csv
+{
+    study
+    cat <<END2
+fit = {
+    parameters = ( { name = "computing"; factor = "parts.c"; from = 0.5; to = 2.0; start = 1.0; } );
+    build = "$BUILD/nxcc -O2 --factors {factors} -o {program} parts.c";
+    measurements = "factor.csv";
+};
+END2
+} >factor.cfg
+fit factor.cfg
+check "a factor is determined" ended_with 0
+check "and is the one" near computing 1.37
+check "the constants are factors for nxcc" grep -qE '^    \{ file = "parts.c"; factor = 1\.3[67][0-9]*; fitted_to = "3 measurements' runs/fitted.cfg
+check "with which it is the same program" bash -c '"$0" -O2 --factors runs/fitted.cfg -o parts2 parts.c' "$BUILD/nxcc"
+sed -i 's/ parts.c";/ part.c";/' factor.cfg
+fit factor.cfg
+check "a build that fails is an error" ended_with 65
+check "that tells why" said '^touchstone fit: factor.cfg: build: .*part.c'
+
 # --- mistakes ---
 wrong() { # NAME SED-SCRIPT MESSAGE - of parts.cfg changed so
     sed "$2" parts.cfg >wrong.cfg
