@@ -11,8 +11,9 @@ struct wire {
     struct topo topo;
     struct evq *q;
     struct channel *channels;
-    vtime waited;
-    uint64_t waits;
+    vtime waited; /* in all, less the beginnings of waits that have no end yet */
+    vtime latest; /* when a channel was last asked for or given back */
+    uint64_t waits, waiting;
 };
 
 struct wire *wire_new(const struct topo *topo, struct evq *q)
@@ -58,8 +59,9 @@ static void advance(struct wire *w, struct wire_transit *t, vtime now)
         struct channel *c = &w->channels[channel];
         t->held++;
         if (c->holder) {
-            w->waits++;
-            w->waited -= now; /* made good when the channel is handed over */
+            w->waits++, w->waiting++;
+            w->waited -= now;
+            w->latest = now;
             queue(c, t);
             return;
         }
@@ -81,7 +83,9 @@ static struct wire_transit *hand_over(struct wire *w, struct channel *c, vtime n
     c->first = t->next;
     if (!c->first)
         c->last = NULL;
+    w->waiting--;
     w->waited += now;
+    w->latest = now;
     return t;
 }
 
@@ -125,7 +129,7 @@ void wire_send(struct wire *w, struct wire_transit *t, vtime now)
 
 vtime wire_waited(const struct wire *w)
 {
-    return w->waited;
+    return w->waited + w->waiting * w->latest;
 }
 
 uint64_t wire_waits(const struct wire *w)

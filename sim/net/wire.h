@@ -36,7 +36,8 @@ struct wire *wire_new(const struct topo *topo, struct evq *q);
 void wire_free(struct wire *w);
 /* t must stay where it is until it is done. */
 void wire_send(struct wire *w, struct wire_transit *t, vtime now);
-/* Virtual time transits have waited for channels, in sum, and how many did. */
+/* Virtual time transits have waited for channels, in sum, and how many did. Of a wait that has not ended counts what was
+ * before the latest event at any channel. */
 vtime wire_waited(const struct wire *w);
 uint64_t wire_waits(const struct wire *w);
 #endif

@@ -112,6 +112,27 @@ static void a_blocked_message_holds_what_it_has(void **state)
     assert_int_equal(t[3].done, 100);
 }
 
+static void a_wait_without_an_end_counts_until_the_latest_event(void **state)
+{
+    struct trip t[] = {{.transit = {.from = 1, .to = 3}}, {.transit = {.from = 0, .to = 3}}};
+    struct evq *q = evq_new();
+    struct topo topo;
+    (void)state;
+    assert_true(topo_hypercube(&topo, 8, 3));
+    struct wire *w = wire_new(&topo, q);
+    for (int i = 0; i < 2; i++) {
+        t[i].transit.duration = 100;
+        t[i].transit.started = on_started;
+        t[i].transit.done = on_done;
+        t[i].transit.ctx = &t[i];
+        wire_send(w, &t[i].transit, (vtime)(50 + i));
+    }
+    assert_int_equal(wire_waits(w), 1);
+    assert_int_equal(wire_waited(w), 0);
+    wire_free(w);
+    evq_free(q);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -121,6 +142,7 @@ int main(void)
         cmocka_unit_test(both_directions_go_at_once),
         cmocka_unit_test(a_node_receives_one_message_at_a_time),
         cmocka_unit_test(a_blocked_message_holds_what_it_has),
+        cmocka_unit_test(a_wait_without_an_end_counts_until_the_latest_event),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
