@@ -13,7 +13,7 @@ SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c nx_ap
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 APP_SRC := $(wildcard app/*.c)
 
-all: $B/touchstone $B/nxcc $B/app/model $B/node/mpi/libnx.a ## Build everything into build/
+all: $B/touchstone $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a ## Build everything into build/
 
 $B/obj/%.o: %.c
 	@mkdir -p $(@D)
@@ -100,7 +100,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	ln -sf nxcc $(INST)/bin/nxf77
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
 	install -d $(INST)/lib/touchstone/mpi
-	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
+	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
 	cp -r --no-preserve=mode,ownership nx_api/include/long32 $(INST)/share/touchstone/include

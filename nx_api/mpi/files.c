@@ -351,18 +351,22 @@ static esize_t to_esize(int64_t x)
     return (esize_t){(long)(uint32_t)x, (long)(x >> 32)};
 }
 
-/* A size, or -1 for an error. */
-static esize_t size_call(const char *call, int64_t (*f)(int, int64_t, int), nx_face *face, int fd,
-                         esize_t offset, int whence)
+int64_t files_size(const char *call, int64_t (*f)(int, int64_t, int), nx_face *face, int fd, int64_t offset,
+                   int whence)
 {
     struct node *n = node_self();
     node_enter(n, call);
-    int64_t size = f(fd, from_esize(offset), whence);
+    int64_t size = f(fd, offset, whence);
     face(n, size < 0 ? -1 : 0);
+    return size < 0 ? -1 : size;
+}
+
+static esize_t size_or_error(int64_t size)
+{
     return size < 0 ? (esize_t){-1, -1} : to_esize(size);
 }
 
-static int64_t seek(int fd, int64_t offset, int whence)
+int64_t files_seek(int fd, int64_t offset, int whence)
 {
     const struct open_file *f = file_of(fd);
     if (!f)
@@ -390,7 +394,7 @@ static int64_t grow(int fd, int64_t offset, int whence)
     return ftruncate(fd, from + offset) ? -1 : from + offset;
 }
 
-static int64_t resize(int fd, int64_t offset, int whence)
+int64_t files_resize(int fd, int64_t offset, int whence)
 {
     const struct open_file *f = file_of(fd);
     if (!f)
@@ -408,27 +412,27 @@ esize_t node__esize(int fd, esize_t offset, int whence) NX_EXPORT("_esize");
 
 esize_t node_eseek(int fd, esize_t offset, int whence)
 {
-    return size_call("eseek", seek, nx_plain, fd, offset, whence);
+    return size_or_error(files_size("eseek", files_seek, nx_plain, fd, from_esize(offset), whence));
 }
 
 esize_t node__eseek(int fd, esize_t offset, int whence)
 {
-    return size_call("_eseek", seek, nx_returning, fd, offset, whence);
+    return size_or_error(files_size("_eseek", files_seek, nx_returning, fd, from_esize(offset), whence));
 }
 
 esize_t node_esize(int fd, esize_t offset, int whence)
 {
-    return size_call("esize", resize, nx_plain, fd, offset, whence);
+    return size_or_error(files_size("esize", files_resize, nx_plain, fd, from_esize(offset), whence));
 }
 
 esize_t node__esize(int fd, esize_t offset, int whence)
 {
-    return size_call("_esize", resize, nx_returning, fd, offset, whence);
+    return size_or_error(files_size("_esize", files_resize, nx_returning, fd, from_esize(offset), whence));
 }
 
 long nxs_lsize(word fd, word offset, word whence)
 {
-    return resize(fd, offset, whence);
+    return files_resize(fd, offset, whence);
 }
 
 long nxs_iseof(word fd)
@@ -456,9 +460,9 @@ long nxs_restrictvol(word fd, word count, const int disks[])
 
 /* --- state --- */
 
-static void to_estat(struct estat *e, const struct stat *st)
+static void to_estat(const struct node *n, struct estat *e, const struct stat *st)
 {
-    *e = (struct estat){.st_dev = st->st_dev,
+    struct estat all = {.st_dev = st->st_dev,
                         .st_ino = st->st_ino,
                         .st_mode = st->st_mode,
                         .st_nlink = st->st_nlink,
@@ -471,6 +475,11 @@ static void to_estat(struct estat *e, const struct stat *st)
                         .st_atim = st->st_atim,
                         .st_mtim = st->st_mtim,
                         .st_ctim = st->st_ctim};
+    size_t before = offsetof(struct estat, st_size), after = before + sizeof all.st_size;
+    memcpy(e, &all, before);
+    node_put_long(n, &e->st_size.slow, 0, all.st_size.slow);
+    node_put_long(n, &e->st_size.slow, 1, all.st_size.shigh);
+    memcpy((char *)e + before + 2 * (size_t)node_long_bytes, (char *)&all + after, sizeof all - after);
 }
 
 static long stat_path(const char *call, const char *path, struct estat *e, nx_face *face)
@@ -482,7 +491,7 @@ static long stat_path(const char *call, const char *path, struct estat *e, nx_fa
     const char *here = path_here(path, space);
     if (!here || fstatat(AT_FDCWD, here, &st, 0))
         return face(n, fail(path));
-    to_estat(e, &st);
+    to_estat(node_self(), e, &st);
     return face(n, 0);
 }
 
@@ -507,6 +516,6 @@ long nxs_festat(word fd, struct estat *e)
         return -1;
     if (fstat(fd, &st))
         return fail(name_of(f));
-    to_estat(e, &st);
+    to_estat(node_self(), e, &st);
     return 0;
 }

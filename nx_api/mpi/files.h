@@ -19,4 +19,10 @@ struct open_file {
 /* What is known of an open file; NULL if it is not open. It stays where it is until the next call of these. */
 struct open_file *files_find(int fd);
 void files_opened(int fd, const char *path);
+
+/* eseek (files_seek) and esize (files_resize), as one of their faces ends them: calls/call.h. -1 after an error. */
+int64_t files_seek(int fd, int64_t offset, int whence);
+int64_t files_resize(int fd, int64_t offset, int whence);
+int64_t files_size(const char *call, int64_t (*f)(int, int64_t, int), long (*face)(struct node *, long),
+                   int fd, int64_t offset, int whence);
 #endif

@@ -26,8 +26,8 @@ long nxs_nx_app_rect(long *rows, long *columns)
     if (!rows || !columns)
         return node_error(n, EQPBUF, "rows or columns is a null pointer");
     MPI_Dims_create((int)n->sys->count, 2, sides);
-    *rows = sides[1];
-    *columns = sides[0];
+    node_put_long(n, rows, 0, sides[1]);
+    node_put_long(n, columns, 0, sides[0]);
     return 0;
 }
 
@@ -59,10 +59,12 @@ double node__dclock(void)
 long nxs_hwclock(esize_t *ticks)
 {
     enum { HZ = 10000000 };
+    struct node *n = node_self();
     if (!ticks)
-        return node_error(node_self(), EQPBUF, "the place for the count is a null pointer");
+        return node_error(n, EQPBUF, "the place for the count is a null pointer");
     uint64_t count = (uint64_t)(node_seconds() * HZ);
-    *ticks = (esize_t){(long)(uint32_t)count, (long)(count >> 32)};
+    node_put_long(n, &ticks->slow, 0, (long)(uint32_t)count);
+    node_put_long(n, &ticks->slow, 1, (long)(count >> 32));
     return 0;
 }
 

@@ -168,8 +168,9 @@ bool mailbox_complete(struct node *n, const struct receive *r)
 void mailbox_tell(struct node *n, const struct message *m, long info[])
 {
     n->info = (struct node_info){m->type, (long)m->bytes, m->source, m->pid};
-    if (info)
-        info[0] = n->info.type, info[1] = n->info.count, info[2] = n->info.node, info[3] = n->info.pid;
+    const long told[] = {n->info.type, n->info.count, n->info.node, n->info.pid};
+    for (size_t i = 0; info && i < sizeof told / sizeof *told; i++)
+        node_put_long(n, info, i, told[i]);
 }
 
 long mailbox_take(struct node *n, struct receive *r)

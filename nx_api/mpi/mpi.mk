@@ -3,6 +3,7 @@
 #                         own names are visible, and the calls that are programs over others (nx_api/common, nx_api/fortran)
 MPI        := $(NODE)/mpi
 MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c)
+MPI_LONG32 := $(MPI)/obj/mpi/long32.o # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
 MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
 MPI_CC      = OMPI_CC=$(CC) MPICH_CC=$(CC) mpicc
@@ -27,11 +28,19 @@ $(MPI)/obj/%.o: nx_api/%.f90
 	@mkdir -p $(@D)
 	gfortran -O2 -g -Wall -fPIE -c -o $@ $<
 
-$(MPI)/nx.o: $(MPI_OBJ)
+$(MPI)/nx.o: $(filter-out $(MPI_LONG32),$(MPI_OBJ))
+$(MPI)/nx_long32.o: $(MPI_OBJ)
+$(MPI)/nx.o $(MPI)/nx_long32.o:
 	ld -r -o $@ $^
 	objcopy --localize-hidden --globalize-symbol=nxc_enter $@
 
+$(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))): $(MPI)/obj/long32/%.o: nx_api/%.c $(MPI_HDR) $(NXCC_TOOLS)
+	@mkdir -p $(@D)
+	$B/nxcc --mpi --long32 -std=gnu17 -O2 $(WARN) -c -o $@ $<
+
 $(MPI)/libnx.a: $(MPI)/nx.o $(MPI_COMMON) | $(MPI)/names.map
+$(MPI)/libnx_long32.a: $(MPI)/nx_long32.o $(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))) $(MPI)/obj/fortran/open_unit.o | $(MPI)/names.map
+$(MPI)/libnx.a $(MPI)/libnx_long32.a:
 	@rm -f $@
 	ar rcs $@ $^
 

@@ -105,6 +105,26 @@ _Noreturn void node_end_here(struct node *n)
     node__exit(0);
 }
 
+/* --- longs --- */
+
+/* long32.c has another. */
+__attribute__((weak)) int node_long_bytes = sizeof(long);
+
+long node_get_long(const struct node *n, const long *array, size_t i)
+{
+    (void)n;
+    return node_long_bytes == sizeof(int32_t) ? ((const int32_t *)array)[i] : array[i];
+}
+
+void node_put_long(const struct node *n, long *array, size_t i, long value)
+{
+    (void)n;
+    if (node_long_bytes == sizeof(int32_t))
+        ((int32_t *)array)[i] = (int32_t)value;
+    else
+        array[i] = value;
+}
+
 /* --- errors --- */
 
 long node_error(struct node *n, int code, const char *fmt, ...)

@@ -59,18 +59,10 @@ static inline struct node *node_self(void)
     return &node_me;
 }
 
-/* An element of a program's array of longs. */
-static inline long node_get_long(const struct node *n, const long *array, size_t i)
-{
-    (void)n;
-    return array[i];
-}
-
-static inline void node_put_long(const struct node *n, long *array, size_t i, long value)
-{
-    (void)n;
-    array[i] = value;
-}
+/* An element of a program's array of longs: of 4 bytes in programs compiled with nxcc --long32. */
+extern int node_long_bytes;
+long node_get_long(const struct node *n, const long *array, size_t i);
+void node_put_long(const struct node *n, long *array, size_t i, long value);
 
 void node_enter(struct node *n, const char *call);
 void node_leave(struct node *n);

@@ -129,10 +129,10 @@ long nxs_waitone(word node, word pid, long *ended, long *ended_pid, long *status
     node_wait(n, one_has_ended, &a);
     n->ends[a.who].noticed = true;
     if (ended)
-        *ended = a.who;
+        node_put_long(n, ended, 0, a.who);
     if (ended_pid)
-        *ended_pid = n->ends[a.who].pid;
+        node_put_long(n, ended_pid, 0, n->ends[a.who].pid);
     if (status)
-        *status = n->ends[a.who].status;
+        node_put_long(n, status, 0, n->ends[a.who].status);
     return 0;
 }

@@ -299,8 +299,8 @@ static struct arguments read_arguments(int argc, char **argv)
             add_kind(&a, argv[i], kind);
         }
     }
-    if (a.mpi && (a.profile || a.long32))
-        fail("%s: only for simulated nodes; leave it out with --mpi", a.profile ? "--profile" : "--long32");
+    if (a.mpi && a.profile)
+        fail("--profile: only for simulated nodes; leave it out with --mpi");
     return a;
 }
 
@@ -433,6 +433,10 @@ static void add_mpi_compile(struct arguments *a, const struct places *p, bool fo
 {
     add(a, text("-fplugin=%s/count.so", p->lib));
     add(a, "-fplugin-arg-count-poll");
+    if (a->long32)
+        add(a, text("-fplugin-arg-count-long32=%s/", p->include));
+    if (a->long32 && !fortran)
+        add_long32(a, p);
     add(a, "-ffp-contract=off"); /* results as on simulated nodes */
     add(a, "-isystem");
     add(a, p->include);
@@ -446,7 +450,7 @@ static void add_mpi_link(struct arguments *a, const struct places *p)
     add(a, text("-Wl,--version-script=%s/mpi/names.map", p->lib)); /* the program's names are its own */
     add(a, "-x");
     add(a, "none");
-    add(a, text("%s/mpi/libnx.a", p->lib));
+    add(a, text("%s/mpi/libnx%s.a", p->lib, a->long32 ? "_long32" : ""));
     add(a,
         "-l:libgfortran.a"); /* which opens files under /cfs by libnx.a; for objects of Fortran files, too */
     add(a, "-l:libquadmath.a");

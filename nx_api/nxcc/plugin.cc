@@ -106,6 +106,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         return 1;
     }
     arguments a = read_arguments(info);
+    if (a.long32)
+        long32_register(info->base_name, a.long32);
     if (a.poll) {
         register_pass_info pass = {poll_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
         register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
@@ -121,7 +123,5 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
-    if (a.long32)
-        long32_register(info->base_name, a.long32);
     return 0;
 }

@@ -11,49 +11,12 @@
 #include <time.h>
 #include "node/libc_parts.h"
 #include "node/node.h"
-
-/* The end of the %[...] that begins at p. */
-static const char *end_of_set(const char *p)
-{
-    p += p[1] == '^' ? 2 : 1;
-    p += *p == ']';
-    while (*p && *p != ']')
-        p++;
-    return p;
-}
-
-/* The format with %ld as %d, for free(). scans: sets may be in it. */
-static char *narrowed(const char *format, bool scans)
-{
-    char *copy = malloc(strlen(format) + 1), *to = copy;
-    bool in_conversion = false;
-    if (!copy)
-        abort();
-    for (const char *p = format; *p; *to++ = *p++) {
-        if (!in_conversion) {
-            in_conversion = *p == '%';
-            continue;
-        }
-        if (scans && *p == '[') {
-            for (const char *end = end_of_set(p); p < end;)
-                *to++ = *p++;
-            if (!*p)
-                break;
-        } else if (p[0] == 'l' && p[1] && strchr("diouxXn", p[1])) {
-            p++;
-        } else if (p[0] == 'l' && p[1] == 'l') {
-            *to++ = *p++;
-        }
-        in_conversion = strchr("0123456789#-+ '.*$hlLqjztm", *p);
-    }
-    *to = 0;
-    return copy;
-}
+#include "nx_api/calls/narrow.h"
 
 #define WITH_LIST(name, parameters, scans, call)                                                             \
     int node_long32_##name parameters                                                                        \
     {                                                                                                        \
-        char *narrow = narrowed(format, scans);                                                              \
+        char *narrow = nx_narrowed(format, scans);                                                           \
         int result = call;                                                                                   \
         free(narrow);                                                                                        \
         return result;                                                                                       \
@@ -61,7 +24,7 @@ static char *narrowed(const char *format, bool scans)
 #define WITH_DOTS(name, parameters, scans, call)                                                             \
     int node_long32_##name parameters                                                                        \
     {                                                                                                        \
-        char *narrow = narrowed(format, scans);                                                              \
+        char *narrow = nx_narrowed(format, scans);                                                           \
         va_list ap;                                                                                          \
         va_start(ap, format);                                                                                \
         int result = call;                                                                                   \

@@ -26,6 +26,14 @@ for options in "-O2" "-O3 -march=native"; do
     check "an interrupt leaves the registers as they were: $options" printed "many rounds, 0 differ"
 done
 
+# The conformance program of long32, but for what depends on virtual time.
+"$BUILD/nxcc" --mpi --long32 -O2 -o long32 "$tests/../nx/long32.c"
+on_mpi 3 ./long32
+rules() { grep -vE '^(time|computing takes its time|a handler interrupts it):' "$1" | sort -u; }
+rules out >got
+rules "$tests/../nx/long32.out" >wanted
+check "--long32: a program and its libraries agree" cmp got wanted
+
 # --- ends ---
 sorted() { [ "$(sort out)" = "$1" ]; }
 quiet() { [ "$status" = 0 ] && [ ! -s err ]; }

@@ -10,7 +10,6 @@ not_here="
     cfs_overlap         iread and iwrite take the time of the whole transfer here
     duplex              compares virtual times
     handler_computing   compares virtual times; mpi.sh has handlers that interrupt
-    long32              nxcc --long32 is for simulated nodes
     memory              a node has the memory of its host
 "
 BUILD=${BUILD:-build}
@@ -22,7 +21,9 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     name=$(basename "${source%.*}")
     grep -q "^    $name  " <<<"$not_here" && continue
     grep -q '^[ cC!][ *]* simulator only: ' "$source" && continue
-    if ! $BUILD/nxcc --mpi -O2 -g -J "$work" -o "$work/$name" "$source" -lm 2>"$work/err"; then
+    options=$(sed -n 's/^[ cC!][ *]* compile: //p' "$source")
+    # shellcheck disable=SC2086
+    if ! $BUILD/nxcc --mpi -O2 -g -J "$work" $options -o "$work/$name" "$source" -lm 2>"$work/err"; then
         echo "not ok $name: does not compile"
         cat "$work/err"
         continue
