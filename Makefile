@@ -63,6 +63,7 @@ test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 	$(SUBMAKE) all unit
 	$(ASAN_MAKE) all unit
 	$(SUBMAKE) B=build/O0 OPT="-O0 -g" build/O0/touchstone
+	$(SUBMAKE) B=build/tsan OPT="-O1 -g" SAN="-fsanitize=thread" build/tsan/touchstone
 	@tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
 
 # --- what a user calls ---------------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #if defined(__SANITIZE_ADDRESS__)
 #include <sanitizer/asan_interface.h>
 #include <sanitizer/common_interface_defs.h>
+#elif defined(__SANITIZE_THREAD__)
+#include <sanitizer/tsan_interface.h>
 #endif
 
 /* Boost.Context's C interface (boost/context/detail/fcontext.hpp declares it for C++ only). */
@@ -24,7 +26,8 @@ struct fiber {
     void *arg;
     const void *back_stack; /* of the resumer, for the sanitizers */
     size_t back_size;
-    void *fake; /* the sanitizers' shadow of the side not running */
+    void *fake;                 /* the sanitizers' shadow of the side not running */
+    void *thread, *back_thread; /* ThreadSanitizer takes each fiber to be a thread */
 };
 
 /* Tell AddressSanitizer that the stack is about to change, and that it has changed. */
@@ -43,6 +46,36 @@ static inline void arrived(void *fake, const void **bottom, size_t *size)
     __sanitizer_finish_switch_fiber(fake, bottom, size);
 #else
     (void)fake, (void)bottom, (void)size;
+#endif
+}
+
+/* The same for ThreadSanitizer: `thread` is about to run; *here is who did. */
+static inline void switch_thread(void **here, void *thread)
+{
+#if defined(__SANITIZE_THREAD__)
+    if (here)
+        *here = __tsan_get_current_fiber();
+    __tsan_switch_to_fiber(thread, 0);
+#else
+    (void)here, (void)thread;
+#endif
+}
+
+static void *new_thread(void)
+{
+#if defined(__SANITIZE_THREAD__)
+    return __tsan_create_fiber(0);
+#else
+    return NULL;
+#endif
+}
+
+static void free_thread(void *thread)
+{
+#if defined(__SANITIZE_THREAD__)
+    __tsan_destroy_fiber(thread);
+#else
+    (void)thread;
 #endif
 }
 
@@ -72,12 +105,14 @@ struct fiber *fiber_new(void *stack, size_t size, void (*entry)(void *), void *a
         return NULL;
     f->stack = stack, f->size = size, f->entry = entry, f->arg = arg;
     clean(stack, size);
+    f->thread = new_thread();
     f->self = make_fcontext((char *)stack + size, size, start);
     return f;
 }
 
 void fiber_free(struct fiber *f)
 {
+    free_thread(f->thread);
     free(f);
 }
 
@@ -85,6 +120,7 @@ void fiber_resume(struct fiber *f)
 {
     void *fake = NULL;
     leaving(&fake, f->stack, f->size);
+    switch_thread(&f->back_thread, f->thread);
     struct transfer t = jump_fcontext(f->self, f);
     arrived(fake, NULL, NULL);
     f->self = t.from;
@@ -93,6 +129,7 @@ void fiber_resume(struct fiber *f)
 void fiber_yield(struct fiber *f)
 {
     leaving(&f->fake, f->back_stack, f->back_size);
+    switch_thread(NULL, f->back_thread);
     struct transfer t = jump_fcontext(f->back, f);
     arrived(f->fake, &f->back_stack, &f->back_size);
     f->back = t.from;
@@ -101,6 +138,7 @@ void fiber_yield(struct fiber *f)
 _Noreturn void fiber_finish(struct fiber *f)
 {
     leaving(NULL, f->back_stack, f->back_size);
+    switch_thread(NULL, f->back_thread);
     jump_fcontext(f->back, f);
     abort();
 }

@@ -8,12 +8,12 @@
 #include <time.h>
 
 enum {
-    SPINS = 400,         /* looks before a thread that has nothing to do sleeps: tens of microseconds */
-    EPISODES = 32,       /* judged together: workers_worth */
-    INLINE_FOR = 2048,   /* pieces, when they were not worth it */
-    MOST_PASSES = 1000,  /* of work that the committing thread runs, until it looks elsewhere */
-    PATIENCE_MS = 20,    /* so long it waits at a time */
-    MAX_SHUFFLED_US = 50 /* longest random delay */
+    SPINS = 400,        /* looks before a thread that has nothing to do sleeps: tens of microseconds */
+    EPISODES = 32,      /* judged together: workers_worth */
+    INLINE_FOR = 2048,  /* pieces, when they were not worth it */
+    MOST_PASSES = 1000, /* of work that the committing thread runs, until it looks elsewhere */
+    PATIENCE_MS = 20,   /* so long it waits at a time */
+    SHUFFLED_DELAY_US = 20
 };
 
 /* Work pauses for other work that is so far behind. */
@@ -168,13 +168,19 @@ static struct work *take_any(struct workers *ws)
     return w;
 }
 
-static void dawdle(struct workers *ws)
+/* Without the lock: once in so many times. */
+static bool chance(struct workers *ws, unsigned times)
 {
     pthread_mutex_lock(&ws->lock);
     uint64_t r = random_number(ws);
     pthread_mutex_unlock(&ws->lock);
-    if (r % 4 == 0)
-        nanosleep(&(struct timespec){0, (long)(r / 4 % MAX_SHUFFLED_US) * 1000}, NULL);
+    return r % times == 0;
+}
+
+static void dawdle(struct workers *ws)
+{
+    if (chance(ws, 16))
+        nanosleep(&(struct timespec){0, SHUFFLED_DELAY_US * 1000}, NULL);
 }
 
 /* --- running: with the lock --- */
@@ -263,12 +269,8 @@ bool workers_pass(struct workers *ws, struct work *w, vtime reached)
     }
     if (atomic_load(&ws->halt) || atomic_load(&w->dropped))
         return true;
-    if (ws->shuffled) {
-        pthread_mutex_lock(&ws->lock);
-        bool pause = random_number(ws) % 4 == 0;
-        pthread_mutex_unlock(&ws->lock);
-        return pause;
-    }
+    if (ws->shuffled)
+        return chance(ws, 4);
     if (w->helped && (reached > ws->until || ++ws->passes > MOST_PASSES))
         return true;
     vtime least = atomic_load_explicit(&ws->least, memory_order_relaxed);
@@ -341,9 +343,13 @@ static void episode_ends(struct workers *ws)
     ws->episodes = ws->wasted = 0;
 }
 
-bool workers_worth(struct workers *ws)
+bool workers_worth(struct workers *ws, bool is_long)
 {
-    if (ws->shuffled || ws->skip == 0)
+    if (ws->shuffled)
+        return is_long || chance(ws, 8);
+    if (!is_long)
+        return false;
+    if (ws->skip == 0)
         return true;
     ws->skip--;
     return false;

@@ -74,9 +74,9 @@ void workers_drop(struct workers *ws, struct work *w);
 /* Stops all: returns when nothing runs. Nothing is taken after it. */
 void workers_halt(struct workers *ws);
 struct workers_stats workers_stats(const struct workers *ws);
-/* Is it worth while to hand out work that will take a while? Not if lately the committing thread had nothing else to
+/* Is it worth while to hand out work? Only what will take a while, is_long, and not if lately the committing thread had nothing else to
  * do meanwhile. */
-bool workers_worth(struct workers *ws);
+bool workers_worth(struct workers *ws, bool is_long);
 
 /* From inside w, wherever it can pause: it has come to `reached`. True: it should pause. */
 bool workers_pass(struct workers *ws, struct work *w, vtime reached);

@@ -297,9 +297,9 @@ void node_spend(struct node *n, vtime t)
 /* --- computing ahead --- */
 
 /* Is the program one that any thread may run until its next call? */
-static bool is_free(const struct node *n)
+static bool is_free(const struct node *n, bool is_long)
 {
-    return n->sys->workers && !n->ahead.alert && !n->in_handler && workers_worth(n->sys->workers);
+    return n->sys->workers && !n->ahead.alert && !n->in_handler && workers_worth(n->sys->workers, is_long);
 }
 
 /* Has the program handed out. What comes next may be on another thread. */
@@ -319,7 +319,7 @@ void node_leave(struct node *n)
     clock_is_known(n);
     clock_give(n);
     clock_allow(n, deadline(n));
-    if (n->ahead.computed >= LONG_STRETCH && is_free(n))
+    if (is_free(n, n->ahead.computed >= LONG_STRETCH))
         break_loose(n);
 }
 
@@ -331,7 +331,7 @@ static void look_around(struct node *n, vtime now)
         n->ahead.paused = workers_pass(s->workers, &n->ahead.work, now);
         if (n->ahead.paused)
             fiber_yield(n->fiber);
-    } else if (clock_stretch(n) >= LONG_STRETCH / 2 && is_free(n)) {
+    } else if (is_free(n, clock_stretch(n) >= LONG_STRETCH / 2)) {
         break_loose(n);
     } else if (s->look && (s->unseen += LOOK_CALLS) > MOST_UNSEEN) {
         s->unseen = 0;

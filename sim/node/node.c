@@ -319,6 +319,7 @@ static void strip(struct node *n)
 {
     mailbox_free(n->mailbox);
     waits_free(&n->stats.waits);
+    free(n->crash);
     if (n->libc)
         node_libc_free(n);
     if (n->fiber)
@@ -326,8 +327,8 @@ static void strip(struct node *n)
     if (n->heap)
         node_heap_free(n->heap);
     span_release(n);
-    n->mailbox = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL,
-    n->heap = NULL;
+    n->crash = NULL, n->mailbox = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL,
+    n->fiber = NULL, n->heap = NULL;
     n->image = NULL;
 }
 
