@@ -167,6 +167,15 @@ bool evq_step(struct evq *q)
     return true;
 }
 
+void *evq_coming(const struct evq *q, unsigned after, evq_fire *fire)
+{
+    assert(after < 2);
+    if (q->length <= after)
+        return NULL;
+    const struct action *a = &q->actions[q->heap[after ? least_child(q, 1) : 0].action];
+    return a->fire == fire ? a->ctx : NULL;
+}
+
 size_t evq_length(const struct evq *q)
 {
     return q->length;

@@ -30,5 +30,8 @@ uint32_t evq_next_place(const struct evq *q);
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
 /* Takes the earliest event out and lets it happen. False when there is none. */
 bool evq_step(struct evq *q);
+/* The ctx of the event that is to happen next (after 0) or after that (after 1), if what happens is `fire`; else NULL. For
+ * hints only, such as what to load into the caches: events may still be put in before it. */
+void *evq_coming(const struct evq *q, unsigned after, evq_fire *fire);
 size_t evq_length(const struct evq *q);
 #endif

@@ -92,6 +92,39 @@ static void thousands_of_events_come_out_sorted(void **state)
         assert_true(log.at[i - 1] <= log.at[i]);
 }
 
+static void count(void *ctx, void *arg, vtime now)
+{
+    (void)arg, (void)now;
+    ++*(int *)ctx;
+}
+
+static void other(void *ctx, void *arg, vtime now)
+{
+    (void)ctx, (void)arg, (void)now;
+}
+
+static void what_comes_is_known_two_events_ahead(void **state)
+{
+    enum { EVENTS = 100 };
+    int happened[EVENTS] = {0};
+    struct evq *q = evq_new();
+    (void)state;
+    assert_null(evq_coming(q, 0, count));
+    for (int i = 0; i < EVENTS; i++) {
+        int at = i * 37 % EVENTS;
+        evq_put(q, (vtime)at, 0, count, &happened[at], NULL);
+    }
+    for (int at = 0; at < EVENTS; at++) {
+        assert_ptr_equal(evq_coming(q, 0, count), &happened[at]);
+        assert_ptr_equal(evq_coming(q, 1, count), at + 1 < EVENTS ? &happened[at + 1] : NULL);
+        assert_null(evq_coming(q, 0, other));
+        assert_true(evq_step(q));
+        assert_int_equal(happened[at], 1);
+    }
+    assert_null(evq_coming(q, 0, count));
+    evq_free(q);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -99,6 +132,7 @@ int main(void)
         cmocka_unit_test(at_one_time_places_go_in_order_and_at_one_place_sequence_decides),
         cmocka_unit_test(late_events_come_after_all_others_of_their_time_and_place),
         cmocka_unit_test(thousands_of_events_come_out_sorted),
+        cmocka_unit_test(what_comes_is_known_two_events_ahead),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
