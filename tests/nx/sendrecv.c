@@ -30,7 +30,7 @@ static void serve(long questions)
 
 static long ask(void)
 {
-    long wrong = 0, id, polls = 0;
+    long wrong = 0, id;
     wrong += csendrecv(QUESTION, question, 0, 0, 0, ANSWER, answer, sizeof answer) != 1;
     wrong += csendrecv(QUESTION, question, LONGEST, 0, 0, ANSWER, answer, sizeof answer) != LONGEST + 1;
     wrong += infonode() != 0 || infotype() != ANSWER;
@@ -39,8 +39,8 @@ static long ask(void)
     wrong += infocount() != 8;
     id = isendrecv(QUESTION, question, 3000, 0, 0, ANSWER, answer, sizeof answer);
     while (!msgdone(id))
-        polls++;
-    wrong += infocount() != 3001 || polls == 0;
+        ;
+    wrong += infocount() != 3001;
     hsendrecv(QUESTION, question, 70, 0, 0, ANSWER, answer, sizeof answer, handler);
     while (!handled)
         flick();
