@@ -125,9 +125,13 @@ static uint32_t mesh_link(const struct topo *t, uint32_t place, uint32_t way)
     return (place < t->positions ? place * MESH_LINKS : service_channels(t, place)) + way;
 }
 
-void topo_begin(struct topo_walk *w, uint32_t from, uint32_t to)
+void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32_t to)
 {
     *w = (struct topo_walk){.at = from, .to = to};
+    if (!t->rows)
+        return;
+    struct spot a = spot_of(t, from), b = spot_of(t, to);
+    w->x = a.x, w->y = a.y, w->to_x = b.x, w->to_y = b.y;
 }
 
 static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32_t to)
@@ -140,15 +144,14 @@ static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32
 
 static uint32_t step_mesh(const struct topo *t, struct topo_walk *w)
 {
-    struct spot at = spot_of(t, w->at), goal = spot_of(t, w->to);
     uint32_t from = w->at, way;
-    if (at.x != goal.x)
-        way = at.x < goal.x ? EAST : WEST;
+    if (w->x != w->to_x)
+        way = w->x < w->to_x ? EAST : WEST;
     else
-        way = at.y < goal.y ? SOUTH : NORTH;
-    at.x += (way == EAST) - (way == WEST);
-    at.y += (way == SOUTH) - (way == NORTH);
-    w->at = place_of(t, at);
+        way = w->y < w->to_y ? SOUTH : NORTH;
+    w->x += (way == EAST) - (way == WEST);
+    w->y += (way == SOUTH) - (way == NORTH);
+    w->at = place_of(t, (struct spot){w->x, w->y});
     return mesh_link(t, from, way);
 }
 

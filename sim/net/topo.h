@@ -58,9 +58,10 @@ uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);
 /* A route under way: the channels from one place to another, one at a time. */
 struct topo_walk {
     uint32_t at, to;
+    uint32_t x, y, to_x, to_y; /* of the two in a mesh */
     bool entered, left;
 };
-void topo_begin(struct topo_walk *w, uint32_t from, uint32_t to);
+void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32_t to);
 /* The next channel of the route; false when it is complete. */
 bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel);
 #endif

@@ -5,6 +5,7 @@
 struct channel {
     struct wire_transit *holder;
     struct wire_transit *first, *last; /* waiting */
+    uint32_t next;                     /* the holder's channel after this one, if it has come so far */
 };
 
 struct wire {
@@ -51,13 +52,22 @@ static void queue(struct channel *c, struct wire_transit *t)
 static void pass(void *ctx, void *arg, vtime now);
 static void finish(void *ctx, void *arg, vtime now);
 
+static void join(struct wire *w, struct wire_transit *t, uint32_t channel)
+{
+    if (t->held++ == 0)
+        t->first = channel;
+    else
+        w->channels[t->latest].next = channel;
+    t->latest = channel;
+}
+
 /* Take channels until the route is complete or one is taken by another. */
 static void advance(struct wire *w, struct wire_transit *t, vtime now)
 {
     uint32_t channel;
     while (topo_step(&w->topo, &t->walk, &channel)) {
         struct channel *c = &w->channels[channel];
-        t->held++;
+        join(w, t, channel);
         if (c->holder) {
             w->waits++, w->waiting++;
             w->waited -= now;
@@ -73,49 +83,48 @@ static void advance(struct wire *w, struct wire_transit *t, vtime now)
     t->started(t->ctx, t, now);
 }
 
-/* Give a channel to the first that waits for it: it may go on. NULL: nobody waits. */
-static struct wire_transit *hand_over(struct wire *w, struct channel *c, vtime now)
+/* Give a channel to the first that waits for it, which goes on. */
+static void hand_over(struct wire *w, struct channel *c, vtime now)
 {
     struct wire_transit *t = c->first;
     c->holder = t;
     if (!t)
-        return NULL;
+        return;
     c->first = t->next;
     if (!c->first)
         c->last = NULL;
     w->waiting--;
     w->waited += now;
     w->latest = now;
-    return t;
+    advance(w, t, now);
 }
 
-/* Give back the channels between nodes, the two ports, or both: a route's first and last channels are the ports. */
-static void give_back(struct wire *w, const struct wire_transit *t, bool links, bool ports, vtime now)
+/* Give back the channels between nodes, in order, from the one after the port in. */
+static void give_links(struct wire *w, const struct wire_transit *t, uint32_t from, vtime now)
 {
-    struct topo_walk walk;
-    uint32_t channel;
-    topo_begin(&walk, t->from, t->to);
-    for (uint32_t i = 0; i < t->held && topo_step(&w->topo, &walk, &channel); i++) {
-        bool port = i == 0 || i == t->held - 1;
-        if (port ? !ports : !links)
-            continue;
-        struct wire_transit *heir = hand_over(w, &w->channels[channel], now);
-        if (heir)
-            advance(w, heir, now);
+    for (uint32_t i = from, next; i != t->latest; i = next) {
+        next = w->channels[i].next;
+        hand_over(w, &w->channels[i], now);
     }
 }
 
 static void pass(void *ctx, void *arg, vtime now)
 {
+    struct wire *w = ctx;
     struct wire_transit *t = arg;
     t->passed = true;
-    give_back(ctx, t, true, false, now);
+    give_links(w, t, w->channels[t->first].next, now);
 }
 
 static void finish(void *ctx, void *arg, vtime now)
 {
+    struct wire *w = ctx;
     struct wire_transit *t = arg;
-    give_back(ctx, t, !t->passed, true, now);
+    uint32_t inner = w->channels[t->first].next;
+    hand_over(w, &w->channels[t->first], now);
+    if (!t->passed)
+        give_links(w, t, inner, now);
+    hand_over(w, &w->channels[t->latest], now);
     t->done(t->ctx, t, now);
 }
 
@@ -123,7 +132,7 @@ void wire_send(struct wire *w, struct wire_transit *t, vtime now)
 {
     t->held = 0;
     t->passed = false;
-    topo_begin(&t->walk, t->from, t->to);
+    topo_begin(&w->topo, &t->walk, t->from, t->to);
     advance(w, t, now);
 }
 

@@ -27,7 +27,8 @@ struct wire_transit {
     void *ctx;
     /* the wire's own */
     struct topo_walk walk;
-    uint32_t held;
+    uint32_t held;             /* channels, with the one it waits for */
+    uint32_t first, latest;    /* of them; the others are linked by the channels */
     bool passed;               /* has given back the channels between nodes */
     struct wire_transit *next; /* in a channel's queue */
 };

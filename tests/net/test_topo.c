@@ -12,7 +12,7 @@ static int nodes_passed(const struct topo *t, uint32_t from, uint32_t to, uint32
     struct topo_walk w;
     uint32_t channel, links = t->rows ? 4 : t->dimension, ports = t->positions * links;
     int count = 0, steps = 0;
-    topo_begin(&w, from, to);
+    topo_begin(t, &w, from, to);
     while (topo_step(t, &w, &channel)) {
         assert_true(channel < t->channels);
         if (channel < ports)
@@ -77,7 +77,7 @@ static void no_two_channels_share_a_number(void **state)
     assert_int_equal(t.channels, 16 * 6);
     for (uint32_t a = 0; a < 16; a++)
         for (uint32_t bit = 0; bit < 4; bit++) {
-            topo_begin(&w, a, a ^ 1u << bit);
+            topo_begin(&t, &w, a, a ^ 1u << bit);
             for (int step = 0; topo_step(&t, &w, &channel); step++)
                 if (step == 1)
                     assert_int_equal(owner[channel]++, 0);
@@ -107,7 +107,7 @@ static int channels_of(const struct topo *t, uint32_t from, uint32_t to, uint32_
 {
     struct topo_walk w;
     int n = 0;
-    topo_begin(&w, from, to);
+    topo_begin(t, &w, from, to);
     while (topo_step(t, &w, &channels[n])) {
         assert_in_range(channels[n], 0, t->channels - 1);
         n++;
@@ -240,7 +240,7 @@ static void the_host_hangs_on_node_0(void **state)
         assert_int_equal(topo_hops(&t, i, topo_host(&t)), 1 + __builtin_popcount(i));
     }
     for (int way = 0; way < 2; way++)
-        for (topo_begin(&w, way ? 5 : 11, way ? 11 : 5); topo_step(&t, &w, &channel);)
+        for (topo_begin(&t, &w, way ? 5 : 11, way ? 11 : 5); topo_step(&t, &w, &channel);)
             own[way][count[way]++] = channel;
     assert_true(count[0] == 4 && count[1] == 4); /* its own, two of the cube, the port */
     assert_true(own[0][0] >= before && own[1][3] >= before && own[0][0] != own[1][3]);
