@@ -18,6 +18,6 @@ void fiber_yield(struct fiber *f);
 _Noreturn void fiber_finish(struct fiber *f);
 /* From the scheduler, having got there by siglongjmp out of f: f is not to be resumed any more. */
 void fiber_abandon(struct fiber *f);
-/* A hint that f is going to be resumed: begins to load the innermost of its stack into the processor's caches. */
-void fiber_warm(const struct fiber *f);
+/* Where the innermost of its stack begins while it does not run. */
+const void *fiber_innermost(const struct fiber *f);
 #endif

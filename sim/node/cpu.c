@@ -43,7 +43,7 @@ static struct node *coming(const struct node_system *s, unsigned after)
  * before runs, or the one before that: the node first, then what it points to. */
 static void warm_coming(const struct node_system *s)
 {
-    enum { LINE = 64 };
+    enum { LINE = 64, STACK = 12 * LINE }; /* from a program's call to the switch: some functions */
     const struct node *n = coming(s, 1);
     for (size_t i = 0; n && i < sizeof *n; i += LINE)
         __builtin_prefetch((const char *)n + i, 1);
@@ -51,8 +51,11 @@ static void warm_coming(const struct node_system *s)
     if (!n || n->state == NODE_ENDED || n->ahead.loose)
         return;
     __builtin_prefetch(n->mailbox, 1);
-    __builtin_prefetch(n->image->left, 1);
-    fiber_warm(n->fiber);
+    __builtin_prefetch(n->fiber, 1);
+    __builtin_prefetch(n->image);
+    __builtin_prefetch(n->warm.left, 1);
+    for (size_t i = 0; n->warm.stack && i < STACK; i += LINE)
+        __builtin_prefetch(n->warm.stack + i, 1);
 }
 
 /* Lets the program run on this thread until it yields. */
@@ -64,6 +67,7 @@ static void run(struct node *n)
         n->sys->run(n);
     else
         fiber_resume(n->fiber);
+    n->warm.stack = fiber_innermost(n->fiber);
     clock_sync(n);
     n->clock.runs = false;
     n->saved_errno = errno;

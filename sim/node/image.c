@@ -325,6 +325,7 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     if (left - (uintptr_t)base >= img->bytes || main - (uintptr_t)base >= img->bytes)
         return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
                         img->elf->path);
+    n->warm.left = n->image->left;
     return true;
 }
 

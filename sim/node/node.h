@@ -124,6 +124,10 @@ struct node {
     bool cut_short;   /* while it computed; its image knows nothing of that */
     bool awaits_end;  /* is in a call that waits for another node's end */
     bool end_noticed; /* such a call has told of this one's */
+    struct {
+        const char *stack; /* the innermost of it */
+        const int64_t *left;
+    } warm; /* what it needs first when its program goes on; NULL: has not begun */
     struct node_clock clock;
     struct node_ahead ahead;
     struct node_stats stats;
