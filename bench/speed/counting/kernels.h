@@ -6,8 +6,16 @@
     K(cholesky)                                                                                              \
     K(roots)                                                                                                 \
     K(slices)                                                                                                \
-    K(linpack) K(sort) K(f_linpack) K(f_sort) K(f_forces) K(app_slice) K(app_c3) K(app_fit) K(app_trilinear) \
-        K(app_tricubic)
+    K(linpack)                                                                                               \
+    K(sort)                                                                                                  \
+    K(f_linpack)                                                                                             \
+    K(f_sort)                                                                                                \
+    K(f_forces)                                                                                              \
+    K(app_slice)                                                                                             \
+    K(app_c3)                                                                                                \
+    K(app_fit)                                                                                               \
+    K(app_trilinear)                                                                                         \
+    K(app_tricubic)
 
 #define JOIN_(a, b) a##_##b
 #define JOIN(a, b) JOIN_(a, b)
