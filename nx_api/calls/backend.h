@@ -13,6 +13,7 @@
  */
 #ifndef CALLS_BACKEND_H
 #define CALLS_BACKEND_H
+#include <sys/uio.h>
 #ifdef NX_ON_MPI
 #include "nx_api/mpi/node.h"
 #else
@@ -40,6 +41,10 @@ void nx_about(struct node *n, long what);
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s);
 /* Any call that looks at or changes the message state takes this time. */
 void nx_spend_call(struct node *n);
+/* Moves bytes between a file and parts of memory: how many, or -1 with the error; and the same begun, to be waited for by
+ * its id. */
+long nx_move(bool write, int fd, const struct iovec *parts, int count);
+long nx_move_later(bool write, int fd, const struct iovec *parts, int count);
 /* How many message ids a node has. */
 uint32_t nx_message_ids(const struct node *n);
 

@@ -158,7 +158,7 @@ static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct i
     return moved;
 }
 
-static long move(bool write_it, int fd, const struct iovec *parts, int count)
+long nx_move(bool write_it, int fd, const struct iovec *parts, int count)
 {
     struct open_file *f = file_of(fd);
     if (!f || check_parts(parts, count) < 0)
@@ -168,67 +168,17 @@ static long move(bool write_it, int fd, const struct iovec *parts, int count)
     return moved < 0 ? fail(name_of(files_find(fd))) : moved;
 }
 
-static long move_later(bool write_it, int fd, const struct iovec *parts, int count)
+long nx_move_later(bool write_it, int fd, const struct iovec *parts, int count)
 {
     long id = 0;
     while (id < IO_IDS && io_ids[id])
         id++;
     if (id == IO_IDS)
         return node_error(node_self(), EQNOMID, "out of ids (%d): iowait or iodone give them back", IO_IDS);
-    if (move(write_it, fd, parts, count) < 0)
+    if (nx_move(write_it, fd, parts, count) < 0)
         return -1;
     io_ids[id] = true;
     return id;
-}
-
-/* A buffer as a part. Lengths are the machine's: 32 bits. */
-static struct iovec whole(const void *buf, size_word len)
-{
-    return (struct iovec){(void *)(uintptr_t)buf, (uint32_t)len};
-}
-
-long nxs_cread(word fd, void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move(false, fd, &part, 1);
-}
-
-long nxs_creadv(word fd, const struct iovec *parts, word count)
-{
-    return move(false, fd, parts, count);
-}
-
-long nxs_cwrite(word fd, const void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move(true, fd, &part, 1);
-}
-
-long nxs_cwritev(word fd, const struct iovec *parts, word count)
-{
-    return move(true, fd, parts, count);
-}
-
-long nxs_iread(word fd, void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move_later(false, fd, &part, 1);
-}
-
-long nxs_ireadv(word fd, const struct iovec *parts, word count)
-{
-    return move_later(false, fd, parts, count);
-}
-
-long nxs_iwrite(word fd, const void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move_later(true, fd, &part, 1);
-}
-
-long nxs_iwritev(word fd, const struct iovec *parts, word count)
-{
-    return move_later(true, fd, parts, count);
 }
 
 long nxs_iowait(word id)

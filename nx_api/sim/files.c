@@ -71,7 +71,7 @@ static long start(bool write, int fd, struct node_file *f, const struct iovec *p
     return (file && !*op) || *moved < 0 ? fail_on(f->node, fd) : 0;
 }
 
-static long move(bool write, int fd, const struct iovec *parts, int count)
+long nx_move(bool write, int fd, const struct iovec *parts, int count)
 {
     struct node_file *f = file_of(fd);
     struct cfs_op *op;
@@ -84,7 +84,7 @@ static long move(bool write, int fd, const struct iovec *parts, int count)
     return cfs_end(op);
 }
 
-static long move_later(bool write, int fd, const struct iovec *parts, int count)
+long nx_move_later(bool write, int fd, const struct iovec *parts, int count)
 {
     struct node_file *f = file_of(fd);
     long id = 0;
@@ -102,56 +102,6 @@ static long move_later(bool write, int fd, const struct iovec *parts, int count)
         return -1;
     }
     return id;
-}
-
-/* A buffer as a part. Lengths are the machine's: 32 bits. */
-static struct iovec whole(const void *buf, size_word len)
-{
-    return (struct iovec){(void *)(uintptr_t)buf, (uint32_t)len};
-}
-
-long nxs_cread(word fd, void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move(false, fd, &part, 1);
-}
-
-long nxs_creadv(word fd, const struct iovec *parts, word count)
-{
-    return move(false, fd, parts, count);
-}
-
-long nxs_cwrite(word fd, const void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move(true, fd, &part, 1);
-}
-
-long nxs_cwritev(word fd, const struct iovec *parts, word count)
-{
-    return move(true, fd, parts, count);
-}
-
-long nxs_iread(word fd, void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move_later(false, fd, &part, 1);
-}
-
-long nxs_ireadv(word fd, const struct iovec *parts, word count)
-{
-    return move_later(false, fd, parts, count);
-}
-
-long nxs_iwrite(word fd, const void *buf, size_word len)
-{
-    struct iovec part = whole(buf, len);
-    return move_later(true, fd, &part, 1);
-}
-
-long nxs_iwritev(word fd, const struct iovec *parts, word count)
-{
-    return move_later(true, fd, parts, count);
 }
 
 /* --- ids --- */

@@ -101,14 +101,6 @@ static int parse(int argc, char **argv, struct arguments *a)
     return optind == argc ? 0 : cli_usage("fit", "'%s' is one argument too many", argv[optind]);
 }
 
-/* out/NAME-fit for .../NAME.cfg */
-static void name_directory(const char *file, char dir[PATH_MAX])
-{
-    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
-    snprintf(dir, PATH_MAX, "out/%.*s-fit", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)),
-             name);
-}
-
 /* On a terminal the studies' live line is seen between ours; elsewhere their lines would hide ours. */
 static FILE *studies_progress(void)
 {
@@ -119,7 +111,7 @@ static FILE *studies_progress(void)
 static int fit(const struct arguments *a, struct fit_options *o)
 {
     char dir[PATH_MAX], constants[PATH_MAX + 16], *error = NULL;
-    name_directory(a->file, dir);
+    cli_studies_folder(a->file, "-fit", dir);
     o->study.file = a->file;
     o->study.dir = a->dir ? a->dir : dir;
     o->study.progress = studies_progress();

@@ -31,6 +31,13 @@ bool cli_studies_begin(struct cli_studies *s, const char *command, unsigned jobs
     return true;
 }
 
+void cli_studies_folder(const char *file, const char *suffix, char dir[PATH_MAX])
+{
+    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
+    snprintf(dir, PATH_MAX, "out/%.*s%s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)),
+             name, suffix);
+}
+
 void cli_studies_end(struct cli_studies *s)
 {
     free(s->cache);

@@ -13,5 +13,7 @@ struct cli_studies {
  * none. False, with a message on stderr, if touchstone's own files are not found. */
 bool cli_studies_begin(struct cli_studies *s, const char *command, unsigned jobs, const char *cache,
                        bool no_cache, struct study_options *options);
+/* Where the results of .../NAME.cfg go if nothing else is said: out/NAME and the suffix. */
+void cli_studies_folder(const char *file, const char *suffix, char dir[PATH_MAX]);
 void cli_studies_end(struct cli_studies *s);
 #endif

@@ -4,12 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "cli/cli.h"
-#include "config/config.h"
-#include "study/kept.h"
-#include "study/study.h"
+#include "cli/studies.h"
 #include "study/together.h"
 
 static const char HELP[] =
@@ -117,13 +113,6 @@ static int parse(int argc, char **argv, struct arguments *a)
     return optind == argc ? 0 : cli_usage("study", "'%s' is one argument too many", argv[optind]);
 }
 
-/* out/NAME for .../NAME.cfg */
-static void name_directory(const char *file, char dir[PATH_MAX])
-{
-    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
-    snprintf(dir, PATH_MAX, "out/%.*s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)), name);
-}
-
 /* Of several processes the first speaks for all, but for what goes wrong. */
 static FILE *silence(void)
 {
@@ -159,31 +148,21 @@ static int study(const struct arguments *a, struct study_options *o)
 int cli_study(int argc, char **argv)
 {
     struct arguments a;
-    char home[PATH_MAX], machines[PATH_MAX + 16], runner[PATH_MAX], programs[CLI_MAX_PROGRAMS], dir[PATH_MAX];
+    struct cli_studies s;
+    struct study_options options;
+    char dir[PATH_MAX];
     int wrong = parse(argc, argv, &a);
     if (wrong)
         return wrong;
     if (a.help)
         return fputs(HELP, stdout), 0;
-    if (!cfg_home(home, sizeof home) || !cli_find_programs(runner, programs)) {
-        fputs(
-            "touchstone study: machines/ is not where this program was built or installed; set TOUCHSTONE_HOME\n",
-            stderr);
+    if (!cli_studies_begin(&s, "study", a.jobs, a.cache, a.no_cache, &options))
         return EXIT_INPUT;
-    }
-    snprintf(machines, sizeof machines, "%s/machines", home);
-    name_directory(a.file, dir);
-    char *cache = a.no_cache ? NULL : a.cache ? strdup(a.cache) : kept_folder();
-    struct study_options options = {.file = a.file,
-                                    .runner = runner,
-                                    .programs = programs,
-                                    .machines = machines,
-                                    .dir = a.dir ? a.dir : dir,
-                                    .cache = cache,
-                                    .retry_failed = a.retry_failed,
-                                    .out = stdout,
-                                    .progress = stderr};
+    cli_studies_folder(a.file, "", dir);
+    options.file = a.file;
+    options.dir = a.dir ? a.dir : dir;
+    options.retry_failed = a.retry_failed;
     int status = study(&a, &options);
-    free(cache);
+    cli_studies_end(&s);
     return status;
 }
