@@ -29,7 +29,7 @@ $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
 include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk
-include $(wildcard bench/machine/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
+include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
 
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg

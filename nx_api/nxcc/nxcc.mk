@@ -91,5 +91,3 @@ $(LIBNX):
 
 $(NODE)/include: ; @mkdir -p $(@D) && ln -sfnr nx_api/include $@
 $(NODE)/cpu: ; @mkdir -p $(@D) && ln -sfnr machines/cpu $@
-
-include bench/speed/counting/counting.mk bench/speed/traffic/traffic.mk

@@ -37,6 +37,16 @@ static void add_rest(json_t *to, json_t *from, const char *const only[])
     }
 }
 
+/* What the nodes' programs computed, together. */
+static double computed_s(const json_t *run)
+{
+    double sum = 0;
+    size_t i;
+    json_t *node;
+    json_array_foreach(json_object_get(run, "node"), i, node) sum += figure_of(node, "busy_s");
+    return sum;
+}
+
 static json_t *row_json(const struct result_table *t, size_t i)
 {
     static const char *const keys[] = {"total_s", "host_idle_pct", "host_idle_all_pct", "slave_idle_pct",
@@ -72,6 +82,7 @@ static json_t *row_json(const struct result_table *t, size_t i)
         set(j, "wall_time_s", json_real(o->wall_time_s));
         add_rest(j, o->printed, NULL);
         add_rest(j, o->run, of_the_run);
+        set(j, "computed_s", figure(computed_s(o->run)));
     }
     return j;
 }

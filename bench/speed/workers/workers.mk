@@ -1,0 +1,4 @@
+# workers.mk - the NX program that gains nothing from threads.
+$B/bench/computing: bench/speed/workers/computing.c $(NXCC_DEPS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 -o $@ $<
