@@ -52,9 +52,14 @@ void cache_use(const cache_costs &c)
     cache = c;
 }
 
+bool cache_is_simulated()
+{
+    return cache.sets;
+}
+
 void cache_look_up(gimple *stmt, vec<tree> &units)
 {
-    if (!cache.sets || !is_gimple_assign(stmt) || gimple_clobber_p(stmt))
+    if (!cache_is_simulated() || !is_gimple_assign(stmt) || gimple_clobber_p(stmt))
         return;
     if (gimple_assign_single_p(stmt))
         look_up(stmt, gimple_assign_rhs1(stmt), "nxc_cache_load", cache.load_miss, units);

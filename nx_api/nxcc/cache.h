@@ -10,6 +10,8 @@
 
 /* The cache to simulate, or none; must be called once before the other. */
 void cache_use(const cache_costs &cache);
+/* Do costs depend on addresses? */
+bool cache_is_simulated();
 /* Inserts the look-ups for stmt before it, and appends the values, in units, that they answer. */
 void cache_look_up(gimple *stmt, vec<tree> &units);
 #endif

@@ -17,6 +17,8 @@
  * instead: same places, same costs. The pass stands last before the expansion to machine code, so that what
  * it counts is what is left to execute.
  *
+ * Loops whose rounds are known before they run are paid for there: prepay.h.
+ *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
  * check is a branch over nothing, and a leaf function stays a leaf.
  */
@@ -25,6 +27,7 @@
 #include "costs.h"
 #include "count.h"
 #include "poll.h"
+#include "prepay.h"
 #include "profile.h"
 #include <memory>
 
@@ -47,12 +50,19 @@ struct check {
 struct stretch {
     int64_t cost = 0;
     profile_shares shares; /* only with a profile */
+
+    void add(const stretch &s, int64_t times)
+    {
+        cost += s.cost * times;
+        for (auto &share : s.shares)
+            shares[share.first] += share.second * times;
+    }
 };
 
 class counting
 {
   public:
-    explicit counting(function *f) : fun(f), checked(last_basic_block_for_fn(f)) {}
+    explicit counting(function *f) : fun(f) {}
     void run();
 
   private:
@@ -63,6 +73,7 @@ class counting
     void pay_argument(gcall *call);
     gimple *pay_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
+    void pay_ahead(const prepaid_loop &loop);
     void spend(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
     void charge(gimple_seq *seq, gimple *stmt, tree amount);
@@ -72,10 +83,12 @@ class counting
     void insert_check(const check &c);
 
     function *fun;
-    tree left = NULL_TREE; /* the register, or NULL: count in memory */
-    bool calls = false;    /* something here may look at the counter */
+    tree left = NULL_TREE;              /* the register, or NULL: count in memory */
+    bool calls = false;                 /* something here may look at the counter */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
-    auto_sbitmap checked;  /* blocks that check: the heads of cycles, and the first */
+    auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
+    prepaid ahead;                      /* loops paid for where they are entered */
+    std::set<basic_block> paid;         /* their blocks that pay nothing themselves */
     auto_vec<check> checks;
 };
 
@@ -162,7 +175,7 @@ void counting::store(gimple_seq *seq)
 /* Adds the fixed cost of stmt to a stretch. */
 void counting::spend(stretch *s, gimple *stmt)
 {
-    int64_t cost = costs_of(stmt);
+    int64_t cost = ahead.own.count(stmt) ? 0 : costs_of(stmt);
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of(stmt)] += cost;
@@ -195,7 +208,8 @@ tree append_elements(gimple_seq *seq, tree array)
 {
     if (!POINTER_TYPE_P(TREE_TYPE(array)))
         return NULL_TREE;
-    tree count = build_fn_decl("nx_elements", build_function_type_list(units_type(), ptr_type_node, NULL_TREE));
+    tree count =
+        build_fn_decl("nx_elements", build_function_type_list(units_type(), ptr_type_node, NULL_TREE));
     gcall *call = gimple_build_call(count, 1, array);
     tree value = make_ssa_name(units_type(), call);
     gimple_call_set_lhs(call, value);
@@ -292,8 +306,49 @@ gimple *counting::hand_over(gcall *call)
     return reload;
 }
 
+/* Appends rounds * each + last. */
+tree append_rounds(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int64_t last)
+{
+    tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.rounds, units_constant(each));
+    return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
+}
+
+/* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
+void counting::pay_ahead(const prepaid_loop &loop)
+{
+    stretch each, last;
+    for (const prepaid_block &b : loop.blocks) {
+        stretch once;
+        for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi))
+            spend(&once, gsi_stmt(gsi));
+        each.add(once, b.each);
+        last.add(once, b.last);
+    }
+    gimple_seq seq = NULL;
+    tree rest = make_ssa_name(units_type());
+    tree need = append_rounds(&seq, loop, loop.most, loop.most);
+    gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(rest, MINUS_EXPR, left, need));
+    gimple_cond_set_condition(loop.test, GE_EXPR, rest, units_constant(0));
+    update_stmt(loop.test);
+    gimple_stmt_iterator gsi = gsi_for_stmt(loop.test);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+
+    seq = NULL;
+    if (each.cost == loop.most && last.cost == loop.most)
+        gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, rest));
+    else
+        subtract(&seq, append_rounds(&seq, loop, each.cost, last.cost));
+    for (auto &share : each.shares)
+        profile->add(&seq, loop.first, share.first,
+                     append_rounds(&seq, loop, share.second, last.shares[share.first]));
+    gsi = gsi_after_labels(loop.first);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+}
+
 void counting::count_block(basic_block bb)
 {
+    if (paid.count(bb))
+        return;
     auto_vec<gimple *> statements;
     for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         statements.safe_push(gsi_stmt(gsi));
@@ -383,12 +438,19 @@ void counting::insert_check(const check &c)
 void counting::run()
 {
     look_at_function();
+    poll_mark(fun, calls, checked);
+    if (left && optimize && !cache_is_simulated())
+        ahead = prepay_loops(looks, checked);
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, looks);
-    poll_mark(fun, calls, checked);
+    for (const prepaid_loop &loop : ahead.loops)
+        for (const prepaid_block &b : loop.blocks)
+            paid.insert(b.bb);
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         count_block(bb);
+    for (const prepaid_loop &loop : ahead.loops)
+        pay_ahead(loop);
     if (left) {
         load_on_entry();
         store_on_exit();

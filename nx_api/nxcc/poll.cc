@@ -19,7 +19,7 @@ static const char check[] = "cmpl\t$0, nxc_due(%%rip)\n"
 
 /* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
  * cannot be part of a recursion, so that its loops' checks suffice. */
-void poll_mark(function *fun, bool calls, sbitmap marked)
+void poll_mark(function *fun, bool calls, bitmap marked)
 {
     bitmap_clear(marked);
     mark_dfs_back_edges();
@@ -76,7 +76,7 @@ class poll_pass : public gimple_opt_pass
     opt_pass *clone() override { return new poll_pass(m_ctxt); }
     unsigned int execute(function *f) override
     {
-        auto_sbitmap marked(last_basic_block_for_fn(f));
+        auto_bitmap marked;
         poll_mark(f, has_calls(f), marked);
         basic_block bb;
         FOR_EACH_BB_FN (bb, f)

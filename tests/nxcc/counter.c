@@ -25,6 +25,7 @@ void nxc_preempt(void)
     counter.spent += counter.budget - left;
     counter.overshoot = -left > counter.overshoot ? -left : counter.overshoot;
     counter.preemptions++;
+    counter.times = (counter.times ^ (uint64_t)counter.spent) * 1099511628211u; /* FNV-1 */
     *nxc_image.left = counter.budget;
     if (counter.handler)
         counter.handler();

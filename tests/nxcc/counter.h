@@ -12,6 +12,7 @@ struct counter {
     int64_t spent;         /* units up to the last preemption */
     int64_t overshoot;     /* the most by which a check came late */
     long preemptions;
+    uint64_t times; /* what was spent at each of them, in one number */
 };
 
 extern struct counter counter;

@@ -1,5 +1,6 @@
-/* report.c - makes any counted program, linked with counter.c, say at its end what it spent: "UNITS PREEMPTIONS" on
- * stderr, and if functions were counted too and spent another sum, that. BUDGET in the environment is the number of units between preemptions. */
+/* report.c - makes any counted program, linked with counter.c, say at its end what it spent: units on stderr, and if
+ * functions were counted too and spent another sum, that. BUDGET in the environment is the number of units between
+ * preemptions; then it says when these came, too. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "counter.h"
@@ -16,4 +17,7 @@ __attribute__((destructor)) static void end(void)
     fprintf(stderr, "%lld\n", (long long)spent);
     if (nxc_image.cells_begin != nxc_image.cells_end && counter_profiled() != spent)
         fprintf(stderr, "but %lld by function\n", (long long)counter_profiled());
+    if (getenv("BUDGET"))
+        fprintf(stderr, "%ld preemptions, times %llx\n", counter.preemptions,
+                (unsigned long long)counter.times);
 }

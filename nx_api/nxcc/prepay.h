@@ -1,0 +1,45 @@
+/* prepay.h - loops that are paid for where they are entered.
+ *
+ * If it is known there how many rounds a loop will make, and that nobody looks at the counter before it is left, its cost
+ * can be known there too. Such a loop is made twice:
+ *
+ *     need = rounds * cost of a round
+ *     if (left - need >= 0) {
+ *         left -= need
+ *         the loop, as the program has it         no check in it could find left negative
+ *     } else
+ *         the loop, paying and checking as it goes
+ *
+ * so that the same is paid, and checks strike at the same places, as in the second alone. Where rounds differ, a round
+ * pays ahead for what all have in common, the blocks of some rounds only pay when they run, and the test is for
+ * the dearest rounds. Inner loops of few rounds, of a number known when compiled, are part of the round.
+ */
+#ifndef NXCC_PREPAY_H
+#define NXCC_PREPAY_H
+#include "gcc.h"
+#include <set>
+#include <vector>
+
+/* A block that runs rounds * each + last times when a loop runs. */
+struct prepaid_block {
+    basic_block bb;
+    int64_t each, last;
+};
+
+struct prepaid_loop {
+    gcond *test;       /* to be made: true leads to the loop that does not pay */
+    basic_block first; /* of the way there */
+    tree rounds;       /* how often the loop goes back */
+    int64_t most;      /* units of a round, and of the last, at most */
+    std::vector<prepaid_block> blocks;
+};
+
+struct prepaid {
+    std::vector<prepaid_loop> loops;
+    std::set<gimple *> own; /* statements that compute rounds, and tests: not the program's */
+};
+
+/* Makes the copies and finds what is to be paid. looks: may this statement look at the counter? checked: blocks that are
+ * to check; those of the loops that do not pay are taken out. */
+prepaid prepay_loops(bool (*looks)(gimple *), bitmap checked);
+#endif
