@@ -4,6 +4,7 @@
  *
  *     node_self           the node that calls
  *     node_enter, _leave  begin and end a call;  node_order: all that happened earlier is to be seen now
+ *     node_enter_early    begin one for which nothing needs to be seen before it waits
  *     node_wait           wait in a call until all that happened earlier is to be seen and something is so; handlers run
  *                         meanwhile
  *     node_get_long, _put_long  an element of a program's array of longs, which may have 4 bytes (nxcc --long32)

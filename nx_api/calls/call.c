@@ -103,6 +103,13 @@ static struct node *enter(const char *call)
     return n;
 }
 
+static struct node *enter_early(const char *call)
+{
+    struct node *n = node_self();
+    node_enter_early(n, call);
+    return n;
+}
+
 static void leave(struct node *n)
 {
     mailbox_settle(n);
@@ -135,7 +142,7 @@ long nx_returning(struct node *n, long result)
 }
 
 #define AND(...) __VA_OPT__(, ) __VA_ARGS__
-#define NX_CALL(name, parameters, arguments)                                                                 \
+#define FACES(enter, name, parameters, arguments)                                                            \
     long node_##name parameters                                                                              \
     {                                                                                                        \
         struct node *self = enter(#name);                                                                    \
@@ -149,6 +156,8 @@ long nx_returning(struct node *n, long result)
         struct node *self = enter("_" #name);                                                                \
         return nx_returning(self, nxs_##name arguments);                                                     \
     }
+#define NX_CALL(name, parameters, arguments) FACES(enter, name, parameters, arguments)
+#define NX_EARLY(name, parameters, arguments) FACES(enter_early, name, parameters, arguments)
 #define NX_VALUE(name, expression)                                                                           \
     long node_##name(void)                                                                                   \
     {                                                                                                        \

@@ -65,6 +65,10 @@ long node_get_long(const struct node *n, const long *array, size_t i);
 void node_put_long(const struct node *n, long *array, size_t i, long value);
 
 void node_enter(struct node *n, const char *call);
+static inline void node_enter_early(struct node *n, const char *call)
+{
+    node_enter(n, call);
+}
 void node_leave(struct node *n);
 void node_order(struct node *n);
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);

@@ -1,5 +1,7 @@
 /* backend.c - the simulator behind the calls: see nx_api/calls/backend.h. */
+#include "node/clock.h"
 #include "node/cube.h"
+#include "node/pending.h"
 #include "nx_api/calls/call.h"
 
 void nx_about(struct node *n, long what)
@@ -37,6 +39,21 @@ static uint32_t place_of(const struct node *n, long node)
     return node == n->sys->count ? n->sys->host->place : (uint32_t)node;
 }
 
+static struct message *last(struct message *m)
+{
+    while (m->also)
+        m = m->also;
+    return m;
+}
+
+static void hand_over(struct node *n, struct message *m, uint64_t receivers)
+{
+    if (n->pending.open)
+        pending_send(n, m, receivers);
+    else
+        clock_advance_to(n, mailbox_send(n, m, receivers, node_now(n)));
+}
+
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
     struct proto *p = n->sys->proto;
@@ -45,8 +62,6 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     struct message *m = all ? proto_to_all(p, n->place, o->type, n->pid, o->buf, len)
                             : proto_message(p, n->place, place_of(n, o->node), o->type, n->pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
-    n->stats.sent += receivers;
-    n->stats.sent_bytes += receivers * len;
     /* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is
      * to be seen in order all the same: one that is due runs before the call ends. */
     bool free = proto_one_trip(p, o->type, len) && !n->stats.armed;
@@ -54,13 +69,10 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
         s->done = true;
         s = NULL;
     }
-    for (struct message *next; m; m = next) {
-        next = m->also;
-        if (!next && s)
-            mailbox_follow(m, s);
-        node_spend_on(n, NODE_SENDING, proto_send_time(p, o->type, len));
-        proto_send(p, m, node_now(n));
-    }
+    if (s)
+        mailbox_follow(last(m), s);
+    if (m)
+        hand_over(n, m, receivers);
 }
 
 void nx_flush(struct node *n, long node, int64_t typesel)

@@ -13,6 +13,7 @@
 #include "node/cpu.h"
 #include "node/cube.h"
 #include "node/image.h"
+#include "node/pending.h"
 #include "node/trace.h"
 
 static double wall_clock(void)
@@ -352,6 +353,7 @@ static void note_end(struct machine *m, struct node *n)
         node_stop(n, m->sys.stop_at);
         n->stats.ended_at = m->sys.stop_at;
     } else if (n->state != NODE_ENDED) {
+        pending_take_back(n);
         n->stats.ended_at = node_now(n);
     }
     m->end = vt_max(m->end, n->stats.ended_at);

@@ -1,9 +1,11 @@
 /* cpu.c - see cpu.h. */
 #include "node/cpu.h"
+#include <assert.h>
 #include <errno.h>
 #include "kernel/fiber.h"
 #include "node/clock.h"
 #include "node/mailbox.h"
+#include "node/pending.h"
 #include "node/system.h"
 #include "nx_api/nxcc/image.h"
 
@@ -31,6 +33,11 @@ __attribute__((noipa)) void node_set_errno(int error)
 
 static void go_on(void *ctx, void *arg, vtime now);
 static void wake(void *ctx, void *arg, vtime now);
+
+static void put_go_on(struct node *n, vtime t)
+{
+    evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
+}
 
 /* The node whose turn is next, or after that; NULL: something else happens then. */
 static struct node *coming(const struct node_system *s, unsigned after)
@@ -109,23 +116,40 @@ static void block(struct node *n, vtime now)
     n->wait.busy = n->stats.system;
 }
 
+/* Has the machine been told to stop, or this node come to the end of time? */
+static bool past_end(struct node *n, vtime now)
+{
+    if (now > n->sys->max_time && !n->sys->stop) {
+        pending_take_back(n);
+        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by %s%s%s",
+                         vt_seconds(n->sys->max_time), n->name, n->call ? " in " : " computing",
+                         n->call ? n->call : "");
+    }
+    return n->sys->stop;
+}
+
 /* Has the program, which waits, anything to do now? */
 static bool may_go_on(struct node *n, vtime now)
 {
     return mailbox_handler_due(n, now) || n->wait.ready(n, n->wait.arg);
 }
 
-static void resume(struct node *n, vtime now)
+static void run_on(struct node *n)
 {
-    clock_advance_to(n, now);
     n->state = NODE_COMPUTING;
     n->sys->unseen = 0;
     warm_coming(n->sys);
     run(n);
-    if (n->crash)
+    if (n->crash && n->pending.count == 0)
         crash(n);
     else if (n->ahead.loose)
         workers_hand(n->sys->workers, &n->ahead.work);
+}
+
+static void resume(struct node *n, vtime now)
+{
+    clock_advance_to(n, now);
+    run_on(n);
 }
 
 bool node_run_ahead(struct node *n)
@@ -141,7 +165,7 @@ void node_catch(struct node *n)
     if (n->crash)
         crash(n);
     else
-        evq_put_late(n->sys->q, n->ahead.arrived, n->place, go_on, n, NULL);
+        put_go_on(n, n->ahead.arrived);
 }
 
 /* Is the node's call or check at `now` the machine's earliest event? */
@@ -152,7 +176,46 @@ static bool is_first(struct node *n, vtime now)
            (!s->workers || workers_allow(s->workers, now, n->place));
 }
 
-/* A computing node has come to a call or check at `now`. */
+/* A computing node has come to a call or check. */
+static void arrive(struct node *n, vtime now)
+{
+    clock_advance_to(n, now);
+    if (n->wait.ready && is_first(n, now) && !n->sys->stop && now <= n->sys->max_time && !may_go_on(n, now))
+        block(n, now);
+    else
+        resume(n, now);
+}
+
+/* What the program has been waiting for with nothing pending any more, or what has become of it. */
+static void pending_made(struct node *n)
+{
+    bool drains = n->pending.drains;
+    n->pending.drains = false;
+    if (n->crash)
+        crash(n);
+    else if (drains)
+        run_on(n);
+    else
+        put_go_on(n, clock_sync(n));
+}
+
+/* Pending calls have their turn: the first, and those for which it is then the turn already. */
+static void make_pending(struct node *n, vtime now)
+{
+    do {
+        if (past_end(n, now))
+            return;
+        pending_commit(n, now);
+        if (n->pending.count == 0) {
+            pending_made(n);
+            return;
+        }
+        now = pending_next(n);
+    } while (is_first(n, now));
+    put_go_on(n, now);
+}
+
+/* It is the turn of a node that computes ahead: of its call or check, or of the first of its pending calls. */
 static void go_on(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
@@ -162,14 +225,12 @@ static void go_on(void *ctx, void *arg, vtime now)
     if (n->clock.stolen) {
         vtime until = now + n->clock.stolen;
         n->clock.stolen = 0;
-        evq_put_late(n->sys->q, until, n->place, go_on, n, NULL);
-        return;
+        put_go_on(n, until);
+    } else if (n->pending.count) {
+        make_pending(n, now);
+    } else {
+        arrive(n, now);
     }
-    clock_advance_to(n, now);
-    if (n->wait.ready && is_first(n, now) && !n->sys->stop && now <= n->sys->max_time && !may_go_on(n, now))
-        block(n, now);
-    else
-        resume(n, now);
 }
 
 static void wake(void *ctx, void *arg, vtime now)
@@ -193,17 +254,17 @@ void node_wake(struct node *n, vtime t)
 
 void node_start(struct node *n, vtime t)
 {
-    evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
+    put_go_on(n, t);
 }
 
-static void account(struct node *n, enum node_task task, vtime t)
+void node_account(struct node *n, enum node_task task, vtime t)
 {
     n->stats.tasks[task] += t;
     n->stats.system += t;
 }
 
 /* What takes an ordinary node's system t takes this one's so long. */
-static vtime system_time(const struct node *n, vtime t)
+vtime node_system_time(const struct node *n, vtime t)
 {
     return n->system_milli == 1000 ? t : t * n->system_milli / 1000;
 }
@@ -215,14 +276,14 @@ static void steal(struct node *n, enum node_task task, vtime t)
         return; /* nobody's time any more */
     if (n->state == NODE_COMPUTING)
         n->clock.stolen += t;
-    account(n, task, t);
+    node_account(n, task, t);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
     struct node *n = node_at(sys, node);
-    t = system_time(n, t);
+    t = node_system_time(n, t);
     n->sys_free = vt_max(at, n->sys_free) + t;
     steal(n, task == PROTO_SEND ? NODE_SENDING : NODE_RECEIVING, t);
     return n->sys_free;
@@ -232,7 +293,7 @@ void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
 {
     struct node_system *sys = ctx;
     struct node *n = node_at(sys, node);
-    steal(n, task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, system_time(n, t));
+    steal(n, task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, node_system_time(n, t));
 }
 
 /* --- the program's side --- */
@@ -240,11 +301,7 @@ void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
 /* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know. */
 static bool must_stop(struct node *n, vtime now)
 {
-    if (now > n->sys->max_time && !n->sys->stop)
-        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by %s%s%s",
-                         vt_seconds(n->sys->max_time), n->name, n->call ? " in " : " computing",
-                         n->call ? n->call : "");
-    return n->sys->stop || ++n->sys->unseen > MOST_UNSEEN;
+    return past_end(n, now) || ++n->sys->unseen > MOST_UNSEEN;
 }
 
 static vtime end_of_time(const struct node *n)
@@ -277,18 +334,25 @@ static void allow_anew(struct node *n)
 /* Is something else to happen before the node's call at `now`? */
 static bool must_yield(struct node *n, vtime now)
 {
-    return n->ahead.loose || n->clock.stolen || !is_first(n, now) || must_stop(n, now);
+    return n->ahead.loose || n->pending.count || n->clock.stolen || !is_first(n, now) || must_stop(n, now);
+}
+
+/* Yields to what is to happen before the node's call at `now`. */
+static void yield_turn(struct node *n, vtime now)
+{
+    if (n->ahead.loose)
+        n->ahead.arrived = now; /* for node_catch */
+    else if (n->pending.count == 0)
+        put_go_on(n, now);
 }
 
 void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
+    pending_end(n);
     bool yielded = false;
     while (must_yield(n, now)) {
-        if (n->ahead.loose)
-            n->ahead.arrived = now; /* for node_catch */
-        else
-            evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
+        yield_turn(n, now);
         fiber_yield(n->fiber);
         now = clock_sync(n);
         yielded = true;
@@ -298,24 +362,62 @@ void node_order(struct node *n)
         allow_anew(n);
 }
 
-void node_enter(struct node *n, const char *call)
+static void begin_call(struct node *n, const char *call, bool early)
 {
     n->call = call;
     n->call_has_type = n->awaits = false;
     n->call_since = clock_sync(n);
+    n->pending.early = early;
     if (n->image)
         n->ahead.computed = clock_stretch(n);
+}
+
+static void take_turn(struct node *n)
+{
     do
         node_order(n);
     while (node_run_handlers(n));
     node_memory_settle(n);
 }
 
+void node_enter(struct node *n, const char *call)
+{
+    begin_call(n, call, false);
+    take_turn(n);
+}
+
+/* Can the call that begins wait for its turn alone, while the program goes on? A program worth a thread of its own gets
+ * it when its call is made. */
+static bool may_pend(const struct node *n)
+{
+    const struct node_system *s = n->sys;
+    return !n->ahead.loose && !n->stats.armed && !n->is_host && !s->stop && n->call_since <= s->max_time &&
+           pending_room(n) && !mailbox_ignores(n) && !(s->workers && n->ahead.computed >= LONG_STRETCH);
+}
+
+void node_enter_early(struct node *n, const char *call)
+{
+    begin_call(n, call, true);
+    bool waits = n->pending.count || n->clock.stolen || !is_first(n, n->call_since);
+    if (!waits || !may_pend(n)) {
+        take_turn(n);
+        return;
+    }
+    if (n->pending.count == 0)
+        put_go_on(n, n->call_since);
+    pending_begin(n);
+}
+
 void node_spend_on(struct node *n, enum node_task task, vtime t)
 {
-    t = system_time(n, t);
+    t = node_system_time(n, t);
+    if (n->pending.open) {
+        assert(task == NODE_CALL);
+        pending_spend(n, t);
+        return;
+    }
     clock_advance_to(n, clock_sync(n) + t);
-    account(n, task, t);
+    node_account(n, task, t);
 }
 
 void node_spend(struct node *n, vtime t)
@@ -331,6 +433,15 @@ static bool is_free(const struct node *n, bool is_long)
     return n->sys->workers && !n->ahead.alert && !n->in_handler && workers_worth(n->sys->workers, is_long);
 }
 
+/* Waits until nothing is pending: the committing thread sees to that. */
+static void drain(struct node *n)
+{
+    if (n->pending.count == 0)
+        return;
+    n->pending.drains = true;
+    fiber_yield(n->fiber);
+}
+
 /* Has the program handed out. What comes next may be on another thread. */
 static void break_loose(struct node *n)
 {
@@ -343,12 +454,16 @@ static void break_loose(struct node *n)
 void node_leave(struct node *n)
 {
     n->call = NULL;
-    node_memory_settle(n);
     clock_sync(n);
-    clock_is_known(n);
+    if (n->pending.open) {
+        pending_end(n);
+    } else {
+        node_memory_settle(n);
+        clock_is_known(n);
+    }
     clock_give(n);
     clock_allow(n, deadline(n));
-    if (is_free(n, n->ahead.computed >= LONG_STRETCH))
+    if (n->pending.count == 0 && is_free(n, n->ahead.computed >= LONG_STRETCH))
         break_loose(n);
 }
 
@@ -361,6 +476,7 @@ static void look_around(struct node *n, vtime now)
         if (n->ahead.paused)
             fiber_yield(n->fiber);
     } else if (is_free(n, clock_stretch(n) >= LONG_STRETCH / 2)) {
+        drain(n);
         break_loose(n);
     } else if (s->look && (s->unseen += LOOK_CALLS) > MOST_UNSEEN) {
         s->unseen = 0;
@@ -438,9 +554,11 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     vtime now = clock_sync(n);
+    pending_end(n);
+    n->pending.early = false;
     n->wait.since = VT_NEVER;
     if (must_yield(n, now)) {
-        evq_put_late(n->sys->q, now, n->place, go_on, n, NULL);
+        yield_turn(n, now);
         if (!switch_away(n, ready, arg))
             node_order(n);
     }
@@ -452,6 +570,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
 
 void node_cut(struct node *n, vtime t)
 {
+    pending_take_back(n);
     vtime at = node_now(n) + n->clock.stolen;
     if (n->state == NODE_BLOCKED)
         account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "node/cpu.h"
+#include "node/pending.h"
 #include "node/system.h"
 #include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/include/nxerrno.h"
@@ -258,9 +259,30 @@ void mailbox_unfollow(struct send *s)
         s->m->send = NULL;
 }
 
+/* --- sending --- */
+
+vtime mailbox_send_time(const struct node *n, const struct message *m)
+{
+    return node_system_time(n, proto_send_time(m->proto, m->type, m->bytes));
+}
+
+vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now)
+{
+    n->stats.sent += receivers;
+    n->stats.sent_bytes += receivers * first->bytes;
+    for (struct message *m = first, *next; m; m = next) {
+        next = m->also;
+        vtime t = mailbox_send_time(n, m);
+        node_account(n, NODE_SENDING, t);
+        now += t;
+        proto_send(m->proto, m, now);
+    }
+    return now;
+}
+
 /* --- receiving --- */
 
-void mailbox_post(struct node *n, struct receive *r)
+void mailbox_post_at(struct node *n, struct receive *r, vtime now)
 {
     struct mailbox *b = n->mailbox;
     for (struct message **link = &b->unexpected; *link; link = &(*link)->next) {
@@ -271,13 +293,21 @@ void mailbox_post(struct node *n, struct receive *r)
         give(r, m);
         if (m->is_long && !m->granted) {
             b->waiting--;
-            proto_grant(m->proto, m, node_now(n));
+            proto_grant(m->proto, m, now);
         }
         if (m->arrived && r->handler)
-            add_due(n, vt_max(m->complete, node_now(n)), r, NULL);
+            add_due(n, vt_max(m->complete, now), r, NULL);
         return;
     }
     post(b, r);
+}
+
+void mailbox_post(struct node *n, struct receive *r)
+{
+    if (n->pending.open)
+        pending_post(n, r);
+    else
+        mailbox_post_at(n, r, node_now(n));
 }
 
 void mailbox_withdraw(struct node *n, struct receive *r)
@@ -460,6 +490,11 @@ struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long
     n->mailbox->handlers++;
     n->stats.armed = true;
     return s;
+}
+
+bool mailbox_ignores(const struct node *n)
+{
+    return n->mailbox->ids.ignored > 0;
 }
 
 bool mailbox_armed(const struct node *n)

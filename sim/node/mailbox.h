@@ -25,10 +25,18 @@ void mailbox_abandon(struct node *n);
 void mailbox_empty(struct node *n, vtime now);
 void mailbox_inherit(struct node *n, struct node *before);
 
+/* Post r at time now: mailbox_post for a call that is made then. */
+void mailbox_post_at(struct node *n, struct receive *r, vtime now);
+/* Send messages, linked by also, to so many receivers in all, from time now on; returns when the last has left the program.
+ * One takes the processor so long. */
+vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now);
+vtime mailbox_send_time(const struct node *n, const struct message *m);
+
 /* Follow a message for s until its buffer is free. */
 void mailbox_follow(struct message *m, struct send *s);
 
 /* Handlers. */
+bool mailbox_ignores(const struct node *n);   /* has it ids that the program has told it to look after? */
 bool mailbox_armed(const struct node *n);     /* may a handler have to be run before the next call? */
 vtime mailbox_next_due(const struct node *n); /* VT_NEVER: none due yet */
 bool mailbox_handler_due(const struct node *n, vtime now);

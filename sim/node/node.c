@@ -11,6 +11,7 @@
 #include "node/image.h"
 #include "node/libc.h"
 #include "node/mailbox.h"
+#include "node/pending.h"
 #include "node/span.h"
 #include "node/system.h"
 #include "node/trace.h"
@@ -42,13 +43,24 @@ void node_memory_changed(struct node *n)
         n->stats.memory_peak = used;
 }
 
+struct node_memory node_memory_now(const struct node *n)
+{
+    return (struct node_memory){node_heap_used(n->heap), n->peak_ahead};
+}
+
+void node_memory_was(struct node *n, struct node_memory m)
+{
+    n->heap_known = m.heap;
+    if (m.peak > n->stats.memory_peak)
+        n->stats.memory_peak = m.peak;
+    node_memory_changed(n);
+}
+
 void node_memory_settle(struct node *n)
 {
-    n->heap_known = node_heap_used(n->heap);
-    n->buffered_known = n->buffered;
-    if (n->peak_ahead > n->stats.memory_peak)
-        n->stats.memory_peak = n->peak_ahead;
-    node_memory_changed(n);
+    node_memory_was(n, node_memory_now(n));
+    if (!n->pending.early)
+        n->buffered_known = n->buffered;
 }
 
 static int heap_room(void *ctx, size_t bytes)
@@ -317,6 +329,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
 /* All but what messages and events may still refer to. */
 static void strip(struct node *n)
 {
+    pending_free(n);
     mailbox_free(n->mailbox);
     waits_free(&n->stats.waits);
     free(n->crash);

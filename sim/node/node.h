@@ -91,6 +91,20 @@ struct node_ahead {
     uint64_t computed; /* units between its last two calls, for a guess at the next */
 };
 
+/* Calls that the program has made, and the machine has yet to make: pending.h. */
+struct node_pending {
+    struct pending_call *calls; /* a ring */
+    uint32_t first, count;
+    bool open;   /* the program is in the last of them */
+    bool early;  /* its call is one that may be pending, whether it is or not */
+    bool drains; /* it goes on when none is left, whatever its time */
+};
+
+/* What the program has of its memory: bytes of heap in use, and the most of all so far. */
+struct node_memory {
+    size_t heap, peak;
+};
+
 /* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */
 struct node_error {
     int code; /* nxerrno.h, or the C library's */
@@ -130,6 +144,7 @@ struct node {
     } warm; /* what it needs first when its program goes on; NULL: has not begun */
     struct node_clock clock;
     struct node_ahead ahead;
+    struct node_pending pending;
     struct node_stats stats;
     struct node_crash *crash; /* NULL: none */
     int saved_errno;
@@ -198,6 +213,9 @@ vtime node_now(struct node *n);
 /* Enter a call: brings the clock up to date, waits until the call is the machine's earliest event, runs
  * handlers due. */
 void node_enter(struct node *n, const char *call);
+/* The same for a call that only hands something over, or first does that and then waits (node_wait): the program goes on at
+ * once, and the call is made in its turn (pending.h). */
+void node_enter_early(struct node *n, const char *call);
 /* Waits until this moment of the node is the machine's earliest event, as node_enter does, but runs no
  * handlers: for library calls that show something to the outside (a write) in places that are not safe for a
  * handler. */
@@ -231,8 +249,11 @@ size_t node_memory_used(const struct node *n);
 size_t node_memory_limit(const struct node *n);
 /* Notes the high-water mark after a message has come. */
 void node_memory_changed(struct node *n);
-/* In a call: program and messages see all of each other's memory. */
+/* In a call: messages see all of the program's memory, and unless the call may be pending, the program theirs. */
 void node_memory_settle(struct node *n);
+/* The program's memory as it is; and for messages to see, as it was in a call that they have come to. */
+struct node_memory node_memory_now(const struct node *n);
+void node_memory_was(struct node *n, struct node_memory m);
 /* errno of the thread that runs the caller now. A program may go on on another thread after node_leave() or any call
  * that orders it, and compilers take the place of errno to be the same throughout a function. */
 int node_errno(void);
