@@ -4,6 +4,8 @@
 long nx_check_send(struct node *n, const struct outgoing *o)
 {
     nx_about(n, o->type);
+    if (o->node == ALL_NODES)
+        node_order(n); /* messages that others are to pass on are under way at once */
     if (nx_check_node(n, o->node) < 0 || nx_check_way(n, o->node) < 0)
         return -1;
     if (o->type < 0 || o->type > 1999999999)

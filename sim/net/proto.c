@@ -11,6 +11,7 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
         return NULL;
     p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
     p->least_milli = cfg->fast_every && cfg_fast_system_milli(cfg) < 1000 ? cfg_fast_system_milli(cfg) : 1000;
+    p->messages.bytes = sizeof(struct message);
     p->wire = wire_new(topo, q);
     p->in = calloc(topo->places, sizeof *p->in);
     p->out = calloc(topo->places, sizeof *p->out);
@@ -31,6 +32,7 @@ void proto_free(struct proto *p)
     wire_free(p->wire);
     free(p->in);
     free(p->out);
+    pool_free(&p->messages);
     free(p);
 }
 

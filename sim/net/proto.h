@@ -41,12 +41,15 @@ struct proto_bound {
     vtime at, after;
 };
 
+/* So few bytes lie in the message itself: those of the short messages of the machines. */
+enum { PROTO_FEW = 104 };
+
 struct message {
     uint32_t from, to;
     uint32_t source; /* whose program sent it: from, unless it has been passed on */
     int64_t type, pid;
     size_t bytes;
-    void *data;     /* a copy of the sender's, shared by messages to all nodes */
+    void *data;     /* a copy of the sender's: in few, or shared by messages to all nodes */
     uint64_t order; /* of all messages, in the order sent */
 
     /* protocol */
@@ -72,6 +75,8 @@ struct message {
     bool unwanted;        /* to be thrown away when it arrives */
     void *send;           /* the sender's message id or handler, NULL: nobody asks */
     void *service;        /* not between programs: what it is about, to a service or its client; else NULL */
+
+    char few[PROTO_FEW];
 };
 
 /* At which end of a message a processor has something to do. */

@@ -89,20 +89,20 @@ void *proto_payload(const void *data, size_t bytes)
     return p->bytes;
 }
 
-static void payload_release(void *data)
+static void release(struct message *m)
 {
-    if (--payload_of(data)->users == 0)
-        free(payload_of(data));
+    if (m->data != m->few && --payload_of(m->data)->users == 0)
+        free(payload_of(m->data));
 }
 
 struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
-                                  void *data, size_t bytes)
+                                  void *payload, size_t bytes)
 {
-    struct message *m = calloc(1, sizeof *m);
-    if (!m)
-        abort();
-    m->data = data;
-    payload_of(data)->users++;
+    struct message *m = pool_take(&p->messages);
+    memset(m, 0, offsetof(struct message, few));
+    m->data = payload ? payload : m->few;
+    if (payload)
+        payload_of(payload)->users++;
     m->proto = p, m->from = m->source = from, m->to = to, m->type = type, m->pid = pid, m->bytes = bytes;
     m->is_long = !proto_one_trip(p, type, bytes);
     m->forced = (type & PROTO_FORCED) != 0;
@@ -124,13 +124,17 @@ struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, i
 struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
                               const void *data, size_t bytes)
 {
-    return proto_message_new(p, from, to, type, pid, proto_payload(data, bytes), bytes);
+    void *payload = bytes > PROTO_FEW ? proto_payload(data, bytes) : NULL;
+    struct message *m = proto_message_new(p, from, to, type, pid, payload, bytes);
+    if (!payload && data)
+        memcpy(m->few, data, bytes);
+    return m;
 }
 
 void proto_message_free(struct message *m)
 {
     proto_unlink_in(m);
     proto_unlink_out(m);
-    payload_release(m->data);
-    free(m);
+    release(m);
+    pool_give(&m->proto->messages, m);
 }

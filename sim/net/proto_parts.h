@@ -2,6 +2,7 @@
  * are), proto_tree.c (to all nodes). For these files only. */
 #ifndef PROTO_PARTS_H
 #define PROTO_PARTS_H
+#include "kernel/pool.h"
 #include "net/proto.h"
 
 struct proto {
@@ -11,6 +12,7 @@ struct proto {
     struct wire *wire;
     struct proto_nodes nodes;
     struct message **in, **out; /* by node: messages on their way to it, being sent by it */
+    struct pool messages;
     uint64_t sent, under_way;
     uint64_t
         least_milli; /* no node's system takes less than so many thousandths of the time that an ordinary one's does */
@@ -37,9 +39,9 @@ static inline struct proto_bound proto_after(vtime t)
 /* Time of one trip of a long message over the hops alone. */
 vtime proto_trip(const struct message *m);
 
-/* Bytes that messages share; NULL data: not set yet. */
+/* A copy of bytes, for messages to share; NULL: nobody looks at them. */
 void *proto_payload(const void *data, size_t bytes);
-/* payload: of proto_payload, one more user. */
+/* payload: of proto_payload, one more user; NULL: few bytes, to be filled in. */
 struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
                                   void *payload, size_t bytes);
 /* Under way to its receiver and being sent by its sender, from now on; and no more. */

@@ -7,7 +7,8 @@
 #include "node/mailbox.h"
 #include "node/system.h"
 
-enum { MOST = 32 };
+/* A node's messages that wait for their turn should still be in the caches then. */
+enum { MOST = 8 };
 
 struct pending_call {
     uint64_t units; /* the node's clock at its beginning */
