@@ -95,12 +95,13 @@ vtime pending_next(const struct node *n)
 /* All that the program has done after c comes so much later. */
 static void put_back(struct node *n, const struct pending_call *c, vtime late)
 {
+    vtime begun = time_of(n, c);
     for (uint32_t i = 0; i < n->pending.count; i++)
         nth(n, i)->origin += late;
     n->clock.origin += late;
-    if (n->call)
+    if (n->call_since > begun)
         n->call_since += late;
-    if (n->failed_malloc_at > time_of(n, c))
+    if (n->failed_malloc_at > begun)
         n->failed_malloc_at += late;
 }
 

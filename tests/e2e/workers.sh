@@ -50,7 +50,7 @@ for source in "$nx"/*.c; do
     same "$name $arguments" $arguments "$name"
 done
 
-for name in ring crash deadlock flood greedy quits halves cut; do
+for name in ring crash deadlock flood greedy quits halves cut pending; do
     compile $name
 done
 same "ring" -m ipsc860 -n 16 ring
@@ -63,6 +63,12 @@ same "killed while computing" -n 8 cut kill
 same "all killed while computing" -n 8 cut cube
 same "a crash among others that compute" -n 8 cut crash
 same "one fails while others compute" -n 8 cut fail
+for turns in 0 260 777 1500 3100; do
+    for how in kill fail crash cube; do
+        same "$how after $turns turns, while others send and receive" -n 6 pending $turns $how
+    done
+done
+same "a time limit while all send and receive" --max-virtual-time 0.002 -n 6 pending 9000 kill
 same "a time limit" --max-virtual-time 0.3 -n 8 cut kill
 
 "$BUILD/nxcc" -O2 --profile -o cut_profile "$tests/cut.c" -lm

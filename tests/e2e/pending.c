@@ -1,0 +1,54 @@
+/* pending.c - pending WHEN kill|fail|crash|cube: nodes 1 and up send and receive, computing little in between, so that
+ * calls of theirs are pending at most times; node 0 computes for a while, and then something ends. */
+#include <stdlib.h>
+#include "nx.h"
+
+static char out[3000], in[3000];
+static volatile double sum;
+
+static void compute(long turns)
+{
+    for (long i = 0; i < turns; i++)
+        sum += (double)i;
+}
+
+static void end(const char *how)
+{
+    if (*how == 'k')
+        killproc(1, 0);
+    else if (*how == 'f')
+        crecv(-1, NULL, 5);
+    else if (how[1] == 'r')
+        *(volatile int *)0 = 1;
+    else
+        killcube(-1, 0);
+}
+
+static void talk(long me, long others)
+{
+    for (int i = 0; i < 12; i++) {
+        irecv(50 + i, in, sizeof in);
+        csend(1, out, i % 3 ? 8 : 2000, 1 + me % others, 0);
+        compute(20 * me);
+        csend(50 + i, out, 60, 1 + (me + 1) % others, 0);
+        if (i % 4 == 3)
+            sum += malloc(1000) != NULL + isend(3, out, 90, 2, 0);
+        if (i % 2)
+            compute(100);
+        if (i % 5 == 4)
+            crecv(1, in, sizeof in);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 3)
+        return 64;
+    if (mynode() > 0) {
+        talk(mynode(), numnodes() - 1);
+    } else {
+        compute(atol(argv[1]));
+        end(argv[2]);
+    }
+    return 0;
+}
