@@ -2,6 +2,7 @@
 #include "node/cpu.h"
 #include <assert.h>
 #include <errno.h>
+#include <stddef.h>
 #include "kernel/fiber.h"
 #include "node/clock.h"
 #include "node/mailbox.h"
@@ -52,7 +53,7 @@ static void warm_coming(const struct node_system *s)
 {
     enum { LINE = 64, STACK = 12 * LINE }; /* from a program's call to the switch: some functions */
     const struct node *n = coming(s, 1);
-    for (size_t i = 0; n && i < sizeof *n; i += LINE)
+    for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
         __builtin_prefetch((const char *)n + i, 1);
     n = coming(s, 0);
     if (!n || n->state == NODE_ENDED || n->ahead.loose)

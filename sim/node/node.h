@@ -111,53 +111,29 @@ struct node_error {
     char text[200];
 };
 
+/* What every event of a node needs comes first, so that it lies in few lines of the cache: up to `name`. */
 struct node {
     uint32_t id;
-    char name[16];  /* for people: "node 3", "host" */
     uint32_t place; /* on the network: its id, except for the host's */
-    bool is_host;
-    uint64_t clock_hz, unit_ps; /* unit_ps: of a cost unit, 0 if that is no whole number; clock_set */
-    uint64_t
-        system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
-    long pid;         /* process type: 0, unless the program has set it */
-    struct node_system *sys;
-    struct node_region *region;
-    char *span, *stack, *program; /* of the region; the stack's lowest byte, the program's first: span.h */
-    size_t stack_bytes;           /* there; those the machine file gives, or some more */
-    size_t image_bytes;           /* program text, data and bss, page rounded */
-    struct nxc_image *image;      /* of the program */
-    const struct node_image *file;
-    struct node_heap *heap;
-    struct fiber *fiber;
-    int argc;
-    char **argv, **envp;
-
     enum node_state state;
-    enum node_end end;
-    int exit_code;
-    bool cut_short;   /* while it computed; its image knows nothing of that */
-    bool awaits_end;  /* is in a call that waits for another node's end */
-    bool end_noticed; /* such a call has told of this one's */
+    bool is_host;
+    bool masked, in_handler;
+    bool call_has_type, awaits; /* see call */
+    struct node_system *sys;
+    struct mailbox *mailbox;
+    struct fiber *fiber;
+    struct nxc_image *image; /* of the program */
+    struct node_heap *heap;
     struct {
         const char *stack; /* the innermost of it */
         const int64_t *left;
     } warm; /* what it needs first when its program goes on; NULL: has not begun */
     struct node_clock clock;
-    struct node_ahead ahead;
+    uint64_t unit_ps; /* of a cost unit, 0 if that is no whole number; clock_set */
+    uint64_t
+        system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
+    vtime sys_free;   /* the operating system is busy with messages until then */
     struct node_pending pending;
-    struct node_stats stats;
-    struct node_crash *crash; /* NULL: none */
-    int saved_errno;
-    struct node_error error;
-
-    /* the call the program is in, for reports; NULL while it computes */
-    const char *call;
-    long call_type; /* type, typesel or id it was given */
-    bool call_has_type;
-    long awaited; /* type or typesel of the message the call is about, if awaits */
-    bool awaits;
-    vtime call_since;
-    uintptr_t frame; /* of the call, on the stack, while it is blocked */
 
     /* what the program has switched away for, ready NULL: nothing but its turn (cpu.c) */
     struct {
@@ -166,18 +142,42 @@ struct node {
         vtime since, busy; /* blocked; stats.system then */
     } wait;
 
-    struct mailbox *mailbox;
-    struct node_info info;
-    bool masked, in_handler;
-    vtime open_since; /* when handlers were last let run */
-    vtime sys_free;   /* the operating system is busy with messages until then */
-    size_t buffered;  /* bytes of unexpected messages held */
+    /* the call the program is in, for reports; NULL while it computes */
+    const char *call;
+    long call_type; /* type, typesel or id it was given, if call_has_type */
+    long awaited;   /* type or typesel of the message the call is about, if awaits */
+    vtime call_since;
+    uintptr_t frame; /* of the call, on the stack, while it is blocked */
 
+    struct node_ahead ahead;
+    size_t buffered; /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t heap_known, buffered_known;
-    size_t peak_ahead; /* memory_peak as the program sees it */
+    size_t peak_ahead;        /* memory_peak as the program sees it */
+    size_t image_bytes;       /* program text, data and bss, page rounded */
+    struct node_crash *crash; /* NULL: none */
+    struct node_stats stats;
+    int saved_errno;
+    struct node_info info;
 
+    char name[16]; /* for people: "node 3", "host" */
+    uint64_t clock_hz;
+    long pid; /* process type: 0, unless the program has set it */
+    struct node_region *region;
+    char *span, *stack, *program; /* of the region; the stack's lowest byte, the program's first: span.h */
+    size_t stack_bytes;           /* there; those the machine file gives, or some more */
+    const struct node_image *file;
+    int argc;
+    char **argv, **envp;
+
+    enum node_end end;
+    int exit_code;
+    bool cut_short;   /* while it computed; its image knows nothing of that */
+    bool awaits_end;  /* is in a call that waits for another node's end */
+    bool end_noticed; /* such a call has told of this one's */
+    vtime open_since; /* when handlers were last let run */
+    struct node_error error;
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
     size_t failed_malloc;   /* size of the last allocation refused, 0 none; */
     vtime failed_malloc_at;
