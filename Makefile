@@ -5,6 +5,8 @@ JOBS   ?= $(shell nproc)
 CC      = gcc
 OPT    ?= -O2 -g
 SAN    ?=
+# The simulator itself is optimised as a whole; objects are good for linking tests without that, too.
+LTO    ?= -flto=auto -ffat-lto-objects
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgslcblas -lz -lm
@@ -17,14 +19,14 @@ all: $B/touchstone $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_lo
 
 $B/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -MMD -MP -c -o $@ $<
+	$(CC) $(CFLAGS) $(LTO) -MMD -MP -c -o $@ $<
 
 $B/libtouchstone.a: $(SIM_OBJ)
 	@rm -f $@
 	ar rcs $@ $^
 
 $B/touchstone: $B/obj/sim/cli/main.o $B/libtouchstone.a
-	$(CC) $(SAN) -o $@ $^ $(LIBS)
+	$(CC) $(SAN) $(OPT) $(LTO) -Wno-lto-type-mismatch -o $@ $^ $(LIBS)
 
 -include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
@@ -57,13 +59,13 @@ E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx,%/
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
-ASAN_MAKE = $(SUBMAKE) B=$(ASAN) OPT="-O1 -g" SAN="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
+ASAN_MAKE = $(SUBMAKE) B=$(ASAN) OPT="-O1 -g" LTO= SAN="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 
 test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 	$(SUBMAKE) all unit
 	$(ASAN_MAKE) all unit
-	$(SUBMAKE) B=build/O0 OPT="-O0 -g" build/O0/touchstone
-	$(SUBMAKE) B=build/tsan OPT="-O1 -g" SAN="-fsanitize=thread" build/tsan/touchstone
+	$(SUBMAKE) B=build/O0 OPT="-O0 -g" LTO= build/O0/touchstone
+	$(SUBMAKE) B=build/tsan OPT="-O1 -g" LTO= SAN="-fsanitize=thread" build/tsan/touchstone
 	@tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
 
 # --- what a user calls ---------------------------------------------------------------------------------------
