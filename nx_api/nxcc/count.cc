@@ -26,6 +26,7 @@
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "image.h"
 #include "poll.h"
 #include "prepay.h"
 #include "profile.h"
@@ -34,16 +35,21 @@
 #define COUNTER "nxc_left"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
+/* A library call that is known to cost more is checked for: 10 us of a 40 MHz processor. */
+const int64_t longest_amount = 400 * NXC_UNITS_PER_CLOCK;
+
 bool count_in_memory;
 
 namespace
 {
 tree counter; /* the variable nxc_left of runtime.c */
 
-/* Where a check is to go: behind a statement that pays, if value is then negative. */
+/* Where a check is to go: behind a statement that pays, if value is then negative. What a long library call costs may be
+ * spent in parts, so that nothing that is due has to wait for all of it. */
 struct check {
     gimple *after;
     tree value;
+    bool in_parts;
 };
 
 /* What a stretch costs, and of whom. */
@@ -76,10 +82,13 @@ class counting
     void pay_ahead(const prepaid_loop &loop);
     void spend(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
-    void charge(gimple_seq *seq, gimple *stmt, tree amount);
-    void store(gimple_seq *seq);
+    check charge(gimple_seq *seq, gimple *stmt, tree amount);
+    void charge_call(gimple_seq *seq, gcall *call, tree amount);
+    void store(gimple_seq *seq, tree value);
     void load_on_entry();
     void store_on_exit();
+    void preempt(gimple_seq *seq);
+    void preempt_in_time(gimple_seq *seq);
     void insert_check(const check &c);
 
     function *fun;
@@ -145,7 +154,7 @@ check counting::subtract(gimple_seq *seq, tree amount)
                           ? gimple_build_assign(left, PLUS_EXPR, left, units_constant(-tree_to_shwi(amount)))
                           : gimple_build_assign(left, MINUS_EXPR, left, amount);
         gimple_seq_add_stmt_without_update(seq, sub);
-        return {sub, left};
+        return {sub, left, false};
     }
     tree was = make_ssa_name(units_type());
     tree is = make_ssa_name(units_type());
@@ -153,23 +162,34 @@ check counting::subtract(gimple_seq *seq, tree amount)
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, was, amount));
     gimple_seq_add_stmt_without_update(seq, store);
-    return {store, is};
+    return {store, is, false};
 }
 
 /* The same on behalf of a statement. */
-void counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
+check counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 {
-    subtract(seq, amount);
+    check paid = subtract(seq, amount);
     if (profile)
         profile->add(seq, gimple_bb(stmt), profile->cell_of(stmt), amount);
+    paid.after = gimple_seq_last_stmt(*seq);
+    return paid;
 }
 
-/* Appends counter = left: somebody else may look at it now. */
-void counting::store(gimple_seq *seq)
+/* The same for the part of a library call's cost that depends on its arguments or result. */
+void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 {
-    if (profile)
-        profile->give_away(seq, counter, left);
-    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, left));
+    check paid = charge(seq, call, amount);
+    paid.in_parts = true;
+    if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_amount)
+        checks.safe_push(paid);
+}
+
+/* Appends counter = value: somebody else may look at it now. */
+void counting::store(gimple_seq *seq, tree value)
+{
+    if (profile && left)
+        profile->give_away(seq, counter, value);
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, value));
 }
 
 /* Adds the fixed cost of stmt to a stretch. */
@@ -256,7 +276,7 @@ void counting::pay_argument(gcall *call)
         return;
     gimple_seq seq = NULL;
     if (tree amount = append_amount(&seq, call, per, *of, elements))
-        charge(&seq, call, amount);
+        charge_call(&seq, call, amount);
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
@@ -280,7 +300,7 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    charge(&seq, call, append_amount(&seq, call, per, *of, elements));
+    charge_call(&seq, call, append_amount(&seq, call, per, *of, elements));
     gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
@@ -297,7 +317,7 @@ gimple *counting::hand_over(gcall *call)
         return call;
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gimple_seq seq = NULL;
-    store(&seq);
+    store(&seq, left);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
     if (stmt_ends_bb_p(call))
         return call;
@@ -395,42 +415,85 @@ void counting::store_on_exit()
         if (gsi_end_p(gsi) || gimple_code(gsi_stmt(gsi)) != GIMPLE_RETURN)
             continue;
         gimple_seq seq = NULL;
-        store(&seq);
+        store(&seq, left);
         gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
     }
 }
 
-/* Cuts the block behind c.after and puts the way to the simulator beside it. */
+/* Appends the call of the simulator. */
+void append_preemption(gimple_seq *seq)
+{
+    vec<tree, va_gc> *clobbers = NULL;
+    vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
+    gasm *call = gimple_build_asm_vec("call\t" PREEMPT, NULL, NULL, clobbers, NULL);
+    gimple_asm_set_volatile(call, true);
+    gimple_seq_add_stmt_without_update(seq, call);
+}
+
+/* Appends a preemption, with left as it is. */
+void counting::preempt(gimple_seq *seq)
+{
+    if (left)
+        store(seq, left);
+    append_preemption(seq);
+    if (left)
+        gimple_seq_add_stmt_without_update(seq, gimple_build_assign(left, counter));
+}
+
+/* Appends a preemption at the very moment when left became negative; what was spent beyond is spent after it. */
+void counting::preempt_in_time(gimple_seq *seq)
+{
+    tree was = left, beyond = make_ssa_name(units_type()), now = make_ssa_name(units_type());
+    if (!left) {
+        was = make_ssa_name(units_type());
+        gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
+    }
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(beyond, BIT_NOT_EXPR, was)); /* -1 - was */
+    store(seq, units_constant(-1));
+    append_preemption(seq);
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, counter));
+    tree is = left ? left : make_ssa_name(units_type());
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, now, beyond));
+    if (!left)
+        gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, is));
+}
+
+/* Cuts the block behind c.after and puts the way to the simulator beside it. It leads back to the check if there are
+ * parts. */
 void counting::insert_check(const check &c)
 {
     basic_block bb = gimple_bb(c.after);
     edge on = split_block(bb, c.after);
+    if (c.in_parts) {
+        bb = split_edge(on);
+        on = single_succ_edge(bb);
+    }
     basic_block rest = on->dest;
     basic_block cold = create_empty_bb(bb);
     if (current_loops)
         add_bb_to_loop(cold, bb->loop_father);
     gimple_stmt_iterator gsi = gsi_last_bb(bb);
-    gsi_insert_after(&gsi, gimple_build_cond(LT_EXPR, c.value, units_constant(0), NULL_TREE, NULL_TREE),
+    tree value = c.value;
+    if (c.in_parts && !left) {
+        value = make_ssa_name(units_type());
+        gsi_insert_after(&gsi, gimple_build_assign(value, counter), GSI_NEW_STMT);
+    }
+    gsi_insert_after(&gsi, gimple_build_cond(LT_EXPR, value, units_constant(0), NULL_TREE, NULL_TREE),
                      GSI_NEW_STMT);
     on->flags = EDGE_FALSE_VALUE;
     on->probability = profile_probability::very_likely();
     edge out = make_edge(bb, cold, EDGE_TRUE_VALUE);
     out->probability = profile_probability::very_unlikely();
     cold->count = out->count();
-    make_single_succ_edge(cold, rest, EDGE_FALLTHRU);
+    make_single_succ_edge(cold, c.in_parts ? bb : rest, EDGE_FALLTHRU);
 
     gimple_seq seq = NULL;
-    vec<tree, va_gc> *clobbers = NULL;
-    vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
-    gasm *call = gimple_build_asm_vec("call\t" PREEMPT, NULL, NULL, clobbers, NULL);
-    gimple_asm_set_volatile(call, true);
     if (profile)
         profile->flush(&seq, bb);
-    if (left)
-        store(&seq);
-    gimple_seq_add_stmt_without_update(&seq, call);
-    if (left)
-        gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, counter));
+    if (c.in_parts)
+        preempt_in_time(&seq);
+    else
+        preempt(&seq);
     gsi = gsi_start_bb(cold);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
@@ -461,6 +524,8 @@ void counting::run()
     check *c;
     FOR_EACH_VEC_ELT (checks, i, c)
         insert_check(*c);
+    if (current_loops)
+        loops_state_set(LOOPS_NEED_FIXUP); /* a call's parts are one */
     free_dominance_info(CDI_DOMINATORS);
     free_dominance_info(CDI_POST_DOMINATORS);
 }

@@ -129,6 +129,11 @@ int c_pure_calls(int n)
     return sum;
 }
 
+void c_copy_all(void *to, const void *from)
+{
+    memcpy(to, from, MUCH);
+}
+
 void c_copy(void *to, const void *from, size_t n)
 {
     memcpy(to, from, n);

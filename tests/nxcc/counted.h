@@ -22,6 +22,8 @@ int c_call_through(int (*f)(void));
 int c_tail_call(int (*f)(void));
 int c_pure_calls(int n);
 void c_copy(void *to, const void *from, size_t n);
+enum { MUCH = 1000000 };
+void c_copy_all(void *to, const void *from); /* so many bytes */
 size_t c_length(const char *s);
 int c_print(char *to, int number);
 void c_sort(int *a, size_t n);

@@ -247,6 +247,20 @@ static void preemption_comes_at_its_time(void **state)
     }
 }
 
+/* What is due in the course of a long library call does not wait for its end. */
+static void a_long_call_is_preempted_in_time(void **state)
+{
+    static char a[MUCH], b[MUCH];
+    (void)state;
+    for (int64_t budget = 1000; budget < 2 * MUCH; budget *= 3) {
+        counter_start(budget);
+        c_copy_all(a, b);
+        assert_int_equal(counter_spent(), 500 + 2 * MUCH);
+        assert_int_equal(counter.preemptions, (500 + 2 * MUCH) / (budget + 1));
+        assert_int_equal(counter.overshoot, 1);
+    }
+}
+
 static void deep_recursion_is_preempted(void **state)
 {
     (void)state;
@@ -278,6 +292,7 @@ int main(void)
         cmocka_unit_test(what_a_call_changes_is_kept),
         cmocka_unit_test(preemption_changes_neither_result_nor_cost),
         cmocka_unit_test(preemption_comes_at_its_time),
+        cmocka_unit_test(a_long_call_is_preempted_in_time),
         cmocka_unit_test(deep_recursion_is_preempted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -102,6 +102,24 @@ static void handler(void)
     c_fibonacci(3);
 }
 
+static void short_handler(void)
+{
+    c_two_adds(1, 2, 3);
+}
+
+static void handlers_pay_for_themselves_in_a_long_call(void **state)
+{
+    static char a[MUCH], b[MUCH];
+    (void)state;
+    counter_start(1000);
+    counter.handler = short_handler;
+    c_copy_all(a, b);
+    assert_true(counter.preemptions > MUCH / 1000);
+    assert_int_equal(counter_of("c_copy_all", "memcpy"), 500 + 2 * MUCH);
+    assert_int_equal(own("c_two_adds"), 2 * counter.preemptions);
+    assert_int_equal(counter_profiled(), counter_spent());
+}
+
 static void handlers_pay_for_themselves(void **state)
 {
     (void)state;
@@ -174,6 +192,7 @@ int main(void)
         cmocka_unit_test(functions_called_and_called_back),
         cmocka_unit_test(setjmp_and_longjmp),
         cmocka_unit_test(handlers_pay_for_themselves),
+        cmocka_unit_test(handlers_pay_for_themselves_in_a_long_call),
         cmocka_unit_test(a_handler_may_leave_a_loop_for_good),
         cmocka_unit_test(the_functions_add_up_however_often_interrupted),
     };
