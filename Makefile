@@ -5,10 +5,10 @@ JOBS   ?= $(shell nproc)
 CC      = gcc
 OPT    ?= -O2 -g
 SAN    ?=
-# The simulator itself is optimised as a whole; objects are good for linking tests without that, too.
+# The simulator itself is optimised as a whole (but with sanitizers); its objects are good for linking tests without that, too.
 LTO    ?= -flto=auto -ffat-lto-objects
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
-CFLAGS  = -std=gnu17 $(OPT) $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
+CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgslcblas -lz -lm
 
 SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c))

@@ -1,18 +1,23 @@
 /* proto.c - see proto.h. Each function below is one arrow's end in its drawing. */
 #include <assert.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include "net/proto_parts.h"
+
+static void started(struct wire_transit *t, vtime now);
+static void done(struct wire_transit *t, vtime now);
 
 struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
                         const struct proto_nodes *nodes)
 {
+    static const struct wire_calls calls = {started, done};
     struct proto *p = calloc(1, sizeof *p);
     if (!p)
         return NULL;
     p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
     p->least_milli = cfg->fast_every && cfg_fast_system_milli(cfg) < 1000 ? cfg_fast_system_milli(cfg) : 1000;
     p->messages.bytes = sizeof(struct message);
-    p->wire = wire_new(topo, q);
+    p->wire = wire_new(topo, q, &calls);
     p->in = calloc(topo->places, sizeof *p->in);
     p->out = calloc(topo->places, sizeof *p->out);
     if (!p->wire || !p->in || !p->out) {
@@ -207,6 +212,11 @@ static void inject(void *ctx, void *arg, vtime now)
     wire_send(p->wire, &m->transit, now);
 }
 
+static struct message *message_of(struct wire_transit *t)
+{
+    return (struct message *)((char *)t - offsetof(struct message, transit));
+}
+
 static void data_flow(void *ctx, void *arg, vtime now)
 {
     struct proto *p = ctx;
@@ -215,10 +225,9 @@ static void data_flow(void *ctx, void *arg, vtime now)
     m->at_receiver = proto_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
-void proto_started(void *ctx, struct wire_transit *t, vtime now)
+static void started(struct wire_transit *t, vtime now)
 {
-    struct message *m = ctx;
-    (void)t;
+    struct message *m = message_of(t);
     if (!by_hand(m)) {
         m->at_receiver = proto_at(now + m->transit.duration);
         return;
@@ -248,11 +257,10 @@ static void whole_message(struct proto *p, struct message *m, vtime now)
     }
 }
 
-void proto_done(void *ctx, struct wire_transit *t, vtime now)
+static void done(struct wire_transit *t, vtime now)
 {
-    struct message *m = ctx;
+    struct message *m = message_of(t);
     struct proto *p = m->proto;
-    (void)t;
     if (!m->is_long) {
         envelope_comes(p, m, now);
         return;

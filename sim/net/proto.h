@@ -47,35 +47,35 @@ enum { PROTO_FEW = 104 };
 struct message {
     uint32_t from, to;
     uint32_t source; /* whose program sent it: from, unless it has been passed on */
-    int64_t type, pid;
-    size_t bytes;
-    void *data;     /* a copy of the sender's: in few, or shared by messages to all nodes */
-    uint64_t order; /* of all messages, in the order sent */
-
-    /* protocol */
     bool is_long, forced;
     bool waits;    /* its envelope has come before an earlier one's */
     bool envelope; /* has been looked at by the receiver */
     bool sent;     /* the sender's buffer may be used again */
     bool granted;
     bool arrived;
-    vtime complete; /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
+    bool buffered; /* held in a system buffer */
+    bool unwanted; /* to be thrown away when it arrives */
+    int64_t type, pid;
+    size_t bytes;
+    struct proto *proto;
+    uint64_t order; /* of all messages, in the order sent */
+
+    /* under way */
+    struct message *next_in, **link_in;   /* to the receiver */
+    struct message *next_out, **link_out; /* being sent by the sender */
     struct proto_bound at_sender, at_receiver;
     struct wire_transit transit;
-    struct proto *proto;
-    struct message *next_in, **link_in;   /* under way to the receiver */
-    struct message *next_out, **link_out; /* being sent by the sender */
-    struct message *pass_on;              /* what the receiver is to send on, linked by also */
-    struct message *also;
 
     /* the receiver's mailbox and the sender's call */
-    struct message *next; /* unexpected */
     void *receive;        /* the posted receive it is for, NULL: none yet */
-    bool buffered;        /* held in a system buffer */
-    bool unwanted;        /* to be thrown away when it arrives */
+    vtime complete;       /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
+    struct message *next; /* unexpected */
     void *send;           /* the sender's message id or handler, NULL: nobody asks */
     void *service;        /* not between programs: what it is about, to a service or its client; else NULL */
 
+    struct message *pass_on; /* what the receiver is to send on, linked by also */
+    struct message *also;
+    void *data; /* a copy of the sender's: in few, or shared by messages to all nodes */
     char few[PROTO_FEW];
 };
 

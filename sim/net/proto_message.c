@@ -110,8 +110,7 @@ struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, i
     m->complete = VT_NEVER;
     const struct cfg_machine *c = p->cfg;
     bool small = bytes <= c->short_limit;
-    m->transit =
-        (struct wire_transit){.from = from, .to = to, .started = proto_started, .done = proto_done, .ctx = m};
+    m->transit.from = from, m->transit.to = to;
     vtime hops = link_time(m) + hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
     vtime per_byte = is_hosts(m) ? c->host.link_ps_per_byte
                      : small     ? c->short_ps_per_byte

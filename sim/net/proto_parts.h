@@ -48,8 +48,4 @@ struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, i
 void proto_link(struct proto *p, struct message *m);
 void proto_unlink_in(struct message *m);
 void proto_unlink_out(struct message *m);
-
-/* proto.c: the wire's upcalls. */
-void proto_started(void *ctx, struct wire_transit *t, vtime now);
-void proto_done(void *ctx, struct wire_transit *t, vtime now);
 #endif

@@ -104,7 +104,7 @@ uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to)
     return distance(a.x, b.x) + distance(a.y, b.y);
 }
 
-/* --- channels --- */
+/* --- channels: those of a kind side by side, for neighbours do the same at the same time --- */
 
 /* First channel of a service's (or an empty router's) own. */
 static uint32_t service_channels(const struct topo *t, uint32_t place)
@@ -122,7 +122,7 @@ static uint32_t port(const struct topo *t, uint32_t place, uint32_t out)
 
 static uint32_t mesh_link(const struct topo *t, uint32_t place, uint32_t way)
 {
-    return (place < t->positions ? place * MESH_LINKS : service_channels(t, place)) + way;
+    return place < t->positions ? way * t->positions + place : service_channels(t, place) + way;
 }
 
 void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32_t to)
@@ -137,7 +137,7 @@ void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32
 static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32_t to)
 {
     uint32_t bit = (uint32_t)__builtin_ctz(w->at ^ to);
-    uint32_t channel = w->at * t->dimension + bit;
+    uint32_t channel = bit * t->positions + w->at;
     w->at ^= UINT32_C(1) << bit;
     return channel;
 }

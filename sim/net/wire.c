@@ -11,18 +11,19 @@ struct channel {
 struct wire {
     struct topo topo;
     struct evq *q;
+    struct wire_calls calls;
     struct channel *channels;
     vtime waited; /* in all, less the beginnings of waits that have no end yet */
     vtime latest; /* when a channel was last asked for or given back */
     uint64_t waits, waiting;
 };
 
-struct wire *wire_new(const struct topo *topo, struct evq *q)
+struct wire *wire_new(const struct topo *topo, struct evq *q, const struct wire_calls *calls)
 {
     struct wire *w = calloc(1, sizeof *w);
     if (!w)
         return NULL;
-    w->topo = *topo, w->q = q;
+    w->topo = *topo, w->q = q, w->calls = *calls;
     w->channels = calloc(topo->channels, sizeof *w->channels);
     if (!w->channels) {
         free(w);
@@ -80,7 +81,7 @@ static void advance(struct wire *w, struct wire_transit *t, vtime now)
     if (t->holds && t->holds < t->duration)
         evq_put(w->q, now + t->holds, t->to, pass, w, t);
     evq_put(w->q, now + t->duration, t->to, finish, w, t);
-    t->started(t->ctx, t, now);
+    w->calls.started(t, now);
 }
 
 /* Give a channel to the first that waits for it, which goes on. */
@@ -125,7 +126,7 @@ static void finish(void *ctx, void *arg, vtime now)
     if (!t->passed)
         give_links(w, t, inner, now);
     hand_over(w, &w->channels[t->latest], now);
-    t->done(t->ctx, t, now);
+    w->calls.done(t, now);
 }
 
 void wire_send(struct wire *w, struct wire_transit *t, vtime now)

@@ -22,9 +22,6 @@ struct wire_transit {
     uint32_t from, to;
     vtime duration; /* from the whole route taken until the last byte has arrived */
     vtime holds;    /* channels between nodes are given back after this time; 0: when it is done */
-    void (*started)(void *ctx, struct wire_transit *t, vtime now); /* the whole route is taken */
-    void (*done)(void *ctx, struct wire_transit *t, vtime now);    /* the last byte has arrived */
-    void *ctx;
     /* the wire's own */
     struct topo_walk walk;
     uint32_t held;             /* channels, with the one it waits for */
@@ -33,7 +30,13 @@ struct wire_transit {
     struct wire_transit *next; /* in a channel's queue */
 };
 
-struct wire *wire_new(const struct topo *topo, struct evq *q);
+/* What the wire tells. */
+struct wire_calls {
+    void (*started)(struct wire_transit *t, vtime now); /* the whole route is taken */
+    void (*done)(struct wire_transit *t, vtime now);    /* the last byte has arrived */
+};
+
+struct wire *wire_new(const struct topo *topo, struct evq *q, const struct wire_calls *calls);
 void wire_free(struct wire *w);
 /* t must stay where it is until it is done. */
 void wire_send(struct wire *w, struct wire_transit *t, vtime now);

@@ -50,6 +50,8 @@ struct node_memory node_memory_now(const struct node *n)
 
 void node_memory_was(struct node *n, struct node_memory m)
 {
+    if (m.heap == n->heap_known && m.peak <= n->stats.memory_peak)
+        return;
     n->heap_known = m.heap;
     if (m.peak > n->stats.memory_peak)
         n->stats.memory_peak = m.peak;
@@ -277,11 +279,14 @@ static void set_clock(struct node *n)
     n->system_milli = fast ? cfg_fast_system_milli(c) : 1000;
 }
 
+enum { LINE = 64 }; /* of a cache */
+
 static struct node *make(struct node_system *sys, uint32_t id)
 {
-    struct node *n = calloc(1, sizeof *n);
+    struct node *n = aligned_alloc(LINE, (sizeof *n + LINE - 1) / LINE * LINE);
     if (!n)
         abort();
+    *n = (struct node){0};
     n->sys = sys, n->id = n->place = id;
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);

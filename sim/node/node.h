@@ -39,12 +39,12 @@ enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
 enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED, NODE_NOT_LOADED };
 
 struct node_clock {
+    vtime origin;   /* virtual time not spent computing: now = origin + units as time */
     uint64_t units; /* cost units spent up to the last synchronisation */
     int64_t given;  /* what *left was set to then */
-    vtime origin;   /* virtual time not spent computing: now = origin + units as time */
-    bool runs;      /* the program, since it was last switched to: it may have spent some */
-    vtime stolen;   /* system time not yet added to the program's: see cpu.c */
     uint64_t known; /* units: what the node did until then is not ahead of the machine */
+    vtime stolen;   /* system time not yet added to the program's: see cpu.c */
+    bool runs;      /* the program, since it was last switched to: it may have spent some */
 
     /* looks (clock.h), in units */
     uint64_t given_at, looked, look; /* when the program got control; the last look and the next */
@@ -65,20 +65,20 @@ enum node_task {
 /* A node's time, less that without a program, is the sum of computing (its cost units), idle and system, to the picosecond. The tasks' sum is system
  * and beside: a wait may be over while the processor still moves bytes, which does not hold up the program. */
 struct node_stats {
-    vtime idle;   /* waiting in a call, and the processor at rest */
     vtime system; /* in the operating system: calls, messages, interrupts */
     vtime tasks[NODE_TASKS];
-    vtime beside;            /* tasks that took none of the program's time */
+    vtime idle;   /* waiting in a call, and the processor at rest */
+    vtime beside; /* tasks that took none of the program's time */
+    size_t memory_peak;
+    uint64_t sent, sent_bytes;
     struct node_waits waits; /* of idle: in which calls, for which messages */
+    bool armed;              /* posted a handler at any time */
+    uint64_t handlers, slices;
+    vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     vtime ended_at;
     vtime
         away; /* without a program: before it was loaded, between two, and what is less than a unit's time when one is
                  * killed. Modulo 2^64: system time that a killed one had begun counts as spent. */
-    vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
-    uint64_t handlers, slices;
-    uint64_t sent, sent_bytes;
-    size_t memory_peak;
-    bool armed; /* posted a handler at any time */
 };
 
 /* A program that computes ahead, on any thread: cpu.c. */
@@ -111,7 +111,8 @@ struct node_error {
     char text[200];
 };
 
-/* What every event of a node needs comes first, so that it lies in few lines of the cache: up to `name`. */
+/* A node lies at the beginning of a line of the cache, and what most events need in the first five; the first line of the
+ * rest is `name`. */
 struct node {
     uint32_t id;
     uint32_t place; /* on the network: its id, except for the host's */
@@ -121,19 +122,12 @@ struct node {
     bool call_has_type, awaits; /* see call */
     struct node_system *sys;
     struct mailbox *mailbox;
-    struct fiber *fiber;
-    struct nxc_image *image; /* of the program */
-    struct node_heap *heap;
-    struct {
-        const char *stack; /* the innermost of it */
-        const int64_t *left;
-    } warm; /* what it needs first when its program goes on; NULL: has not begun */
+    struct node_pending pending;
     struct node_clock clock;
     uint64_t unit_ps; /* of a cost unit, 0 if that is no whole number; clock_set */
     uint64_t
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     vtime sys_free;   /* the operating system is busy with messages until then */
-    struct node_pending pending;
 
     /* what the program has switched away for, ready NULL: nothing but its turn (cpu.c) */
     struct {
@@ -141,6 +135,23 @@ struct node {
         void *arg;
         vtime since, busy; /* blocked; stats.system then */
     } wait;
+    struct node_stats stats;
+
+    struct node_heap *heap;
+    size_t buffered; /* bytes of unexpected messages held */
+    /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
+     * in a call. */
+    size_t heap_known, buffered_known;
+    size_t peak_ahead;  /* memory_peak as the program sees it */
+    size_t image_bytes; /* program text, data and bss, page rounded */
+
+    struct fiber *fiber;
+    struct nxc_image *image; /* of the program */
+    struct {
+        const char *stack; /* the innermost of it */
+        const int64_t *left;
+    } warm;                   /* what it needs first when its program goes on; NULL: has not begun */
+    struct node_crash *crash; /* NULL: none */
 
     /* the call the program is in, for reports; NULL while it computes */
     const char *call;
@@ -148,18 +159,9 @@ struct node {
     long awaited;   /* type or typesel of the message the call is about, if awaits */
     vtime call_since;
     uintptr_t frame; /* of the call, on the stack, while it is blocked */
-
     struct node_ahead ahead;
-    size_t buffered; /* bytes of unexpected messages held */
-    /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
-     * in a call. */
-    size_t heap_known, buffered_known;
-    size_t peak_ahead;        /* memory_peak as the program sees it */
-    size_t image_bytes;       /* program text, data and bss, page rounded */
-    struct node_crash *crash; /* NULL: none */
-    struct node_stats stats;
-    int saved_errno;
     struct node_info info;
+    int saved_errno;
 
     char name[16]; /* for people: "node 3", "host" */
     uint64_t clock_hz;

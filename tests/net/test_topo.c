@@ -16,7 +16,7 @@ static int nodes_passed(const struct topo *t, uint32_t from, uint32_t to, uint32
     while (topo_step(t, &w, &channel)) {
         assert_true(channel < t->channels);
         if (channel < ports)
-            nodes[count++] = channel / links;
+            nodes[count++] = channel % t->positions;
         else
             assert_int_equal(channel, steps == 0 ? ports + from : ports + t->positions + to);
         steps++;

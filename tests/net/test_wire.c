@@ -11,17 +11,17 @@ struct trip {
     vtime started, done;
 };
 
-static void on_started(void *ctx, struct wire_transit *t, vtime now)
+static void on_started(struct wire_transit *t, vtime now)
 {
-    (void)t;
-    ((struct trip *)ctx)->started = now;
+    ((struct trip *)t)->started = now;
 }
 
-static void on_done(void *ctx, struct wire_transit *t, vtime now)
+static void on_done(struct wire_transit *t, vtime now)
 {
-    (void)t;
-    ((struct trip *)ctx)->done = now;
+    ((struct trip *)t)->done = now;
 }
+
+static const struct wire_calls calls = {on_started, on_done};
 
 /* Sends trips of 100 each at time 0, in order, over a cube of 8 nodes, and lets them finish. */
 static void send(struct trip *trips, int count)
@@ -29,12 +29,9 @@ static void send(struct trip *trips, int count)
     struct topo topo;
     struct evq *q = evq_new();
     assert_true(topo_hypercube(&topo, 8, 3));
-    struct wire *w = wire_new(&topo, q);
+    struct wire *w = wire_new(&topo, q, &calls);
     for (int i = 0; i < count; i++) {
         trips[i].transit.duration = 100;
-        trips[i].transit.started = on_started;
-        trips[i].transit.done = on_done;
-        trips[i].transit.ctx = &trips[i];
         wire_send(w, &trips[i].transit, 0);
     }
     while (evq_step(q))
@@ -119,12 +116,9 @@ static void a_wait_without_an_end_counts_until_the_latest_event(void **state)
     struct topo topo;
     (void)state;
     assert_true(topo_hypercube(&topo, 8, 3));
-    struct wire *w = wire_new(&topo, q);
+    struct wire *w = wire_new(&topo, q, &calls);
     for (int i = 0; i < 2; i++) {
         t[i].transit.duration = 100;
-        t[i].transit.started = on_started;
-        t[i].transit.done = on_done;
-        t[i].transit.ctx = &t[i];
         wire_send(w, &t[i].transit, (vtime)(50 + i));
     }
     assert_int_equal(wire_waits(w), 1);
