@@ -1,33 +1,74 @@
-/* evq.c - see evq.h. A four-ary heap: half the depth of a binary one. Its entries are 24 bytes, so that four children
- * are two cache lines; what is to happen lies beside, and does not move. An event's place in the order is one number of
- * 128 bits, compared without branches:  time (64) | place (20) | late (1) | sequence (43).
- * bench/speed/NOTES.md has it beside other structures. */
+/* evq.c - see evq.h. No event is put before the present, so an event's slot is found without a look at others: the time
+ * is read in digits of 6 bits; the first digit, from the top, in which it differs from the present time chooses the level,
+ * and what that digit is, the slot. Such a queue is called a radix heap (Ahuja, Mehlhorn, Orlin, Tarjan, JACM 37, 1990).
+ *
+ *      the present time   0 0 3 17 60 41  2
+ *      an event's         0 0 3 22  5 11  9    lies in slot 22 of level 3, the digits being counted from the right
+ *
+ * The first slot of the lowest level that has any holds the next events. When the present is over, they are spread over
+ * lower levels: the first of them is the new present, from which the others differ in lower digits. So an event moves three
+ * or four times with 100,000 pending, and most often not at all: nodes that do the same put events of one time in the order
+ * of their places, and such a slot is the new present as it lies. bench/speed/NOTES.md has all that beside other structures.
+ *
+ * The events of the present time that came in order are a list, the run. Lists are made of chunks, for memory in order of
+ * use. Beside the lists is a heap, for what came out of order in the present, and for a few events of any time: with as few
+ * as that, there is nothing else.
+ */
 #include "kernel/evq.h"
 #include <assert.h>
 #include <stdlib.h>
+
+/* An event's place in the order is one number of 128 bits, compared without branches:
+ * time (64) | place (20) | late (1) | sequence (43). */
+struct key {
+    vtime time;
+    uint64_t rank;
+};
 
 struct action {
     evq_fire *fire;
     void *ctx, *arg;
 };
 
-struct entry {
-    vtime time;
-    uint64_t rank;
-    uint32_t action; /* its number in evq.actions */
+struct event {
+    struct key key;
+    struct action what;
+};
+
+enum { SEQUENCE_BITS = 43, PLACE_BITS = 20 };
+enum { DIGIT_BITS = 6, DIGITS = 1 << DIGIT_BITS, LEVELS = (64 + DIGIT_BITS - 1) / DIGIT_BITS };
+enum { CHUNK = 23, FEW = 4 };
+#define LATE (UINT64_C(1) << SEQUENCE_BITS)
+
+struct chunk {
+    struct chunk *next, *made; /* made: the one that was allocated before */
+    struct event events[CHUNK];
+};
+
+/* Events in the order they were put. There is at least one; all chunks but the last are full. */
+struct list {
+    struct chunk *first, *last;
+    struct event *end; /* in the last chunk: behind the last event */
+};
+
+struct slot {
+    struct list list;
+    const struct event *least; /* NULL: the list is in order, the first is the least */
 };
 
 struct evq {
-    struct entry *heap;
-    size_t length, room;
-    struct action *actions;
-    uint32_t *unused; /* unused[length .. room - 1]: numbers of actions not in use */
-    uint64_t sequence;
-    vtime now;
+    vtime now;     /* of the latest event taken out */
+    vtime present; /* not after now; where the slots' times are reckoned from */
+    uint64_t sequence, late_sequence;
+    struct event *next; /* the first of the run; NULL: it is empty, and `run` means nothing */
+    struct list run;
+    struct event *heap;
+    size_t heap_length, heap_room;
+    uint32_t levels;         /* bit L: filled[L] is not 0 */
+    uint64_t filled[LEVELS]; /* bit D: slot D has events */
+    struct slot slots[LEVELS][DIGITS];
+    struct chunk *unused, *made;
 };
-
-enum { ARITY = 4, SEQUENCE_BITS = 43, PLACE_BITS = 20 };
-#define LATE (UINT64_C(1) << SEQUENCE_BITS)
 
 struct evq *evq_new(void)
 {
@@ -38,9 +79,11 @@ void evq_free(struct evq *q)
 {
     if (!q)
         return;
+    for (struct chunk *c = q->made, *made; c; c = made) {
+        made = c->made;
+        free(c);
+    }
     free(q->heap);
-    free(q->actions);
-    free(q->unused);
     free(q);
 }
 
@@ -50,133 +93,315 @@ static uint64_t rank_of(uint32_t place, uint64_t late_and_sequence)
     return (uint64_t)place << (SEQUENCE_BITS + 1) | late_and_sequence;
 }
 
-static inline bool before(const struct entry *a, const struct entry *b)
+static inline bool before(struct key a, struct key b)
 {
-    return ((unsigned __int128)a->time << 64 | a->rank) < ((unsigned __int128)b->time << 64 | b->rank);
+    return ((unsigned __int128)a.time << 64 | a.rank) < ((unsigned __int128)b.time << 64 | b.rank);
 }
 
-static void *resized(void *p, size_t bytes)
+/* The earlier of two, of which there may be none. */
+static inline const struct event *earlier(const struct event *a, const struct event *b)
 {
-    p = realloc(p, bytes);
+    return !b || (a && before(a->key, b->key)) ? a : b;
+}
+
+static void *checked(void *p)
+{
     if (!p)
         abort();
     return p;
 }
 
-static void make_room(struct evq *q)
+/* --- lists --- */
+
+static struct chunk *new_chunk(struct evq *q)
 {
-    size_t room = q->room ? 2 * q->room : 64;
-    q->heap = resized(q->heap, room * sizeof *q->heap);
-    q->actions = resized(q->actions, room * sizeof *q->actions);
-    q->unused = resized(q->unused, room * sizeof *q->unused);
-    for (size_t i = q->room; i < room; i++)
-        q->unused[i] = (uint32_t)i;
-    q->room = room;
+    struct chunk *c = q->unused;
+    if (c) {
+        q->unused = c->next;
+    } else {
+        c = checked(malloc(sizeof *c));
+        c->made = q->made;
+        q->made = c;
+    }
+    c->next = NULL;
+    return c;
 }
 
-static void put(struct evq *q, vtime time, uint64_t rank, struct action what)
+static void drop_chunk(struct evq *q, struct chunk *c)
 {
-    assert(time >= q->now);
-    if (q->length == q->room)
-        make_room(q);
-    struct entry e = {time, rank, q->unused[q->length]};
-    q->actions[e.action] = what;
-    size_t i = q->length++;
-    while (i > 0) {
-        size_t parent = (i - 1) / ARITY;
-        if (!before(&e, &q->heap[parent]))
-            break;
-        q->heap[i] = q->heap[parent];
-        i = parent;
+    c->next = q->unused;
+    q->unused = c;
+}
+
+/* Room for the first event of a list. */
+static struct event *begin(struct evq *q, struct list *l)
+{
+    struct chunk *c = new_chunk(q);
+    *l = (struct list){c, c, c->events + 1};
+    return c->events;
+}
+
+/* Room for one more. */
+static inline struct event *append(struct evq *q, struct list *l)
+{
+    if (l->end == l->last->events + CHUNK) {
+        l->last = l->last->next = new_chunk(q);
+        l->end = l->last->events;
     }
-    q->heap[i] = e;
+    return l->end++;
+}
+
+/* The event after e, which is in the list's first chunk. NULL: e is the last. */
+static inline struct event *following(const struct list *l, struct event *e)
+{
+    if (++e == l->end)
+        return NULL;
+    return e == l->first->events + CHUNK ? l->first->next->events : e;
+}
+
+/* --- the heap --- */
+
+static struct event *add_heap(struct evq *q, struct key k)
+{
+    if (q->heap_length == q->heap_room) {
+        q->heap_room = 2 * q->heap_room + 64;
+        q->heap = checked(realloc(q->heap, q->heap_room * sizeof *q->heap));
+    }
+    size_t i = q->heap_length++;
+    for (; i > 0 && before(k, q->heap[(i - 1) / 2].key); i = (i - 1) / 2)
+        q->heap[i] = q->heap[(i - 1) / 2];
+    return &q->heap[i];
+}
+
+static struct action take_heap(struct evq *q)
+{
+    struct action what = q->heap[0].what;
+    struct event last = q->heap[--q->heap_length];
+    size_t i = 0;
+    for (size_t child; (child = 2 * i + 1) < q->heap_length; i = child) {
+        if (child + 1 < q->heap_length && before(q->heap[child + 1].key, q->heap[child].key))
+            child++;
+        if (!before(q->heap[child].key, last.key))
+            break;
+        q->heap[i] = q->heap[child];
+    }
+    q->heap[i] = last;
+    return what;
+}
+
+/* --- the present's run --- */
+
+static struct event *add_present(struct evq *q, struct key k)
+{
+    if (!q->next)
+        return q->next = begin(q, &q->run);
+    return before(k, q->run.end[-1].key) ? add_heap(q, k) : append(q, &q->run);
+}
+
+static inline struct action take_run(struct evq *q)
+{
+    struct event *e = q->next;
+    q->next = following(&q->run, e);
+    if (q->next != e + 1) {
+        struct chunk *c = q->run.first;
+        q->run.first = c->next;
+        drop_chunk(q, c);
+    }
+    return e->what;
+}
+
+/* --- the future's slots --- */
+
+static struct event *add_unordered(struct evq *q, struct slot *s, struct key k)
+{
+    struct event *e = append(q, &s->list);
+    if (!s->least)
+        s->least = s->list.first->events;
+    if (before(k, s->least->key))
+        s->least = e;
+    return e;
+}
+
+static struct event *add_future(struct evq *q, struct key k)
+{
+    unsigned level = (63 - (unsigned)__builtin_clzll(k.time ^ q->present)) / DIGIT_BITS;
+    unsigned digit = k.time >> DIGIT_BITS * level & (DIGITS - 1);
+    struct slot *s = &q->slots[level][digit];
+    if (!(q->filled[level] >> digit & 1)) {
+        q->filled[level] |= UINT64_C(1) << digit;
+        q->levels |= UINT32_C(1) << level;
+        s->least = NULL;
+        return begin(q, &s->list);
+    }
+    return before(k, s->list.end[-1].key) ? add_unordered(q, s, k) : append(q, &s->list);
+}
+
+static inline const struct event *least(const struct slot *s)
+{
+    return s->least ? s->least : s->list.first->events;
+}
+
+/* The slot of the next events (after 0), or the one after it (after 1). NULL: there is none. */
+static inline const struct slot *coming_slot(const struct evq *q, unsigned after)
+{
+    for (uint32_t levels = q->levels; levels; levels &= levels - 1) {
+        int level = __builtin_ctz(levels);
+        for (uint64_t filled = q->filled[level]; filled; filled &= filled - 1)
+            if (after-- == 0)
+                return &q->slots[level][__builtin_ctzll(filled)];
+    }
+    return NULL;
+}
+
+static inline void clear_next_slot(struct evq *q)
+{
+    int level = __builtin_ctz(q->levels);
+    q->filled[level] &= q->filled[level] - 1;
+    if (!q->filled[level])
+        q->levels &= q->levels - 1;
+}
+
+/* Room for an event in the list that is right for its time. */
+static inline struct event *add(struct evq *q, struct key k)
+{
+    return k.time == q->present ? add_present(q, k) : add_future(q, k);
+}
+
+static void spread(struct evq *q, struct list l)
+{
+    for (struct chunk *c = l.first, *next; c; c = next) {
+        const struct event *end = c == l.last ? l.end : c->events + CHUNK;
+        for (const struct event *e = c->events; e < end; e++)
+            *add(q, e->key) = *e;
+        next = c->next;
+        drop_chunk(q, c);
+    }
+}
+
+/* The present is over, the time of the next events begins. False: there are none. */
+static inline bool advance(struct evq *q)
+{
+    const struct slot *s = coming_slot(q, 0);
+    if (!s)
+        return false;
+    clear_next_slot(q);
+    q->present = least(s)->key.time;
+    if (!s->least && s->list.end[-1].key.time == q->present) {
+        q->run = s->list;
+        q->next = q->run.first->events;
+    } else {
+        spread(q, s->list);
+    }
+    return true;
+}
+
+/* --- what evq.h offers --- */
+
+static void put(struct evq *q, struct key k, struct action what)
+{
+    assert(k.time >= q->now);
+    struct event *e = q->heap_length < FEW ? add_heap(q, k) : add(q, k);
+    *e = (struct event){k, what};
 }
 
 void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
 {
     assert(q->sequence < LATE);
-    put(q, time, rank_of(place, q->sequence++), (struct action){fire, ctx, arg});
+    put(q, (struct key){time, rank_of(place, q->sequence++)}, (struct action){fire, ctx, arg});
 }
 
 void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
 {
-    /* No sequence number is taken: late events must leave no trace in the order of the others. */
-    put(q, time, rank_of(place, LATE), (struct action){fire, ctx, arg});
+    /* They have a sequence of their own: late events must leave no trace in the order of the others. */
+    assert(q->late_sequence < LATE);
+    put(q, (struct key){time, rank_of(place, LATE | q->late_sequence++)}, (struct action){fire, ctx, arg});
 }
 
-/* The first of the four children from `first` on, all of which exist: chosen by moves, not by jumps. */
-static inline size_t least_of_four(const struct entry *heap, size_t first)
+/* The first of those that are not in the heap. NULL: there is none. */
+static inline const struct event *first_of_lists(const struct evq *q)
 {
-    size_t a = first + before(&heap[first + 1], &heap[first]);
-    size_t b = first + 2 + before(&heap[first + 3], &heap[first + 2]);
-    return before(&heap[b], &heap[a]) ? b : a;
+    if (q->next)
+        return q->next;
+    const struct slot *s = coming_slot(q, 0);
+    return s ? least(s) : NULL;
 }
 
-static size_t least_child(const struct evq *q, size_t first)
+static const struct event *second_of_lists(const struct evq *q)
 {
-    if (first + ARITY <= q->length)
-        return least_of_four(q->heap, first);
-    size_t least = first;
-    for (size_t c = first + 1; c < q->length; c++)
-        if (before(&q->heap[c], &q->heap[least]))
-            least = c;
-    return least;
-}
-
-static void remove_first(struct evq *q)
-{
-    q->unused[--q->length] = q->heap[0].action;
-    struct entry last = q->heap[q->length];
-    size_t i = 0;
-    for (size_t first; (first = ARITY * i + 1) < q->length;) {
-        size_t least = least_child(q, first);
-        if (!before(&q->heap[least], &last))
-            break;
-        q->heap[i] = q->heap[least];
-        i = least;
+    const struct slot *s = coming_slot(q, 0);
+    const struct event *e = NULL;
+    if (q->next) {
+        e = following(&q->run, q->next);
+    } else if (s) {
+        if (s->least)
+            return NULL; /* must be looked for */
+        e = following(&s->list, s->list.first->events);
+        s = coming_slot(q, 1);
     }
-    q->heap[i] = last;
+    return e ? e : s ? least(s) : NULL;
+}
+
+static inline const struct event *in_heap(const struct evq *q, size_t i)
+{
+    return i < q->heap_length ? &q->heap[i] : NULL;
+}
+
+static inline const struct event *first(const struct evq *q)
+{
+    return earlier(in_heap(q, 0), first_of_lists(q));
+}
+
+static const struct event *second(const struct evq *q)
+{
+    const struct event *list = first_of_lists(q), *heap = in_heap(q, 0);
+    if (heap && heap == earlier(heap, list))
+        return earlier(list, earlier(in_heap(q, 1), in_heap(q, 2)));
+    return earlier(heap, second_of_lists(q));
 }
 
 vtime evq_next(const struct evq *q)
 {
-    return q->length ? q->heap[0].time : VT_NEVER;
+    const struct event *e = first(q);
+    return e ? e->key.time : VT_NEVER;
 }
 
 uint32_t evq_next_place(const struct evq *q)
 {
-    return q->length ? (uint32_t)(q->heap[0].rank >> (SEQUENCE_BITS + 1)) : UINT32_MAX;
+    const struct event *e = first(q);
+    return e ? (uint32_t)(e->key.rank >> (SEQUENCE_BITS + 1)) : UINT32_MAX;
 }
 
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place)
 {
-    struct entry e = {.time = time, .rank = rank_of(place, LATE)};
-    return q->length == 0 || before(&e, &q->heap[0]);
+    const struct event *e = first(q);
+    return !e || before((struct key){time, rank_of(place, LATE | q->late_sequence)}, e->key);
+}
+
+static inline bool heap_is_first(const struct evq *q)
+{
+    const struct event *list = first_of_lists(q);
+    return q->heap_length && (!list || before(q->heap[0].key, list->key));
 }
 
 bool evq_step(struct evq *q)
 {
-    if (q->length == 0)
+    if (!q->next && !heap_is_first(q) && !advance(q))
         return false;
-    vtime now = q->heap[0].time;
-    struct action what = q->actions[q->heap[0].action];
-    assert(now >= q->now);
-    remove_first(q);
-    q->now = now;
-    what.fire(what.ctx, what.arg, now);
+    struct action what;
+    if (heap_is_first(q)) {
+        q->now = q->heap[0].key.time;
+        what = take_heap(q);
+    } else {
+        q->now = q->present;
+        what = take_run(q);
+    }
+    what.fire(what.ctx, what.arg, q->now);
     return true;
 }
 
-void *evq_coming(const struct evq *q, unsigned after, evq_fire *fire)
+void *evq_coming(const struct evq *q, unsigned after, evq_fire **fire)
 {
-    assert(after < 2);
-    if (q->length <= after)
-        return NULL;
-    const struct action *a = &q->actions[q->heap[after ? least_child(q, 1) : 0].action];
-    return a->fire == fire ? a->ctx : NULL;
-}
-
-size_t evq_length(const struct evq *q)
-{
-    return q->length;
+    const struct event *e = after ? second(q) : first(q);
+    *fire = e ? e->what.fire : NULL;
+    return e ? e->what.ctx : NULL;
 }

@@ -3,12 +3,12 @@
  * Order: (time, place, late, sequence). place is the number of the thing the event happens at; sequence
  * counts the events in the order they were put in, which is itself part of the order and so the same in every
  * run. A late event comes after all others of its time and place, whenever it was put in: a processor goes on
- * only after all that reaches it at that moment, so that cutting its work into slices changes no order.
+ * only after all that reaches it at that moment, so that cutting its work into slices changes no order. Late
+ * events are counted by themselves.
  */
 #ifndef EVQ_EVQ_H
 #define EVQ_EVQ_H
 #include <stdbool.h>
-#include <stddef.h>
 #include "kernel/vtime.h"
 
 struct evq;
@@ -30,8 +30,8 @@ uint32_t evq_next_place(const struct evq *q);
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
 /* Takes the earliest event out and lets it happen. False when there is none. */
 bool evq_step(struct evq *q);
-/* The ctx of the event that is to happen next (after 0) or after that (after 1), if what happens is `fire`; else NULL. For
- * hints only, such as what to load into the caches: events may still be put in before it. */
-void *evq_coming(const struct evq *q, unsigned after, evq_fire *fire);
-size_t evq_length(const struct evq *q);
+/* What is to happen next (after 0), or after that (after 1): its ctx, and *fire. NULL and NULL: nothing. What comes second
+ * is a guess, nearly always right. For hints only, such as what to load into the caches: events may still be put in
+ * before it. */
+void *evq_coming(const struct evq *q, unsigned after, evq_fire **fire);
 #endif

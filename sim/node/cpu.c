@@ -43,8 +43,9 @@ static void put_go_on(struct node *n, vtime t)
 /* The node whose turn is next, or after that; NULL: something else happens then. */
 static struct node *coming(const struct node_system *s, unsigned after)
 {
-    struct node *n = evq_coming(s->q, after, go_on);
-    return n ? n : evq_coming(s->q, after, wake);
+    evq_fire *fire;
+    struct node *n = evq_coming(s->q, after, &fire);
+    return fire == go_on || fire == wake ? n : NULL;
 }
 
 /* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins while the one

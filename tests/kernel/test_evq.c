@@ -75,6 +75,43 @@ static void late_events_come_after_all_others_of_their_time_and_place(void **sta
         assert_int_equal(log.seen[i], i + 1);
 }
 
+struct turns {
+    struct evq *q;
+    int taken;
+    bool over;
+};
+
+static void take_turn_again(void *ctx, void *arg, vtime now)
+{
+    struct turns *t = ctx;
+    if (!t->over && ++t->taken < 10)
+        evq_put_late(t->q, now, 1, take_turn_again, t, arg);
+}
+
+static void end_turns(void *ctx, void *arg, vtime now)
+{
+    struct turns *t = ctx;
+    (void)arg, (void)now;
+    t->over = true;
+}
+
+/* One that is put again whenever it happens gives the other its turn, however many others wait. */
+static void late_events_of_one_time_and_place_take_turns(void **state)
+{
+    (void)state;
+    for (int others = 0; others < 20; others++) {
+        struct log log = {0};
+        struct turns t = {.q = evq_new()};
+        for (int i = 0; i < others; i++)
+            put(t.q, &log, 9, 9, i);
+        evq_put_late(t.q, 5, 1, take_turn_again, &t, NULL);
+        evq_put_late(t.q, 5, 1, end_turns, &t, NULL);
+        run(t.q);
+        assert_int_equal(t.taken, 1);
+        assert_int_equal(log.count, others);
+    }
+}
+
 static void thousands_of_events_come_out_sorted(void **state)
 {
     struct log log = {0};
@@ -85,7 +122,6 @@ static void thousands_of_events_come_out_sorted(void **state)
         x = x * 1664525u + 1013904223u;
         put(q, &log, x >> 20, x & 7, i);
     }
-    assert_int_equal(evq_length(q), 4000);
     run(q);
     assert_int_equal(log.count, 4000);
     for (int i = 1; i < 4000; i++)
@@ -98,31 +134,184 @@ static void count(void *ctx, void *arg, vtime now)
     ++*(int *)ctx;
 }
 
-static void other(void *ctx, void *arg, vtime now)
+/* The ctx of what comes, which is `count`. */
+static void *coming(const struct evq *q, unsigned after)
 {
-    (void)ctx, (void)arg, (void)now;
+    evq_fire *fire;
+    void *ctx = evq_coming(q, after, &fire);
+    assert_true(fire == (ctx ? count : NULL));
+    return ctx;
 }
 
+/* The second nearly always, which the caches live on. */
 static void what_comes_is_known_two_events_ahead(void **state)
 {
     enum { EVENTS = 100 };
-    int happened[EVENTS] = {0};
+    int happened[EVENTS] = {0}, known = 0;
     struct evq *q = evq_new();
     (void)state;
-    assert_null(evq_coming(q, 0, count));
+    assert_null(coming(q, 0));
     for (int i = 0; i < EVENTS; i++) {
         int at = i * 37 % EVENTS;
         evq_put(q, (vtime)at, 0, count, &happened[at], NULL);
     }
     for (int at = 0; at < EVENTS; at++) {
-        assert_ptr_equal(evq_coming(q, 0, count), &happened[at]);
-        assert_ptr_equal(evq_coming(q, 1, count), at + 1 < EVENTS ? &happened[at + 1] : NULL);
-        assert_null(evq_coming(q, 0, other));
+        assert_ptr_equal(coming(q, 0), &happened[at]);
+        known += coming(q, 1) == (at + 1 < EVENTS ? &happened[at + 1] : NULL);
         assert_true(evq_step(q));
         assert_int_equal(happened[at], 1);
     }
-    assert_null(evq_coming(q, 0, count));
+    assert_true(known >= EVENTS * 9 / 10);
+    assert_null(coming(q, 0));
     evq_free(q);
+}
+
+/* Of the events of one time all is known, in order or not; of a time to come, if they came in order. */
+static void of_one_time_what_comes_is_known(void **state)
+{
+    enum { EVENTS = 60 };
+    (void)state;
+    for (int mixed = 0; mixed < 2; mixed++) {
+        int happened[EVENTS] = {0};
+        struct evq *q = evq_new();
+        for (int i = 0; i < EVENTS; i++) {
+            int place = mixed && i % 3 == 0 ? (i + 30) % EVENTS : i;
+            evq_put(q, 7, (uint32_t)place, count, &happened[place], NULL);
+        }
+        for (int at = 0; at < EVENTS; at++) {
+            assert_ptr_equal(coming(q, 0), &happened[at]);
+            if (at > 0 || !mixed)
+                assert_ptr_equal(coming(q, 1), at + 1 < EVENTS ? &happened[at + 1] : NULL);
+            assert_true(evq_step(q));
+        }
+        evq_free(q);
+    }
+}
+
+/* --- any mix of puts and steps, beside a plain list --- */
+
+enum { MOST = 3000 };
+
+struct plain {
+    struct expected {
+        vtime time;
+        uint64_t rank; /* place, late, sequence */
+        int id;
+    } pending[MOST];
+    int length, next_id, steps;
+    struct evq *q;
+    uint64_t random;
+    int happened; /* the id */
+    vtime now;
+};
+
+static uint64_t some(struct plain *p, uint64_t below)
+{
+    p->random = p->random * UINT64_C(6364136223846793005) + 1442695040888963407;
+    return (p->random >> 33) % below;
+}
+
+static void happens(void *ctx, void *arg, vtime now)
+{
+    struct plain *p = ctx;
+    p->happened = (int)(intptr_t)arg;
+    p->now = now;
+}
+
+/* How far an event is off: now, at one of a few distances, anywhere near, or far away. */
+static vtime distance(struct plain *p)
+{
+    static const vtime usual[] = {1100000, 5000000, 35000000, 40425000};
+    switch (some(p, 8)) {
+    case 0:
+        return 0;
+    case 1:
+        return some(p, 100);
+    case 2:
+        return some(p, 1 << 30);
+    case 3:
+        return some(p, 1 << 10) << some(p, 50);
+    default:
+        return usual[some(p, 4)];
+    }
+}
+
+static void put_any(struct plain *p)
+{
+    vtime time = p->now + distance(p);
+    uint32_t place = (uint32_t)(some(p, 8) ? (uint64_t)p->next_id % 64 : some(p, 64));
+    bool late = some(p, 4) == 0;
+    int id = p->next_id++;
+    p->pending[p->length++] = (struct expected){time, (2 * (uint64_t)place + late) << 40 | (uint64_t)id, id};
+    (late ? evq_put_late : evq_put)(p->q, time, place, happens, p, (void *)(intptr_t)id);
+}
+
+static int first_of(const struct plain *p)
+{
+    int first = 0;
+    for (int i = 1; i < p->length; i++) {
+        const struct expected *a = &p->pending[i], *b = &p->pending[first];
+        if (a->time < b->time || (a->time == b->time && a->rank < b->rank))
+            first = i;
+    }
+    return first;
+}
+
+static void step_as_expected(struct plain *p)
+{
+    struct expected *e = &p->pending[first_of(p)];
+    assert_int_equal(evq_next(p->q), e->time);
+    assert_int_equal(evq_next_place(p->q), e->rank >> 41);
+    assert_false(evq_late_is_first(p->q, e->time, (uint32_t)(e->rank >> 41)));
+    assert_int_equal(evq_late_is_first(p->q, e->time, 0), e->rank >> 41 > 0);
+    evq_fire *fire;
+    assert_ptr_equal(evq_coming(p->q, 0, &fire), p);
+    assert_true(fire == happens);
+    assert_true(evq_step(p->q));
+    assert_int_equal(p->happened, e->id);
+    assert_int_equal(p->now, e->time);
+    *e = p->pending[--p->length];
+}
+
+static void any_mix_comes_out_in_order(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 0; seed < 40; seed++) {
+        struct plain *p = calloc(1, sizeof *p);
+        p->q = evq_new();
+        p->random = seed;
+        for (int phase = 0; phase < 20; phase++) {
+            uint64_t puts = some(p, 9); /* of 8: it grows, shrinks, empties */
+            for (int i = 0; i < 150; i++)
+                if (some(p, 8) < puts)
+                    put_any(p);
+                else if (p->length > 0)
+                    step_as_expected(p);
+        }
+        while (p->length > 0)
+            step_as_expected(p);
+        assert_false(evq_step(p->q));
+        assert_int_equal(evq_next(p->q), VT_NEVER);
+        assert_int_equal(evq_next_place(p->q), UINT32_MAX);
+        assert_true(evq_late_is_first(p->q, VT_NEVER, 0));
+        evq_free(p->q);
+        free(p);
+    }
+}
+
+static void the_end_of_time_can_be_reached(void **state)
+{
+    struct log log = {0};
+    struct evq *q = evq_new();
+    (void)state;
+    put(q, &log, VT_NEVER, 1, 4);
+    put(q, &log, VT_NEVER - 1, 2, 3);
+    put(q, &log, 0, 3, 1);
+    put(q, &log, UINT64_C(1) << 63, 4, 2);
+    run(q);
+    assert_int_equal(log.count, 4);
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(log.seen[i], i + 1);
 }
 
 int main(void)
@@ -131,8 +320,12 @@ int main(void)
         cmocka_unit_test(earlier_time_comes_first),
         cmocka_unit_test(at_one_time_places_go_in_order_and_at_one_place_sequence_decides),
         cmocka_unit_test(late_events_come_after_all_others_of_their_time_and_place),
+        cmocka_unit_test(late_events_of_one_time_and_place_take_turns),
         cmocka_unit_test(thousands_of_events_come_out_sorted),
         cmocka_unit_test(what_comes_is_known_two_events_ahead),
+        cmocka_unit_test(of_one_time_what_comes_is_known),
+        cmocka_unit_test(any_mix_comes_out_in_order),
+        cmocka_unit_test(the_end_of_time_can_be_reached),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

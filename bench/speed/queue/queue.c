@@ -1,9 +1,13 @@
 /* queue.c - the event queue beside others: a "hold" is one event taken out and another put in, so many being pending.
  *
- * Two loads. Spread: each next event lies at a random distance, no two at one time. Lockstep: what the simulator sees
- * when nodes do the same, thousands of events at one time, told apart by their place. Times are nanoseconds a hold; each
- * cell is the median of RUNS, taken in turn with the others. All structures must give the same order.
+ * Three loads. Spread: each next event lies at a random distance, no two at one time. Lockstep: all events at one time,
+ * told apart by their place, as when nodes do the same. Traffic: what runs of rings, halos and all-to-all put into the queue
+ * (traffic/traffic.c): a node has two events, one of its program and one of a message, at different steps of the way; the
+ * distances are those of a ring's message; and one node in 16 is up to 1.6 us behind, as if it had waited for a channel,
+ * and catches up. Times are nanoseconds a hold; each cell is the median of RUNS, taken in turn with the others. All
+ * structures must give the same order.
  */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -15,9 +19,12 @@ enum { RUNS = 5, HOLDS = 400000 };
 struct load {
     const char *name;
     uint64_t steps[4]; /* an event's distance to its successor, in turn; 0: random */
+    bool behind;       /* some nodes are, and every other event is half the way ahead */
 };
 
-static const struct load LOADS[] = {{"spread", {0}}, {"lockstep", {40000000, 5000000, 100000, 35000000}}};
+static const struct load LOADS[] = {{"spread", {0}, false},
+                                    {"lockstep", {40000000, 5000000, 100000, 35000000}, false},
+                                    {"traffic", {35000000, 5000000, 40425000, 2500000}, true}};
 
 static double seconds(void)
 {
@@ -26,13 +33,29 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* Nodes (e.rank >> 3) that are behind are so after every other step. */
+static uint64_t behind(struct item e)
+{
+    enum { CLOCK = 25000 };
+    return e.rank >> 3 & 15 ? 0 : CLOCK * (1 + (e.rank >> 7 & 63));
+}
+
 /* What the load does next, from what came out. */
 static struct item successor(const struct load *l, struct item e, uint64_t *random)
 {
-    uint64_t step = l->steps[e.rank & 3];
     *random = *random * UINT64_C(6364136223846793005) + 1442695040888963407;
-    return (struct item){e.time + (step ? step : 1 + (*random >> 37)),
-                         step ? (e.rank & ~UINT64_C(3)) | ((e.rank + 1) & 3) : e.rank};
+    if (!l->steps[0])
+        return (struct item){e.time + 1 + (*random >> 37), e.rank};
+    struct item next = {e.time + l->steps[e.rank & 3], (e.rank & ~UINT64_C(3)) | ((e.rank + 1) & 3)};
+    if (l->behind)
+        next.time += e.rank & 1 ? -behind(e) : behind(e);
+    return next;
+}
+
+/* The event before the i-th one that is put in at the start. */
+static struct item origin(const struct load *l, size_t i)
+{
+    return (struct item){0, i << 2 | (l->behind && i & 1 ? 2 : 0)};
 }
 
 /* --- one of the structures of queues.h --- */
@@ -42,7 +65,7 @@ static double hold_queue(const struct queue *q, const struct load *l, size_t pen
     void *p = q->make();
     uint64_t random = 1;
     for (size_t i = 0; i < pending; i++)
-        q->put(p, successor(l, (struct item){0, i << 2}, &random));
+        q->put(p, successor(l, origin(l, i), &random));
     *sum = 0;
     double begin = seconds();
     for (size_t i = 0; i < HOLDS; i++) {
@@ -76,7 +99,7 @@ static double hold_evq(const struct load *l, size_t pending, uint64_t *sum)
 {
     struct hold h = {evq_new(), l, 1, 0};
     for (size_t i = 0; i < pending; i++) {
-        struct item e = successor(l, (struct item){0, i << 2}, &h.random);
+        struct item e = successor(l, origin(l, i), &h.random);
         evq_put(h.q, e.time, (uint32_t)(e.rank >> 2), fire, &h, (void *)(uintptr_t)e.rank);
     }
     double begin = seconds();
