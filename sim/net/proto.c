@@ -205,7 +205,7 @@ static void inject(void *ctx, void *arg, vtime now)
     struct message *m = arg;
     if (by_hand(m))
         p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
-    m->at_sender = PROTO_NOTHING;
+    m->at_sender = (struct proto_bound){now + m->transit.duration, m->transit.duration}; /* sent() may be due */
     m->at_receiver = proto_after(m->is_long ? proto_trip(m) : m->transit.duration);
     if (!m->is_long)
         sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
@@ -228,6 +228,7 @@ static void data_flow(void *ctx, void *arg, vtime now)
 static void started(struct wire_transit *t, vtime now)
 {
     struct message *m = message_of(t);
+    m->at_sender = proto_at(now + m->transit.duration);
     if (!by_hand(m)) {
         m->at_receiver = proto_at(now + m->transit.duration);
         return;
