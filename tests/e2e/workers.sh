@@ -80,11 +80,13 @@ profile -w 1 >one
 profile -w 3 --shuffle 5 >several
 check "profile of programs cut short" diff one several
 
+"$BUILD/nxcc" -O2 --profile -o model_profile "$tests"/../../app/*.c -lz -lm
 model() { # WORKERS...
-    results "$@" -n 16 --profile p.json "$BUILD/app/model" -approx 111 -sphere 64 64 9 -group 4
+    results "$@" -n 16 --profile p.json model_profile -approx 111 -sphere 64 64 9 -group 4
     cat p.json 2>/dev/null
 }
 model -w 1 >one
+check "the model program ends well" grep -q '^status 0' one
 touchstone=$BUILD/tsan/touchstone
 if [ -x "$touchstone" ]; then
     model -w 4 --shuffle 9 >several
