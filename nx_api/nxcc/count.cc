@@ -33,6 +33,7 @@
 #include <memory>
 
 #define COUNTER "nxc_left"
+#define QUIET "nxc_quiet"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
 /* A library call that is known to cost more is checked for: 10 us of a 40 MHz processor. */
@@ -42,7 +43,7 @@ bool count_in_memory;
 
 namespace
 {
-tree counter; /* the variable nxc_left of runtime.c */
+tree counter, quiet; /* the variables nxc_left and nxc_quiet of runtime.c */
 
 /* Where a check is to go: behind a statement that pays, if value is then negative. What a long library call costs may be
  * spent in parts, so that nothing that is due has to wait for all of it. */
@@ -80,6 +81,7 @@ class counting
     gimple *pay_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
     void pay_ahead(const prepaid_loop &loop);
+    void promise_quiet(const prepaid_loop &loop);
     void spend(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
     check charge(gimple_seq *seq, gimple *stmt, tree amount);
@@ -333,6 +335,20 @@ tree append_rounds(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int6
     return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
 }
 
+/* On the way to a loop that pays as it goes: says until when it makes no call, image.h. */
+void counting::promise_quiet(const prepaid_loop &loop)
+{
+    gimple_seq seq = NULL;
+    tree end = make_ssa_name(units_type());
+    tree known = gimple_build(&seq, LT_EXPR, boolean_type_node, loop.rounds, units_constant(loop.limit));
+    tree least = append_rounds(&seq, loop, loop.least, loop.least_last);
+    least = gimple_build(&seq, COND_EXPR, units_type(), known, least, units_constant(0));
+    gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(end, MINUS_EXPR, left, least));
+    gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(quiet, end));
+    gimple_stmt_iterator gsi = gsi_after_labels(loop.other);
+    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+}
+
 /* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
 void counting::pay_ahead(const prepaid_loop &loop)
 {
@@ -363,6 +379,7 @@ void counting::pay_ahead(const prepaid_loop &loop)
                      append_rounds(&seq, loop, share.second, last.shares[share.first]));
     gsi = gsi_after_labels(loop.first);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
+    promise_quiet(loop);
 }
 
 void counting::count_block(basic_block bb)
@@ -530,9 +547,9 @@ void counting::run()
     free_dominance_info(CDI_POST_DOMINATORS);
 }
 
-tree make_counter()
+tree make_variable(const char *name)
 {
-    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(COUNTER), units_type());
+    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(name), units_type());
     DECL_EXTERNAL(var) = 1;
     TREE_PUBLIC(var) = 1;
     TREE_USED(var) = 1;
@@ -556,8 +573,10 @@ class count_pass : public gimple_opt_pass
     opt_pass *clone() override { return new count_pass(m_ctxt); }
     unsigned int execute(function *f) override
     {
-        if (!counter)
-            counter = make_counter();
+        if (!counter) {
+            counter = make_variable(COUNTER);
+            quiet = make_variable(QUIET);
+        }
         costs_warn_if_taken_for_library(f->decl);
         counting(f).run();
         return 0;
@@ -567,6 +586,7 @@ class count_pass : public gimple_opt_pass
 /* GCC's collector of unused trees must know that this one is used. */
 const ggc_root_tab roots[] = {
     {&counter, 1, sizeof counter, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
+    {&quiet, 1, sizeof quiet, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
     LAST_GGC_ROOT_TAB,
 };
 } // namespace

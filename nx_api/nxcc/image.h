@@ -11,6 +11,10 @@
  * spent since the simulator last set *left to B  =  B - *left so an event that is due after U units is seen
  * at the first check at or past it when B = U - 1.
  *
+ * Quiet. A program that checks in a loop of which it knows when it entered it what it will cost at least has put into
+ * *quiet what *left will have come to by then: until then it makes no call that the simulator serves. The simulator sets
+ * *quiet to NXC_NOT_QUIET whenever it sets *left.
+ *
  * Profile. A program built with --profile adds what it spends to cells as well (how: profile.h). At any call
  * and check the cells are up to date with *left, and the bodies' sum is what was spent since the program
  * began.
@@ -23,8 +27,9 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 3u
+#define NXC_IMAGE_VERSION 4u
 #define NXC_UNITS_PER_CLOCK 1000
+#define NXC_NOT_QUIET (INT64_MAX / 2)
 #define NXC_CACHE_LINES 4096 /* at most, of a simulated data cache: cache.h */
 
 /* Units spent in one function's body, all that was inlined into it included; or in a part of a body: what was
@@ -42,6 +47,7 @@ struct nxc_image {
     uint32_t magic;
     uint32_t version;
     int64_t *left;                      /* the program's own counter, see above */
+    int64_t *quiet;                     /* it makes no call before *left is less than this */
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);

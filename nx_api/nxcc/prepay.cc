@@ -1,6 +1,7 @@
 /* prepay.cc - see prepay.h. */
 #include "prepay.h"
 #include "costs.h"
+#include <map>
 
 namespace
 {
@@ -142,6 +143,14 @@ bool prepaying::is_plain(class loop *loop, unsigned *statements) const
     return *statements <= longest_round;
 }
 
+int64_t cost_of_block(basic_block bb)
+{
+    int64_t sum = 0;
+    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+        sum += costs_of(gsi_stmt(gsi));
+    return sum;
+}
+
 /* The units of a round that runs all blocks. */
 int64_t dearest_round(class loop *loop)
 {
@@ -149,9 +158,25 @@ int64_t dearest_round(class loop *loop)
     for (class loop *inner = loop->inner; inner; inner = inner->next)
         sum += dearest_round(inner) * (constant_rounds(inner) + 1);
     for (basic_block bb : own_blocks(loop))
-        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-            sum += costs_of(gsi_stmt(gsi));
+        sum += cost_of_block(bb);
     return sum;
+}
+
+/* The units of a round from its beginning to the end of a block, by the cheapest way there is, inner loops once. known:
+ * blocks for which that has been found. */
+int64_t cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known)
+{
+    auto found = known.find(bb);
+    if (found != known.end())
+        return found->second;
+    int64_t before = bb == loop->header ? 0 : INT64_MAX;
+    edge e;
+    edge_iterator i;
+    if (bb != loop->header)
+        FOR_EACH_EDGE (e, i, bb->preds)
+            if (!dominated_by_p(CDI_DOMINATORS, e->src, bb))
+                before = std::min(before, cheapest_way(loop, e->src, known));
+    return known[bb] = before + cost_of_block(bb);
 }
 
 /* The blocks that every round runs. outer: how often an inner loop is entered; NULL: it is the outermost. */
@@ -190,9 +215,13 @@ bool prepaying::prepare(class loop *loop)
     p.most = dearest_round(loop);
     if (!p.most)
         return false;
+    std::map<basic_block, int64_t> known;
+    p.least = cheapest_way(loop, loop->latch, known);
+    p.least_last = cheapest_way(loop, single_exit(loop)->src, known);
     list_blocks(loop, NULL, p.blocks);
     gimple_seq seq = NULL;
-    p.rounds = append_rounds(&seq, loop, n, INT64_MAX / 2 / p.most); /* no counter is ever greater */
+    p.limit = INT64_MAX / 2 / p.most; /* no counter is ever greater */
+    p.rounds = append_rounds(&seq, loop, n, p.limit);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
         result.own.insert(gsi_stmt(gsi));
     if (seq)
@@ -217,13 +246,14 @@ void prepaying::divide(class loop *loop, prepaid_loop &p)
     profile_probability likely = profile_probability::very_likely(), unlikely = likely.invert();
     unsigned blocks = loop->num_nodes;
     basic_block *body = get_loop_body(loop);
-    loop_version(loop, boolean_true_node, &test, likely, unlikely, likely, unlikely, true);
+    class loop *copy = loop_version(loop, boolean_true_node, &test, likely, unlikely, likely, unlikely, true);
     for (unsigned i = 0; i < blocks; i++)
         if (bitmap_clear_bit(checked, body[i]->index))
             bitmap_set_bit(checked, get_bb_copy(body[i])->index);
     free(body);
     p.test = as_a<gcond *>(last_stmt(test));
     p.first = loop_preheader_edge(loop)->src;
+    p.other = loop_preheader_edge(copy)->src;
     result.own.insert(p.test);
 }
 

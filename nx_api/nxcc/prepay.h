@@ -12,7 +12,8 @@
  *
  * so that the same is paid, and checks strike at the same places, as in the second alone. Where rounds differ, a round
  * pays ahead for what all have in common, the blocks of some rounds only pay when they run, and the test is for
- * the dearest rounds. Inner loops of few rounds, of a number known when compiled, are part of the round.
+ * the dearest rounds. On the way to the loop that pays as it goes, the program says how long it will make no call: the cheapest
+ * rounds (image.h: quiet). Inner loops of few rounds, of a number known when compiled, are part of the round.
  */
 #ifndef NXCC_PREPAY_H
 #define NXCC_PREPAY_H
@@ -29,8 +30,11 @@ struct prepaid_block {
 struct prepaid_loop {
     gcond *test;       /* to be made: true leads to the loop that does not pay */
     basic_block first; /* of the way there */
-    tree rounds;       /* how often the loop goes back */
-    int64_t most;      /* units of a round, and of the last, at most */
+    basic_block other; /* of the way to the one that pays as it goes */
+    tree rounds;       /* how often the loop goes back; unknown: it is the limit */
+    int64_t limit;
+    int64_t most;              /* units of a round, and of the last, at most */
+    int64_t least, least_last; /* of a round, and of the last, at least */
     std::vector<prepaid_block> blocks;
 };
 

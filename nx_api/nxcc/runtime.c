@@ -8,7 +8,7 @@
  */
 #include "image.h"
 
-__attribute__((visibility("hidden"))) int64_t nxc_left;
+__attribute__((visibility("hidden"))) int64_t nxc_left, nxc_quiet = NXC_NOT_QUIET;
 
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
@@ -28,6 +28,7 @@ struct nxc_image nxc_image = {
     .magic = NXC_IMAGE_MAGIC,
     .version = NXC_IMAGE_VERSION,
     .left = &nxc_left,
+    .quiet = &nxc_quiet,
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,

@@ -73,16 +73,36 @@ void crash_unwatch(struct crash_guard *g)
     free(g);
 }
 
+/* One program may be run inside another's run. */
+struct outer {
+    struct node *node;
+    sigjmp_buf jump;
+};
+
+static void enter(struct node *n, struct outer *outer)
+{
+    if ((outer->node = guard->node))
+        memcpy(outer->jump, guard->jump, sizeof outer->jump);
+    guard->node = n;
+}
+
+static void leave(const struct outer *outer)
+{
+    if ((guard->node = outer->node))
+        memcpy(guard->jump, outer->jump, sizeof outer->jump);
+}
+
 bool crash_run(struct node *n)
 {
-    guard->node = n;
+    struct outer outer;
+    enter(n, &outer);
     if (sigsetjmp(guard->jump, 0) == 0) {
         fiber_resume(n->fiber);
-        guard->node = NULL;
+        leave(&outer);
         return true;
     }
     fiber_abandon(n->fiber);
-    guard->node = NULL;
+    leave(&outer);
     n->crash = malloc(sizeof *n->crash);
     if (!n->crash)
         abort();

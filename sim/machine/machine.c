@@ -162,6 +162,7 @@ void machine_free(struct machine *m)
     cfs_free(m->sys.cfs);
     proto_free(m->sys.proto);
     evq_free(m->sys.q);
+    bounds_free(&m->sys.checks);
     if (m->image)
         node_image_close(m->image);
     for (size_t i = 0; i < m->sys.host_file_count; i++)
@@ -209,13 +210,13 @@ static struct node *node_of(struct work *w)
 static bool commit_event(struct node_system *s)
 {
     if (!s->workers || !workers_busy(s->workers))
-        return evq_step(s->q);
+        return node_step(s);
     for (struct work *w; (w = workers_take(s->workers));)
         node_catch(node_of(w));
-    vtime next = evq_next(s->q);
-    uint32_t place = evq_next_place(s->q);
+    uint32_t place;
+    vtime next = node_next(s, &place);
     if (workers_allow(s->workers, next, place))
-        return next == VT_NEVER ? workers_busy(s->workers) : evq_step(s->q);
+        return next == VT_NEVER ? workers_busy(s->workers) : node_step(s);
     s->unseen += 64; /* it may have taken long */
     workers_advance(s->workers, next, place);
     return true;
@@ -228,6 +229,15 @@ static void commit_events(struct machine *m)
     for (uint64_t i = 0; !s->stop && commit_event(s); i++)
         if (i % LOOK_EVERY == 0 || s->unseen > LOOK_EVERY)
             look_outside(m);
+}
+
+/* The machine has been stopped: programs that were let off come as far as the others. */
+static void catch_up(struct node_system *s)
+{
+    for (uint32_t i = 0; s->stop && i < s->count; i++)
+        node_catch_up(s->nodes[i], s->stop_at);
+    if (s->stop && s->host)
+        node_catch_up(s->host, s->stop_at);
 }
 
 static void *thread_begins(void *ctx)
@@ -258,8 +268,10 @@ static void run_events(struct machine *m)
     if (m->options.workers > 1)
         s->workers = workers_new(m->options.workers - 1, m->options.shuffle, &calls, guard);
     commit_events(m);
-    if (s->workers) {
+    if (s->workers)
         workers_halt(s->workers);
+    catch_up(s);
+    if (s->workers) {
         m->workers = workers_stats(s->workers);
         workers_free(s->workers);
         s->workers = NULL;

@@ -70,17 +70,27 @@ void clock_give(struct node *n)
 {
     struct node_clock *c = &n->clock;
     c->given_at = c->looked = c->units;
+    c->quiet = 0;
     c->look = c->units + FIRST_LOOK;
 }
 
 void clock_look(struct node *n)
 {
     struct node_clock *c = &n->clock;
+    if (*n->image->quiet < c->given)
+        c->quiet = c->units + (uint64_t)(c->given - *n->image->quiet);
     if (c->units < c->look)
         return;
     c->looked = c->units;
     while (c->look <= c->units)
         c->look += least(c->look - c->given_at, LONGEST_LOOK);
+}
+
+vtime clock_quiet(const struct node *n)
+{
+    const struct node_clock *c = &n->clock;
+    uint64_t quiet = least(c->quiet, c->look);
+    return c->origin + clock_of_units(n, quiet > c->units ? quiet : c->units);
 }
 
 uint64_t clock_stretch(const struct node *n)
@@ -122,4 +132,5 @@ void clock_allow(struct node *n, vtime deadline)
     /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
     c->given = (int64_t)units - 1;
     *n->image->left = c->given;
+    *n->image->quiet = NXC_NOT_QUIET;
 }

@@ -19,8 +19,10 @@ void clock_give(struct node *n);
 /* Let the program spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
  * nxc_preempt. Call after clock_sync. */
 void clock_allow(struct node *n, vtime deadline);
-/* In nxc_preempt, after clock_sync: notes the looks that are due. */
+/* In nxc_preempt, after clock_sync: notes the looks that are due, and what the program says of its next call. */
 void clock_look(struct node *n);
+/* The program makes no call, and is not looked at, before this time, which is not before its clock's. */
+vtime clock_quiet(const struct node *n);
 /* Units spent since the program got control. */
 uint64_t clock_stretch(const struct node *n);
 /* The program has crashed after its last look: takes back what it has computed since, which depends on where else it was

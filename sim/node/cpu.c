@@ -40,6 +40,20 @@ static void put_go_on(struct node *n, vtime t)
     evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
 }
 
+/* A computing node's program has stopped at a check and is not gone on with before t: until then it makes no call. */
+static void stop_at_check(struct node *n, vtime check, vtime t)
+{
+    n->ahead.stopped = true;
+    n->ahead.check = check;
+    bounds_set(&n->sys->checks, n->place, vt_max(check, t));
+}
+
+static void leave_check(struct node *n)
+{
+    n->ahead.stopped = false;
+    bounds_set(&n->sys->checks, n->place, VT_NEVER);
+}
+
 /* The node whose turn is next, or after that; NULL: something else happens then. */
 static struct node *coming(const struct node_system *s, unsigned after)
 {
@@ -136,16 +150,21 @@ static bool may_go_on(struct node *n, vtime now)
     return mailbox_handler_due(n, now) || n->wait.ready(n, n->wait.arg);
 }
 
-static void run_on(struct node *n)
+static void run_warm(struct node *n)
 {
     n->state = NODE_COMPUTING;
     n->sys->unseen = 0;
-    warm_coming(n->sys);
     run(n);
     if (n->crash && n->pending.count == 0)
         crash(n);
     else if (n->ahead.loose)
         workers_hand(n->sys->workers, &n->ahead.work);
+}
+
+static void run_on(struct node *n)
+{
+    warm_coming(n->sys);
+    run_warm(n);
 }
 
 static void resume(struct node *n, vtime now)
@@ -170,11 +189,18 @@ void node_catch(struct node *n)
         put_go_on(n, n->ahead.arrived);
 }
 
+/* Is a node's check to come before time and place? */
+static bool check_is_before(const struct node_system *s, vtime time, uint32_t place)
+{
+    vtime check = bounds_least(&s->checks);
+    return check < time || (check == time && check != VT_NEVER && bounds_place(&s->checks) < place);
+}
+
 /* Is the node's call or check at `now` the machine's earliest event? */
 static bool is_first(struct node *n, vtime now)
 {
     const struct node_system *s = n->sys;
-    return evq_late_is_first(s->q, now, n->place) &&
+    return evq_late_is_first(s->q, now, n->place) && !check_is_before(s, now, n->place) &&
            (!s->workers || workers_allow(s->workers, now, n->place));
 }
 
@@ -235,6 +261,59 @@ static void go_on(void *ctx, void *arg, vtime now)
     }
 }
 
+/* The turn of a node's check. */
+static void check(struct node *n)
+{
+    leave_check(n);
+    if (n->clock.stolen) {
+        go_on(n, NULL, n->ahead.check);
+        return;
+    }
+    clock_advance_to(n, n->ahead.check);
+    run_warm(n);
+}
+
+void node_catch_up(struct node *n, vtime t)
+{
+    if (!n->ahead.stopped)
+        return;
+    if (n->ahead.check < t && !n->clock.stolen) {
+        n->ahead.up_to = t;
+        check(n);
+        n->ahead.up_to = 0;
+    }
+    if (n->ahead.stopped)
+        stop_at_check(n, n->ahead.check, 0);
+}
+
+void node_catch_up_now(struct node *n)
+{
+    const struct node_system *s = n->sys;
+    node_catch_up(n, s->present.time + (n->place < s->present.place));
+}
+
+vtime node_next(const struct node_system *s, uint32_t *place)
+{
+    vtime time = evq_next(s->q);
+    *place = evq_next_place(s->q);
+    if (!check_is_before(s, time, *place))
+        return time;
+    *place = bounds_place(&s->checks);
+    return bounds_least(&s->checks);
+}
+
+bool node_step(struct node_system *s)
+{
+    vtime time = evq_next(s->q);
+    uint32_t place = evq_next_place(s->q);
+    if (check_is_before(s, time, place)) {
+        check(node_at(s, bounds_place(&s->checks)));
+        return true;
+    }
+    s->present.time = time, s->present.place = place;
+    return evq_step(s->q);
+}
+
 static void wake(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
@@ -276,6 +355,7 @@ static void steal(struct node *n, enum node_task task, vtime t)
 {
     if (n->state == NODE_ENDED)
         return; /* nobody's time any more */
+    node_catch_up_now(n);
     if (n->state == NODE_COMPUTING)
         n->clock.stolen += t;
     node_account(n, task, t);
@@ -320,7 +400,9 @@ static vtime deadline(struct node *n)
     n->ahead.alert = mailbox_armed(n);
     if (!n->ahead.alert)
         return end;
-    vtime next = evq_next(s->q);
+    if (n->ahead.up_to)
+        return n->ahead.up_to;
+    vtime next = vt_min(evq_next(s->q), bounds_least(&s->checks));
     if (s->workers)
         next = vt_min(next, workers_bound(s->workers));
     return vt_min(end, vt_min(mailbox_next_due(n), proto_horizon(s->proto, n->place, next)));
@@ -333,9 +415,19 @@ static void allow_anew(struct node *n)
         clock_allow(n, deadline(n));
 }
 
+/* Nothing of a program that has stopped at a check comes before. */
+static vtime quiet_until(const struct node *n)
+{
+    if (n->in_handler)
+        return 0;
+    return vt_min(clock_quiet(n), vt_min(end_of_time(n), mailbox_next_due(n)));
+}
+
 /* Is something else to happen before the node's call at `now`? */
 static bool must_yield(struct node *n, vtime now)
 {
+    if (n->ahead.up_to)
+        return n->call || now >= n->ahead.up_to;
     return n->ahead.loose || n->pending.count || n->clock.stolen || !is_first(n, now) || must_stop(n, now);
 }
 
@@ -344,6 +436,8 @@ static void yield_turn(struct node *n, vtime now)
 {
     if (n->ahead.loose)
         n->ahead.arrived = now; /* for node_catch */
+    else if (!n->call && n->ahead.alert)
+        stop_at_check(n, now, quiet_until(n));
     else if (n->pending.count == 0)
         put_go_on(n, now);
 }
@@ -400,7 +494,7 @@ static bool may_pend(const struct node *n)
 void node_enter_early(struct node *n, const char *call)
 {
     begin_call(n, call, true);
-    bool waits = n->pending.count || n->clock.stolen || !is_first(n, n->call_since);
+    bool waits = !n->ahead.loose && (n->pending.count || n->clock.stolen || !is_first(n, n->call_since));
     if (!waits || !may_pend(n)) {
         take_turn(n);
         return;
@@ -573,6 +667,8 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
 void node_cut(struct node *n, vtime t)
 {
     pending_take_back(n);
+    node_catch_up(n, t);
+    leave_check(n);
     vtime at = node_now(n) + n->clock.stolen;
     if (n->state == NODE_BLOCKED)
         account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);

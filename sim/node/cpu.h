@@ -4,6 +4,11 @@
  * an event at the time it ends. A node with an armed, unmasked handler runs only up to the horizon, the
  * earliest time at which anything may reach it (proto_horizon), and stops at the first check at or past it.
  *
+ * Where it has stopped there is not an event, but a bound in node_system.checks: the time before which the program makes no
+ * call. Often that is far ahead, because the program has said so (nx_api/nxcc/image.h: quiet). Until then nobody waits for
+ * it, so that it is gone on with when all others have come so far, and computes at once what it would have computed in many
+ * slices. If a message comes to it before, it is first brought to where it would be (node_catch_up).
+ *
  * With workers (kernel/workers.h), a long stretch of a program without such a handler is handed out: then it is loose, and
  * runs on any thread, beside others, until its next call (or crash, or the end of time). While it is loose, it and the
  * thread that runs it have
@@ -35,7 +40,16 @@ void node_account(struct node *n, enum node_task task, vtime t);
 void node_cut(struct node *n, vtime t);
 /* Run the handlers that are due. True if any ran. */
 bool node_run_handlers(struct node *n);
-/* Scheduler: put the node's start, at time t, into the queue. */
+/* Scheduler: what happens next, an event or a node's check for messages: its time, VT_NEVER if there is none, and place. */
+vtime node_next(const struct node_system *s, uint32_t *place);
+/* It happens. False: there is none. */
+bool node_step(struct node_system *s);
+/* A program that has been let off makes up for it: it computes up to the first check at or past t, or its call. Called before
+ * anything is done to the node that depends on how far it has come. */
+void node_catch_up(struct node *n, vtime t);
+/* The same, up to the event that happens now: of equal times, their places say whether a check comes before it. */
+void node_catch_up_now(struct node *n);
+/* Put the node's start, at time t, into the queue. */
 void node_start(struct node *n, vtime t);
 
 /* Runs a loose program on the calling thread until it comes to its next call, crashes (true), or pauses (false). */

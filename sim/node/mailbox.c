@@ -119,6 +119,7 @@ static void unkeep(struct mailbox *b, struct message **link)
 
 static void add_due(struct node *n, vtime at, struct receive *r, struct send *s)
 {
+    node_catch_up_now(n);
     struct mailbox *b = n->mailbox;
     struct due *d = calloc(1, sizeof *d);
     if (!d)

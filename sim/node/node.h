@@ -46,6 +46,8 @@ struct node_clock {
     vtime stolen;   /* system time not yet added to the program's: see cpu.c */
     bool runs;      /* the program, since it was last switched to: it may have spent some */
 
+    uint64_t quiet; /* units: the program makes no call before; less than `units`: it may at any time */
+
     /* looks (clock.h), in units */
     uint64_t given_at, looked, look; /* when the program got control; the last look and the next */
 };
@@ -87,6 +89,9 @@ struct node_ahead {
     bool loose;        /* a piece of work: only the thread that runs it may touch what the program may */
     bool paused;       /* it has stopped at a check, to be gone on with */
     bool alert;        /* a handler may have to run: it computes up to a horizon only */
+    bool stopped;      /* at a check, for which it is in node_system.checks */
+    vtime check;       /* the check's time */
+    vtime up_to;       /* not 0: it only makes up for what it has been let off so far: node_catch_up */
     vtime arrived;     /* when not paused: the time of its next call */
     uint64_t computed; /* units between its last two calls, for a guess at the next */
 };

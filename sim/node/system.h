@@ -2,6 +2,7 @@
 #ifndef NODE_SYSTEM_H
 #define NODE_SYSTEM_H
 #include "config/config.h"
+#include "kernel/bounds.h"
 #include "kernel/evq.h"
 #include "net/proto.h"
 #include "node/file.h"
@@ -14,6 +15,11 @@ enum { NODE_HOST_FILES = 64 };
 struct node_system {
     const struct cfg_machine *cfg;
     struct evq *q;
+    struct bounds checks; /* beside it: computing nodes' next checks for messages: cpu.h */
+    struct {
+        vtime time;
+        uint32_t place;
+    } present; /* the event that happens now, or was the last */
     struct proto *proto;
     struct topo topo;
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
