@@ -205,8 +205,9 @@ static void inject(void *ctx, void *arg, vtime now)
     struct message *m = arg;
     if (by_hand(m))
         p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
-    m->at_sender = (struct proto_bound){now + m->transit.duration, m->transit.duration}; /* sent() may be due */
-    m->at_receiver = proto_after(m->is_long ? proto_trip(m) : m->transit.duration);
+    vtime duration = m->transit.duration;
+    m->at_sender = (struct proto_bound){now + duration, duration}; /* when it has left, a handler may be due */
+    m->at_receiver = proto_after(m->is_long ? proto_trip(m) : duration);
     if (!m->is_long)
         sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
     wire_send(p->wire, &m->transit, now);
