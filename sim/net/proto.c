@@ -206,7 +206,8 @@ static void inject(void *ctx, void *arg, vtime now)
     if (by_hand(m))
         p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
     vtime duration = m->transit.duration;
-    m->at_sender = (struct proto_bound){now + duration, duration}; /* when it has left, a handler may be due */
+    m->at_sender = proto_at(now + duration); /* a handler may be due when it has left; and it may wait */
+    m->at_sender.after = duration;
     m->at_receiver = proto_after(m->is_long ? proto_trip(m) : duration);
     if (!m->is_long)
         sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
