@@ -82,6 +82,11 @@ void check_target(void *, void *)
         error("nxcc: node programs need %<-mno-red-zone%>");
 }
 
+void begin_function(void *, void *)
+{
+    count_prepare_function();
+}
+
 void finish_unit(void *, void *)
 {
     profile_write_cells();
@@ -120,6 +125,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
                       const_cast<ggc_root_tab *>(count_roots()));
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(profile_roots()));
+    register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
