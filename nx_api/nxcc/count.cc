@@ -17,19 +17,23 @@
  * instead: same places, same costs. The pass stands last before the expansion to machine code, so that what
  * it counts is what is left to execute.
  *
- * Loops whose rounds are known before they run are paid for there: prepay.h.
+ * Loops whose rounds are known before they run are paid for there: prepay.h. Small functions may be paid for by those who
+ * call them: leaves.h.
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
  * check is a branch over nothing, and a leaf function stays a leaf.
  */
 #include "gcc.h"
+#include "amount.h"
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
 #include "image.h"
+#include "leaves.h"
 #include "poll.h"
 #include "prepay.h"
 #include "profile.h"
+#include "purity.h"
 #include <memory>
 
 #define COUNTER "nxc_left"
@@ -83,6 +87,7 @@ class counting
     void pay_ahead(const prepaid_loop &loop);
     void promise_quiet(const prepaid_loop &loop);
     void spend(stretch *s, gimple *stmt);
+    void spend_leaf(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
     check charge(gimple_seq *seq, gimple *stmt, tree amount);
     void charge_call(gimple_seq *seq, gcall *call, tree amount);
@@ -95,7 +100,7 @@ class counting
 
     function *fun;
     tree left = NULL_TREE;              /* the register, or NULL: count in memory */
-    bool calls = false;                 /* something here may look at the counter */
+    bool calls = false;                 /* others, so that it may be part of a recursion */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
     auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
     prepaid ahead;                      /* loops paid for where they are entered */
@@ -108,31 +113,15 @@ tree units_constant(int64_t units)
     return build_int_cst(units_type(), units);
 }
 
-bool looks(gimple *stmt)
+bool is_loud(gcall *call)
 {
-    gcall *call = dyn_cast<gcall *>(stmt);
     return call && !costs_call_is_quiet(call);
 }
 
-/* A function that GCC has found pure or const still changes the counter. Its callers are expanded with this
- * knowledge, so it is taken away before each of them is, for good. */
-std::set<unsigned> impure; /* DECL_UIDs of those that were pure */
-
-void forget_purity(gcall *call)
+/* May it look at the counter, or change it? */
+bool looks(gimple *stmt)
 {
-    tree decl = gimple_call_fndecl(call);
-    if (decl && (gimple_call_flags(call) & (ECF_CONST | ECF_PURE | ECF_NOVOPS))) {
-        TREE_READONLY(decl) = 0;
-        DECL_PURE_P(decl) = 0;
-        DECL_LOOPING_CONST_OR_PURE_P(decl) = 0;
-        DECL_IS_NOVOPS(decl) = 0;
-        impure.insert(DECL_UID(decl));
-    }
-    tree type = gimple_call_fntype(call);
-    if (TYPE_READONLY(type))
-        gimple_call_set_fntype(call, build_function_type(TREE_TYPE(type), TYPE_ARG_TYPES(type)));
-    if (!gimple_vdef(call))
-        update_stmt(call);
+    return is_loud(dyn_cast<gcall *>(stmt)) && !leaves_is_call(stmt);
 }
 
 void counting::look_at_function()
@@ -145,7 +134,10 @@ void counting::look_at_function()
         FOR_EACH_EDGE (e, ei, bb->succs)
             in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-            calls = calls || looks(gsi_stmt(gsi));
+            if (gcall *call = dyn_cast<gcall *>(gsi_stmt(gsi))) {
+                calls = calls || is_loud(call);
+                leaves_see_call(call);
+            }
     }
     if (!in_memory)
         left = create_tmp_reg(units_type(), "left");
@@ -206,6 +198,15 @@ void counting::spend(stretch *s, gimple *stmt)
         s->shares[profile->cell_of(stmt)] += cost;
 }
 
+/* Adds what the function costs that stmt calls, if it leaves that to us. */
+void counting::spend_leaf(stretch *s, gimple *stmt)
+{
+    int64_t cost = leaves_cost(stmt);
+    s->cost += cost;
+    if (profile && cost)
+        s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
+}
+
 /* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
  * is. */
 void counting::pay(basic_block bb, gimple *behind, const stretch &s)
@@ -228,38 +229,6 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
     }
 }
 
-/* Appends the number of elements of a Fortran array: nx_api/libgfortran/elements.c counts. */
-tree append_elements(gimple_seq *seq, tree array)
-{
-    if (!POINTER_TYPE_P(TREE_TYPE(array)))
-        return NULL_TREE;
-    tree count =
-        build_fn_decl("nx_elements", build_function_type_list(units_type(), ptr_type_node, NULL_TREE));
-    gcall *call = gimple_build_call(count, 1, array);
-    tree value = make_ssa_name(units_type(), call);
-    gimple_call_set_lhs(call, value);
-    gimple_seq_add_stmt_without_update(seq, call);
-    return value;
-}
-
-/* Appends per * the product of the values that of lists. NULL if one of them is not what it should be. */
-tree append_amount(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
-{
-    tree amount = units_constant(per);
-    for (int argument : of) {
-        tree value = argument ? gimple_call_arg(call, argument - 1) : gimple_call_lhs(call);
-        if (elements && !(value = append_elements(seq, value)))
-            return NULL_TREE;
-        if (!INTEGRAL_TYPE_P(TREE_TYPE(value)))
-            return NULL_TREE;
-        value = gimple_convert(seq, units_type(), value);
-        if (!argument) /* a negative result is an error, and no amount */
-            value = gimple_build(seq, MAX_EXPR, units_type(), value, units_constant(0));
-        amount = gimple_build(seq, MULT_EXPR, units_type(), amount, value);
-    }
-    return amount;
-}
-
 /* Only with a simulated cache. */
 void counting::pay_misses(gimple *stmt)
 {
@@ -280,7 +249,7 @@ void counting::pay_argument(gcall *call)
     if (!per || of->at(0) == 0)
         return;
     gimple_seq seq = NULL;
-    if (tree amount = append_amount(&seq, call, per, *of, elements))
+    if (tree amount = amount_append(&seq, call, per, *of, elements))
         charge_call(&seq, call, amount);
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
@@ -305,7 +274,7 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    charge_call(&seq, call, append_amount(&seq, call, per, *of, elements));
+    charge_call(&seq, call, amount_append(&seq, call, per, *of, elements));
     gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
@@ -317,7 +286,6 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
  * rightly so, because the callee leaves the counter where this function's caller looks for it. */
 gimple *counting::hand_over(gcall *call)
 {
-    forget_purity(call);
     if (!left)
         return call;
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
@@ -358,8 +326,10 @@ void counting::pay_ahead(const prepaid_loop &loop)
     stretch each, last;
     for (const prepaid_block &b : loop.blocks) {
         stretch once;
-        for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi))
+        for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi)) {
             spend(&once, gsi_stmt(gsi));
+            spend_leaf(&once, gsi_stmt(gsi));
+        }
         each.add(once, b.each);
         last.add(once, b.last);
     }
@@ -404,6 +374,14 @@ void counting::count_block(basic_block bb)
             continue;
         pay_argument(call);
         gimple *last = call;
+        if (is_loud(call))
+            purity_forget(call);
+        if (leaves_is_call(call) && !behind && bitmap_bit_p(checked, bb->index)) { /* paid behind the check */
+            pay(bb, behind, now);
+            now = stretch();
+            behind = call;
+        }
+        spend_leaf(&now, call);
         if (looks(call)) {
             pay(bb, behind, now);
             now = stretch();
@@ -521,8 +499,11 @@ void counting::insert_check(const check &c)
 void counting::run()
 {
     look_at_function();
+    bool foresees = left && optimize && !cache_is_simulated();
+    if (foresees && !calls && leaves_accept(fun))
+        return;
     poll_mark(fun, calls, checked);
-    if (left && optimize && !cache_is_simulated())
+    if (foresees)
         ahead = prepay_loops(looks, checked);
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, looks);
@@ -597,21 +578,6 @@ const ggc_root_tab roots[] = {
 opt_pass *count_make_pass()
 {
     return new count_pass(g);
-}
-
-/* Calls of functions that were pure before other callers were compiled still say so. */
-void count_prepare_function()
-{
-    if (impure.empty() || !gimple_in_ssa_p(cfun))
-        return;
-    basic_block bb;
-    FOR_EACH_BB_FN (bb, cfun)
-        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi)) {
-            tree callee = is_gimple_call(gsi_stmt(gsi)) ? gimple_call_fndecl(gsi_stmt(gsi)) : NULL_TREE;
-            if (callee && impure.count(DECL_UID(callee)))
-                update_stmt(gsi_stmt(gsi));
-        }
-    update_ssa(TODO_update_ssa_only_virtuals);
 }
 
 const ggc_root_tab *count_roots()

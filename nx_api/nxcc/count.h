@@ -5,6 +5,4 @@ extern bool count_in_memory; /* never keep the counter in a register: slow, for 
 
 opt_pass *count_make_pass();
 const ggc_root_tab *count_roots();
-/* To be called before a function is optimised. */
-void count_prepare_function();
 #endif

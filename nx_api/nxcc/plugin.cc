@@ -10,6 +10,7 @@
 #include "long32.h"
 #include "poll.h"
 #include "profile.h"
+#include "purity.h"
 
 int plugin_is_GPL_compatible;
 
@@ -84,7 +85,7 @@ void check_target(void *, void *)
 
 void begin_function(void *, void *)
 {
-    count_prepare_function();
+    purity_prepare_function();
 }
 
 void finish_unit(void *, void *)

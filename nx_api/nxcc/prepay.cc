@@ -1,6 +1,7 @@
 /* prepay.cc - see prepay.h. */
 #include "prepay.h"
 #include "costs.h"
+#include "leaves.h"
 #include <map>
 
 namespace
@@ -147,7 +148,7 @@ int64_t cost_of_block(basic_block bb)
 {
     int64_t sum = 0;
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        sum += costs_of(gsi_stmt(gsi));
+        sum += costs_of(gsi_stmt(gsi)) + leaves_cost(gsi_stmt(gsi));
     return sum;
 }
 

@@ -132,6 +132,11 @@ int profiling::cell_of(gimple *stmt) const
     return find_cell(function, called ? called : "", body);
 }
 
+int profiling::cell_of_leaf(tree function) const
+{
+    return find_cell(function, "", body);
+}
+
 /* The outermost loop around bb that gives control to nobody, or NULL. */
 class loop *profiling::quiet_loop(basic_block bb) const
 {

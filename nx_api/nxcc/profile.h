@@ -37,6 +37,8 @@ class profiling
     profiling(function *f, bool in_memory, bool (*looks)(gimple *));
     /* The cell of what stmt costs. */
     int cell_of(gimple *stmt) const;
+    /* The cell of what another function costs that leaves paying to this one. */
+    int cell_of_leaf(tree function) const;
     /* Appends: amount has been paid in bb for cell. */
     void add(gimple_seq *seq, basic_block bb, int cell, tree amount);
     /* Appends: control is about to be given away; the counter in memory will be left. */

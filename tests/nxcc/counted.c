@@ -63,6 +63,17 @@ long c_inlined_in_loop(long n)
     return sum;
 }
 
+/* The same on every way: its callers pay for it. */
+__attribute__((noinline, noclone)) static long small(long n)
+{
+    return n * n + 1;
+}
+
+long c_calls_small(long n)
+{
+    return small(n) - small(n + 1);
+}
+
 double c_sqrt(double x)
 {
     return sqrt(x);

@@ -13,6 +13,7 @@ int c_multiply(int a, int b);
 int c_divide_by_8(int a);
 long c_inlined(long n);
 long c_inlined_in_loop(long n);
+long c_calls_small(long n); /* twice small(), which multiplies and adds */
 double c_sqrt(double x);
 double c_exp(double x);
 double c_from_int(int i);

@@ -46,6 +46,12 @@ static void inlined_code_is_charged_where_it_runs(void **state)
     assert_int_equal(COST(c_inlined(9)), 3 * INTEGER);
 }
 
+static void a_small_function_costs_its_callers(void **state)
+{
+    (void)state;
+    assert_int_equal(COST(c_calls_small(9)), 2 * (CALL + ARGUMENT + 7 + INTEGER) + 2 * INTEGER);
+}
+
 static void each_round_of_a_loop(void **state)
 {
     double x[64] = {0};
@@ -276,6 +282,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(straight_lines),
         cmocka_unit_test(inlined_code_is_charged_where_it_runs),
+        cmocka_unit_test(a_small_function_costs_its_callers),
         cmocka_unit_test(each_round_of_a_loop),
         cmocka_unit_test(mathematics),
         cmocka_unit_test(calls_by_argument_and_result),

@@ -45,6 +45,14 @@ static void inlined_code_belongs_where_it_was_written(void **state)
     }
 }
 
+static void a_small_function_is_told_apart_though_its_callers_pay(void **state)
+{
+    (void)state;
+    int64_t cost = COST(c_calls_small(9));
+    assert_int_equal(own("small"), 2 * (7 + 1));
+    assert_int_equal(own("c_calls_small"), cost - 2 * (7 + 1));
+}
+
 static void library_calls_are_told_apart(void **state)
 {
     char a[100] = "", b[100] = "";
@@ -187,6 +195,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_function_by_itself),
         cmocka_unit_test(inlined_code_belongs_where_it_was_written),
+        cmocka_unit_test(a_small_function_is_told_apart_though_its_callers_pay),
         cmocka_unit_test(library_calls_are_told_apart),
         cmocka_unit_test(recursion),
         cmocka_unit_test(functions_called_and_called_back),

@@ -1,0 +1,98 @@
+/* leaves.cc - see leaves.h. Functions are known by their DECL_UID, which stays. */
+#include "leaves.h"
+#include "costs.h"
+#include "profile.h"
+#include <map>
+#include <set>
+
+namespace
+{
+std::map<unsigned, int64_t> leaves; /* units of their bodies */
+std::set<unsigned> called;          /* by functions that are compiled */
+
+/* All calls of it are in this file, by its name. */
+bool has_known_callers(function *fun)
+{
+    cgraph_node *node = cgraph_node::get(fun->decl);
+    return node && node->local && !node->has_aliases_p() && !called.count(DECL_UID(fun->decl));
+}
+
+bool is_plain(gimple *stmt)
+{
+    gcall *call = dyn_cast<gcall *>(stmt);
+    const std::vector<int> *of;
+    bool elements;
+    if (gimple_code(stmt) == GIMPLE_ASM ||
+        (call && (!costs_call_is_quiet(call) || costs_of_call(call, &of, &elements))))
+        return false;
+    /* the profile has one name for it all */
+    return !profile_on || (!costs_priced_call(stmt) &&
+                           DECL_ORIGIN(costs_written_in(stmt)) == DECL_ORIGIN(current_function_decl));
+}
+
+/* Adds what bb costs. False if that is not always the same. */
+bool add_cost(basic_block bb, int64_t *units)
+{
+    for (gimple_stmt_iterator gsi = gsi_start_nondebug_bb(bb); !gsi_end_p(gsi); gsi_next_nondebug(&gsi)) {
+        if (!is_plain(gsi_stmt(gsi)))
+            return false;
+        *units += costs_of(gsi_stmt(gsi));
+    }
+    return true;
+}
+
+/* The units from the function's begin to the end of each of its blocks, in an order in which blocks come after those that
+ * lead to them, are the same on all ways? */
+bool costs_always_the_same(function *fun, int64_t *units)
+{
+    std::map<int, int64_t> until; /* blocks' ends, by index */
+    auto_vec<int> order;
+    order.safe_grow(n_basic_blocks_for_fn(fun));
+    int n = pre_and_rev_post_order_compute_fn(fun, NULL, order.address(), true);
+    for (int i = 0; i < n; i++) {
+        basic_block bb = BASIC_BLOCK_FOR_FN(fun, order[i]);
+        edge e;
+        edge_iterator ei;
+        bool first = true;
+        until[bb->index] = 0;
+        FOR_EACH_EDGE (e, ei, bb->preds) {
+            auto before = until.find(e->src->index);
+            if ((e->flags & EDGE_COMPLEX) || e->src == bb || before == until.end() ||
+                (!first && before->second != until[bb->index]))
+                return false;
+            until[bb->index] = before->second;
+            first = false;
+        }
+        if (bb->index >= NUM_FIXED_BLOCKS && (!EDGE_COUNT(bb->succs) || !add_cost(bb, &until[bb->index])))
+            return false;
+    }
+    *units = until[EXIT_BLOCK];
+    return true;
+}
+} // namespace
+
+bool leaves_is_call(gimple *stmt)
+{
+    tree callee = is_gimple_call(stmt) ? gimple_call_fndecl(stmt) : NULL_TREE;
+    return callee && leaves.count(DECL_UID(callee));
+}
+
+int64_t leaves_cost(gimple *stmt)
+{
+    return leaves_is_call(stmt) ? leaves[DECL_UID(gimple_call_fndecl(stmt))] : 0;
+}
+
+void leaves_see_call(gcall *call)
+{
+    if (tree callee = gimple_call_fndecl(call))
+        called.insert(DECL_UID(callee));
+}
+
+bool leaves_accept(function *fun)
+{
+    int64_t units;
+    if (!has_known_callers(fun) || !costs_always_the_same(fun, &units))
+        return false;
+    leaves[DECL_UID(fun->decl)] = units;
+    return true;
+}
