@@ -34,7 +34,7 @@ $(NXCC_TEST)/random: tests/nxcc/random.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $<
 
-$(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h
+$(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -I. -c -o $@ $<
 
