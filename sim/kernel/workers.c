@@ -16,8 +16,8 @@ enum {
     SHUFFLED_DELAY_US = 20
 };
 
-/* Work pauses for other work that is so far behind. */
-#define FAR_BEHIND (2 * VT_MILLISECOND)
+/* Work pauses for other work that is so far behind. Not sooner: what it computes with is in the caches. */
+#define FAR_BEHIND (100 * VT_MILLISECOND)
 
 struct bound {
     vtime time;
