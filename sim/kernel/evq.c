@@ -241,16 +241,13 @@ static inline const struct event *least(const struct slot *s)
     return s->least ? s->least : s->list.first->events;
 }
 
-/* The slot of the next events (after 0), or the one after it (after 1). NULL: there is none. */
-static inline const struct slot *coming_slot(const struct evq *q, unsigned after)
+/* The slot of the next events. NULL: there is none. */
+static inline const struct slot *coming_slot(const struct evq *q)
 {
-    for (uint32_t levels = q->levels; levels; levels &= levels - 1) {
-        int level = __builtin_ctz(levels);
-        for (uint64_t filled = q->filled[level]; filled; filled &= filled - 1)
-            if (after-- == 0)
-                return &q->slots[level][__builtin_ctzll(filled)];
-    }
-    return NULL;
+    if (!q->levels)
+        return NULL;
+    int level = __builtin_ctz(q->levels);
+    return &q->slots[level][__builtin_ctzll(q->filled[level])];
 }
 
 static inline void clear_next_slot(struct evq *q)
@@ -281,7 +278,7 @@ static void spread(struct evq *q, struct list l)
 /* The present is over, the time of the next events begins. False: there are none. */
 static inline bool advance(struct evq *q)
 {
-    const struct slot *s = coming_slot(q, 0);
+    const struct slot *s = coming_slot(q);
     if (!s)
         return false;
     clear_next_slot(q);
@@ -322,23 +319,8 @@ static inline const struct event *first_of_lists(const struct evq *q)
 {
     if (q->next)
         return q->next;
-    const struct slot *s = coming_slot(q, 0);
+    const struct slot *s = coming_slot(q);
     return s ? least(s) : NULL;
-}
-
-static const struct event *second_of_lists(const struct evq *q)
-{
-    const struct slot *s = coming_slot(q, 0);
-    const struct event *e = NULL;
-    if (q->next) {
-        e = following(&q->run, q->next);
-    } else if (s) {
-        if (s->least)
-            return NULL; /* must be looked for */
-        e = following(&s->list, s->list.first->events);
-        s = coming_slot(q, 1);
-    }
-    return e ? e : s ? least(s) : NULL;
 }
 
 static inline const struct event *in_heap(const struct evq *q, size_t i)
@@ -349,14 +331,6 @@ static inline const struct event *in_heap(const struct evq *q, size_t i)
 static inline const struct event *first(const struct evq *q)
 {
     return earlier(in_heap(q, 0), first_of_lists(q));
-}
-
-static const struct event *second(const struct evq *q)
-{
-    const struct event *list = first_of_lists(q), *heap = in_heap(q, 0);
-    if (heap && heap == earlier(heap, list))
-        return earlier(list, earlier(in_heap(q, 1), in_heap(q, 2)));
-    return earlier(heap, second_of_lists(q));
 }
 
 vtime evq_next(const struct evq *q)
@@ -401,7 +375,16 @@ bool evq_step(struct evq *q)
 
 void *evq_coming(const struct evq *q, unsigned after, evq_fire **fire)
 {
-    const struct event *e = after ? second(q) : first(q);
-    *fire = e ? e->what.fire : NULL;
-    return e ? e->what.ctx : NULL;
+    assert(after < CHUNK);
+    *fire = NULL;
+    if (!q->next)
+        return NULL;
+    const struct chunk *c = q->run.first;
+    const struct event *e = q->next + after, *end = c->events + CHUNK;
+    if (e >= end && c != q->run.last)
+        c = c->next, e = c->events + (e - end);
+    if (e >= (c == q->run.last ? q->run.end : c->events + CHUNK))
+        return NULL;
+    *fire = e->what.fire;
+    return e->what.ctx;
 }

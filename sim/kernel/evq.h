@@ -30,8 +30,7 @@ uint32_t evq_next_place(const struct evq *q);
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
 /* Takes the earliest event out and lets it happen. False when there is none. */
 bool evq_step(struct evq *q);
-/* What is to happen next (after 0), or after that (after 1): its ctx, and *fire. NULL and NULL: nothing. What comes second
- * is a guess, nearly always right. For hints only, such as what to load into the caches: events may still be put in
- * before it. */
+/* What happens so many events (at most 22) after the next, its ctx and *fire, if that is of the present time and came in
+ * order; else NULL and NULL. For hints only, such as what to load into the caches: events may still come in between. */
 void *evq_coming(const struct evq *q, unsigned after, evq_fire **fire);
 #endif

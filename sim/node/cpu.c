@@ -54,7 +54,7 @@ static void leave_check(struct node *n)
     bounds_set(&n->sys->checks, n->place, VT_NEVER);
 }
 
-/* The node whose turn is next, or after that; NULL: something else happens then. */
+/* The node whose turn comes so many events after the next; NULL: unknown, or something else happens then. */
 static struct node *coming(const struct node_system *s, unsigned after)
 {
     evq_fire *fire;
@@ -62,15 +62,16 @@ static struct node *coming(const struct node_system *s, unsigned after)
     return fire == go_on || fire == wake ? n : NULL;
 }
 
-/* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins while the one
- * before runs, or the one before that: the node first, then what it points to. */
+/* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
+ * the node first, then what it points to. */
 static void warm_coming(const struct node_system *s)
 {
     enum { LINE = 64, STACK = 12 * LINE }; /* from a program's call to the switch: some functions */
-    const struct node *n = coming(s, 1);
+    enum { FAR = 5, NEAR = 2 };
+    const struct node *n = coming(s, FAR);
     for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
         __builtin_prefetch((const char *)n + i, 1);
-    n = coming(s, 0);
+    n = coming(s, NEAR);
     if (!n || n->state == NODE_ENDED || n->ahead.loose)
         return;
     __builtin_prefetch(n->mailbox, 1);

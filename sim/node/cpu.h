@@ -9,6 +9,8 @@
  * it, so that it is gone on with when all others have come so far, and computes at once what it would have computed in many
  * slices. If a message comes to it before, it is first brought to where it would be (node_catch_up).
  *
+ * A call that only hands something over is pending until its turn comes, and the program computes on (pending.h).
+ *
  * With workers (kernel/workers.h), a long stretch of a program without such a handler is handed out: then it is loose, and
  * runs on any thread, beside others, until its next call (or crash, or the end of time). While it is loose, it and the
  * thread that runs it have
