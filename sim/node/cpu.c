@@ -1,13 +1,13 @@
-/* cpu.c - see cpu.h. */
+/* cpu.c - the program's side of cpu.h; turns.c has the scheduler's. */
 #include "node/cpu.h"
 #include <assert.h>
 #include <errno.h>
-#include <stddef.h>
 #include "kernel/fiber.h"
 #include "node/clock.h"
 #include "node/mailbox.h"
 #include "node/pending.h"
 #include "node/system.h"
+#include "node/turns.h"
 #include "nx_api/nxcc/image.h"
 
 /* For time limits and the keyboard only: the most calls between looks at them, and how many a look at a computing program
@@ -30,361 +30,12 @@ __attribute__((noipa)) void node_set_errno(int error)
     errno = error;
 }
 
-/* --- the scheduler's side --- */
-
-static void go_on(void *ctx, void *arg, vtime now);
-static void wake(void *ctx, void *arg, vtime now);
-
-static void put_go_on(struct node *n, vtime t)
-{
-    evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
-}
-
-/* A computing node's program has stopped at a check and is not gone on with before t: until then it makes no call. */
-static void stop_at_check(struct node *n, vtime check, vtime t)
-{
-    n->ahead.stopped = true;
-    n->ahead.check = check;
-    bounds_set(&n->sys->checks, n->place, vt_max(check, t));
-}
-
-static void leave_check(struct node *n)
-{
-    n->ahead.stopped = false;
-    bounds_set(&n->sys->checks, n->place, VT_NEVER);
-}
-
-/* The node whose turn comes so many events after the next; NULL: unknown, or something else happens then. */
-static struct node *coming(const struct node_system *s, unsigned after)
-{
-    evq_fire *fire;
-    struct node *n = evq_coming(s->q, after, &fire);
-    return fire == go_on || fire == wake ? n : NULL;
-}
-
-/* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
- * the node first, then what it points to. */
-static void warm_coming(const struct node_system *s)
-{
-    enum { LINE = 64, STACK = 12 * LINE }; /* from a program's call to the switch: some functions */
-    enum { FAR = 5, NEAR = 2 };
-    const struct node *n = coming(s, FAR);
-    for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
-        __builtin_prefetch((const char *)n + i, 1);
-    n = coming(s, NEAR);
-    if (!n || n->state == NODE_ENDED || n->ahead.loose)
-        return;
-    __builtin_prefetch(n->mailbox, 1);
-    __builtin_prefetch(n->fiber, 1);
-    __builtin_prefetch(n->image);
-    __builtin_prefetch(n->warm.left, 1);
-    for (size_t i = 0; n->warm.stack && i < STACK; i += LINE)
-        __builtin_prefetch(n->warm.stack + i, 1);
-}
-
-/* Lets the program run on this thread until it yields. */
-static void run(struct node *n)
-{
-    errno = n->saved_errno;
-    n->clock.runs = true;
-    if (n->sys->run)
-        n->sys->run(n);
-    else
-        fiber_resume(n->fiber);
-    n->warm.stack = fiber_innermost(n->fiber);
-    clock_sync(n);
-    n->clock.runs = false;
-    n->saved_errno = errno;
-}
-
-static void show_crash(void *ctx, void *arg, vtime now)
-{
-    struct node *n = ctx;
-    (void)arg;
-    n->sys->stop_at = now;
-    if (n->state != NODE_ENDED)
-        n->sys->crashed(n);
-}
-
-/* A program has crashed somewhere before its next look, however far it was let run. In a call that is now. */
-static void crash(struct node *n)
-{
-    if (n->call)
-        show_crash(n, NULL, node_now(n));
-    else
-        evq_put_late(n->sys->q, clock_next_look(n), n->place, show_crash, n, NULL);
-}
-
-/* A wait of `waited` is over, during which the system was busy for `busy`. */
-static void account_wait(struct node *n, vtime waited, vtime busy)
-{
-    vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
-    n->stats.system -= beside;
-    n->stats.beside += beside;
-    n->stats.idle += idle;
-    if (idle)
-        waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
-}
-
-static void block(struct node *n, vtime now)
-{
-    n->state = NODE_BLOCKED;
-    n->wait.since = now;
-    n->wait.busy = n->stats.system;
-}
-
-/* Has the machine been told to stop, or this node come to the end of time? */
-static bool past_end(struct node *n, vtime now)
-{
-    if (now > n->sys->max_time && !n->sys->stop) {
-        pending_take_back(n);
-        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by %s%s%s",
-                         vt_seconds(n->sys->max_time), n->name, n->call ? " in " : " computing",
-                         n->call ? n->call : "");
-    }
-    return n->sys->stop;
-}
-
-/* Has the program, which waits, anything to do now? */
-static bool may_go_on(struct node *n, vtime now)
-{
-    return mailbox_handler_due(n, now) || n->wait.ready(n, n->wait.arg);
-}
-
-static void run_warm(struct node *n)
-{
-    n->state = NODE_COMPUTING;
-    n->sys->unseen = 0;
-    run(n);
-    if (n->crash && n->pending.count == 0)
-        crash(n);
-    else if (n->ahead.loose)
-        workers_hand(n->sys->workers, &n->ahead.work);
-}
-
-static void run_on(struct node *n)
-{
-    warm_coming(n->sys);
-    run_warm(n);
-}
-
-static void resume(struct node *n, vtime now)
-{
-    clock_advance_to(n, now);
-    run_on(n);
-}
-
-bool node_run_ahead(struct node *n)
-{
-    n->ahead.paused = false;
-    run(n);
-    return n->crash || !n->ahead.paused;
-}
-
-void node_catch(struct node *n)
-{
-    n->ahead.loose = false;
-    if (n->crash)
-        crash(n);
-    else
-        put_go_on(n, n->ahead.arrived);
-}
-
-/* Is a node's check to come before time and place? */
-static bool check_is_before(const struct node_system *s, vtime time, uint32_t place)
-{
-    vtime check = bounds_least(&s->checks);
-    return check < time || (check == time && check != VT_NEVER && bounds_place(&s->checks) < place);
-}
-
-/* Is the node's call or check at `now` the machine's earliest event? */
-static bool is_first(struct node *n, vtime now)
-{
-    const struct node_system *s = n->sys;
-    return evq_late_is_first(s->q, now, n->place) && !check_is_before(s, now, n->place) &&
-           (!s->workers || workers_allow(s->workers, now, n->place));
-}
-
-/* A computing node has come to a call or check. */
-static void arrive(struct node *n, vtime now)
-{
-    clock_advance_to(n, now);
-    if (n->wait.ready && is_first(n, now) && !n->sys->stop && now <= n->sys->max_time && !may_go_on(n, now))
-        block(n, now);
-    else
-        resume(n, now);
-}
-
-/* What the program has been waiting for with nothing pending any more, or what has become of it. */
-static void pending_made(struct node *n)
-{
-    bool drains = n->pending.drains;
-    n->pending.drains = false;
-    if (n->crash)
-        crash(n);
-    else if (drains)
-        run_on(n);
-    else
-        put_go_on(n, clock_sync(n));
-}
-
-/* Pending calls have their turn: the first, and those for which it is then the turn already. */
-static void make_pending(struct node *n, vtime now)
-{
-    do {
-        if (past_end(n, now))
-            return;
-        pending_commit(n, now);
-        if (n->pending.count == 0) {
-            pending_made(n);
-            return;
-        }
-        now = pending_next(n);
-    } while (is_first(n, now));
-    put_go_on(n, now);
-}
-
-/* It is the turn of a node that computes ahead: of its call or check, or of the first of its pending calls. */
-static void go_on(void *ctx, void *arg, vtime now)
-{
-    struct node *n = ctx;
-    (void)arg;
-    if (n->state == NODE_ENDED)
-        return; /* killed meanwhile */
-    if (n->clock.stolen) {
-        vtime until = now + n->clock.stolen;
-        n->clock.stolen = 0;
-        put_go_on(n, until);
-    } else if (n->pending.count) {
-        make_pending(n, now);
-    } else {
-        arrive(n, now);
-    }
-}
-
-/* The turn of a node's check. */
-static void check(struct node *n)
-{
-    leave_check(n);
-    if (n->clock.stolen) {
-        go_on(n, NULL, n->ahead.check);
-        return;
-    }
-    clock_advance_to(n, n->ahead.check);
-    run_warm(n);
-}
-
-void node_catch_up(struct node *n, vtime t)
-{
-    if (!n->ahead.stopped)
-        return;
-    if (n->ahead.check < t && !n->clock.stolen) {
-        n->ahead.up_to = t;
-        check(n);
-        n->ahead.up_to = 0;
-    }
-    if (n->ahead.stopped)
-        stop_at_check(n, n->ahead.check, 0);
-}
-
-void node_catch_up_now(struct node *n)
-{
-    const struct node_system *s = n->sys;
-    node_catch_up(n, s->present.time + (n->place < s->present.place));
-}
-
-vtime node_next(const struct node_system *s, uint32_t *place)
-{
-    vtime time = evq_next(s->q);
-    *place = evq_next_place(s->q);
-    if (!check_is_before(s, time, *place))
-        return time;
-    *place = bounds_place(&s->checks);
-    return bounds_least(&s->checks);
-}
-
-bool node_step(struct node_system *s)
-{
-    vtime time = evq_next(s->q);
-    uint32_t place = evq_next_place(s->q);
-    if (check_is_before(s, time, place)) {
-        check(node_at(s, bounds_place(&s->checks)));
-        return true;
-    }
-    s->present.time = time, s->present.place = place;
-    return evq_step(s->q);
-}
-
-static void wake(void *ctx, void *arg, vtime now)
-{
-    struct node *n = ctx;
-    (void)arg;
-    if (n->state != NODE_BLOCKED)
-        return;
-    clock_advance_to(n, now);
-    account_wait(n, now - n->wait.since, n->stats.system - n->wait.busy);
-    if (may_go_on(n, now))
-        resume(n, now);
-    else
-        block(n, now);
-}
-
-void node_wake(struct node *n, vtime t)
-{
-    evq_put_late(n->sys->q, t, n->place, wake, n, NULL);
-}
-
-void node_start(struct node *n, vtime t)
-{
-    put_go_on(n, t);
-}
-
-void node_account(struct node *n, enum node_task task, vtime t)
-{
-    n->stats.tasks[task] += t;
-    n->stats.system += t;
-}
-
-/* What takes an ordinary node's system t takes this one's so long. */
-vtime node_system_time(const struct node *n, vtime t)
-{
-    return n->system_milli == 1000 ? t : t * n->system_milli / 1000;
-}
-
-/* The system has the processor for t, beside or instead of the program. */
-static void steal(struct node *n, enum node_task task, vtime t)
-{
-    if (n->state == NODE_ENDED)
-        return; /* nobody's time any more */
-    node_catch_up_now(n);
-    if (n->state == NODE_COMPUTING)
-        n->clock.stolen += t;
-    node_account(n, task, t);
-}
-
-vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
-{
-    struct node_system *sys = ctx;
-    struct node *n = node_at(sys, node);
-    t = node_system_time(n, t);
-    n->sys_free = vt_max(at, n->sys_free) + t;
-    steal(n, task == PROTO_SEND ? NODE_SENDING : NODE_RECEIVING, t);
-    return n->sys_free;
-}
-
-void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
-{
-    struct node_system *sys = ctx;
-    struct node *n = node_at(sys, node);
-    steal(n, task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, node_system_time(n, t));
-}
-
-/* --- the program's side --- */
+/* --- calls --- */
 
 /* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know. */
 static bool must_stop(struct node *n, vtime now)
 {
-    return past_end(n, now) || ++n->sys->unseen > MOST_UNSEEN;
+    return turn_past_end(n, now) || ++n->sys->unseen > MOST_UNSEEN;
 }
 
 static vtime end_of_time(const struct node *n)
@@ -429,7 +80,8 @@ static bool must_yield(struct node *n, vtime now)
 {
     if (n->ahead.up_to)
         return n->call || now >= n->ahead.up_to;
-    return n->ahead.loose || n->pending.count || n->clock.stolen || !is_first(n, now) || must_stop(n, now);
+    return n->ahead.loose || n->pending.count || n->clock.stolen || !turn_is_first(n, now) ||
+           must_stop(n, now);
 }
 
 /* Yields to what is to happen before the node's call at `now`. */
@@ -438,9 +90,9 @@ static void yield_turn(struct node *n, vtime now)
     if (n->ahead.loose)
         n->ahead.arrived = now; /* for node_catch */
     else if (!n->call && n->ahead.alert)
-        stop_at_check(n, now, quiet_until(n));
+        turn_at_check(n, now, quiet_until(n));
     else if (n->pending.count == 0)
-        put_go_on(n, now);
+        turn_put(n, now);
 }
 
 void node_order(struct node *n)
@@ -495,13 +147,13 @@ static bool may_pend(const struct node *n)
 void node_enter_early(struct node *n, const char *call)
 {
     begin_call(n, call, true);
-    bool waits = !n->ahead.loose && (n->pending.count || n->clock.stolen || !is_first(n, n->call_since));
+    bool waits = !n->ahead.loose && (n->pending.count || n->clock.stolen || !turn_is_first(n, n->call_since));
     if (!waits || !may_pend(n)) {
         take_turn(n);
         return;
     }
     if (n->pending.count == 0)
-        put_go_on(n, n->call_since);
+        turn_put(n, n->call_since);
     pending_begin(n);
 }
 
@@ -660,21 +312,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
             node_order(n);
     }
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
-        block(n, node_now(n));
+        turn_block(n, node_now(n));
         switch_away(n, ready, arg);
     }
-}
-
-void node_cut(struct node *n, vtime t)
-{
-    pending_take_back(n);
-    node_catch_up(n, t);
-    leave_check(n);
-    vtime at = node_now(n) + n->clock.stolen;
-    if (n->state == NODE_BLOCKED)
-        account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);
-    else if (at > t)
-        clock_cut(n, at - t);
-    n->cut_short = n->state == NODE_COMPUTING;
-    n->clock.stolen = 0;
 }

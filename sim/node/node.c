@@ -335,6 +335,8 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
 static void strip(struct node *n)
 {
     pending_free(n);
+    if (n->mailbox && n->sys->proto)
+        mailbox_abandon(n); /* what its messages under way would tell */
     mailbox_free(n->mailbox);
     waits_free(&n->stats.waits);
     free(n->crash);
