@@ -116,6 +116,8 @@ static void settle(struct node *n, long id)
 void mailbox_settle(struct node *n)
 {
     struct mailbox_ids *ids = mailbox_ids(n);
+    if (!ids->ignored)
+        return;
     struct node_info before = n->info;
     for (uint32_t i = 0; ids->ignored && i < ids->count; i++)
         if (ids->table[i].ignored && mailbox_id_is_complete(n, i)) {

@@ -3,11 +3,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Calls' names are mostly the same text, not only equal. */
+static bool is_call(const char *a, const char *b)
+{
+    return a == b || strcmp(a, b) == 0;
+}
+
 static struct node_wait *entry(struct node_waits *w, const char *call, bool has_type, long type)
 {
     for (size_t i = 0; i < w->count; i++) {
         struct node_wait *e = &w->list[i];
-        if (e->type == type && e->has_type == has_type && strcmp(e->call, call) == 0)
+        if (e->type == type && e->has_type == has_type && is_call(e->call, call))
             return e;
     }
     if (w->count == w->room) {
