@@ -14,9 +14,7 @@ struct pending_call {
     uint64_t units; /* the node's clock at its beginning */
     vtime origin;
     struct node_memory memory; /* then */
-    const char *name;          /* as node.call and what follows it */
-    long type;
-    bool has_type;
+    const char *name;          /* as node.call */
     vtime spent;
     struct receive *receive;
     struct message *messages;
@@ -75,10 +73,6 @@ void pending_send(struct node *n, struct message *first, uint64_t receivers)
 
 void pending_end(struct node *n)
 {
-    if (!n->pending.open)
-        return;
-    struct pending_call *c = open_call(n);
-    c->type = n->call_type, c->has_type = n->call_has_type;
     n->pending.open = false;
 }
 
@@ -145,7 +139,7 @@ void pending_take_back(struct node *n)
     pending_end(n);
     const struct pending_call *first = nth(n, 0);
     n->clock.units = first->units, n->clock.origin = first->origin;
-    n->call = first->name, n->call_type = first->type, n->call_has_type = first->has_type;
+    n->call = first->name, n->call_has_type = false; /* as it was when it began */
     n->call_since = time_of(n, first);
     while (n->pending.count)
         drop(take_first(n).messages);
