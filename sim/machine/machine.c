@@ -361,11 +361,10 @@ uint32_t machine_nodes(const struct machine *m)
 /* One that computes when another fails, or comes to the limit of time, may have run ahead. */
 static void note_end(struct machine *m, struct node *n)
 {
-    bool failed = m->sys.stop == STOP_FAILED, limited = m->sys.stop == STOP_VIRTUAL_TIME;
-    if (n->state == NODE_COMPUTING && (failed || limited)) {
-        vtime end = failed ? m->sys.stop_at : m->sys.max_time;
-        node_stop(n, end);
-        n->stats.ended_at = end;
+    bool at_a_time = m->sys.stop == STOP_FAILED || m->sys.stop == STOP_VIRTUAL_TIME;
+    if (n->state == NODE_COMPUTING && at_a_time) {
+        node_stop(n, m->sys.stop_at);
+        n->stats.ended_at = m->sys.stop_at;
     } else if (n->state != NODE_ENDED) {
         pending_take_back(n);
         n->stats.ended_at = node_now(n);

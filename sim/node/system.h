@@ -35,7 +35,7 @@ struct node_system {
     vtime longest_slice; /* not 0: computing is stopped at least so often, for tests: it changes no result */
 
     enum node_stop stop; /* why the machine stops before its programs have ended */
-    vtime stop_at;       /* a failed program's time */
+    vtime stop_at;       /* STOP_FAILED: the failed program's time; STOP_VIRTUAL_TIME: the limit */
     uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
 
     /* the first failure, for the user; NULL none */

@@ -113,6 +113,7 @@ bool turn_past_end(struct node *n, vtime now)
 {
     if (now > n->sys->max_time && !n->sys->stop) {
         pending_take_back(n);
+        n->sys->stop_at = n->sys->max_time;
         node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by %s%s%s",
                          vt_seconds(n->sys->max_time), n->name, n->call ? " in " : " computing",
                          n->call ? n->call : "");
