@@ -41,8 +41,8 @@ static uint32_t place_of(const struct node *n, long node)
 
 static struct message *last(struct message *m)
 {
-    while (m->also)
-        m = m->also;
+    while (m->next)
+        m = m->next;
     return m;
 }
 

@@ -16,7 +16,9 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
         return NULL;
     p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
     p->least_milli = cfg->fast_every && cfg_fast_system_milli(cfg) < 1000 ? cfg_fast_system_milli(cfg) : 1000;
-    p->messages.bytes = sizeof(struct message);
+    for (unsigned i = 0; i < PROTO_SIZES; i++)
+        p->messages[i].bytes = sizeof(struct message) + PROTO_IN_MESSAGE[i];
+    p->trips.bytes = sizeof(struct trip);
     p->wire = wire_new(topo, q, &calls);
     p->in = calloc(topo->places, sizeof *p->in);
     p->out = calloc(topo->places, sizeof *p->out);
@@ -33,11 +35,13 @@ void proto_free(struct proto *p)
         return;
     for (uint32_t i = 0; p->in && i < p->topo.places; i++)
         while (p->in[i])
-            proto_message_free(p->in[i]);
+            proto_message_free(p->in[i]->m);
     wire_free(p->wire);
     free(p->in);
     free(p->out);
-    pool_free(&p->messages);
+    for (unsigned i = 0; i < PROTO_SIZES; i++)
+        pool_free(&p->messages[i]);
+    pool_free(&p->trips);
     free(p);
 }
 
@@ -53,26 +57,16 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
     if (next == VT_NEVER)
         return VT_NEVER;
     vtime horizon = next + proto_least(p, vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps));
-    for (const struct message *m = p->in[node]; m; m = m->next_in)
-        horizon = vt_min(horizon, vt_max(m->at_receiver.at, next + m->at_receiver.after));
-    for (const struct message *m = p->out[node]; m; m = m->next_out)
-        horizon = vt_min(horizon, vt_max(m->at_sender.at, next + m->at_sender.after));
+    for (const struct trip *t = p->in[node]; t; t = t->next_in)
+        horizon = vt_min(horizon, vt_max(t->at_receiver.at, next + t->at_receiver.after));
+    for (const struct trip *t = p->out[node]; t; t = t->next_out)
+        horizon = vt_min(horizon, vt_max(t->at_sender.at, next + t->at_sender.after));
     return horizon;
 }
 
 void proto_set_nodes(struct proto *p, uint32_t n)
 {
     p->topo.nodes = n;
-}
-
-struct message *proto_to(const struct proto *p, uint32_t place)
-{
-    return p->in[place];
-}
-
-struct message *proto_from(const struct proto *p, uint32_t place)
-{
-    return p->out[place];
 }
 
 /* --- sending --- */
@@ -82,15 +76,18 @@ static void inject(void *ctx, void *arg, vtime now);
 
 void proto_send(struct proto *p, struct message *m, vtime when)
 {
-    if (!m->link_in)
-        proto_link(p, m);
+    if (!m->trip)
+        proto_begin_trip(p, m);
+    struct trip *t = m->trip;
+    if (!t->link_in)
+        proto_link(p, t);
     if (m->is_long) {
-        m->at_sender = proto_at(when + 2 * proto_trip(m));
-        m->at_receiver = proto_at(when + proto_trip(m));
+        t->at_sender = proto_at(when + 2 * proto_trip(m));
+        t->at_receiver = proto_at(when + proto_trip(m));
         evq_put(p->q, when + proto_trip(m), m->to, ask_arrives, p, m);
     } else {
-        m->at_sender = PROTO_NOTHING;
-        m->at_receiver = proto_at(when);
+        t->at_sender = PROTO_NOTHING;
+        t->at_receiver = proto_at(when);
         evq_put(p->q, when, m->from, inject, p, m);
     }
 }
@@ -98,12 +95,12 @@ void proto_send(struct proto *p, struct message *m, vtime when)
 /* The receiver of m sends on what it is to send on, from `when` on; returns when it is done with that. */
 static vtime pass_on(struct proto *p, struct message *m, vtime when)
 {
-    for (struct message *o = m->pass_on, *next; o; o = next) {
-        next = o->also;
+    for (struct message *o = m->trip->pass_on, *next; o; o = next) {
+        next = o->next;
         when = p->nodes.work(p->nodes.ctx, o->from, PROTO_SEND, when, proto_send_time(p, o->type, o->bytes));
         proto_send(p, o, when);
     }
-    m->pass_on = NULL;
+    m->trip->pass_on = NULL;
     return when;
 }
 
@@ -114,7 +111,7 @@ static void look_at(struct proto *p, struct message *m, vtime now);
 /* Is there a message under way between the same programs, sent earlier, whose envelope has not come? */
 static bool must_wait(const struct proto *p, const struct message *m)
 {
-    for (const struct message *o = p->in [m->to]; o; o = o->next_in)
+    for (const struct trip *o = p->in [m->to]; o; o = o->next_in)
         if (o->source == m->source && o->order < m->order && !o->envelope)
             return true;
     return false;
@@ -123,19 +120,19 @@ static bool must_wait(const struct proto *p, const struct message *m)
 /* The envelope that waited for the one just seen, if it has come: the next in order. */
 static struct message *released(const struct proto *p, uint32_t source, uint32_t to)
 {
-    struct message *first = NULL;
-    for (struct message *o = p->in[to]; o; o = o->next_in)
+    const struct trip *first = NULL;
+    for (const struct trip *o = p->in[to]; o; o = o->next_in)
         if (o->source == source && !o->envelope && (!first || o->order < first->order))
             first = o;
-    return first && first->waits ? first : NULL;
+    return first && first->waits ? first->m : NULL;
 }
 
 /* An envelope has come: look at it unless an earlier one is still to come, and then at those that waited for it. */
 static void envelope_comes(struct proto *p, struct message *m, vtime now)
 {
     if (must_wait(p, m)) {
-        m->waits = true;
-        m->at_receiver = proto_after(0);
+        m->trip->waits = true;
+        m->trip->at_receiver = proto_after(0);
         return;
     }
     uint32_t source = m->source, to = m->to;
@@ -149,13 +146,13 @@ static void whole_message(struct proto *p, struct message *m, vtime now);
 
 static void look_at(struct proto *p, struct message *m, vtime now)
 {
-    m->envelope = true;
+    m->trip->envelope = true;
     if (!m->is_long) {
         whole_message(p, m, now);
         return;
     }
     vtime answered = p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, p->cfg->ask_receive_ps);
-    m->at_receiver = m->at_sender = proto_after(proto_trip(m));
+    m->trip->at_receiver = m->trip->at_sender = proto_after(proto_trip(m));
     if (p->nodes.envelope(p->nodes.ctx, m, now))
         proto_grant(p, m, answered);
 }
@@ -172,8 +169,8 @@ static void grant_arrives(void *ctx, void *arg, vtime now)
     struct proto *p = ctx;
     struct message *m = arg;
     vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTO_SEND, now, p->cfg->grant_receive_ps);
-    m->at_sender = proto_at(ready);
-    m->at_receiver = proto_at(ready + proto_trip(m));
+    m->trip->at_sender = proto_at(ready);
+    m->trip->at_receiver = proto_at(ready + proto_trip(m));
     evq_put(p->q, ready, m->from, inject, p, m);
 }
 
@@ -181,8 +178,8 @@ void proto_grant(struct proto *p, struct message *m, vtime when)
 {
     assert(m->is_long && !m->granted);
     m->granted = true;
-    m->at_sender = proto_at(when + proto_trip(m));
-    m->at_receiver = proto_at(when + proto_trip(m) + proto_least(p, p->cfg->grant_receive_ps));
+    m->trip->at_sender = proto_at(when + proto_trip(m));
+    m->trip->at_receiver = proto_at(when + proto_trip(m) + proto_least(p, p->cfg->grant_receive_ps));
     evq_put(p->q, when + proto_trip(m), m->from, grant_arrives, p, m);
 }
 
@@ -195,7 +192,7 @@ static bool by_hand(const struct message *m)
 static void sent(struct proto *p, struct message *m, vtime now)
 {
     m->sent = true;
-    proto_unlink_out(m);
+    proto_unlink_out(m->trip);
     p->nodes.sent(p->nodes.ctx, m, now);
 }
 
@@ -205,18 +202,19 @@ static void inject(void *ctx, void *arg, vtime now)
     struct message *m = arg;
     if (by_hand(m))
         p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
-    vtime duration = m->transit.duration;
-    m->at_sender = proto_at(now + duration); /* a handler may be due when it has left; and it may wait */
-    m->at_sender.after = duration;
-    m->at_receiver = proto_after(m->is_long ? proto_trip(m) : duration);
+    struct trip *t = m->trip;
+    vtime duration = t->transit.duration;
+    t->at_sender = proto_at(now + duration); /* a handler may be due when it has left; and it may wait */
+    t->at_sender.after = duration;
+    t->at_receiver = proto_after(m->is_long ? proto_trip(m) : duration);
     if (!m->is_long)
         sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
-    wire_send(p->wire, &m->transit, now);
+    wire_send(p->wire, &t->transit, now);
 }
 
 static struct message *message_of(struct wire_transit *t)
 {
-    return (struct message *)((char *)t - offsetof(struct message, transit));
+    return ((struct trip *)((char *)t - offsetof(struct trip, transit)))->m;
 }
 
 static void data_flow(void *ctx, void *arg, vtime now)
@@ -224,18 +222,18 @@ static void data_flow(void *ctx, void *arg, vtime now)
     struct proto *p = ctx;
     struct message *m = arg;
     p->nodes.move(p->nodes.ctx, m->to, PROTO_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
-    m->at_receiver = proto_at(now + m->bytes * p->cfg->long_ps_per_byte);
+    m->trip->at_receiver = proto_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
 static void started(struct wire_transit *t, vtime now)
 {
     struct message *m = message_of(t);
-    m->at_sender = proto_at(now + m->transit.duration);
+    m->trip->at_sender = proto_at(now + t->duration);
     if (!by_hand(m)) {
-        m->at_receiver = proto_at(now + m->transit.duration);
+        m->trip->at_receiver = proto_at(now + t->duration);
         return;
     }
-    m->at_receiver = proto_at(now + proto_trip(m));
+    m->trip->at_receiver = proto_at(now + proto_trip(m));
     evq_put(m->proto->q, now + proto_trip(m), m->to, data_flow, m->proto, m);
 }
 
@@ -245,7 +243,7 @@ static void complete(struct proto *p, struct message *m, vtime now, vtime system
 {
     m->complete = pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, system));
     m->arrived = true;
-    proto_unlink_in(m);
+    proto_end_trip(m);
     p->nodes.arrived(p->nodes.ctx, m, now);
 }
 

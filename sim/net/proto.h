@@ -35,48 +35,32 @@ struct proto;
 
 #define PROTO_FORCED INT64_C(0x40000000)
 
-/* When the next thing reaches a node on a message's account: not before `at`, nor before the machine's next
- * event plus `after`. Lets a node with an armed handler compute on until then. */
-struct proto_bound {
-    vtime at, after;
-};
+struct trip; /* of a message that is under way: proto_parts.h */
 
-/* So few bytes lie in the message itself: those of the short messages of the machines. */
-enum { PROTO_FEW = 104 };
-
+/* A message from its making until it has been received. Thousands may lie unexpected in mailboxes: so it has no more than is
+ * of use then, and what a receiver looks at first in the first line of the cache. */
 struct message {
+    struct message *next; /* of those sent in one call; of those to be passed on; then of the unexpected */
+    int64_t type, pid;
     uint32_t from, to;
     uint32_t source; /* whose program sent it: from, unless it has been passed on */
-    bool is_long, forced;
-    bool waits;    /* its envelope has come before an earlier one's */
-    bool envelope; /* has been looked at by the receiver */
-    bool sent;     /* the sender's buffer may be used again */
-    bool granted;
-    bool arrived;
-    bool buffered; /* held in a system buffer */
-    bool unwanted; /* to be thrown away when it arrives */
-    int64_t type, pid;
+    bool is_long : 1, forced : 1;
+    bool sent : 1; /* the sender's buffer may be used again */
+    bool granted : 1;
+    bool arrived : 1;
+    bool buffered : 1; /* held in a system buffer */
+    bool unwanted : 1; /* to be thrown away when it arrives */
     size_t bytes;
+    vtime complete; /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
+    void *receive;  /* the posted receive it is for, NULL: none yet */
+
+    void *send;    /* the sender's message id or handler, NULL: nobody asks */
+    void *service; /* not between programs: what it is about, to a service or its client; else NULL */
     struct proto *proto;
-    uint64_t order; /* of all messages, in the order sent */
-
-    /* under way */
-    struct message *next_in, **link_in;   /* to the receiver */
-    struct message *next_out, **link_out; /* being sent by the sender */
-    struct proto_bound at_sender, at_receiver;
-    struct wire_transit transit;
-
-    /* the receiver's mailbox and the sender's call */
-    void *receive;        /* the posted receive it is for, NULL: none yet */
-    vtime complete;       /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
-    struct message *next; /* unexpected */
-    void *send;           /* the sender's message id or handler, NULL: nobody asks */
-    void *service;        /* not between programs: what it is about, to a service or its client; else NULL */
-
-    struct message *pass_on; /* what the receiver is to send on, linked by also */
-    struct message *also;
-    void *data; /* a copy of the sender's: in few, or shared by messages to all nodes */
-    char few[PROTO_FEW];
+    struct trip *trip; /* NULL: not sent yet, or arrived */
+    uint64_t order;    /* of all messages, in the order sent */
+    void *data;        /* a copy of the sender's: in few, or shared by messages to all nodes */
+    char few[];
 };
 
 /* At which end of a message a processor has something to do. */
@@ -109,15 +93,17 @@ vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes);
 struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
                               const void *data, size_t bytes);
 void proto_send(struct proto *p, struct message *m, vtime at);
-/* The messages that the sender itself sends to reach all other nodes, in order, linked by `also`; each to be handed to
+/* The messages that the sender itself sends to reach all other nodes, in order, linked by `next`; each to be handed to
  * proto_send. NULL if there is no other node. */
 struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
                              size_t bytes);
 /* From now on all nodes are the first n of the cube. Not more than it was made for. */
 void proto_set_nodes(struct proto *p, uint32_t n);
-/* The first of the messages on their way to a place, linked by next_in; and of those being sent from there, by next_out. */
+/* The messages on their way to a place, and those being sent from there: the first, and the one after m. NULL: no more. */
 struct message *proto_to(const struct proto *p, uint32_t place);
+struct message *proto_next_to(const struct message *m);
 struct message *proto_from(const struct proto *p, uint32_t place);
+struct message *proto_next_from(const struct message *m);
 /* Room has been found for a message whose envelope was answered with false. */
 void proto_grant(struct proto *p, struct message *m, vtime now);
 /* The receiver is done with it, or it is not wanted. */

@@ -32,37 +32,89 @@ bool proto_one_trip(const struct proto *p, int64_t type, size_t bytes)
 
 /* --- which messages are under way --- */
 
-void proto_link(struct proto *p, struct message *m)
+void proto_begin_trip(struct proto *p, struct message *m)
 {
-    m->next_in = p->in[m->to], m->link_in = &p->in[m->to];
-    m->next_out = p->out[m->from], m->link_out = &p->out[m->from];
-    if (m->next_in)
-        m->next_in->link_in = &m->next_in;
-    if (m->next_out)
-        m->next_out->link_out = &m->next_out;
-    *m->link_in = m, *m->link_out = m;
+    const struct cfg_machine *c = p->cfg;
+    bool small = m->bytes <= c->short_limit;
+    vtime hops = link_time(m) + hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
+    vtime per_byte = is_hosts(m) ? c->host.link_ps_per_byte
+                     : small     ? c->short_ps_per_byte
+                                 : c->long_ps_per_byte;
+    struct trip *t = m->trip = pool_take(&p->trips);
+    t->m = m;
+    t->link_in = t->link_out = NULL;
+    t->order = m->order, t->source = m->source;
+    t->waits = t->envelope = false;
+    t->pass_on = NULL;
+    t->transit.from = m->from, t->transit.to = m->to;
+    t->transit.duration = hops + m->bytes * per_byte;
+    t->transit.holds = c->channel_ps_per_byte ? hops + m->bytes * c->channel_ps_per_byte : 0;
+}
+
+void proto_link(struct proto *p, struct trip *t)
+{
+    t->next_in = p->in[t->transit.to], t->link_in = &p->in[t->transit.to];
+    t->next_out = p->out[t->transit.from], t->link_out = &p->out[t->transit.from];
+    if (t->next_in)
+        t->next_in->link_in = &t->next_in;
+    if (t->next_out)
+        t->next_out->link_out = &t->next_out;
+    *t->link_in = t, *t->link_out = t;
     p->under_way++;
 }
 
-void proto_unlink_in(struct message *m)
+void proto_unlink_out(struct trip *t)
 {
-    if (!m->link_in)
+    if (!t->link_out)
         return;
-    if (m->next_in)
-        m->next_in->link_in = m->link_in;
-    *m->link_in = m->next_in;
-    m->link_in = NULL;
-    m->proto->under_way--;
+    if (t->next_out)
+        t->next_out->link_out = t->link_out;
+    *t->link_out = t->next_out;
+    t->link_out = NULL;
 }
 
-void proto_unlink_out(struct message *m)
+static void unlink_in(struct proto *p, struct trip *t)
 {
-    if (!m->link_out)
+    if (!t->link_in)
         return;
-    if (m->next_out)
-        m->next_out->link_out = m->link_out;
-    *m->link_out = m->next_out;
-    m->link_out = NULL;
+    if (t->next_in)
+        t->next_in->link_in = t->link_in;
+    *t->link_in = t->next_in;
+    p->under_way--;
+}
+
+void proto_end_trip(struct message *m)
+{
+    struct trip *t = m->trip;
+    m->trip = NULL;
+    unlink_in(m->proto, t);
+    proto_unlink_out(t);
+    pool_give(&m->proto->trips, t);
+}
+
+static struct message *message_of(const struct trip *t)
+{
+    return t ? t->m : NULL;
+}
+
+struct message *proto_to(const struct proto *p, uint32_t place)
+{
+    return message_of(p->in[place]);
+}
+
+struct message *proto_next_to(const struct message *m)
+{
+    return message_of(m->trip->next_in);
+}
+
+struct message *proto_from(const struct proto *p, uint32_t place)
+{
+    return message_of(p->out[place]);
+}
+
+struct message *proto_next_from(const struct message *m)
+{
+    return message_of(m->trip->next_out);
 }
 
 /* --- their making --- */
@@ -80,60 +132,75 @@ static struct payload *payload_of(void *data)
 
 void *proto_payload(const void *data, size_t bytes)
 {
+    if (!data)
+        return NULL;
     struct payload *p = malloc(sizeof *p + bytes);
     if (!p)
         abort();
     p->users = 0;
-    if (data)
-        memcpy(p->bytes, data, bytes);
+    memcpy(p->bytes, data, bytes);
     return p->bytes;
 }
 
 static void release(struct message *m)
 {
-    if (m->data != m->few && --payload_of(m->data)->users == 0)
+    if (m->data && m->data != m->few && --payload_of(m->data)->users == 0)
         free(payload_of(m->data));
 }
 
-struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
-                                  void *payload, size_t bytes)
+/* The size of a message with so many bytes in itself. */
+static unsigned size_for(size_t bytes)
 {
-    struct message *m = pool_take(&p->messages);
-    memset(m, 0, offsetof(struct message, few));
-    m->data = payload ? payload : m->few;
+    return bytes <= PROTO_IN_MESSAGE[PROTO_FEW] ? PROTO_FEW : PROTO_SHORT;
+}
+
+static struct pool *pool_of(const struct message *m)
+{
+    return &m->proto->messages[m->data == m->few ? size_for(m->bytes) : PROTO_FEW];
+}
+
+static struct message *message_new(struct proto *p, enum proto_size size, uint32_t from, uint32_t to,
+                                   int64_t type, int64_t pid, size_t bytes)
+{
+    struct message *m = pool_take(&p->messages[size]);
+    *m = (struct message){.from = from,
+                          .source = from,
+                          .to = to,
+                          .type = type,
+                          .pid = pid,
+                          .bytes = bytes,
+                          .is_long = !proto_one_trip(p, type, bytes),
+                          .forced = (type & PROTO_FORCED) != 0,
+                          .order = p->sent++,
+                          .complete = VT_NEVER,
+                          .proto = p};
+    return m;
+}
+
+struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+                                      void *payload, size_t bytes)
+{
+    struct message *m = message_new(p, PROTO_FEW, from, to, type, pid, bytes);
+    m->data = payload;
     if (payload)
         payload_of(payload)->users++;
-    m->proto = p, m->from = m->source = from, m->to = to, m->type = type, m->pid = pid, m->bytes = bytes;
-    m->is_long = !proto_one_trip(p, type, bytes);
-    m->forced = (type & PROTO_FORCED) != 0;
-    m->order = p->sent++;
-    m->complete = VT_NEVER;
-    const struct cfg_machine *c = p->cfg;
-    bool small = bytes <= c->short_limit;
-    m->transit.from = from, m->transit.to = to;
-    vtime hops = link_time(m) + hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
-    vtime per_byte = is_hosts(m) ? c->host.link_ps_per_byte
-                     : small     ? c->short_ps_per_byte
-                                 : c->long_ps_per_byte;
-    m->transit.duration = hops + bytes * per_byte;
-    m->transit.holds = c->channel_ps_per_byte ? hops + bytes * c->channel_ps_per_byte : 0;
     return m;
 }
 
 struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
                               const void *data, size_t bytes)
 {
-    void *payload = bytes > PROTO_FEW ? proto_payload(data, bytes) : NULL;
-    struct message *m = proto_message_new(p, from, to, type, pid, payload, bytes);
-    if (!payload && data)
-        memcpy(m->few, data, bytes);
+    if (!data || bytes > PROTO_IN_MESSAGE[PROTO_SHORT])
+        return proto_message_sharing(p, from, to, type, pid, proto_payload(data, bytes), bytes);
+    struct message *m = message_new(p, size_for(bytes), from, to, type, pid, bytes);
+    m->data = memcpy(m->few, data, bytes);
     return m;
 }
 
 void proto_message_free(struct message *m)
 {
-    proto_unlink_in(m);
-    proto_unlink_out(m);
+    if (m->trip)
+        proto_end_trip(m);
     release(m);
-    pool_give(&m->proto->messages, m);
+    pool_give(pool_of(m), m);
 }

@@ -5,14 +5,40 @@
 #include "kernel/pool.h"
 #include "net/proto.h"
 
+/* When the next thing reaches a node on a message's account: not before `at`, nor before the machine's next
+ * event plus `after`. Lets a node with an armed handler compute on until then. */
+struct proto_bound {
+    vtime at, after;
+};
+
+/* What a message has only while it is under way. A tree's messages are so from their making, others from when they are
+ * sent, and all until they have arrived. */
+struct trip {
+    struct message *m;
+    struct trip *next_in, **link_in;   /* to the receiver */
+    struct trip *next_out, **link_out; /* being sent by the sender */
+    uint64_t order;                    /* the message's, as source */
+    uint32_t source;
+    bool waits;    /* its envelope has come before an earlier one's */
+    bool envelope; /* has been looked at by the receiver */
+    struct proto_bound at_sender, at_receiver;
+    struct message *pass_on; /* what the receiver is to send on */
+    struct wire_transit transit;
+};
+
+/* So few bytes lie in the message itself: hardly any, and those of the short messages of the machines. */
+enum proto_size { PROTO_FEW, PROTO_SHORT, PROTO_SIZES };
+static const size_t PROTO_IN_MESSAGE[PROTO_SIZES] = {16, 144};
+_Static_assert(sizeof(struct message) == 112, "a message with few bytes takes two lines of the cache");
+
 struct proto {
     const struct cfg_machine *cfg;
     struct topo topo;
     struct evq *q;
     struct wire *wire;
     struct proto_nodes nodes;
-    struct message **in, **out; /* by node: messages on their way to it, being sent by it */
-    struct pool messages;
+    struct trip **in, **out; /* by node: messages on their way to it, being sent by it */
+    struct pool messages[PROTO_SIZES], trips;
     uint64_t sent, under_way;
     uint64_t
         least_milli; /* no node's system takes less than so many thousandths of the time that an ordinary one's does */
@@ -39,13 +65,15 @@ static inline struct proto_bound proto_after(vtime t)
 /* Time of one trip of a long message over the hops alone. */
 vtime proto_trip(const struct message *m);
 
-/* A copy of bytes, for messages to share; NULL: nobody looks at them. */
+/* A copy of bytes, for messages to share; NULL of NULL, which nobody looks at. */
 void *proto_payload(const void *data, size_t bytes);
-/* payload: of proto_payload, one more user; NULL: few bytes, to be filled in. */
-struct message *proto_message_new(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
-                                  void *payload, size_t bytes);
-/* Under way to its receiver and being sent by its sender, from now on; and no more. */
-void proto_link(struct proto *p, struct message *m);
-void proto_unlink_in(struct message *m);
-void proto_unlink_out(struct message *m);
+/* Its data are of proto_payload, which has one more user then, or NULL. */
+struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+                                      void *payload, size_t bytes);
+/* Its trip begins; when it is linked, it is under way to its receiver and being sent by its sender. */
+void proto_begin_trip(struct proto *p, struct message *m);
+void proto_link(struct proto *p, struct trip *t);
+/* It has left; and it has arrived: the trip is over. */
+void proto_unlink_out(struct trip *t);
+void proto_end_trip(struct message *m);
 #endif

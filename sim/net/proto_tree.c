@@ -26,18 +26,19 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
         uint32_t half = 1;
         while (half * 2 < count)
             half *= 2;
-        struct message *m = proto_message_new(t->p, tree_node(t, i), tree_node(t, i + half), t->type, t->pid,
-                                              t->data, t->bytes);
+        struct message *m = proto_message_sharing(t->p, tree_node(t, i), tree_node(t, i + half), t->type,
+                                                  t->pid, t->data, t->bytes);
         m->source = t->source;
+        proto_begin_trip(t->p, m);
         if (i > 0 || t->source != t->root) {
-            m->at_sender = PROTO_NOTHING;
-            m->at_receiver =
+            m->trip->at_sender = PROTO_NOTHING;
+            m->trip->at_receiver =
                 proto_after(proto_least(t->p, vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps)));
-            proto_link(t->p, m);
+            proto_link(t->p, m->trip);
         }
-        m->pass_on = tree_messages(t, i + half, count - half);
+        m->trip->pass_on = tree_messages(t, i + half, count - half);
         *link = m;
-        link = &m->also;
+        link = &m->next;
         count = half;
     }
     return first;
@@ -54,7 +55,8 @@ struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64
     t.data = proto_payload(data, bytes);
     if (!host)
         return tree_messages(&t, 0, p->topo.nodes);
-    struct message *m = proto_message_new(p, from, 0, type, pid, t.data, bytes);
-    m->pass_on = tree_messages(&t, 0, p->topo.nodes);
+    struct message *m = proto_message_sharing(p, from, 0, type, pid, t.data, bytes);
+    proto_begin_trip(p, m);
+    m->trip->pass_on = tree_messages(&t, 0, p->topo.nodes);
     return m;
 }

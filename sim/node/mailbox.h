@@ -27,7 +27,7 @@ void mailbox_inherit(struct node *n, struct node *before);
 
 /* Post r at time now: mailbox_post for a call that is made then. */
 void mailbox_post_at(struct node *n, struct receive *r, vtime now);
-/* Send messages, linked by also, to so many receivers in all, from time now on; returns when the last has left the program.
+/* Send messages, linked by next, to so many receivers in all, from time now on; returns when the last has left the program.
  * One takes the processor so long. */
 vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now);
 vtime mailbox_send_time(const struct node *n, const struct message *m);

@@ -67,7 +67,7 @@ void pending_send(struct node *n, struct message *first, uint64_t receivers)
     struct pending_call *c = open_call(n);
     assert(!c->messages);
     c->messages = first, c->receivers = receivers;
-    for (const struct message *m = first; m; m = m->also)
+    for (const struct message *m = first; m; m = m->next)
         n->clock.origin += mailbox_send_time(n, m);
 }
 
@@ -125,7 +125,7 @@ void pending_commit(struct node *n, vtime now)
 static void drop(struct message *m)
 {
     for (struct message *next; m; m = next) {
-        next = m->also;
+        next = m->next;
         if (m->send)
             mailbox_unfollow(m->send);
         proto_message_free(m);

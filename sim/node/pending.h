@@ -27,7 +27,7 @@ struct receive;
 bool pending_room(const struct node *n);
 /* The call that begins now is pending. Call after clock_sync. */
 void pending_begin(struct node *n);
-/* The call that is being made takes t, posts r, sends messages (linked by also) to so many receivers. Once each at most. */
+/* The call that is being made takes t, posts r, sends messages (linked by next) to so many receivers. Once each at most. */
 void pending_spend(struct node *n, vtime t);
 void pending_post(struct node *n, struct receive *r);
 void pending_send(struct node *n, struct message *first, uint64_t receivers);

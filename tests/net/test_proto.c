@@ -198,7 +198,7 @@ static vtime to_all(uint32_t root, int64_t type, size_t bytes)
     bool reached[NODES] = {false};
     begin(&f, true);
     for (struct message *m = proto_to_all(f.proto, root, type, 0, NULL, bytes), *next; m; m = next) {
-        next = m->also;
+        next = m->next;
         at += proto_send_time(f.proto, type, bytes);
         proto_send(f.proto, m, at);
     }
@@ -233,7 +233,7 @@ static void a_later_message_does_not_overtake_one_to_all(void **state)
     (void)state;
     begin(&f, true);
     for (struct message *m = proto_to_all(f.proto, 0, 5, 0, NULL, 100), *next; m; m = next) {
-        next = m->also;
+        next = m->next;
         proto_send(f.proto, m, 0);
     }
     struct message *direct = send(&f, 7, 5, 0, 1); /* node 7 gets the one before it by way of 4 and 6 */
@@ -297,7 +297,7 @@ static void what_the_host_sends_to_all_goes_to_node_0_and_on_from_there(void **s
     (void)state;
     begin_with_host(&f);
     struct message *m = proto_to_all(f.proto, HOST, 5, 0, "x", 1);
-    assert_null(m->also);
+    assert_null(m->next);
     proto_send(f.proto, m, 0);
     run(&f);
     assert_int_equal(f.arrived_count, NODES);
@@ -316,7 +316,7 @@ static void to_all_is_to_the_nodes_of_the_cube_that_there_is(void **state)
     begin_with_host(&f);
     proto_set_nodes(f.proto, 4);
     for (struct message *m = proto_to_all(f.proto, 3, 5, 0, "x", 1), *next; m; m = next) {
-        next = m->also;
+        next = m->next;
         proto_send(f.proto, m, 0);
     }
     run(&f);
