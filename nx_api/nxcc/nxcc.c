@@ -406,6 +406,7 @@ static void add_link(struct arguments *a, const struct places *p)
         "-Wl,-z,defs",
         "-Wl,-z,now",
         "-Wl,-z,noexecstack",
+        "-Wl,-z,norelro", /* nobody protects them: so addresses and data need not begin pages of their own */
         "-Wl,--hash-style=sysv", /* its chain count is the number of dynamic symbols */
         "-Wl,--build-id",
         "-Wl,--export-dynamic-symbol=nxc_image",

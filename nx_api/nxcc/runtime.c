@@ -8,7 +8,10 @@
  */
 #include "image.h"
 
-__attribute__((visibility("hidden"))) int64_t nxc_left, nxc_quiet = NXC_NOT_QUIET;
+/* Among the initialised data, not behind the program's arrays: the page that a node has of these is in use anyway. */
+#define NXC_DATA __attribute__((visibility("hidden"), section(".data")))
+NXC_DATA int64_t nxc_left;
+NXC_DATA int64_t nxc_quiet = NXC_NOT_QUIET;
 
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
