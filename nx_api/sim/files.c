@@ -91,7 +91,7 @@ long nx_move_later(bool write, int fd, const struct iovec *parts, int count)
     ssize_t moved;
     if (!f)
         return -1;
-    struct io_id *ids = f->node->libc->descriptors.io;
+    struct io_id *ids = descriptors_open(f->node)->io;
     while (id < NODE_IO_IDS && ids[id].used)
         id++;
     if (id == NODE_IO_IDS)
@@ -109,7 +109,7 @@ long nx_move_later(bool write, int fd, const struct iovec *parts, int count)
 /* The id given to the call; NULL with the error. */
 static struct io_id *find_id(struct node *n, long id)
 {
-    struct io_id *ids = n->libc->descriptors.io;
+    struct io_id *ids = descriptors_open(n)->io;
     n->call_type = id;
     n->call_has_type = true;
     if (id < 0 || id >= NODE_IO_IDS || !ids[id].used) {

@@ -12,11 +12,19 @@
 #include "node/libc_parts.h"
 #include "node/node.h"
 
-int descriptor_new(struct node *n, struct node_file *f, const char *path)
+struct open_files *descriptors_open(struct node *n)
 {
     struct descriptors *d = &n->libc->descriptors;
+    if (!d->open && !(d->open = calloc(1, sizeof *d->open)))
+        abort();
+    return d->open;
+}
+
+int descriptor_new(struct node *n, struct node_file *f, const char *path)
+{
     if (!f)
         return -1;
+    struct open_files *d = descriptors_open(n);
     for (int fd = 3; fd < NODE_DESCRIPTORS; fd++)
         if (!d->file[fd]) {
             d->file[fd] = f;
@@ -30,7 +38,8 @@ int descriptor_new(struct node *n, struct node_file *f, const char *path)
 
 struct node_file *descriptor_file(struct node *n, int fd)
 {
-    struct node_file *f = fd >= 0 && fd < NODE_DESCRIPTORS ? n->libc->descriptors.file[fd] : NULL;
+    const struct open_files *d = n->libc->descriptors.open;
+    struct node_file *f = d && fd >= 0 && fd < NODE_DESCRIPTORS ? d->file[fd] : NULL;
     if (!f)
         errno = EBADF;
     return f;
@@ -38,17 +47,19 @@ struct node_file *descriptor_file(struct node *n, int fd)
 
 const char *descriptor_path(const struct node *n, int fd)
 {
-    const char *path = fd >= 0 && fd < NODE_DESCRIPTORS ? n->libc->descriptors.path[fd] : NULL;
+    const struct open_files *d = n->libc->descriptors.open;
+    const char *path = d && fd >= 0 && fd < NODE_DESCRIPTORS ? d->path[fd] : NULL;
     return path ? path : "?";
 }
 
 void descriptors_close(struct descriptors *d)
 {
-    for (int fd = 0; fd < NODE_DESCRIPTORS; fd++)
-        if (d->file[fd]) {
-            file_drop(d->file[fd]);
-            free(d->path[fd]);
+    for (int fd = 0; d->open && fd < NODE_DESCRIPTORS; fd++)
+        if (d->open->file[fd]) {
+            file_drop(d->open->file[fd]);
+            free(d->open->path[fd]);
         }
+    free(d->open);
 }
 
 /* The FILE of a standard descriptor that is not closed, else NULL. */
@@ -87,9 +98,10 @@ int node_close(int fd)
     struct node_file *f = descriptor_file(n, fd);
     if (!f)
         return -1;
-    free(n->libc->descriptors.path[fd]);
-    n->libc->descriptors.file[fd] = NULL;
-    n->libc->descriptors.path[fd] = NULL;
+    struct open_files *d = n->libc->descriptors.open;
+    free(d->path[fd]);
+    d->file[fd] = NULL;
+    d->path[fd] = NULL;
     return file_close(f);
 }
 

@@ -13,12 +13,19 @@ struct io_id {
     struct cfs_op *op; /* under way in the machine's file system; NULL: done at once */
 };
 
-struct descriptors {
+struct open_files {
     struct node_file *file[NODE_DESCRIPTORS];
     char *path[NODE_DESCRIPTORS]; /* that it was opened by */
-    bool closed[3];               /* of the standard ones, by the program */
     struct io_id io[NODE_IO_IDS];
 };
+
+/* Most programs open no files: then a node has no room for them. */
+struct descriptors {
+    struct open_files *open; /* NULL: there has been none yet */
+    bool closed[3];          /* of the standard ones, by the program */
+};
+
+struct open_files *descriptors_open(struct node *n); /* makes room if there is none */
 
 /* The lowest free number for f; -1 with errno EMFILE (f is closed). f NULL: -1. */
 int descriptor_new(struct node *n, struct node_file *f, const char *path);
