@@ -145,13 +145,19 @@ static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32
 static uint32_t step_mesh(const struct topo *t, struct topo_walk *w)
 {
     uint32_t from = w->at, way;
-    if (w->x != w->to_x)
-        way = w->x < w->to_x ? EAST : WEST;
-    else
-        way = w->y < w->to_y ? SOUTH : NORTH;
-    w->x += (way == EAST) - (way == WEST);
-    w->y += (way == SOUTH) - (way == NORTH);
-    w->at = place_of(t, (struct spot){w->x, w->y});
+    if (w->x != w->to_x) {
+        bool east = w->x < w->to_x;
+        way = east ? EAST : WEST;
+        w->x += east ? 1 : -1;
+        w->at += east ? 1 : -1;
+    } else {
+        bool south = w->y < w->to_y;
+        way = south ? SOUTH : NORTH;
+        w->y += south ? 1 : -1;
+        w->at += south ? t->columns : -t->columns;
+    }
+    if (from >= t->positions || w->x >= t->columns) /* not within the rectangle */
+        w->at = place_of(t, (struct spot){w->x, w->y});
     return mesh_link(t, from, way);
 }
 

@@ -1,11 +1,12 @@
 /* wire.c - see wire.h. */
 #include "net/wire.h"
+#include <stddef.h>
 #include <stdlib.h>
 
 struct channel {
-    struct wire_transit *holder;
-    struct wire_transit *first, *last; /* waiting */
-    uint32_t next;                     /* the holder's channel after this one, if it has come so far */
+    struct wire_transit *last; /* of those that wait, which are a ring: its next is the first. NULL: none */
+    uint32_t next;             /* the holder's channel after this one, if it has come so far */
+    bool held;
 };
 
 struct wire {
@@ -42,41 +43,53 @@ void wire_free(struct wire *w)
 
 static void queue(struct channel *c, struct wire_transit *t)
 {
-    t->next = NULL;
+    t->next = t;
     if (c->last)
-        c->last->next = t;
-    else
-        c->first = t;
+        t->next = c->last->next, c->last->next = t;
     c->last = t;
+}
+
+/* The first that waits; there is one. */
+static struct wire_transit *unqueue(struct channel *c)
+{
+    struct wire_transit *first = c->last->next;
+    c->last->next = first->next;
+    if (c->last == first)
+        c->last = NULL;
+    return first;
 }
 
 static void pass(void *ctx, void *arg, vtime now);
 static void finish(void *ctx, void *arg, vtime now);
 
-static void join(struct wire *w, struct wire_transit *t, uint32_t channel)
+/* Takes channels until the route is complete, or one is another's: then it returns that. */
+static struct channel *take(struct wire *w, struct wire_transit *t)
 {
-    if (t->held++ == 0)
-        t->first = channel;
-    else
-        w->channels[t->latest].next = channel;
-    t->latest = channel;
+    struct topo_walk walk = t->walk;
+    struct channel *taken = NULL;
+    uint32_t *link = t->link;
+    for (uint32_t channel; !taken && topo_step(&w->topo, &walk, &channel);) {
+        struct channel *c = &w->channels[channel];
+        *link = channel;
+        link = &c->next;
+        if (c->held)
+            taken = c;
+        c->held = true;
+    }
+    t->walk = walk;
+    t->link = link;
+    return taken;
 }
 
-/* Take channels until the route is complete or one is taken by another. */
 static void advance(struct wire *w, struct wire_transit *t, vtime now)
 {
-    uint32_t channel;
-    while (topo_step(&w->topo, &t->walk, &channel)) {
-        struct channel *c = &w->channels[channel];
-        join(w, t, channel);
-        if (c->holder) {
-            w->waits++, w->waiting++;
-            w->waited -= now;
-            w->latest = now;
-            queue(c, t);
-            return;
-        }
-        c->holder = t;
+    struct channel *taken = take(w, t);
+    if (taken) {
+        w->waits++, w->waiting++;
+        w->waited -= now;
+        w->latest = now;
+        queue(taken, t);
+        return;
     }
     if (t->holds && t->holds < t->duration)
         evq_put(w->q, now + t->holds, t->to, pass, w, t);
@@ -87,25 +100,29 @@ static void advance(struct wire *w, struct wire_transit *t, vtime now)
 /* Give a channel to the first that waits for it, which goes on. */
 static void hand_over(struct wire *w, struct channel *c, vtime now)
 {
-    struct wire_transit *t = c->first;
-    c->holder = t;
-    if (!t)
+    c->held = c->last;
+    if (!c->held)
         return;
-    c->first = t->next;
-    if (!c->first)
-        c->last = NULL;
     w->waiting--;
     w->waited += now;
     w->latest = now;
-    advance(w, t, now);
+    advance(w, unqueue(c), now);
+}
+
+/* The last of the route, which is complete. */
+static struct channel *latest(const struct wire_transit *t)
+{
+    return (struct channel *)((char *)t->link - offsetof(struct channel, next));
 }
 
 /* Give back the channels between nodes, in order, from the one after the port in. */
 static void give_links(struct wire *w, const struct wire_transit *t, uint32_t from, vtime now)
 {
-    for (uint32_t i = from, next; i != t->latest; i = next) {
-        next = w->channels[i].next;
-        hand_over(w, &w->channels[i], now);
+    const struct channel *end = latest(t);
+    for (struct channel *c = &w->channels[from]; c != end;) {
+        uint32_t next = c->next;
+        hand_over(w, c, now);
+        c = &w->channels[next];
     }
 }
 
@@ -125,13 +142,13 @@ static void finish(void *ctx, void *arg, vtime now)
     hand_over(w, &w->channels[t->first], now);
     if (!t->passed)
         give_links(w, t, inner, now);
-    hand_over(w, &w->channels[t->latest], now);
+    hand_over(w, latest(t), now);
     w->calls.done(t, now);
 }
 
 void wire_send(struct wire *w, struct wire_transit *t, vtime now)
 {
-    t->held = 0;
+    t->link = &t->first;
     t->passed = false;
     topo_begin(&w->topo, &t->walk, t->from, t->to);
     advance(w, t, now);

@@ -24,9 +24,8 @@ struct wire_transit {
     vtime holds;    /* channels between nodes are given back after this time; 0: when it is done */
     /* the wire's own */
     struct topo_walk walk;
-    uint32_t held;             /* channels, with the one it waits for */
-    uint32_t first, latest;    /* of them; the others are linked by the channels */
-    bool passed;               /* has given back the channels between nodes */
+    uint32_t first, *link; /* of its channels, the others are linked by them; where the next will be noted */
+    bool passed;           /* has given back the channels between nodes */
     struct wire_transit *next; /* in a channel's queue */
 };
 
