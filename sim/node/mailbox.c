@@ -16,36 +16,51 @@ struct due {
     struct due *next;
 };
 
+/* A line of the cache. */
 struct mailbox {
     struct receive *posted, **posted_end;
     struct message *unexpected, **unexpected_end;
-    struct due *due, **due_end;
-    uint32_t handlers; /* posted or due */
-    uint32_t waiting;  /* unexpected long messages that found no room */
+    struct due *last_due; /* of a ring: its next is the first. NULL: none */
+    uint32_t handlers;    /* posted or due */
+    uint32_t waiting;     /* unexpected long messages that found no room */
     struct mailbox_ids ids;
 };
+_Static_assert(sizeof(struct mailbox) == 64, "a mailbox does not fit into a line");
 
 struct mailbox *mailbox_new(uint32_t ids)
 {
-    struct mailbox *b = calloc(1, sizeof *b);
+    struct mailbox *b = aligned_alloc(sizeof *b, sizeof *b);
     if (!b)
         abort();
-    b->ids.count = ids;
+    *b = (struct mailbox){.ids.count = ids};
     b->posted_end = &b->posted;
     b->unexpected_end = &b->unexpected;
-    b->due_end = &b->due;
     return b;
+}
+
+static const struct due *first_due(const struct mailbox *b)
+{
+    return b->last_due ? b->last_due->next : NULL;
+}
+
+static struct due take_due(struct mailbox *b)
+{
+    struct due *first = b->last_due->next, d = *first;
+    b->last_due->next = first->next;
+    if (b->last_due == first)
+        b->last_due = NULL;
+    free(first);
+    return d;
 }
 
 static void free_due(struct mailbox *b)
 {
-    for (struct due *d = b->due, *next; d; d = next) {
-        next = d->next;
-        if (d->receive && d->receive->m)
-            proto_message_free(d->receive->m);
-        free(d->receive);
-        free(d->send);
-        free(d);
+    while (b->last_due) {
+        struct due d = take_due(b);
+        if (d.receive && d.receive->m)
+            proto_message_free(d.receive->m);
+        free(d.receive);
+        free(d.send);
     }
 }
 
@@ -124,9 +139,10 @@ static void add_due(struct node *n, vtime at, struct receive *r, struct send *s)
     struct due *d = calloc(1, sizeof *d);
     if (!d)
         abort();
-    *d = (struct due){.at = at, .receive = r, .send = s};
-    *b->due_end = d;
-    b->due_end = &d->next;
+    *d = (struct due){.at = at, .receive = r, .send = s, .next = d};
+    if (b->last_due)
+        d->next = b->last_due->next, b->last_due->next = d;
+    b->last_due = d;
     node_wake(n, at);
 }
 
@@ -450,7 +466,6 @@ void mailbox_abandon(struct node *n)
     free_due(b);
     free_posted(b);
     b->posted = NULL, b->posted_end = &b->posted;
-    b->due = NULL, b->due_end = &b->due;
 }
 
 void mailbox_empty(struct node *n, vtime now)
@@ -514,24 +529,22 @@ bool mailbox_armed(const struct node *n)
 
 vtime mailbox_next_due(const struct node *n)
 {
-    return n->mailbox->due ? n->mailbox->due->at : VT_NEVER;
+    const struct due *first = first_due(n->mailbox);
+    return first ? first->at : VT_NEVER;
 }
 
 bool mailbox_handler_due(const struct node *n, vtime now)
 {
-    return n->mailbox->due && n->mailbox->due->at <= now && !n->masked && !n->in_handler;
+    const struct due *first = first_due(n->mailbox);
+    return first && first->at <= now && !n->masked && !n->in_handler;
 }
 
 void mailbox_run_handler(struct node *n)
 {
     struct mailbox *b = n->mailbox;
-    struct due d = *b->due;
+    struct due d = take_due(b);
     struct node_info before = n->info;
     vtime since = node_now(n);
-    free(b->due);
-    b->due = d.next;
-    if (!b->due)
-        b->due_end = &b->due;
     b->handlers--;
     n->stats.handlers++;
     n->stats.latest = vt_max(n->stats.latest, since - vt_max(d.at, vt_min(n->open_since, since)));

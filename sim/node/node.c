@@ -45,7 +45,7 @@ void node_memory_changed(struct node *n)
 
 struct node_memory node_memory_now(const struct node *n)
 {
-    return (struct node_memory){node_heap_used(n->heap), n->peak_ahead};
+    return (struct node_memory){n->heap_used, n->peak_ahead};
 }
 
 void node_memory_was(struct node *n, struct node_memory m)
@@ -74,7 +74,8 @@ static int heap_room(void *ctx, size_t bytes)
 static void heap_grown(void *ctx)
 {
     struct node *n = ctx;
-    size_t used = memory_fixed(n) + node_heap_used(n->heap) + n->buffered_known;
+    n->heap_used = node_heap_used(n->heap);
+    size_t used = memory_fixed(n) + n->heap_used + n->buffered_known;
     if (used > n->peak_ahead)
         n->peak_ahead = used;
 }

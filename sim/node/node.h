@@ -143,7 +143,8 @@ struct node {
     struct node_stats stats;
 
     struct node_heap *heap;
-    size_t buffered; /* bytes of unexpected messages held */
+    size_t heap_used; /* of it */
+    size_t buffered;  /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t heap_known, buffered_known;
