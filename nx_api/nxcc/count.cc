@@ -18,7 +18,7 @@
  * it counts is what is left to execute.
  *
  * Loops whose rounds are known before they run are paid for there: prepay.h. Small functions may be paid for by those who
- * call them: leaves.h.
+ * call them: leaves.h. Checks tell how long the program will make no call: promise.h.
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
  * check is a branch over nothing, and a leaf function stays a leaf.
@@ -33,7 +33,9 @@
 #include "poll.h"
 #include "prepay.h"
 #include "profile.h"
+#include "promise.h"
 #include "purity.h"
+#include "variable.h"
 #include <memory>
 
 #define COUNTER "nxc_left"
@@ -55,6 +57,8 @@ struct check {
     gimple *after;
     tree value;
     bool in_parts;
+    const promise *promised; /* NULL: nothing */
+    int64_t paid;            /* of it */
 };
 
 /* What a stretch costs, and of whom. */
@@ -85,7 +89,7 @@ class counting
     gimple *pay_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
     void pay_ahead(const prepaid_loop &loop);
-    void promise_quiet(const prepaid_loop &loop);
+    void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
     void spend(stretch *s, gimple *stmt);
     void spend_leaf(stretch *s, gimple *stmt);
     check subtract(gimple_seq *seq, tree amount);
@@ -104,7 +108,8 @@ class counting
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
     auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
     prepaid ahead;                      /* loops paid for where they are entered */
-    std::set<basic_block> paid;         /* their blocks that pay nothing themselves */
+    std::map<basic_block, promise> promises;
+    std::set<basic_block> paid; /* their blocks that pay nothing themselves */
     auto_vec<check> checks;
 };
 
@@ -151,7 +156,7 @@ check counting::subtract(gimple_seq *seq, tree amount)
                           ? gimple_build_assign(left, PLUS_EXPR, left, units_constant(-tree_to_shwi(amount)))
                           : gimple_build_assign(left, MINUS_EXPR, left, amount);
         gimple_seq_add_stmt_without_update(seq, sub);
-        return {sub, left, false};
+        return {sub, left, false, NULL, 0};
     }
     tree was = make_ssa_name(units_type());
     tree is = make_ssa_name(units_type());
@@ -159,7 +164,7 @@ check counting::subtract(gimple_seq *seq, tree amount)
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, was, amount));
     gimple_seq_add_stmt_without_update(seq, store);
-    return {store, is, false};
+    return {store, is, false, NULL, 0};
 }
 
 /* The same on behalf of a statement. */
@@ -207,6 +212,19 @@ void counting::spend_leaf(stretch *s, gimple *stmt)
         s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
 }
 
+/* A check where bb begins, of which `cost` has been paid, tells what is promised there; for those that are called soon it is
+ * told at once. */
+void counting::give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost)
+{
+    auto found = promises.find(bb);
+    if (found == promises.end())
+        return;
+    c->promised = &found->second;
+    c->paid = cost;
+    if (found->second.for_others)
+        promise_append(seq, found->second, cost, quiet, left);
+}
+
 /* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
  * is. */
 void counting::pay(basic_block bb, gimple *behind, const stretch &s)
@@ -218,8 +236,10 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
     check paid = subtract(&seq, units_constant(s.cost));
     for (auto &share : s.shares)
         profile->add(&seq, bb, share.first, units_constant(share.second));
-    if (check_here)
+    if (check_here) {
+        give_promise(&seq, &paid, bb, s.cost);
         checks.safe_push(paid);
+    }
     if (behind) {
         gimple_stmt_iterator gsi = gsi_for_stmt(behind);
         gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
@@ -306,20 +326,6 @@ tree append_rounds(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int6
     return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
 }
 
-/* On the way to a loop that pays as it goes: says until when it makes no call, image.h. */
-void counting::promise_quiet(const prepaid_loop &loop)
-{
-    gimple_seq seq = NULL;
-    tree end = make_ssa_name(units_type());
-    tree known = gimple_build(&seq, LT_EXPR, boolean_type_node, loop.rounds, units_constant(loop.limit));
-    tree least = append_rounds(&seq, loop, loop.least, loop.least_last);
-    least = gimple_build(&seq, COND_EXPR, units_type(), known, least, units_constant(0));
-    gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(end, MINUS_EXPR, left, least));
-    gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(quiet, end));
-    gimple_stmt_iterator gsi = gsi_after_labels(loop.other);
-    gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
-}
-
 /* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
 void counting::pay_ahead(const prepaid_loop &loop)
 {
@@ -352,7 +358,6 @@ void counting::pay_ahead(const prepaid_loop &loop)
                      append_rounds(&seq, loop, share.second, last.shares[share.first]));
     gsi = gsi_after_labels(loop.first);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
-    promise_quiet(loop);
 }
 
 void counting::count_block(basic_block bb)
@@ -488,6 +493,8 @@ void counting::insert_check(const check &c)
     gimple_seq seq = NULL;
     if (profile)
         profile->flush(&seq, bb);
+    if (c.promised)
+        promise_append(&seq, *c.promised, c.paid, quiet, left);
     if (c.in_parts)
         preempt_in_time(&seq);
     else
@@ -503,8 +510,10 @@ void counting::run()
     if (foresees && !calls && leaves_accept(fun))
         return;
     poll_mark(fun, calls, checked);
-    if (foresees)
+    if (foresees) {
         ahead = prepay_loops(looks, checked);
+        promises = promise_find(checked, ahead.slow, ahead.own);
+    }
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, looks);
     for (const prepaid_loop &loop : ahead.loops)
@@ -531,21 +540,6 @@ void counting::run()
     free_dominance_info(CDI_POST_DOMINATORS);
 }
 
-tree make_variable(const char *name)
-{
-    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(name), units_type());
-    DECL_EXTERNAL(var) = 1;
-    TREE_PUBLIC(var) = 1;
-    TREE_USED(var) = 1;
-    TREE_ADDRESSABLE(var) = 1;
-    DECL_ARTIFICIAL(var) = 1;
-    DECL_IGNORED_P(var) = 1;
-    DECL_VISIBILITY(var) = VISIBILITY_HIDDEN;
-    DECL_VISIBILITY_SPECIFIED(var) = 1;
-    varpool_node::get_create(var); /* later passes ask for it */
-    return var;
-}
-
 const pass_data count_data = {
     GIMPLE_PASS, "count", OPTGROUP_NONE, TV_NONE, PROP_cfg | PROP_ssa, 0, 0, 0, TODO_update_ssa,
 };
@@ -558,8 +552,8 @@ class count_pass : public gimple_opt_pass
     unsigned int execute(function *f) override
     {
         if (!counter) {
-            counter = make_variable(COUNTER);
-            quiet = make_variable(QUIET);
+            counter = variable_declare(COUNTER, units_type());
+            quiet = variable_declare(QUIET, units_type());
         }
         costs_warn_if_taken_for_library(f->decl);
         counting(f).run();

@@ -11,9 +11,9 @@
  * spent since the simulator last set *left to B  =  B - *left so an event that is due after U units is seen
  * at the first check at or past it when B = U - 1.
  *
- * Quiet. A program that checks in a loop of which it knows when it entered it what it will cost at least has put into
- * *quiet what *left will have come to by then: until then it makes no call that the simulator serves. The simulator sets
- * *quiet to NXC_NOT_QUIET whenever it sets *left.
+ * Quiet. A program whose check strikes may have put into *quiet what *left will have come to, at most, when it makes its next
+ * call that the simulator serves, as far as it knows (promise.h). The simulator sets *quiet to NXC_NOT_QUIET whenever it sets
+ * *left.
  *
  * Profile. A program built with --profile adds what it spends to cells as well (how: profile.h). At any call
  * and check the cells are up to date with *left, and the bodies' sum is what was spent since the program

@@ -10,6 +10,7 @@
 #include "long32.h"
 #include "poll.h"
 #include "profile.h"
+#include "promise.h"
 #include "purity.h"
 
 int plugin_is_GPL_compatible;
@@ -91,6 +92,7 @@ void begin_function(void *, void *)
 void finish_unit(void *, void *)
 {
     profile_write_cells();
+    promise_write_silent();
 }
 
 /* The C library says that errno is at the same place throughout a program. A node may go on on another thread of the
@@ -126,6 +128,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
                       const_cast<ggc_root_tab *>(count_roots()));
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(profile_roots()));
+    register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
+                      const_cast<ggc_root_tab *>(promise_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);

@@ -2,14 +2,13 @@
 #include "prepay.h"
 #include "costs.h"
 #include "leaves.h"
-#include <map>
+#include "rounds.h"
 
 namespace
 {
-/* A check costs little in a longer round or inner loop, and in one whose rounds take more to foresee. */
+/* A check costs little in a longer round or inner loop. */
 const unsigned longest_round = 100; /* statements */
 const int64_t longest_inner = 32;   /* rounds */
-const unsigned most_operations = 12;
 
 class prepaying
 {
@@ -29,76 +28,6 @@ class prepaying
     prepaid result;
     std::vector<class loop *> chosen; /* beside result.loops */
 };
-
-/* --- how often a loop goes back to its beginning --------------------------------------------------------- */
-
-/* All of a division's kinds, by anything, are too much, but not one by a constant that is known to leave nothing. */
-unsigned operations(tree expr)
-{
-    if (!EXPR_P(expr))
-        return 0;
-    switch (TREE_CODE(expr)) {
-    case TRUNC_DIV_EXPR:
-    case FLOOR_DIV_EXPR:
-    case CEIL_DIV_EXPR:
-    case ROUND_DIV_EXPR:
-    case TRUNC_MOD_EXPR:
-    case FLOOR_MOD_EXPR:
-    case CEIL_MOD_EXPR:
-    case ROUND_MOD_EXPR:
-        return most_operations + 1;
-    default:
-        break;
-    }
-    unsigned sum = 1;
-    for (int i = 0; i < TREE_OPERAND_LENGTH(expr); i++)
-        sum += operations(TREE_OPERAND(expr, i));
-    return sum;
-}
-
-/* Is it known, or can be computed where the loop is entered? Most loops' numbers are right without assumptions. */
-bool foresee(class loop *loop, tree_niter_desc *n)
-{
-    edge exit = single_exit(loop);
-    return exit && !(exit->flags & EDGE_COMPLEX) &&
-           number_of_iterations_exit_assumptions(loop, exit, n, NULL) &&
-           operations(n->assumptions) + operations(n->may_be_zero) + operations(n->niter) <= most_operations;
-}
-
-/* Always the same, or -1. */
-int64_t constant_rounds(class loop *loop)
-{
-    tree_niter_desc n;
-    if (!foresee(loop, &n) || !integer_onep(n.assumptions) || !integer_zerop(n.may_be_zero) ||
-        !tree_fits_shwi_p(n.niter))
-        return -1;
-    return tree_to_shwi(n.niter);
-}
-
-tree append_value(gimple_seq *seq, tree expr)
-{
-    gimple_seq more = NULL;
-    tree value = force_gimple_operand(unshare_expr(expr), &more, true, NULL_TREE);
-    gimple_seq_add_seq_without_update(seq, more);
-    return value;
-}
-
-/* Appends the number of rounds: limit if it is that or greater, or if the assumptions are wrong. */
-tree append_rounds(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
-{
-    tree type = unsigned_type_for(units_type()), most = build_int_cst(type, limit);
-    tree rounds = gimple_convert(seq, unsigned_type_for(TREE_TYPE(n.niter)), append_value(seq, n.niter));
-    rounds = gimple_convert(seq, type, rounds);
-    if (!integer_zerop(n.may_be_zero))
-        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
-                              rounds);
-    widest_int bound;
-    if (wi::ges_p(n.max, limit) && !(max_loop_iterations(loop, &bound) && wi::lts_p(bound, limit)))
-        rounds = gimple_build(seq, MIN_EXPR, type, rounds, most);
-    if (!integer_onep(n.assumptions))
-        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.assumptions), rounds, most);
-    return gimple_convert(seq, units_type(), rounds);
-}
 
 /* --- what a loop costs ------------------------------------------------------------------------------------ */
 
@@ -134,7 +63,7 @@ std::vector<basic_block> own_blocks(class loop *loop)
 bool prepaying::is_plain(class loop *loop, unsigned *statements) const
 {
     for (class loop *inner = loop->inner; inner; inner = inner->next) {
-        int64_t rounds = constant_rounds(inner);
+        int64_t rounds = rounds_constant(inner);
         if (rounds < 0 || rounds > longest_inner || !is_plain(inner, statements))
             return false;
     }
@@ -157,33 +86,16 @@ int64_t dearest_round(class loop *loop)
 {
     int64_t sum = 0;
     for (class loop *inner = loop->inner; inner; inner = inner->next)
-        sum += dearest_round(inner) * (constant_rounds(inner) + 1);
+        sum += dearest_round(inner) * (rounds_constant(inner) + 1);
     for (basic_block bb : own_blocks(loop))
         sum += cost_of_block(bb);
     return sum;
 }
 
-/* The units of a round from its beginning to the end of a block, by the cheapest way there is, inner loops once. known:
- * blocks for which that has been found. */
-int64_t cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known)
-{
-    auto found = known.find(bb);
-    if (found != known.end())
-        return found->second;
-    int64_t before = bb == loop->header ? 0 : INT64_MAX;
-    edge e;
-    edge_iterator i;
-    if (bb != loop->header)
-        FOR_EACH_EDGE (e, i, bb->preds)
-            if (!dominated_by_p(CDI_DOMINATORS, e->src, bb))
-                before = std::min(before, cheapest_way(loop, e->src, known));
-    return known[bb] = before + cost_of_block(bb);
-}
-
 /* The blocks that every round runs. outer: how often an inner loop is entered; NULL: it is the outermost. */
 void list_blocks(class loop *loop, const prepaid_block *outer, std::vector<prepaid_block> &blocks)
 {
-    int64_t rounds = outer ? constant_rounds(loop) : 0;
+    int64_t rounds = outer ? rounds_constant(loop) : 0;
     auto runs = [&](basic_block bb) -> prepaid_block {
         int64_t each = dominated_by_p(CDI_DOMINATORS, loop->latch, bb);
         int64_t last = dominated_by_p(CDI_DOMINATORS, single_exit(loop)->src, bb);
@@ -209,20 +121,17 @@ bool prepaying::prepare(class loop *loop)
 {
     unsigned statements = 0;
     tree_niter_desc n;
-    if (!foresee(loop, &n) || integer_zerop(n.niter) || !optimize_loop_for_speed_p(loop) ||
+    if (!rounds_foresee(loop, &n) || integer_zerop(n.niter) || !optimize_loop_for_speed_p(loop) ||
         !can_duplicate_loop_p(loop) || !is_plain(loop, &statements))
         return false;
     prepaid_loop p = {};
     p.most = dearest_round(loop);
     if (!p.most)
         return false;
-    std::map<basic_block, int64_t> known;
-    p.least = cheapest_way(loop, loop->latch, known);
-    p.least_last = cheapest_way(loop, single_exit(loop)->src, known);
     list_blocks(loop, NULL, p.blocks);
     gimple_seq seq = NULL;
     p.limit = INT64_MAX / 2 / p.most; /* no counter is ever greater */
-    p.rounds = append_rounds(&seq, loop, n, p.limit);
+    p.rounds = rounds_append(&seq, loop, n, p.limit);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
         result.own.insert(gsi_stmt(gsi));
     if (seq)
@@ -254,7 +163,7 @@ void prepaying::divide(class loop *loop, prepaid_loop &p)
     free(body);
     p.test = as_a<gcond *>(last_stmt(test));
     p.first = loop_preheader_edge(loop)->src;
-    p.other = loop_preheader_edge(copy)->src;
+    result.slow.insert(copy->header);
     result.own.insert(p.test);
 }
 

@@ -12,8 +12,7 @@
  *
  * so that the same is paid, and checks strike at the same places, as in the second alone. Where rounds differ, a round
  * pays ahead for what all have in common, the blocks of some rounds only pay when they run, and the test is for
- * the dearest rounds. On the way to the loop that pays as it goes, the program says how long it will make no call: the cheapest
- * rounds (image.h: quiet). Inner loops of few rounds, of a number known when compiled, are part of the round.
+ * the dearest rounds. Inner loops of few rounds, of a number known when compiled, are part of the round.
  */
 #ifndef NXCC_PREPAY_H
 #define NXCC_PREPAY_H
@@ -30,17 +29,16 @@ struct prepaid_block {
 struct prepaid_loop {
     gcond *test;       /* to be made: true leads to the loop that does not pay */
     basic_block first; /* of the way there */
-    basic_block other; /* of the way to the one that pays as it goes */
     tree rounds;       /* how often the loop goes back; unknown: it is the limit */
     int64_t limit;
-    int64_t most;              /* units of a round, and of the last, at most */
-    int64_t least, least_last; /* of a round, and of the last, at least */
+    int64_t most; /* units of a round, and of the last, at most */
     std::vector<prepaid_block> blocks;
 };
 
 struct prepaid {
     std::vector<prepaid_loop> loops;
-    std::set<gimple *> own; /* statements that compute rounds, and tests: not the program's */
+    std::set<basic_block> slow; /* heads of those that pay as they go */
+    std::set<gimple *> own;     /* statements that compute rounds, and tests: not the program's */
 };
 
 /* Makes the copies and finds what is to be paid. looks: may this statement look at the counter? checked: blocks that are

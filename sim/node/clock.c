@@ -74,11 +74,24 @@ void clock_give(struct node *n)
     c->look = c->units + FIRST_LOOK;
 }
 
+uint64_t clock_promised(const struct node *n)
+{
+    const struct node_clock *c = &n->clock;
+    return c->quiet > c->units ? c->quiet - c->units : 0;
+}
+
+void clock_promise(struct node *n, uint64_t units)
+{
+    struct node_clock *c = &n->clock;
+    if (c->units + units > c->quiet)
+        c->quiet = c->units + units;
+}
+
 void clock_look(struct node *n)
 {
     struct node_clock *c = &n->clock;
     if (*n->image->quiet < c->given)
-        c->quiet = c->units + (uint64_t)(c->given - *n->image->quiet);
+        clock_promise(n, (uint64_t)(c->given - *n->image->quiet));
     if (c->units < c->look)
         return;
     c->looked = c->units;

@@ -23,6 +23,9 @@ void clock_allow(struct node *n, vtime deadline);
 void clock_look(struct node *n);
 /* The program makes no call, and is not looked at, before this time, which is not before its clock's. */
 vtime clock_quiet(const struct node *n);
+/* Units that it has yet to spend before its next call; and that is what it has: handlers have run meanwhile. */
+uint64_t clock_promised(const struct node *n);
+void clock_promise(struct node *n, uint64_t units);
 /* Units spent since the program got control. */
 uint64_t clock_stretch(const struct node *n);
 /* The program has crashed after its last look: takes back what it has computed since, which depends on where else it was

@@ -239,6 +239,7 @@ static void look_around(struct node *n, vtime now)
 static void listen(struct node *n)
 {
     bool any = false;
+    uint64_t promised = clock_promised(n);
     n->sys->unseen += LOOK_CALLS / 8;
     do
         node_order(n);
@@ -247,6 +248,7 @@ static void listen(struct node *n)
         return;
     node_memory_settle(n);
     clock_give(n);
+    clock_promise(n, promised);
 }
 
 /* A check of the program has found its time used up. */

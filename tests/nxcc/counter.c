@@ -23,10 +23,13 @@ void nxc_preempt(void)
 {
     int64_t left = *nxc_image.left;
     counter.spent += counter.budget - left;
+    if (*nxc_image.quiet < left && counter.spent + left - *nxc_image.quiet > counter.quiet)
+        counter.quiet = counter.spent + left - *nxc_image.quiet;
     counter.overshoot = -left > counter.overshoot ? -left : counter.overshoot;
     counter.preemptions++;
     counter.times = (counter.times ^ (uint64_t)counter.spent) * 1099511628211u; /* FNV-1 */
     *nxc_image.left = counter.budget;
+    *nxc_image.quiet = NXC_NOT_QUIET;
     if (counter.handler)
         counter.handler();
     spoil_registers();
@@ -36,6 +39,7 @@ void counter_start(int64_t budget)
 {
     counter = (struct counter){.budget = budget};
     *nxc_image.left = budget;
+    *nxc_image.quiet = NXC_NOT_QUIET;
     for (struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++)
         c->units = 0;
 }
@@ -43,6 +47,11 @@ void counter_start(int64_t budget)
 int64_t counter_spent(void)
 {
     return counter.spent + counter.budget - *nxc_image.left;
+}
+
+void served(void)
+{
+    counter.broken += counter_spent() < counter.quiet;
 }
 
 int64_t counter_profiled(void)

@@ -13,12 +13,16 @@ struct counter {
     int64_t overshoot;     /* the most by which a check came late */
     long preemptions;
     uint64_t times; /* what was spent at each of them, in one number */
+    int64_t quiet;  /* units that will be spent before the next call of served(): promised at preemptions */
+    long broken;    /* promises */
 };
 
 extern struct counter counter;
 
 void counter_start(int64_t budget);
 int64_t counter_spent(void);
+/* A call that the simulator would serve. */
+void served(void);
 /* What all functions have spent since counter_start, by the cells of a program built with --profile. */
 int64_t counter_profiled(void);
 /* What one of them has, itself or in the library function called, if that is not NULL. */

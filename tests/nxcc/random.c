@@ -74,7 +74,7 @@ static void block(int depth)
 static void call(int depth)
 {
     indent(depth);
-    switch (function ? pick(4) : 3) {
+    switch (function ? pick(5) : 3 + pick(2)) {
     case 0:
         printf("v%d += (table[v%d %% %d])(v%d & 7, v%d);\n", pick(VARIABLES), pick(VARIABLES), function,
                pick(VARIABLES), pick(VARIABLES));
@@ -86,6 +86,9 @@ static void call(int depth)
     case 2:
         printf("v%d += f%d(v%d & 7, v%d);\n", pick(VARIABLES), pick(function), pick(VARIABLES),
                pick(VARIABLES));
+        break;
+    case 3:
+        printf("v%d += turns(v%d & 15);\n", pick(VARIABLES), pick(VARIABLES));
         break;
     default:
         printf("memcpy(g + 8, g, (v%d & 7) * sizeof *g); d%d = sqrt(fabs(d%d)) + v%d;\n", pick(VARIABLES),
@@ -143,6 +146,9 @@ static void statement(int depth)
     } else if (kind == 5) {
         indent(depth);
         printf("d%d = d%d * 0.25 + v%d;\n", pick(2), pick(2), pick(VARIABLES));
+    } else if (kind == 6 && pick(2)) {
+        indent(depth);
+        printf("if (served) served();\n");
     } else if (kind == 6) {
         indent(depth);
         printf("g[v%d & 15] = ", pick(VARIABLES));
@@ -176,12 +182,16 @@ static void one_function(void)
 int main(int argc, char **argv)
 {
     state = argc > 1 ? (unsigned)atoi(argv[1]) * 2654435761u : 1;
-    printf("#include <math.h>\n#include <setjmp.h>\n#include <stdio.h>\n#include <string.h>\n\n"
-           "static unsigned g[32];\nstatic unsigned budget = 300;\n"
-           "__attribute__((noinline)) static unsigned leaf(unsigned x) { return g[x & 15] / 3 + x; }\n"
-           "static void back(jmp_buf place, unsigned really) { if (really) longjmp(place, 1); }\n"
-           "static unsigned (*const table[%d])(unsigned, unsigned);\n\n",
-           FUNCTIONS);
+    printf(
+        "#include <math.h>\n#include <setjmp.h>\n#include <stdio.h>\n#include <string.h>\n\n"
+        "static unsigned g[32];\nstatic unsigned budget = 300;\n"
+        "__attribute__((noinline)) static unsigned leaf(unsigned x) { return g[x & 15] / 3 + x; }\n"
+        "__attribute__((noinline)) static unsigned turns(unsigned n) { unsigned s = 0; for (unsigned i = 0; i < n; i++)"
+        " for (unsigned k = 0; k < (n & 3); k++) s += g[(i + k) & 15] %% (k + 2); return s; }\n"
+        "void served(void) __attribute__((weak));\n"
+        "static void back(jmp_buf place, unsigned really) { if (really) longjmp(place, 1); }\n"
+        "static unsigned (*const table[%d])(unsigned, unsigned);\n\n",
+        FUNCTIONS);
     for (function = 0; function < FUNCTIONS; function++)
         one_function();
     printf("static unsigned (*const table[%d])(unsigned, unsigned) = {f0, f1, f2, f3, f4, f5};\n\n",

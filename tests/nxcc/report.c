@@ -1,5 +1,5 @@
 /* report.c - makes any counted program, linked with counter.c, say at its end what it spent: units on stderr, and if
- * functions were counted too and spent another sum, that. BUDGET in the environment is the number of units between
+ * functions were counted too and spent another sum, that; and if promises were broken. BUDGET in the environment is the number of units between
  * preemptions; then it says when these came, too. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +15,8 @@ __attribute__((destructor)) static void end(void)
 {
     int64_t spent = counter_spent();
     fprintf(stderr, "%lld\n", (long long)spent);
+    if (counter.broken)
+        fprintf(stderr, "%ld calls came before they were promised\n", counter.broken);
     if (nxc_image.cells_begin != nxc_image.cells_end && counter_profiled() != spent)
         fprintf(stderr, "but %lld by function\n", (long long)counter_profiled());
     if (getenv("BUDGET"))

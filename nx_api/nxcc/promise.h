@@ -1,0 +1,44 @@
+/* promise.h - for how long a program will make no call, as its checks tell the simulator (image.h: quiet).
+ *
+ * Of all ways from a check to the next call that the simulator may serve, or to the function's end, one is the cheapest: so
+ * much is surely spent before. Loops make it more if nothing in them makes such a call, and their rounds are known where
+ * they are entered. What the rounds to come will cost at least is kept in a variable, which only checks look at:
+ *
+ *     more = rounds * cheapest round
+ *     loop:
+ *         left -= cost
+ *         if (left < 0) {
+ *             quiet = min(quiet, left - cheapest way - more)
+ *             preempt
+ *         }
+ *         more -= cheapest round
+ *         ...
+ *
+ * A function that makes no such call is silent, and a call of it is none. Whether one in another file is, the linker says: a
+ * byte of its name (write_silent). Where a loop calls functions that check for themselves, it makes its promise at each
+ * round, in time for them.
+ */
+#ifndef NXCC_PROMISE_H
+#define NXCC_PROMISE_H
+#include "gcc.h"
+#include <map>
+#include <set>
+#include <vector>
+
+/* From a block's beginning on. */
+struct promise {
+    int64_t least = 0;       /* the units of the cheapest way */
+    std::vector<tree> more;  /* and of rounds to come */
+    bool for_others = false; /* functions that it calls check for themselves */
+};
+
+/* Finds the promises of blocks that check, where they are worth it. slow: heads of loops that run only when others cannot.
+ * Statements in `own` are not the program's; those that keep `more` are added to them. */
+std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &slow,
+                                            std::set<gimple *> &own);
+/* Appends quiet = min(quiet, left - what is promised, of which `paid` is spent). */
+void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet, tree left);
+/* At the end of a file: which of its functions are silent. */
+void promise_write_silent();
+const ggc_root_tab *promise_roots();
+#endif

@@ -1,0 +1,73 @@
+/* rounds.cc - see rounds.h. */
+#include "rounds.h"
+
+namespace
+{
+/* A check costs little in a loop whose rounds take more to foresee. */
+const unsigned most_operations = 12;
+
+/* All of a division's kinds, by anything, are too much, but not one by a constant that is known to leave nothing. */
+unsigned operations(tree expr)
+{
+    if (!EXPR_P(expr))
+        return 0;
+    switch (TREE_CODE(expr)) {
+    case TRUNC_DIV_EXPR:
+    case FLOOR_DIV_EXPR:
+    case CEIL_DIV_EXPR:
+    case ROUND_DIV_EXPR:
+    case TRUNC_MOD_EXPR:
+    case FLOOR_MOD_EXPR:
+    case CEIL_MOD_EXPR:
+    case ROUND_MOD_EXPR:
+        return most_operations + 1;
+    default:
+        break;
+    }
+    unsigned sum = 1;
+    for (int i = 0; i < TREE_OPERAND_LENGTH(expr); i++)
+        sum += operations(TREE_OPERAND(expr, i));
+    return sum;
+}
+
+tree append_value(gimple_seq *seq, tree expr)
+{
+    gimple_seq more = NULL;
+    tree value = force_gimple_operand(unshare_expr(expr), &more, true, NULL_TREE);
+    gimple_seq_add_seq_without_update(seq, more);
+    return value;
+}
+} // namespace
+
+bool rounds_foresee(class loop *loop, tree_niter_desc *n)
+{
+    edge exit = single_exit(loop);
+    return exit && !(exit->flags & EDGE_COMPLEX) &&
+           number_of_iterations_exit_assumptions(loop, exit, n, NULL) &&
+           operations(n->assumptions) + operations(n->may_be_zero) + operations(n->niter) <= most_operations;
+}
+
+int64_t rounds_constant(class loop *loop)
+{
+    tree_niter_desc n;
+    if (!rounds_foresee(loop, &n) || !integer_onep(n.assumptions) || !integer_zerop(n.may_be_zero) ||
+        !tree_fits_shwi_p(n.niter))
+        return -1;
+    return tree_to_shwi(n.niter);
+}
+
+tree rounds_append(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
+{
+    tree type = unsigned_type_for(units_type()), most = build_int_cst(type, limit);
+    tree rounds = gimple_convert(seq, unsigned_type_for(TREE_TYPE(n.niter)), append_value(seq, n.niter));
+    rounds = gimple_convert(seq, type, rounds);
+    if (!integer_zerop(n.may_be_zero))
+        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
+                              rounds);
+    widest_int bound;
+    if (wi::ges_p(n.max, limit) && !(max_loop_iterations(loop, &bound) && wi::lts_p(bound, limit)))
+        rounds = gimple_build(seq, MIN_EXPR, type, rounds, most);
+    if (!integer_onep(n.assumptions))
+        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.assumptions), rounds, most);
+    return gimple_convert(seq, units_type(), rounds);
+}
