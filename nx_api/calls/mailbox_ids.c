@@ -2,6 +2,8 @@
  * all:
  *
  *     id 3 -> id 7 -> id 2        3 is valid; 7 and 2 are parts
+ *
+ * The first free id is taken, and programs mostly have few: the table is made in blocks. What is in them stays where it is.
  */
 #include "nx_api/calls/mailbox_ids.h"
 #include <stdlib.h>
@@ -14,22 +16,56 @@ struct id {
     long next;         /* part, -1: none */
 };
 
+enum { BLOCK = 8 };
+
+static struct id *at(const struct mailbox_ids *ids, long id)
+{
+    return &ids->blocks[id / BLOCK][id % BLOCK];
+}
+
+static struct id *of(const struct node *n, long id)
+{
+    return at(mailbox_ids(n), id);
+}
+
+/* Those that there is a block for. */
+static uint32_t made(const struct mailbox_ids *ids)
+{
+    uint32_t blocks = 0;
+    while (ids->blocks && ids->blocks[blocks])
+        blocks++;
+    return blocks * BLOCK < ids->count ? blocks * BLOCK : ids->count;
+}
+
+static void add_block(struct mailbox_ids *ids)
+{
+    uint32_t blocks = made(ids) / BLOCK;
+    ids->blocks = realloc(ids->blocks, (blocks + 2) * sizeof *ids->blocks);
+    if (!ids->blocks || !(ids->blocks[blocks] = calloc(BLOCK, sizeof **ids->blocks)))
+        abort();
+    ids->blocks[blocks + 1] = NULL;
+}
+
 void ids_free(struct mailbox_ids *ids)
 {
-    for (uint32_t i = 0; ids->table && i < ids->count; i++) {
-        mailbox_drop(&ids->table[i].receive);
-        free(ids->table[i].send);
+    for (uint32_t i = 0, count = made(ids); i < count; i++) {
+        mailbox_drop(&at(ids, i)->receive);
+        free(at(ids, i)->send);
     }
-    free(ids->table);
+    for (struct id **block = ids->blocks; block && *block; block++)
+        free(*block);
+    free(ids->blocks);
 }
 
 long mailbox_id_new(struct node *n, unsigned use)
 {
     struct mailbox_ids *ids = mailbox_ids(n);
-    if (!ids->table && !(ids->table = calloc(ids->count, sizeof *ids->table)))
-        abort();
-    for (uint32_t i = 0; i < ids->count; i++) {
-        struct id *id = &ids->table[i];
+    for (uint32_t i = 0, count = made(ids); i < ids->count; i++) {
+        if (i == count) {
+            add_block(ids);
+            count = made(ids);
+        }
+        struct id *id = at(ids, i);
         if (id->use)
             continue;
         *id = (struct id){.use = use, .next = -1};
@@ -42,27 +78,26 @@ long mailbox_id_new(struct node *n, unsigned use)
 
 bool mailbox_id_is_valid(const struct node *n, long id)
 {
-    const struct mailbox_ids *ids = mailbox_ids(n);
-    if (id < 0 || id >= ids->count || !ids->table)
+    if (id < 0 || id >= made(mailbox_ids(n)))
         return false;
-    const struct id *i = &ids->table[id];
+    const struct id *i = of(n, id);
     return i->use && !i->part && !i->ignored;
 }
 
 long mailbox_id_next(const struct node *n, long id)
 {
-    return mailbox_ids(n)->table[id].next;
+    return of(n, id)->next;
 }
 
 struct receive *mailbox_id_receive(struct node *n, long id)
 {
-    struct id *i = &mailbox_ids(n)->table[id];
+    struct id *i = of(n, id);
     return i->use & ID_RECEIVES ? &i->receive : NULL;
 }
 
 struct send *mailbox_id_send(struct node *n, long id)
 {
-    return mailbox_ids(n)->table[id].send;
+    return of(n, id)->send;
 }
 
 bool mailbox_id_is_complete(struct node *n, long id)
@@ -79,7 +114,7 @@ bool mailbox_id_is_complete(struct node *n, long id)
 void mailbox_id_release(struct node *n, long id)
 {
     while (id >= 0) {
-        struct id *i = &mailbox_ids(n)->table[id];
+        struct id *i = of(n, id);
         id = i->next;
         if (i->send)
             mailbox_unfollow(i->send);
@@ -90,16 +125,15 @@ void mailbox_id_release(struct node *n, long id)
 
 void mailbox_id_merge(struct node *n, long id, long part)
 {
-    struct id *table = mailbox_ids(n)->table;
-    while (table[id].next >= 0)
-        id = table[id].next;
-    table[id].next = part;
-    table[part].part = true;
+    while (of(n, id)->next >= 0)
+        id = of(n, id)->next;
+    of(n, id)->next = part;
+    of(n, part)->part = true;
 }
 
 void mailbox_id_ignore(struct node *n, long id)
 {
-    mailbox_ids(n)->table[id].ignored = true;
+    of(n, id)->ignored = true;
     mailbox_ids(n)->ignored++;
 }
 
@@ -120,7 +154,7 @@ void mailbox_settle(struct node *n)
         return;
     struct node_info before = n->info;
     for (uint32_t i = 0; ids->ignored && i < ids->count; i++)
-        if (ids->table[i].ignored && mailbox_id_is_complete(n, i)) {
+        if (at(ids, i)->ignored && mailbox_id_is_complete(n, i)) {
             ids->ignored--;
             settle(n, i);
         }

@@ -4,7 +4,7 @@
 #include "nx_api/calls/backend.h"
 
 struct mailbox_ids {
-    struct id *table; /* made when the first is wanted */
+    struct id **blocks; /* of the table: as many as have been wanted, then NULL; NULL: none yet */
     uint32_t count;
     uint32_t ignored; /* ids that mailbox_settle looks after */
 };
