@@ -153,7 +153,7 @@ void mailbox_settle(struct node *n)
     if (!ids->ignored)
         return;
     struct node_info before = n->info;
-    for (uint32_t i = 0; ids->ignored && i < ids->count; i++)
+    for (uint32_t i = 0, count = made(ids); ids->ignored && i < count; i++)
         if (at(ids, i)->ignored && mailbox_id_is_complete(n, i)) {
             ids->ignored--;
             settle(n, i);
