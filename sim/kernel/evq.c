@@ -19,7 +19,7 @@
 #include <stdlib.h>
 
 /* An event's place in the order is one number of 128 bits, compared without branches:
- * time (64) | place (20) | late (1) | sequence (43). */
+ * time (64) | place (20) | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
 struct key {
     vtime time;
     uint64_t rank;
@@ -35,10 +35,11 @@ struct event {
     struct action what;
 };
 
-enum { SEQUENCE_BITS = 43, PLACE_BITS = 20 };
+enum { SEQUENCE_BITS = 43, PLACE_BITS = 20, NUMBER_BITS = 22 };
 enum { DIGIT_BITS = 6, DIGITS = 1 << DIGIT_BITS, LEVELS = (64 + DIGIT_BITS - 1) / DIGIT_BITS };
 enum { CHUNK = 23, FEW = 4 };
 #define LATE (UINT64_C(1) << SEQUENCE_BITS)
+#define ORDINARY (LATE >> 1)
 
 struct chunk {
     struct chunk *next, *made; /* made: the one that was allocated before */
@@ -91,6 +92,11 @@ static uint64_t rank_of(uint32_t place, uint64_t late_and_sequence)
 {
     assert(place < UINT32_C(1) << PLACE_BITS);
     return (uint64_t)place << (SEQUENCE_BITS + 1) | late_and_sequence;
+}
+
+static inline struct instant moment(struct key k)
+{
+    return (struct instant){k.time, (uint32_t)(k.rank >> (SEQUENCE_BITS + 1))};
 }
 
 static inline bool before(struct key a, struct key b)
@@ -303,8 +309,16 @@ static void put(struct evq *q, struct key k, struct action what)
 
 void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
 {
-    assert(q->sequence < LATE);
-    put(q, (struct key){time, rank_of(place, q->sequence++)}, (struct action){fire, ctx, arg});
+    assert(q->sequence < ORDINARY);
+    put(q, (struct key){time, rank_of(place, ORDINARY | q->sequence++)}, (struct action){fire, ctx, arg});
+}
+
+void evq_put_sent(struct evq *q, vtime time, uint32_t place, struct evq_sender by, evq_fire *fire, void *ctx,
+                  void *arg)
+{
+    uint64_t number = by.number & ((UINT64_C(1) << NUMBER_BITS) - 1);
+    put(q, (struct key){time, rank_of(place, (uint64_t)by.place << NUMBER_BITS | number)},
+        (struct action){fire, ctx, arg});
 }
 
 void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
@@ -342,7 +356,7 @@ vtime evq_next(const struct evq *q)
 uint32_t evq_next_place(const struct evq *q)
 {
     const struct event *e = first(q);
-    return e ? (uint32_t)(e->key.rank >> (SEQUENCE_BITS + 1)) : UINT32_MAX;
+    return e ? moment(e->key).place : UINT32_MAX;
 }
 
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place)
@@ -357,18 +371,19 @@ static inline bool heap_is_first(const struct evq *q)
     return q->heap_length && (!list || before(q->heap[0].key, list->key));
 }
 
-bool evq_step(struct evq *q)
+bool evq_step(struct evq *q, struct instant *present)
 {
     if (!q->next && !heap_is_first(q) && !advance(q))
         return false;
     struct action what;
     if (heap_is_first(q)) {
-        q->now = q->heap[0].key.time;
+        *present = moment(q->heap[0].key);
         what = take_heap(q);
     } else {
-        q->now = q->present;
+        *present = moment(q->next->key);
         what = take_run(q);
     }
+    q->now = present->time;
     what.fire(what.ctx, what.arg, q->now);
     return true;
 }

@@ -2,6 +2,7 @@
  * 25 ns and 20 ns clocks and 0.39 us a byte divide evenly; there is no rounding and no epsilon. */
 #ifndef VT_VTIME_H
 #define VT_VTIME_H
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef uint64_t vtime;
@@ -23,4 +24,15 @@ static inline double vt_seconds(vtime t)
 {
     return (double)t / (double)VT_SECOND;
 }
+/* A moment in the order of what happens: of one time, smaller places come before. */
+struct instant {
+    vtime time;
+    uint32_t place;
+};
+
+static inline bool instant_before(vtime time, uint32_t place, struct instant than)
+{
+    return time < than.time || (time == than.time && place < than.place);
+}
+
 #endif

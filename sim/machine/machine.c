@@ -15,6 +15,7 @@
 #include "node/image.h"
 #include "node/pending.h"
 #include "node/trace.h"
+#include "node/turns.h"
 
 static double wall_clock(void)
 {
@@ -112,6 +113,7 @@ static bool make_nodes(struct machine *m, char **error)
         return false;
     if (m->options.host)
         return make_host(m, error);
+    s->flushes = node_image_uses(m->image, "flushmsg") || node_image_uses(m->image, "_flushmsg");
     s->nodes = calloc(s->count, sizeof *s->nodes);
     for (uint32_t i = 0; i < s->count; i++) {
         s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);
@@ -205,21 +207,34 @@ static struct node *node_of(struct work *w)
     return (struct node *)((char *)w - offsetof(struct node, ahead.work));
 }
 
+/* Nothing is left to happen but what comes after the limit of virtual time. */
+static void end_at_limit(struct node_system *s)
+{
+    s->stop_at = (struct instant){s->max_time, UINT32_MAX};
+    node_system_fail(s, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached", vt_seconds(s->max_time));
+}
+
 /* The earliest event, if nothing that is out may come before it; else something is done about that. False: there is none,
  * and nothing out. */
 static bool commit_event(struct node_system *s)
 {
-    if (!s->workers || !workers_busy(s->workers))
+    bool out = s->workers && workers_busy(s->workers);
+    if (!out && s->max_time == VT_NEVER)
         return node_step(s);
-    for (struct work *w; (w = workers_take(s->workers));)
+    for (struct work *w; out && (w = workers_take(s->workers));)
         node_catch(node_of(w));
     uint32_t place;
     vtime next = node_next(s, &place);
-    if (workers_allow(s->workers, next, place))
-        return next == VT_NEVER ? workers_busy(s->workers) : node_step(s);
-    s->unseen += 64; /* it may have taken long */
-    workers_advance(s->workers, next, place);
-    return true;
+    if (out && !workers_allow(s->workers, next, place)) {
+        s->unseen += 64; /* it may have taken long */
+        workers_advance(s->workers, next, place);
+        return true;
+    }
+    if (next == VT_NEVER)
+        return out && workers_busy(s->workers);
+    if (next > s->max_time)
+        end_at_limit(s);
+    return next <= s->max_time && node_step(s);
 }
 
 static void commit_events(struct machine *m)
@@ -235,9 +250,9 @@ static void commit_events(struct machine *m)
 static void catch_up(struct node_system *s)
 {
     for (uint32_t i = 0; s->stop && i < s->count; i++)
-        node_catch_up(s->nodes[i], s->stop_at);
+        node_catch_up(s->nodes[i], s->stop_at.time);
     if (s->stop && s->host)
-        node_catch_up(s->host, s->stop_at);
+        node_catch_up(s->host, s->stop_at.time);
 }
 
 static void *thread_begins(void *ctx)
@@ -358,15 +373,29 @@ uint32_t machine_nodes(const struct machine *m)
     return m->sys.cube ? cube_most(m->sys.cube) : m->sys.count;
 }
 
+static bool stops_at_a_time(const struct node_system *s)
+{
+    return s->stop == STOP_FAILED || s->stop == STOP_VIRTUAL_TIME;
+}
+
+/* What comes before has happened. */
+static struct instant end_of(const struct node_system *s)
+{
+    return stops_at_a_time(s) ? s->stop_at : s->stop ? s->present : (struct instant){VT_NEVER, 0};
+}
+
 /* One that computes when another fails, or comes to the limit of time, may have run ahead. */
 static void note_end(struct machine *m, struct node *n)
 {
-    bool at_a_time = m->sys.stop == STOP_FAILED || m->sys.stop == STOP_VIRTUAL_TIME;
-    if (n->state == NODE_COMPUTING && at_a_time) {
-        node_stop(n, m->sys.stop_at);
-        n->stats.ended_at = m->sys.stop_at;
+    struct instant end = end_of(&m->sys);
+    turn_rest_ends(n, end);
+    if (n->state == NODE_COMPUTING && stops_at_a_time(&m->sys)) {
+        node_stop(n, end);
+        n->stats.ended_at = end.time;
+        if (n->call && !instant_before(n->call_since, n->place, end))
+            n->call = NULL; /* it has not come so far */
     } else if (n->state != NODE_ENDED) {
-        pending_take_back(n);
+        pending_take_back(n, end);
         n->stats.ended_at = node_now(n);
     }
     m->end = vt_max(m->end, n->stats.ended_at);

@@ -20,9 +20,8 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
         p->messages[i].bytes = sizeof(struct message) + PROTO_IN_MESSAGE[i];
     p->trips.bytes = sizeof(struct trip);
     p->wire = wire_new(topo, q, &calls);
-    p->in = calloc(topo->places, sizeof *p->in);
-    p->out = calloc(topo->places, sizeof *p->out);
-    if (!p->wire || !p->in || !p->out) {
+    p->places = calloc(topo->places, sizeof *p->places);
+    if (!p->wire || !p->places) {
         proto_free(p);
         return NULL;
     }
@@ -33,12 +32,11 @@ void proto_free(struct proto *p)
 {
     if (!p)
         return;
-    for (uint32_t i = 0; p->in && i < p->topo.places; i++)
-        while (p->in[i])
-            proto_message_free(p->in[i]->m);
+    for (uint32_t i = 0; p->places && i < p->topo.places; i++)
+        while (p->places[i].in)
+            proto_message_free(p->places[i].in->m);
     wire_free(p->wire);
-    free(p->in);
-    free(p->out);
+    free(p->places);
     for (unsigned i = 0; i < PROTO_SIZES; i++)
         pool_free(&p->messages[i]);
     pool_free(&p->trips);
@@ -57,9 +55,9 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
     if (next == VT_NEVER)
         return VT_NEVER;
     vtime horizon = next + proto_least(p, vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps));
-    for (const struct trip *t = p->in[node]; t; t = t->next_in)
+    for (const struct trip *t = p->places[node].in; t; t = t->next_in)
         horizon = vt_min(horizon, vt_max(t->at_receiver.at, next + t->at_receiver.after));
-    for (const struct trip *t = p->out[node]; t; t = t->next_out)
+    for (const struct trip *t = p->places[node].out; t; t = t->next_out)
         horizon = vt_min(horizon, vt_max(t->at_sender.at, next + t->at_sender.after));
     return horizon;
 }
@@ -76,6 +74,7 @@ static void inject(void *ctx, void *arg, vtime now);
 
 void proto_send(struct proto *p, struct message *m, vtime when)
 {
+    const struct evq_sender sender = {m->source, m->order};
     if (!m->trip)
         proto_begin_trip(p, m);
     struct trip *t = m->trip;
@@ -84,12 +83,18 @@ void proto_send(struct proto *p, struct message *m, vtime when)
     if (m->is_long) {
         t->at_sender = proto_at(when + 2 * proto_trip(m));
         t->at_receiver = proto_at(when + proto_trip(m));
-        evq_put(p->q, when + proto_trip(m), m->to, ask_arrives, p, m);
+        evq_put_sent(p->q, when + proto_trip(m), m->to, sender, ask_arrives, p, m);
     } else {
         t->at_sender = PROTO_NOTHING;
         t->at_receiver = proto_at(when);
-        evq_put(p->q, when, m->from, inject, p, m);
+        evq_put_sent(p->q, when, m->from, sender, inject, p, m);
     }
+}
+
+void proto_take_back(struct message *m)
+{
+    m->taken_back = m->trip->envelope = true; /* nobody waits for it */
+    proto_unlink_out(m->trip);
 }
 
 /* The receiver of m sends on what it is to send on, from `when` on; returns when it is done with that. */
@@ -111,7 +116,7 @@ static void look_at(struct proto *p, struct message *m, vtime now);
 /* Is there a message under way between the same programs, sent earlier, whose envelope has not come? */
 static bool must_wait(const struct proto *p, const struct message *m)
 {
-    for (const struct trip *o = p->in [m->to]; o; o = o->next_in)
+    for (const struct trip *o = p->places[m->to].in; o; o = o->next_in)
         if (o->source == m->source && o->order < m->order && !o->envelope)
             return true;
     return false;
@@ -121,7 +126,7 @@ static bool must_wait(const struct proto *p, const struct message *m)
 static struct message *released(const struct proto *p, uint32_t source, uint32_t to)
 {
     const struct trip *first = NULL;
-    for (const struct trip *o = p->in[to]; o; o = o->next_in)
+    for (const struct trip *o = p->places[to].in; o; o = o->next_in)
         if (o->source == source && !o->envelope && (!first || o->order < first->order))
             first = o;
     return first && first->waits ? first->m : NULL;
@@ -159,7 +164,11 @@ static void look_at(struct proto *p, struct message *m, vtime now)
 
 static void ask_arrives(void *ctx, void *arg, vtime now)
 {
-    envelope_comes(ctx, arg, now);
+    struct message *m = arg;
+    if (m->taken_back)
+        proto_message_free(m);
+    else
+        envelope_comes(ctx, m, now);
 }
 
 /* --- the second and third trip --- */
@@ -200,6 +209,10 @@ static void inject(void *ctx, void *arg, vtime now)
 {
     struct proto *p = ctx;
     struct message *m = arg;
+    if (m->taken_back) {
+        proto_message_free(m);
+        return;
+    }
     if (by_hand(m))
         p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
     struct trip *t = m->trip;

@@ -48,8 +48,9 @@ struct message {
     bool sent : 1; /* the sender's buffer may be used again */
     bool granted : 1;
     bool arrived : 1;
-    bool buffered : 1; /* held in a system buffer */
-    bool unwanted : 1; /* to be thrown away when it arrives */
+    bool buffered : 1;   /* held in a system buffer */
+    bool unwanted : 1;   /* to be thrown away when it arrives */
+    bool taken_back : 1; /* has not been sent, after all */
     size_t bytes;
     vtime complete; /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
     void *receive;  /* the posted receive it is for, NULL: none yet */
@@ -58,7 +59,7 @@ struct message {
     void *service; /* not between programs: what it is about, to a service or its client; else NULL */
     struct proto *proto;
     struct trip *trip; /* NULL: not sent yet, or arrived */
-    uint64_t order;    /* of all messages, in the order sent */
+    uint64_t order;    /* of the source's messages, in the order sent */
     void *data;        /* a copy of the sender's: in few, or shared by messages to all nodes */
     char few[];
 };
@@ -93,6 +94,8 @@ vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes);
 struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
                               const void *data, size_t bytes);
 void proto_send(struct proto *p, struct message *m, vtime at);
+/* The sender's program has been ended at an earlier time than `at`. */
+void proto_take_back(struct message *m);
 /* The messages that the sender itself sends to reach all other nodes, in order, linked by `next`; each to be handed to
  * proto_send. NULL if there is no other node. */
 struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,

@@ -53,8 +53,9 @@ void proto_begin_trip(struct proto *p, struct message *m)
 
 void proto_link(struct proto *p, struct trip *t)
 {
-    t->next_in = p->in[t->transit.to], t->link_in = &p->in[t->transit.to];
-    t->next_out = p->out[t->transit.from], t->link_out = &p->out[t->transit.from];
+    struct proto_place *to = &p->places[t->transit.to], *from = &p->places[t->transit.from];
+    t->next_in = to->in, t->link_in = &to->in;
+    t->next_out = from->out, t->link_out = &from->out;
     if (t->next_in)
         t->next_in->link_in = &t->next_in;
     if (t->next_out)
@@ -99,7 +100,7 @@ static struct message *message_of(const struct trip *t)
 
 struct message *proto_to(const struct proto *p, uint32_t place)
 {
-    return message_of(p->in[place]);
+    return message_of(p->places[place].in);
 }
 
 struct message *proto_next_to(const struct message *m)
@@ -109,7 +110,7 @@ struct message *proto_next_to(const struct message *m)
 
 struct message *proto_from(const struct proto *p, uint32_t place)
 {
-    return message_of(p->out[place]);
+    return message_of(p->places[place].out);
 }
 
 struct message *proto_next_from(const struct message *m)
@@ -171,7 +172,7 @@ static struct message *message_new(struct proto *p, enum proto_size size, uint32
                           .bytes = bytes,
                           .is_long = !proto_one_trip(p, type, bytes),
                           .forced = (type & PROTO_FORCED) != 0,
-                          .order = p->sent++,
+                          .order = p->places[from].made++,
                           .complete = VT_NEVER,
                           .proto = p};
     return m;

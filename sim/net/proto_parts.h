@@ -31,15 +31,21 @@ enum proto_size { PROTO_FEW, PROTO_SHORT, PROTO_SIZES };
 static const size_t PROTO_IN_MESSAGE[PROTO_SIZES] = {16, 144};
 _Static_assert(sizeof(struct message) == 112, "a message with few bytes takes two lines of the cache");
 
+/* Of a node or service: messages on their way to it, being sent by it; how many it has made. */
+struct proto_place {
+    struct trip *in, *out;
+    uint64_t made;
+};
+
 struct proto {
     const struct cfg_machine *cfg;
     struct topo topo;
     struct evq *q;
     struct wire *wire;
     struct proto_nodes nodes;
-    struct trip **in, **out; /* by node: messages on their way to it, being sent by it */
+    struct proto_place *places;
     struct pool messages[PROTO_SIZES], trips;
-    uint64_t sent, under_way;
+    uint64_t under_way;
     uint64_t
         least_milli; /* no node's system takes less than so many thousandths of the time that an ordinary one's does */
 };

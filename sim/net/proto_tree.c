@@ -28,7 +28,7 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
             half *= 2;
         struct message *m = proto_message_sharing(t->p, tree_node(t, i), tree_node(t, i + half), t->type,
                                                   t->pid, t->data, t->bytes);
-        m->source = t->source;
+        m->source = t->source, m->order = t->p->places[t->source].made++;
         proto_begin_trip(t->p, m);
         if (i > 0 || t->source != t->root) {
             m->trip->at_sender = PROTO_NOTHING;

@@ -17,10 +17,8 @@ void clock_set(struct node *n, uint64_t hz)
     n->unit_ps = VT_SECOND % units_per_second ? 0 : VT_SECOND / units_per_second;
 }
 
-vtime clock_of_units(const struct node *n, uint64_t units)
+vtime clock_of_units_exactly(const struct node *n, uint64_t units)
 {
-    if (n->unit_ps)
-        return units * n->unit_ps;
     return (vtime)((unsigned __int128)units * VT_SECOND / (n->clock_hz * UNITS_PER_CLOCK));
 }
 
@@ -32,31 +30,9 @@ static uint64_t units_of_time(const struct node *n, vtime t)
     return (uint64_t)(((unsigned __int128)t * units_per_second + VT_SECOND - 1) / VT_SECOND);
 }
 
-vtime clock_sync(struct node *n)
-{
-    struct node_clock *c = &n->clock;
-    if (c->runs && n->image) {
-        c->units += (uint64_t)(c->given - *n->image->left);
-        c->given = *n->image->left;
-    }
-    return c->origin + clock_of_units(n, c->units);
-}
-
 vtime node_now(struct node *n)
 {
     return clock_sync(n);
-}
-
-void clock_advance_to(struct node *n, vtime t)
-{
-    vtime now = clock_sync(n);
-    n->clock.origin += t - now;
-    n->clock.known = n->clock.units;
-}
-
-void clock_is_known(struct node *n)
-{
-    n->clock.known = n->clock.units;
 }
 
 /* --- looks --- */

@@ -5,15 +5,47 @@
 #ifndef NODE_CLOCK_H
 #define NODE_CLOCK_H
 #include "node/node.h"
+#include "nx_api/nxcc/image.h"
 
 /* The node's processor has so many clocks a second. */
 void clock_set(struct node *n, uint64_t hz);
+/* Virtual time of so many cost units. */
+vtime clock_of_units_exactly(const struct node *n, uint64_t units);
+static inline vtime clock_of_units(const struct node *n, uint64_t units)
+{
+    return n->unit_ps ? units * n->unit_ps : clock_of_units_exactly(n, units);
+}
+
 /* Take up what the program has spent since the last time; returns the time. */
-vtime clock_sync(struct node *n);
-/* Time goes on without the program: wait, system. t >= clock_sync(n). */
-void clock_advance_to(struct node *n, vtime t);
+static inline vtime clock_sync(struct node *n)
+{
+    struct node_clock *c = &n->clock;
+    if (c->runs && n->image) {
+        c->units += (uint64_t)(c->given - *n->image->left);
+        c->given = *n->image->left;
+    }
+    return c->origin + clock_of_units(n, c->units);
+}
+
 /* All that happened before this moment of the node has: it is not ahead of the others. Call after clock_sync. */
-void clock_is_known(struct node *n);
+static inline void clock_is_known(struct node *n)
+{
+    n->clock.known = n->clock.units;
+}
+
+/* Time goes on without the program: wait, system. Call after clock_sync. */
+static inline void clock_advance(struct node *n, vtime by)
+{
+    n->clock.origin += by;
+    clock_is_known(n);
+}
+
+/* The same until t >= clock_sync(n). */
+static inline void clock_advance_to(struct node *n, vtime t)
+{
+    clock_advance(n, t - clock_sync(n));
+}
+
 /* The program gets control: the looks begin anew. Call after clock_sync. */
 void clock_give(struct node *n);
 /* Let the program spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
@@ -33,8 +65,6 @@ uint64_t clock_stretch(const struct node *n);
 void clock_go_back(struct node *n);
 /* When the next look will have been at the earliest. */
 vtime clock_next_look(const struct node *n);
-/* Virtual time of so many cost units. */
-vtime clock_of_units(const struct node *n, uint64_t units);
 /* Take back so much computing, or all there is. */
 void clock_cut(struct node *n, vtime t);
 #endif

@@ -35,7 +35,7 @@ __attribute__((noipa)) void node_set_errno(int error)
 /* Has the machine been told to stop, or this node come to the end of time? Then the scheduler wants to know. */
 static bool must_stop(struct node *n, vtime now)
 {
-    return turn_past_end(n, now) || ++n->sys->unseen > MOST_UNSEEN;
+    return n->sys->stop || now > n->sys->max_time || ++n->sys->unseen > MOST_UNSEEN;
 }
 
 static vtime end_of_time(const struct node *n)
@@ -43,21 +43,26 @@ static vtime end_of_time(const struct node *n)
     return n->sys->max_time == VT_NEVER ? VT_NEVER : n->sys->max_time + 1;
 }
 
-/* Until when the program may compute without looking at what comes: if a handler may have to run, the earliest time at
- * which anything may reach the node. */
-static vtime deadline(struct node *n)
+/* The earliest time at which anything may reach the node. */
+static vtime horizon(const struct node *n)
 {
     const struct node_system *s = n->sys;
+    vtime next = vt_min(evq_next(s->q), bounds_least(&s->checks));
+    if (s->workers)
+        next = vt_min(next, workers_bound(s->workers));
+    return proto_horizon(s->proto, n->place, next);
+}
+
+/* Until when the program may compute without looking at what comes, if a handler may have to run. */
+static vtime deadline(struct node *n)
+{
     vtime end = end_of_time(n);
     n->ahead.alert = mailbox_armed(n);
     if (!n->ahead.alert)
         return end;
     if (n->ahead.up_to)
         return n->ahead.up_to;
-    vtime next = vt_min(evq_next(s->q), bounds_least(&s->checks));
-    if (s->workers)
-        next = vt_min(next, workers_bound(s->workers));
-    return vt_min(end, vt_min(mailbox_next_due(n), proto_horizon(s->proto, n->place, next)));
+    return vt_min(end, vt_min(mailbox_next_due(n), horizon(n)));
 }
 
 /* What the program may spend was reckoned before the system took time from it. */
@@ -95,10 +100,30 @@ static void yield_turn(struct node *n, vtime now)
         turn_put(n, now);
 }
 
+/* Is the program's moment, whose turn has not come, the same whether it has or not? Only messages could make a difference.
+ * (Other programs could throw them away. And where programs come and go, few messages are worth it.) */
+static bool may_be_made(const struct node *n, vtime now)
+{
+    const struct node_system *s = n->sys;
+    return !n->clock.stolen && now <= s->max_time && !s->cube && !s->flushes && !mailbox_may_grant(n) &&
+           horizon(n) > now;
+}
+
+/* The call that the program is in, if it is pending, is at its end or waits. */
+static void end_pending(struct node *n)
+{
+    if (!n->pending.open || pending_end(n))
+        return;
+    if (may_be_made(n, n->call_since))
+        pending_make(n);
+    else
+        turn_put(n, pending_tell(n));
+}
+
 void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
-    pending_end(n);
+    end_pending(n);
     bool yielded = false;
     while (must_yield(n, now)) {
         yield_turn(n, now);
@@ -107,6 +132,7 @@ void node_order(struct node *n)
         yielded = true;
     }
     clock_is_known(n);
+    pending_forget(n);
     if (yielded)
         allow_anew(n);
 }
@@ -152,20 +178,18 @@ void node_enter_early(struct node *n, const char *call)
         take_turn(n);
         return;
     }
-    if (n->pending.count == 0)
-        turn_put(n, n->call_since);
-    pending_begin(n);
+    pending_begin(n, false);
 }
 
 void node_spend_on(struct node *n, enum node_task task, vtime t)
 {
     t = node_system_time(n, t);
     if (n->pending.open) {
-        assert(task == NODE_CALL);
-        pending_spend(n, t);
+        pending_spend(n, task, t);
         return;
     }
-    clock_advance_to(n, clock_sync(n) + t);
+    clock_sync(n);
+    clock_advance(n, t);
     node_account(n, task, t);
 }
 
@@ -205,7 +229,7 @@ void node_leave(struct node *n)
     n->call = NULL;
     clock_sync(n);
     if (n->pending.open) {
-        pending_end(n);
+        end_pending(n);
     } else {
         node_memory_settle(n);
         clock_is_known(n);
@@ -271,7 +295,7 @@ void node_nxc_preempt(void)
 bool node_run_handlers(struct node *n)
 {
     bool any = false;
-    while (mailbox_handler_due(n, node_now(n))) {
+    while (mailbox_next_due(n) != VT_NEVER && mailbox_handler_due(n, node_now(n))) {
         const char *call = n->call;
         long type = n->call_type, awaited = n->awaited;
         bool has_type = n->call_has_type, awaits = n->awaits;
@@ -305,11 +329,20 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     vtime now = clock_sync(n);
-    pending_end(n);
+    end_pending(n);
+    bool yields = must_yield(n, now), early = n->pending.early;
+    bool alone = n->pending.count == 0 || n->pending.quiet; /* the queue knows nothing of it */
+    if (yields && early && alone && ready(n, arg) && may_pend(n) && may_be_made(n, now)) {
+        pending_make(n);
+        pending_begin(n, true);
+        return;
+    }
     n->pending.early = false;
     n->wait.since = VT_NEVER;
-    if (must_yield(n, now)) {
-        yield_turn(n, now);
+    if (yields) {
+        n->wait.rests = early && alone && turn_may_rest(n, now) && !ready(n, arg);
+        if (!n->wait.rests)
+            yield_turn(n, now);
         if (!switch_away(n, ready, arg))
             node_order(n);
     }

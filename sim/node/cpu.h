@@ -38,8 +38,8 @@ void node_wake(struct node *n, vtime t);
 /* What takes an ordinary node's system t takes this one's so long; and it has. */
 vtime node_system_time(const struct node *n, vtime t);
 void node_account(struct node *n, enum node_task task, vtime t);
-/* The program is killed at time t: it has waited until then, or what it has computed ahead of it has not happened. */
-void node_cut(struct node *n, vtime t);
+/* The program is killed: it has waited until then, or what it has done ahead of it has not happened. */
+void node_cut(struct node *n, struct instant at);
 /* Run the handlers that are due. True if any ran. */
 bool node_run_handlers(struct node *n);
 /* Scheduler: what happens next, an event or a node's check for messages: its time, VT_NEVER if there is none, and place. */

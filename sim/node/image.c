@@ -266,6 +266,15 @@ const char *node_image_path(const struct node_image *img)
     return img->elf->path;
 }
 
+bool node_image_uses(const struct node_image *img, const char *name)
+{
+    const struct elf_symbols *d = &img->elf->dynamic;
+    for (size_t i = 0; i < d->count; i++)
+        if (d->sym[i].st_shndx == SHN_UNDEF && strcmp(elf_name(d, &d->sym[i]), name) == 0)
+            return true;
+    return false;
+}
+
 size_t node_image_load_bytes(const struct node_image *img)
 {
     return img->data_at + img->template_bytes;

@@ -16,6 +16,8 @@ void node_image_close(struct node_image *img);
 const char *node_image_path(const struct node_image *img);
 /* What has to be brought to a node: text, constants and initialised data. */
 size_t node_image_load_bytes(const struct node_image *img);
+/* Does it ask for a function of that name? */
+bool node_image_uses(const struct node_image *img, const char *name);
 
 /* Its text, data and bss in a node, page rounded. */
 size_t node_image_bytes(const struct node_image *img);

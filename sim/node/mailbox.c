@@ -5,6 +5,7 @@
 #include "node/cpu.h"
 #include "node/pending.h"
 #include "node/system.h"
+#include "node/turns.h"
 #include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/include/nxerrno.h"
 
@@ -198,6 +199,8 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     (void)now;
     if (m->unwanted)
         return true;
+    if (n->wait.rests)
+        pending_make_until(n, n->sys->present);
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
         if (!selects(n, &(*link)->select, m))
             continue;
@@ -240,8 +243,9 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
         proto_message_free(m);
     else if (r && r->handler)
         add_due(n, m->complete, r, NULL);
-    else
+    else if (n->state == NODE_BLOCKED || n->clock.stolen < m->complete - now)
         node_wake(n, m->complete);
+    /* else it has stopped a program, whose turn will not come before it is complete */
 }
 
 void mailbox_sent(void *ctx, struct message *m, vtime now)
@@ -254,6 +258,8 @@ void mailbox_sent(void *ctx, struct message *m, vtime now)
     s->done = true;
     if (s->handler)
         add_due(n, now, NULL, s);
+    else if (turn_rest_ends(n, n->sys->present))
+        turn_put_again(n);
     else if (n->state == NODE_BLOCKED)
         node_wake(n, now);
 }
@@ -307,6 +313,14 @@ static void warm(const struct message *m)
     __builtin_prefetch((const char *)m + LINE, 1);
 }
 
+bool mailbox_has(const struct node *n, const struct receive *r)
+{
+    for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
+        if (selects(n, &r->select, m))
+            return true;
+    return false;
+}
+
 void mailbox_post_at(struct node *n, struct receive *r, vtime now)
 {
     struct mailbox *b = n->mailbox;
@@ -336,6 +350,16 @@ void mailbox_post(struct node *n, struct receive *r)
         mailbox_post_at(n, r, node_now(n));
 }
 
+void mailbox_put_back(struct node *n, struct message *m)
+{
+    struct mailbox *b = n->mailbox;
+    m->receive = NULL;
+    m->next = b->unexpected;
+    if (!b->unexpected)
+        b->unexpected_end = &m->next;
+    b->unexpected = m;
+}
+
 void mailbox_withdraw(struct node *n, struct receive *r)
 {
     struct mailbox *b = n->mailbox;
@@ -345,18 +369,20 @@ void mailbox_withdraw(struct node *n, struct receive *r)
             return;
         }
     struct message *m = r->m;
-    m->receive = NULL;
     if (!m->buffered)
         buffer(n, m);
-    m->next = b->unexpected;
-    if (!b->unexpected)
-        b->unexpected_end = &m->next;
-    b->unexpected = m;
+    mailbox_put_back(n, m);
 }
 
 bool mailbox_complete(struct node *n, const struct receive *r)
 {
     return r->m && r->m->arrived && r->m->complete <= node_now(n);
+}
+
+void mailbox_done_with(struct node *n, struct message *m, vtime now)
+{
+    unbuffer(n, m, now);
+    proto_message_free(m);
 }
 
 void mailbox_tell(struct node *n, const struct message *m, long info[])
@@ -381,9 +407,12 @@ long mailbox_take(struct node *n, struct receive *r)
         node_spend_on(n, NODE_COPYING, m->bytes * n->sys->cfg->copy_ps_per_byte);
     if (!mailbox_is_library(m->type))
         mailbox_tell(n, m, r->info);
-    unbuffer(n, m, node_now(n));
-    proto_message_free(m);
     r->m = NULL;
+    m->receive = NULL;
+    if (n->pending.open)
+        pending_take(n, m);
+    else
+        mailbox_done_with(n, m, node_now(n));
     return result;
 }
 
@@ -515,6 +544,11 @@ struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long
     n->mailbox->handlers++;
     n->stats.armed = true;
     return s;
+}
+
+bool mailbox_may_grant(const struct node *n)
+{
+    return n->mailbox->waiting > 0;
 }
 
 bool mailbox_ignores(const struct node *n)

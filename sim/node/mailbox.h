@@ -25,12 +25,21 @@ void mailbox_abandon(struct node *n);
 void mailbox_empty(struct node *n, vtime now);
 void mailbox_inherit(struct node *n, struct node *before);
 
+/* Is there an unexpected message for r? */
+bool mailbox_has(const struct node *n, const struct receive *r);
 /* Post r at time now: mailbox_post for a call that is made then. */
 void mailbox_post_at(struct node *n, struct receive *r, vtime now);
 /* Send messages, linked by next, to so many receivers in all, from time now on; returns when the last has left the program.
  * One takes the processor so long. */
 vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now);
 vtime mailbox_send_time(const struct node *n, const struct message *m);
+
+/* A program is done with m: a waiting one may get its room. */
+void mailbox_done_with(struct node *n, struct message *m, vtime now);
+/* m, which a receive had selected, is unexpected again, the first. */
+void mailbox_put_back(struct node *n, struct message *m);
+/* Do long messages wait for room? */
+bool mailbox_may_grant(const struct node *n);
 
 /* Follow a message for s until its buffer is free. */
 void mailbox_follow(struct message *m, struct send *s);

@@ -139,10 +139,10 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
     fiber_finish(n->fiber);
 }
 
-void node_stop(struct node *n, vtime t)
+void node_stop(struct node *n, struct instant at)
 {
-    node_cut(n, t);
-    n->stats.away = t - accounted(n);
+    node_cut(n, at);
+    n->stats.away = at.time - accounted(n);
 }
 
 void node_end_other(struct node *n, struct node *victim)
@@ -153,7 +153,7 @@ void node_end_other(struct node *n, struct node *victim)
     if (victim->ahead.loose)
         workers_drop(n->sys->workers, &victim->ahead.work);
     victim->ahead.loose = false;
-    node_stop(victim, now);
+    node_stop(victim, (struct instant){now, n->place});
     has_ended(victim, NODE_KILLED, 0, now);
 }
 
@@ -177,7 +177,7 @@ static _Noreturn void fail(struct node *n, const void *frame, const char *fmt, v
     if (!f)
         abort();
     vfprintf(f, fmt, ap);
-    n->sys->stop_at = node_now(n);
+    n->sys->stop_at = (struct instant){node_now(n), n->place};
     if (frame && !n->sys->failure)
         trace_print_calls(f, n, (uintptr_t)frame);
     fclose(f);

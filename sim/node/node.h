@@ -44,6 +44,7 @@ struct node_clock {
     int64_t given;  /* what *left was set to then */
     uint64_t known; /* units: what the node did until then is not ahead of the machine */
     vtime stolen;   /* system time not yet added to the program's: see cpu.c */
+    vtime counted;  /* of stolen: the turn in the event queue is already so much later */
     bool runs;      /* the program, since it was last switched to: it may have spent some */
 
     uint64_t quiet; /* units: the program makes no call before; less than `units`: it may at any time */
@@ -96,10 +97,13 @@ struct node_ahead {
     uint64_t computed; /* units between its last two calls, for a guess at the next */
 };
 
-/* Calls that the program has made, and the machine has yet to make: pending.h. */
+/* Calls whose turn is still to come, although the program has gone on: pending.h. */
 struct node_pending {
     struct pending_call *calls; /* a ring */
-    uint32_t first, count;
+    uint32_t first, made,
+        count; /* the first `made` have been made all the same, the others, `count`, have not */
+    bool
+        quiet; /* all of `count` only post receives that select nothing yet: the queue knows nothing of them */
     bool open;   /* the program is in the last of them */
     bool early;  /* its call is one that may be pending, whether it is or not */
     bool drains; /* it goes on when none is left, whatever its time */
@@ -138,6 +142,7 @@ struct node {
     struct {
         bool (*ready)(struct node *n, void *arg);
         void *arg;
+        bool rests;        /* at its turn, of which the queue knows nothing, it will be blocked: turns.h */
         vtime since, busy; /* blocked; stats.system then */
     } wait;
     struct node_stats stats;
@@ -235,8 +240,8 @@ void node_spend_on(struct node *n, enum node_task task, vtime t);
 void node_leave(struct node *n);
 /* End the program from inside one of its calls; never returns. */
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code);
-/* The program has not come further than time t, when another one ends it, or the machine stops. */
-void node_stop(struct node *n, vtime t);
+/* The program has not come further, when another one ends it, or the machine stops. */
+void node_stop(struct node *n, struct instant at);
 /* End another node's program, at the time of the caller. */
 void node_end_other(struct node *n, struct node *victim);
 /* An error in an NX call: sets n->error, and is -1 so that a function can return it. */

@@ -15,11 +15,8 @@ enum { NODE_HOST_FILES = 64 };
 struct node_system {
     const struct cfg_machine *cfg;
     struct evq *q;
-    struct bounds checks; /* beside it: computing nodes' next checks for messages: cpu.h */
-    struct {
-        vtime time;
-        uint32_t place;
-    } present; /* the event that happens now, or was the last */
+    struct bounds checks;   /* beside it: computing nodes' next checks for messages: cpu.h */
+    struct instant present; /* the event that happens now, or was the last */
     struct proto *proto;
     struct topo topo;
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
@@ -30,12 +27,13 @@ struct node_system {
     struct cube *cube;   /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
     uint32_t count;      /* nodes; with a host program: of its cube, 0 when it has none */
     uint32_t running;    /* programs */
+    bool flushes;        /* one of them may throw away messages of others */
     uint32_t await_ends; /* of them are in calls that wait for another's end */
     vtime max_time;      /* VT_NEVER: none */
     vtime longest_slice; /* not 0: computing is stopped at least so often, for tests: it changes no result */
 
-    enum node_stop stop; /* why the machine stops before its programs have ended */
-    vtime stop_at;       /* STOP_FAILED: the failed program's time; STOP_VIRTUAL_TIME: the limit */
+    enum node_stop stop;    /* why the machine stops before its programs have ended */
+    struct instant stop_at; /* STOP_FAILED: the failed program's; STOP_VIRTUAL_TIME: the limit */
     uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
 
     /* the first failure, for the user; NULL none */

@@ -1,6 +1,7 @@
 /* system_time.c - the operating system's time on a node's processor, and whose it is: see cpu.h. */
 #include "node/cpu.h"
 #include "node/system.h"
+#include "node/turns.h"
 
 void node_account(struct node *n, enum node_task task, vtime t)
 {
@@ -19,9 +20,12 @@ static void steal(struct node *n, enum node_task task, vtime t)
     if (n->state == NODE_ENDED)
         return; /* nobody's time any more */
     node_catch_up_now(n);
+    bool rested = turn_rest_ends(n, n->sys->present);
     if (n->state == NODE_COMPUTING)
         n->clock.stolen += t;
     node_account(n, task, t);
+    if (rested)
+        turn_put_again(n);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)

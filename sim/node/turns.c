@@ -77,15 +77,23 @@ static void show_crash(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
     (void)arg;
-    n->sys->stop_at = now;
+    n->sys->stop_at = (struct instant){now, n->place};
     if (n->state != NODE_ENDED)
         n->sys->crashed(n);
 }
 
-/* A program has crashed somewhere before its next look, however far it was let run. In a call that is now. */
+static void show_crash_in_call(void *ctx, void *arg, vtime now)
+{
+    (void)now;
+    show_crash(ctx, arg, node_now(ctx));
+}
+
+/* A program has crashed somewhere before its next look, however far it was let run. In a call that is in its turn. */
 static void crash(struct node *n)
 {
-    if (n->call)
+    if (n->pending.open)
+        evq_put_late(n->sys->q, pending_crashes(n), n->place, show_crash_in_call, n, NULL);
+    else if (n->call)
         show_crash(n, NULL, node_now(n));
     else
         evq_put_late(n->sys->q, clock_next_look(n), n->place, show_crash, n, NULL);
@@ -109,16 +117,32 @@ void turn_block(struct node *n, vtime now)
     n->wait.busy = n->stats.system;
 }
 
-bool turn_past_end(struct node *n, vtime now)
+bool turn_may_rest(const struct node *n, vtime now)
 {
-    if (now > n->sys->max_time && !n->sys->stop) {
-        pending_take_back(n);
-        n->sys->stop_at = n->sys->max_time;
-        node_system_fail(n->sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached by %s%s%s",
-                         vt_seconds(n->sys->max_time), n->name, n->call ? " in " : " computing",
-                         n->call ? n->call : "");
+    return !n->stats.armed && !n->is_host && !n->ahead.loose && !n->clock.stolen && !n->sys->stop &&
+           now <= n->sys->max_time;
+}
+
+bool turn_rest_ends(struct node *n, struct instant at)
+{
+    if (!n->wait.rests)
+        return false;
+    n->wait.rests = false;
+    if (pending_make_until(n, at)) {
+        pending_tell(n);
+        return true;
     }
-    return n->sys->stop;
+    vtime turn = clock_sync(n);
+    if (!instant_before(turn, n->place, at))
+        return true;
+    turn_block(n, turn);
+    return false;
+}
+
+void turn_put_again(struct node *n)
+{
+    n->clock.counted = n->clock.stolen;
+    turn_put(n, (n->pending.count ? pending_next(n) : clock_sync(n)) + n->clock.counted);
 }
 
 /* Has the program, which waits, anything to do now? */
@@ -129,9 +153,14 @@ static bool may_go_on(struct node *n, vtime now)
 
 static void run_warm(struct node *n)
 {
+    pending_forget(n);
     n->state = NODE_COMPUTING;
     n->sys->unseen = 0;
     run(n);
+    if (n->crash && n->pending.count)
+        n->pending.open = false; /* it crashes in its turn */
+    if (n->pending.count && n->pending.quiet && !n->wait.rests)
+        turn_put(n, pending_tell(n));
     if (n->crash && n->pending.count == 0)
         crash(n);
     else if (n->ahead.loose)
@@ -196,27 +225,28 @@ static void pending_made(struct node *n)
 {
     bool drains = n->pending.drains;
     n->pending.drains = false;
+    vtime turn = clock_sync(n);
     if (n->crash)
         crash(n);
     else if (drains)
         run_on(n);
+    else if (n->wait.ready && turn_may_rest(n, turn) && !may_go_on(n, turn))
+        n->wait.rests = true;
     else
-        turn_put(n, clock_sync(n));
+        turn_put(n, turn);
 }
 
 /* Pending calls have their turn: the first, and those for which it is then the turn already. */
 static void make_pending(struct node *n, vtime now)
 {
     do {
-        if (turn_past_end(n, now))
-            return;
         pending_commit(n, now);
         if (n->pending.count == 0) {
             pending_made(n);
             return;
         }
         now = pending_next(n);
-    } while (turn_is_first(n, now));
+    } while (now <= n->sys->max_time && turn_is_first(n, now));
     turn_put(n, now);
 }
 
@@ -227,10 +257,10 @@ static void go_on(void *ctx, void *arg, vtime now)
     (void)arg;
     if (n->state == NODE_ENDED)
         return; /* killed meanwhile */
-    if (n->clock.stolen) {
-        vtime until = now + n->clock.stolen;
-        n->clock.stolen = 0;
-        turn_put(n, until);
+    vtime more = n->clock.stolen - n->clock.counted;
+    n->clock.stolen = n->clock.counted = 0;
+    if (more) {
+        turn_put(n, now + more);
     } else if (n->pending.count) {
         make_pending(n, now);
     } else {
@@ -281,20 +311,19 @@ vtime node_next(const struct node_system *s, uint32_t *place)
 
 bool node_step(struct node_system *s)
 {
-    vtime time = evq_next(s->q);
-    uint32_t place = evq_next_place(s->q);
-    if (check_is_before(s, time, place)) {
+    if (bounds_least(&s->checks) != VT_NEVER && check_is_before(s, evq_next(s->q), evq_next_place(s->q))) {
         check(node_at(s, bounds_place(&s->checks)));
         return true;
     }
-    s->present.time = time, s->present.place = place;
-    return evq_step(s->q);
+    return evq_step(s->q, &s->present);
 }
 
 static void wake(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
     (void)arg;
+    if (turn_rest_ends(n, n->sys->present))
+        turn_put_again(n);
     if (n->state != NODE_BLOCKED)
         return;
     clock_advance_to(n, now);
@@ -315,16 +344,19 @@ void node_start(struct node *n, vtime t)
     turn_put(n, t);
 }
 
-void node_cut(struct node *n, vtime t)
+void node_cut(struct node *n, struct instant at)
 {
-    pending_take_back(n);
+    vtime t = at.time;
+    turn_rest_ends(n, at);
+    pending_take_back(n, at);
     node_catch_up(n, t);
     leave_check(n);
-    vtime at = node_now(n) + n->clock.stolen;
+    vtime now = node_now(n), turn = now + n->clock.stolen;
+    bool at_its_turn = n->call && now < t;
     if (n->state == NODE_BLOCKED)
         account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);
-    else if (at > t)
-        clock_cut(n, at - t);
+    else if (turn > t && !at_its_turn)
+        clock_cut(n, turn - t);
     n->cut_short = n->state == NODE_COMPUTING;
-    n->clock.stolen = 0;
+    n->clock.stolen = n->clock.counted = 0;
 }

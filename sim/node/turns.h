@@ -13,8 +13,13 @@ void turn_put(struct node *n, vtime t);
 void turn_at_check(struct node *n, vtime check, vtime t);
 /* Is the node's call or check at `now` the machine's earliest event? */
 bool turn_is_first(struct node *n, vtime now);
-/* Has the machine been told to stop, or this node come to the end of time? */
-bool turn_past_end(struct node *n, vtime now);
 /* The program, in a call, waits from now on. */
 void turn_block(struct node *n, vtime now);
+/* May the program, in a call at `now`, rest? As far as is known it will be blocked there. Then no event is put for that: either
+ * something comes to the node before, or it has been blocked in passing. */
+bool turn_may_rest(const struct node *n, vtime now);
+/* If it rests: what has become of that. True: its turn comes later than `at`; it wants to be put. */
+bool turn_rest_ends(struct node *n, struct instant at);
+/* The turn of a program that does not rest any more. */
+void turn_put_again(struct node *n);
 #endif

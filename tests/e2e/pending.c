@@ -27,7 +27,7 @@ static void end(const char *how)
 static void talk(long me, long others)
 {
     for (int i = 0; i < 12; i++) {
-        irecv(50 + i, in, sizeof in);
+        long id = irecv(50 + i, in, sizeof in);
         csend(1, out, i % 3 ? 8 : 2000, 1 + me % others, 0);
         compute(20 * me);
         csend(50 + i, out, 60, 1 + (me + 1) % others, 0);
@@ -36,6 +36,10 @@ static void talk(long me, long others)
         if (i % 2)
             compute(100);
         if (i % 5 == 4)
+            crecv(1, in, sizeof in);
+        if (i % 2 == 0)
+            msgwait(id);
+        for (int k = 0; i % 6 == 5 && k < 3; k++)
             crecv(1, in, sizeof in);
     }
 }

@@ -76,7 +76,7 @@ static void begin(struct fake *f, bool room)
 
 static void run(struct fake *f)
 {
-    while (evq_step(f->q))
+    while (evq_step(f->q, &(struct instant){0}))
         ;
 }
 
@@ -256,7 +256,7 @@ static void nothing_reaches_a_node_before_its_horizon(void **state)
         horizon = proto_horizon(f.proto, 1, now);
         assert_true(horizon >= now);
         vtime busy = f.free_at[1];
-        assert_true(evq_step(f.q));
+        assert_true(evq_step(f.q, &(struct instant){0}));
         if (f.free_at[1] != busy || f.seen_count != seen)
             assert_true(now >= horizon); /* something reached it: not before the horizon seen just before */
         seen = f.seen_count;

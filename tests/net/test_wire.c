@@ -34,7 +34,7 @@ static void send(struct trip *trips, int count)
         trips[i].transit.duration = 100;
         wire_send(w, &trips[i].transit, 0);
     }
-    while (evq_step(q))
+    while (evq_step(q, &(struct instant){0}))
         ;
     wire_free(w);
     evq_free(q);

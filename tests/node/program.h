@@ -136,7 +136,7 @@ static inline void nodes_run(struct nodes *x)
 {
     for (uint32_t i = 0; i < x->sys.count; i++)
         node_start(x->node[i], 0);
-    while (!x->sys.stop && evq_step(x->sys.q))
+    while (!x->sys.stop && evq_step(x->sys.q, &x->sys.present))
         ;
     fflush(x->sys.out[0]);
     fflush(x->sys.out[1]);
