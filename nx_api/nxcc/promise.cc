@@ -53,11 +53,16 @@ struct block_cost : deeds {
 };
 
 struct loop_cost : deeds {
-    int64_t least = 0; /* units of a round, if nothing in it is served */
-    int64_t added = 0; /* units of rounds that are always the same */
-    /* The variable, where a round begins, and later in it; NULL: none is kept. */
+    int64_t rounds = 0; /* how often it goes back at least, whenever it is entered */
+    int64_t least = 0;  /* units of a round that goes back, if nothing in it is served */
+    int64_t added = 0;  /* units of those rounds */
+    /* The variable, where a round begins, and later in it, when it is already for the rounds after the next; NULL: none is
+     * kept. exact: it comes to 0 in the last round. */
     tree before = NULL_TREE, after = NULL_TREE;
+    bool exact = false;
 };
+
+typedef std::map<basic_block, int64_t> block_ways; /* from where blocks begin */
 
 class promising
 {
@@ -70,12 +75,15 @@ class promising
   private:
     void cost_blocks();
     void look_at_loop(class loop *loop);
+    bool is_of_last(class loop *loop, edge e);
     int64_t cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known);
     int64_t rounds_on(edge e);
-    int64_t way_from(basic_block bb);
-    void find_ways();
+    int64_t way_from(basic_block bb, class loop *within, block_ways &known);
+    const block_ways &ways_to_end(class loop *within);
+    int64_t way(basic_block bb, class loop *inner, class loop *within);
     void accept_silent();
     bool is_worth_keeping(class loop *loop);
+    tree append_units(gimple_seq *seq, class loop *loop);
     void keep(class loop *loop);
     tree all_silent(gimple_seq *seq, const std::vector<tree> &outside);
     promise at(basic_block bb);
@@ -85,7 +93,8 @@ class promising
     std::set<gimple *> &own;
     std::map<basic_block, block_cost> blocks;
     std::map<class loop *, loop_cost> loops;
-    std::map<basic_block, int64_t> ways; /* from a block's beginning to the next call or the end */
+    std::vector<basic_block> post_order;
+    std::map<class loop *, block_ways> ways; /* ways_to_end */
 };
 
 /* --- calls ------------------------------------------------------------------------------------------------- */
@@ -144,14 +153,71 @@ void promising::cost_blocks()
 
 /* --- ways -------------------------------------------------------------------------------------------------- */
 
-/* What rounds that are always the same add where a loop is entered. */
+/* What a loop adds where it is entered. */
 int64_t promising::rounds_on(edge e)
 {
     class loop *loop = e->dest->loop_father;
     return e->dest == loop->header && !flow_bb_inside_loop_p(loop, e->src) ? loops[loop].added : 0;
 }
 
-/* From the beginning of a round to the end of a block. */
+/* The round in which a variable that changes by the same in each comes to a constant, for ways that are gone then only:
+ * GCC tells it only of tests that every round makes. */
+int64_t rounds_until_equal(class loop *loop, edge e)
+{
+    gcond *test = safe_dyn_cast<gcond *>(last_stmt(e->src));
+    affine_iv iv;
+    if (!test || gimple_cond_code(test) != (e->flags & EDGE_TRUE_VALUE ? EQ_EXPR : NE_EXPR) ||
+        !tree_fits_shwi_p(gimple_cond_rhs(test)) ||
+        !simple_iv(loop, loop, gimple_cond_lhs(test), &iv, false) || !tree_fits_shwi_p(iv.base) ||
+        !tree_fits_shwi_p(iv.step) || integer_zerop(iv.step))
+        return 0;
+    int64_t way, begin = tree_to_shwi(iv.base), step = tree_to_shwi(iv.step);
+    if (__builtin_sub_overflow(tree_to_shwi(gimple_cond_rhs(test)), begin, &way) || way % step ||
+        way / step < 0)
+        return 0;
+    return way / step;
+}
+
+/* How often a loop goes back at least before it may go this way, as far as that is always the same; else 0. */
+int64_t rounds_before(class loop *loop, edge e)
+{
+    tree_niter_desc n;
+    if (e->flags & EDGE_COMPLEX)
+        return 0;
+    if (number_of_iterations_exit_assumptions(loop, e, &n, NULL, false) && integer_onep(n.assumptions) &&
+        integer_zerop(n.may_be_zero) && tree_fits_shwi_p(n.niter))
+        return tree_to_shwi(n.niter);
+    return rounds_until_equal(loop, e);
+}
+
+/* The same for a way out: all that lead to it count. */
+int64_t rounds_before_exit(class loop *loop, edge exit)
+{
+    int64_t most = rounds_before(loop, exit);
+    for (basic_block bb = exit->src; bb != loop->header; bb = get_immediate_dominator(CDI_DOMINATORS, bb))
+        if (single_pred_p(bb))
+            most = std::max(most, rounds_before(loop, single_pred_edge(bb)));
+    return most;
+}
+
+/* How often it goes back at least before it is left. */
+int64_t least_rounds(class loop *loop)
+{
+    int64_t least = INT64_MAX;
+    for (edge exit : get_loop_exit_edges(loop))
+        least = std::min(least, rounds_before_exit(loop, exit));
+    return least == INT64_MAX ? 0 : least;
+}
+
+/* Is it a way that no round goes of those which are counted, but only the last? */
+bool promising::is_of_last(class loop *loop, edge e)
+{
+    int64_t rounds = loops[loop].rounds;
+    return rounds > 0 && !single_succ_p(e->src) && e->src->loop_father == loop &&
+           rounds_before(loop, e) >= rounds;
+}
+
+/* From the beginning of a round that goes back to the end of a block. */
 int64_t promising::cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known)
 {
     auto found = known.find(bb);
@@ -162,7 +228,7 @@ int64_t promising::cheapest_way(class loop *loop, basic_block bb, std::map<basic
     edge_iterator i;
     if (bb != loop->header)
         FOR_EACH_EDGE (e, i, bb->preds)
-            if (!dominated_by_p(CDI_DOMINATORS, e->src, bb))
+            if (!dominated_by_p(CDI_DOMINATORS, e->src, bb) && !is_of_last(loop, e))
                 before = std::min(before, cheapest_way(loop, e->src, known) + rounds_on(e));
     return known[bb] = std::min(most_units, before + blocks[bb].units);
 }
@@ -178,44 +244,49 @@ void promising::look_at_loop(class loop *loop)
     free(body);
     if (l.calls)
         return;
+    l.rounds = least_rounds(loop);
     std::map<basic_block, int64_t> known;
     l.least = cheapest_way(loop, loop->latch, known);
-    int64_t rounds = l.any_served() ? -1 : rounds_constant(loop);
-    if (rounds > 0)
-        l.added = rounds < most_units / (l.least + 1) ? rounds * l.least : most_units;
+    if (!l.any_served())
+        l.added = l.rounds < most_units / (l.least + 1) ? l.rounds * l.least : most_units;
 }
 
 /* From a block's beginning, as far as ways from those behind it are known. */
-int64_t promising::way_from(basic_block bb)
+int64_t promising::way_from(basic_block bb, class loop *within, block_ways &known)
 {
     const block_cost &c = blocks[bb];
-    if (c.any_served() || !EDGE_COUNT(bb->succs))
-        return c.first;
+    if (within ? bb == within->latch : c.any_served() || !EDGE_COUNT(bb->succs))
+        return within ? c.units : c.first;
     int64_t rest = most_units;
     edge e;
     edge_iterator i;
     FOR_EACH_EDGE (e, i, bb->succs)
-        rest = std::min(rest, ways[e->dest] + rounds_on(e));
-    return std::min(most_units, c.first + rest);
+        if (!within || (e->dest != within->header && flow_bb_inside_loop_p(within, e->dest)))
+            rest = std::min(rest, known[e->dest] + rounds_on(e));
+    return std::min(most_units, c.units + rest);
 }
 
-/* Ways become shorter until none does. */
-void promising::find_ways()
+/* To the end of a loop's round; NULL: to the next call that may be served, or the function's end. They become shorter until
+ * none does. */
+const block_ways &promising::ways_to_end(class loop *within)
 {
-    std::vector<int> order(n_basic_blocks_for_fn(cfun));
-    int n = post_order_compute(order.data(), false, false);
-    for (int i = 0; i < n; i++)
-        ways[BASIC_BLOCK_FOR_FN(cfun, order[i])] = most_units;
-    ways[EXIT_BLOCK_PTR_FOR_FN(cfun)] = 0;
+    block_ways &known = ways[within];
+    if (!known.empty())
+        return known;
+    std::vector<basic_block> order;
+    for (basic_block bb : post_order)
+        if (!within || flow_bb_inside_loop_p(within, bb))
+            order.push_back(bb), known[bb] = most_units;
+    known[EXIT_BLOCK_PTR_FOR_FN(cfun)] = 0;
     for (bool again = true; again;) {
         again = false;
-        for (int i = 0; i < n; i++) {
-            basic_block bb = BASIC_BLOCK_FOR_FN(cfun, order[i]);
-            int64_t way = way_from(bb);
-            again |= way < ways[bb];
-            ways[bb] = way;
+        for (basic_block bb : order) {
+            int64_t way = way_from(bb, within, known);
+            again |= way < known[bb];
+            known[bb] = way;
         }
     }
+    return known;
 }
 
 void promising::accept_silent()
@@ -226,7 +297,8 @@ void promising::accept_silent()
     tree decl = current_function_decl;
     if (!decl_binds_to_current_def_p(decl))
         return;
-    silent[DECL_UID(decl)] = {ways[single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))], !bitmap_empty_p(checked)};
+    silent[DECL_UID(decl)] = {ways_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))),
+                              !bitmap_empty_p(checked)};
     if (TREE_PUBLIC(decl) && !DECL_WEAK(decl) && !DECL_COMDAT(decl))
         told.insert(symbol_of(decl));
 }
@@ -266,46 +338,75 @@ bool promising::is_worth_keeping(class loop *loop)
            l.least >= (slow.count(loop->header) ? 1 : worth_keeping);
 }
 
+/* Appends the units of the rounds to come where a loop is entered; NULL: not known. */
+tree promising::append_units(gimple_seq *seq, class loop *loop)
+{
+    const loop_cost &l = loops[loop];
+    int64_t limit = most_units / l.least;
+    tree zero = build_int_cst(units_type(), 0), rounds;
+    tree_niter_desc n;
+    if (l.rounds) {
+        rounds = build_int_cst(units_type(), std::min(limit, l.rounds));
+    } else if (rounds_foresee(loop, &n)) {
+        rounds = rounds_append(seq, loop, n, limit);
+        tree known =
+            gimple_build(seq, LT_EXPR, boolean_type_node, rounds, build_int_cst(units_type(), limit));
+        rounds = gimple_build(seq, COND_EXPR, units_type(), known, rounds, zero);
+    } else {
+        return NULL_TREE;
+    }
+    tree units = gimple_build(seq, MULT_EXPR, units_type(), rounds, build_int_cst(units_type(), l.least));
+    if (!l.outside.empty())
+        units = gimple_build(seq, COND_EXPR, units_type(), all_silent(seq, l.outside), units, zero);
+    return units;
+}
+
 /* Makes the variable of a loop, if it is worth it. */
 void promising::keep(class loop *loop)
 {
-    loop_cost &l = loops[loop];
-    tree_niter_desc n;
-    if (!is_worth_keeping(loop) || !rounds_foresee(loop, &n) || integer_zerop(n.niter))
-        return;
     gimple_seq seq = NULL;
-    tree zero = build_int_cst(units_type(), 0);
-    int64_t limit = most_units / l.least;
-    tree rounds = rounds_append(&seq, loop, n, limit);
-    tree known = gimple_build(&seq, LT_EXPR, boolean_type_node, rounds, build_int_cst(units_type(), limit));
-    tree units = gimple_build(&seq, MULT_EXPR, units_type(), rounds, build_int_cst(units_type(), l.least));
-    units = gimple_build(&seq, COND_EXPR, units_type(), known, units, zero);
-    if (!l.outside.empty())
-        units = gimple_build(&seq, COND_EXPR, units_type(), all_silent(&seq, l.outside), units, zero);
+    tree units = is_worth_keeping(loop) ? append_units(&seq, loop) : NULL_TREE;
+    if (!units || integer_zerop(units))
+        return;
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
         own.insert(gsi_stmt(gsi));
     if (seq)
         gsi_insert_seq_on_edge_immediate(loop_preheader_edge(loop), seq);
+    loop_cost &l = loops[loop];
     gimple_stmt_iterator begin = gsi_after_labels(loop->header);
     create_iv(units, build_int_cst(units_type(), -l.least), NULL_TREE, loop, &begin, false, &l.before,
               &l.after);
     own.insert(SSA_NAME_DEF_STMT(l.after));
+    l.exact = l.outside.empty() && (!l.rounds || rounds_constant(loop) == l.rounds);
+}
+
+/* The units of a way from bb to the end of a round of `within`, or to the next call: beside those of the rounds to come of
+ * the loops around it that have a variable, up to `last`, not included. Of a loop in which it lies, but not where a round
+ * begins, either no round is to come, or one begins behind its own round's end, and the rest are those of the variable but
+ * one. */
+int64_t promising::way(basic_block bb, class loop *last, class loop *within)
+{
+    int64_t least = ways_to_end(within).at(bb);
+    for (class loop *loop = bb->loop_father; loop != last; loop = loop_outer(loop))
+        if (loops[loop].before && bb != loop->header)
+            least = std::min(least,
+                             way(bb, loop, loop) - loops[loop].least + ways_to_end(within).at(loop->header));
+    return least;
 }
 
 promise promising::at(basic_block bb)
 {
     promise p;
-    p.least = ways[bb];
-    for (class loop *loop = bb->loop_father; loop_outer(loop); loop = loop_outer(loop)) {
+    class loop *loop = bb->loop_father;
+    for (; loop_outer(loop) && !loops[loop].calls; loop = loop_outer(loop)) {
         const loop_cost &l = loops[loop];
-        if (l.calls)
-            break;
         if (!l.before)
             continue;
-        p.more.push_back(bb == loop->header ? l.before : l.after);
-        p.least = std::min(most_units, p.least + (bb == loop->header ? 0 : l.least));
-        p.for_others = p.for_others || (bb == loop->header && l.others && l.least >= worth_telling);
+        bool begins = bb == loop->header;
+        p.more.push_back({begins ? l.before : l.after, begins ? 0 : l.least, !l.exact});
+        p.for_others = p.for_others || (begins && l.others && l.least >= worth_telling);
     }
+    p.least = way(bb, loop, NULL);
     return p;
 }
 
@@ -315,9 +416,12 @@ std::map<basic_block, promise> promising::run()
     calculate_dominance_info(CDI_DOMINATORS);
     scev_initialize();
     cost_blocks();
+    std::vector<int> order(n_basic_blocks_for_fn(cfun));
+    order.resize(post_order_compute(order.data(), false, false));
+    for (int index : order)
+        post_order.push_back(BASIC_BLOCK_FOR_FN(cfun, index));
     for (auto loop : loops_list(cfun, LI_FROM_INNERMOST))
         look_at_loop(loop);
-    find_ways();
     accept_silent();
     for (auto loop : loops_list(cfun, 0))
         keep(loop);
@@ -348,8 +452,12 @@ void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet,
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, left));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(before, quiet));
     tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, build_int_cst(units_type(), paid - p.least));
-    for (tree more : p.more)
+    for (const rounds_to_come &r : p.more) {
+        tree more = gimple_build(seq, PLUS_EXPR, units_type(), r.more, build_int_cst(units_type(), r.add));
+        if (r.at_least_0)
+            more = gimple_build(seq, MAX_EXPR, units_type(), more, build_int_cst(units_type(), 0));
         end = gimple_build(seq, MINUS_EXPR, units_type(), end, more);
+    }
     end = gimple_build(seq, MIN_EXPR, units_type(), before, end);
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(quiet, end));
 }

@@ -25,10 +25,17 @@
 #include <set>
 #include <vector>
 
+/* A loop's: more + add units, and if that may be negative, at least none. */
+struct rounds_to_come {
+    tree more;
+    int64_t add;
+    bool at_least_0;
+};
+
 /* From a block's beginning on. */
 struct promise {
-    int64_t least = 0;       /* the units of the cheapest way */
-    std::vector<tree> more;  /* and of rounds to come */
+    int64_t least = 0; /* the units of the cheapest way */
+    std::vector<rounds_to_come> more;
     bool for_others = false; /* functions that it calls check for themselves */
 };
 

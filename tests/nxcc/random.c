@@ -187,7 +187,8 @@ int main(int argc, char **argv)
         "static unsigned g[32];\nstatic unsigned budget = 300;\n"
         "__attribute__((noinline)) static unsigned leaf(unsigned x) { return g[x & 15] / 3 + x; }\n"
         "__attribute__((noinline)) static unsigned turns(unsigned n) { unsigned s = 0; for (unsigned i = 0; i < n; i++)"
-        " for (unsigned k = 0; k < (n & 3); k++) s += g[(i + k) & 15] %% (k + 2); return s; }\n"
+        " for (unsigned k = 0; k < 8 && s < 9000000; k++) { s += k != 7 ? g[(i + k) & 15] %% (k + 2) * n : 1;"
+        " if (k == 7 && s & 64) s /= 3; } return s; }\n"
         "void served(void) __attribute__((weak));\n"
         "static void back(jmp_buf place, unsigned really) { if (really) longjmp(place, 1); }\n"
         "static unsigned (*const table[%d])(unsigned, unsigned);\n\n",
