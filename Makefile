@@ -3,7 +3,7 @@ B      ?= build
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 CC      = gcc
-OPT    ?= -O2 -g
+OPT    ?= -O3 -g
 SAN    ?=
 # The simulator itself is optimised as a whole (but with sanitizers); its objects are good for linking tests without that, too.
 LTO    ?= -flto=auto -ffat-lto-objects

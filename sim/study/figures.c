@@ -17,7 +17,7 @@ static void set_first(json_t *to, const char *key, json_t *value)
 /* Adds to the number of that key, which begins at 0. */
 static void sum(json_t *to, const char *prefix, const char *key, double value)
 {
-    char name[MAX_KEY];
+    char name[2 * MAX_KEY];
     snprintf(name, sizeof name, "%s.%s", prefix, key);
     double before = json_number_value(json_object_get(to, name));
     if (json_object_set_new(to, name, json_real(before + value)) != 0)
