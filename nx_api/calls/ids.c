@@ -21,7 +21,7 @@ static long check_id(struct node *n, long id)
 
 static bool is_complete(struct node *n, void *id)
 {
-    return mailbox_id_is_complete(n, *(long *)id);
+    return mailbox_id_is_complete(n, (intptr_t)id);
 }
 
 /* Puts the messages of a complete id where they belong, and gives it back, also after an error. */
@@ -46,7 +46,7 @@ long nxs_msgwait(word mid)
         return -1;
     nx_spend_call(n);
     nx_awaits(n, mailbox_id_receive(n, id), mailbox_id_send(n, id));
-    node_wait(n, is_complete, &id);
+    node_wait(n, is_complete, (void *)(intptr_t)id);
     return take(n, id);
 }
 

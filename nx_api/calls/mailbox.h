@@ -30,13 +30,14 @@ struct selector {
 /* A receive, from its posting to its completion. */
 struct receive {
     struct selector select;
+    struct receive *next;     /* posted */
+    struct message *m;        /* NULL until one is selected */
+    uint64_t complete;        /* m, from this virtual time on, if it has arrived: the simulator's */
+    mailbox_handler *handler; /* hrecv, else NULL */
     void *buf;
     size_t room;
-    long *info;               /* the program's, NULL: not wanted */
-    mailbox_handler *handler; /* hrecv, else NULL */
-    long param;               /* the handler's */
-    struct message *m;        /* NULL until one is selected */
-    struct receive *next;     /* posted */
+    long *info; /* the program's, NULL: not wanted */
+    long param; /* the handler's */
 };
 
 /* A send, from the call to the buffer being free again. */

@@ -3,24 +3,36 @@
  *
  *     id 3 -> id 7 -> id 2        3 is valid; 7 and 2 are parts
  *
- * The first free id is taken, and programs mostly have few: the table is made in blocks. What is in them stays where it is.
+ * The first free id is taken, and programs mostly have few: the table is a
+ * list of blocks, made when they are wanted. What is in them stays where it is.
  */
 #include "nx_api/calls/mailbox_ids.h"
 #include <stdlib.h>
+#include <string.h>
 
+enum { LINE = 64, BLOCK = 8 };
+
+/* In two lines of the cache; what is looked at when a message comes lies in the first. */
 struct id {
-    unsigned use; /* ID_RECEIVES, ID_SENDS; 0: free */
-    bool part, ignored;
-    struct receive receive;
+    _Alignas(2 * LINE) struct receive receive;
     struct send *send; /* malloc'd */
     long next;         /* part, -1: none */
+    uint8_t use;       /* ID_RECEIVES, ID_SENDS; 0: free */
+    bool part, ignored;
 };
 
-enum { BLOCK = 8 };
+struct id_block {
+    struct id ids[BLOCK];
+    struct id_block *next;
+};
 
+/* NULL: there is no block for it. */
 static struct id *at(const struct mailbox_ids *ids, long id)
 {
-    return &ids->blocks[id / BLOCK][id % BLOCK];
+    struct id_block *b = ids->first;
+    for (; b && id >= BLOCK; id -= BLOCK)
+        b = b->next;
+    return b ? &b->ids[id] : NULL;
 }
 
 static struct id *of(const struct node *n, long id)
@@ -28,60 +40,58 @@ static struct id *of(const struct node *n, long id)
     return at(mailbox_ids(n), id);
 }
 
-/* Those that there is a block for. */
-static uint32_t made(const struct mailbox_ids *ids)
+static struct id_block *new_block(void)
 {
-    uint32_t blocks = 0;
-    while (ids->blocks && ids->blocks[blocks])
-        blocks++;
-    return blocks * BLOCK < ids->count ? blocks * BLOCK : ids->count;
-}
-
-static void add_block(struct mailbox_ids *ids)
-{
-    uint32_t blocks = made(ids) / BLOCK;
-    ids->blocks = realloc(ids->blocks, (blocks + 2) * sizeof *ids->blocks);
-    if (!ids->blocks || !(ids->blocks[blocks] = calloc(BLOCK, sizeof **ids->blocks)))
+    struct id_block *b = aligned_alloc(_Alignof(struct id_block), sizeof *b);
+    if (!b)
         abort();
-    ids->blocks[blocks + 1] = NULL;
+    return memset(b, 0, sizeof *b);
 }
 
 void ids_free(struct mailbox_ids *ids)
 {
-    for (uint32_t i = 0, count = made(ids); i < count; i++) {
-        mailbox_drop(&at(ids, i)->receive);
-        free(at(ids, i)->send);
+    for (struct id_block *b = ids->first, *next; b; b = next) {
+        next = b->next;
+        for (unsigned i = 0; i < BLOCK; i++) {
+            mailbox_drop(&b->ids[i].receive);
+            free(b->ids[i].send);
+        }
+        free(b);
     }
-    for (struct id **block = ids->blocks; block && *block; block++)
-        free(*block);
-    free(ids->blocks);
+}
+
+static struct id *first_free(struct id_block *b)
+{
+    for (unsigned i = 0; i < BLOCK; i++)
+        if (!b->ids[i].use)
+            return &b->ids[i];
+    return NULL;
 }
 
 long mailbox_id_new(struct node *n, unsigned use)
 {
     struct mailbox_ids *ids = mailbox_ids(n);
-    for (uint32_t i = 0, count = made(ids); i < ids->count; i++) {
-        if (i == count) {
-            add_block(ids);
-            count = made(ids);
-        }
-        struct id *id = at(ids, i);
-        if (id->use)
+    struct id_block **b = &ids->first;
+    for (long first = 0; first < ids->count; first += BLOCK, b = &(*b)->next) {
+        if (!*b)
+            *b = new_block();
+        struct id *id = first_free(*b);
+        if (!id)
             continue;
-        *id = (struct id){.use = use, .next = -1};
+        if (first + (id - (*b)->ids) >= ids->count)
+            break;
+        *id = (struct id){.use = (uint8_t)use, .next = -1};
         if (use & ID_SENDS && !(id->send = calloc(1, sizeof *id->send)))
             abort();
-        return i;
+        return first + (id - (*b)->ids);
     }
     return -1;
 }
 
 bool mailbox_id_is_valid(const struct node *n, long id)
 {
-    if (id < 0 || id >= made(mailbox_ids(n)))
-        return false;
-    const struct id *i = of(n, id);
-    return i->use && !i->part && !i->ignored;
+    const struct id *i = id >= 0 ? of(n, id) : NULL;
+    return i && i->use && !i->part && !i->ignored;
 }
 
 long mailbox_id_next(const struct node *n, long id)
@@ -153,10 +163,12 @@ void mailbox_settle(struct node *n)
     if (!ids->ignored)
         return;
     struct node_info before = n->info;
-    for (uint32_t i = 0, count = made(ids); ids->ignored && i < count; i++)
-        if (at(ids, i)->ignored && mailbox_id_is_complete(n, i)) {
-            ids->ignored--;
-            settle(n, i);
-        }
+    long id = 0;
+    for (const struct id_block *b = ids->first; ids->ignored && b; b = b->next)
+        for (unsigned i = 0; i < BLOCK; i++, id++)
+            if (b->ids[i].ignored && mailbox_id_is_complete(n, id)) {
+                ids->ignored--;
+                settle(n, id);
+            }
     n->info = before;
 }

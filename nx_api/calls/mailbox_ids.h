@@ -4,9 +4,9 @@
 #include "nx_api/calls/backend.h"
 
 struct mailbox_ids {
-    struct id **blocks; /* of the table: as many as have been wanted, then NULL; NULL: none yet */
-    uint32_t count;
-    uint32_t ignored; /* ids that mailbox_settle looks after */
+    struct id_block *first; /* NULL: none has been wanted yet */
+    uint32_t count;         /* of ids that there may be */
+    uint32_t ignored;       /* ids that mailbox_settle looks after */
 };
 
 /* The node's. */

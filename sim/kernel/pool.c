@@ -55,7 +55,10 @@ void *pool_take(struct pool *p)
 {
     if (!p->unused)
         add_chunk(p);
-    return pop(&p->unused);
+    void *block = pop(&p->unused);
+    for (size_t i = 0; i < p->bytes; i += LINE)
+        __builtin_prefetch((char *)p->unused + i, 1);
+    return block;
 }
 
 void pool_give(struct pool *p, void *block)

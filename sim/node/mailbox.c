@@ -101,6 +101,14 @@ struct mailbox_ids *mailbox_ids(const struct node *n)
     return &n->mailbox->ids;
 }
 
+/* A message that is asked for soon, and that nobody has looked at for long. (Inlined: see warm_coming in turns.c.) */
+static inline __attribute__((always_inline)) void warm(const struct message *m)
+{
+    enum { LINE = 64 };
+    __builtin_prefetch(m, 1);
+    __builtin_prefetch((const char *)m + LINE, 1);
+}
+
 /* --- queues --- */
 
 static void post(struct mailbox *b, struct receive *r)
@@ -189,6 +197,7 @@ static void unbuffer(struct node *n, struct message *m, vtime now)
 static void give(struct receive *r, struct message *m)
 {
     r->m = m;
+    r->complete = m->complete;
     m->receive = r;
 }
 
@@ -236,6 +245,8 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
     struct node_system *sys = ctx;
     struct node *n = node_at(sys, m->to);
     struct receive *r = m->receive;
+    if (r)
+        r->complete = m->complete;
     sys->messages++;
     sys->bytes += m->bytes;
     node_system_digest(sys, m, now);
@@ -305,14 +316,6 @@ vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vt
 
 /* --- receiving --- */
 
-/* The unexpected message after one that has been found will often be asked for next, and nobody has looked at it for long. */
-static void warm(const struct message *m)
-{
-    enum { LINE = 64 };
-    __builtin_prefetch(m, 1);
-    __builtin_prefetch((const char *)m + LINE, 1);
-}
-
 bool mailbox_has(const struct node *n, const struct receive *r)
 {
     for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
@@ -329,7 +332,7 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now)
         if (!selects(n, &r->select, m))
             continue;
         unkeep(b, link);
-        warm(*link);
+        warm(*link); /* often the next to be asked for */
         give(r, m);
         if (m->is_long && !m->granted) {
             b->waiting--;
@@ -376,7 +379,10 @@ void mailbox_withdraw(struct node *n, struct receive *r)
 
 bool mailbox_complete(struct node *n, const struct receive *r)
 {
-    return r->m && r->m->arrived && r->m->complete <= node_now(n);
+    if (!r->m || r->complete > node_now(n))
+        return false;
+    warm(r->m);
+    return true;
 }
 
 void mailbox_done_with(struct node *n, struct message *m, vtime now)
