@@ -23,7 +23,7 @@ void evq_free(struct evq *q);
 void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
 void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
 
-/* number: different for what this sender has in the queue for one time and place. */
+/* number: its low 22 bits count, and are different for what this sender has in the queue for one time and place. */
 struct evq_sender {
     uint32_t place;
     uint64_t number;

@@ -1,4 +1,4 @@
-/* The order of events: (time, place, late, sequence), whatever the order they were put in. */
+/* The order of events: (time, place, sent or ordinary or late, sequence), whatever the order they were put in. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -73,6 +73,62 @@ static void late_events_come_after_all_others_of_their_time_and_place(void **sta
     run(q);
     for (int i = 0; i < 3; i++)
         assert_int_equal(log.seen[i], i + 1);
+}
+
+enum kind { SENT, ORDINARY, LATE };
+
+static void put_kind(struct evq *q, struct instant at, enum kind kind, struct evq_sender by, evq_fire *fire,
+                     void *ctx, int id)
+{
+    void *arg = (void *)(intptr_t)id;
+    if (kind == SENT)
+        evq_put_sent(q, at.time, at.place, by, fire, ctx, arg);
+    else
+        (kind == LATE ? evq_put_late : evq_put)(q, at.time, at.place, fire, ctx, arg);
+}
+
+/* What happens in this order at one time and place. */
+enum { SENT_AND_OTHERS = 7 }; /* a prime: steps of any width go round all */
+static const struct {
+    enum kind kind;
+    struct evq_sender by;
+} sent_and_others[SENT_AND_OTHERS] = {
+    {SENT, {2, 7}},
+    {SENT, {2, 8}},
+    {SENT, {3, 1 << 22}}, /* the low 22 bits count */
+    {SENT, {3, (1 << 22) - 1}},
+    {SENT, {(1 << 20) - 1, 0}},
+    {ORDINARY, {0}},
+    {LATE, {0}},
+};
+
+/* So many of them, put in from the first on in steps of that width, before what is later. */
+static void come_in_order(int events, int first, int width, int later)
+{
+    struct log log = {0};
+    struct evq *q = evq_new();
+    for (int i = 0; i < later; i++)
+        put(q, &log, 9, 0, SENT_AND_OTHERS + i);
+    for (int i = 0; i < events; i++) {
+        int id = (first + i * width) % SENT_AND_OTHERS;
+        put_kind(q, (struct instant){5, 1}, sent_and_others[id].kind, sent_and_others[id].by, note, &log, id);
+    }
+    run(q);
+    assert_int_equal(log.count, events + later);
+    for (int i = 1; i < log.count; i++)
+        assert_true(log.seen[i - 1] < log.seen[i]);
+}
+
+/* The heap holds all of a few, the lists all that comes after those. */
+static void what_is_sent_comes_by_sender_and_number_before_all_else_of_its_time_and_place(void **state)
+{
+    (void)state;
+    for (int events = 1; events <= SENT_AND_OTHERS; events++)
+        for (int first = 0; first < SENT_AND_OTHERS; first++)
+            for (int width = 1; width < SENT_AND_OTHERS; width++) {
+                come_in_order(events, first, width, 0);
+                come_in_order(events, first, width, 40);
+            }
 }
 
 struct turns {
@@ -166,12 +222,12 @@ static void of_one_time_what_comes_is_known(void **state)
 
 /* --- any mix of puts and steps, beside a plain list --- */
 
-enum { MOST = 3000 };
+enum { MOST = 3000, RANK_BITS = 42 };
 
 struct plain {
     struct expected {
         vtime time;
-        uint64_t rank; /* place, late, sequence */
+        uint64_t rank; /* place, kind, sequence or sender and number */
         int id;
     } pending[MOST];
     int length, next_id, steps;
@@ -216,10 +272,18 @@ static void put_any(struct plain *p)
 {
     vtime time = p->now + distance(p);
     uint32_t place = (uint32_t)(some(p, 8) ? (uint64_t)p->next_id % 64 : some(p, 64));
-    bool late = some(p, 4) == 0;
+    enum kind kind = (enum kind[]){SENT, ORDINARY, ORDINARY, LATE}[some(p, 4)];
     int id = p->next_id++;
-    p->pending[p->length++] = (struct expected){time, (2 * (uint64_t)place + late) << 40 | (uint64_t)id, id};
-    (late ? evq_put_late : evq_put)(p->q, time, place, happens, p, (void *)(intptr_t)id);
+    struct evq_sender by = {(uint32_t)some(p, 4), (1 << 22) - 500 + (uint64_t)id};
+    uint64_t sequence = kind == SENT ? (uint64_t)by.place << 22 | by.number % (1 << 22) : (uint64_t)id;
+    p->pending[p->length++] =
+        (struct expected){time, (4 * (uint64_t)place + kind) << RANK_BITS | sequence, id};
+    put_kind(p->q, (struct instant){time, place}, kind, by, happens, p, id);
+}
+
+static uint32_t place_of(const struct expected *e)
+{
+    return (uint32_t)(e->rank >> (RANK_BITS + 2));
 }
 
 static int first_of(const struct plain *p)
@@ -237,9 +301,9 @@ static void step_as_expected(struct plain *p)
 {
     struct expected *e = &p->pending[first_of(p)];
     assert_int_equal(evq_next(p->q), e->time);
-    assert_int_equal(evq_next_place(p->q), e->rank >> 41);
-    assert_false(evq_late_is_first(p->q, e->time, (uint32_t)(e->rank >> 41)));
-    assert_int_equal(evq_late_is_first(p->q, e->time, 0), e->rank >> 41 > 0);
+    assert_int_equal(evq_next_place(p->q), place_of(e));
+    assert_false(evq_late_is_first(p->q, e->time, place_of(e)));
+    assert_int_equal(evq_late_is_first(p->q, e->time, 0), place_of(e) > 0);
     evq_fire *fire;
     const void *hint = evq_coming(p->q, 0, &fire);
     assert_true(fire == (hint ? happens : NULL));
@@ -296,6 +360,7 @@ int main(void)
         cmocka_unit_test(earlier_time_comes_first),
         cmocka_unit_test(at_one_time_places_go_in_order_and_at_one_place_sequence_decides),
         cmocka_unit_test(late_events_come_after_all_others_of_their_time_and_place),
+        cmocka_unit_test(what_is_sent_comes_by_sender_and_number_before_all_else_of_its_time_and_place),
         cmocka_unit_test(late_events_of_one_time_and_place_take_turns),
         cmocka_unit_test(thousands_of_events_come_out_sorted),
         cmocka_unit_test(of_one_time_what_comes_is_known),
