@@ -3,6 +3,8 @@
 #   compile P    tests/e2e/P.c -> $work/P
 #   run ARGS     touchstone run ARGS in $work: leaves out, err (files) and status
 #   check NAME COMMAND...   "ok NAME" if the command succeeds, else "not ok NAME" and what the last run said
+#   block PAGE KIND [N]     the Nth block, else the first, of that kind in a page
+#   example PAGE FILE       what a reader of PAGE does: writes its C program into FILE and gives its commands
 tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 BUILD=$(cd "${BUILD:-$tests/../../build}" && pwd)
 work=$(mktemp -d)
@@ -32,6 +34,21 @@ check() {
         sed 's/^/# out: /' out 2>/dev/null | head -20
         sed 's/^/# err: /' err 2>/dev/null | head -20
     fi
+}
+
+block() {
+    awk -v kind="$2" -v n="${3:-1}" '$0 == "```" { on = 0 } on { print } $0 == "```" kind && ++count == n { on = 1 }' "$1"
+}
+
+example() {
+    block "$1" c >"$2"
+    block "$1" out >expected
+    block "$1" sh >commands
+    ln -s "$BUILD" build
+    bash -e commands >out 2>err
+    status=$?
+    check "the example compiles and runs" ended_with 0
+    check "it prints what is said" cmp out expected
 }
 
 ended_with() { [ "$status" = "$1" ]; }

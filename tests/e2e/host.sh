@@ -83,13 +83,13 @@ done
 "$BUILD/touchstone" run -q --host long32/farm long32/farm_node >out 2>err
 check "with longs of 32 bits" cmp farm.out out
 
-block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$tests/../../doc/host-programs.md" | sed '1d;$d'; }
+page=$tests/../../doc/host-programs.md
 mkdir page
-block 'c host.c' >page/host.c
-block 'c node.c' >page/node.c
-block sh >page/commands
+block "$page" 'c host.c' >page/host.c
+block "$page" 'c node.c' >page/node.c
+block "$page" sh >page/commands
 (cd page && PATH=$BUILD:$PATH bash -e commands) >out 2>err
-check "the example of doc/host-programs.md" grep -qx "$(sed -n 's/^prints `\(.*\)`, and.*/\1/p' "$tests/../../doc/host-programs.md")" out
+check "the example of doc/host-programs.md" grep -qx "$(sed -n 's/^prints `\(.*\)`, and.*/\1/p' "$page")" out
 
 run --host hang counts
 check "deadlock: exit status 2" ended_with 2

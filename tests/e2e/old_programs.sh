@@ -1,16 +1,8 @@
 #!/bin/bash
 # old_programs.sh - what doc/old-programs.md shows: its example, and what is said when it goes wrong.
 . "$(dirname "$0")/common.bash"
-block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$tests/../../doc/old-programs.md" | sed '1d;$d'; }
 
-block c >pi.c
-block out >expected
-ln -s "$BUILD" build
-block sh >commands
-bash -e commands >out 2>err
-status=$?
-check "the example compiles and runs" ended_with 0
-check "it prints what is said" cmp out expected
+example "$tests/../../doc/old-programs.md" pi.c
 
 build() { "$BUILD/nxcc" -w -O2 "$@"; }
 check "without --long32 it does too" build -o pi pi.c
