@@ -1,8 +1,16 @@
-/* narrow.c - see narrow.h. In the format of a program whose long has 32 bits %ld means that; so it is made %d, which is as
- * wide. What is 64 bits wide, %lld, %zd, %lf, is left alone. */
+/* narrow.c - printf, scanf and their kin for programs whose long has 32 bits (nxcc --long32). What these do is up to a
+ * format, and there %ld means the program's long. So it is made %d, which is as wide; what is 64 bits wide, %lld, %zd, %lf, is
+ * left alone. Programs reach node_long32_NAME as NAME.
+ */
 #include "nx_api/calls/narrow.h"
+#include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/calls/backend.h"
+#ifndef NX_EXPORT
+#define NX_EXPORT(name) /* the simulator binds names when it loads a program */
+#endif
 
 /* The end of the %[...] that begins at p. */
 static const char *end_of_set(const char *p)
@@ -14,7 +22,8 @@ static const char *end_of_set(const char *p)
     return p;
 }
 
-char *nx_narrowed(const char *format, bool scans)
+/* The format with %ld as %d, for free(). scans: sets may be in it. */
+static char *narrowed(const char *format, bool scans)
 {
     char *copy = malloc(strlen(format) + 1), *to = copy;
     bool in_conversion = false;
@@ -40,3 +49,52 @@ char *nx_narrowed(const char *format, bool scans)
     *to = 0;
     return copy;
 }
+
+/* The C library's own, by names that programs do not use, and that GCC does not know for what it knows. */
+int libc_vfprintf(FILE *f, int flag, const char *format, va_list ap) __asm__("__vfprintf_chk");
+int libc_vsprintf(char *s, int flag, size_t room, const char *format, va_list ap) __asm__("__vsprintf_chk");
+int libc_vsnprintf(char *s, size_t n, int flag, size_t room, const char *format,
+                   va_list ap) __asm__("__vsnprintf_chk");
+int libc_vfscanf(FILE *f, const char *format, va_list ap) __asm__("__isoc99_vfscanf");
+int libc_vsscanf(const char *s, const char *format, va_list ap) __asm__("__isoc99_vsscanf");
+#define ANY_ROOM ((size_t)-1)
+
+#define WITH_LIST(name, parameters, scans, call)                                                             \
+    int node_long32_##name parameters NX_EXPORT(#name);                                                      \
+    int node_long32_##name parameters                                                                        \
+    {                                                                                                        \
+        char *narrow = narrowed(format, scans);                                                              \
+        int result = call;                                                                                   \
+        free(narrow);                                                                                        \
+        return result;                                                                                       \
+    }
+#define WITH_DOTS(name, parameters, scans, call)                                                             \
+    int node_long32_##name parameters NX_EXPORT(#name);                                                      \
+    int node_long32_##name parameters                                                                        \
+    {                                                                                                        \
+        char *narrow = narrowed(format, scans);                                                              \
+        va_list ap;                                                                                          \
+        va_start(ap, format);                                                                                \
+        int result = call;                                                                                   \
+        va_end(ap);                                                                                          \
+        free(narrow);                                                                                        \
+        return result;                                                                                       \
+    }
+
+WITH_DOTS(printf, (const char *format, ...), false, libc_vfprintf(nx_output(), 0, narrow, ap))
+WITH_LIST(vprintf, (const char *format, va_list ap), false, libc_vfprintf(nx_output(), 0, narrow, ap))
+WITH_DOTS(fprintf, (FILE * f, const char *format, ...), false, libc_vfprintf(f, 0, narrow, ap))
+WITH_LIST(vfprintf, (FILE * f, const char *format, va_list ap), false, libc_vfprintf(f, 0, narrow, ap))
+WITH_DOTS(sprintf, (char *s, const char *format, ...), false, libc_vsprintf(s, 0, ANY_ROOM, narrow, ap))
+WITH_LIST(vsprintf, (char *s, const char *format, va_list ap), false,
+          libc_vsprintf(s, 0, ANY_ROOM, narrow, ap))
+WITH_DOTS(snprintf, (char *s, size_t n, const char *format, ...), false,
+          libc_vsnprintf(s, n, 0, ANY_ROOM, narrow, ap))
+WITH_LIST(vsnprintf, (char *s, size_t n, const char *format, va_list ap), false,
+          libc_vsnprintf(s, n, 0, ANY_ROOM, narrow, ap))
+WITH_DOTS(scanf, (const char *format, ...), true, libc_vfscanf(nx_input(), narrow, ap))
+WITH_DOTS(__isoc99_scanf, (const char *format, ...), true, libc_vfscanf(nx_input(), narrow, ap))
+WITH_DOTS(fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
+WITH_DOTS(__isoc99_fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
+WITH_DOTS(sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
+WITH_DOTS(__isoc99_sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))

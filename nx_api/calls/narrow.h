@@ -1,8 +1,9 @@
-/* narrow.h - formats of programs whose long has 32 bits (nxcc --long32). */
+/* narrow.h - what narrow.c needs of what serves the calls: the standard streams of the program that calls. */
 #ifndef CALLS_NARROW_H
 #define CALLS_NARROW_H
-#include <stdbool.h>
+#include <stdio.h>
 
-/* The format with %ld as %d, for free(). scans: sets may be in it. */
-char *nx_narrowed(const char *format, bool scans);
+FILE *nx_output(void);
+FILE *nx_input(void);
+
 #endif

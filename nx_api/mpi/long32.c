@@ -1,8 +1,5 @@
-/* long32.c - for programs whose long has 32 bits (nxcc --mpi --long32): linked into their libnx_long32.a only. What
- * printf, scanf and their kin do is up to a format, and there %ld means the program's long: narrow.h. */
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
+/* long32.c - for programs whose long has 32 bits (nxcc --mpi --long32): linked, with narrow.c, into their libnx_long32.a
+ * only. */
 #include <time.h>
 #include "nx_api/calls/call.h"
 #include "nx_api/calls/narrow.h"
@@ -12,54 +9,15 @@ int node_long_bytes = 4;
 /* Files compiled with --long32 refer to it (nxcc/long32.cc), so that they are linked with it. */
 __attribute__((visibility("default"))) const char nxc_long_has_4_bytes;
 
-/* The C library's own, by names that programs do not use, and that GCC does not know for what it knows. */
-int libc_vfprintf(FILE *f, int flag, const char *format, va_list ap) __asm__("__vfprintf_chk");
-int libc_vsprintf(char *s, int flag, size_t room, const char *format, va_list ap) __asm__("__vsprintf_chk");
-int libc_vsnprintf(char *s, size_t n, int flag, size_t room, const char *format,
-                   va_list ap) __asm__("__vsnprintf_chk");
-int libc_vfscanf(FILE *f, const char *format, va_list ap) __asm__("__isoc99_vfscanf");
-int libc_vsscanf(const char *s, const char *format, va_list ap) __asm__("__isoc99_vsscanf");
-#define ANY_ROOM ((size_t)-1)
+FILE *nx_output(void)
+{
+    return stdout;
+}
 
-#define WITH_LIST(name, parameters, scans, call)                                                             \
-    int node_long32_##name parameters NX_EXPORT(#name);                                                      \
-    int node_long32_##name parameters                                                                        \
-    {                                                                                                        \
-        char *narrow = nx_narrowed(format, scans);                                                           \
-        int result = call;                                                                                   \
-        free(narrow);                                                                                        \
-        return result;                                                                                       \
-    }
-#define WITH_DOTS(name, parameters, scans, call)                                                             \
-    int node_long32_##name parameters NX_EXPORT(#name);                                                      \
-    int node_long32_##name parameters                                                                        \
-    {                                                                                                        \
-        char *narrow = nx_narrowed(format, scans);                                                           \
-        va_list ap;                                                                                          \
-        va_start(ap, format);                                                                                \
-        int result = call;                                                                                   \
-        va_end(ap);                                                                                          \
-        free(narrow);                                                                                        \
-        return result;                                                                                       \
-    }
-
-WITH_DOTS(printf, (const char *format, ...), false, libc_vfprintf(stdout, 0, narrow, ap))
-WITH_LIST(vprintf, (const char *format, va_list ap), false, libc_vfprintf(stdout, 0, narrow, ap))
-WITH_DOTS(fprintf, (FILE * f, const char *format, ...), false, libc_vfprintf(f, 0, narrow, ap))
-WITH_LIST(vfprintf, (FILE * f, const char *format, va_list ap), false, libc_vfprintf(f, 0, narrow, ap))
-WITH_DOTS(sprintf, (char *s, const char *format, ...), false, libc_vsprintf(s, 0, ANY_ROOM, narrow, ap))
-WITH_LIST(vsprintf, (char *s, const char *format, va_list ap), false,
-          libc_vsprintf(s, 0, ANY_ROOM, narrow, ap))
-WITH_DOTS(snprintf, (char *s, size_t n, const char *format, ...), false,
-          libc_vsnprintf(s, n, 0, ANY_ROOM, narrow, ap))
-WITH_LIST(vsnprintf, (char *s, size_t n, const char *format, va_list ap), false,
-          libc_vsnprintf(s, n, 0, ANY_ROOM, narrow, ap))
-WITH_DOTS(scanf, (const char *format, ...), true, libc_vfscanf(stdin, narrow, ap))
-WITH_DOTS(__isoc99_scanf, (const char *format, ...), true, libc_vfscanf(stdin, narrow, ap))
-WITH_DOTS(fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
-WITH_DOTS(__isoc99_fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
-WITH_DOTS(sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
-WITH_DOTS(__isoc99_sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
+FILE *nx_input(void)
+{
+    return stdin;
+}
 
 /* time_t is such a program's long. */
 int node_long32_time(int *t) NX_EXPORT("time");

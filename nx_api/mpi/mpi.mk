@@ -3,7 +3,7 @@
 #                         own names are visible, and the calls that are programs over others (nx_api/common, nx_api/fortran)
 MPI        := $(NODE)/mpi
 MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c)
-MPI_LONG32 := $(MPI)/obj/mpi/long32.o # only in libnx_long32.a
+MPI_LONG32 := $(MPI)/obj/mpi/long32.o $(MPI)/obj/calls/narrow.o # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
 MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
 MPI_CC      = OMPI_CC=$(CC) MPICH_CC=$(CC) mpicc
