@@ -1,7 +1,9 @@
 /* traffic_mpi.c - the patterns of traffic/traffic.c with MPI's calls, for simulators of MPI: traffic_mpi PATTERN ROUNDS. */
 #include <mpi.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../traffic/torus.h"
 
 enum { BYTES = 8 };
 static char out[BYTES], in[4][BYTES];
@@ -23,25 +25,18 @@ static void ring(void)
     MPI_Recv(in[0], BYTES, MPI_BYTE, (me + count - 1) % count, 1, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
 
-/* In the order east, west, south, north; what goes east comes from the west. */
 static void halo(void)
 {
-    static int rows, columns, to[4];
+    static bool begun;
+    static long to[4];
     MPI_Request request[4];
-    if (!rows) {
-        for (rows = 1; (rows + 1) * (rows + 1) <= count; rows++)
-            ;
-        while (count % rows)
-            rows--;
-        columns = count / rows;
-        int x = me % columns, y = me / columns;
-        to[0] = y * columns + (x + 1) % columns, to[1] = y * columns + (x + columns - 1) % columns;
-        to[2] = (y + 1) % rows * columns + x, to[3] = (y + rows - 1) % rows * columns + x;
-    }
+    if (!begun)
+        torus_neighbours(me, count, to);
+    begun = true;
     for (int k = 0; k < 4; k++)
-        MPI_Irecv(in[k], BYTES, MPI_BYTE, to[k ^ 1], k, MPI_COMM_WORLD, &request[k]);
+        MPI_Irecv(in[k], BYTES, MPI_BYTE, (int)to[k ^ 1], k, MPI_COMM_WORLD, &request[k]);
     for (int k = 0; k < 4; k++)
-        MPI_Send(out, BYTES, MPI_BYTE, to[k], k, MPI_COMM_WORLD);
+        MPI_Send(out, BYTES, MPI_BYTE, (int)to[k], k, MPI_COMM_WORLD);
     MPI_Waitall(4, request, MPI_STATUSES_IGNORE);
 }
 

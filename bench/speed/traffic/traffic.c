@@ -7,10 +7,12 @@
  *   halo       every node of a torus as square as can be: a message to each of four neighbours, four received
  *   alltoall   every node: a message to each other node, in the order of the distance
  */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "nx.h"
+#include "torus.h"
 
 enum { MOST = 4096 };
 static char out[MOST], in[4][MOST];
@@ -34,18 +36,12 @@ static void ring(void)
 
 static void halo(void)
 {
-    static long rows, columns, to[4];
+    static bool begun;
+    static long to[4];
     long id[4], k;
-    if (!rows) {
-        for (rows = 1; (rows + 1) * (rows + 1) <= count; rows++)
-            ;
-        while (count % rows)
-            rows--;
-        columns = count / rows;
-        long x = me % columns, y = me / columns;
-        to[0] = y * columns + (x + 1) % columns, to[1] = y * columns + (x + columns - 1) % columns;
-        to[2] = (y + 1) % rows * columns + x, to[3] = (y + rows - 1) % rows * columns + x;
-    }
+    if (!begun)
+        torus_neighbours(me, count, to);
+    begun = true;
     for (k = 0; k < 4; k++)
         id[k] = irecv(k, in[k], bytes);
     for (k = 0; k < 4; k++)

@@ -1,5 +1,5 @@
 # traffic.mk - the NX program of messages, the tool that measures runs, and the comparison of event queues.
-$B/bench/traffic: bench/speed/traffic/traffic.c $(NXCC_DEPS)
+$B/bench/traffic: bench/speed/traffic/traffic.c bench/speed/traffic/torus.h $(NXCC_DEPS)
 	@mkdir -p $(@D)
 	$B/nxcc -O2 -o $@ $<
 
