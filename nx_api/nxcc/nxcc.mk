@@ -2,6 +2,7 @@
 #   $B/nxcc             the driver
 #   $B/node/            what it uses: the plugin, the runtime, the link-time library, headers and cost tables
 NODE       := $B/node
+DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
 PLUGIN_INC  = $(shell $(CC) -print-file-name=plugin)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
@@ -15,9 +16,10 @@ STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
 NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
 
-$B/nxcc: nx_api/nxcc/nxcc.c
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -o $@ $<
+$B/nxcc: $(DRIVER_OBJ)
+	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
+
+-include $(DRIVER_OBJ:.o=.d)
 
 $B/nxf77: | $B/nxcc
 	ln -sf nxcc $@

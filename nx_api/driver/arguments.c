@@ -1,0 +1,160 @@
+/* arguments.c - see arguments.h. */
+#include "nx_api/driver/arguments.h"
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include "nx_api/driver/help.h"
+#include "nx_api/driver/text.h"
+
+/* --- lists --- */
+
+struct arguments arguments_none(const struct arguments *like)
+{
+    struct arguments a = *like;
+    a.gcc = NULL, a.count = 0;
+    return a;
+}
+
+void add_kind(struct arguments *a, const char *argument, enum kind kind)
+{
+    a->gcc = reallocarray(a->gcc, a->count + 1, sizeof *a->gcc);
+    if (!a->gcc)
+        fail("out of memory");
+    a->gcc[a->count++] = (struct argument){argument, kind};
+}
+
+void add(struct arguments *a, const char *argument)
+{
+    add_kind(a, argument, OPTION);
+}
+
+void add_all(struct arguments *a, const char *const *list)
+{
+    for (; *list; list++)
+        add(a, *list);
+}
+
+bool has_kind(const struct arguments *a, enum kind kind)
+{
+    for (size_t i = 0; i < a->count; i++)
+        if (a->gcc[i].kind == kind)
+            return true;
+    return false;
+}
+
+/* --- what the user gave --- */
+
+/* "--costs FILE" or "--costs=FILE": the value, or NULL if argv[*i] is another option. */
+static const char *file_of(const char *name, int argc, char **argv, int *i)
+{
+    size_t n = strlen(name);
+    if (strncmp(argv[*i], name, n) || (argv[*i][n] && argv[*i][n] != '='))
+        return NULL;
+    if (argv[*i][n] == '=')
+        return argv[*i] + n + 1;
+    if (++*i == argc)
+        fail("%s needs a file name", name);
+    return argv[*i];
+}
+
+static bool is_one_of(const char *s, const char *const *list)
+{
+    for (; *list; list++)
+        if (!strcmp(s, *list))
+            return true;
+    return false;
+}
+
+static enum kind kind_of(const char *argument)
+{
+    static const char *const fortran[] = {"f", "for", "ftn", "f90", "f95", "f03", "f08", "fpp", NULL};
+    static const char *const c[] = {"c", "i", NULL};
+    const char *dot = strrchr(argument, '.');
+    if (argument[0] == '-' && argument[1])
+        return OPTION;
+    for (size_t i = 0; dot && fortran[i]; i++)
+        if (!strcasecmp(dot + 1, fortran[i]))
+            return FORTRAN_FILE;
+    return dot && is_one_of(dot + 1, c) ? C_FILE : OTHER_FILE;
+}
+
+/* Options that would make another kind of program, with the reason why they cannot be had. */
+static void refuse(const char *s, bool mpi)
+{
+    if (!strncmp(s, "-flto", 5) && strcmp(s, "-flto=no"))
+        fail("%s: the costs are counted when each file is compiled, so there is no link-time optimisation",
+             s);
+    if (mpi)
+        return;
+    if (!strcmp(s, "-shared") || !strcmp(s, "-static") || !strcmp(s, "-m32") || !strcmp(s, "-mcmodel=large"))
+        fail(
+            "%s: a node program is a position-independent 64-bit image that the simulator loads; leave it out",
+            s);
+    if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "-fopenmp") ||
+        !strcmp(s, "-pthread") || !strcmp(s, "--coverage"))
+        fail("%s: needs a library that a node does not have", s);
+}
+
+/* Takes an option of nxcc's own. False: argv[*i] is none. */
+static bool take_own(struct arguments *a, int argc, char **argv, int *i)
+{
+    static const char *const dropped[] = {"-node", "-nx", "-g0", "--mpi", NULL};
+    const char *option = argv[*i], *file;
+    if (!strcmp(option, "--help"))
+        help_show();
+    else if (!strcmp(option, "--version"))
+        help_version();
+    else if ((file = file_of("--costs", argc, argv, i)))
+        a->costs = file;
+    else if ((file = file_of("--factors", argc, argv, i)))
+        a->factors = file;
+    else if (!strcmp(option, "--profile"))
+        a->profile = true;
+    else if (!strcmp(option, "-host"))
+        add(a, "-D__NX_HOST__");
+    else if (!strcmp(option, "--long32"))
+        a->long32 = true;
+    else if (!strcmp(option, "--dry-run"))
+        a->dry_run = true;
+    else
+        return is_one_of(option, dropped);
+    return true;
+}
+
+static void take_for_gcc(struct arguments *a, const char *argument)
+{
+    static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-fsyntax-only", NULL};
+    enum kind kind = kind_of(argument);
+    refuse(argument, a->mpi);
+    a->warnings = a->warnings || (!strncmp(argument, "-W", 2) && argument[2] != 'l');
+    a->links = a->links && !is_one_of(argument, no_link);
+    a->has_file = a->has_file || kind != OPTION;
+    add_kind(a, argument, kind);
+}
+
+struct arguments arguments_read(int argc, char **argv)
+{
+    static const char *const with_value[] = {
+        "-o",       "-D",       "-U",       "-I",         "-L",      "-l",      "-x",
+        "-include", "-isystem", "-MF",      "-MT",        "-MQ",     "-iquote", "-Xlinker",
+        "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
+    struct arguments a = {.costs = DEFAULT_COSTS, .links = true};
+    for (int i = 1; i < argc; i++)
+        a.mpi = a.mpi || !strcmp(argv[i], "--mpi");
+    /* Before the user's: lines for crash reports, and inlined code knows where it was written. */
+    add(&a, "-g1");
+    for (int i = 1; i < argc; i++) {
+        if (take_own(&a, argc, argv, &i))
+            continue;
+        if (is_one_of(argv[i], with_value) && i + 1 < argc) {
+            enum kind kind = strcmp(argv[i], "-o") ? OPTION : OUTPUT;
+            add_kind(&a, argv[i], kind);
+            add_kind(&a, argv[++i], kind);
+        } else {
+            take_for_gcc(&a, argv[i]);
+        }
+    }
+    if (a.mpi && a.profile)
+        fail("--profile: only for simulated nodes; leave it out with --mpi");
+    return a;
+}

@@ -1,0 +1,41 @@
+/* arguments.h - what the user asks of nxcc: its own options, and the list of those for gcc; such lists are also how the
+ * command for gcc is made. */
+#ifndef DRIVER_ARGUMENTS_H
+#define DRIVER_ARGUMENTS_H
+#include <stdbool.h>
+#include <stddef.h>
+
+#define DEFAULT_COSTS "i860xr.cfg"
+
+enum kind { OPTION, OUTPUT, C_FILE, FORTRAN_FILE, OTHER_FILE };
+
+struct argument {
+    const char *text;
+    enum kind kind; /* OUTPUT: -o and its file */
+};
+
+struct arguments {
+    struct argument *gcc; /* what gcc is to get, in order */
+    size_t count;
+    const char *costs;
+    const char *factors;
+    bool profile, long32;
+    bool warnings; /* are asked for */
+    bool links;    /* gcc will link */
+    bool has_file; /* there is something to compile or link */
+    bool dry_run;
+    bool mpi;
+};
+
+/* Does not return when they ask for help, or cannot be met. */
+struct arguments arguments_read(int argc, char **argv);
+
+/* The same options of nxcc's own, and nothing for gcc. */
+struct arguments arguments_none(const struct arguments *like);
+/* They keep the text, they do not copy it. add_all: a list that NULL ends. */
+void add_kind(struct arguments *a, const char *argument, enum kind kind);
+void add(struct arguments *a, const char *argument);
+void add_all(struct arguments *a, const char *const *list);
+bool has_kind(const struct arguments *a, enum kind kind);
+
+#endif

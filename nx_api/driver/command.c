@@ -1,0 +1,162 @@
+/* command.c - see command.h. */
+#include "nx_api/driver/command.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "nx_api/driver/cluster.h"
+#include "nx_api/driver/text.h"
+
+/* --- before the user's arguments --- */
+
+/* Some of the user's may be for the plugin. */
+static void add_plugin(struct arguments *a, const struct places *p)
+{
+    add(a, text("-fplugin=%s/count.so", p->lib));
+    char *costs = places_costs(p, a->costs);
+    add(a, text("-fplugin-arg-count-costs=%s", costs));
+    free(costs);
+    if (a->factors) {
+        if (access(a->factors, R_OK))
+            fail("--factors %s: %s", a->factors, strerror(errno));
+        add(a, text("-fplugin-arg-count-factors=%s", a->factors));
+    }
+    if (a->profile)
+        add(a, "-fplugin-arg-count-profile");
+}
+
+/* What old Fortran programs need; the user's may take it back. */
+static void add_fortran(struct arguments *a)
+{
+    static const char *const options[] = {
+        "-std=legacy",
+        "-fallow-argument-mismatch", /* a buffer of any type */
+        "-fcray-pointer",
+        "-fdollar-ok",
+        "-fno-backtrace",                   /* the simulator reports ... */
+        "-fno-optimize-sibling-calls",      /* the lines of all calls under way */
+        "-finline-matmul-limit=1000000000", /* counted, not the library's */
+        NULL};
+    add_all(a, options);
+    if (!a->warnings)
+        add(a, "-w"); /* a warning for each such buffer would hide all others */
+}
+
+/* --- behind them --- */
+
+/* Compiling: position-independent and plain, so that the same source computes the same and costs the same
+ * everywhere. */
+static void add_compile(struct arguments *a)
+{
+    static const char *const options[] = {
+        "-fPIE",                     /* an image that can be loaded once per node ... */
+        "-mno-direct-extern-access", /* ... with no variable copied out of the C library */
+        "-fno-tree-vectorize",       /* the i860 has no vectors: operations are counted as it ran them */
+        "-fno-tree-slp-vectorize",   /* */
+        "-ffp-contract=off",         /* no fused multiply-add: results as with separate ones */
+        "-fno-stack-protector",      /* a node's stack has guard pages */
+        "-U_FORTIFY_SOURCE",         /* no __printf_chk */
+        "-fcf-protection=none",      /* */
+        "-gno-record-gcc-switches",  /* the same object wherever nxcc is installed */
+        "-mno-red-zone",             /* checks call from leaf functions: see plugin.cc */
+        "-fno-omit-frame-pointer",   /* crash reports follow them */
+        "-mno-omit-leaf-frame-pointer",
+        NULL};
+    add_all(a, options);
+}
+
+/* What GCC and its headers say of long; and old programs point at longs as ints. */
+static void add_long32(struct arguments *a, const struct places *p)
+{
+    static const char *const options[] = {
+        "-U__LONG_MAX__",
+        "-D__LONG_MAX__=0x7fffffffL",
+        "-U__LONG_WIDTH__",
+        "-D__LONG_WIDTH__=32",
+        "-U__SIZEOF_LONG__",
+        "-D__SIZEOF_LONG__=4",
+        "-U__LP64__",
+        "-U_LP64",
+        "-fno-strict-aliasing",
+        "-fno-canonical-system-headers", /* long32.cc knows nx.h by its folder */
+        "-isystem",
+        NULL};
+    add_all(a, options);
+    add(a, text("%s/long32", p->include));
+}
+
+/* The headers, and how long a long is. */
+static void add_headers(struct arguments *a, const struct places *p, bool fortran)
+{
+    if (a->long32)
+        add(a, text("-fplugin-arg-count-long32=%s/", p->include));
+    if (a->long32 && !fortran) /* whose INTEGER always has 32 */
+        add_long32(a, p);
+    add(a, "-isystem");
+    add(a, p->include);
+    if (fortran)
+        add(a, text("-I%s", p->include)); /* INCLUDE looks here only */
+}
+
+static void add_link(struct arguments *a, const struct places *p)
+{
+    static const char *const options[] = {
+        "-pie",
+        "-nostdlib",
+        "-nostartfiles",
+        "-Wl,--no-dynamic-linker", /* the simulator loads it; run in a shell it reaches runtime.c's _start */
+        "-Wl,-z,defs",
+        "-Wl,-z,now",
+        "-Wl,-z,noexecstack",
+        "-Wl,-z,norelro", /* nobody protects them: so addresses and data need not begin pages of their own */
+        "-Wl,--hash-style=sysv", /* its chain count is the number of dynamic symbols */
+        "-Wl,--build-id",
+        "-Wl,--export-dynamic-symbol=nxc_image",
+        NULL};
+    static const char *const items[] = {"integer", "logical", "real", "complex", "character", "array"};
+    add_all(a, options);
+    for (size_t i = 0; i < sizeof items / sizeof *items; i++) { /* see nx_api/fortran/items.c */
+        add(a, text("-Wl,--wrap=_gfortran_transfer_%s", items[i]));
+        add(a, text("-Wl,--wrap=_gfortran_transfer_%s_write", items[i]));
+    }
+    add(a, "-x");
+    add(a, "none");
+    const char *kind = a->long32 ? "_long32" : "";
+    add(a, text("%s/runtime%s.o", p->lib, kind));
+    add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
+    add(a, text("%s/libgfortran.a", p->lib));
+    add(a, "-lgcc");
+    add(a, text("%s/libnode.so", p->lib));
+}
+
+/* --- all of it --- */
+
+const char **command(const struct arguments *user, const struct places *p, bool link)
+{
+    bool mpi = user->mpi, fortran = has_kind(user, FORTRAN_FILE);
+    struct arguments a = arguments_none(user);
+    add(&a, mpi ? cluster_program(link) : "gcc");
+    if (!mpi)
+        add_plugin(&a, p);
+    if (!mpi && link)
+        add(&a, text("-L%s", p->lib)); /* the stand-ins must be found before the host's libraries */
+    if (fortran)
+        add_fortran(&a);
+    else
+        add(&a, "-fcommon"); /* old programs define a variable in several files */
+    for (size_t i = 0; i < user->count; i++)
+        add(&a, user->gcc[i].text);
+    if (mpi)
+        cluster_add_compile(&a, p);
+    else
+        add_compile(&a);
+    add_headers(&a, p, fortran);
+    if (link)
+        (mpi ? cluster_add_link : add_link)(&a, p);
+    const char **gcc = calloc(a.count + 1, sizeof *gcc);
+    if (!gcc)
+        fail("out of memory");
+    for (size_t i = 0; i < a.count; i++)
+        gcc[i] = a.gcc[i].text;
+    return gcc;
+}

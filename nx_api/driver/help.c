@@ -1,0 +1,61 @@
+/* help.c - see help.h. */
+#include "nx_api/driver/help.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "nx_api/driver/arguments.h"
+#include "nx_api/driver/text.h"
+
+#define VERSION "0.1"
+
+static const char help[] =
+    "nxcc compiles programs for the nodes that touchstone simulates. Use it as you use gcc:\n"
+    "\n"
+    "    nxcc -O2 -o hello hello.c -lm      compile and link a node program\n"
+    "    nxcc -O2 -c part.c                 compile a part; link it later with nxcc\n"
+    "    touchstone run hello               run it on a simulated machine\n"
+    "\n"
+    "All options are gcc's (-c -E -S -g -O -D -I -L -l ...), and these:\n"
+    "\n"
+    "    --costs FILE     clocks per class of operation of the simulated processor; a name without / is looked for in\n"
+    "                     touchstone's own cpu directory as well (default " DEFAULT_COSTS ")\n"
+    "    --factors FILE   cost factors of source files or functions: factors = ( { file = \"a.c\"; factor = 1.02; } );\n"
+    "    --profile        also count by function, for touchstone run --profile; the times stay the same\n"
+    "    -node -nx        accepted: they linked NX programs in their day\n"
+    "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
+    "    --long32         long has 32 bits, as on the i860; without it, 64. All of a program's C files, and its link, need it\n"
+    "    --mpi            a program for a cluster, run by mpirun, instead of one for simulated nodes\n"
+    "    --dry-run        print the gcc command and do not run it\n"
+    "    --help           this text            --version    nxcc's version, and gcc's\n"
+    "\n"
+    "What nxcc does with a program: GCC optimises it as always (without vectors, which the simulated processors do not\n"
+    "have), then each block of it is made to count its own cost in clocks of the simulated processor. The same source\n"
+    "gives the same count on every computer. A program may use the NX calls of nx.h and the C library that a node has;\n"
+    "anything else is an undefined reference when it is linked.\n"
+    "\n"
+    "Fortran (.f .for .f90 ..., and .F .F90 ..., which are preprocessed) is compiled by GNU Fortran, with options that old programs\n"
+    "need: -std=legacy -fallow-argument-mismatch -fcray-pointer -fdollar-ok, and without\n"
+    "warnings unless you ask for some (-Wall); yours come after them.\n"
+    "INCLUDE 'fcube.h' or 'fnx.h' declares the NX functions. nxf77 is nxcc by another name. One program may have C and Fortran.\n"
+    "\n"
+    "C is GCC's own (gnu17), in which programs of before 1989 compile too, with warnings: -w leaves those out. Common variables may be\n"
+    "defined in several files. What needs more: -std=gnu89, --long32.\n"
+    "\n"
+    "Handlers (hrecv, hsend) interrupt a program at loops and function calls. As everywhere in C, a variable that a handler\n"
+    "changes must be volatile if a loop without calls waits for it.\n";
+
+void help_show(void)
+{
+    fputs(help, stdout);
+    exit(0);
+}
+
+void help_version(void)
+{
+    printf("%s (touchstone) " VERSION ", around:\n", program_invocation_short_name);
+    fflush(stdout);
+    execlp("gcc", "gcc", "--version", (char *)NULL);
+    fail("gcc: %s", strerror(errno));
+}

@@ -1,0 +1,131 @@
+/* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link. nxf77 is another
+ * name for it.
+ *
+ * It runs gcc once (command.h); when there are both C and Fortran files, which take other options, once for each Fortran file
+ * before.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "nx_api/driver/arguments.h"
+#include "nx_api/driver/command.h"
+#include "nx_api/driver/places.h"
+#include "nx_api/driver/text.h"
+
+static void print_command(const char *const *gcc)
+{
+    for (size_t i = 0; gcc[i]; i++)
+        printf("%s%s", gcc[i], gcc[i + 1] ? " " : "\n");
+}
+
+/* Does not return, or returns when it is a dry run. */
+static void become(const struct arguments *user, const struct places *p, bool link)
+{
+    const char **gcc = command(user, p, link);
+    if (user->dry_run) {
+        print_command(gcc);
+        return;
+    }
+    execvp(gcc[0], (char *const *)gcc);
+    fail("%s: %s", gcc[0], strerror(errno));
+}
+
+/* The same, and waits; gcc's exit status. */
+static int run(const struct arguments *user, const struct places *p, bool link)
+{
+    int status;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child < 0)
+        fail("fork: %s", strerror(errno));
+    if (child == 0) {
+        become(user, p, link);
+        fflush(stdout);
+        _exit(0);
+    }
+    if (waitpid(child, &status, 0) < 0)
+        fail("waitpid: %s", strerror(errno));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/* --- C and Fortran in one command --- */
+
+/* The user's arguments without the files of one kind; with source: without any files and -o, to make output of source. */
+static struct arguments without(const struct arguments *user, enum kind left_out, const char *source,
+                                const char *output)
+{
+    struct arguments a = arguments_none(user);
+    for (size_t i = 0; i < user->count; i++) {
+        enum kind kind = user->gcc[i].kind;
+        bool other_file = source && (kind == C_FILE || kind == OTHER_FILE || kind == OUTPUT);
+        if (kind != left_out && !other_file)
+            add_kind(&a, user->gcc[i].text, kind);
+    }
+    if (source) {
+        add_kind(&a, source, FORTRAN_FILE);
+        add(&a, "-c");
+        add(&a, "-o");
+        add(&a, output);
+    }
+    return a;
+}
+
+/* To be linked: the Fortran files become objects in a folder of their own first, and take their places. */
+static int link_mixed(const struct arguments *user, const struct places *p)
+{
+    char folder[] = P_tmpdir "/nxccXXXXXX";
+    struct arguments all = arguments_none(user);
+    int status = 0;
+    if (!mkdtemp(folder))
+        fail("%s: %s", folder, strerror(errno));
+    for (size_t i = 0; i < user->count; i++) {
+        struct argument g = user->gcc[i];
+        if (g.kind == FORTRAN_FILE && !status) {
+            char *object = text("%s/%zu.o", folder, i);
+            struct arguments one = without(user, FORTRAN_FILE, g.text, object);
+            status = run(&one, p, false);
+            g = (struct argument){object, OTHER_FILE};
+        }
+        add_kind(&all, g.text, g.kind);
+    }
+    if (!status)
+        status = run(&all, p, true);
+    for (size_t i = 0; i < all.count; i++)
+        if (!strncmp(all.gcc[i].text, folder, strlen(folder)))
+            unlink(all.gcc[i].text);
+    rmdir(folder);
+    return status;
+}
+
+static int compile_mixed(const struct arguments *user, const struct places *p)
+{
+    struct arguments fortran = without(user, C_FILE, NULL, NULL), c = without(user, FORTRAN_FILE, NULL, NULL);
+    int status = run(&fortran, p, false);
+    return status ? status : run(&c, p, false);
+}
+
+/* What the driver has lives until it becomes gcc or ends: a sanitizer need not look for what is never freed. */
+int __lsan_is_turned_off(void);
+int __lsan_is_turned_off(void)
+{
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    struct arguments user = arguments_read(argc, argv);
+    struct places p = places_find();
+    if (!user.has_file && argc == 1)
+        fail("no input files; %s --help shows how it is used", program_invocation_short_name);
+    bool link = user.links && user.has_file;
+    int status = 0;
+    if (!has_kind(&user, C_FILE) || !has_kind(&user, FORTRAN_FILE))
+        become(&user, &p, link);
+    else
+        status = link ? link_mixed(&user, &p) : compile_mixed(&user, &p);
+    fflush(stdout);
+    _exit(status); /* what has been allocated lives as long as the driver */
+}

@@ -1,0 +1,59 @@
+/* places.c - see places.h. */
+#include "nx_api/driver/places.h"
+#include <errno.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "nx_api/driver/text.h"
+
+static bool readable(const char *path)
+{
+    return access(path, R_OK) == 0;
+}
+
+static bool readable_in(const char *directory, const char *name)
+{
+    char *path = text("%s/%s", directory, name);
+    bool yes = readable(path);
+    free(path);
+    return yes;
+}
+
+struct places places_find(void)
+{
+    char self[PATH_MAX];
+    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    if (n < 0)
+        fail("/proc/self/exe: %s", strerror(errno));
+    self[n] = '\0';
+    *strrchr(self, '/') = '\0';
+
+    char *built = text("%s/node", self);
+    if (readable_in(built, "count.so"))
+        return (struct places){
+            .lib = built, .include = text("%s/include", built), .cpu = text("%s/cpu", built)};
+    free(built);
+    struct places p = {
+        .lib = text("%s/../lib/touchstone", self),
+        .include = text("%s/../share/touchstone/include", self),
+        .cpu = text("%s/../share/touchstone/cpu", self),
+    };
+    if (!readable_in(p.lib, "count.so"))
+        fail(
+            "count.so is neither in %s/node (build tree) nor in %s (installed): is the installation complete?",
+            self, p.lib);
+    return p;
+}
+
+char *places_costs(const struct places *p, const char *name)
+{
+    if (readable(name))
+        return realpath(name, NULL);
+    char *own = text("%s/%s", p->cpu, name);
+    if (!strchr(name, '/') && readable(own))
+        return own;
+    free(own);
+    fail("--costs %s: %s (looked for it here and in %s)", name, strerror(errno), p->cpu);
+}

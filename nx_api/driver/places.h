@@ -1,0 +1,19 @@
+/* places.h - where nxcc finds what it needs: from where it is itself.
+ *
+ *     in the build tree   BUILD/nxcc        BUILD/node/{count.so, runtime.o, libnx.a, libnode.so ...}, BUILD/node/{include, cpu}
+ *     installed           PREFIX/bin/nxcc   PREFIX/lib/touchstone/{count.so ...}, PREFIX/share/touchstone/{include, cpu}
+ */
+#ifndef DRIVER_PLACES_H
+#define DRIVER_PLACES_H
+
+struct places {
+    char *lib;     /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
+    char *include; /* nx.h */
+    char *cpu;     /* i860xr.cfg */
+};
+
+struct places places_find(void);
+/* The whole path of a file of costs, for free(): a name without / may be one in cpu, too. */
+char *places_costs(const struct places *p, const char *name);
+
+#endif

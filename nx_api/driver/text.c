@@ -1,0 +1,28 @@
+/* text.c - see text.h. */
+#include "nx_api/driver/text.h"
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void fail(const char *format, ...)
+{
+    va_list list;
+    fprintf(stderr, "%s: ", program_invocation_short_name);
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputc('\n', stderr);
+    exit(1);
+}
+
+char *text(const char *format, ...)
+{
+    char *s;
+    va_list list;
+    va_start(list, format);
+    if (vasprintf(&s, format, list) < 0)
+        fail("out of memory");
+    va_end(list);
+    return s;
+}
