@@ -560,21 +560,9 @@ class count_pass : public gimple_opt_pass
         return 0;
     }
 };
-
-/* GCC's collector of unused trees must know that this one is used. */
-const ggc_root_tab roots[] = {
-    {&counter, 1, sizeof counter, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
-    {&quiet, 1, sizeof quiet, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
-    LAST_GGC_ROOT_TAB,
-};
 } // namespace
 
 opt_pass *count_make_pass()
 {
     return new count_pass(g);
-}
-
-const ggc_root_tab *count_roots()
-{
-    return roots;
 }

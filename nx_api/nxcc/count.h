@@ -4,5 +4,4 @@
 extern bool count_in_memory; /* never keep the counter in a register: slow, for tests */
 
 opt_pass *count_make_pass();
-const ggc_root_tab *count_roots();
 #endif

@@ -12,6 +12,7 @@
 #include "profile.h"
 #include "promise.h"
 #include "purity.h"
+#include "variable.h"
 
 int plugin_is_GPL_compatible;
 
@@ -125,11 +126,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
-                      const_cast<ggc_root_tab *>(count_roots()));
-    register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
-                      const_cast<ggc_root_tab *>(profile_roots()));
-    register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
-                      const_cast<ggc_root_tab *>(promise_roots()));
+                      const_cast<ggc_root_tab *>(variable_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);

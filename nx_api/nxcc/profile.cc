@@ -4,6 +4,7 @@
 #include "costs.h"
 #include "profile.h"
 #include "output.h"
+#include "variable.h"
 #include <string>
 
 bool profile_on;
@@ -58,26 +59,11 @@ int find_cell(tree function, const char *called, int body)
     return known[key] = (int)cells.size() - 1;
 }
 
-tree make_array()
-{
-    tree type = build_array_type_nelts(units_type(), 1 << 20);
-    tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier("nxc_cells"), type);
-    SET_DECL_ASSEMBLER_NAME(var, get_identifier("*.Lnxc_cells"));
-    TREE_STATIC(var) = 1;      /* of this file ... */
-    TREE_ASM_WRITTEN(var) = 1; /* ... and not GCC's to write */
-    TREE_USED(var) = 1;
-    TREE_ADDRESSABLE(var) = 1;
-    DECL_ARTIFICIAL(var) = 1;
-    DECL_IGNORED_P(var) = 1;
-    varpool_node::get_create(var);
-    return var;
-}
-
 /* nxc_cell.units of a cell, in memory. */
 tree units_of(int cell)
 {
     if (!array)
-        array = make_array();
+        array = variable_written("nxc_cells", build_array_type_nelts(units_type(), 1 << 20));
     return build2(MEM_REF, units_type(), build_fold_addr_expr(array),
                   build_int_cst(build_pointer_type(units_type()), cell * CELL_BYTES));
 }
@@ -250,17 +236,4 @@ void profile_write_cells()
         fprintf(asm_out_file, ".Lnxc_called%zu:\n", i);
         write_string(cells[i].called);
     }
-}
-
-namespace
-{
-const ggc_root_tab roots[] = {
-    {&array, 1, sizeof array, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
-    LAST_GGC_ROOT_TAB,
-};
-}
-
-const ggc_root_tab *profile_roots()
-{
-    return roots;
 }

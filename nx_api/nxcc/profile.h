@@ -62,6 +62,4 @@ class profiling
 
 /* Writes the unit's cells to the assembly. */
 void profile_write_cells();
-/* What GCC's collector of unused trees must know of. */
-const ggc_root_tab *profile_roots();
 #endif

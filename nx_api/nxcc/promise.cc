@@ -25,7 +25,7 @@ struct silent_function {
 };
 std::map<unsigned, silent_function> silent; /* by DECL_UID */
 std::set<std::string> told;                 /* those that other files may call */
-tree flags;                                 /* a list: bytes that tell which functions of other files are */
+std::map<std::string, tree> flags;          /* bytes that tell which functions of other files are */
 
 /* What a block's statements do, or a loop's. */
 struct deeds {
@@ -309,12 +309,9 @@ void promising::accept_silent()
 tree flag_of(tree function)
 {
     std::string name = symbol_of(function);
-    tree identifier = get_identifier(name.c_str());
-    for (tree f = flags; f; f = TREE_CHAIN(f))
-        if (DECL_NAME(TREE_VALUE(f)) == identifier)
-            return TREE_VALUE(f);
-    tree flag = variable_declare(name.c_str(), unsigned_char_type_node);
-    flags = tree_cons(NULL_TREE, flag, flags);
+    tree &flag = flags[name];
+    if (!flag)
+        flag = variable_declare(name.c_str(), unsigned_char_type_node);
     return flag;
 }
 
@@ -470,24 +467,11 @@ static void write_flag(const char *binding, const char *name, bool yes)
 /* The file that has the function says yes, those that call it say no: the linker takes the first's word. */
 void promise_write_silent()
 {
-    if (!asm_out_file || (told.empty() && !flags))
+    if (!asm_out_file || (told.empty() && flags.empty()))
         return;
     fputs("\t.section .rodata\n", asm_out_file);
     for (const std::string &name : told)
         write_flag("globl", name.c_str(), true);
-    for (tree f = flags; f; f = TREE_CHAIN(f))
-        write_flag("weak", IDENTIFIER_POINTER(DECL_NAME(TREE_VALUE(f))), false);
-}
-
-namespace
-{
-const ggc_root_tab roots[] = {
-    {&flags, 1, sizeof flags, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
-    LAST_GGC_ROOT_TAB,
-};
-}
-
-const ggc_root_tab *promise_roots()
-{
-    return roots;
+    for (const auto &flag : flags)
+        write_flag("weak", flag.first.c_str(), false);
 }

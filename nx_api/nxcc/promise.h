@@ -47,5 +47,4 @@ std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic
 void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet, tree left);
 /* At the end of a file: which of its functions are silent. */
 void promise_write_silent();
-const ggc_root_tab *promise_roots();
 #endif

@@ -1,17 +1,54 @@
 /* variable.cc - see variable.h. */
 #include "variable.h"
+#include <string>
 
-tree variable_declare(const char *name, tree type)
+namespace
+{
+tree all; /* a list */
+
+const ggc_root_tab roots[] = {
+    {&all, 1, sizeof all, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
+    LAST_GGC_ROOT_TAB,
+};
+
+tree make(const char *name, tree type)
 {
     tree var = build_decl(BUILTINS_LOCATION, VAR_DECL, get_identifier(name), type);
-    DECL_EXTERNAL(var) = 1;
-    TREE_PUBLIC(var) = 1;
     TREE_USED(var) = 1;
     TREE_ADDRESSABLE(var) = 1;
     DECL_ARTIFICIAL(var) = 1;
     DECL_IGNORED_P(var) = 1;
-    DECL_VISIBILITY(var) = VISIBILITY_HIDDEN;
-    DECL_VISIBILITY_SPECIFIED(var) = 1;
+    return var;
+}
+
+tree keep(tree var)
+{
+    all = tree_cons(NULL_TREE, var, all);
     varpool_node::get_create(var); /* later passes ask for it */
     return var;
+}
+} // namespace
+
+tree variable_declare(const char *name, tree type)
+{
+    tree var = make(name, type);
+    DECL_EXTERNAL(var) = 1;
+    TREE_PUBLIC(var) = 1;
+    DECL_VISIBILITY(var) = VISIBILITY_HIDDEN;
+    DECL_VISIBILITY_SPECIFIED(var) = 1;
+    return keep(var);
+}
+
+tree variable_written(const char *name, tree type)
+{
+    tree var = make(name, type);
+    SET_DECL_ASSEMBLER_NAME(var, get_identifier(("*.L" + std::string(name)).c_str()));
+    TREE_STATIC(var) = 1;
+    TREE_ASM_WRITTEN(var) = 1; /* not GCC's to write */
+    return keep(var);
+}
+
+const ggc_root_tab *variable_roots()
+{
+    return roots;
 }
