@@ -49,7 +49,7 @@ static struct message *last(struct message *m)
 static void hand_over(struct node *n, struct message *m, uint64_t receivers)
 {
     if (n->pending.open)
-        pending_send(n, m, receivers);
+        pending_send(n, m);
     else
         clock_advance_to(n, mailbox_send(n, m, receivers, node_now(n)));
 }

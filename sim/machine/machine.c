@@ -388,14 +388,14 @@ static struct instant end_of(const struct node_system *s)
 static void note_end(struct machine *m, struct node *n)
 {
     struct instant end = end_of(&m->sys);
-    turn_rest_ends(n, end);
+    turn_settle(n, end);
     if (n->state == NODE_COMPUTING && stops_at_a_time(&m->sys)) {
         node_stop(n, end);
         n->stats.ended_at = end.time;
         if (n->call && !instant_before(n->call_since, n->place, end))
             n->call = NULL; /* it has not come so far */
     } else if (n->state != NODE_ENDED) {
-        pending_take_back(n, end);
+        pending_take_back(n);
         n->stats.ended_at = node_now(n);
     }
     m->end = vt_max(m->end, n->stats.ended_at);

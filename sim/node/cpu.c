@@ -96,34 +96,20 @@ static void yield_turn(struct node *n, vtime now)
         n->ahead.arrived = now; /* for node_catch */
     else if (!n->call && n->ahead.alert)
         turn_at_check(n, now, quiet_until(n));
-    else if (n->pending.count == 0)
+    else
         turn_put(n, now);
 }
 
-/* Is the program's moment, whose turn has not come, the same whether it has or not? Only messages could make a difference.
- * (Other programs could throw them away. And where programs come and go, few messages are worth it.) */
-static bool may_be_made(const struct node *n, vtime now)
+/* Is the program's moment, whose turn has not come, the same whether it has or not? Only messages could make a difference. */
+static bool is_known(const struct node *n, vtime now)
 {
-    const struct node_system *s = n->sys;
-    return !n->clock.stolen && now <= s->max_time && !s->cube && !s->flushes && !mailbox_may_grant(n) &&
-           horizon(n) > now;
-}
-
-/* The call that the program is in, if it is pending, is at its end or waits. */
-static void end_pending(struct node *n)
-{
-    if (!n->pending.open || pending_end(n))
-        return;
-    if (may_be_made(n, n->call_since))
-        pending_make(n);
-    else
-        turn_put(n, pending_tell(n));
+    return !mailbox_may_grant(n) && horizon(n) > now;
 }
 
 void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
-    end_pending(n);
+    n->pending.open = false;
     bool yielded = false;
     while (must_yield(n, now)) {
         yield_turn(n, now);
@@ -132,7 +118,6 @@ void node_order(struct node *n)
         yielded = true;
     }
     clock_is_known(n);
-    pending_forget(n);
     if (yielded)
         allow_anew(n);
 }
@@ -161,24 +146,23 @@ void node_enter(struct node *n, const char *call)
     take_turn(n);
 }
 
-/* Can the call that begins wait for its turn alone, while the program goes on? A program worth a thread of its own gets
- * it when its call is made. */
+/* Can the call that the program is in wait for its turn alone, while the program goes on? A program worth a thread of its own
+ * gets it when its call is made. (Where programs come and go, few messages are worth it.) */
 static bool may_pend(const struct node *n)
 {
     const struct node_system *s = n->sys;
     return !n->ahead.loose && !n->stats.armed && !n->is_host && !s->stop && n->call_since <= s->max_time &&
-           pending_room(n) && !mailbox_ignores(n) && !(s->workers && n->ahead.computed >= LONG_STRETCH);
+           !n->clock.stolen && !s->cube && !s->flushes && pending_room(n) && !mailbox_ignores(n) &&
+           !(s->workers && n->ahead.computed >= LONG_STRETCH);
 }
 
 void node_enter_early(struct node *n, const char *call)
 {
     begin_call(n, call, true);
-    bool waits = !n->ahead.loose && (n->pending.count || n->clock.stolen || !turn_is_first(n, n->call_since));
-    if (!waits || !may_pend(n)) {
+    if (may_pend(n) && (n->pending.count || !turn_is_first(n, n->call_since)))
+        pending_begin(n);
+    else
         take_turn(n);
-        return;
-    }
-    pending_begin(n, false);
 }
 
 void node_spend_on(struct node *n, enum node_task task, vtime t)
@@ -212,6 +196,7 @@ static void drain(struct node *n)
     if (n->pending.count == 0)
         return;
     n->pending.drains = true;
+    turn_put(n, pending_last(n));
     fiber_yield(n->fiber);
 }
 
@@ -228,12 +213,11 @@ void node_leave(struct node *n)
 {
     n->call = NULL;
     clock_sync(n);
-    if (n->pending.open) {
-        end_pending(n);
-    } else {
+    if (!n->pending.open) {
         node_memory_settle(n);
         clock_is_known(n);
     }
+    n->pending.open = false;
     clock_give(n);
     clock_allow(n, deadline(n));
     if (n->pending.count == 0 && is_free(n, n->ahead.computed >= LONG_STRETCH))
@@ -329,18 +313,16 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     vtime now = clock_sync(n);
-    end_pending(n);
+    n->pending.open = false;
     bool yields = must_yield(n, now), early = n->pending.early;
-    bool alone = n->pending.count == 0 || n->pending.quiet; /* the queue knows nothing of it */
-    if (yields && early && alone && ready(n, arg) && may_pend(n) && may_be_made(n, now)) {
-        pending_make(n);
-        pending_begin(n, true);
+    if (yields && early && ready(n, arg) && may_pend(n) && now <= n->sys->max_time && is_known(n, now)) {
+        pending_go_on(n);
         return;
     }
     n->pending.early = false;
     n->wait.since = VT_NEVER;
     if (yields) {
-        n->wait.rests = early && alone && turn_may_rest(n, now) && !ready(n, arg);
+        n->wait.rests = early && turn_may_rest(n, now) && !ready(n, arg);
         if (!n->wait.rests)
             yield_turn(n, now);
         if (!switch_away(n, ready, arg))

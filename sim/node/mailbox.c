@@ -208,7 +208,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     (void)now;
     if (m->unwanted)
         return true;
-    if (n->wait.rests)
+    if (n->pending.count)
         pending_make_until(n, n->sys->present);
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
         if (!selects(n, &(*link)->select, m))
@@ -220,6 +220,8 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     if (m->forced)
         return false;
     keep(b, m);
+    if (n->pending.count)
+        pending_may_select(n);
     if (m->is_long && !room_for(n, m)) {
         b->waiting++;
         return false;
@@ -254,9 +256,8 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
         proto_message_free(m);
     else if (r && r->handler)
         add_due(n, m->complete, r, NULL);
-    else if (n->state == NODE_BLOCKED || n->clock.stolen < m->complete - now)
-        node_wake(n, m->complete);
-    /* else it has stopped a program, whose turn will not come before it is complete */
+    else
+        turn_look(n, m->complete);
 }
 
 void mailbox_sent(void *ctx, struct message *m, vtime now)
@@ -269,10 +270,8 @@ void mailbox_sent(void *ctx, struct message *m, vtime now)
     s->done = true;
     if (s->handler)
         add_due(n, now, NULL, s);
-    else if (turn_rest_ends(n, n->sys->present))
-        turn_put_again(n);
-    else if (n->state == NODE_BLOCKED)
-        node_wake(n, now);
+    else
+        turn_look(n, now);
 }
 
 void mailbox_follow(struct message *m, struct send *s)
@@ -316,12 +315,12 @@ vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vt
 
 /* --- receiving --- */
 
-bool mailbox_has(const struct node *n, const struct receive *r)
+const struct message *mailbox_first(const struct node *n, const struct receive *r)
 {
-    for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
-        if (selects(n, &r->select, m))
-            return true;
-    return false;
+    const struct message *m = n->mailbox->unexpected;
+    while (m && !selects(n, &r->select, m))
+        m = m->next;
+    return m;
 }
 
 void mailbox_post_at(struct node *n, struct receive *r, vtime now)
@@ -372,6 +371,7 @@ void mailbox_withdraw(struct node *n, struct receive *r)
             return;
         }
     struct message *m = r->m;
+    r->m = NULL;
     if (!m->buffered)
         buffer(n, m);
     mailbox_put_back(n, m);

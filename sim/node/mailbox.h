@@ -25,8 +25,8 @@ void mailbox_abandon(struct node *n);
 void mailbox_empty(struct node *n, vtime now);
 void mailbox_inherit(struct node *n, struct node *before);
 
-/* Is there an unexpected message for r? */
-bool mailbox_has(const struct node *n, const struct receive *r);
+/* The first unexpected message for r. NULL: there is none. */
+const struct message *mailbox_first(const struct node *n, const struct receive *r);
 /* Post r at time now: mailbox_post for a call that is made then. */
 void mailbox_post_at(struct node *n, struct receive *r, vtime now);
 /* Send messages, linked by next, to so many receivers in all, from time now on; returns when the last has left the program.

@@ -44,7 +44,6 @@ struct node_clock {
     int64_t given;  /* what *left was set to then */
     uint64_t known; /* units: what the node did until then is not ahead of the machine */
     vtime stolen;   /* system time not yet added to the program's: see cpu.c */
-    vtime counted;  /* of stolen: the turn in the event queue is already so much later */
     bool runs;      /* the program, since it was last switched to: it may have spent some */
 
     uint64_t quiet; /* units: the program makes no call before; less than `units`: it may at any time */
@@ -100,13 +99,14 @@ struct node_ahead {
 /* Calls whose turn is still to come, although the program has gone on: pending.h. */
 struct node_pending {
     struct pending_call *calls; /* a ring */
-    uint32_t first, made,
-        count; /* the first `made` have been made all the same, the others, `count`, have not */
-    bool
-        quiet; /* all of `count` only post receives that select nothing yet: the queue knows nothing of them */
-    bool open;   /* the program is in the last of them */
-    bool early;  /* its call is one that may be pending, whether it is or not */
-    bool drains; /* it goes on when none is left, whatever its time */
+    uint32_t first, count;
+    vtime late;   /* all come so much later than noted, and what has been stolen since then */
+    vtime told;   /* the event queue knows of this turn; 0: of none */
+    size_t taken; /* bytes of system buffers that the program has received from */
+    bool selects; /* one of them is a receive that may select a message in its turn */
+    bool open;    /* the program is in the last of them */
+    bool early;   /* its call is one that may be pending, whether it is or not */
+    bool drains;  /* it goes on when none is left, whatever its time */
 };
 
 /* What the program has of its memory: bytes of heap in use, and the most of all so far. */

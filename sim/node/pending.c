@@ -1,96 +1,148 @@
 /* pending.c - see pending.h. */
 #include "node/pending.h"
 #include <assert.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include "node/clock.h"
 #include "node/cpu.h"
 #include "node/mailbox.h"
 #include "node/system.h"
+#include "node/turns.h"
 
 /* A node's messages that wait for their turn should still be in the caches then. */
-enum { MOST = 16 };
+enum { MOST = 16, LINE = 64 };
 
+/* What is looked at in its turn is in the first line of the cache. */
 struct pending_call {
-    uint64_t units; /* the node's clock at its beginning */
-    vtime origin;
-    struct node_memory memory; /* then */
-    const char *name;          /* as node.call, and so on */
-    long type;
-    bool has_type;
-    vtime since;
-    vtime spent, copied;
+    vtime turn;     /* less node_pending.late at its beginning */
+    uint64_t units; /* the node's clock then */
+    struct node_memory memory;
+    vtime spent;
     struct receive *receive;
-    struct message *messages; /* sent, linked by next; afterwards, if they are short, they may be gone */
-    uint64_t receivers;
-    struct message *taken; /* linked by next */
+    struct message *sent;
+    bool selected; /* receive has had its message from those that waited, before its turn */
+    bool in_turn;  /* is to be made in its turn */
+    bool takes;    /* what it has waited for */
+    bool has_type; /* name and so on: as in struct node */
 
-    /* made: for taking it back */
-    struct message *selected; /* by receive, NULL: it is posted */
-    vtime sending;
-    struct node_memory before;
+    const char *name;
+    long type;
+    vtime since, copied;
+    struct message *taken; /* linked by next */
 };
+_Static_assert(offsetof(struct pending_call, name) == LINE && sizeof(struct pending_call) <= 2 * LINE,
+               "a pending call takes two lines of the cache");
 
 static struct pending_call *nth(const struct node *n, uint32_t i)
 {
     return &n->pending.calls[(n->pending.first + i) % MOST];
 }
 
+static struct pending_call *last(const struct node *n)
+{
+    assert(n->pending.count);
+    return nth(n, n->pending.count - 1);
+}
+
 static struct pending_call *open_call(const struct node *n)
 {
     assert(n->pending.open);
-    return nth(n, n->pending.made + n->pending.count - 1);
+    return last(n);
 }
 
 bool pending_room(const struct node *n)
 {
-    return n->pending.made + n->pending.count < MOST;
+    return n->pending.count < MOST;
 }
 
-/* Field by field: what is not set here is set before it is looked at. */
-static void note(struct pending_call *c, const struct node *n)
+static struct pending_call *new_calls(void)
 {
-    c->units = n->clock.units, c->origin = n->clock.origin;
-    c->memory = node_memory_now(n);
-    c->name = n->call, c->type = n->call_type, c->has_type = n->call_has_type, c->since = n->call_since;
-    c->spent = c->copied = 0;
-    c->receive = NULL, c->messages = NULL, c->taken = NULL;
+    struct pending_call *calls = aligned_alloc(LINE, MOST * sizeof *calls);
+    if (!calls)
+        abort();
+    return calls;
 }
 
-void pending_begin(struct node *n, bool made)
+void pending_begin(struct node *n)
 {
     struct node_pending *p = &n->pending;
-    assert(!made || p->count == 0);
-    if (!p->calls && !(p->calls = malloc(MOST * sizeof *p->calls)))
-        abort();
-    if (p->made + p->count == 0)
-        p->first = 0; /* the same few lines of memory again */
-    p->quiet = p->count == 0 || p->quiet;
-    p->made += made;
-    p->count += !made;
+    if (!p->calls)
+        p->calls = new_calls();
+    if (p->count == 0)
+        p->first = 0, p->late = 0; /* the same few lines of memory again */
+    p->count++;
     p->open = true;
-    note(open_call(n), n);
+    *open_call(n) = (struct pending_call){.turn = clock_sync(n) - p->late,
+                                          .units = n->clock.units,
+                                          .memory = node_memory_now(n),
+                                          .name = n->call,
+                                          .type = n->call_type,
+                                          .has_type = n->call_has_type,
+                                          .since = n->call_since - p->late};
+}
+
+/* Nothing comes to the node before the turn of what has waited: its program knows what is in its buffers then. */
+static void know_buffers(struct node *n)
+{
+    n->buffered_known = n->buffered - n->pending.taken;
+}
+
+void pending_go_on(struct node *n)
+{
+    pending_begin(n);
+    know_buffers(n);
 }
 
 void pending_spend(struct node *n, enum node_task task, vtime t)
 {
     assert(task == NODE_CALL || task == NODE_COPYING);
-    *(task == NODE_CALL ? &open_call(n)->spent : &open_call(n)->copied) += t;
+    struct pending_call *c = open_call(n);
+    if (task == NODE_CALL)
+        c->spent += t;
+    else
+        c->copied += t;
     n->clock.origin += t;
 }
 
+/* A long message that waits for room is granted it in the call's turn. */
 void pending_post(struct node *n, struct receive *r)
 {
-    assert(!open_call(n)->receive);
-    open_call(n)->receive = r;
+    struct pending_call *c = open_call(n);
+    assert(!c->receive);
+    c->receive = r;
+    if (n->pending.selects)
+        return; /* one before may select another message first */
+    const struct message *m = mailbox_first(n, r);
+    if (m && m->is_long && !m->granted) {
+        pending_may_select(n);
+    } else if (m) {
+        mailbox_post_at(n, r, 0);
+        c->selected = true;
+    }
 }
 
-void pending_send(struct node *n, struct message *first, uint64_t receivers)
+void pending_may_select(struct node *n)
+{
+    for (uint32_t i = 0; i < n->pending.count; i++) {
+        struct pending_call *c = nth(n, i);
+        c->in_turn |= n->pending.selects |= c->receive && !c->selected;
+    }
+    turn_tell(n);
+}
+
+void pending_send(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
-    assert(!c->messages);
-    c->messages = first, c->receivers = receivers;
-    for (const struct message *m = first; m; m = m->next)
-        n->clock.origin += mailbox_send_time(n, m);
+    assert(!c->sent && !m->next);
+    c->sent = m;
+    c->in_turn = true;
+    n->clock.origin += mailbox_send_time(n, m);
+    turn_tell(n);
+}
+
+static size_t buffered(const struct message *m)
+{
+    return m->buffered ? m->bytes : 0;
 }
 
 void pending_take(struct node *n, struct message *m)
@@ -98,192 +150,121 @@ void pending_take(struct node *n, struct message *m)
     struct pending_call *c = open_call(n);
     m->next = c->taken;
     c->taken = m;
+    c->takes = true;
+    n->pending.taken += buffered(m);
+    know_buffers(n);
 }
 
 static vtime time_of(const struct node *n, const struct pending_call *c)
 {
-    return c->origin + clock_of_units(n, c->units);
+    return c->turn + n->pending.late + n->clock.stolen;
 }
 
-vtime pending_next(const struct node *n)
+vtime pending_turn(const struct node *n)
 {
-    return time_of(n, nth(n, n->pending.made));
-}
-
-/* All that the program has done after c comes so much later. */
-static void put_back(struct node *n, const struct pending_call *c, vtime late)
-{
-    vtime begun = time_of(n, c);
     for (uint32_t i = 0; i < n->pending.count; i++)
-        nth(n, i)->origin += late, nth(n, i)->since += late;
+        if (nth(n, i)->in_turn)
+            return time_of(n, nth(n, i));
+    return VT_NEVER;
+}
+
+vtime pending_last(const struct node *n)
+{
+    return time_of(n, last(n));
+}
+
+/* --- making them --- */
+
+/* What has been stolen puts off the first, which begins now, and with it all that the program has done after it. */
+static void put_off(struct node *n, vtime now)
+{
+    vtime late = n->clock.stolen, begun = now - late;
+    n->clock.stolen = 0;
     n->clock.origin += late;
+    n->pending.late += late;
     if (n->call_since > begun)
         n->call_since += late;
     if (n->failed_malloc_at > begun)
         n->failed_malloc_at += late;
 }
 
-/* --- making them --- */
+static void take(struct node *n, const struct pending_call *c, vtime now)
+{
+    node_account(n, NODE_COPYING, c->copied);
+    for (struct message *m = c->taken, *next; m; m = next) {
+        next = m->next;
+        n->pending.taken -= buffered(m);
+        mailbox_done_with(n, m, now + c->copied);
+    }
+}
 
-static void make(struct node *n, struct pending_call *c, vtime now)
+static void make(struct node *n, const struct pending_call *c, vtime now)
 {
     n->clock.known = c->units;
     node_memory_was(n, c->memory);
     node_account(n, NODE_CALL, c->spent);
     now += c->spent;
-    if (c->receive)
+    if (c->receive && !c->selected)
         mailbox_post_at(n, c->receive, now);
-    if (c->messages)
-        mailbox_send(n, c->messages, c->receivers, now);
+    if (c->sent)
+        mailbox_send(n, c->sent, 1, now);
+    if (c->takes)
+        take(n, c, now);
 }
 
-/* The same before its turn, in a way that can be taken back. */
-static void make_early(struct node *n, struct pending_call *c)
+void pending_make_until(struct node *n, struct instant at)
 {
-    c->before = (struct node_memory){n->heap_known, n->stats.memory_peak};
-    c->sending = 0;
-    for (const struct message *m = c->messages; m; m = m->next)
-        c->sending += mailbox_send_time(n, m);
-    make(n, c, time_of(n, c));
-    c->selected = c->receive ? c->receive->m : NULL;
-    node_account(n, NODE_COPYING, c->copied);
-    for (const struct message *m = c->taken; m; m = m->next)
-        n->buffered -= m->buffered ? m->bytes : 0;
-    if (c->taken)
-        n->buffered_known = n->buffered;
-}
-
-bool pending_end(struct node *n)
-{
-    struct pending_call *c = open_call(n);
-    n->pending.open = false;
-    if (n->pending.count == 0) {
-        make_early(n, c);
-        return true;
+    struct node_pending *p = &n->pending;
+    while (p->count) {
+        const struct pending_call *c = nth(n, 0);
+        vtime now = time_of(n, c);
+        if (!instant_before(now, n->place, at))
+            return;
+        if (n->clock.stolen)
+            put_off(n, now);
+        make(n, c, now);
+        p->first = (p->first + 1) % MOST;
+        p->count--;
+        p->selects = p->selects && p->count;
     }
-    return !n->pending.quiet || (!c->messages && !(c->receive && mailbox_has(n, c->receive)));
-}
-
-void pending_make(struct node *n)
-{
-    for (struct node_pending *p = &n->pending; p->count; p->count--)
-        make_early(n, nth(n, p->made++));
-}
-
-vtime pending_tell(struct node *n)
-{
-    n->pending.quiet = false;
-    return pending_next(n);
-}
-
-vtime pending_crashes(struct node *n)
-{
-    vtime t = time_of(n, open_call(n));
-    pending_end(n);
-    return t;
-}
-
-static void free_all(struct message *m)
-{
-    for (struct message *next; m; m = next) {
-        next = m->next;
-        proto_message_free(m);
-    }
-}
-
-/* Their turn has come, and gone. */
-void pending_forget(struct node *n)
-{
-    for (; n->pending.made; n->pending.made--) {
-        free_all(nth(n, 0)->taken);
-        n->pending.first = (n->pending.first + 1) % MOST;
-    }
-}
-
-void pending_commit(struct node *n, vtime now)
-{
-    pending_forget(n);
-    struct pending_call c = *nth(n, 0);
-    n->pending.first = (n->pending.first + 1) % MOST;
-    n->pending.count--;
-    if (now > time_of(n, &c))
-        put_back(n, &c, now - time_of(n, &c));
-    make(n, &c, now);
-}
-
-bool pending_make_until(struct node *n, struct instant at)
-{
-    while (n->pending.count && instant_before(pending_next(n), n->place, at))
-        pending_commit(n, pending_next(n));
-    return n->pending.count > 0;
 }
 
 /* --- taking them back --- */
 
-static void drop(struct message *m)
-{
-    for (struct message *next; m; m = next) {
-        next = m->next;
-        if (m->send)
-            mailbox_unfollow(m->send);
-        proto_message_free(m);
-    }
-}
-
-/* In reverse: as if it had not been made. */
 static void unmake(struct node *n, struct pending_call *c)
 {
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
-        n->buffered += m->buffered ? m->bytes : 0;
+        n->pending.taken -= buffered(m);
         mailbox_put_back(n, m);
     }
-    for (struct message *m = c->messages; m; m = m->next) {
-        if (m->send)
-            mailbox_unfollow(m->send);
-        proto_take_back(m);
-    }
-    if (c->messages)
-        n->stats.sent -= c->receivers, n->stats.sent_bytes -= c->receivers * c->messages->bytes;
-    if (c->receive && !(c->selected && !c->selected->receive)) /* else the message was taken, see above */
+    if (c->sent && c->sent->send)
+        mailbox_unfollow(c->sent->send);
+    if (c->sent)
+        proto_message_free(c->sent);
+    if (c->selected && c->receive->m)
         mailbox_withdraw(n, c->receive);
-    node_account(n, NODE_SENDING, -c->sending);
-    node_account(n, NODE_COPYING, -c->copied);
-    node_account(n, NODE_CALL, -c->spent);
-    n->heap_known = c->before.heap, n->stats.memory_peak = c->before.peak;
 }
 
-/* How many of those that have been made have happened before? */
-static uint32_t happened(const struct node *n, struct instant at)
-{
-    uint32_t i = 0;
-    while (i < n->pending.made && instant_before(time_of(n, nth(n, i)), n->place, at))
-        i++;
-    return i;
-}
-
-void pending_take_back(struct node *n, struct instant at)
+void pending_take_back(struct node *n)
 {
     struct node_pending *p = &n->pending;
     assert(!p->open);
-    uint32_t first = happened(n, at);
-    if (first == p->made + p->count)
+    if (p->count == 0)
         return;
-    const struct pending_call *c = nth(n, first);
-    n->clock.units = c->units, n->clock.origin = c->origin;
+    const struct pending_call *c = nth(n, 0);
+    n->clock.units = c->units, n->clock.origin = c->turn + p->late - clock_of_units(n, c->units);
     n->call = c->name, n->call_type = c->type, n->call_has_type = c->has_type; /* as it was when it began */
-    n->call_since = c->since;
+    n->call_since = c->since + p->late;
     for (; p->count; p->count--)
-        drop(nth(n, p->made + p->count - 1)->messages);
-    for (; p->made > first; p->made--)
-        unmake(n, nth(n, p->made - 1));
+        unmake(n, last(n));
+    p->selects = false;
 }
 
 void pending_free(struct node *n)
 {
-    pending_forget(n);
-    for (; n->pending.count; n->pending.count--)
-        drop(nth(n, n->pending.count - 1)->messages);
+    for (struct node_pending *p = &n->pending; p->count; p->count--)
+        unmake(n, last(n));
     free(n->pending.calls);
     n->pending.calls = NULL;
 }

@@ -20,12 +20,10 @@ static void steal(struct node *n, enum node_task task, vtime t)
     if (n->state == NODE_ENDED)
         return; /* nobody's time any more */
     node_catch_up_now(n);
-    bool rested = turn_rest_ends(n, n->sys->present);
+    turn_settle(n, n->sys->present);
     if (n->state == NODE_COMPUTING)
         n->clock.stolen += t;
     node_account(n, task, t);
-    if (rested)
-        turn_put_again(n);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)

@@ -12,6 +12,12 @@
 static void go_on(void *ctx, void *arg, vtime now);
 static void wake(void *ctx, void *arg, vtime now);
 
+/* Up to the node's turn now, that included. */
+static struct instant up_to(const struct node *n, vtime now)
+{
+    return (struct instant){now, n->place + 1};
+}
+
 void turn_put(struct node *n, vtime t)
 {
     evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
@@ -83,18 +89,10 @@ static void show_crash(void *ctx, void *arg, vtime now)
         n->sys->crashed(n);
 }
 
-static void show_crash_in_call(void *ctx, void *arg, vtime now)
-{
-    (void)now;
-    show_crash(ctx, arg, node_now(ctx));
-}
-
 /* A program has crashed somewhere before its next look, however far it was let run. In a call that is in its turn. */
 static void crash(struct node *n)
 {
-    if (n->pending.open)
-        evq_put_late(n->sys->q, pending_crashes(n), n->place, show_crash_in_call, n, NULL);
-    else if (n->call)
+    if (n->call)
         show_crash(n, NULL, node_now(n));
     else
         evq_put_late(n->sys->q, clock_next_look(n), n->place, show_crash, n, NULL);
@@ -124,26 +122,72 @@ bool turn_may_rest(const struct node *n, vtime now)
            now <= n->sys->max_time;
 }
 
-bool turn_rest_ends(struct node *n, struct instant at)
+/* The turn of a program that is not loose, as far as is known. */
+static vtime turn_of(struct node *n)
 {
-    if (!n->wait.rests)
-        return false;
-    n->wait.rests = false;
-    if (pending_make_until(n, at)) {
-        pending_tell(n);
-        return true;
-    }
-    vtime turn = clock_sync(n);
-    if (!instant_before(turn, n->place, at))
-        return true;
-    turn_block(n, turn);
-    return false;
+    return clock_sync(n) + n->clock.stolen;
 }
 
-void turn_put_again(struct node *n)
+void turn_settle(struct node *n, struct instant before)
 {
-    n->clock.counted = n->clock.stolen;
-    turn_put(n, (n->pending.count ? pending_next(n) : clock_sync(n)) + n->clock.counted);
+    pending_make_until(n, before);
+    if (!n->wait.rests || n->pending.count || !instant_before(turn_of(n), n->place, before))
+        return;
+    n->wait.rests = false;
+    clock_advance(n, n->clock.stolen);
+    n->clock.stolen = 0;
+    turn_block(n, clock_sync(n));
+}
+
+/* Will what the program waits for be there at its turn? */
+static bool will_be_ready(struct node *n)
+{
+    n->clock.origin += n->clock.stolen;
+    bool ready = n->wait.ready(n, n->wait.arg);
+    n->clock.origin -= n->clock.stolen;
+    return ready;
+}
+
+/* A program that rests goes on at its turn, if what it waits for is there. */
+static void rouse(struct node *n)
+{
+    if (!n->wait.rests || !will_be_ready(n))
+        return;
+    n->wait.rests = false;
+    turn_put(n, turn_of(n));
+}
+
+void turn_look(struct node *n, vtime t)
+{
+    turn_settle(n, n->sys->present);
+    rouse(n);
+    vtime turn = n->ahead.loose ? n->sys->present.time + n->clock.stolen : turn_of(n);
+    if (n->state == NODE_BLOCKED || turn < t)
+        node_wake(n, t);
+    /* else the turn of the program, which has been stopped, will not come before */
+}
+
+static void in_turn(void *ctx, void *arg, vtime now)
+{
+    struct node *n = ctx;
+    bool selects = n->pending.selects;
+    (void)arg;
+    pending_make_until(n, up_to(n, now));
+    if (n->pending.told == now) {
+        n->pending.told = 0;
+        turn_tell(n);
+    }
+    if (selects)
+        rouse(n);
+}
+
+void turn_tell(struct node *n)
+{
+    vtime turn = pending_turn(n);
+    if (turn == VT_NEVER || (n->pending.told && n->pending.told <= turn))
+        return;
+    n->pending.told = turn;
+    evq_put_late(n->sys->q, turn, n->place, in_turn, n, NULL);
 }
 
 /* Has the program, which waits, anything to do now? */
@@ -154,15 +198,14 @@ static bool may_go_on(struct node *n, vtime now)
 
 static void run_warm(struct node *n)
 {
-    pending_forget(n);
     n->state = NODE_COMPUTING;
     n->sys->unseen = 0;
     run(n);
+    if (n->crash)
+        n->pending.open = false;
     if (n->crash && n->pending.count)
-        n->pending.open = false; /* it crashes in its turn */
-    if (n->pending.count && n->pending.quiet && !n->wait.rests)
-        turn_put(n, pending_tell(n));
-    if (n->crash && n->pending.count == 0)
+        turn_put(n, pending_last(n)); /* it crashes behind them, or in the last */
+    else if (n->crash)
         crash(n);
     else if (n->ahead.loose)
         workers_hand(n->sys->workers, &n->ahead.work);
@@ -221,50 +264,31 @@ static void arrive(struct node *n, vtime now)
         resume(n, now);
 }
 
-/* What the program has been waiting for with nothing pending any more, or what has become of it. */
-static void pending_made(struct node *n)
+/* The turn of a program that goes on to compute, or crashes, when nothing is pending any more. */
+static vtime turn_behind_pending(const struct node *n, vtime now)
 {
-    bool drains = n->pending.drains;
-    n->pending.drains = false;
-    vtime turn = clock_sync(n);
-    if (n->crash)
-        crash(n);
-    else if (drains)
-        run_on(n);
-    else if (n->wait.ready && turn_may_rest(n, turn) && !may_go_on(n, turn))
-        n->wait.rests = true;
-    else
-        turn_put(n, turn);
+    return n->pending.count ? pending_last(n) : now;
 }
 
-/* Pending calls have their turn: the first, and those for which it is then the turn already. */
-static void make_pending(struct node *n, vtime now)
-{
-    do {
-        pending_commit(n, now);
-        if (n->pending.count == 0) {
-            pending_made(n);
-            return;
-        }
-        now = pending_next(n);
-    } while (now <= n->sys->max_time && turn_is_first(n, now));
-    turn_put(n, now);
-}
-
-/* It is the turn of a node that computes ahead: of its call or check, or of the first of its pending calls. */
+/* It is the turn of a node that computes ahead: of its call or check. */
 static void go_on(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
     (void)arg;
     if (n->state == NODE_ENDED)
         return; /* killed meanwhile */
-    vtime more = n->clock.stolen - n->clock.counted;
-    n->clock.stolen = n->clock.counted = 0;
-    if (more) {
-        turn_put(n, now + more);
-    } else if (n->pending.count) {
-        make_pending(n, now);
+    pending_make_until(n, up_to(n, now));
+    bool behind = n->pending.drains || n->crash;
+    vtime turn = behind ? turn_behind_pending(n, now) : turn_of(n);
+    if (turn > now) {
+        turn_put(n, turn);
+    } else if (n->crash) {
+        crash(n);
+    } else if (n->pending.drains) {
+        n->pending.drains = false;
+        run_on(n);
     } else {
+        n->clock.stolen = 0;
         arrive(n, now);
     }
 }
@@ -323,8 +347,8 @@ static void wake(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
     (void)arg;
-    if (turn_rest_ends(n, n->sys->present))
-        turn_put_again(n);
+    turn_settle(n, n->sys->present);
+    rouse(n);
     if (n->state != NODE_BLOCKED)
         return;
     clock_advance_to(n, now);
@@ -348,8 +372,9 @@ void node_start(struct node *n, vtime t)
 void node_cut(struct node *n, struct instant at)
 {
     vtime t = at.time;
-    turn_rest_ends(n, at);
-    pending_take_back(n, at);
+    turn_settle(n, at);
+    n->wait.rests = false;
+    pending_take_back(n);
     node_catch_up(n, t);
     leave_check(n);
     vtime now = node_now(n), turn = now + n->clock.stolen;
@@ -359,5 +384,5 @@ void node_cut(struct node *n, struct instant at)
     else if (turn > t && !at_its_turn)
         clock_cut(n, turn - t);
     n->cut_short = n->state == NODE_COMPUTING;
-    n->clock.stolen = n->clock.counted = 0;
+    n->clock.stolen = 0;
 }

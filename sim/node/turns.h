@@ -18,8 +18,11 @@ void turn_block(struct node *n, vtime now);
 /* May the program, in a call at `now`, rest? As far as is known it will be blocked there. Then no event is put for that: either
  * something comes to the node before, or it has been blocked in passing. */
 bool turn_may_rest(const struct node *n, vtime now);
-/* If it rests: what has become of that. True: its turn comes later than `at`; it wants to be put. */
-bool turn_rest_ends(struct node *n, struct instant at);
-/* The turn of a program that does not rest any more. */
-void turn_put_again(struct node *n);
+/* Its pending calls are made, and it is blocked if it rests, as far as their turns come before. Called before anything is done
+ * to the node that they could matter to. */
+void turn_settle(struct node *n, struct instant before);
+/* From time t on there is something that it may wait for, which is looked at now or then. */
+void turn_look(struct node *n, vtime t);
+/* The event queue is to know of the turn of the next of its pending calls that must be made in it. */
+void turn_tell(struct node *n);
 #endif
