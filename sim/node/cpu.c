@@ -53,6 +53,11 @@ static vtime horizon(const struct node *n)
     return proto_horizon(s->proto, n->place, next);
 }
 
+bool node_is_alone(const struct node *n, vtime t)
+{
+    return horizon(n) > t;
+}
+
 /* Until when the program may compute without looking at what comes, if a handler may have to run. */
 static vtime deadline(struct node *n)
 {
@@ -98,12 +103,6 @@ static void yield_turn(struct node *n, vtime now)
         turn_at_check(n, now, quiet_until(n));
     else
         turn_put(n, now);
-}
-
-/* Is the program's moment, whose turn has not come, the same whether it has or not? Only messages could make a difference. */
-static bool is_known(const struct node *n, vtime now)
-{
-    return !mailbox_may_grant(n) && horizon(n) > now;
 }
 
 void node_order(struct node *n)
@@ -315,7 +314,8 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     vtime now = clock_sync(n);
     n->pending.open = false;
     bool yields = must_yield(n, now), early = n->pending.early;
-    if (yields && early && ready(n, arg) && may_pend(n) && now <= n->sys->max_time && is_known(n, now)) {
+    if (yields && early && ready(n, arg) && may_pend(n) && now <= n->sys->max_time && !mailbox_may_grant(n) &&
+        node_is_alone(n, now)) {
         pending_go_on(n);
         return;
     }

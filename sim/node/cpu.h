@@ -35,6 +35,8 @@
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);
 /* A blocked node looks again at what it waits for at time t. */
 void node_wake(struct node *n, vtime t);
+/* Can nothing reach the node until t, that included? */
+bool node_is_alone(const struct node *n, vtime t);
 /* What takes an ordinary node's system t takes this one's so long; and it has. */
 vtime node_system_time(const struct node *n, vtime t);
 void node_account(struct node *n, enum node_task task, vtime t);

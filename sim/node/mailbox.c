@@ -299,17 +299,23 @@ vtime mailbox_send_time(const struct node *n, const struct message *m)
     return node_system_time(n, proto_send_time(m->proto, m->type, m->bytes));
 }
 
-vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now)
+void mailbox_has_sent(struct node *n, uint64_t receivers, uint64_t bytes, vtime took)
 {
     n->stats.sent += receivers;
-    n->stats.sent_bytes += receivers * first->bytes;
+    n->stats.sent_bytes += receivers * bytes;
+    node_account(n, NODE_SENDING, took);
+}
+
+vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now)
+{
+    vtime begun = now;
+    size_t bytes = first->bytes;
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
-        vtime t = mailbox_send_time(n, m);
-        node_account(n, NODE_SENDING, t);
-        now += t;
+        now += mailbox_send_time(n, m);
         proto_send(m->proto, m, now);
     }
+    mailbox_has_sent(n, receivers, bytes, now - begun);
     return now;
 }
 

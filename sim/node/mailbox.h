@@ -33,6 +33,8 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now);
  * One takes the processor so long. */
 vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now);
 vtime mailbox_send_time(const struct node *n, const struct message *m);
+/* It has sent so many bytes to each of the receivers, and that took its system so long. */
+void mailbox_has_sent(struct node *n, uint64_t receivers, uint64_t bytes, vtime took);
 
 /* A program is done with m: a waiting one may get its room. */
 void mailbox_done_with(struct node *n, struct message *m, vtime now);

@@ -19,15 +19,17 @@ struct pending_call {
     struct node_memory memory;
     vtime spent;
     struct receive *receive;
-    struct message *sent;
-    bool selected; /* receive has had its message from those that waited, before its turn */
-    bool in_turn;  /* is to be made in its turn */
-    bool takes;    /* what it has waited for */
-    bool has_type; /* name and so on: as in struct node */
+    struct message *message; /* to be sent in its turn */
+    bool selected;           /* receive has had its message from those that waited, before its turn */
+    bool in_turn;            /* is to be made in its turn */
+    bool sends;              /* message has been sent before */
+    bool takes;              /* what it has waited for */
+    bool has_type;           /* name and so on: as in struct node */
 
     const char *name;
     long type;
-    vtime since, copied;
+    vtime since, sending, copied;
+    uint64_t bytes;        /* of message, which may be gone when it has been sent */
     struct message *taken; /* linked by next */
 };
 _Static_assert(offsetof(struct pending_call, name) == LINE && sizeof(struct pending_call) <= 2 * LINE,
@@ -48,6 +50,11 @@ static struct pending_call *open_call(const struct node *n)
 {
     assert(n->pending.open);
     return last(n);
+}
+
+static vtime time_of(const struct node *n, const struct pending_call *c)
+{
+    return c->turn + n->pending.late + n->clock.stolen;
 }
 
 bool pending_room(const struct node *n)
@@ -133,11 +140,16 @@ void pending_may_select(struct node *n)
 void pending_send(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
-    assert(!c->sent && !m->next);
-    c->sent = m;
-    c->in_turn = true;
-    n->clock.origin += mailbox_send_time(n, m);
-    turn_tell(n);
+    assert(!c->message && !m->next);
+    c->message = m;
+    c->sending = mailbox_send_time(n, m), c->bytes = m->bytes;
+    n->clock.origin += c->sending;
+    c->sends = !n->pending.told && node_is_alone(n, time_of(n, c)); /* what is told comes before */
+    c->in_turn = !c->sends;
+    if (c->sends)
+        proto_send(m->proto, m, clock_sync(n));
+    else
+        turn_tell(n);
 }
 
 static size_t buffered(const struct message *m)
@@ -153,11 +165,6 @@ void pending_take(struct node *n, struct message *m)
     c->takes = true;
     n->pending.taken += buffered(m);
     know_buffers(n);
-}
-
-static vtime time_of(const struct node *n, const struct pending_call *c)
-{
-    return c->turn + n->pending.late + n->clock.stolen;
 }
 
 vtime pending_turn(const struct node *n)
@@ -206,8 +213,10 @@ static void make(struct node *n, const struct pending_call *c, vtime now)
     now += c->spent;
     if (c->receive && !c->selected)
         mailbox_post_at(n, c->receive, now);
-    if (c->sent)
-        mailbox_send(n, c->sent, 1, now);
+    if (c->sends)
+        mailbox_has_sent(n, 1, c->bytes, c->sending);
+    else if (c->message)
+        mailbox_send(n, c->message, 1, now);
     if (c->takes)
         take(n, c, now);
 }
@@ -238,10 +247,12 @@ static void unmake(struct node *n, struct pending_call *c)
         n->pending.taken -= buffered(m);
         mailbox_put_back(n, m);
     }
-    if (c->sent && c->sent->send)
-        mailbox_unfollow(c->sent->send);
-    if (c->sent)
-        proto_message_free(c->sent);
+    if (c->message && c->message->send)
+        mailbox_unfollow(c->message->send);
+    if (c->sends)
+        proto_take_back(c->message);
+    else if (c->message)
+        proto_message_free(c->message);
     if (c->selected && c->receive->m)
         mailbox_withdraw(n, c->receive);
 }

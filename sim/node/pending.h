@@ -7,7 +7,8 @@
  *     program    irecv, csend ------> computes ----> crecv ---> waits
  *     machine            ...... irecv, csend .................. crecv ......
  *
- * Messages are sent in the call's turn, without switching to the program. A receive that selects a message which waits has
+ * Messages are sent in the call's turn, without switching to the program; or at once, with the time when it is, if nothing
+ * can reach the node before (proto_horizon). A receive that selects a message which waits has
  * it at once; others are posted in passing, before anything comes to the node after their turn (pending_make_until), and
  * with that the call's books are closed. If a message comes before that they may select, they are posted in their turn, too.
  *
@@ -16,7 +17,7 @@
  * calls have been made.
  *
  * So it is with the end of a call that waits, too, if what it waits for is there already and nothing can reach the node before
- * its turn (proto_horizon): then the program goes on with its message.
+ * its turn: then the program goes on with its message.
  *
  * What has not had its turn when the program is killed, or the machine stops, has not happened: it is taken back, and the clock
  * with it.

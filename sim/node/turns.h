@@ -1,8 +1,8 @@
 /* turns.h - the scheduler's side of cpu.h: whose turn it is, and what a node does with its own. For cpu.c, which has the
  * program's side.
  *
- * An event of a node is that it goes on (its start, a call, the first of its pending calls) or, blocked, looks again at what it
- * waits for (node_wake). Its checks are not events, but bounds beside the queue (node_system.checks). */
+ * An event of a node is that it goes on (its start, a call), that pending calls have their turn or, blocked, that it looks again at
+ * what it waits for (node_wake). Its checks are not events, but bounds beside the queue (node_system.checks). */
 #ifndef NODE_TURNS_H
 #define NODE_TURNS_H
 #include "node/node.h"
