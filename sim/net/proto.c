@@ -72,6 +72,12 @@ void proto_set_nodes(struct proto *p, uint32_t n)
 static void ask_arrives(void *ctx, void *arg, vtime now);
 static void inject(void *ctx, void *arg, vtime now);
 
+/* Long messages and long forced ones are fed and emptied by the processors where the machine has no DMA. */
+static bool by_hand(const struct message *m)
+{
+    return m->bytes > m->proto->cfg->short_limit;
+}
+
 void proto_send(struct proto *p, struct message *m, vtime when)
 {
     const struct evq_sender sender = {m->source, m->order};
@@ -85,7 +91,7 @@ void proto_send(struct proto *p, struct message *m, vtime when)
         t->at_receiver = proto_at(when + proto_trip(m));
         evq_put_sent(p->q, when + proto_trip(m), m->to, sender, ask_arrives, p, m);
     } else {
-        t->at_sender = PROTO_NOTHING;
+        t->at_sender = by_hand(m) ? proto_at(when) : PROTO_NOTHING;
         t->at_receiver = proto_at(when);
         evq_put_sent(p->q, when, m->from, sender, inject, p, m);
     }
@@ -192,12 +198,6 @@ void proto_grant(struct proto *p, struct message *m, vtime when)
     evq_put(p->q, when + proto_trip(m), m->from, grant_arrives, p, m);
 }
 
-/* Long messages and long forced ones are fed and emptied by the processors where the machine has no DMA. */
-static bool by_hand(const struct message *m)
-{
-    return m->bytes > m->proto->cfg->short_limit;
-}
-
 static void sent(struct proto *p, struct message *m, vtime now)
 {
     m->sent = true;
@@ -219,7 +219,7 @@ static void inject(void *ctx, void *arg, vtime now)
     vtime duration = t->transit.duration;
     t->at_sender = proto_at(now + duration); /* a handler may be due when it has left; and it may wait */
     t->at_sender.after = duration;
-    t->at_receiver = proto_after(m->is_long ? proto_trip(m) : duration);
+    t->at_receiver = proto_after(by_hand(m) ? proto_trip(m) : duration);
     if (!m->is_long)
         sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
     wire_send(p->wire, &t->transit, now);

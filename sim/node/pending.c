@@ -132,7 +132,9 @@ void pending_may_select(struct node *n)
 {
     for (uint32_t i = 0; i < n->pending.count; i++) {
         struct pending_call *c = nth(n, i);
-        c->in_turn |= n->pending.selects |= c->receive && !c->selected;
+        bool may = c->receive && !c->selected;
+        c->in_turn |= may;
+        n->pending.selects |= may;
     }
     turn_tell(n);
 }
