@@ -53,3 +53,10 @@ example() {
 
 ended_with() { [ "$status" = "$1" ]; }
 said() { grep -qE -- "$1" err; }
+
+# All that a run gives, without its wall times.
+run_results() { # ARGS...
+    rm -f f.json
+    timeout 100 "${touchstone:-$BUILD/touchstone}" run --max-wall-time 60 --json f.json "$@" >out 2>err </dev/null
+    echo "status $?" && cat out && sed '/^wall time/d' err && grep -v wall_time f.json
+}

@@ -7,20 +7,13 @@
 "$BUILD/nxcc" -O2 -o talk "$tests/talk.c"
 "$BUILD/nxcc" -O2 -DFLUSHES -o flushing "$tests/talk.c"
 
-# All that a run gives, without its wall times.
-results() { # ARGS...
-    rm -f f.json
-    "$BUILD/touchstone" run --max-wall-time 60 --json f.json "$@" >out 2>err </dev/null
-    echo "status $?" && cat out && grep -v '^wall time' err && grep -v 'wall_time\|"program"' f.json
-}
-
 for seed in 1 2 3 4 5 6; do
     for machine in "delta -n $((1 + 2 * seed))" "ipsc860 -n $((1 << (seed % 3 + 1)))" "paragon -n 5" "delta -n 4 --max-virtual-time 0.0$seed"; do
         # shellcheck disable=SC2086
-        results -w 1 -m $machine flushing $seed 6 | sed 's/flushing/talk/' >one
+        run_results -w 1 -m $machine flushing $seed 6 | sed 's/flushing/talk/' >one
         for way in "-w 1" "-w 3 --shuffle $seed --slice 0.0001"; do
             # shellcheck disable=SC2086
-            results $way -m $machine talk $seed 6 >other
+            run_results $way -m $machine talk $seed 6 >other
             check "seed $seed, $machine: $way" diff one other
         done
     done

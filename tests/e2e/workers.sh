@@ -7,23 +7,16 @@ nx=$tests/../nx
 # What a program that is stopped had asked for is not given back, as ever; reports of that differ by their addresses.
 export ASAN_OPTIONS=detect_leaks=0
 
-# All that a run gives, without its wall times.
-results() { # ARGS...
-    rm -f f.json
-    timeout 100 "${touchstone:-$BUILD/touchstone}" run --max-wall-time 60 --json f.json "$@" >out 2>err </dev/null
-    echo "status $?" && cat out && sed '/^wall time/d' err && grep -v wall_time f.json
-}
-
 # Also with short slices: where computing is cut must not matter.
 WAYS=("-w 2" "-w 4 --shuffle 2" "-w 3 --shuffle 3 --slice 0.0001")
 
 same() { # NAME ARGS...
     local name=$1
     shift
-    results -w 1 "$@" >one
+    run_results -w 1 "$@" >one
     for way in "${WAYS[@]}"; do
         # shellcheck disable=SC2086
-        results $way "$@" >several
+        run_results $way "$@" >several
         check "$name: $way" diff one several
     done
     under_tsan "$name" "$@"
@@ -36,7 +29,7 @@ under_tsan() { # NAME ARGS...
     shift
     case $name in *crash*) return ;; esac
     if [ -x "$touchstone" ]; then
-        results -w 3 --shuffle 4 "$@" >several
+        run_results -w 3 --shuffle 4 "$@" >several
         check "$name: no data races, and the same" diff one several
     fi
 }
@@ -73,7 +66,7 @@ same "a time limit" --max-virtual-time 0.3 -n 8 cut kill
 
 "$BUILD/nxcc" -O2 --profile -o cut_profile "$tests/cut.c" -lm
 profile() { # WORKERS...
-    results "$@" -n 8 --profile p.json cut_profile kill
+    run_results "$@" -n 8 --profile p.json cut_profile kill
     cat p.json 2>/dev/null
 }
 profile -w 1 >one
@@ -82,7 +75,7 @@ check "profile of programs cut short" diff one several
 
 "$BUILD/nxcc" -O2 --profile -o model_profile "$tests"/../../app/*.c -lz -lm
 model() { # WORKERS...
-    results "$@" -n 16 --profile p.json model_profile -approx 111 -sphere 64 64 9 -group 4
+    run_results "$@" -n 16 --profile p.json model_profile -approx 111 -sphere 64 64 9 -group 4
     cat p.json 2>/dev/null
 }
 model -w 1 >one
