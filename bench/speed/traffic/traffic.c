@@ -1,5 +1,5 @@
-/* traffic.c - the patterns of messages whose simulation is timed: traffic PATTERN ROUNDS [BYTES], as an NX program.
- * peers/traffic_mpi.c does the same with MPI's calls. A round is
+/* traffic.c - the patterns of messages whose simulation is timed: traffic PATTERN ROUNDS, as an NX program.
+ * peers/traffic_mpi.c does the same with MPI's calls, and with the same buffers. A round is
  *
  *   none       nothing: the program starts and ends
  *   pingpong   nodes 0 and 1: one message there, one back
@@ -14,24 +14,24 @@
 #include "nx.h"
 #include "torus.h"
 
-enum { MOST = 4096 };
-static char out[MOST], in[4][MOST];
-static long me, count, bytes = 8;
+enum { BYTES = 8 };
+static char out[BYTES], in[4][BYTES];
+static long me, count;
 
 static void pingpong(void)
 {
     if (me == 0)
-        csend(1, out, bytes, 1, 0);
+        csend(1, out, BYTES, 1, 0);
     if (me < 2)
-        crecv(1, in[0], bytes);
+        crecv(1, in[0], BYTES);
     if (me == 1)
-        csend(1, out, bytes, 0, 0);
+        csend(1, out, BYTES, 0, 0);
 }
 
 static void ring(void)
 {
-    csend(1, out, bytes, (me + 1) % count, 0);
-    crecv(1, in[0], bytes);
+    csend(1, out, BYTES, (me + 1) % count, 0);
+    crecv(1, in[0], BYTES);
 }
 
 static void halo(void)
@@ -43,9 +43,9 @@ static void halo(void)
         torus_neighbours(me, count, to);
     begun = true;
     for (k = 0; k < 4; k++)
-        id[k] = irecv(k, in[k], bytes);
+        id[k] = irecv(k, in[k], BYTES);
     for (k = 0; k < 4; k++)
-        csend(k, out, bytes, to[k], 0);
+        csend(k, out, BYTES, to[k], 0);
     for (k = 0; k < 4; k++)
         msgwait(id[k]);
 }
@@ -54,9 +54,9 @@ static void alltoall(void)
 {
     long k;
     for (k = 1; k < count; k++)
-        csend(1, out, bytes, (me + k) % count, 0);
+        csend(1, out, BYTES, (me + k) % count, 0);
     for (k = 1; k < count; k++)
-        crecv(1, in[0], bytes);
+        crecv(1, in[0], BYTES);
 }
 
 static void none(void) {}
@@ -78,10 +78,8 @@ int main(int argc, char **argv)
 {
     void (*round)(void) = argc > 2 ? pattern_named(argv[1]) : NULL;
     long rounds = argc > 2 ? atol(argv[2]) : 0;
-    if (argc > 3)
-        bytes = atol(argv[3]);
-    if (!round || bytes < 0 || bytes > MOST) {
-        fprintf(stderr, "usage: traffic none|pingpong|ring|halo|alltoall ROUNDS [BYTES, at most %d]\n", MOST);
+    if (!round) {
+        fprintf(stderr, "usage: traffic none|pingpong|ring|halo|alltoall ROUNDS\n");
         return 64;
     }
     me = mynode(), count = numnodes();
