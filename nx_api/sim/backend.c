@@ -64,7 +64,7 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     /* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is
      * to be seen in order all the same: one that is due runs before the call ends. */
-    bool free = proto_one_trip(p, o->type, len) && !n->stats.armed;
+    bool free = proto_one_trip(p, o->type, len) && !n->armed;
     if (s && (!m || free)) {
         s->done = true;
         s = NULL;

@@ -14,7 +14,7 @@ void clock_set(struct node *n, uint64_t hz)
 {
     uint64_t units_per_second = hz * UNITS_PER_CLOCK;
     n->clock_hz = hz;
-    n->unit_ps = VT_SECOND % units_per_second ? 0 : VT_SECOND / units_per_second;
+    n->clock.unit_ps = VT_SECOND % units_per_second ? 0 : VT_SECOND / units_per_second;
 }
 
 vtime clock_of_units_exactly(const struct node *n, uint64_t units)
@@ -24,8 +24,8 @@ vtime clock_of_units_exactly(const struct node *n, uint64_t units)
 
 static uint64_t units_of_time(const struct node *n, vtime t)
 {
-    if (n->unit_ps)
-        return t / n->unit_ps + (t % n->unit_ps > 0);
+    if (n->clock.unit_ps)
+        return t / n->clock.unit_ps + (t % n->clock.unit_ps > 0);
     uint64_t units_per_second = n->clock_hz * UNITS_PER_CLOCK;
     return (uint64_t)(((unsigned __int128)t * units_per_second + VT_SECOND - 1) / VT_SECOND);
 }
@@ -44,59 +44,57 @@ static uint64_t least(uint64_t a, uint64_t b)
 
 void clock_give(struct node *n)
 {
-    struct node_clock *c = &n->clock;
-    c->given_at = c->looked = c->units;
-    c->quiet = 0;
-    c->look = c->units + FIRST_LOOK;
+    uint64_t units = n->clock.units;
+    n->looks = (struct node_looks){.given_at = units, .looked = units, .look = units + FIRST_LOOK};
 }
 
 uint64_t clock_promised(const struct node *n)
 {
-    const struct node_clock *c = &n->clock;
-    return c->quiet > c->units ? c->quiet - c->units : 0;
+    return n->looks.quiet > n->clock.units ? n->looks.quiet - n->clock.units : 0;
 }
 
 void clock_promise(struct node *n, uint64_t units)
 {
-    struct node_clock *c = &n->clock;
-    if (c->units + units > c->quiet)
-        c->quiet = c->units + units;
+    uint64_t until = n->clock.units + units;
+    if (until > n->looks.quiet)
+        n->looks.quiet = until;
 }
 
 void clock_look(struct node *n)
 {
-    struct node_clock *c = &n->clock;
-    if (*n->image->quiet < c->given)
-        clock_promise(n, (uint64_t)(c->given - *n->image->quiet));
-    if (c->units < c->look)
+    struct node_looks *l = &n->looks;
+    uint64_t units = n->clock.units;
+    if (*n->image->quiet < n->clock.given)
+        clock_promise(n, (uint64_t)(n->clock.given - *n->image->quiet));
+    if (units < l->look)
         return;
-    c->looked = c->units;
-    while (c->look <= c->units)
-        c->look += least(c->look - c->given_at, LONGEST_LOOK);
+    l->looked = units;
+    while (l->look <= units)
+        l->look += least(l->look - l->given_at, LONGEST_LOOK);
 }
 
 vtime clock_quiet(const struct node *n)
 {
     const struct node_clock *c = &n->clock;
-    uint64_t quiet = least(c->quiet, c->look);
+    uint64_t quiet = least(n->looks.quiet, n->looks.look);
     return c->origin + clock_of_units(n, quiet > c->units ? quiet : c->units);
 }
 
 uint64_t clock_stretch(const struct node *n)
 {
-    return n->clock.units - n->clock.given_at;
+    return n->clock.units - n->looks.given_at;
 }
 
 void clock_go_back(struct node *n)
 {
     struct node_clock *c = &n->clock;
     clock_sync(n);
-    c->units = c->looked > c->known ? c->looked : c->known;
+    c->units = n->looks.looked > c->known ? n->looks.looked : c->known;
 }
 
 vtime clock_next_look(const struct node *n)
 {
-    return n->clock.origin + clock_of_units(n, n->clock.look);
+    return n->clock.origin + clock_of_units(n, n->looks.look);
 }
 
 /* Does not depend on how far the program had run ahead. */
@@ -111,7 +109,7 @@ void clock_allow(struct node *n, vtime deadline)
 {
     struct node_clock *c = &n->clock;
     vtime now = c->origin + clock_of_units(n, c->units);
-    uint64_t units = c->look - c->units;
+    uint64_t units = n->looks.look - c->units;
     if (n->sys->longest_slice)
         units = least(units, units_of_time(n, n->sys->longest_slice));
     if (deadline <= now)

@@ -13,7 +13,7 @@ void clock_set(struct node *n, uint64_t hz);
 vtime clock_of_units_exactly(const struct node *n, uint64_t units);
 static inline vtime clock_of_units(const struct node *n, uint64_t units)
 {
-    return n->unit_ps ? units * n->unit_ps : clock_of_units_exactly(n, units);
+    return n->clock.unit_ps ? units * n->clock.unit_ps : clock_of_units_exactly(n, units);
 }
 
 /* Take up what the program has spent since the last time; returns the time. */

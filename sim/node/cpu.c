@@ -90,14 +90,13 @@ static bool must_yield(struct node *n, vtime now)
 {
     if (n->ahead.up_to)
         return n->call || now >= n->ahead.up_to;
-    return n->ahead.loose || n->pending.count || n->clock.stolen || !turn_is_first(n, now) ||
-           must_stop(n, now);
+    return n->loose || n->pending.count || n->clock.stolen || !turn_is_first(n, now) || must_stop(n, now);
 }
 
 /* Yields to what is to happen before the node's call at `now`. */
 static void yield_turn(struct node *n, vtime now)
 {
-    if (n->ahead.loose)
+    if (n->loose)
         n->ahead.arrived = now; /* for node_catch */
     else if (!n->call && n->ahead.alert)
         turn_at_check(n, now, quiet_until(n));
@@ -150,7 +149,7 @@ void node_enter(struct node *n, const char *call)
 static bool may_pend(const struct node *n)
 {
     const struct node_system *s = n->sys;
-    return !n->ahead.loose && !n->stats.armed && !n->is_host && !s->stop && n->call_since <= s->max_time &&
+    return !n->loose && !n->armed && !n->is_host && !s->stop && n->call_since <= s->max_time &&
            !n->clock.stolen && !s->cube && !s->flushes && pending_room(n) && !mailbox_ignores(n) &&
            !(s->workers && n->ahead.computed >= LONG_STRETCH);
 }
@@ -168,7 +167,8 @@ void node_spend_on(struct node *n, enum node_task task, vtime t)
 {
     t = node_system_time(n, t);
     if (n->pending.open) {
-        pending_spend(n, task, t);
+        assert(task == NODE_CALL);
+        pending_spend(n, t);
         return;
     }
     clock_sync(n);
@@ -202,7 +202,7 @@ static void drain(struct node *n)
 /* Has the program handed out. What comes next may be on another thread. */
 static void break_loose(struct node *n)
 {
-    n->ahead.loose = n->ahead.paused = true;
+    n->loose = n->ahead.paused = true;
     n->ahead.work.place = n->place;
     atomic_store_explicit(&n->ahead.work.reached, clock_sync(n), memory_order_relaxed);
     fiber_yield(n->fiber);
@@ -227,7 +227,7 @@ void node_leave(struct node *n)
 static void look_around(struct node *n, vtime now)
 {
     struct node_system *s = n->sys;
-    if (n->ahead.loose) {
+    if (n->loose) {
         n->ahead.paused = workers_pass(s->workers, &n->ahead.work, now);
         if (n->ahead.paused)
             fiber_yield(n->fiber);
@@ -272,7 +272,7 @@ void node_nxc_preempt(void)
         node_order(n);
     else
         look_around(n, now);
-    clock_allow(n, n->ahead.loose ? end_of_time(n) : deadline(n));
+    clock_allow(n, n->loose ? end_of_time(n) : deadline(n));
 }
 
 bool node_run_handlers(struct node *n)
@@ -322,8 +322,8 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     n->pending.early = false;
     n->wait.since = VT_NEVER;
     if (yields) {
-        n->wait.rests = early && turn_may_rest(n, now) && !ready(n, arg);
-        if (!n->wait.rests)
+        n->rests = early && turn_may_rest(n, now) && !ready(n, arg);
+        if (!n->rests)
             yield_turn(n, now);
         if (!switch_away(n, ready, arg))
             node_order(n);

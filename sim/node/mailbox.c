@@ -2,6 +2,7 @@
 #include "node/mailbox.h"
 #include <stdlib.h>
 #include <string.h>
+#include "node/clock.h"
 #include "node/cpu.h"
 #include "node/pending.h"
 #include "node/system.h"
@@ -391,6 +392,12 @@ bool mailbox_complete(struct node *n, const struct receive *r)
     return true;
 }
 
+vtime mailbox_copy_time(const struct node *n, const struct message *m)
+{
+    bool copied = m->buffered && !m->too_long;
+    return copied ? node_system_time(n, m->bytes * n->sys->cfg->copy_ps_per_byte) : 0;
+}
+
 void mailbox_done_with(struct node *n, struct message *m, vtime now)
 {
     unbuffer(n, m, now);
@@ -405,18 +412,25 @@ void mailbox_tell(struct node *n, const struct message *m, long info[])
         node_put_long(n, info, i, told[i]);
 }
 
+static void copied_and_done_with(struct node *n, struct message *m)
+{
+    vtime t = mailbox_copy_time(n, m);
+    clock_advance_to(n, node_now(n) + t);
+    node_account(n, NODE_COPYING, t);
+    mailbox_done_with(n, m, node_now(n));
+}
+
 long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
     long result = 0;
-    if (m->bytes > r->room)
+    m->too_long = m->bytes > r->room;
+    if (m->too_long)
         result =
             node_error(n, EQMSGLONG, "the message of type %ld from %s has %zu bytes, but the buffer only %zu",
                        (long)m->type, node_at(n->sys, m->source)->name, m->bytes, r->room);
     else if (m->bytes)
         memcpy(r->buf, m->data, m->bytes);
-    if (m->buffered && result == 0)
-        node_spend_on(n, NODE_COPYING, m->bytes * n->sys->cfg->copy_ps_per_byte);
     if (!mailbox_is_library(m->type))
         mailbox_tell(n, m, r->info);
     r->m = NULL;
@@ -424,7 +438,7 @@ long mailbox_take(struct node *n, struct receive *r)
     if (n->pending.open)
         pending_take(n, m);
     else
-        mailbox_done_with(n, m, node_now(n));
+        copied_and_done_with(n, m);
     return result;
 }
 
@@ -543,7 +557,7 @@ void mailbox_post_handler(struct node *n, const struct receive *what)
         abort();
     *r = *what;
     n->mailbox->handlers++;
-    n->stats.armed = true;
+    n->armed = true;
     mailbox_post(n, r);
 }
 
@@ -554,7 +568,7 @@ struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long
         abort();
     s->handler = handler, s->param = param;
     n->mailbox->handlers++;
-    n->stats.armed = true;
+    n->armed = true;
     return s;
 }
 

@@ -36,7 +36,8 @@ vtime mailbox_send_time(const struct node *n, const struct message *m);
 /* It has sent so many bytes to each of the receivers, and that took its system so long. */
 void mailbox_has_sent(struct node *n, uint64_t receivers, uint64_t bytes, vtime took);
 
-/* A program is done with m: a waiting one may get its room. */
+/* What the system takes to copy m to its program's buffer. A program is done with m: a waiting one may get its room. */
+vtime mailbox_copy_time(const struct node *n, const struct message *m);
 void mailbox_done_with(struct node *n, struct message *m, vtime now);
 /* m, which a receive had selected, is unexpected again, the first. */
 void mailbox_put_back(struct node *n, struct message *m);

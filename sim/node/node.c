@@ -61,6 +61,7 @@ void node_memory_was(struct node *n, struct node_memory m)
 void node_memory_settle(struct node *n)
 {
     node_memory_was(n, node_memory_now(n));
+    n->heap_moved = false;
     if (!n->pending.early)
         n->buffered_known = n->buffered;
 }
@@ -75,6 +76,7 @@ static void heap_grown(void *ctx)
 {
     struct node *n = ctx;
     n->heap_used = node_heap_used(n->heap);
+    n->heap_moved = true;
     size_t used = memory_fixed(n) + n->heap_used + n->buffered_known;
     if (used > n->peak_ahead)
         n->peak_ahead = used;
@@ -150,9 +152,9 @@ void node_end_other(struct node *n, struct node *victim)
     vtime now = node_now(n);
     if (victim->state == NODE_ENDED)
         return;
-    if (victim->ahead.loose)
+    if (victim->loose)
         workers_drop(n->sys->workers, &victim->ahead.work);
-    victim->ahead.loose = false;
+    victim->loose = false;
     node_stop(victim, (struct instant){now, n->place});
     has_ended(victim, NODE_KILLED, 0, now);
 }
@@ -293,6 +295,7 @@ static struct node *make(struct node_system *sys, uint32_t id)
     snprintf(n->name, sizeof n->name, "node %u", id);
     n->mailbox = mailbox_new((uint32_t)sys->cfg->message_ids);
     n->info = (struct node_info){-1, -1, -1, -1};
+    n->pending.begun = VT_NEVER;
     return n;
 }
 
@@ -358,6 +361,7 @@ void node_succeed(struct node *n, struct node *before, vtime t)
     size_t peak = n->stats.memory_peak;
     n->clock.units = before->clock.units;
     n->stats = before->stats;
+    n->armed = before->armed;
     before->stats.waits = (struct node_waits){0};
     n->stats.away = t - accounted(n);
     n->stats.memory_peak = peak > n->stats.memory_peak ? peak : n->stats.memory_peak;

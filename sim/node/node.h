@@ -39,16 +39,18 @@ enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
 enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED, NODE_NOT_LOADED };
 
 struct node_clock {
-    vtime origin;   /* virtual time not spent computing: now = origin + units as time */
-    uint64_t units; /* cost units spent up to the last synchronisation */
-    int64_t given;  /* what *left was set to then */
-    uint64_t known; /* units: what the node did until then is not ahead of the machine */
-    vtime stolen;   /* system time not yet added to the program's: see cpu.c */
-    bool runs;      /* the program, since it was last switched to: it may have spent some */
+    vtime origin;     /* virtual time not spent computing: now = origin + units as time */
+    uint64_t units;   /* cost units spent up to the last synchronisation */
+    int64_t given;    /* what *left was set to then */
+    uint64_t known;   /* units: what the node did until then is not ahead of the machine */
+    vtime stolen;     /* system time not yet added to the program's: see cpu.c */
+    uint64_t unit_ps; /* of a cost unit, 0 if that is no whole number; clock_set */
+    bool runs;        /* the program, since it was last switched to: it may have spent some */
+};
 
-    uint64_t quiet; /* units: the program makes no call before; less than `units`: it may at any time */
-
-    /* looks (clock.h), in units */
+/* clock.h; in units. */
+struct node_looks {
+    uint64_t quiet; /* the program makes no call before; less than clock.units: it may at any time */
     uint64_t given_at, looked, look; /* when the program got control; the last look and the next */
 };
 
@@ -69,12 +71,11 @@ enum node_task {
 struct node_stats {
     vtime system; /* in the operating system: calls, messages, interrupts */
     vtime tasks[NODE_TASKS];
-    vtime idle;   /* waiting in a call, and the processor at rest */
-    vtime beside; /* tasks that took none of the program's time */
     size_t memory_peak;
     uint64_t sent, sent_bytes;
+    vtime idle;              /* waiting in a call, and the processor at rest */
+    vtime beside;            /* tasks that took none of the program's time */
     struct node_waits waits; /* of idle: in which calls, for which messages */
-    bool armed;              /* posted a handler at any time */
     uint64_t handlers, slices;
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     vtime ended_at;
@@ -86,11 +87,9 @@ struct node_stats {
 /* A program that computes ahead, on any thread: cpu.c. */
 struct node_ahead {
     struct work work;
-    bool loose;        /* a piece of work: only the thread that runs it may touch what the program may */
     bool paused;       /* it has stopped at a check, to be gone on with */
     bool alert;        /* a handler may have to run: it computes up to a horizon only */
-    bool stopped;      /* at a check, for which it is in node_system.checks */
-    vtime check;       /* the check's time */
+    vtime check;       /* when the program is stopped at a check: its time */
     vtime up_to;       /* not 0: it only makes up for what it has been let off so far: node_catch_up */
     vtime arrived;     /* when not paused: the time of its next call */
     uint64_t computed; /* units between its last two calls, for a guess at the next */
@@ -98,15 +97,17 @@ struct node_ahead {
 
 /* Calls whose turn is still to come, although the program has gone on: pending.h. */
 struct node_pending {
-    struct pending_call *calls; /* a ring */
-    uint32_t first, count;
-    vtime late;   /* all come so much later than noted, and what has been stolen since then */
-    vtime told;   /* the event queue knows of this turn; 0: of none */
-    size_t taken; /* bytes of system buffers that the program has received from */
+    struct pending_calls *calls; /* a ring */
+    uint16_t first, count;
     bool selects; /* one of them is a receive that may select a message in its turn */
     bool open;    /* the program is in the last of them */
     bool early;   /* its call is one that may be pending, whether it is or not */
     bool drains;  /* it goes on when none is left, whatever its time */
+    vtime turn;   /* of the first, or when it goes on; later by what has been stolen since then */
+    vtime begun;  /* when the first began, if it is to go on; VT_NEVER: it has not begun */
+    vtime late;   /* all come so much later than noted, and what has been stolen since then */
+    vtime told;   /* the event queue knows of this turn; 0: of none */
+    size_t taken; /* bytes of system buffers that the program has received from */
 };
 
 /* What the program has of its memory: bytes of heap in use, and the most of all so far. */
@@ -120,32 +121,53 @@ struct node_error {
     char text[200];
 };
 
-/* A node lies at the beginning of a line of the cache, and what most events need in the first five; the first line of the
- * rest is `name`. */
+/* A node lies at the beginning of a line of the cache. A message that comes needs the first two and that where stats begin, its
+ * program all those before `name`. */
 struct node {
-    uint32_t id;
-    uint32_t place; /* on the network: its id, except for the host's */
+    struct node_clock clock;
+    vtime sys_free; /* the operating system is busy with messages until then */
+
+    uint64_t
+        system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
+    uint32_t place;   /* on the network: its id, except for the host's */
     enum node_state state;
     bool is_host;
-    bool masked, in_handler;
+    bool armed;   /* posted a handler at any time */
+    bool loose;   /* ahead.work: only the thread that runs it may touch what the program may */
+    bool stopped; /* at a check, for which it is in node_system.checks */
+    bool rests;   /* it waits, at its turn, of which the queue knows nothing, it will be blocked: turns.h */
     bool call_has_type, awaits; /* see call */
+    bool heap_moved;            /* heap_used has changed since the program was last in a call */
     struct node_system *sys;
     struct mailbox *mailbox;
     struct node_pending pending;
-    struct node_clock clock;
-    uint64_t unit_ps; /* of a cost unit, 0 if that is no whole number; clock_set */
-    uint64_t
-        system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
-    vtime sys_free;   /* the operating system is busy with messages until then */
 
     /* what the program has switched away for, ready NULL: nothing but its turn (cpu.c) */
     struct {
         bool (*ready)(struct node *n, void *arg);
         void *arg;
-        bool rests;        /* at its turn, of which the queue knows nothing, it will be blocked: turns.h */
         vtime since, busy; /* blocked; stats.system then */
     } wait;
     struct node_stats stats;
+
+    struct fiber *fiber;
+    struct nxc_image *image; /* of the program */
+    struct {
+        const char *stack; /* the innermost of it */
+        const int64_t *left;
+    } warm; /* what it needs first when its program goes on; NULL: has not begun */
+    struct node_looks looks;
+    struct node_crash *crash; /* NULL: none */
+    int saved_errno;
+    bool masked, in_handler;
+
+    /* the call the program is in, for reports; NULL while it computes */
+    const char *call;
+    vtime call_since;
+    long call_type;  /* type, typesel or id it was given, if call_has_type */
+    long awaited;    /* type or typesel of the message the call is about, if awaits */
+    uintptr_t frame; /* of the call, on the stack, while it is blocked */
+    struct node_info info;
 
     struct node_heap *heap;
     size_t heap_used; /* of it */
@@ -155,28 +177,12 @@ struct node {
     size_t heap_known, buffered_known;
     size_t peak_ahead;  /* memory_peak as the program sees it */
     size_t image_bytes; /* program text, data and bss, page rounded */
-
-    struct fiber *fiber;
-    struct nxc_image *image; /* of the program */
-    struct {
-        const char *stack; /* the innermost of it */
-        const int64_t *left;
-    } warm;                   /* what it needs first when its program goes on; NULL: has not begun */
-    struct node_crash *crash; /* NULL: none */
-
-    /* the call the program is in, for reports; NULL while it computes */
-    const char *call;
-    long call_type; /* type, typesel or id it was given, if call_has_type */
-    long awaited;   /* type or typesel of the message the call is about, if awaits */
-    vtime call_since;
-    uintptr_t frame; /* of the call, on the stack, while it is blocked */
+    long pid;           /* process type: 0, unless the program has set it */
     struct node_ahead ahead;
-    struct node_info info;
-    int saved_errno;
 
     char name[16]; /* for people: "node 3", "host" */
+    uint32_t id;
     uint64_t clock_hz;
-    long pid; /* process type: 0, unless the program has set it */
     struct node_region *region;
     char *span, *stack, *program; /* of the region; the stack's lowest byte, the program's first: span.h */
     size_t stack_bytes;           /* there; those the machine file gives, or some more */

@@ -12,32 +12,43 @@
 /* A node's messages that wait for their turn should still be in the caches then. */
 enum { MOST = 16, LINE = 64 };
 
-/* What is looked at in its turn is in the first line of the cache. */
+/* A line of the cache. What it takes is in the node's books at once, and comes out of them if it is taken back. */
 struct pending_call {
     vtime turn;     /* less node_pending.late at its beginning */
     uint64_t units; /* the node's clock then */
-    struct node_memory memory;
     vtime spent;
-    struct receive *receive;
-    struct message *message; /* to be sent in its turn */
-    bool selected;           /* receive has had its message from those that waited, before its turn */
-    bool in_turn;            /* is to be made in its turn */
-    bool sends;              /* message has been sent before */
-    bool takes;              /* what it has waited for */
-    bool has_type;           /* name and so on: as in struct node */
-
+    struct message *message; /* to be sent, NULL: none, or it has been begun */
+    union {
+        struct receive *receive; /* if it posts or selected */
+        struct message *taken;   /* if it takes; linked by next */
+    };
     const char *name;
-    long type;
-    vtime since, sending, copied;
-    uint64_t bytes;        /* of message, which may be gone when it has been sent */
-    struct message *taken; /* linked by next */
+    vtime going_on; /* less node_pending.late, if it goes on */
+    int32_t type;   /* in node.call_type then, if it has any */
+    bool has_type : 1;
+    bool has_memory : 1; /* pending_calls.memory */
+    bool in_turn : 1;    /* is to be made in its turn */
+    bool posts : 1;      /* receive, when it is made */
+    bool selected : 1;   /* receive has had its message from those that waited, before its turn */
+    bool sends : 1;      /* message has been sent before its turn */
+    bool goes_on : 1;    /* when it has handed over what it has to, it is there already, what it waits for */
+    bool takes : 1;      /* that */
 };
-_Static_assert(offsetof(struct pending_call, name) == LINE && sizeof(struct pending_call) <= 2 * LINE,
-               "a pending call takes two lines of the cache");
+_Static_assert(sizeof(struct pending_call) == LINE, "a pending call takes a line of the cache");
+
+struct pending_calls {
+    struct pending_call call[MOST];
+    struct node_memory memory[MOST]; /* the program's at the call, if it has changed since the one before */
+};
+
+static uint32_t index_of(const struct node *n, uint32_t i)
+{
+    return (n->pending.first + i) % MOST;
+}
 
 static struct pending_call *nth(const struct node *n, uint32_t i)
 {
-    return &n->pending.calls[(n->pending.first + i) % MOST];
+    return &n->pending.calls->call[index_of(n, i)];
 }
 
 static struct pending_call *last(const struct node *n)
@@ -52,9 +63,9 @@ static struct pending_call *open_call(const struct node *n)
     return last(n);
 }
 
-static vtime time_of(const struct node *n, const struct pending_call *c)
+static vtime time_of(const struct node *n, vtime turn)
 {
-    return c->turn + n->pending.late + n->clock.stolen;
+    return turn + n->pending.late + n->clock.stolen;
 }
 
 bool pending_room(const struct node *n)
@@ -62,9 +73,9 @@ bool pending_room(const struct node *n)
     return n->pending.count < MOST;
 }
 
-static struct pending_call *new_calls(void)
+static struct pending_calls *new_calls(void)
 {
-    struct pending_call *calls = aligned_alloc(LINE, MOST * sizeof *calls);
+    struct pending_calls *calls = aligned_alloc(LINE, sizeof *calls);
     if (!calls)
         abort();
     return calls;
@@ -76,16 +87,16 @@ void pending_begin(struct node *n)
     if (!p->calls)
         p->calls = new_calls();
     if (p->count == 0)
-        p->first = 0, p->late = 0; /* the same few lines of memory again */
+        p->first = 0, p->late = 0, p->turn = clock_sync(n); /* the same few lines of memory again */
     p->count++;
     p->open = true;
     *open_call(n) = (struct pending_call){.turn = clock_sync(n) - p->late,
                                           .units = n->clock.units,
-                                          .memory = node_memory_now(n),
                                           .name = n->call,
-                                          .type = n->call_type,
-                                          .has_type = n->call_has_type,
-                                          .since = n->call_since - p->late};
+                                          .has_memory = n->heap_moved};
+    if (n->heap_moved)
+        p->calls->memory[index_of(n, p->count - 1)] = node_memory_now(n);
+    n->heap_moved = false;
 }
 
 /* Nothing comes to the node before the turn of what has waited: its program knows what is in its buffers then. */
@@ -96,27 +107,40 @@ static void know_buffers(struct node *n)
 
 void pending_go_on(struct node *n)
 {
-    pending_begin(n);
+    struct node_pending *p = &n->pending;
+    if (p->count == 0) { /* it has had its turn */
+        pending_begin(n);
+        p->begun = n->call_since;
+    }
+    p->open = true;
+    struct pending_call *c = open_call(n);
+    c->goes_on = true;
+    c->going_on = clock_sync(n) - p->late;
+    c->type = (int32_t)n->call_type, c->has_type = n->call_has_type;
     know_buffers(n);
 }
 
-void pending_spend(struct node *n, enum node_task task, vtime t)
+static void account(struct node *n, enum node_task task, vtime t)
 {
-    assert(task == NODE_CALL || task == NODE_COPYING);
-    struct pending_call *c = open_call(n);
-    if (task == NODE_CALL)
-        c->spent += t;
-    else
-        c->copied += t;
     n->clock.origin += t;
+    node_account(n, task, t);
+}
+
+void pending_spend(struct node *n, vtime t)
+{
+    struct pending_call *c = open_call(n);
+    assert(!c->goes_on);
+    c->spent += t;
+    account(n, NODE_CALL, t);
 }
 
 /* A long message that waits for room is granted it in the call's turn. */
 void pending_post(struct node *n, struct receive *r)
 {
     struct pending_call *c = open_call(n);
-    assert(!c->receive);
+    assert(!c->posts && !c->selected && !c->goes_on);
     c->receive = r;
+    c->posts = true;
     if (n->pending.selects)
         return; /* one before may select another message first */
     const struct message *m = mailbox_first(n, r);
@@ -124,7 +148,7 @@ void pending_post(struct node *n, struct receive *r)
         pending_may_select(n);
     } else if (m) {
         mailbox_post_at(n, r, 0);
-        c->selected = true;
+        c->posts = false, c->selected = true;
     }
 }
 
@@ -132,9 +156,8 @@ void pending_may_select(struct node *n)
 {
     for (uint32_t i = 0; i < n->pending.count; i++) {
         struct pending_call *c = nth(n, i);
-        bool may = c->receive && !c->selected;
-        c->in_turn |= may;
-        n->pending.selects |= may;
+        c->in_turn |= c->posts;
+        n->pending.selects |= c->posts;
     }
     turn_tell(n);
 }
@@ -142,15 +165,17 @@ void pending_may_select(struct node *n)
 void pending_send(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
-    assert(!c->message && !m->next);
-    c->message = m;
-    c->sending = mailbox_send_time(n, m), c->bytes = m->bytes;
-    n->clock.origin += c->sending;
-    c->sends = !n->pending.told && node_is_alone(n, time_of(n, c)); /* what is told comes before */
+    assert(!c->message && !m->next && !c->goes_on);
+    c->sends = !n->pending.told && node_is_alone(n, time_of(n, c->turn)); /* what is told comes before */
     c->in_turn = !c->sends;
-    if (c->sends)
+    vtime sending = mailbox_send_time(n, m);
+    n->clock.origin += sending;
+    if (c->sends) {
+        mailbox_has_sent(n, 1, m->bytes, sending);
         proto_send(m->proto, m, clock_sync(n));
-    else
+    }
+    c->message = m;
+    if (c->in_turn)
         turn_tell(n);
 }
 
@@ -162,9 +187,11 @@ static size_t buffered(const struct message *m)
 void pending_take(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
-    m->next = c->taken;
+    assert(c->goes_on && !c->posts);
+    m->next = c->takes ? c->taken : NULL;
     c->taken = m;
-    c->takes = true;
+    c->selected = false, c->takes = true;
+    account(n, NODE_COPYING, mailbox_copy_time(n, m));
     n->pending.taken += buffered(m);
     know_buffers(n);
 }
@@ -173,13 +200,14 @@ vtime pending_turn(const struct node *n)
 {
     for (uint32_t i = 0; i < n->pending.count; i++)
         if (nth(n, i)->in_turn)
-            return time_of(n, nth(n, i));
+            return time_of(n, nth(n, i)->turn);
     return VT_NEVER;
 }
 
 vtime pending_last(const struct node *n)
 {
-    return time_of(n, last(n));
+    const struct pending_call *c = last(n);
+    return time_of(n, c->goes_on ? c->going_on : c->turn);
 }
 
 /* --- making them --- */
@@ -191,6 +219,7 @@ static void put_off(struct node *n, vtime now)
     n->clock.stolen = 0;
     n->clock.origin += late;
     n->pending.late += late;
+    n->pending.turn += late;
     if (n->call_since > begun)
         n->call_since += late;
     if (n->failed_malloc_at > begun)
@@ -199,64 +228,119 @@ static void put_off(struct node *n, vtime now)
 
 static void take(struct node *n, const struct pending_call *c, vtime now)
 {
-    node_account(n, NODE_COPYING, c->copied);
+    for (const struct message *m = c->taken; m; m = m->next)
+        now += mailbox_copy_time(n, m);
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
         n->pending.taken -= buffered(m);
-        mailbox_done_with(n, m, now + c->copied);
+        mailbox_done_with(n, m, now);
     }
 }
 
-static void make(struct node *n, const struct pending_call *c, vtime now)
+/* Its turn: what it hands over. */
+static void begin(struct node *n, struct pending_call *c, vtime now)
 {
+    n->pending.begun = now;
+    if (c->has_memory)
+        node_memory_was(n, n->pending.calls->memory[index_of(n, 0)]);
+    if (c->posts)
+        mailbox_post_at(n, c->receive, now + c->spent);
+    if (c->message && !c->sends)
+        mailbox_send(n, c->message, 1, now + c->spent);
+}
+
+static void pop(struct node *n)
+{
+    struct node_pending *p = &n->pending;
+    p->first = (uint16_t)index_of(n, 1);
+    p->count--;
+    p->begun = VT_NEVER;
+    if (p->count)
+        p->turn = nth(n, 0)->turn + p->late;
+    else
+        p->selects = false;
+}
+
+static void make(struct node *n, struct pending_call *c, vtime now)
+{
+    struct node_pending *p = &n->pending;
     n->clock.known = c->units;
-    node_memory_was(n, c->memory);
-    node_account(n, NODE_CALL, c->spent);
-    now += c->spent;
-    if (c->receive && !c->selected)
-        mailbox_post_at(n, c->receive, now);
-    if (c->sends)
-        mailbox_has_sent(n, 1, c->bytes, c->sending);
-    else if (c->message)
-        mailbox_send(n, c->message, 1, now);
-    if (c->takes)
+    if (p->begun == VT_NEVER) {
+        begin(n, c, now);
+        if (c->goes_on) {
+            p->turn = c->going_on + p->late;
+            c->spent = 0, c->message = NULL;
+            c->posts = c->selected = c->in_turn = false;
+            return;
+        }
+    } else if (c->takes) {
         take(n, c, now);
+    }
+    pop(n);
 }
 
 void pending_make_until(struct node *n, struct instant at)
 {
-    struct node_pending *p = &n->pending;
-    while (p->count) {
-        const struct pending_call *c = nth(n, 0);
-        vtime now = time_of(n, c);
+    while (n->pending.count) {
+        vtime now = n->pending.turn + n->clock.stolen;
         if (!instant_before(now, n->place, at))
             return;
         if (n->clock.stolen)
             put_off(n, now);
-        make(n, c, now);
-        p->first = (p->first + 1) % MOST;
-        p->count--;
-        p->selects = p->selects && p->count;
+        make(n, nth(n, 0), now);
     }
 }
 
 /* --- taking them back --- */
 
-static void unmake(struct node *n, struct pending_call *c)
+static void unaccount(struct node *n, enum node_task task, vtime t)
+{
+    n->stats.tasks[task] -= t;
+    n->stats.system -= t;
+}
+
+static void put_back(struct node *n, const struct pending_call *c)
 {
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
+        unaccount(n, NODE_COPYING, mailbox_copy_time(n, m));
         n->pending.taken -= buffered(m);
         mailbox_put_back(n, m);
     }
-    if (c->message && c->message->send)
-        mailbox_unfollow(c->message->send);
-    if (c->sends)
-        proto_take_back(c->message);
-    else if (c->message)
-        proto_message_free(c->message);
+}
+
+static void unsend(struct node *n, const struct pending_call *c)
+{
+    struct message *m = c->message;
+    if (m->send)
+        mailbox_unfollow(m->send);
+    if (!c->sends) {
+        proto_message_free(m);
+        return;
+    }
+    unaccount(n, NODE_SENDING, mailbox_send_time(n, m));
+    n->stats.sent--, n->stats.sent_bytes -= m->bytes;
+    proto_take_back(m);
+}
+
+static void unmake(struct node *n, struct pending_call *c)
+{
+    if (c->takes)
+        put_back(n, c);
+    if (c->message)
+        unsend(n, c);
     if (c->selected && c->receive->m)
         mailbox_withdraw(n, c->receive);
+    unaccount(n, NODE_CALL, c->spent);
+}
+
+static void unmake_all(struct node *n)
+{
+    struct node_pending *p = &n->pending;
+    for (; p->count; p->count--)
+        unmake(n, last(n));
+    p->selects = false;
+    p->begun = VT_NEVER;
 }
 
 void pending_take_back(struct node *n)
@@ -266,18 +350,16 @@ void pending_take_back(struct node *n)
     if (p->count == 0)
         return;
     const struct pending_call *c = nth(n, 0);
-    n->clock.units = c->units, n->clock.origin = c->turn + p->late - clock_of_units(n, c->units);
-    n->call = c->name, n->call_type = c->type, n->call_has_type = c->has_type; /* as it was when it began */
-    n->call_since = c->since + p->late;
-    for (; p->count; p->count--)
-        unmake(n, last(n));
-    p->selects = false;
+    n->clock.units = c->units, n->clock.origin = p->turn - clock_of_units(n, c->units);
+    n->call = c->name;
+    n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;
+    n->call_type = c->type, n->call_has_type = c->has_type && p->begun != VT_NEVER;
+    unmake_all(n);
 }
 
 void pending_free(struct node *n)
 {
-    for (struct node_pending *p = &n->pending; p->count; p->count--)
-        unmake(n, last(n));
+    unmake_all(n);
     free(n->pending.calls);
     n->pending.calls = NULL;
 }

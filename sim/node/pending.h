@@ -35,19 +35,19 @@ struct receive;
 
 /* Is there room for another? */
 bool pending_room(const struct node *n);
-/* The call that begins now is pending, until pending.open is false; what is left of one that has waited. Call after
- * clock_sync. */
+/* The call that begins now is pending, until pending.open is false. Call after clock_sync. */
 void pending_begin(struct node *n);
+/* It goes on: what it waits for will be there. */
 void pending_go_on(struct node *n);
-/* The call takes t, posts r, sends m: once each at most. It is done with m, which the program has got. */
-void pending_spend(struct node *n, enum node_task task, vtime t);
+/* The call takes t, posts r, sends m: once each at most, before it goes on. It is done with m, which the program has got. */
+void pending_spend(struct node *n, vtime t);
 void pending_post(struct node *n, struct receive *r);
 void pending_send(struct node *n, struct message *m);
 void pending_take(struct node *n, struct message *m);
 
 /* --- the scheduler's side --- */
 
-/* The turn of the first that must be made in it; VT_NEVER: there is none. That of the last of all; there is one. */
+/* The turn of the first that must be made in it; VT_NEVER: there is none. That of the last of all, where it goes on; there is one. */
 vtime pending_turn(const struct node *n);
 vtime pending_last(const struct node *n);
 /* A message has come that the receives may select. */

@@ -25,14 +25,14 @@ void turn_put(struct node *n, vtime t)
 
 void turn_at_check(struct node *n, vtime check, vtime t)
 {
-    n->ahead.stopped = true;
+    n->stopped = true;
     n->ahead.check = check;
     bounds_set(&n->sys->checks, n->place, vt_max(check, t));
 }
 
 static void leave_check(struct node *n)
 {
-    n->ahead.stopped = false;
+    n->stopped = false;
     bounds_set(&n->sys->checks, n->place, VT_NEVER);
 }
 
@@ -55,7 +55,7 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
         __builtin_prefetch((const char *)n + i, 1);
     n = coming(s, NEAR);
-    if (!n || n->state == NODE_ENDED || n->ahead.loose)
+    if (!n || n->state == NODE_ENDED || n->loose)
         return;
     __builtin_prefetch(n->mailbox, 1);
     __builtin_prefetch(n->fiber, 1);
@@ -118,7 +118,7 @@ void turn_block(struct node *n, vtime now)
 
 bool turn_may_rest(const struct node *n, vtime now)
 {
-    return !n->stats.armed && !n->is_host && !n->ahead.loose && !n->clock.stolen && !n->sys->stop &&
+    return !n->armed && !n->is_host && !n->loose && !n->clock.stolen && !n->sys->stop &&
            now <= n->sys->max_time;
 }
 
@@ -131,9 +131,9 @@ static vtime turn_of(struct node *n)
 void turn_settle(struct node *n, struct instant before)
 {
     pending_make_until(n, before);
-    if (!n->wait.rests || n->pending.count || !instant_before(turn_of(n), n->place, before))
+    if (!n->rests || n->pending.count || !instant_before(turn_of(n), n->place, before))
         return;
-    n->wait.rests = false;
+    n->rests = false;
     clock_advance(n, n->clock.stolen);
     n->clock.stolen = 0;
     turn_block(n, clock_sync(n));
@@ -151,9 +151,9 @@ static bool will_be_ready(struct node *n)
 /* A program that rests goes on at its turn, if what it waits for is there. */
 static void rouse(struct node *n)
 {
-    if (!n->wait.rests || !will_be_ready(n))
+    if (!n->rests || !will_be_ready(n))
         return;
-    n->wait.rests = false;
+    n->rests = false;
     turn_put(n, turn_of(n));
 }
 
@@ -161,7 +161,7 @@ void turn_look(struct node *n, vtime t)
 {
     turn_settle(n, n->sys->present);
     rouse(n);
-    vtime turn = n->ahead.loose ? n->sys->present.time + n->clock.stolen : turn_of(n);
+    vtime turn = n->loose ? n->sys->present.time + n->clock.stolen : turn_of(n);
     if (n->state == NODE_BLOCKED || turn < t)
         node_wake(n, t);
     /* else the turn of the program, which has been stopped, will not come before */
@@ -207,7 +207,7 @@ static void run_warm(struct node *n)
         turn_put(n, pending_last(n)); /* it crashes behind them, or in the last */
     else if (n->crash)
         crash(n);
-    else if (n->ahead.loose)
+    else if (n->loose)
         workers_hand(n->sys->workers, &n->ahead.work);
 }
 
@@ -232,7 +232,7 @@ bool node_run_ahead(struct node *n)
 
 void node_catch(struct node *n)
 {
-    n->ahead.loose = false;
+    n->loose = false;
     if (n->crash)
         crash(n);
     else
@@ -307,14 +307,14 @@ static void check(struct node *n)
 
 void node_catch_up(struct node *n, vtime t)
 {
-    if (!n->ahead.stopped)
+    if (!n->stopped)
         return;
     if (n->ahead.check < t && !n->clock.stolen) {
         n->ahead.up_to = t;
         check(n);
         n->ahead.up_to = 0;
     }
-    if (n->ahead.stopped)
+    if (n->stopped)
         turn_at_check(n, n->ahead.check, 0);
 }
 
@@ -373,7 +373,7 @@ void node_cut(struct node *n, struct instant at)
 {
     vtime t = at.time;
     turn_settle(n, at);
-    n->wait.rests = false;
+    n->rests = false;
     pending_take_back(n);
     node_catch_up(n, t);
     leave_check(n);

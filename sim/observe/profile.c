@@ -23,7 +23,7 @@ bool profile_possible(const struct machine *m)
 
 static enum profile_class class_of(const struct node *n)
 {
-    return n->stats.armed ? PROFILE_ARMED : PROFILE_OTHERS;
+    return n->armed ? PROFILE_ARMED : PROFILE_OTHERS;
 }
 
 static void *zeroed(size_t count, size_t size)

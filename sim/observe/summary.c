@@ -50,7 +50,7 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
     for (uint32_t k = 0; k < machine_nodes(m); k++) {
         const struct node *n = m->sys.nodes[k];
         loaded += n->end != NODE_NOT_LOADED;
-        if (n->stats.armed != armed || n->end == NODE_NOT_LOADED)
+        if (n->armed != armed || n->end == NODE_NOT_LOADED)
             continue;
         add(&b, vt_seconds(busy(n)));
         add(&i, vt_seconds(n->stats.idle));
