@@ -148,10 +148,11 @@ static bool will_be_ready(struct node *n)
     return ready;
 }
 
-/* A program that rests goes on at its turn, if what it waits for is there. */
+/* A program that rests goes on at its turn, if what it waits for is there. What it has to do in turn before is looked at
+ * first: messages may put that off, and its turn with it. */
 static void rouse(struct node *n)
 {
-    if (!n->rests || !will_be_ready(n))
+    if (!n->rests || n->pending.told || !will_be_ready(n))
         return;
     n->rests = false;
     turn_put(n, turn_of(n));
@@ -170,15 +171,13 @@ void turn_look(struct node *n, vtime t)
 static void in_turn(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
-    bool selects = n->pending.selects;
     (void)arg;
     pending_make_until(n, up_to(n, now));
-    if (n->pending.told == now) {
-        n->pending.told = 0;
-        turn_tell(n);
-    }
-    if (selects)
-        rouse(n);
+    if (n->pending.told != now)
+        return;
+    n->pending.told = 0;
+    turn_tell(n);
+    rouse(n);
 }
 
 void turn_tell(struct node *n)
