@@ -15,6 +15,11 @@ struct receive nx_receive(const struct incoming *in)
     return (struct receive){.select = in->select, .buf = in->buf, .room = (size_t)in->len, .info = in->info};
 }
 
+struct receive *nx_own_receive(struct node *n, struct receive *other)
+{
+    return n->in_handler ? other : &n->receive;
+}
+
 bool nx_receive_is_complete(struct node *n, void *receive)
 {
     return mailbox_complete(n, receive);
@@ -38,11 +43,12 @@ static long receive(const struct incoming *in)
     struct node *n = node_self();
     if (nx_check_receive(n, in) < 0)
         return -1;
-    struct receive r = nx_receive(in);
+    struct receive other, *r = nx_own_receive(n, &other);
+    *r = nx_receive(in);
     nx_spend_call(n);
-    mailbox_post(n, &r);
-    node_wait(n, nx_receive_is_complete, &r);
-    return mailbox_take(n, &r);
+    mailbox_post(n, r);
+    node_wait(n, nx_receive_is_complete, r);
+    return mailbox_take(n, r);
 }
 
 static long post(const struct incoming *in)

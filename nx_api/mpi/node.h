@@ -48,8 +48,9 @@ struct node {
     bool returned;
     long exit_code; /* of main, if it has returned */
     struct mailbox *mailbox;
-    struct node_end *ends; /* of all nodes */
-    uint64_t ended;        /* how many of them */
+    struct receive receive; /* of the blocking call that it is in, outside of handlers */
+    struct node_end *ends;  /* of all nodes */
+    uint64_t ended;         /* how many of them */
 };
 
 extern struct node node_me;

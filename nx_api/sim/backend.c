@@ -59,12 +59,13 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     struct proto *p = n->sys->proto;
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
-    struct message *m = all ? proto_to_all(p, n->place, o->type, n->pid, o->buf, len)
-                            : proto_message(p, n->place, place_of(n, o->node), o->type, n->pid, o->buf, len);
+    word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
+    struct message *m = all ? proto_to_all(p, n->place, type, pid, o->buf, len)
+                            : proto_message(p, n->place, place_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     /* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is
      * to be seen in order all the same: one that is due runs before the call ends. */
-    bool free = proto_one_trip(p, o->type, len) && !n->armed;
+    bool free = proto_one_trip(p, type, len) && !n->armed;
     if (s && (!m || free)) {
         s->done = true;
         s = NULL;

@@ -2,10 +2,10 @@
 #include "cfs/post.h"
 
 /* Message types: of those reserved (nx.h), with and without the forcing bit. */
-#define ASKING_TYPE INT64_C(1000000001)
-#define FORCED_TYPE (INT64_C(2000000000) | PROTO_FORCED)
+#define ASKING_TYPE INT32_C(1000000001)
+#define FORCED_TYPE (INT32_C(2000000000) | PROTO_FORCED)
 
-static int64_t type_of(enum post_kind kind)
+static int32_t type_of(enum post_kind kind)
 {
     return kind == POST_FORCED ? FORCED_TYPE : ASKING_TYPE;
 }
@@ -20,6 +20,7 @@ void post_send(struct proto *p, uint32_t from, uint32_t to, enum post_kind kind,
 {
     struct message *m = proto_message(p, from, to, type_of(kind), 0, NULL, bytes);
     m->service = parcel;
+    m->serves = true;
     proto_send(p, m, at);
 }
 

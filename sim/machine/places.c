@@ -1,5 +1,5 @@
 /* places.c - see places.h. Places are nodes, services, or the host (topo.h); a message between a node and a service is known
- * by m->service, in both directions. */
+ * by m->serves, in both directions. */
 #include "machine/places.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"
@@ -27,18 +27,12 @@ static void move(void *ctx, uint32_t place, enum proto_task task, vtime at, vtim
 
 static bool envelope(void *ctx, struct message *m, vtime now)
 {
-    return m->service ? post_envelope(m, now) : mailbox_envelope(ctx, m, now);
-}
-
-static void sent(void *ctx, struct message *m, vtime now)
-{
-    if (!m->service)
-        mailbox_sent(ctx, m, now);
+    return m->serves ? post_envelope(m, now) : mailbox_envelope(ctx, m, now);
 }
 
 static void arrived(void *ctx, struct message *m, vtime now)
 {
-    if (!m->service) {
+    if (!m->serves) {
         mailbox_arrived(ctx, m, now);
         return;
     }
@@ -48,5 +42,5 @@ static void arrived(void *ctx, struct message *m, vtime now)
 
 struct proto_nodes places_calls(struct node_system *sys)
 {
-    return (struct proto_nodes){sys, work, move, envelope, sent, arrived};
+    return (struct proto_nodes){sys, work, move, envelope, mailbox_sent, arrived};
 }

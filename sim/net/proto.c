@@ -4,13 +4,12 @@
 #include <stdlib.h>
 #include "net/proto_parts.h"
 
-static void started(struct wire_transit *t, vtime now);
-static void done(struct wire_transit *t, vtime now);
+static void started(void *ctx, struct wire_transit *t, vtime now);
+static void done(void *ctx, struct wire_transit *t, vtime now);
 
 struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
                         const struct proto_nodes *nodes)
 {
-    static const struct wire_calls calls = {started, done};
     struct proto *p = calloc(1, sizeof *p);
     if (!p)
         return NULL;
@@ -19,7 +18,7 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
     for (unsigned i = 0; i < PROTO_SIZES; i++)
         p->messages[i].bytes = sizeof(struct message) + PROTO_IN_MESSAGE[i];
     p->trips.bytes = sizeof(struct trip);
-    p->wire = wire_new(topo, q, &calls);
+    p->wire = wire_new(topo, q, &(struct wire_calls){p, started, done});
     p->places = calloc(topo->places, sizeof *p->places);
     if (!p->wire || !p->places) {
         proto_free(p);
@@ -43,7 +42,7 @@ void proto_free(struct proto *p)
     free(p);
 }
 
-vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes)
+vtime proto_send_time(const struct proto *p, int32_t type, size_t bytes)
 {
     return proto_one_trip(p, type, bytes) ? p->cfg->short_send_ps : p->cfg->ask_send_ps;
 }
@@ -73,9 +72,9 @@ static void ask_arrives(void *ctx, void *arg, vtime now);
 static void inject(void *ctx, void *arg, vtime now);
 
 /* Long messages and long forced ones are fed and emptied by the processors where the machine has no DMA. */
-static bool by_hand(const struct message *m)
+static bool by_hand(const struct proto *p, const struct message *m)
 {
-    return m->bytes > m->proto->cfg->short_limit;
+    return m->bytes > p->cfg->short_limit;
 }
 
 void proto_send(struct proto *p, struct message *m, vtime when)
@@ -87,11 +86,11 @@ void proto_send(struct proto *p, struct message *m, vtime when)
     if (!t->link_in)
         proto_link(p, t);
     if (m->is_long) {
-        t->at_sender = proto_at(when + 2 * proto_trip(m));
-        t->at_receiver = proto_at(when + proto_trip(m));
-        evq_put_sent(p->q, when + proto_trip(m), m->to, sender, ask_arrives, p, m);
+        t->at_sender = proto_at(when + 2 * proto_trip(p, m));
+        t->at_receiver = proto_at(when + proto_trip(p, m));
+        evq_put_sent(p->q, when + proto_trip(p, m), m->to, sender, ask_arrives, p, m);
     } else {
-        t->at_sender = by_hand(m) ? proto_at(when) : PROTO_NOTHING;
+        t->at_sender = by_hand(p, m) ? proto_at(when) : PROTO_NOTHING;
         t->at_receiver = proto_at(when);
         evq_put_sent(p->q, when, m->from, sender, inject, p, m);
     }
@@ -163,7 +162,7 @@ static void look_at(struct proto *p, struct message *m, vtime now)
         return;
     }
     vtime answered = p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, p->cfg->ask_receive_ps);
-    m->trip->at_receiver = m->trip->at_sender = proto_after(proto_trip(m));
+    m->trip->at_receiver = m->trip->at_sender = proto_after(proto_trip(p, m));
     if (p->nodes.envelope(p->nodes.ctx, m, now))
         proto_grant(p, m, answered);
 }
@@ -185,7 +184,7 @@ static void grant_arrives(void *ctx, void *arg, vtime now)
     struct message *m = arg;
     vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTO_SEND, now, p->cfg->grant_receive_ps);
     m->trip->at_sender = proto_at(ready);
-    m->trip->at_receiver = proto_at(ready + proto_trip(m));
+    m->trip->at_receiver = proto_at(ready + proto_trip(p, m));
     evq_put(p->q, ready, m->from, inject, p, m);
 }
 
@@ -193,16 +192,16 @@ void proto_grant(struct proto *p, struct message *m, vtime when)
 {
     assert(m->is_long && !m->granted);
     m->granted = true;
-    m->trip->at_sender = proto_at(when + proto_trip(m));
-    m->trip->at_receiver = proto_at(when + proto_trip(m) + proto_least(p, p->cfg->grant_receive_ps));
-    evq_put(p->q, when + proto_trip(m), m->from, grant_arrives, p, m);
+    m->trip->at_sender = proto_at(when + proto_trip(p, m));
+    m->trip->at_receiver = proto_at(when + proto_trip(p, m) + proto_least(p, p->cfg->grant_receive_ps));
+    evq_put(p->q, when + proto_trip(p, m), m->from, grant_arrives, p, m);
 }
 
 static void sent(struct proto *p, struct message *m, vtime now)
 {
-    m->sent = true;
     proto_unlink_out(m->trip);
-    p->nodes.sent(p->nodes.ctx, m, now);
+    if (m->followed)
+        p->nodes.sent(p->nodes.ctx, m, now);
 }
 
 static void inject(void *ctx, void *arg, vtime now)
@@ -213,13 +212,13 @@ static void inject(void *ctx, void *arg, vtime now)
         proto_message_free(m);
         return;
     }
-    if (by_hand(m))
+    if (by_hand(p, m))
         p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
     struct trip *t = m->trip;
     vtime duration = t->transit.duration;
     t->at_sender = proto_at(now + duration); /* a handler may be due when it has left; and it may wait */
     t->at_sender.after = duration;
-    t->at_receiver = proto_after(by_hand(m) ? proto_trip(m) : duration);
+    t->at_receiver = proto_after(by_hand(p, m) ? proto_trip(p, m) : duration);
     if (!m->is_long)
         sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
     wire_send(p->wire, &t->transit, now);
@@ -238,16 +237,17 @@ static void data_flow(void *ctx, void *arg, vtime now)
     m->trip->at_receiver = proto_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
-static void started(struct wire_transit *t, vtime now)
+static void started(void *ctx, struct wire_transit *t, vtime now)
 {
+    struct proto *p = ctx;
     struct message *m = message_of(t);
     m->trip->at_sender = proto_at(now + t->duration);
-    if (!by_hand(m)) {
+    if (!by_hand(p, m)) {
         m->trip->at_receiver = proto_at(now + t->duration);
         return;
     }
-    m->trip->at_receiver = proto_at(now + proto_trip(m));
-    evq_put(m->proto->q, now + proto_trip(m), m->to, data_flow, m->proto, m);
+    m->trip->at_receiver = proto_at(now + proto_trip(p, m));
+    evq_put(p->q, now + proto_trip(p, m), m->to, data_flow, p, m);
 }
 
 /* --- arrival --- */
@@ -256,7 +256,7 @@ static void complete(struct proto *p, struct message *m, vtime now, vtime system
 {
     m->complete = pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, system));
     m->arrived = true;
-    proto_end_trip(m);
+    proto_end_trip(p, m);
     p->nodes.arrived(p->nodes.ctx, m, now);
 }
 
@@ -271,10 +271,10 @@ static void whole_message(struct proto *p, struct message *m, vtime now)
     }
 }
 
-static void done(struct wire_transit *t, vtime now)
+static void done(void *ctx, struct wire_transit *t, vtime now)
 {
+    struct proto *p = ctx;
     struct message *m = message_of(t);
-    struct proto *p = m->proto;
     if (!m->is_long) {
         envelope_comes(p, m, now);
         return;

@@ -33,7 +33,7 @@
 
 struct proto;
 
-#define PROTO_FORCED INT64_C(0x40000000)
+#define PROTO_FORCED INT32_C(0x40000000)
 
 struct trip; /* of a message that is under way: proto_parts.h */
 
@@ -41,11 +41,12 @@ struct trip; /* of a message that is under way: proto_parts.h */
  * of use then, and what a receiver looks at first in the first line of the cache. */
 struct message {
     struct message *next; /* of those sent in one call; of those to be passed on; then of the unexpected */
-    int64_t type, pid;
+    int32_t type, pid;
     uint32_t from, to;
     uint32_t source; /* whose program sent it: from, unless it has been passed on */
     bool is_long : 1, forced : 1;
-    bool sent : 1; /* the sender's buffer may be used again */
+    bool serves : 1;   /* service is set */
+    bool followed : 1; /* send is set */
     bool granted : 1;
     bool arrived : 1;
     bool buffered : 1;   /* held in a system buffer */
@@ -53,15 +54,15 @@ struct message {
     bool taken_back : 1; /* has not been sent, after all */
     bool too_long : 1;   /* for its receiver's buffer */
     size_t bytes;
-    vtime complete; /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
-    void *receive;  /* the posted receive it is for, NULL: none yet */
-
-    void *send;    /* the sender's message id or handler, NULL: nobody asks */
-    void *service; /* not between programs: what it is about, to a service or its client; else NULL */
-    struct proto *proto;
+    vtime complete;    /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
+    void *receive;     /* the posted receive it is for, NULL: none yet */
     struct trip *trip; /* NULL: not sent yet, or arrived */
-    uint64_t order;    /* of the source's messages, in the order sent */
-    void *data;        /* a copy of the sender's: in few, or shared by messages to all nodes */
+
+    void *send;    /* the sender's message id or handler, if anybody asks */
+    void *service; /* not between programs: what it is about, to a service or its client */
+    struct proto *proto;
+    uint64_t order; /* of the source's messages, in the order sent */
+    void *data;     /* a copy of the sender's: in few, or shared by messages to all nodes */
     char few[];
 };
 
@@ -79,7 +80,8 @@ struct proto_nodes {
     /* An envelope has come: match it with a receive, or find a buffer. False: no room yet; proto_grant()
      * later. For a forced message with nothing posted return false too: it is dropped and freed. */
     bool (*envelope)(void *ctx, struct message *m, vtime now);
-    void (*sent)(void *ctx, struct message *m, vtime now);    /* m->sent has become true */
+    /* The buffer of one that is followed may be used again. */
+    void (*sent)(void *ctx, struct message *m, vtime now);
     void (*arrived)(void *ctx, struct message *m, vtime now); /* m->complete is set */
 };
 
@@ -88,18 +90,18 @@ struct proto *proto_new(const struct cfg_machine *cfg, const struct topo *topo, 
 void proto_free(struct proto *p);
 
 /* Is it sent without asking? Then the sender's buffer is free when the message has left. */
-bool proto_one_trip(const struct proto *p, int64_t type, size_t bytes);
+bool proto_one_trip(const struct proto *p, int32_t type, size_t bytes);
 /* Processor time the sender's call spends before the message leaves. */
-vtime proto_send_time(const struct proto *p, int64_t type, size_t bytes);
+vtime proto_send_time(const struct proto *p, int32_t type, size_t bytes);
 /* A message; data are copied. The caller hands it to proto_send at the time its processor is done with it. */
-struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int32_t type, int32_t pid,
                               const void *data, size_t bytes);
 void proto_send(struct proto *p, struct message *m, vtime at);
 /* The sender's program has been ended at an earlier time than `at`. */
 void proto_take_back(struct message *m);
 /* The messages that the sender itself sends to reach all other nodes, in order, linked by `next`; each to be handed to
  * proto_send. NULL if there is no other node. */
-struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
+struct message *proto_to_all(struct proto *p, uint32_t from, int32_t type, int32_t pid, const void *data,
                              size_t bytes);
 /* From now on all nodes are the first n of the cube. Not more than it was made for. */
 void proto_set_nodes(struct proto *p, uint32_t n);

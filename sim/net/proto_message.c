@@ -4,28 +4,28 @@
 #include <string.h>
 #include "net/proto_parts.h"
 
-static vtime hops_time(const struct message *m, vtime per_hop)
+static vtime hops_time(const struct proto *p, const struct message *m, vtime per_hop)
 {
-    return topo_hops(&m->proto->topo, m->from, m->to) * per_hop;
+    return topo_hops(&p->topo, m->from, m->to) * per_hop;
 }
 
 /* Does it use the host's link? */
-static bool is_hosts(const struct message *m)
+static bool is_hosts(const struct proto *p, const struct message *m)
 {
-    return topo_is_host(&m->proto->topo, m->from) || topo_is_host(&m->proto->topo, m->to);
+    return topo_is_host(&p->topo, m->from) || topo_is_host(&p->topo, m->to);
 }
 
-static vtime link_time(const struct message *m)
+static vtime link_time(const struct proto *p, const struct message *m)
 {
-    return is_hosts(m) ? m->proto->cfg->host.link_ps : 0;
+    return is_hosts(p, m) ? p->cfg->host.link_ps : 0;
 }
 
-vtime proto_trip(const struct message *m)
+vtime proto_trip(const struct proto *p, const struct message *m)
 {
-    return link_time(m) + hops_time(m, m->proto->cfg->long_hop_ps);
+    return link_time(p, m) + hops_time(p, m, p->cfg->long_hop_ps);
 }
 
-bool proto_one_trip(const struct proto *p, int64_t type, size_t bytes)
+bool proto_one_trip(const struct proto *p, int32_t type, size_t bytes)
 {
     return bytes <= p->cfg->short_limit || (type & PROTO_FORCED);
 }
@@ -36,10 +36,10 @@ void proto_begin_trip(struct proto *p, struct message *m)
 {
     const struct cfg_machine *c = p->cfg;
     bool small = m->bytes <= c->short_limit;
-    vtime hops = link_time(m) + hops_time(m, small ? c->short_hop_ps : c->long_hop_ps);
-    vtime per_byte = is_hosts(m) ? c->host.link_ps_per_byte
-                     : small     ? c->short_ps_per_byte
-                                 : c->long_ps_per_byte;
+    vtime hops = link_time(p, m) + hops_time(p, m, small ? c->short_hop_ps : c->long_hop_ps);
+    vtime per_byte = is_hosts(p, m) ? c->host.link_ps_per_byte
+                     : small        ? c->short_ps_per_byte
+                                    : c->long_ps_per_byte;
     struct trip *t = m->trip = pool_take(&p->trips);
     t->m = m;
     t->link_in = t->link_out = NULL;
@@ -84,13 +84,13 @@ static void unlink_in(struct proto *p, struct trip *t)
     p->under_way--;
 }
 
-void proto_end_trip(struct message *m)
+void proto_end_trip(struct proto *p, struct message *m)
 {
     struct trip *t = m->trip;
     m->trip = NULL;
-    unlink_in(m->proto, t);
+    unlink_in(p, t);
     proto_unlink_out(t);
-    pool_give(&m->proto->trips, t);
+    pool_give(&p->trips, t);
 }
 
 static struct message *message_of(const struct trip *t)
@@ -161,7 +161,7 @@ static struct pool *pool_of(const struct message *m)
 }
 
 static struct message *message_new(struct proto *p, enum proto_size size, uint32_t from, uint32_t to,
-                                   int64_t type, int64_t pid, size_t bytes)
+                                   int32_t type, int32_t pid, size_t bytes)
 {
     struct message *m = pool_take(&p->messages[size]);
     *m = (struct message){.from = from,
@@ -178,7 +178,7 @@ static struct message *message_new(struct proto *p, enum proto_size size, uint32
     return m;
 }
 
-struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t to, int32_t type, int32_t pid,
                                       void *payload, size_t bytes)
 {
     struct message *m = message_new(p, PROTO_FEW, from, to, type, pid, bytes);
@@ -188,7 +188,7 @@ struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t t
     return m;
 }
 
-struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int32_t type, int32_t pid,
                               const void *data, size_t bytes)
 {
     if (!data || bytes > PROTO_IN_MESSAGE[PROTO_SHORT])
@@ -201,7 +201,7 @@ struct message *proto_message(struct proto *p, uint32_t from, uint32_t to, int64
 void proto_message_free(struct message *m)
 {
     if (m->trip)
-        proto_end_trip(m);
+        proto_end_trip(m->proto, m);
     release(m);
     pool_give(pool_of(m), m);
 }

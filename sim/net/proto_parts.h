@@ -2,6 +2,7 @@
  * are), proto_tree.c (to all nodes). For these files only. */
 #ifndef PROTO_PARTS_H
 #define PROTO_PARTS_H
+#include <stddef.h>
 #include "kernel/pool.h"
 #include "net/proto.h"
 
@@ -19,17 +20,21 @@ struct trip {
     struct trip *next_out, **link_out; /* being sent by the sender */
     uint64_t order;                    /* the message's, as source */
     uint32_t source;
-    bool waits;    /* its envelope has come before an earlier one's */
-    bool envelope; /* has been looked at by the receiver */
-    struct proto_bound at_sender, at_receiver;
+    bool waits;              /* its envelope has come before an earlier one's */
+    bool envelope;           /* has been looked at by the receiver */
     struct message *pass_on; /* what the receiver is to send on */
+
+    struct proto_bound at_sender, at_receiver;
     struct wire_transit transit;
 };
+_Static_assert(offsetof(struct trip, transit.next) == 128,
+               "a trip that waits for no channel takes two lines");
 
 /* So few bytes lie in the message itself: hardly any, and those of the short messages of the machines. */
 enum proto_size { PROTO_FEW, PROTO_SHORT, PROTO_SIZES };
-static const size_t PROTO_IN_MESSAGE[PROTO_SIZES] = {16, 144};
-_Static_assert(sizeof(struct message) == 112, "a message with few bytes takes two lines of the cache");
+static const size_t PROTO_IN_MESSAGE[PROTO_SIZES] = {24, 152};
+_Static_assert(sizeof(struct message) == 104 && offsetof(struct message, send) == 64,
+               "a message with few bytes takes two lines of the cache");
 
 /* Of a node or service: messages on their way to it, being sent by it; how many it has made. */
 struct proto_place {
@@ -69,17 +74,17 @@ static inline struct proto_bound proto_after(vtime t)
 }
 
 /* Time of one trip of a long message over the hops alone. */
-vtime proto_trip(const struct message *m);
+vtime proto_trip(const struct proto *p, const struct message *m);
 
 /* A copy of bytes, for messages to share; NULL of NULL, which nobody looks at. */
 void *proto_payload(const void *data, size_t bytes);
 /* Its data are of proto_payload, which has one more user then, or NULL. */
-struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t to, int64_t type, int64_t pid,
+struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t to, int32_t type, int32_t pid,
                                       void *payload, size_t bytes);
 /* Its trip begins; when it is linked, it is under way to its receiver and being sent by its sender. */
 void proto_begin_trip(struct proto *p, struct message *m);
 void proto_link(struct proto *p, struct trip *t);
 /* It has left; and it has arrived: the trip is over. */
 void proto_unlink_out(struct trip *t);
-void proto_end_trip(struct message *m);
+void proto_end_trip(struct proto *p, struct message *m);
 #endif

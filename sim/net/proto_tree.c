@@ -5,7 +5,7 @@
 struct tree {
     struct proto *p;
     uint32_t root, source; /* source: the root, or the host that has it done by node 0 */
-    int64_t type, pid;
+    int32_t type, pid;
     void *data;
     size_t bytes;
 };
@@ -44,7 +44,7 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
     return first;
 }
 
-struct message *proto_to_all(struct proto *p, uint32_t from, int64_t type, int64_t pid, const void *data,
+struct message *proto_to_all(struct proto *p, uint32_t from, int32_t type, int32_t pid, const void *data,
                              size_t bytes)
 {
     bool host = topo_is_host(&p->topo, from);

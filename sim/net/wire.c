@@ -1,6 +1,5 @@
 /* wire.c - see wire.h. */
 #include "net/wire.h"
-#include <stddef.h>
 #include <stdlib.h>
 
 struct channel {
@@ -59,42 +58,52 @@ static struct wire_transit *unqueue(struct channel *c)
     return first;
 }
 
+static void wait(struct wire *w, struct channel *c, struct wire_transit *t, vtime now)
+{
+    w->waits++, w->waiting++;
+    w->waited -= now;
+    w->latest = now;
+    queue(c, t);
+}
+
+/* Does it give back channels between nodes before it is done? */
+static bool gives_early(const struct wire_transit *t)
+{
+    return t->holds && t->holds < t->duration;
+}
+
 static void pass(void *ctx, void *arg, vtime now);
 static void finish(void *ctx, void *arg, vtime now);
 
-/* Takes channels until the route is complete, or one is another's: then it returns that. */
-static struct channel *take(struct wire *w, struct wire_transit *t)
+/* Takes the next channel of the route. */
+static struct channel *take(struct wire *w, struct wire_transit *t, uint32_t channel, bool is_first)
 {
-    struct topo_walk walk = t->walk;
-    struct channel *taken = NULL;
-    uint32_t *link = t->link;
-    for (uint32_t channel; !taken && topo_step(&w->topo, &walk, &channel);) {
-        struct channel *c = &w->channels[channel];
-        *link = channel;
-        link = &c->next;
-        if (c->held)
-            taken = c;
-        c->held = true;
-    }
-    t->walk = walk;
-    t->link = link;
-    return taken;
+    struct channel *c = &w->channels[channel];
+    if (is_first)
+        t->first = channel;
+    else
+        w->channels[t->last].next = channel;
+    t->last = channel;
+    return c;
 }
 
-static void advance(struct wire *w, struct wire_transit *t, vtime now)
+/* Takes channels from there on until the route is complete, or one is another's. */
+static void advance(struct wire *w, struct wire_transit *t, struct topo_walk walk, vtime now)
 {
-    struct channel *taken = take(w, t);
-    if (taken) {
-        w->waits++, w->waiting++;
-        w->waited -= now;
-        w->latest = now;
-        queue(taken, t);
-        return;
+    bool is_first = !walk.entered;
+    for (uint32_t channel; topo_step(&w->topo, &walk, &channel); is_first = false) {
+        struct channel *c = take(w, t, channel, is_first);
+        if (c->held) {
+            t->walk = walk;
+            wait(w, c, t, now);
+            return;
+        }
+        c->held = true;
     }
-    if (t->holds && t->holds < t->duration)
+    if (gives_early(t))
         evq_put(w->q, now + t->holds, t->to, pass, w, t);
     evq_put(w->q, now + t->duration, t->to, finish, w, t);
-    w->calls.started(t, now);
+    w->calls.started(w->calls.ctx, t, now);
 }
 
 /* Give a channel to the first that waits for it, which goes on. */
@@ -106,19 +115,14 @@ static void hand_over(struct wire *w, struct channel *c, vtime now)
     w->waiting--;
     w->waited += now;
     w->latest = now;
-    advance(w, unqueue(c), now);
-}
-
-/* The last of the route, which is complete. */
-static struct channel *latest(const struct wire_transit *t)
-{
-    return (struct channel *)((char *)t->link - offsetof(struct channel, next));
+    struct wire_transit *t = unqueue(c);
+    advance(w, t, t->walk, now);
 }
 
 /* Give back the channels between nodes, in order, from the one after the port in. */
 static void give_links(struct wire *w, const struct wire_transit *t, uint32_t from, vtime now)
 {
-    const struct channel *end = latest(t);
+    const struct channel *end = &w->channels[t->last];
     for (struct channel *c = &w->channels[from]; c != end;) {
         uint32_t next = c->next;
         hand_over(w, c, now);
@@ -130,7 +134,6 @@ static void pass(void *ctx, void *arg, vtime now)
 {
     struct wire *w = ctx;
     struct wire_transit *t = arg;
-    t->passed = true;
     give_links(w, t, w->channels[t->first].next, now);
 }
 
@@ -140,18 +143,17 @@ static void finish(void *ctx, void *arg, vtime now)
     struct wire_transit *t = arg;
     uint32_t inner = w->channels[t->first].next;
     hand_over(w, &w->channels[t->first], now);
-    if (!t->passed)
+    if (!gives_early(t))
         give_links(w, t, inner, now);
-    hand_over(w, latest(t), now);
-    w->calls.done(t, now);
+    hand_over(w, &w->channels[t->last], now);
+    w->calls.done(w->calls.ctx, t, now);
 }
 
 void wire_send(struct wire *w, struct wire_transit *t, vtime now)
 {
-    t->link = &t->first;
-    t->passed = false;
-    topo_begin(&w->topo, &t->walk, t->from, t->to);
-    advance(w, t, now);
+    struct topo_walk walk;
+    topo_begin(&w->topo, &walk, t->from, t->to);
+    advance(w, t, walk, now);
 }
 
 vtime wire_waited(const struct wire *w)

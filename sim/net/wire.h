@@ -23,16 +23,17 @@ struct wire_transit {
     vtime duration; /* from the whole route taken until the last byte has arrived */
     vtime holds;    /* channels between nodes are given back after this time; 0: when it is done */
     /* the wire's own */
-    struct topo_walk walk;
-    uint32_t first, *link; /* of its channels, the others are linked by them; where the next will be noted */
-    bool passed;           /* has given back the channels between nodes */
+    uint32_t first, last; /* of its channels so far, which are linked */
+    /* while it waits */
     struct wire_transit *next; /* in a channel's queue */
+    struct topo_walk walk;     /* so far */
 };
 
 /* What the wire tells. */
 struct wire_calls {
-    void (*started)(struct wire_transit *t, vtime now); /* the whole route is taken */
-    void (*done)(struct wire_transit *t, vtime now);    /* the last byte has arrived */
+    void *ctx;
+    void (*started)(void *ctx, struct wire_transit *t, vtime now); /* the whole route is taken */
+    void (*done)(void *ctx, struct wire_transit *t, vtime now);    /* the last byte has arrived */
 };
 
 struct wire *wire_new(const struct topo *topo, struct evq *q, const struct wire_calls *calls);

@@ -265,9 +265,8 @@ void mailbox_sent(void *ctx, struct message *m, vtime now)
 {
     struct node *n = node_at(ctx, m->from);
     struct send *s = m->send;
-    if (!s)
-        return;
-    m->send = s->m = NULL;
+    m->followed = false;
+    s->m = NULL;
     s->done = true;
     if (s->handler)
         add_due(n, now, NULL, s);
@@ -278,6 +277,7 @@ void mailbox_sent(void *ctx, struct message *m, vtime now)
 void mailbox_follow(struct message *m, struct send *s)
 {
     m->send = s;
+    m->followed = true;
     s->m = m;
 }
 
@@ -290,14 +290,14 @@ void mailbox_drop(struct receive *r)
 void mailbox_unfollow(struct send *s)
 {
     if (s->m)
-        s->m->send = NULL;
+        s->m->followed = false;
 }
 
 /* --- sending --- */
 
 vtime mailbox_send_time(const struct node *n, const struct message *m)
 {
-    return node_system_time(n, proto_send_time(m->proto, m->type, m->bytes));
+    return node_system_time(n, proto_send_time(n->sys->proto, m->type, m->bytes));
 }
 
 void mailbox_has_sent(struct node *n, uint64_t receivers, uint64_t bytes, vtime took)
@@ -314,7 +314,7 @@ vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vt
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
         now += mailbox_send_time(n, m);
-        proto_send(m->proto, m, now);
+        proto_send(n->sys->proto, m, now);
     }
     mailbox_has_sent(n, receivers, bytes, now - begun);
     return now;
@@ -491,8 +491,8 @@ void mailbox_flush(struct node *n, int64_t typesel, vtime now)
 /* Nobody asks any more when m's buffer is free. */
 static void drop_send(struct message *m)
 {
-    struct send *s = m->send;
-    m->send = NULL;
+    struct send *s = m->followed ? m->send : NULL;
+    m->followed = false;
     if (s)
         s->m = NULL;
     if (s && s->handler)
@@ -532,7 +532,7 @@ void mailbox_empty(struct node *n, vtime now)
         throw_away(n, m, now);
     }
     for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
-        m->unwanted = m->unwanted || !m->service;
+        m->unwanted = m->unwanted || !m->serves;
 }
 
 void mailbox_inherit(struct node *n, struct node *before)

@@ -60,7 +60,8 @@ void node_memory_was(struct node *n, struct node_memory m)
 
 void node_memory_settle(struct node *n)
 {
-    node_memory_was(n, node_memory_now(n));
+    if (n->heap_moved)
+        node_memory_was(n, node_memory_now(n));
     n->heap_moved = false;
     if (!n->pending.early)
         n->buffered_known = n->buffered;

@@ -175,9 +175,10 @@ struct node {
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t heap_known, buffered_known;
-    size_t peak_ahead;  /* memory_peak as the program sees it */
-    size_t image_bytes; /* program text, data and bss, page rounded */
-    long pid;           /* process type: 0, unless the program has set it */
+    size_t peak_ahead;      /* memory_peak as the program sees it */
+    size_t image_bytes;     /* program text, data and bss, page rounded */
+    long pid;               /* process type: 0, unless the program has set it */
+    struct receive receive; /* of the blocking call that the program is in, outside of handlers */
     struct node_ahead ahead;
 
     char name[16]; /* for people: "node 3", "host" */

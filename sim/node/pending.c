@@ -172,7 +172,7 @@ void pending_send(struct node *n, struct message *m)
     n->clock.origin += sending;
     if (c->sends) {
         mailbox_has_sent(n, 1, m->bytes, sending);
-        proto_send(m->proto, m, clock_sync(n));
+        proto_send(n->sys->proto, m, clock_sync(n));
     }
     c->message = m;
     if (c->in_turn)
@@ -312,7 +312,7 @@ static void put_back(struct node *n, const struct pending_call *c)
 static void unsend(struct node *n, const struct pending_call *c)
 {
     struct message *m = c->message;
-    if (m->send)
+    if (m->followed)
         mailbox_unfollow(m->send);
     if (!c->sends) {
         proto_message_free(m);

@@ -104,7 +104,7 @@ static void begin_with_host(struct fake *f)
 }
 
 /* Sends from node 0 as a call at time 0 would; returns the message. */
-static struct message *send(struct fake *f, uint32_t to, int64_t type, size_t bytes, vtime at)
+static struct message *send(struct fake *f, uint32_t to, int32_t type, size_t bytes, vtime at)
 {
     static char data[10000];
     struct message *m = proto_message(f->proto, 0, to, type, 0, data, bytes);
@@ -112,7 +112,7 @@ static struct message *send(struct fake *f, uint32_t to, int64_t type, size_t by
     return m;
 }
 
-static vtime one_way(uint32_t to, int64_t type, size_t bytes)
+static vtime one_way(uint32_t to, int32_t type, size_t bytes)
 {
     struct fake f;
     begin(&f, true);
@@ -191,7 +191,7 @@ static void envelopes_between_two_nodes_are_seen_in_the_order_sent(void **state)
     end(&f);
 }
 
-static vtime to_all(uint32_t root, int64_t type, size_t bytes)
+static vtime to_all(uint32_t root, int32_t type, size_t bytes)
 {
     struct fake f;
     vtime last = 0, at = 0;

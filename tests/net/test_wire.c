@@ -11,17 +11,19 @@ struct trip {
     vtime started, done;
 };
 
-static void on_started(struct wire_transit *t, vtime now)
+static void on_started(void *ctx, struct wire_transit *t, vtime now)
 {
+    (void)ctx;
     ((struct trip *)t)->started = now;
 }
 
-static void on_done(struct wire_transit *t, vtime now)
+static void on_done(void *ctx, struct wire_transit *t, vtime now)
 {
+    (void)ctx;
     ((struct trip *)t)->done = now;
 }
 
-static const struct wire_calls calls = {on_started, on_done};
+static const struct wire_calls calls = {NULL, on_started, on_done};
 
 /* Sends trips of 100 each at time 0, in order, over a cube of 8 nodes, and lets them finish. */
 static void send(struct trip *trips, int count)
