@@ -38,6 +38,7 @@ struct event {
 enum { SEQUENCE_BITS = 43, PLACE_BITS = 20, NUMBER_BITS = 22 };
 enum { DIGIT_BITS = 6, DIGITS = 1 << DIGIT_BITS, LEVELS = (64 + DIGIT_BITS - 1) / DIGIT_BITS };
 enum { CHUNK = 23, FEW = 4 };
+enum { LINE = 64, AHEAD = 4 }; /* a cache's line; load_ahead */
 #define LATE (UINT64_C(1) << SEQUENCE_BITS)
 #define ORDINARY (LATE >> 1)
 
@@ -204,9 +205,36 @@ static struct event *add_present(struct evq *q, struct key k)
     return before(k, q->run.end[-1].key) ? add_heap(q, k) : append(q, &q->run);
 }
 
+/* The event so many after the next of the run, if that is not too far away. NULL: unknown, or there is none. */
+static inline const struct event *coming(const struct evq *q, unsigned after)
+{
+    const struct chunk *c = q->run.first;
+    const struct event *e = q->next + after, *end = c->events + CHUNK;
+    if (e >= end && c != q->run.last)
+        c = c->next, e = c->events + (e - end);
+    return e < (c == q->run.last ? q->run.end : c->events + CHUNK) ? e : NULL;
+}
+
+static inline __attribute__((always_inline)) void load_pair(void *p)
+{
+    __builtin_prefetch(p, 1);
+    __builtin_prefetch((void *)((uintptr_t)p ^ LINE), 1);
+}
+
+/* (Of no address it would be slow to find out that there is none.) */
+static inline __attribute__((always_inline)) void load_ahead(const struct evq *q)
+{
+    const struct event *e = coming(q, AHEAD);
+    if (e && e->what.ctx)
+        load_pair(e->what.ctx);
+    if (e && e->what.arg)
+        load_pair(e->what.arg);
+}
+
 static inline struct action take_run(struct evq *q)
 {
     struct event *e = q->next;
+    load_ahead(q);
     q->next = following(&q->run, e);
     if (q->next != e + 1) {
         struct chunk *c = q->run.first;
@@ -391,15 +419,7 @@ bool evq_step(struct evq *q, struct instant *present)
 void *evq_coming(const struct evq *q, unsigned after, evq_fire **fire)
 {
     assert(after < CHUNK);
-    *fire = NULL;
-    if (!q->next)
-        return NULL;
-    const struct chunk *c = q->run.first;
-    const struct event *e = q->next + after, *end = c->events + CHUNK;
-    if (e >= end && c != q->run.last)
-        c = c->next, e = c->events + (e - end);
-    if (e >= (c == q->run.last ? q->run.end : c->events + CHUNK))
-        return NULL;
-    *fire = e->what.fire;
-    return e->what.ctx;
+    const struct event *e = q->next ? coming(q, after) : NULL;
+    *fire = e ? e->what.fire : NULL;
+    return e ? e->what.ctx : NULL;
 }

@@ -6,6 +6,9 @@
  * only after all that reaches it at that moment, so that cutting its work into slices changes no order. Late
  * events are counted by themselves. What programs send may be put in at any time before it happens: such events come before
  * the ordinary ones of their time and place, in the order of the senders' numbers and then of their own.
+ *
+ * Where much happens at one time, the pair of lines of the cache in which ctx lies, and that of arg, are loaded some events
+ * ahead: so arg may be a hint, too.
  */
 #ifndef EVQ_EVQ_H
 #define EVQ_EVQ_H

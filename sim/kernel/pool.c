@@ -25,7 +25,7 @@ void pool_free(struct pool *p)
 
 #else
 
-enum { LINE = 64, BLOCKS = 64 }; /* a cache's line; blocks of a chunk */
+enum { LINE = 64, PAIR = 2 * LINE, BLOCKS = 64 }; /* a cache's line, and two; blocks of a chunk */
 
 static void push(void **list, void *block)
 {
@@ -42,13 +42,13 @@ static void *pop(void **list)
 
 static void add_chunk(struct pool *p)
 {
-    size_t stride = (p->bytes + LINE - 1) / LINE * LINE;
-    char *chunk = aligned_alloc(LINE, LINE + BLOCKS * stride);
+    size_t stride = (p->bytes + PAIR - 1) / PAIR * PAIR; /* see evq.h */
+    char *chunk = aligned_alloc(PAIR, PAIR + BLOCKS * stride);
     if (!chunk)
         abort();
     push(&p->chunks, chunk);
     for (size_t i = BLOCKS; i-- > 0;)
-        push(&p->unused, chunk + LINE + i * stride);
+        push(&p->unused, chunk + PAIR + i * stride);
 }
 
 void *pool_take(struct pool *p)
@@ -56,7 +56,7 @@ void *pool_take(struct pool *p)
     if (!p->unused)
         add_chunk(p);
     void *block = pop(&p->unused);
-    for (size_t i = 0; i < p->bytes; i += LINE)
+    for (size_t i = 0; i < PAIR; i += LINE)
         __builtin_prefetch((char *)p->unused + i, 1);
     return block;
 }

@@ -71,18 +71,13 @@ void proto_set_nodes(struct proto *p, uint32_t n)
 static void ask_arrives(void *ctx, void *arg, vtime now);
 static void inject(void *ctx, void *arg, vtime now);
 
-/* Long messages and long forced ones are fed and emptied by the processors where the machine has no DMA. */
-static bool by_hand(const struct proto *p, const struct message *m)
-{
-    return m->bytes > p->cfg->short_limit;
-}
-
 void proto_send(struct proto *p, struct message *m, vtime when)
 {
     const struct evq_sender sender = {m->source, m->order};
     if (!m->trip)
         proto_begin_trip(p, m);
     struct trip *t = m->trip;
+    t->followed = m->followed;
     if (!t->link_in)
         proto_link(p, t);
     if (m->is_long) {
@@ -90,15 +85,15 @@ void proto_send(struct proto *p, struct message *m, vtime when)
         t->at_receiver = proto_at(when + proto_trip(p, m));
         evq_put_sent(p->q, when + proto_trip(p, m), m->to, sender, ask_arrives, p, m);
     } else {
-        t->at_sender = by_hand(p, m) ? proto_at(when) : PROTO_NOTHING;
+        t->at_sender = t->by_hand ? proto_at(when) : PROTO_NOTHING;
         t->at_receiver = proto_at(when);
-        evq_put_sent(p->q, when, m->from, sender, inject, p, m);
+        evq_put_sent(p->q, when, m->from, sender, inject, p, t);
     }
 }
 
 void proto_take_back(struct message *m)
 {
-    m->taken_back = m->trip->envelope = true; /* nobody waits for it */
+    m->trip->taken_back = m->trip->envelope = true; /* nobody waits for it */
     proto_unlink_out(m->trip);
 }
 
@@ -170,7 +165,7 @@ static void look_at(struct proto *p, struct message *m, vtime now)
 static void ask_arrives(void *ctx, void *arg, vtime now)
 {
     struct message *m = arg;
-    if (m->taken_back)
+    if (m->trip->taken_back)
         proto_message_free(m);
     else
         envelope_comes(ctx, m, now);
@@ -185,7 +180,7 @@ static void grant_arrives(void *ctx, void *arg, vtime now)
     vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTO_SEND, now, p->cfg->grant_receive_ps);
     m->trip->at_sender = proto_at(ready);
     m->trip->at_receiver = proto_at(ready + proto_trip(p, m));
-    evq_put(p->q, ready, m->from, inject, p, m);
+    evq_put(p->q, ready, m->from, inject, p, m->trip);
 }
 
 void proto_grant(struct proto *p, struct message *m, vtime when)
@@ -197,36 +192,35 @@ void proto_grant(struct proto *p, struct message *m, vtime when)
     evq_put(p->q, when + proto_trip(p, m), m->from, grant_arrives, p, m);
 }
 
-static void sent(struct proto *p, struct message *m, vtime now)
+static void sent(struct proto *p, struct trip *t, vtime now)
 {
-    proto_unlink_out(m->trip);
-    if (m->followed)
-        p->nodes.sent(p->nodes.ctx, m, now);
+    proto_unlink_out(t);
+    if (t->followed && t->m->followed)
+        p->nodes.sent(p->nodes.ctx, t->m, now);
 }
 
 static void inject(void *ctx, void *arg, vtime now)
 {
     struct proto *p = ctx;
-    struct message *m = arg;
-    if (m->taken_back) {
-        proto_message_free(m);
+    struct trip *t = arg;
+    if (t->taken_back) {
+        proto_message_free(t->m);
         return;
     }
-    if (by_hand(p, m))
-        p->nodes.move(p->nodes.ctx, m->from, PROTO_SEND, now, m->bytes * p->cfg->send_ps_per_byte);
-    struct trip *t = m->trip;
+    if (t->by_hand)
+        p->nodes.move(p->nodes.ctx, t->transit.from, PROTO_SEND, now, t->m->bytes * p->cfg->send_ps_per_byte);
     vtime duration = t->transit.duration;
     t->at_sender = proto_at(now + duration); /* a handler may be due when it has left; and it may wait */
     t->at_sender.after = duration;
-    t->at_receiver = proto_after(by_hand(p, m) ? proto_trip(p, m) : duration);
-    if (!m->is_long)
-        sent(p, m, now); /* it lies in the operating system's memory: the caller's buffer is free */
+    t->at_receiver = proto_after(t->by_hand ? proto_trip(p, t->m) : duration);
+    if (!t->is_long)
+        sent(p, t, now); /* it lies in the operating system's memory: the caller's buffer is free */
     wire_send(p->wire, &t->transit, now);
 }
 
-static struct message *message_of(struct wire_transit *t)
+static struct trip *trip_of(struct wire_transit *t)
 {
-    return ((struct trip *)((char *)t - offsetof(struct trip, transit)))->m;
+    return (struct trip *)((char *)t - offsetof(struct trip, transit));
 }
 
 static void data_flow(void *ctx, void *arg, vtime now)
@@ -237,17 +231,18 @@ static void data_flow(void *ctx, void *arg, vtime now)
     m->trip->at_receiver = proto_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
-static void started(void *ctx, struct wire_transit *t, vtime now)
+static void started(void *ctx, struct wire_transit *transit, vtime now)
 {
     struct proto *p = ctx;
-    struct message *m = message_of(t);
-    m->trip->at_sender = proto_at(now + t->duration);
-    if (!by_hand(p, m)) {
-        m->trip->at_receiver = proto_at(now + t->duration);
+    struct trip *t = trip_of(transit);
+    t->at_sender = proto_at(now + transit->duration);
+    if (!t->by_hand) {
+        t->at_receiver = proto_at(now + transit->duration);
         return;
     }
-    m->trip->at_receiver = proto_at(now + proto_trip(p, m));
-    evq_put(p->q, now + proto_trip(p, m), m->to, data_flow, p, m);
+    vtime trip = proto_trip(p, t->m);
+    t->at_receiver = proto_at(now + trip);
+    evq_put(p->q, now + trip, transit->to, data_flow, p, t->m);
 }
 
 /* --- arrival --- */
@@ -271,15 +266,16 @@ static void whole_message(struct proto *p, struct message *m, vtime now)
     }
 }
 
-static void done(void *ctx, struct wire_transit *t, vtime now)
+static void done(void *ctx, struct wire_transit *transit, vtime now)
 {
     struct proto *p = ctx;
-    struct message *m = message_of(t);
-    if (!m->is_long) {
+    struct trip *t = trip_of(transit);
+    struct message *m = t->m;
+    if (!t->is_long) {
         envelope_comes(p, m, now);
         return;
     }
-    sent(p, m, now);
+    sent(p, t, now);
     complete(p, m, now, p->cfg->long_receive_ps);
 }
 

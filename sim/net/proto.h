@@ -49,10 +49,9 @@ struct message {
     bool followed : 1; /* send is set */
     bool granted : 1;
     bool arrived : 1;
-    bool buffered : 1;   /* held in a system buffer */
-    bool unwanted : 1;   /* to be thrown away when it arrives */
-    bool taken_back : 1; /* has not been sent, after all */
-    bool too_long : 1;   /* for its receiver's buffer */
+    bool buffered : 1; /* held in a system buffer */
+    bool unwanted : 1; /* to be thrown away when it arrives */
+    bool too_long : 1; /* for its receiver's buffer */
     size_t bytes;
     vtime complete;    /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
     void *receive;     /* the posted receive it is for, NULL: none yet */

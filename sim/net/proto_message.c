@@ -44,7 +44,8 @@ void proto_begin_trip(struct proto *p, struct message *m)
     t->m = m;
     t->link_in = t->link_out = NULL;
     t->order = m->order, t->source = m->source;
-    t->waits = t->envelope = false;
+    t->waits = t->envelope = t->taken_back = false;
+    t->is_long = m->is_long, t->by_hand = !small;
     t->pass_on = NULL;
     t->transit.from = m->from, t->transit.to = m->to;
     t->transit.duration = hops + m->bytes * per_byte;

@@ -20,8 +20,12 @@ struct trip {
     struct trip *next_out, **link_out; /* being sent by the sender */
     uint64_t order;                    /* the message's, as source */
     uint32_t source;
-    bool waits;              /* its envelope has come before an earlier one's */
-    bool envelope;           /* has been looked at by the receiver */
+    bool waits : 1;          /* its envelope has come before an earlier one's */
+    bool envelope : 1;       /* has been looked at by the receiver */
+    bool taken_back : 1;     /* has not been sent, after all */
+    bool is_long : 1;        /* the message */
+    bool by_hand : 1;        /* the processors feed and empty its channel, where the machine has no DMA */
+    bool followed : 1;       /* the message was so when it was sent */
     struct message *pass_on; /* what the receiver is to send on */
 
     struct proto_bound at_sender, at_receiver;

@@ -196,11 +196,14 @@ void pending_take(struct node *n, struct message *m)
     know_buffers(n);
 }
 
-vtime pending_turn(const struct node *n)
+vtime pending_turn(const struct node *n, struct message **sends)
 {
-    for (uint32_t i = 0; i < n->pending.count; i++)
-        if (nth(n, i)->in_turn)
-            return time_of(n, nth(n, i)->turn);
+    for (uint32_t i = 0; i < n->pending.count; i++) {
+        const struct pending_call *c = nth(n, i);
+        *sends = c->message;
+        if (c->in_turn)
+            return time_of(n, c->turn);
+    }
     return VT_NEVER;
 }
 

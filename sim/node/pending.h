@@ -47,8 +47,8 @@ void pending_take(struct node *n, struct message *m);
 
 /* --- the scheduler's side --- */
 
-/* The turn of the first that must be made in it; VT_NEVER: there is none. That of the last of all, where it goes on; there is one. */
-vtime pending_turn(const struct node *n);
+/* The turn of the first that must be made in it, and what it sends, which may be NULL; VT_NEVER: there is none. That of the last of all, where it goes on; there is one. */
+vtime pending_turn(const struct node *n, struct message **sends);
 vtime pending_last(const struct node *n);
 /* A message has come that the receives may select. */
 void pending_may_select(struct node *n);

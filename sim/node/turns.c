@@ -182,11 +182,12 @@ static void in_turn(void *ctx, void *arg, vtime now)
 
 void turn_tell(struct node *n)
 {
-    vtime turn = pending_turn(n);
+    struct message *sends;
+    vtime turn = pending_turn(n, &sends);
     if (turn == VT_NEVER || (n->pending.told && n->pending.told <= turn))
         return;
     n->pending.told = turn;
-    evq_put_late(n->sys->q, turn, n->place, in_turn, n, NULL);
+    evq_put_late(n->sys->q, turn, n->place, in_turn, n, sends);
 }
 
 /* Has the program, which waits, anything to do now? */
