@@ -48,10 +48,12 @@ static struct message *last(struct message *m)
 
 static void hand_over(struct node *n, struct message *m, uint64_t receivers)
 {
+    n->stats.sent += receivers;
+    n->stats.sent_bytes += receivers * m->bytes;
     if (n->pending.open)
         pending_send(n, m);
     else
-        clock_advance_to(n, mailbox_send(n, m, receivers, node_now(n)));
+        clock_advance_to(n, mailbox_send(n, m, node_now(n)));
 }
 
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)

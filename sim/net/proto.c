@@ -73,10 +73,10 @@ static void inject(void *ctx, void *arg, vtime now);
 
 void proto_send(struct proto *p, struct message *m, vtime when)
 {
-    const struct evq_sender sender = {m->source, m->order};
     if (!m->trip)
         proto_begin_trip(p, m);
     struct trip *t = m->trip;
+    const struct evq_sender sender = {t->source, t->order};
     t->followed = m->followed;
     if (!t->link_in)
         proto_link(p, t);
@@ -116,8 +116,9 @@ static void look_at(struct proto *p, struct message *m, vtime now);
 /* Is there a message under way between the same programs, sent earlier, whose envelope has not come? */
 static bool must_wait(const struct proto *p, const struct message *m)
 {
+    const struct trip *t = m->trip;
     for (const struct trip *o = p->places[m->to].in; o; o = o->next_in)
-        if (o->source == m->source && o->order < m->order && !o->envelope)
+        if (o->source == t->source && o->order < t->order && !o->envelope)
             return true;
     return false;
 }

@@ -53,15 +53,17 @@ struct message {
     bool unwanted : 1; /* to be thrown away when it arrives */
     bool too_long : 1; /* for its receiver's buffer */
     size_t bytes;
-    vtime complete;    /* all in the receiver's memory, from then on; VT_NEVER until it has arrived */
+    union {
+        uint64_t order; /* of the source's messages, until it is sent */
+        vtime complete; /* arrived: all in the receiver's memory, from then on */
+    };
     void *receive;     /* the posted receive it is for, NULL: none yet */
     struct trip *trip; /* NULL: not sent yet, or arrived */
 
     void *send;    /* the sender's message id or handler, if anybody asks */
     void *service; /* not between programs: what it is about, to a service or its client */
     struct proto *proto;
-    uint64_t order; /* of the source's messages, in the order sent */
-    void *data;     /* a copy of the sender's: in few, or shared by messages to all nodes */
+    void *data; /* a copy of the sender's: in few, or shared by messages to all nodes */
     char few[];
 };
 

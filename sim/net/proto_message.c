@@ -174,7 +174,6 @@ static struct message *message_new(struct proto *p, enum proto_size size, uint32
                           .is_long = !proto_one_trip(p, type, bytes),
                           .forced = (type & PROTO_FORCED) != 0,
                           .order = p->places[from].made++,
-                          .complete = VT_NEVER,
                           .proto = p};
     return m;
 }

@@ -36,8 +36,8 @@ _Static_assert(offsetof(struct trip, transit.next) == 128,
 
 /* So few bytes lie in the message itself: hardly any, and those of the short messages of the machines. */
 enum proto_size { PROTO_FEW, PROTO_SHORT, PROTO_SIZES };
-static const size_t PROTO_IN_MESSAGE[PROTO_SIZES] = {24, 152};
-_Static_assert(sizeof(struct message) == 104 && offsetof(struct message, send) == 64,
+static const size_t PROTO_IN_MESSAGE[PROTO_SIZES] = {32, 160};
+_Static_assert(sizeof(struct message) == 96 && offsetof(struct message, send) == 64,
                "a message with few bytes takes two lines of the cache");
 
 /* Of a node or service: messages on their way to it, being sent by it; how many it has made. */

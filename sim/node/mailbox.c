@@ -198,7 +198,7 @@ static void unbuffer(struct node *n, struct message *m, vtime now)
 static void give(struct receive *r, struct message *m)
 {
     r->m = m;
-    r->complete = m->complete;
+    r->complete = m->arrived ? m->complete : VT_NEVER;
     m->receive = r;
 }
 
@@ -300,23 +300,15 @@ vtime mailbox_send_time(const struct node *n, const struct message *m)
     return node_system_time(n, proto_send_time(n->sys->proto, m->type, m->bytes));
 }
 
-void mailbox_has_sent(struct node *n, uint64_t receivers, uint64_t bytes, vtime took)
-{
-    n->stats.sent += receivers;
-    n->stats.sent_bytes += receivers * bytes;
-    node_account(n, NODE_SENDING, took);
-}
-
-vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now)
+vtime mailbox_send(struct node *n, struct message *first, vtime now)
 {
     vtime begun = now;
-    size_t bytes = first->bytes;
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
         now += mailbox_send_time(n, m);
         proto_send(n->sys->proto, m, now);
     }
-    mailbox_has_sent(n, receivers, bytes, now - begun);
+    node_account(n, NODE_SENDING, now - begun);
     return now;
 }
 

@@ -29,12 +29,10 @@ void mailbox_inherit(struct node *n, struct node *before);
 const struct message *mailbox_first(const struct node *n, const struct receive *r);
 /* Post r at time now: mailbox_post for a call that is made then. */
 void mailbox_post_at(struct node *n, struct receive *r, vtime now);
-/* Send messages, linked by next, to so many receivers in all, from time now on; returns when the last has left the program.
- * One takes the processor so long. */
-vtime mailbox_send(struct node *n, struct message *first, uint64_t receivers, vtime now);
+/* Send messages, linked by next, from time now on; returns when the last has left the program. One takes the processor so
+ * long. */
+vtime mailbox_send(struct node *n, struct message *first, vtime now);
 vtime mailbox_send_time(const struct node *n, const struct message *m);
-/* It has sent so many bytes to each of the receivers, and that took its system so long. */
-void mailbox_has_sent(struct node *n, uint64_t receivers, uint64_t bytes, vtime took);
 
 /* What the system takes to copy m to its program's buffer. A program is done with m: a waiting one may get its room. */
 vtime mailbox_copy_time(const struct node *n, const struct message *m);

@@ -163,7 +163,7 @@ struct node {
 
     /* the call the program is in, for reports; NULL while it computes */
     const char *call;
-    vtime call_since;
+    vtime call_since, failed_malloc_at;
     long call_type;  /* type, typesel or id it was given, if call_has_type */
     long awaited;    /* type or typesel of the message the call is about, if awaits */
     uintptr_t frame; /* of the call, on the stack, while it is blocked */
@@ -199,8 +199,7 @@ struct node {
     vtime open_since; /* when handlers were last let run */
     struct node_error error;
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
-    size_t failed_malloc;   /* size of the last allocation refused, 0 none; */
-    vtime failed_malloc_at;
+    size_t failed_malloc;   /* size of the last allocation refused, at failed_malloc_at; 0: none */
 };
 
 /* The start of a region: which nodes its spans belong to, and how they are made. */

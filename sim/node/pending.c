@@ -171,7 +171,7 @@ void pending_send(struct node *n, struct message *m)
     vtime sending = mailbox_send_time(n, m);
     n->clock.origin += sending;
     if (c->sends) {
-        mailbox_has_sent(n, 1, m->bytes, sending);
+        node_account(n, NODE_SENDING, sending);
         proto_send(n->sys->proto, m, clock_sync(n));
     }
     c->message = m;
@@ -249,7 +249,7 @@ static void begin(struct node *n, struct pending_call *c, vtime now)
     if (c->posts)
         mailbox_post_at(n, c->receive, now + c->spent);
     if (c->message && !c->sends)
-        mailbox_send(n, c->message, 1, now + c->spent);
+        mailbox_send(n, c->message, now + c->spent);
 }
 
 static void pop(struct node *n)
@@ -315,6 +315,7 @@ static void put_back(struct node *n, const struct pending_call *c)
 static void unsend(struct node *n, const struct pending_call *c)
 {
     struct message *m = c->message;
+    n->stats.sent--, n->stats.sent_bytes -= m->bytes;
     if (m->followed)
         mailbox_unfollow(m->send);
     if (!c->sends) {
@@ -322,7 +323,6 @@ static void unsend(struct node *n, const struct pending_call *c)
         return;
     }
     unaccount(n, NODE_SENDING, mailbox_send_time(n, m));
-    n->stats.sent--, n->stats.sent_bytes -= m->bytes;
     proto_take_back(m);
 }
 
