@@ -283,11 +283,11 @@ static void set_clock(struct node *n)
     n->system_milli = fast ? cfg_fast_system_milli(c) : 1000;
 }
 
-enum { LINE = 64 }; /* of a cache */
+enum { PAIR = 128 }; /* of lines of a cache: see evq.h */
 
 static struct node *make(struct node_system *sys, uint32_t id)
 {
-    struct node *n = aligned_alloc(LINE, (sizeof *n + LINE - 1) / LINE * LINE);
+    struct node *n = aligned_alloc(PAIR, (sizeof *n + PAIR - 1) / PAIR * PAIR);
     if (!n)
         abort();
     *n = (struct node){0};

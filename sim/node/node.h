@@ -121,8 +121,8 @@ struct node_error {
     char text[200];
 };
 
-/* A node lies at the beginning of a line of the cache. A message that comes needs the first two and that where stats begin, its
- * program all those before `name`. */
+/* A node lies at the beginning of a pair of lines of the cache. A message that comes needs these and the line where stats
+ * begin, its program all those before `name`. */
 struct node {
     struct node_clock clock;
     vtime sys_free; /* the operating system is busy with messages until then */

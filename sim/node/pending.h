@@ -9,14 +9,13 @@
  *
  * Messages are sent in the call's turn, without switching to the program; or at once, with the time when it is, if nothing
  * can reach the node before (proto_horizon). A receive that selects a message which waits has
- * it at once; others are posted in passing, before anything comes to the node after their turn (pending_make_until), and
- * with that the call's books are closed. If a message comes before that they may select, they are posted in their turn, too.
+ * it at once; others are posted in passing, before anything comes to the node after their turn (pending_make_until). If a message comes before that they may select, they are posted in their turn, too.
  *
  * When messages take the processor meanwhile, the calls whose turn is still to come are put off by that, and with them all that
  * the program has done since. Where the program must know that its turn has come (node_order, node_wait), all its pending
  * calls have been made.
  *
- * So it is with the end of a call that waits, too, if what it waits for is there already and nothing can reach the node before
+ * So it is with a call that waits, too, if what it waits for is there already and nothing can reach the node before
  * its turn: then the program goes on with its message.
  *
  * What has not had its turn when the program is killed, or the machine stops, has not happened: it is taken back, and the clock
@@ -47,8 +46,9 @@ void pending_take(struct node *n, struct message *m);
 
 /* --- the scheduler's side --- */
 
-/* The turn of the first that must be made in it, and what it sends, which may be NULL; VT_NEVER: there is none. That of the last of all, where it goes on; there is one. */
+/* The turn of the first that must be made in it, and what it sends, which may be NULL; VT_NEVER: there is none. */
 vtime pending_turn(const struct node *n, struct message **sends);
+/* That of the last of all, or when it goes on; there is one. */
 vtime pending_last(const struct node *n);
 /* A message has come that the receives may select. */
 void pending_may_select(struct node *n);
