@@ -17,7 +17,7 @@ struct id {
     _Alignas(2 * LINE) struct receive receive;
     struct send *send; /* malloc'd */
     long next;         /* part, -1: none */
-    uint8_t use;       /* ID_RECEIVES, ID_SENDS; 0: free */
+    uint8_t use;       /* ID_RECEIVES, ID_SENDS; 0: free, and then all the others but next are 0 */
     bool part, ignored;
 };
 
@@ -80,7 +80,7 @@ long mailbox_id_new(struct node *n, unsigned use)
             continue;
         if (first + (id - (*b)->ids) >= ids->count)
             break;
-        *id = (struct id){.use = (uint8_t)use, .next = -1};
+        id->use = (uint8_t)use, id->next = -1;
         if (use & ID_SENDS && !(id->send = calloc(1, sizeof *id->send)))
             abort();
         return first + (id - (*b)->ids);
@@ -129,7 +129,8 @@ void mailbox_id_release(struct node *n, long id)
         if (i->send)
             mailbox_unfollow(i->send);
         free(i->send);
-        *i = (struct id){0};
+        i->send = NULL, i->receive.m = NULL;
+        i->use = 0, i->part = i->ignored = false;
     }
 }
 

@@ -165,16 +165,12 @@ static struct message *message_new(struct proto *p, enum proto_size size, uint32
                                    int32_t type, int32_t pid, size_t bytes)
 {
     struct message *m = pool_take(&p->messages[size]);
-    *m = (struct message){.from = from,
-                          .source = from,
-                          .to = to,
-                          .type = type,
-                          .pid = pid,
-                          .bytes = bytes,
-                          .is_long = !proto_one_trip(p, type, bytes),
-                          .forced = (type & PROTO_FORCED) != 0,
-                          .order = p->places[from].made++,
-                          .proto = p};
+    m->next = NULL, m->receive = NULL, m->trip = NULL, m->proto = p;
+    m->type = type, m->pid = pid, m->bytes = bytes;
+    m->from = m->source = from, m->to = to;
+    m->order = p->places[from].made++;
+    m->is_long = !proto_one_trip(p, type, bytes), m->forced = (type & PROTO_FORCED) != 0;
+    m->serves = m->followed = m->granted = m->arrived = m->buffered = m->unwanted = m->too_long = false;
     return m;
 }
 

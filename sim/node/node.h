@@ -150,6 +150,10 @@ struct node {
     } wait;
     struct node_stats stats;
 
+    struct node_crash *crash; /* NULL: none */
+    /* the call the program is in, for reports; NULL while it computes */
+    const char *call;
+    vtime call_since;
     struct fiber *fiber;
     struct nxc_image *image; /* of the program */
     struct {
@@ -157,13 +161,9 @@ struct node {
         const int64_t *left;
     } warm; /* what it needs first when its program goes on; NULL: has not begun */
     struct node_looks looks;
-    struct node_crash *crash; /* NULL: none */
     int saved_errno;
     bool masked, in_handler;
-
-    /* the call the program is in, for reports; NULL while it computes */
-    const char *call;
-    vtime call_since, failed_malloc_at;
+    vtime failed_malloc_at;
     long call_type;  /* type, typesel or id it was given, if call_has_type */
     long awaited;    /* type or typesel of the message the call is about, if awaits */
     uintptr_t frame; /* of the call, on the stack, while it is blocked */

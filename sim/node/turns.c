@@ -49,7 +49,9 @@ static struct node *coming(const struct node_system *s, unsigned after)
  * its calls.) */
 static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
 {
-    enum { LINE = 64, STACK = 12 * LINE }; /* from a program's call to the switch: some functions */
+    /* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
+     * counter lie its other small variables, and where it has its calls' addresses. */
+    enum { LINE = 64, STACK = 12 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
     enum { FAR = 5, NEAR = 2 };
     const struct node *n = coming(s, FAR);
     for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
@@ -60,8 +62,9 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     __builtin_prefetch(n->mailbox, 1);
     __builtin_prefetch(n->fiber, 1);
     __builtin_prefetch(n->image);
-    __builtin_prefetch(n->warm.left, 1);
-    for (size_t i = 0; n->warm.stack && i < STACK; i += LINE)
+    for (ptrdiff_t i = -BESIDE; i <= BESIDE; i += LINE)
+        __builtin_prefetch((const char *)n->warm.left + i, 1);
+    for (ptrdiff_t i = -BELOW; n->warm.stack && i < STACK; i += LINE)
         __builtin_prefetch(n->warm.stack + i, 1);
 }
 
