@@ -57,14 +57,14 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
         __builtin_prefetch((const char *)n + i, 1);
     n = coming(s, NEAR);
-    if (!n || n->state == NODE_ENDED || n->loose)
+    if (!n || n->state == NODE_ENDED || n->loose || !n->warm.stack)
         return;
     __builtin_prefetch(n->mailbox, 1);
     __builtin_prefetch(n->fiber, 1);
     __builtin_prefetch(n->image);
     for (ptrdiff_t i = -BESIDE; i <= BESIDE; i += LINE)
         __builtin_prefetch((const char *)n->warm.left + i, 1);
-    for (ptrdiff_t i = -BELOW; n->warm.stack && i < STACK; i += LINE)
+    for (ptrdiff_t i = -BELOW; i < STACK; i += LINE)
         __builtin_prefetch(n->warm.stack + i, 1);
 }
 
