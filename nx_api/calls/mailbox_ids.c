@@ -17,7 +17,7 @@ struct id {
     _Alignas(2 * LINE) struct receive receive;
     struct send *send; /* malloc'd */
     long next;         /* part, -1: none */
-    uint8_t use;       /* ID_RECEIVES, ID_SENDS; 0: free, and then all the others but next are 0 */
+    uint8_t use; /* ID_RECEIVES, ID_SENDS; 0: free, and then it has no send, no message and neither flag */
     bool part, ignored;
 };
 

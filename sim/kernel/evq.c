@@ -17,6 +17,7 @@
 #include "kernel/evq.h"
 #include <assert.h>
 #include <stdlib.h>
+#include "kernel/cache.h"
 
 /* An event's place in the order is one number of 128 bits, compared without branches:
  * time (64) | place (20) | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
@@ -38,7 +39,7 @@ struct event {
 enum { SEQUENCE_BITS = 43, PLACE_BITS = 20, NUMBER_BITS = 22 };
 enum { DIGIT_BITS = 6, DIGITS = 1 << DIGIT_BITS, LEVELS = (64 + DIGIT_BITS - 1) / DIGIT_BITS };
 enum { CHUNK = 23, FEW = 4 };
-enum { LINE = 64, AHEAD = 4 }; /* a cache's line; load_ahead */
+enum { AHEAD = 4 }; /* load_ahead */
 #define LATE (UINT64_C(1) << SEQUENCE_BITS)
 #define ORDINARY (LATE >> 1)
 
@@ -215,20 +216,13 @@ static inline const struct event *coming(const struct evq *q, unsigned after)
     return e < (c == q->run.last ? q->run.end : c->events + CHUNK) ? e : NULL;
 }
 
-static inline __attribute__((always_inline)) void load_pair(void *p)
-{
-    __builtin_prefetch(p, 1);
-    __builtin_prefetch((void *)((uintptr_t)p ^ LINE), 1);
-}
-
-/* (Of no address it would be slow to find out that there is none.) */
 static inline __attribute__((always_inline)) void load_ahead(const struct evq *q)
 {
     const struct event *e = coming(q, AHEAD);
-    if (e && e->what.ctx)
-        load_pair(e->what.ctx);
-    if (e && e->what.arg)
-        load_pair(e->what.arg);
+    if (!e)
+        return;
+    cache_load(e->what.ctx);
+    cache_load(e->what.arg);
 }
 
 static inline struct action take_run(struct evq *q)

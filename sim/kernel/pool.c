@@ -1,6 +1,7 @@
 /* pool.c - see pool.h. */
 #include "kernel/pool.h"
 #include <stdlib.h>
+#include "kernel/cache.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 
@@ -25,7 +26,7 @@ void pool_free(struct pool *p)
 
 #else
 
-enum { LINE = 64, PAIR = 2 * LINE, BLOCKS = 64 }; /* a cache's line, and two; blocks of a chunk */
+enum { BLOCKS = 64 }; /* of a chunk */
 
 static void push(void **list, void *block)
 {
@@ -42,13 +43,13 @@ static void *pop(void **list)
 
 static void add_chunk(struct pool *p)
 {
-    size_t stride = (p->bytes + PAIR - 1) / PAIR * PAIR; /* see evq.h */
-    char *chunk = aligned_alloc(PAIR, PAIR + BLOCKS * stride);
+    size_t stride = (p->bytes + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR;
+    char *chunk = aligned_alloc(CACHE_PAIR, CACHE_PAIR + BLOCKS * stride);
     if (!chunk)
         abort();
     push(&p->chunks, chunk);
     for (size_t i = BLOCKS; i-- > 0;)
-        push(&p->unused, chunk + PAIR + i * stride);
+        push(&p->unused, chunk + CACHE_PAIR + i * stride);
 }
 
 void *pool_take(struct pool *p)
@@ -56,8 +57,7 @@ void *pool_take(struct pool *p)
     if (!p->unused)
         add_chunk(p);
     void *block = pop(&p->unused);
-    for (size_t i = 0; i < PAIR; i += LINE)
-        __builtin_prefetch((char *)p->unused + i, 1);
+    cache_load(p->unused);
     return block;
 }
 

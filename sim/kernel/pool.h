@@ -10,7 +10,7 @@ struct pool {
     void *chunks; /* what blocks are cut from, linked likewise */
 };
 
-/* Not cleared. Never NULL. */
+/* At the beginning of a pair of lines (cache.h). Not cleared. Never NULL. */
 void *pool_take(struct pool *p);
 void pool_give(struct pool *p, void *block);
 /* All blocks go, in use or not. */

@@ -75,8 +75,8 @@ static bool gives_early(const struct wire_transit *t)
 static void pass(void *ctx, void *arg, vtime now);
 static void finish(void *ctx, void *arg, vtime now);
 
-/* Takes the next channel of the route. */
-static struct channel *take(struct wire *w, struct wire_transit *t, uint32_t channel, bool is_first)
+/* Notes the next channel of the route. */
+static struct channel *note(struct wire *w, struct wire_transit *t, uint32_t channel, bool is_first)
 {
     struct channel *c = &w->channels[channel];
     if (is_first)
@@ -92,7 +92,7 @@ static void advance(struct wire *w, struct wire_transit *t, struct topo_walk wal
 {
     bool is_first = !walk.entered;
     for (uint32_t channel; topo_step(&w->topo, &walk, &channel); is_first = false) {
-        struct channel *c = take(w, t, channel, is_first);
+        struct channel *c = note(w, t, channel, is_first);
         if (c->held) {
             t->walk = walk;
             wait(w, c, t, now);

@@ -2,7 +2,7 @@
 #include "node/mailbox.h"
 #include <stdlib.h>
 #include <string.h>
-#include "node/clock.h"
+#include "kernel/cache.h"
 #include "node/cpu.h"
 #include "node/pending.h"
 #include "node/system.h"
@@ -100,14 +100,6 @@ static bool selects(const struct node *n, const struct selector *s, const struct
 struct mailbox_ids *mailbox_ids(const struct node *n)
 {
     return &n->mailbox->ids;
-}
-
-/* A message that is asked for soon, and that nobody has looked at for long. (Inlined: see warm_coming in turns.c.) */
-static inline __attribute__((always_inline)) void warm(const struct message *m)
-{
-    enum { LINE = 64 };
-    __builtin_prefetch(m, 1);
-    __builtin_prefetch((const char *)m + LINE, 1);
 }
 
 /* --- queues --- */
@@ -330,7 +322,7 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now)
         if (!selects(n, &r->select, m))
             continue;
         unkeep(b, link);
-        warm(*link); /* often the next to be asked for */
+        cache_load(*link); /* often the next to be asked for */
         give(r, m);
         if (m->is_long && !m->granted) {
             b->waiting--;
@@ -380,14 +372,19 @@ bool mailbox_complete(struct node *n, const struct receive *r)
 {
     if (!r->m || r->complete > node_now(n))
         return false;
-    warm(r->m);
+    cache_load(r->m); /* it is asked for soon, and nobody has looked at it for long */
     return true;
+}
+
+/* On an ordinary node. */
+static vtime copying(const struct node *n, const struct message *m)
+{
+    return m->buffered && !m->too_long ? m->bytes * n->sys->cfg->copy_ps_per_byte : 0;
 }
 
 vtime mailbox_copy_time(const struct node *n, const struct message *m)
 {
-    bool copied = m->buffered && !m->too_long;
-    return copied ? node_system_time(n, m->bytes * n->sys->cfg->copy_ps_per_byte) : 0;
+    return node_system_time(n, copying(n, m));
 }
 
 void mailbox_done_with(struct node *n, struct message *m, vtime now)
@@ -402,14 +399,6 @@ void mailbox_tell(struct node *n, const struct message *m, long info[])
     const long told[] = {n->info.type, n->info.count, n->info.node, n->info.pid};
     for (size_t i = 0; info && i < sizeof told / sizeof *told; i++)
         node_put_long(n, info, i, told[i]);
-}
-
-static void copied_and_done_with(struct node *n, struct message *m)
-{
-    vtime t = mailbox_copy_time(n, m);
-    clock_advance_to(n, node_now(n) + t);
-    node_account(n, NODE_COPYING, t);
-    mailbox_done_with(n, m, node_now(n));
 }
 
 long mailbox_take(struct node *n, struct receive *r)
@@ -427,10 +416,12 @@ long mailbox_take(struct node *n, struct receive *r)
         mailbox_tell(n, m, r->info);
     r->m = NULL;
     m->receive = NULL;
-    if (n->pending.open)
+    if (n->pending.open) {
         pending_take(n, m);
-    else
-        copied_and_done_with(n, m);
+    } else {
+        node_spend_on(n, NODE_COPYING, copying(n, m));
+        mailbox_done_with(n, m, node_now(n));
+    }
     return result;
 }
 

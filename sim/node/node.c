@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/cache.h"
 #include "kernel/fiber.h"
 #include "node/clock.h"
 #include "node/cpu.h"
@@ -283,11 +284,9 @@ static void set_clock(struct node *n)
     n->system_milli = fast ? cfg_fast_system_milli(c) : 1000;
 }
 
-enum { PAIR = 128 }; /* of lines of a cache: see evq.h */
-
 static struct node *make(struct node_system *sys, uint32_t id)
 {
-    struct node *n = aligned_alloc(PAIR, (sizeof *n + PAIR - 1) / PAIR * PAIR);
+    struct node *n = aligned_alloc(CACHE_PAIR, (sizeof *n + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR);
     if (!n)
         abort();
     *n = (struct node){0};

@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stddef.h>
 #include <stdlib.h>
+#include "kernel/cache.h"
 #include "node/clock.h"
 #include "node/cpu.h"
 #include "node/mailbox.h"
@@ -10,7 +11,7 @@
 #include "node/turns.h"
 
 /* A node's messages that wait for their turn should still be in the caches then. */
-enum { MOST = 16, LINE = 64 };
+enum { MOST = 16 };
 
 /* A line of the cache. What it takes is in the node's books at once, and comes out of them if it is taken back. */
 struct pending_call {
@@ -34,7 +35,7 @@ struct pending_call {
     bool goes_on : 1;    /* when it has handed over what it has to, it is there already, what it waits for */
     bool takes : 1;      /* that */
 };
-_Static_assert(sizeof(struct pending_call) == LINE, "a pending call takes a line of the cache");
+_Static_assert(sizeof(struct pending_call) == CACHE_LINE, "a pending call takes a line of the cache");
 
 struct pending_calls {
     struct pending_call call[MOST];
@@ -75,7 +76,7 @@ bool pending_room(const struct node *n)
 
 static struct pending_calls *new_calls(void)
 {
-    struct pending_calls *calls = aligned_alloc(LINE, sizeof *calls);
+    struct pending_calls *calls = aligned_alloc(CACHE_LINE, sizeof *calls);
     if (!calls)
         abort();
     return calls;

@@ -2,6 +2,7 @@
 #include "node/turns.h"
 #include <errno.h>
 #include <stddef.h>
+#include "kernel/cache.h"
 #include "kernel/fiber.h"
 #include "node/clock.h"
 #include "node/cpu.h"
@@ -45,13 +46,12 @@ static struct node *coming(const struct node_system *s, unsigned after)
 }
 
 /* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
- * the node first, then what it points to. (Inlined: GCC takes a function that only loads ahead for one without effect, and drops
- * its calls.) */
+ * the node first, then what it points to. (Inlined: see cache.h.) */
 static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
 {
     /* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
      * counter lie its other small variables, and where it has its calls' addresses. */
-    enum { LINE = 64, STACK = 12 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
+    enum { LINE = CACHE_LINE, STACK = 12 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
     enum { FAR = 5, NEAR = 2 };
     const struct node *n = coming(s, FAR);
     for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
