@@ -27,50 +27,55 @@ void pool_free(struct pool *p)
 #else
 
 enum { BLOCKS = 64 }; /* of a chunk */
+enum { AHEAD = 4 };   /* a block is loaded so many before it is taken */
 
-static void push(void **list, void *block)
-{
-    *(void **)block = *list;
-    *list = block;
-}
+struct pool_chunk {
+    struct pool_chunk *next;
+    char blocks[] __attribute__((aligned(CACHE_PAIR)));
+};
 
-static void *pop(void **list)
+static void *checked(void *p)
 {
-    void *block = *list;
-    *list = *(void **)block;
-    return block;
+    if (!p)
+        abort();
+    return p;
 }
 
 static void add_chunk(struct pool *p)
 {
     size_t stride = (p->bytes + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR;
-    char *chunk = aligned_alloc(CACHE_PAIR, CACHE_PAIR + BLOCKS * stride);
-    if (!chunk)
-        abort();
-    push(&p->chunks, chunk);
+    struct pool_chunk *c = checked(aligned_alloc(CACHE_PAIR, sizeof *c + BLOCKS * stride));
+    c->next = p->chunks;
+    p->chunks = c;
+    p->blocks += BLOCKS;
+    p->unused = checked(reallocarray(p->unused, p->blocks, sizeof *p->unused));
     for (size_t i = BLOCKS; i-- > 0;)
-        push(&p->unused, chunk + CACHE_PAIR + i * stride);
+        pool_give(p, c->blocks + i * stride);
 }
 
 void *pool_take(struct pool *p)
 {
-    if (!p->unused)
+    if (!p->count)
         add_chunk(p);
-    void *block = pop(&p->unused);
-    cache_load(p->unused);
+    void *block = p->unused[--p->count];
+    if (p->count >= AHEAD)
+        cache_load(p->unused[p->count - AHEAD]);
     return block;
 }
 
 void pool_give(struct pool *p, void *block)
 {
-    push(&p->unused, block);
+    p->unused[p->count++] = block;
 }
 
 void pool_free(struct pool *p)
 {
-    while (p->chunks)
-        free(pop(&p->chunks));
-    p->unused = NULL;
+    for (struct pool_chunk *c = p->chunks, *next; c; c = next) {
+        next = c->next;
+        free(c);
+    }
+    free(p->unused);
+    *p = (struct pool){.bytes = p->bytes};
 }
 
 #endif

@@ -4,10 +4,14 @@
 #define POOL_POOL_H
 #include <stddef.h>
 
+struct pool_chunk; /* what blocks are cut from */
+
 struct pool {
-    size_t bytes; /* of a block */
-    void *unused; /* blocks, linked by their first words */
-    void *chunks; /* what blocks are cut from, linked likewise */
+    size_t bytes;  /* of a block */
+    void **unused; /* blocks: none of them is looked at, not even to find another, until it is taken */
+    size_t count;  /* of them */
+    size_t blocks; /* in all */
+    struct pool_chunk *chunks;
 };
 
 /* At the beginning of a pair of lines (cache.h). Not cleared. Never NULL. */
