@@ -268,9 +268,7 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     n->libc = node_libc_new(n);
     if (!node_image_map(img, n, error))
         return false;
-    char *heap = n->program + n->image_bytes;
-    n->heap = node_heap_new(heap, (size_t)(n->span + ((size_t)1 << n->region->shift) - heap), heap_room,
-                            heap_grown, n);
+    n->heap = node_heap_new(n->heap_start, n->region->heap_bytes, heap_room, heap_grown, n);
     n->fiber = fiber_new(n->stack, n->stack_bytes, run_program, n);
     node_memory_changed(n);
     return true;

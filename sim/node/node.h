@@ -1,7 +1,7 @@
 /* node.h - one simulated node: its memory and program image, its processor's clock, its mailbox and
  * interrupts.
  *
- * Its program, heap and stack lie in a span of address space (span.h), so that a call finds its node from the stack
+ * Its program and stack lie in a span of address space (span.h), so that a call finds its node from the stack
  * pointer (node_self) and no state is shared or thread-local.
  *
  * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image,
@@ -185,8 +185,8 @@ struct node {
     uint32_t id;
     uint64_t clock_hz;
     struct node_region *region;
-    char *span, *stack, *program; /* of the region; the stack's lowest byte, the program's first: span.h */
-    size_t stack_bytes;           /* there; those the machine file gives, or some more */
+    char *span, *stack, *program, *heap_start; /* of the region; the lowest bytes of each: span.h */
+    size_t stack_bytes;                        /* there; those the machine file gives, or some more */
     const struct node_image *file;
     int argc;
     char **argv, **envp;
@@ -205,6 +205,8 @@ struct node {
 /* The start of a region: which nodes its spans belong to, and how they are made. */
 struct node_region {
     uint64_t shift; /* a span has 2^shift bytes */
+    char *heaps;    /* of its nodes, by span */
+    size_t heap_bytes;
     bool light_guards, guards, copies_text;
     uint32_t fresh, used;     /* spans: the first that nobody has had yet; taken */
     struct node_region *next; /* with room: node_system.roomy */

@@ -14,7 +14,8 @@ enum {
     TABLE = 4 * PAGE, /* of the head, in a region's first span */
     LEAST_SHIFT = 20, /* of a span */
     COLOURS = 64,
-    LINE = 64, /* stacks start at so many places of a page */
+    LINE = 64,   /* stacks start at so many places of a page */
+    ENTRIES = 8, /* of the page tables, in a line */
 };
 #define SPANS(r) (NODE_REGION >> (r)->shift)
 
@@ -64,10 +65,17 @@ static uint32_t shift_for(size_t bytes)
     return shift;
 }
 
-/* A mapping at a multiple of its size; NULL when there is no room. */
-static struct node_region *reserve(int protection)
+/* Memory that is zero and costs nothing until it is touched. */
+static void *fresh(void *where, size_t bytes, int flags)
 {
-    char *wide = mmap(NULL, 2 * NODE_REGION, protection, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return mmap(where, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | flags, -1,
+                0);
+}
+
+/* A mapping at a multiple of its size; NULL when there is no room. */
+static struct node_region *reserve(void)
+{
+    char *wide = fresh(NULL, 2 * NODE_REGION, 0);
     if (wide == MAP_FAILED)
         return NULL;
     char *region = (char *)(((uintptr_t)wide + NODE_REGION - 1) & ~(NODE_REGION - 1));
@@ -77,15 +85,25 @@ static struct node_region *reserve(int protection)
     return (struct node_region *)region;
 }
 
-static struct node_region *region_new(struct node_system *sys, size_t span_bytes)
+static void drop(struct node_region *r)
 {
-    struct node_region *r = reserve(PROT_READ | PROT_WRITE);
+    if (r->heaps != MAP_FAILED)
+        munmap(r->heaps, SPANS(r) * r->heap_bytes);
+    munmap(r, NODE_REGION);
+}
+
+static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes)
+{
+    struct node_region *r = reserve();
     if (!r)
         return NULL;
     r->shift = shift_for(span_bytes);
+    r->heap_bytes = heap_bytes;
+    r->heaps = fresh(NULL, SPANS(r) * heap_bytes, 0);
     choose_mappings(r, sys->count > sys->topo.positions ? sys->count : sys->topo.positions);
-    if (r->copies_text && mprotect(r, NODE_REGION, PROT_READ | PROT_WRITE | PROT_EXEC)) {
-        munmap(r, NODE_REGION);
+    if (r->heaps == MAP_FAILED ||
+        (r->copies_text && mprotect(r, NODE_REGION, PROT_READ | PROT_WRITE | PROT_EXEC))) {
+        drop(r);
         return NULL;
     }
     r->next = sys->roomy;
@@ -94,13 +112,14 @@ static struct node_region *region_new(struct node_system *sys, size_t span_bytes
 
 /* --- spans --- */
 
-/* A span that was another's before becomes as new. */
-static bool renew(const struct node_region *r, char *span)
+/* A span and a heap that were another's before become as new. */
+static bool renew(const struct node_region *r, const struct node *n)
 {
-    size_t kept = span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
-    int protection = PROT_READ | PROT_WRITE | (r->copies_text ? PROT_EXEC : 0);
-    return mmap(span + kept, bytes, protection, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1,
-                0) != MAP_FAILED;
+    size_t kept = n->span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
+    char *span = n->span + kept;
+    return fresh(span, bytes, MAP_FIXED) != MAP_FAILED &&
+           (!r->copies_text || mprotect(span, bytes, PROT_READ | PROT_WRITE | PROT_EXEC) == 0) &&
+           fresh(n->heap_start, r->heap_bytes, MAP_FIXED) != MAP_FAILED;
 }
 
 static bool make_guard(const struct node_region *r, const struct node *n)
@@ -113,22 +132,26 @@ static bool make_guard(const struct node_region *r, const struct node *n)
                            : mprotect(guard, bytes, PROT_NONE) == 0;
 }
 
-/* The stack's top keeps off the program's start by some cache lines, as many as neighbours do not: else all nodes'
- * frames would want the same few sets of the caches. */
-static void lay_out(struct node *n, size_t slot)
+/* Else all nodes' frames would want the same few sets of the caches, and so would the entries of the page tables: the stack's
+ * top keeps off the program's start by some lines, as many as neighbours do not; and the program begins so many pages further
+ * on in the span, as far as there is room, that its entries lie in another line. */
+static void lay_out(struct node *n, size_t slot, size_t used_bytes)
 {
-    n->span = (char *)n->region + (slot << n->region->shift);
-    n->stack = n->span + HEAD;
+    const struct node_region *r = n->region;
+    n->span = (char *)r + (slot << r->shift);
+    n->heap_start = r->heaps + slot * r->heap_bytes;
+    size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
+    n->stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
     n->program = n->stack + page_up(n->sys->cfg->stack_bytes) + PAGE;
     n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE;
 }
 
-static struct node_region *region_with_room(struct node_system *sys, size_t span_bytes)
+static struct node_region *region_with_room(struct node_system *sys, size_t span_bytes, size_t heap_bytes)
 {
     struct node_region *r = sys->roomy;
-    while (r && (size_t)1 << r->shift < span_bytes)
+    while (r && ((size_t)1 << r->shift < span_bytes || r->heap_bytes < heap_bytes))
         r = r->next;
-    return r ? r : region_new(sys, span_bytes);
+    return r ? r : region_new(sys, span_bytes, heap_bytes);
 }
 
 static void unlink_region(struct node_system *sys, struct node_region *r)
@@ -142,10 +165,9 @@ static void unlink_region(struct node_system *sys, struct node_region *r)
 bool span_take(struct node *n, size_t program_bytes)
 {
     struct node_system *sys = n->sys;
-    size_t memory = page_up(node_memory_limit(n));
-    size_t bytes =
-        HEAD + page_up(sys->cfg->stack_bytes) + 2 * PAGE + (program_bytes > memory ? program_bytes : memory);
-    struct node_region *r = region_with_room(sys, bytes < NODE_REGION ? bytes : NODE_REGION);
+    size_t heap = page_up(node_memory_limit(n));
+    size_t bytes = HEAD + page_up(sys->cfg->stack_bytes) + 2 * PAGE + program_bytes;
+    struct node_region *r = region_with_room(sys, bytes, heap < NODE_REGION ? heap : NODE_REGION);
     if (!r)
         return false;
     size_t slot = r->fresh;
@@ -159,8 +181,8 @@ bool span_take(struct node *n, size_t program_bytes)
     r->node[slot] = n;
     if (++r->used == SPANS(r))
         unlink_region(sys, r);
-    lay_out(n, slot);
-    return (!used || renew(r, n->span)) && make_guard(r, n);
+    lay_out(n, slot, bytes);
+    return (!used || renew(r, n)) && make_guard(r, n);
 }
 
 void span_release(struct node *n)
@@ -177,5 +199,5 @@ void span_release(struct node *n)
     if (r->used)
         return;
     unlink_region(n->sys, r);
-    munmap(r, NODE_REGION);
+    drop(r);
 }
