@@ -115,6 +115,9 @@ struct message *proto_next_from(const struct message *m);
 void proto_grant(struct proto *p, struct message *m, vtime now);
 /* The receiver is done with it, or it is not wanted. */
 void proto_message_free(struct message *m);
+/* Is it one that has arrived, with few bytes, all in itself? Then it can be freed without a look at it. */
+bool proto_message_is_plain(const struct message *m);
+void proto_message_free_plain(struct proto *p, struct message *m);
 
 /* The earliest time at which anything may reach a node, given that nothing at all happens before `next`. */
 vtime proto_horizon(const struct proto *p, uint32_t node, vtime next);

@@ -201,3 +201,13 @@ void proto_message_free(struct message *m)
     release(m);
     pool_give(pool_of(m), m);
 }
+
+bool proto_message_is_plain(const struct message *m)
+{
+    return m->arrived && m->data == m->few && size_for(m->bytes) == PROTO_FEW;
+}
+
+void proto_message_free_plain(struct proto *p, struct message *m)
+{
+    pool_give(&p->messages[PROTO_FEW], m);
+}

@@ -306,7 +306,7 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
     n->frame = (uintptr_t)__builtin_frame_address(0);
     fiber_yield(n->fiber);
     n->wait.ready = NULL;
-    return n->wait.since != VT_NEVER;
+    return n->blocked.since != VT_NEVER;
 }
 
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
@@ -320,7 +320,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
         return;
     }
     n->pending.early = false;
-    n->wait.since = VT_NEVER;
+    n->blocked.since = VT_NEVER;
     if (yields) {
         n->rests = early && turn_may_rest(n, now) && !ready(n, arg);
         if (!n->rests)

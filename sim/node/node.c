@@ -279,7 +279,7 @@ static void set_clock(struct node *n)
     const struct cfg_machine *c = n->sys->cfg;
     bool fast = c->fast_every && n->id % c->fast_every == 0;
     clock_set(n, fast ? c->fast_clock_hz : c->clock_hz);
-    n->system_milli = fast ? cfg_fast_system_milli(c) : 1000;
+    n->system_milli = fast ? (uint32_t)cfg_fast_system_milli(c) : 1000;
 }
 
 static struct node *make(struct node_system *sys, uint32_t id)
@@ -328,7 +328,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
     n->is_host = true;
     n->place = place;
     clock_set(n, sys->cfg->host.clock_hz);
-    n->system_milli = sys->cfg->host.system_milli;
+    n->system_milli = (uint32_t)sys->cfg->host.system_milli;
     snprintf(n->name, sizeof n->name, "host");
     return load(n, img, argc, argv, envp, error);
 }

@@ -56,9 +56,9 @@ struct node_looks {
 
 /* What the operating system has the processor for. */
 enum node_task {
-    NODE_CALL,      /* calls that neither send nor receive here and now */
     NODE_SENDING,   /* the steps of the protocol at the sender; what is passed on, too */
     NODE_RECEIVING, /* and at the receiver */
+    NODE_CALL,      /* calls that neither send nor receive here and now */
     NODE_COPYING,   /* from system buffers */
     NODE_INTERRUPT, /* into and out of handlers */
     NODE_FEEDING,   /* the channel, by hand */
@@ -107,7 +107,6 @@ struct node_pending {
     vtime begun;  /* when the first began, if it is to go on; VT_NEVER: it has not begun */
     vtime late;   /* all come so much later than noted, and what has been stolen since then */
     vtime told;   /* the event queue knows of this turn; 0: of none */
-    size_t taken; /* bytes of system buffers that the program has received from */
 };
 
 /* What the program has of its memory: bytes of heap in use, and the most of all so far. */
@@ -121,13 +120,14 @@ struct node_error {
     char text[200];
 };
 
-/* A node lies at the beginning of a pair of lines of the cache. A message that comes needs these and the line where stats
- * begin, its program all those before `name`. */
+/* A node lies at the beginning of a pair of lines of the cache. A message that comes needs the first NODE_LINES, up to what
+ * stats tell of sending and receiving; its program all those before `name`. */
+enum { NODE_LINES = 3 };
 struct node {
     struct node_clock clock;
     vtime sys_free; /* the operating system is busy with messages until then */
 
-    uint64_t
+    uint32_t
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     uint32_t place;   /* on the network: its id, except for the host's */
     enum node_state state;
@@ -146,14 +146,16 @@ struct node {
     struct {
         bool (*ready)(struct node *n, void *arg);
         void *arg;
-        vtime since, busy; /* blocked; stats.system then */
     } wait;
     struct node_stats stats;
 
+    struct {
+        vtime since, busy; /* stats.system then */
+    } blocked;
     struct node_crash *crash; /* NULL: none */
     /* the call the program is in, for reports; NULL while it computes */
     const char *call;
-    vtime call_since;
+    vtime call_since, failed_malloc_at;
     struct fiber *fiber;
     struct nxc_image *image; /* of the program */
     struct {
@@ -163,7 +165,6 @@ struct node {
     struct node_looks looks;
     int saved_errno;
     bool masked, in_handler;
-    vtime failed_malloc_at;
     long call_type;  /* type, typesel or id it was given, if call_has_type */
     long awaited;    /* type or typesel of the message the call is about, if awaits */
     uintptr_t frame; /* of the call, on the stack, while it is blocked */
@@ -175,6 +176,7 @@ struct node {
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t heap_known, buffered_known;
+    size_t taken;           /* of `buffered`: what the program has received from in pending calls */
     size_t peak_ahead;      /* memory_peak as the program sees it */
     size_t image_bytes;     /* program text, data and bss, page rounded */
     long pid;               /* process type: 0, unless the program has set it */
@@ -201,6 +203,9 @@ struct node {
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
     size_t failed_malloc;   /* size of the last allocation refused, at failed_malloc_at; 0: none */
 };
+
+_Static_assert(offsetof(struct node, stats.tasks[NODE_RECEIVING + 1]) == NODE_LINES * 64,
+               "a node's first lines have not what a message needs");
 
 /* The start of a region: which nodes its spans belong to, and how they are made. */
 struct node_region {

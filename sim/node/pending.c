@@ -13,32 +13,38 @@
 /* A node's messages that wait for their turn should still be in the caches then. */
 enum { MOST = 16 };
 
-/* A line of the cache. What it takes is in the node's books at once, and comes out of them if it is taken back. */
+/* Times that are noted, and the node's clock: 20 hours. */
+enum { TIME_BITS = 56 };
+#define TIME_MASK ((UINT64_C(1) << TIME_BITS) - 1)
+
+/* Half a line of the cache, for there may be 16 of each of thousands of nodes. What it takes is in the node's books at once,
+ * and comes out of them if it is taken back. */
 struct pending_call {
-    vtime turn;     /* less node_pending.late at its beginning */
-    uint64_t units; /* the node's clock then */
+    uint64_t turn : TIME_BITS;  /* less node_pending.late at its beginning */
+    bool has_type : 1;          /* pending_calls.type */
+    bool has_memory : 1;        /* pending_calls.memory */
+    bool in_turn : 1;           /* is to be made in its turn */
+    bool posts : 1;             /* receive, when it is made */
+    bool selected : 1;          /* receive has had its message from those that waited, before its turn */
+    bool has_message : 1;       /* pending_calls.message: to be sent, and not begun */
+    bool sends : 1;             /* message has been sent before its turn */
+    uint64_t units : TIME_BITS; /* the node's clock then */
+    bool goes_on : 1; /* when it has handed over what it has to, it is there already, what it waits for */
+    bool takes : 1;   /* that */
+    bool plain : 1;   /* it is one message that needs no look any more, and is free then */
     vtime spent;
-    struct message *message; /* to be sent, NULL: none, or it has been begun */
     union {
         struct receive *receive; /* if it posts or selected */
         struct message *taken;   /* if it takes; linked by next */
     };
-    const char *name;
-    vtime going_on; /* less node_pending.late, if it goes on */
-    int32_t type;   /* in node.call_type then, if it has any */
-    bool has_type : 1;
-    bool has_memory : 1; /* pending_calls.memory */
-    bool in_turn : 1;    /* is to be made in its turn */
-    bool posts : 1;      /* receive, when it is made */
-    bool selected : 1;   /* receive has had its message from those that waited, before its turn */
-    bool sends : 1;      /* message has been sent before its turn */
-    bool goes_on : 1;    /* when it has handed over what it has to, it is there already, what it waits for */
-    bool takes : 1;      /* that */
 };
-_Static_assert(sizeof(struct pending_call) == CACHE_LINE, "a pending call takes a line of the cache");
+_Static_assert(sizeof(struct pending_call) == CACHE_LINE / 2, "two pending calls take a line of the cache");
 
 struct pending_calls {
     struct pending_call call[MOST];
+    struct message *message[MOST];
+    const char *name[MOST];
+    int32_t type[MOST];              /* in node.call_type when it goes on, if it has any */
     struct node_memory memory[MOST]; /* the program's at the call, if it has changed since the one before */
 };
 
@@ -71,7 +77,7 @@ static vtime time_of(const struct node *n, vtime turn)
 
 bool pending_room(const struct node *n)
 {
-    return n->pending.count < MOST;
+    return n->pending.count < MOST && (n->call_since | n->clock.units) >> TIME_BITS == 0;
 }
 
 static struct pending_calls *new_calls(void)
@@ -89,21 +95,33 @@ void pending_begin(struct node *n)
         p->calls = new_calls();
     if (p->count == 0)
         p->first = 0, p->late = 0, p->turn = clock_sync(n); /* the same few lines of memory again */
-    p->count++;
+    uint32_t i = index_of(n, p->count++);
     p->open = true;
-    *open_call(n) = (struct pending_call){.turn = clock_sync(n) - p->late,
-                                          .units = n->clock.units,
-                                          .name = n->call,
-                                          .has_memory = n->heap_moved};
+    p->calls->call[i] = (struct pending_call){.turn = (clock_sync(n) - p->late) & TIME_MASK,
+                                              .units = n->clock.units & TIME_MASK,
+                                              .has_memory = n->heap_moved};
+    p->calls->name[i] = n->call;
     if (n->heap_moved)
-        p->calls->memory[index_of(n, p->count - 1)] = node_memory_now(n);
+        p->calls->memory[i] = node_memory_now(n);
     n->heap_moved = false;
 }
 
 /* Nothing comes to the node before the turn of what has waited: its program knows what is in its buffers then. */
 static void know_buffers(struct node *n)
 {
-    n->buffered_known = n->buffered - n->pending.taken;
+    n->buffered_known = n->buffered - n->taken;
+}
+
+static struct message **message_of(const struct node *n, uint32_t i)
+{
+    return &n->pending.calls->message[index_of(n, i)];
+}
+
+/* When the i-th is done with what it hands over. */
+static vtime handed_over(const struct node *n, uint32_t i)
+{
+    const struct pending_call *c = nth(n, i);
+    return c->turn + c->spent + (c->has_message ? mailbox_send_time(n, *message_of(n, i)) : 0);
 }
 
 void pending_go_on(struct node *n)
@@ -116,8 +134,8 @@ void pending_go_on(struct node *n)
     p->open = true;
     struct pending_call *c = open_call(n);
     c->goes_on = true;
-    c->going_on = clock_sync(n) - p->late;
-    c->type = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    p->calls->type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    assert(handed_over(n, p->count - 1) == clock_sync(n) - p->late);
     know_buffers(n);
 }
 
@@ -166,7 +184,7 @@ void pending_may_select(struct node *n)
 void pending_send(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
-    assert(!c->message && !m->next && !c->goes_on);
+    assert(!c->has_message && !m->next && !c->goes_on);
     c->sends = !n->pending.told && node_is_alone(n, time_of(n, c->turn)); /* what is told comes before */
     c->in_turn = !c->sends;
     vtime sending = mailbox_send_time(n, m);
@@ -175,7 +193,7 @@ void pending_send(struct node *n, struct message *m)
         node_account(n, NODE_SENDING, sending);
         proto_send(n->sys->proto, m, clock_sync(n));
     }
-    c->message = m;
+    c->has_message = true, *message_of(n, n->pending.count - 1) = m;
     if (c->in_turn)
         turn_tell(n);
 }
@@ -189,11 +207,12 @@ void pending_take(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
     assert(c->goes_on && !c->posts);
+    c->plain = !c->takes && !m->buffered && proto_message_is_plain(m);
     m->next = c->takes ? c->taken : NULL;
     c->taken = m;
     c->selected = false, c->takes = true;
     account(n, NODE_COPYING, mailbox_copy_time(n, m));
-    n->pending.taken += buffered(m);
+    n->taken += buffered(m);
     know_buffers(n);
 }
 
@@ -201,9 +220,10 @@ vtime pending_turn(const struct node *n, struct message **sends)
 {
     for (uint32_t i = 0; i < n->pending.count; i++) {
         const struct pending_call *c = nth(n, i);
-        *sends = c->message;
-        if (c->in_turn)
-            return time_of(n, c->turn);
+        if (!c->in_turn)
+            continue;
+        *sends = c->has_message ? *message_of(n, i) : NULL;
+        return time_of(n, c->turn);
     }
     return VT_NEVER;
 }
@@ -211,7 +231,7 @@ vtime pending_turn(const struct node *n, struct message **sends)
 vtime pending_last(const struct node *n)
 {
     const struct pending_call *c = last(n);
-    return time_of(n, c->goes_on ? c->going_on : c->turn);
+    return time_of(n, c->goes_on ? handed_over(n, n->pending.count - 1) : c->turn);
 }
 
 /* --- making them --- */
@@ -232,11 +252,15 @@ static void put_off(struct node *n, vtime now)
 
 static void take(struct node *n, const struct pending_call *c, vtime now)
 {
+    if (c->plain) {
+        proto_message_free_plain(n->sys->proto, c->taken);
+        return;
+    }
     for (const struct message *m = c->taken; m; m = m->next)
         now += mailbox_copy_time(n, m);
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
-        n->pending.taken -= buffered(m);
+        n->taken -= buffered(m);
         mailbox_done_with(n, m, now);
     }
 }
@@ -249,8 +273,8 @@ static void begin(struct node *n, struct pending_call *c, vtime now)
         node_memory_was(n, n->pending.calls->memory[index_of(n, 0)]);
     if (c->posts)
         mailbox_post_at(n, c->receive, now + c->spent);
-    if (c->message && !c->sends)
-        mailbox_send(n, c->message, now + c->spent);
+    if (c->has_message && !c->sends)
+        mailbox_send(n, *message_of(n, 0), now + c->spent);
 }
 
 static void pop(struct node *n)
@@ -270,11 +294,12 @@ static void make(struct node *n, struct pending_call *c, vtime now)
     struct node_pending *p = &n->pending;
     n->clock.known = c->units;
     if (p->begun == VT_NEVER) {
+        vtime done = c->goes_on ? handed_over(n, 0) : 0;
         begin(n, c, now);
         if (c->goes_on) {
-            p->turn = c->going_on + p->late;
-            c->spent = 0, c->message = NULL;
-            c->posts = c->selected = c->in_turn = false;
+            p->turn = done + p->late;
+            c->turn = done & TIME_MASK, c->spent = 0;
+            c->posts = c->selected = c->in_turn = c->has_message = c->sends = false;
             return;
         }
     } else if (c->takes) {
@@ -308,14 +333,13 @@ static void put_back(struct node *n, const struct pending_call *c)
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
         unaccount(n, NODE_COPYING, mailbox_copy_time(n, m));
-        n->pending.taken -= buffered(m);
+        n->taken -= buffered(m);
         mailbox_put_back(n, m);
     }
 }
 
-static void unsend(struct node *n, const struct pending_call *c)
+static void unsend(struct node *n, const struct pending_call *c, struct message *m)
 {
-    struct message *m = c->message;
     n->stats.sent--, n->stats.sent_bytes -= m->bytes;
     if (m->followed)
         mailbox_unfollow(m->send);
@@ -327,12 +351,14 @@ static void unsend(struct node *n, const struct pending_call *c)
     proto_take_back(m);
 }
 
-static void unmake(struct node *n, struct pending_call *c)
+/* The last. */
+static void unmake(struct node *n)
 {
+    struct pending_call *c = last(n);
     if (c->takes)
         put_back(n, c);
-    if (c->message)
-        unsend(n, c);
+    if (c->has_message)
+        unsend(n, c, *message_of(n, n->pending.count - 1));
     if (c->selected && c->receive->m)
         mailbox_withdraw(n, c->receive);
     unaccount(n, NODE_CALL, c->spent);
@@ -342,7 +368,7 @@ static void unmake_all(struct node *n)
 {
     struct node_pending *p = &n->pending;
     for (; p->count; p->count--)
-        unmake(n, last(n));
+        unmake(n);
     p->selects = false;
     p->begun = VT_NEVER;
 }
@@ -355,9 +381,10 @@ void pending_take_back(struct node *n)
         return;
     const struct pending_call *c = nth(n, 0);
     n->clock.units = c->units, n->clock.origin = p->turn - clock_of_units(n, c->units);
-    n->call = c->name;
+    uint32_t i = index_of(n, 0);
+    n->call = p->calls->name[i];
     n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;
-    n->call_type = c->type, n->call_has_type = c->has_type && p->begun != VT_NEVER;
+    n->call_type = p->calls->type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
     unmake_all(n);
 }
 

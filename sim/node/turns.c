@@ -115,8 +115,8 @@ static void account_wait(struct node *n, vtime waited, vtime busy)
 void turn_block(struct node *n, vtime now)
 {
     n->state = NODE_BLOCKED;
-    n->wait.since = now;
-    n->wait.busy = n->stats.system;
+    n->blocked.since = now;
+    n->blocked.busy = n->stats.system;
 }
 
 bool turn_may_rest(const struct node *n, vtime now)
@@ -355,7 +355,7 @@ static void wake(void *ctx, void *arg, vtime now)
     if (n->state != NODE_BLOCKED)
         return;
     clock_advance_to(n, now);
-    account_wait(n, now - n->wait.since, n->stats.system - n->wait.busy);
+    account_wait(n, now - n->blocked.since, n->stats.system - n->blocked.busy);
     if (may_go_on(n, now))
         resume(n, now);
     else
@@ -383,7 +383,7 @@ void node_cut(struct node *n, struct instant at)
     vtime now = node_now(n), turn = now + n->clock.stolen;
     bool at_its_turn = n->call && now < t;
     if (n->state == NODE_BLOCKED)
-        account_wait(n, t - n->wait.since, n->stats.system - n->wait.busy);
+        account_wait(n, t - n->blocked.since, n->stats.system - n->blocked.busy);
     else if (turn > t && !at_its_turn)
         clock_cut(n, turn - t);
     n->cut_short = n->state == NODE_COMPUTING;

@@ -20,10 +20,15 @@ char *json_file_write(json_t *root, const char *path)
 
 json_t *json_tasks(const vtime tasks[NODE_TASKS])
 {
-    static const char *const NAMES[NODE_TASKS] = {"calls_s",      "sending_s", "receiving_s", "copying_s",
-                                                  "interrupts_s", "feeding_s", "emptying_s"};
+    static const struct {
+        enum node_task task;
+        const char *name;
+    } NAMES[NODE_TASKS] = {{NODE_CALL, "calls_s"},           {NODE_SENDING, "sending_s"},
+                           {NODE_RECEIVING, "receiving_s"},  {NODE_COPYING, "copying_s"},
+                           {NODE_INTERRUPT, "interrupts_s"}, {NODE_FEEDING, "feeding_s"},
+                           {NODE_EMPTYING, "emptying_s"}};
     json_t *object = json_object();
     for (int i = 0; i < NODE_TASKS; i++)
-        json_object_set_new(object, NAMES[i], json_real(vt_seconds(tasks[i])));
+        json_object_set_new(object, NAMES[i].name, json_real(vt_seconds(tasks[NAMES[i].task])));
     return object;
 }
