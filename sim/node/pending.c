@@ -26,16 +26,18 @@ struct pending_call {
     bool in_turn : 1;           /* is to be made in its turn */
     bool posts : 1;             /* receive, when it is made */
     bool selected : 1;          /* receive has had its message from those that waited, before its turn */
-    bool has_message : 1;       /* pending_calls.message: to be sent, and not begun */
+    bool has_message : 1;       /* to be sent, and not begun */
     bool sends : 1;             /* message has been sent before its turn */
     uint64_t units : TIME_BITS; /* the node's clock then */
     bool goes_on : 1; /* when it has handed over what it has to, it is there already, what it waits for */
     bool takes : 1;   /* that */
     bool plain : 1;   /* it is one message that needs no look any more, and is free then */
+    bool beside : 1;  /* message is in pending_calls.message, for it has a receive, too */
     vtime spent;
     union {
         struct receive *receive; /* if it posts or selected */
         struct message *taken;   /* if it takes; linked by next */
+        struct message *message; /* if it has any, not beside */
     };
 };
 _Static_assert(sizeof(struct pending_call) == CACHE_LINE / 2, "two pending calls take a line of the cache");
@@ -112,16 +114,17 @@ static void know_buffers(struct node *n)
     n->buffered_known = n->buffered - n->taken;
 }
 
-static struct message **message_of(const struct node *n, uint32_t i)
+static struct message *message_of(const struct node *n, uint32_t i)
 {
-    return &n->pending.calls->message[index_of(n, i)];
+    const struct pending_call *c = nth(n, i);
+    return c->beside ? n->pending.calls->message[index_of(n, i)] : c->message;
 }
 
 /* When the i-th is done with what it hands over. */
 static vtime handed_over(const struct node *n, uint32_t i)
 {
     const struct pending_call *c = nth(n, i);
-    return c->turn + c->spent + (c->has_message ? mailbox_send_time(n, *message_of(n, i)) : 0);
+    return c->turn + c->spent + (c->has_message ? mailbox_send_time(n, message_of(n, i)) : 0);
 }
 
 void pending_go_on(struct node *n)
@@ -153,11 +156,19 @@ void pending_spend(struct node *n, vtime t)
     account(n, NODE_CALL, t);
 }
 
+static void put_beside(struct node *n, struct message *m)
+{
+    n->pending.calls->message[index_of(n, n->pending.count - 1)] = m;
+    last(n)->beside = true;
+}
+
 /* A long message that waits for room is granted it in the call's turn. */
 void pending_post(struct node *n, struct receive *r)
 {
     struct pending_call *c = open_call(n);
     assert(!c->posts && !c->selected && !c->goes_on);
+    if (c->has_message)
+        put_beside(n, c->message);
     c->receive = r;
     c->posts = true;
     if (n->pending.selects)
@@ -193,7 +204,11 @@ void pending_send(struct node *n, struct message *m)
         node_account(n, NODE_SENDING, sending);
         proto_send(n->sys->proto, m, clock_sync(n));
     }
-    c->has_message = true, *message_of(n, n->pending.count - 1) = m;
+    c->has_message = true;
+    if (c->posts || c->selected)
+        put_beside(n, m);
+    else
+        c->message = m;
     if (c->in_turn)
         turn_tell(n);
 }
@@ -206,7 +221,7 @@ static size_t buffered(const struct message *m)
 void pending_take(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
-    assert(c->goes_on && !c->posts);
+    assert(c->goes_on && !c->posts && (!c->has_message || c->beside));
     c->plain = !c->takes && !m->buffered && proto_message_is_plain(m);
     m->next = c->takes ? c->taken : NULL;
     c->taken = m;
@@ -222,7 +237,7 @@ vtime pending_turn(const struct node *n, struct message **sends)
         const struct pending_call *c = nth(n, i);
         if (!c->in_turn)
             continue;
-        *sends = c->has_message ? *message_of(n, i) : NULL;
+        *sends = c->has_message ? message_of(n, i) : NULL;
         return time_of(n, c->turn);
     }
     return VT_NEVER;
@@ -274,7 +289,7 @@ static void begin(struct node *n, struct pending_call *c, vtime now)
     if (c->posts)
         mailbox_post_at(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends)
-        mailbox_send(n, *message_of(n, 0), now + c->spent);
+        mailbox_send(n, message_of(n, 0), now + c->spent);
 }
 
 static void pop(struct node *n)
@@ -358,7 +373,7 @@ static void unmake(struct node *n)
     if (c->takes)
         put_back(n, c);
     if (c->has_message)
-        unsend(n, c, *message_of(n, n->pending.count - 1));
+        unsend(n, c, message_of(n, n->pending.count - 1));
     if (c->selected && c->receive->m)
         mailbox_withdraw(n, c->receive);
     unaccount(n, NODE_CALL, c->spent);
