@@ -7,6 +7,7 @@
  * list of blocks, made when they are wanted. What is in them stays where it is.
  */
 #include "nx_api/calls/mailbox_ids.h"
+#include "nx_api/calls/backend.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,9 @@
 /* mailbox_ids.h - the table of message ids in a mailbox. What others may do with ids is in mailbox.h. */
 #ifndef CALLS_MAILBOX_IDS_H
 #define CALLS_MAILBOX_IDS_H
-#include "nx_api/calls/backend.h"
+#include <stdint.h>
+
+struct node;
 
 struct mailbox_ids {
     struct id_block *first; /* NULL: none has been wanted yet */

@@ -221,7 +221,7 @@ static inline __attribute__((always_inline)) void load_ahead(const struct evq *q
     const struct event *e = coming(q, AHEAD);
     if (!e)
         return;
-    cache_load(e->what.ctx);
+    cache_load_block(e->what.ctx);
     cache_load(e->what.arg);
 }
 

@@ -18,26 +18,11 @@ struct due {
     struct due *next;
 };
 
-/* A line of the cache. */
-struct mailbox {
-    struct receive *posted, **posted_end;
-    struct message *unexpected, **unexpected_end;
-    struct due *last_due; /* of a ring: its next is the first. NULL: none */
-    uint32_t handlers;    /* posted or due */
-    uint32_t waiting;     /* unexpected long messages that found no room */
-    struct mailbox_ids ids;
-};
-_Static_assert(sizeof(struct mailbox) == 64, "a mailbox does not fit into a line");
-
-struct mailbox *mailbox_new(uint32_t ids)
+void mailbox_begin(struct mailbox *b, uint32_t ids)
 {
-    struct mailbox *b = aligned_alloc(sizeof *b, sizeof *b);
-    if (!b)
-        abort();
     *b = (struct mailbox){.ids.count = ids};
     b->posted_end = &b->posted;
     b->unexpected_end = &b->unexpected;
-    return b;
 }
 
 static const struct due *first_due(const struct mailbox *b)
@@ -76,10 +61,8 @@ static void free_posted(struct mailbox *b)
     }
 }
 
-void mailbox_free(struct mailbox *b)
+void mailbox_end(struct mailbox *b)
 {
-    if (!b)
-        return;
     for (struct message *m = b->unexpected, *next; m; m = next) {
         next = m->next;
         proto_message_free(m);
@@ -87,7 +70,6 @@ void mailbox_free(struct mailbox *b)
     free_due(b);
     free_posted(b);
     ids_free(&b->ids); /* receives posted are in there */
-    free(b);
 }
 
 static bool selects(const struct node *n, const struct selector *s, const struct message *m)
@@ -99,7 +81,7 @@ static bool selects(const struct node *n, const struct selector *s, const struct
 
 struct mailbox_ids *mailbox_ids(const struct node *n)
 {
-    return &n->mailbox->ids;
+    return (struct mailbox_ids *)&n->mailbox.ids;
 }
 
 /* --- queues --- */
@@ -137,7 +119,7 @@ static void unkeep(struct mailbox *b, struct message **link)
 static void add_due(struct node *n, vtime at, struct receive *r, struct send *s)
 {
     node_catch_up_now(n);
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     struct due *d = calloc(1, sizeof *d);
     if (!d)
         abort();
@@ -165,12 +147,12 @@ static bool room_for(struct node *n, const struct message *m)
 /* Buffers have been given back: grant what waits for them, in the order asked. */
 static void grant_waiting(struct node *n, vtime now)
 {
-    for (struct message *m = n->mailbox->unexpected; m && n->mailbox->waiting; m = m->next) {
+    for (struct message *m = n->mailbox.unexpected; m && n->mailbox.waiting; m = m->next) {
         if (!m->is_long || m->granted)
             continue;
         if (!room_for(n, m))
             return;
-        n->mailbox->waiting--;
+        n->mailbox.waiting--;
         buffer(n, m);
         proto_grant(m->proto, m, now);
     }
@@ -197,7 +179,7 @@ static void give(struct receive *r, struct message *m)
 bool mailbox_envelope(void *ctx, struct message *m, vtime now)
 {
     struct node *n = node_at(ctx, m->to);
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     (void)now;
     if (m->unwanted)
         return true;
@@ -308,7 +290,7 @@ vtime mailbox_send(struct node *n, struct message *first, vtime now)
 
 const struct message *mailbox_first(const struct node *n, const struct receive *r)
 {
-    const struct message *m = n->mailbox->unexpected;
+    const struct message *m = n->mailbox.unexpected;
     while (m && !selects(n, &r->select, m))
         m = m->next;
     return m;
@@ -316,7 +298,7 @@ const struct message *mailbox_first(const struct node *n, const struct receive *
 
 void mailbox_post_at(struct node *n, struct receive *r, vtime now)
 {
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     for (struct message **link = &b->unexpected; *link; link = &(*link)->next) {
         struct message *m = *link;
         if (!selects(n, &r->select, m))
@@ -345,7 +327,7 @@ void mailbox_post(struct node *n, struct receive *r)
 
 void mailbox_put_back(struct node *n, struct message *m)
 {
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     m->receive = NULL;
     m->next = b->unexpected;
     if (!b->unexpected)
@@ -355,7 +337,7 @@ void mailbox_put_back(struct node *n, struct message *m)
 
 void mailbox_withdraw(struct node *n, struct receive *r)
 {
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     for (struct receive **link = &b->posted; *link; link = &(*link)->next)
         if (*link == r) {
             unpost(b, link);
@@ -430,7 +412,7 @@ long mailbox_take(struct node *n, struct receive *r)
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
     vtime now = node_now(n);
-    for (const struct message *m = n->mailbox->unexpected; m; m = m->next)
+    for (const struct message *m = n->mailbox.unexpected; m; m = m->next)
         if (selects(n, select, m) && m->arrived && m->complete <= now)
             return m;
     return NULL;
@@ -441,7 +423,7 @@ static void throw_away(struct node *n, struct message *m, vtime now)
 {
     m->unwanted = true;
     if (m->is_long && !m->granted) {
-        n->mailbox->waiting--;
+        n->mailbox.waiting--;
         proto_grant(m->proto, m, now);
     }
     unbuffer(n, m, now);
@@ -452,14 +434,14 @@ static void throw_away(struct node *n, struct message *m, vtime now)
 void mailbox_flush(struct node *n, int64_t typesel, vtime now)
 {
     struct message *unwanted = NULL, **end = &unwanted;
-    struct message **link = &n->mailbox->unexpected;
+    struct message **link = &n->mailbox.unexpected;
     while (*link) {
         struct message *m = *link;
         if (!mailbox_selects(typesel, m->type)) {
             link = &m->next;
             continue;
         }
-        unkeep(n->mailbox, link);
+        unkeep(&n->mailbox, link);
         m->next = NULL;
         *end = m, end = &m->next;
     }
@@ -495,7 +477,7 @@ static void drop_receive(struct message *m)
 
 void mailbox_abandon(struct node *n)
 {
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     for (struct message *m = proto_from(n->sys->proto, n->place); m; m = proto_next_from(m))
         drop_send(m);
     for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
@@ -508,10 +490,10 @@ void mailbox_abandon(struct node *n)
 
 void mailbox_empty(struct node *n, vtime now)
 {
-    struct message **link = &n->mailbox->unexpected;
+    struct message **link = &n->mailbox.unexpected;
     while (*link) {
         struct message *m = *link;
-        unkeep(n->mailbox, link);
+        unkeep(&n->mailbox, link);
         throw_away(n, m, now);
     }
     for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
@@ -520,12 +502,12 @@ void mailbox_empty(struct node *n, vtime now)
 
 void mailbox_inherit(struct node *n, struct node *before)
 {
-    struct mailbox *old = before->mailbox;
+    struct mailbox *old = &before->mailbox;
     for (struct message *m = old->unexpected, *next; m; m = next) {
         next = m->next;
-        keep(n->mailbox, m);
+        keep(&n->mailbox, m);
     }
-    n->mailbox->waiting = old->waiting;
+    n->mailbox.waiting = old->waiting;
     n->buffered = before->buffered;
     old->unexpected = NULL, old->unexpected_end = &old->unexpected;
     node_memory_changed(n);
@@ -539,7 +521,7 @@ void mailbox_post_handler(struct node *n, const struct receive *what)
     if (!r)
         abort();
     *r = *what;
-    n->mailbox->handlers++;
+    n->mailbox.handlers++;
     n->armed = true;
     mailbox_post(n, r);
 }
@@ -550,41 +532,41 @@ struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long
     if (!s)
         abort();
     s->handler = handler, s->param = param;
-    n->mailbox->handlers++;
+    n->mailbox.handlers++;
     n->armed = true;
     return s;
 }
 
 bool mailbox_may_grant(const struct node *n)
 {
-    return n->mailbox->waiting > 0;
+    return n->mailbox.waiting > 0;
 }
 
 bool mailbox_ignores(const struct node *n)
 {
-    return n->mailbox->ids.ignored > 0;
+    return n->mailbox.ids.ignored > 0;
 }
 
 bool mailbox_armed(const struct node *n)
 {
-    return n->mailbox->handlers > 0 && !n->masked && !n->in_handler;
+    return n->mailbox.handlers > 0 && !n->masked && !n->in_handler;
 }
 
 vtime mailbox_next_due(const struct node *n)
 {
-    const struct due *first = first_due(n->mailbox);
+    const struct due *first = first_due(&n->mailbox);
     return first ? first->at : VT_NEVER;
 }
 
 bool mailbox_handler_due(const struct node *n, vtime now)
 {
-    const struct due *first = first_due(n->mailbox);
+    const struct due *first = first_due(&n->mailbox);
     return first && first->at <= now && !n->masked && !n->in_handler;
 }
 
 void mailbox_run_handler(struct node *n)
 {
-    struct mailbox *b = n->mailbox;
+    struct mailbox *b = &n->mailbox;
     struct due d = take_due(b);
     struct node_info before = n->info;
     vtime since = node_now(n);

@@ -13,8 +13,8 @@
 #include "node/node.h"
 #include "nx_api/calls/mailbox.h"
 
-struct mailbox *mailbox_new(uint32_t ids);
-void mailbox_free(struct mailbox *b);
+void mailbox_begin(struct mailbox *b, uint32_t ids);
+void mailbox_end(struct mailbox *b);
 
 /* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
 void mailbox_flush(struct node *n, int64_t typesel, vtime now);

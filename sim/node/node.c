@@ -284,14 +284,14 @@ static void set_clock(struct node *n)
 
 static struct node *make(struct node_system *sys, uint32_t id)
 {
-    struct node *n = aligned_alloc(CACHE_PAIR, (sizeof *n + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR);
+    struct node *n = aligned_alloc(CACHE_BLOCK, (sizeof *n + CACHE_BLOCK - 1) / CACHE_BLOCK * CACHE_BLOCK);
     if (!n)
         abort();
     *n = (struct node){0};
     n->sys = sys, n->id = n->place = id;
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
-    n->mailbox = mailbox_new((uint32_t)sys->cfg->message_ids);
+    mailbox_begin(&n->mailbox, (uint32_t)sys->cfg->message_ids);
     n->info = (struct node_info){-1, -1, -1, -1};
     n->pending.begun = VT_NEVER;
     return n;
@@ -336,10 +336,13 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
 /* All but what messages and events may still refer to. */
 static void strip(struct node *n)
 {
-    pending_free(n);
-    if (n->mailbox && n->sys->proto)
+    if (n->stripped)
+        return;
+    n->stripped = true;
+    pending_unmake(n);
+    if (n->sys->proto)
         mailbox_abandon(n); /* what its messages under way would tell */
-    mailbox_free(n->mailbox);
+    mailbox_end(&n->mailbox);
     waits_free(&n->stats.waits);
     free(n->crash);
     if (n->libc)
@@ -349,8 +352,7 @@ static void strip(struct node *n)
     if (n->heap)
         node_heap_free(n->heap);
     span_release(n);
-    n->crash = NULL, n->mailbox = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL,
-    n->fiber = NULL, n->heap = NULL;
+    n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL, n->heap = NULL;
     n->image = NULL;
 }
 

@@ -17,17 +17,18 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include "kernel/cache.h"
 #include "kernel/vtime.h"
 #include "kernel/workers.h"
 #include "node/waits.h"
 #include "nx_api/calls/mailbox.h"
+#include "nx_api/calls/mailbox_ids.h"
 
 #define NODE_REGION ((uintptr_t)1 << 30)
 
 struct node;
 struct node_image;  /* a program file, read once: image.h */
 struct node_heap;   /* heap.h */
-struct mailbox;     /* mailbox.h */
 struct fiber;       /* kernel/fiber.h */
 struct node_system; /* what all nodes share: machine file, event queue, network, output: system.h */
 struct nxc_image;   /* nx_api/nxcc/image.h */
@@ -95,9 +96,50 @@ struct node_ahead {
     uint64_t computed; /* units between its last two calls, for a guess at the next */
 };
 
-/* Calls whose turn is still to come, although the program has gone on: pending.h. */
+/* Messages and what they are for: mailbox.h. A line of the cache. */
+struct mailbox {
+    struct receive *posted, **posted_end;
+    struct message *unexpected, **unexpected_end;
+    struct due *last_due; /* of a ring: its next is the first. NULL: none */
+    uint32_t handlers;    /* posted or due */
+    uint32_t waiting;     /* unexpected long messages that found no room */
+    struct mailbox_ids ids;
+};
+_Static_assert(sizeof(struct mailbox) == CACHE_LINE, "a mailbox does not fit into a line");
+
+/* Times that are noted of pending calls, and the node's clock: 20 hours. */
+enum { PENDING_TIME_BITS = 56 };
+
+/* A node's messages that wait for their turn should still be in the caches then. */
+enum { PENDING_MOST = 16 };
+
+/* A call whose turn is still to come, although the program has gone on: pending.h. Half a line of the cache. What it takes is
+ * in the node's books at once, and comes out of them if it is taken back. */
+struct pending_call {
+    uint64_t turn : PENDING_TIME_BITS; /* less node_pending.late at its beginning */
+    bool has_type : 1;                 /* node.beside.type */
+    bool has_memory : 1;               /* node.beside.memory */
+    bool in_turn : 1;                  /* is to be made in its turn */
+    bool posts : 1;                    /* receive, when it is made */
+    bool selected : 1;    /* receive has had its message from those that waited, before its turn */
+    bool has_message : 1; /* to be sent, and not begun */
+    bool sends : 1;       /* message has been sent before its turn */
+    uint64_t units : PENDING_TIME_BITS; /* the node's clock then */
+    bool goes_on : 1; /* when it has handed over what it has to, it is there already, what it waits for */
+    bool takes : 1;   /* that */
+    bool plain : 1;   /* it is one message that needs no look any more, and is free then */
+    bool beside : 1;  /* message is in node.beside, for it has a receive, too */
+    vtime spent;
+    union {
+        struct receive *receive; /* if it posts or selected */
+        struct message *taken;   /* if it takes; linked by next */
+        struct message *message; /* if it has any, not beside */
+    };
+};
+_Static_assert(sizeof(struct pending_call) == CACHE_LINE / 2, "two pending calls take a line of the cache");
+
+/* All of them: node.calls. */
 struct node_pending {
-    struct pending_calls *calls; /* a ring */
     uint16_t first, count;
     bool selects; /* one of them is a receive that may select a message in its turn */
     bool open;    /* the program is in the last of them */
@@ -114,16 +156,25 @@ struct node_memory {
     size_t heap, peak;
 };
 
+/* What of pending calls is hardly ever asked for. */
+struct pending_beside {
+    const char *name[PENDING_MOST];
+    struct message *message[PENDING_MOST];
+    struct node_memory
+        memory[PENDING_MOST];   /* the program's at the call, if it has changed since the one before */
+    int32_t type[PENDING_MOST]; /* in node.call_type when it goes on, if it has any */
+};
+
 /* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */
 struct node_error {
     int code; /* nxerrno.h, or the C library's */
     char text[200];
 };
 
-/* A node lies at the beginning of a pair of lines of the cache. A message that comes needs the first NODE_LINES, up to what
- * stats tell of sending and receiving; its program all those before `name`. */
-enum { NODE_LINES = 3 };
+/* What a message that comes needs lies in the node's first block of the cache (cache.h), up to what stats tell of sending and
+ * receiving; behind it, what its program needs, up to `name`. */
 struct node {
+    struct mailbox mailbox;
     struct node_clock clock;
     vtime sys_free; /* the operating system is busy with messages until then */
 
@@ -139,7 +190,6 @@ struct node {
     bool call_has_type, awaits; /* see call */
     bool heap_moved;            /* heap_used has changed since the program was last in a call */
     struct node_system *sys;
-    struct mailbox *mailbox;
     struct node_pending pending;
 
     /* what the program has switched away for, ready NULL: nothing but its turn (cpu.c) */
@@ -148,6 +198,7 @@ struct node {
         void *arg;
     } wait;
     struct node_stats stats;
+    struct pending_call calls[PENDING_MOST]; /* a ring */
 
     struct {
         vtime since, busy; /* stats.system then */
@@ -182,6 +233,7 @@ struct node {
     long pid;               /* process type: 0, unless the program has set it */
     struct receive receive; /* of the blocking call that the program is in, outside of handlers */
     struct node_ahead ahead;
+    struct pending_beside beside; /* of calls */
 
     char name[16]; /* for people: "node 3", "host" */
     uint32_t id;
@@ -193,6 +245,7 @@ struct node {
     int argc;
     char **argv, **envp;
 
+    bool stripped; /* another has taken its place: nobody but late events knows of it */
     enum node_end end;
     int exit_code;
     bool cut_short;   /* while it computed; its image knows nothing of that */
@@ -204,8 +257,8 @@ struct node {
     size_t failed_malloc;   /* size of the last allocation refused, at failed_malloc_at; 0: none */
 };
 
-_Static_assert(offsetof(struct node, stats.tasks[NODE_RECEIVING + 1]) == NODE_LINES * 64,
-               "a node's first lines have not what a message needs");
+_Static_assert(offsetof(struct node, stats.tasks[NODE_RECEIVING + 1]) <= CACHE_BLOCK,
+               "what a message needs does not fit into a node's first block");
 
 /* The start of a region: which nodes its spans belong to, and how they are made. */
 struct node_region {

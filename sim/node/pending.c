@@ -10,54 +10,16 @@
 #include "node/system.h"
 #include "node/turns.h"
 
-/* A node's messages that wait for their turn should still be in the caches then. */
-enum { MOST = 16 };
-
-/* Times that are noted, and the node's clock: 20 hours. */
-enum { TIME_BITS = 56 };
-#define TIME_MASK ((UINT64_C(1) << TIME_BITS) - 1)
-
-/* Half a line of the cache, for there may be 16 of each of thousands of nodes. What it takes is in the node's books at once,
- * and comes out of them if it is taken back. */
-struct pending_call {
-    uint64_t turn : TIME_BITS;  /* less node_pending.late at its beginning */
-    bool has_type : 1;          /* pending_calls.type */
-    bool has_memory : 1;        /* pending_calls.memory */
-    bool in_turn : 1;           /* is to be made in its turn */
-    bool posts : 1;             /* receive, when it is made */
-    bool selected : 1;          /* receive has had its message from those that waited, before its turn */
-    bool has_message : 1;       /* to be sent, and not begun */
-    bool sends : 1;             /* message has been sent before its turn */
-    uint64_t units : TIME_BITS; /* the node's clock then */
-    bool goes_on : 1; /* when it has handed over what it has to, it is there already, what it waits for */
-    bool takes : 1;   /* that */
-    bool plain : 1;   /* it is one message that needs no look any more, and is free then */
-    bool beside : 1;  /* message is in pending_calls.message, for it has a receive, too */
-    vtime spent;
-    union {
-        struct receive *receive; /* if it posts or selected */
-        struct message *taken;   /* if it takes; linked by next */
-        struct message *message; /* if it has any, not beside */
-    };
-};
-_Static_assert(sizeof(struct pending_call) == CACHE_LINE / 2, "two pending calls take a line of the cache");
-
-struct pending_calls {
-    struct pending_call call[MOST];
-    struct message *message[MOST];
-    const char *name[MOST];
-    int32_t type[MOST];              /* in node.call_type when it goes on, if it has any */
-    struct node_memory memory[MOST]; /* the program's at the call, if it has changed since the one before */
-};
+#define TIME_MASK ((UINT64_C(1) << PENDING_TIME_BITS) - 1)
 
 static uint32_t index_of(const struct node *n, uint32_t i)
 {
-    return (n->pending.first + i) % MOST;
+    return (n->pending.first + i) % PENDING_MOST;
 }
 
 static struct pending_call *nth(const struct node *n, uint32_t i)
 {
-    return &n->pending.calls->call[index_of(n, i)];
+    return (struct pending_call *)&n->calls[index_of(n, i)];
 }
 
 static struct pending_call *last(const struct node *n)
@@ -79,32 +41,22 @@ static vtime time_of(const struct node *n, vtime turn)
 
 bool pending_room(const struct node *n)
 {
-    return n->pending.count < MOST && (n->call_since | n->clock.units) >> TIME_BITS == 0;
-}
-
-static struct pending_calls *new_calls(void)
-{
-    struct pending_calls *calls = aligned_alloc(CACHE_LINE, sizeof *calls);
-    if (!calls)
-        abort();
-    return calls;
+    return n->pending.count < PENDING_MOST && (n->call_since | n->clock.units) >> PENDING_TIME_BITS == 0;
 }
 
 void pending_begin(struct node *n)
 {
     struct node_pending *p = &n->pending;
-    if (!p->calls)
-        p->calls = new_calls();
     if (p->count == 0)
         p->first = 0, p->late = 0, p->turn = clock_sync(n); /* the same few lines of memory again */
     uint32_t i = index_of(n, p->count++);
     p->open = true;
-    p->calls->call[i] = (struct pending_call){.turn = (clock_sync(n) - p->late) & TIME_MASK,
-                                              .units = n->clock.units & TIME_MASK,
-                                              .has_memory = n->heap_moved};
-    p->calls->name[i] = n->call;
+    n->calls[i] = (struct pending_call){.turn = (clock_sync(n) - p->late) & TIME_MASK,
+                                        .units = n->clock.units & TIME_MASK,
+                                        .has_memory = n->heap_moved};
+    n->beside.name[i] = n->call;
     if (n->heap_moved)
-        p->calls->memory[i] = node_memory_now(n);
+        n->beside.memory[i] = node_memory_now(n);
     n->heap_moved = false;
 }
 
@@ -117,7 +69,7 @@ static void know_buffers(struct node *n)
 static struct message *message_of(const struct node *n, uint32_t i)
 {
     const struct pending_call *c = nth(n, i);
-    return c->beside ? n->pending.calls->message[index_of(n, i)] : c->message;
+    return c->beside ? n->beside.message[index_of(n, i)] : c->message;
 }
 
 /* When the i-th is done with what it hands over. */
@@ -137,7 +89,7 @@ void pending_go_on(struct node *n)
     p->open = true;
     struct pending_call *c = open_call(n);
     c->goes_on = true;
-    p->calls->type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    n->beside.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
     assert(handed_over(n, p->count - 1) == clock_sync(n) - p->late);
     know_buffers(n);
 }
@@ -158,7 +110,7 @@ void pending_spend(struct node *n, vtime t)
 
 static void put_beside(struct node *n, struct message *m)
 {
-    n->pending.calls->message[index_of(n, n->pending.count - 1)] = m;
+    n->beside.message[index_of(n, n->pending.count - 1)] = m;
     last(n)->beside = true;
 }
 
@@ -285,7 +237,7 @@ static void begin(struct node *n, struct pending_call *c, vtime now)
 {
     n->pending.begun = now;
     if (c->has_memory)
-        node_memory_was(n, n->pending.calls->memory[index_of(n, 0)]);
+        node_memory_was(n, n->beside.memory[index_of(n, 0)]);
     if (c->posts)
         mailbox_post_at(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends)
@@ -379,7 +331,7 @@ static void unmake(struct node *n)
     unaccount(n, NODE_CALL, c->spent);
 }
 
-static void unmake_all(struct node *n)
+void pending_unmake(struct node *n)
 {
     struct node_pending *p = &n->pending;
     for (; p->count; p->count--)
@@ -397,15 +349,8 @@ void pending_take_back(struct node *n)
     const struct pending_call *c = nth(n, 0);
     n->clock.units = c->units, n->clock.origin = p->turn - clock_of_units(n, c->units);
     uint32_t i = index_of(n, 0);
-    n->call = p->calls->name[i];
+    n->call = n->beside.name[i];
     n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;
-    n->call_type = p->calls->type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
-    unmake_all(n);
-}
-
-void pending_free(struct node *n)
-{
-    unmake_all(n);
-    free(n->pending.calls);
-    n->pending.calls = NULL;
+    n->call_type = n->beside.type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
+    pending_unmake(n);
 }

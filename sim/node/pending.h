@@ -56,5 +56,6 @@ void pending_may_select(struct node *n);
 void pending_make_until(struct node *n, struct instant at);
 /* The others have not happened, nor has what came after. */
 void pending_take_back(struct node *n);
-void pending_free(struct node *n);
+/* Only that: the node has no program any more. */
+void pending_unmake(struct node *n);
 #endif

@@ -52,14 +52,16 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     /* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
      * counter lie its other small variables, and where it has its calls' addresses. */
     enum { LINE = CACHE_LINE, STACK = 12 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
-    enum { FAR = 5, NEAR = 2 };
+    enum { FAR = 5, NEAR = 2, SOON = 8 };
     const struct node *n = coming(s, FAR);
-    for (size_t i = 0; n && i < offsetof(struct node, name); i += LINE)
+    for (size_t i = CACHE_BLOCK; n && i < offsetof(struct node, calls[SOON]); i += LINE)
+        __builtin_prefetch((const char *)n + i, 1);
+    for (size_t i = offsetof(struct node, crash); n && i < offsetof(struct node, beside.name[SOON]);
+         i += LINE)
         __builtin_prefetch((const char *)n + i, 1);
     n = coming(s, NEAR);
     if (!n || n->state == NODE_ENDED || n->loose || !n->warm.stack)
         return;
-    __builtin_prefetch(n->mailbox, 1);
     __builtin_prefetch(n->fiber, 1);
     __builtin_prefetch(n->image);
     for (ptrdiff_t i = -BESIDE; i <= BESIDE; i += LINE)
