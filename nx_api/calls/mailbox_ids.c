@@ -4,34 +4,18 @@
  *     id 3 -> id 7 -> id 2        3 is valid; 7 and 2 are parts
  *
  * The first free id is taken, and programs mostly have few: the table is a
- * list of blocks, made when they are wanted. What is in them stays where it is.
+ * list of blocks, all but the first made when they are wanted. What is in them stays where it is.
  */
 #include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/calls/backend.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE = 64, BLOCK = 8 };
-
-/* In two lines of the cache; what is looked at when a message comes lies in the first. */
-struct id {
-    _Alignas(2 * LINE) struct receive receive;
-    struct send *send; /* malloc'd */
-    long next;         /* part, -1: none */
-    uint8_t use; /* ID_RECEIVES, ID_SENDS; 0: free, and then it has no send, no message and neither flag */
-    bool part, ignored;
-};
-
-struct id_block {
-    struct id ids[BLOCK];
-    struct id_block *next;
-};
-
 /* NULL: there is no block for it. */
 static struct id *at(const struct mailbox_ids *ids, long id)
 {
     struct id_block *b = ids->first;
-    for (; b && id >= BLOCK; id -= BLOCK)
+    for (; b && id >= IDS_BLOCK; id -= IDS_BLOCK)
         b = b->next;
     return b ? &b->ids[id] : NULL;
 }
@@ -49,21 +33,33 @@ static struct id_block *new_block(void)
     return memset(b, 0, sizeof *b);
 }
 
-void ids_free(struct mailbox_ids *ids)
+void ids_begin(struct mailbox_ids *ids, struct id_block *first)
 {
-    for (struct id_block *b = ids->first, *next; b; b = next) {
+    memset(first, 0, sizeof *first);
+    *ids = (struct mailbox_ids){first, 0, 0};
+}
+
+static void drop(struct id_block *b)
+{
+    for (unsigned i = 0; i < IDS_BLOCK; i++) {
+        mailbox_drop(&b->ids[i].receive);
+        free(b->ids[i].send);
+    }
+}
+
+void ids_end(struct mailbox_ids *ids)
+{
+    drop(ids->first);
+    for (struct id_block *b = ids->first->next, *next; b; b = next) {
         next = b->next;
-        for (unsigned i = 0; i < BLOCK; i++) {
-            mailbox_drop(&b->ids[i].receive);
-            free(b->ids[i].send);
-        }
+        drop(b);
         free(b);
     }
 }
 
 static struct id *first_free(struct id_block *b)
 {
-    for (unsigned i = 0; i < BLOCK; i++)
+    for (unsigned i = 0; i < IDS_BLOCK; i++)
         if (!b->ids[i].use)
             return &b->ids[i];
     return NULL;
@@ -73,15 +69,17 @@ long mailbox_id_new(struct node *n, unsigned use)
 {
     struct mailbox_ids *ids = mailbox_ids(n);
     struct id_block **b = &ids->first;
-    for (long first = 0; first < ids->count; first += BLOCK, b = &(*b)->next) {
+    const long count = nx_message_ids(n);
+    for (long first = 0; first < count; first += IDS_BLOCK, b = &(*b)->next) {
         if (!*b)
             *b = new_block();
         struct id *id = first_free(*b);
         if (!id)
             continue;
-        if (first + (id - (*b)->ids) >= ids->count)
+        if (first + (id - (*b)->ids) >= count)
             break;
         id->use = (uint8_t)use, id->next = -1;
+        ids->used++;
         if (use & ID_SENDS && !(id->send = calloc(1, sizeof *id->send)))
             abort();
         return first + (id - (*b)->ids);
@@ -132,6 +130,7 @@ void mailbox_id_release(struct node *n, long id)
         free(i->send);
         i->send = NULL, i->receive.m = NULL;
         i->use = 0, i->part = i->ignored = false;
+        mailbox_ids(n)->used--;
     }
 }
 
@@ -167,7 +166,7 @@ void mailbox_settle(struct node *n)
     struct node_info before = n->info;
     long id = 0;
     for (const struct id_block *b = ids->first; ids->ignored && b; b = b->next)
-        for (unsigned i = 0; i < BLOCK; i++, id++)
+        for (unsigned i = 0; i < IDS_BLOCK; i++, id++)
             if (b->ids[i].ignored && mailbox_id_is_complete(n, id)) {
                 ids->ignored--;
                 settle(n, id);

@@ -19,6 +19,7 @@ struct mailbox {
     struct due *due, **due_end;
     uint32_t handlers; /* posted or due */
     struct mailbox_ids ids;
+    struct id_block first_ids;
 };
 
 static void *must(void *p)
@@ -28,10 +29,11 @@ static void *must(void *p)
     return p;
 }
 
-struct mailbox *mailbox_new(uint32_t ids)
+struct mailbox *mailbox_new(void)
 {
-    struct mailbox *b = must(calloc(1, sizeof *b));
-    b->ids.count = ids;
+    struct mailbox *b = must(aligned_alloc(_Alignof(struct mailbox), sizeof *b));
+    *b = (struct mailbox){0};
+    ids_begin(&b->ids, &b->first_ids);
     b->posted_end = &b->posted;
     b->unexpected_end = &b->unexpected;
     b->due_end = &b->due;

@@ -17,7 +17,7 @@ struct message {
     void *block;      /* malloc'd: freed with the message */
 };
 
-struct mailbox *mailbox_new(uint32_t ids);
+struct mailbox *mailbox_new(void);
 /* Gives the message to the node; it is the mailbox's from then on. */
 void mailbox_deliver(struct node *n, struct message *m);
 void mailbox_flush(struct node *n, int64_t typesel);

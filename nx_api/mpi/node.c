@@ -304,7 +304,7 @@ static void begin(struct node *n, int *argc, char ***argv)
     wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);
     n->ends = calloc(n->sys->count, sizeof *n->ends);
-    n->mailbox = mailbox_new(MESSAGE_IDS);
+    n->mailbox = mailbox_new();
     nxc_saved = state_to_save();
     signals_begin();
     if (!n->ends || !tick_start())

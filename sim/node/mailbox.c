@@ -18,9 +18,10 @@ struct due {
     struct due *next;
 };
 
-void mailbox_begin(struct mailbox *b, uint32_t ids)
+void mailbox_begin(struct mailbox *b, struct id_block *ids)
 {
-    *b = (struct mailbox){.ids.count = ids};
+    *b = (struct mailbox){0};
+    ids_begin(&b->ids, ids);
     b->posted_end = &b->posted;
     b->unexpected_end = &b->unexpected;
 }
@@ -69,7 +70,7 @@ void mailbox_end(struct mailbox *b)
     }
     free_due(b);
     free_posted(b);
-    ids_free(&b->ids); /* receives posted are in there */
+    ids_end(&b->ids); /* receives posted are in there */
 }
 
 static bool selects(const struct node *n, const struct selector *s, const struct message *m)

@@ -13,7 +13,8 @@
 #include "node/node.h"
 #include "nx_api/calls/mailbox.h"
 
-void mailbox_begin(struct mailbox *b, uint32_t ids);
+/* With room for its first ids, for as long as there is the mailbox. */
+void mailbox_begin(struct mailbox *b, struct id_block *ids);
 void mailbox_end(struct mailbox *b);
 
 /* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */

@@ -291,7 +291,7 @@ static struct node *make(struct node_system *sys, uint32_t id)
     n->sys = sys, n->id = n->place = id;
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
-    mailbox_begin(&n->mailbox, (uint32_t)sys->cfg->message_ids);
+    mailbox_begin(&n->mailbox, &n->ids);
     n->info = (struct node_info){-1, -1, -1, -1};
     n->pending.begun = VT_NEVER;
     return n;

@@ -199,6 +199,7 @@ struct node {
     } wait;
     struct node_stats stats;
     struct pending_call calls[PENDING_MOST]; /* a ring */
+    struct id_block ids;                     /* the first of the mailbox's */
 
     struct {
         vtime since, busy; /* stats.system then */

@@ -64,6 +64,8 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
         return;
     __builtin_prefetch(n->fiber, 1);
     __builtin_prefetch(n->image);
+    for (uint32_t i = 0; i < n->mailbox.ids.used && i < IDS_BLOCK; i++)
+        cache_load(&n->ids.ids[i]);
     for (ptrdiff_t i = -BESIDE; i <= BESIDE; i += LINE)
         __builtin_prefetch((const char *)n->warm.left + i, 1);
     for (ptrdiff_t i = -BELOW; i < STACK; i += LINE)
