@@ -47,29 +47,59 @@ static struct node *coming(const struct node_system *s, unsigned after)
 
 /* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
  * the node first, then what it points to. (Inlined: see cache.h.) */
-static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
+
+static inline __attribute__((always_inline)) void load(const void *from, const void *end)
 {
-    /* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
-     * counter lie its other small variables, and where it has its calls' addresses. */
+    for (const char *p = from; p < (const char *)end; p += CACHE_LINE)
+        __builtin_prefetch(p, 1);
+}
+
+/* All of the node that its program may want, but for ids, and calls so many that it has hardly ever. */
+static inline __attribute__((always_inline)) void load_node(const struct node *n)
+{
+    enum { SOON = 8 };
+    load((const char *)n + CACHE_BLOCK, &n->calls[SOON]);
+    load(&n->crash, &n->beside.name[SOON]);
+}
+
+static uint32_t ids_in_use(const struct node *n)
+{
+    return n->mailbox.ids.used < IDS_BLOCK ? n->mailbox.ids.used : IDS_BLOCK;
+}
+
+/* The first ids are in use, most often. */
+static inline __attribute__((always_inline)) void load_receives(const struct node *n)
+{
+    for (uint32_t i = 0; i < ids_in_use(n); i++)
+        cache_load(&n->ids.ids[i]);
+    cache_load(n->receive.m);
+}
+
+/* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
+ * counter lie its other small variables, and where it has its calls' addresses. */
+static inline __attribute__((always_inline)) void load_program(const struct node *n)
+{
     enum { LINE = CACHE_LINE, STACK = 12 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
-    enum { FAR = 5, NEAR = 2, SOON = 8 };
-    const struct node *n = coming(s, FAR);
-    for (size_t i = CACHE_BLOCK; n && i < offsetof(struct node, calls[SOON]); i += LINE)
-        __builtin_prefetch((const char *)n + i, 1);
-    for (size_t i = offsetof(struct node, crash); n && i < offsetof(struct node, beside.name[SOON]);
-         i += LINE)
-        __builtin_prefetch((const char *)n + i, 1);
-    n = coming(s, NEAR);
-    if (!n || n->state == NODE_ENDED || n->loose || !n->warm.stack)
-        return;
+    for (uint32_t i = 0; i < ids_in_use(n); i++)
+        cache_load(n->ids.ids[i].receive.m);
     __builtin_prefetch(n->fiber, 1);
     __builtin_prefetch(n->image);
-    for (uint32_t i = 0; i < n->mailbox.ids.used && i < IDS_BLOCK; i++)
-        cache_load(&n->ids.ids[i]);
-    for (ptrdiff_t i = -BESIDE; i <= BESIDE; i += LINE)
-        __builtin_prefetch((const char *)n->warm.left + i, 1);
-    for (ptrdiff_t i = -BELOW; i < STACK; i += LINE)
-        __builtin_prefetch(n->warm.stack + i, 1);
+    load((const char *)n->warm.left - BESIDE, (const char *)n->warm.left + BESIDE + LINE);
+    load(n->warm.stack - BELOW, n->warm.stack + STACK);
+}
+
+static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
+{
+    enum { FIRST = 8, SECOND = 5, THIRD = 3 };
+    const struct node *n = coming(s, FIRST);
+    if (n)
+        load_node(n);
+    n = coming(s, SECOND);
+    if (n && !n->loose)
+        load_receives(n);
+    n = coming(s, THIRD);
+    if (n && n->state != NODE_ENDED && !n->loose && n->warm.stack)
+        load_program(n);
 }
 
 /* Lets the program run on this thread until it yields. */
