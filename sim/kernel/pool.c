@@ -26,8 +26,8 @@ void pool_free(struct pool *p)
 
 #else
 
-enum { BLOCKS = 64 }; /* of a chunk */
-enum { AHEAD = 4 };   /* a block is loaded so many before it is taken */
+enum { FIRST = 64 }; /* blocks; each chunk has as many as all before */
+enum { AHEAD = 4 };  /* a block is loaded so many before it is taken */
 
 struct pool_chunk {
     struct pool_chunk *next;
@@ -44,12 +44,13 @@ static void *checked(void *p)
 static void add_chunk(struct pool *p)
 {
     size_t stride = (p->bytes + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR;
-    struct pool_chunk *c = checked(aligned_alloc(CACHE_PAIR, sizeof *c + BLOCKS * stride));
+    size_t more = p->blocks ? p->blocks : FIRST;
+    struct pool_chunk *c = checked(aligned_alloc(CACHE_PAIR, sizeof *c + more * stride));
     c->next = p->chunks;
     p->chunks = c;
-    p->blocks += BLOCKS;
+    p->blocks += more;
     p->unused = checked(reallocarray(p->unused, p->blocks, sizeof *p->unused));
-    for (size_t i = BLOCKS; i-- > 0;)
+    for (size_t i = more; i-- > 0;)
         pool_give(p, c->blocks + i * stride);
 }
 

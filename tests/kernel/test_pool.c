@@ -1,0 +1,89 @@
+/* Blocks of a pool are as new memory is: aligned, apart from each other, and to be had again when they have been given back. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "kernel/cache.h"
+#include "kernel/pool.h"
+
+enum { BYTES = 168, MANY = 1000 };
+
+static void fill(unsigned char *block, int i)
+{
+    memset(block, i % 251, BYTES);
+}
+
+static void assert_filled(const unsigned char *block, int i)
+{
+    for (int k = 0; k < BYTES; k++)
+        assert_int_equal(block[k], i % 251);
+}
+
+static void blocks_are_aligned_and_do_not_touch(void **state)
+{
+    struct pool p = {.bytes = BYTES};
+    unsigned char *blocks[MANY];
+    (void)state;
+    for (int i = 0; i < MANY; i++) {
+        blocks[i] = pool_take(&p);
+#if !defined(__SANITIZE_ADDRESS__)
+        assert_int_equal((uintptr_t)blocks[i] % CACHE_PAIR, 0);
+#endif
+        fill(blocks[i], i);
+    }
+    for (int i = 0; i < MANY; i++)
+        assert_filled(blocks[i], i);
+    for (int i = 0; i < MANY; i++)
+        pool_give(&p, blocks[i]);
+    pool_free(&p);
+}
+
+/* Every other block goes and comes again, while the others stay as they are. */
+static void given_blocks_are_taken_again(void **state)
+{
+    struct pool p = {.bytes = BYTES};
+    unsigned char *blocks[MANY];
+    (void)state;
+    for (int i = 0; i < MANY; i++)
+        fill(blocks[i] = pool_take(&p), i);
+    for (int i = 0; i < MANY; i += 2)
+        pool_give(&p, blocks[i]);
+    for (int i = 0; i < MANY; i += 2)
+        fill(blocks[i] = pool_take(&p), i);
+    for (int i = 0; i < MANY; i++)
+        assert_filled(blocks[i], i);
+    for (int i = 0; i < MANY; i++)
+        pool_give(&p, blocks[i]);
+    pool_free(&p);
+}
+
+/* The one given back last, which the caches still hold. */
+static void the_last_given_is_the_next_taken(void **state)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    (void)state;
+    skip();
+#else
+    struct pool p = {.bytes = BYTES};
+    void *a = pool_take(&p), *b = pool_take(&p);
+    (void)state;
+    pool_give(&p, a);
+    pool_give(&p, b);
+    assert_ptr_equal(pool_take(&p), b);
+    assert_ptr_equal(pool_take(&p), a);
+    pool_free(&p);
+#endif
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(blocks_are_aligned_and_do_not_touch),
+        cmocka_unit_test(given_blocks_are_taken_again),
+        cmocka_unit_test(the_last_given_is_the_next_taken),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
