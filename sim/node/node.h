@@ -117,8 +117,8 @@ enum { PENDING_MOST = 16 };
  * in the node's books at once, and comes out of them if it is taken back. */
 struct pending_call {
     uint64_t turn : PENDING_TIME_BITS; /* less node_pending.late at its beginning */
-    bool has_type : 1;                 /* node.beside.type */
-    bool has_memory : 1;               /* node.beside.memory */
+    bool has_type : 1;                 /* node.calls_beside.type */
+    bool has_memory : 1;               /* node.calls_beside.memory */
     bool in_turn : 1;                  /* is to be made in its turn */
     bool posts : 1;                    /* receive, when it is made */
     bool selected : 1;    /* receive has had its message from those that waited, before its turn */
@@ -128,7 +128,7 @@ struct pending_call {
     bool goes_on : 1; /* when it has handed over what it has to, it is there already, what it waits for */
     bool takes : 1;   /* that */
     bool plain : 1;   /* it is one message that needs no look any more, and is free then */
-    bool beside : 1;  /* message is in node.beside, for it has a receive, too */
+    bool beside : 1;  /* message is in node.calls_beside, for it has a receive, too */
     vtime spent;
     union {
         struct receive *receive; /* if it posts or selected */
@@ -234,7 +234,7 @@ struct node {
     long pid;               /* process type: 0, unless the program has set it */
     struct receive receive; /* of the blocking call that the program is in, outside of handlers */
     struct node_ahead ahead;
-    struct pending_beside beside; /* of calls */
+    struct pending_beside calls_beside;
 
     char name[16]; /* for people: "node 3", "host" */
     uint32_t id;

@@ -54,9 +54,9 @@ void pending_begin(struct node *n)
     n->calls[i] = (struct pending_call){.turn = (clock_sync(n) - p->late) & TIME_MASK,
                                         .units = n->clock.units & TIME_MASK,
                                         .has_memory = n->heap_moved};
-    n->beside.name[i] = n->call;
+    n->calls_beside.name[i] = n->call;
     if (n->heap_moved)
-        n->beside.memory[i] = node_memory_now(n);
+        n->calls_beside.memory[i] = node_memory_now(n);
     n->heap_moved = false;
 }
 
@@ -69,7 +69,7 @@ static void know_buffers(struct node *n)
 static struct message *message_of(const struct node *n, uint32_t i)
 {
     const struct pending_call *c = nth(n, i);
-    return c->beside ? n->beside.message[index_of(n, i)] : c->message;
+    return c->beside ? n->calls_beside.message[index_of(n, i)] : c->message;
 }
 
 /* When the i-th is done with what it hands over. */
@@ -89,7 +89,7 @@ void pending_go_on(struct node *n)
     p->open = true;
     struct pending_call *c = open_call(n);
     c->goes_on = true;
-    n->beside.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    n->calls_beside.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
     assert(handed_over(n, p->count - 1) == clock_sync(n) - p->late);
     know_buffers(n);
 }
@@ -110,7 +110,7 @@ void pending_spend(struct node *n, vtime t)
 
 static void put_beside(struct node *n, struct message *m)
 {
-    n->beside.message[index_of(n, n->pending.count - 1)] = m;
+    n->calls_beside.message[index_of(n, n->pending.count - 1)] = m;
     last(n)->beside = true;
 }
 
@@ -237,7 +237,7 @@ static void begin(struct node *n, struct pending_call *c, vtime now)
 {
     n->pending.begun = now;
     if (c->has_memory)
-        node_memory_was(n, n->beside.memory[index_of(n, 0)]);
+        node_memory_was(n, n->calls_beside.memory[index_of(n, 0)]);
     if (c->posts)
         mailbox_post_at(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends)
@@ -349,8 +349,8 @@ void pending_take_back(struct node *n)
     const struct pending_call *c = nth(n, 0);
     n->clock.units = c->units, n->clock.origin = p->turn - clock_of_units(n, c->units);
     uint32_t i = index_of(n, 0);
-    n->call = n->beside.name[i];
+    n->call = n->calls_beside.name[i];
     n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;
-    n->call_type = n->beside.type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
+    n->call_type = n->calls_beside.type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
     pending_unmake(n);
 }

@@ -59,7 +59,7 @@ static inline __attribute__((always_inline)) void load_node(const struct node *n
 {
     enum { SOON = 8 };
     load((const char *)n + CACHE_BLOCK, &n->calls[SOON]);
-    load(&n->crash, &n->beside.name[SOON]);
+    load(&n->crash, &n->calls_beside.name[SOON]);
 }
 
 static uint32_t ids_in_use(const struct node *n)
