@@ -64,8 +64,8 @@ void clock_look(struct node *n)
 {
     struct node_looks *l = &n->looks;
     uint64_t units = n->clock.units;
-    if (*n->image->quiet < n->clock.given)
-        clock_promise(n, (uint64_t)(n->clock.given - *n->image->quiet));
+    if (*n->quiet < n->clock.given)
+        clock_promise(n, (uint64_t)(n->clock.given - *n->quiet));
     if (units < l->look)
         return;
     l->looked = units;
@@ -118,6 +118,6 @@ void clock_allow(struct node *n, vtime deadline)
         units = least(units, units_of_time(n, deadline - now));
     /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
     c->given = (int64_t)units - 1;
-    *n->image->left = c->given;
-    *n->image->quiet = NXC_NOT_QUIET;
+    *n->left = c->given;
+    *n->quiet = NXC_NOT_QUIET;
 }

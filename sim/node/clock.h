@@ -20,9 +20,9 @@ static inline vtime clock_of_units(const struct node *n, uint64_t units)
 static inline vtime clock_sync(struct node *n)
 {
     struct node_clock *c = &n->clock;
-    if (c->runs && n->image) {
-        c->units += (uint64_t)(c->given - *n->image->left);
-        c->given = *n->image->left;
+    if (c->runs && n->left) {
+        c->units += (uint64_t)(c->given - *n->left);
+        c->given = *n->left;
     }
     return c->origin + clock_of_units(n, c->units);
 }

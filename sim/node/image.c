@@ -336,7 +336,7 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
         main - (uintptr_t)base >= img->bytes)
         return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
                         img->elf->path);
-    n->warm.left = n->image->left;
+    n->left = n->image->left, n->quiet = n->image->quiet;
     return true;
 }
 

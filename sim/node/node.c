@@ -353,7 +353,7 @@ static void strip(struct node *n)
         node_heap_free(n->heap);
     span_release(n);
     n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL, n->heap = NULL;
-    n->image = NULL;
+    n->image = NULL, n->left = n->quiet = NULL;
 }
 
 void node_succeed(struct node *n, struct node *before, vtime t)

@@ -210,10 +210,8 @@ struct node {
     vtime call_since, failed_malloc_at;
     struct fiber *fiber;
     struct nxc_image *image; /* of the program */
-    struct {
-        const char *stack; /* the innermost of it */
-        const int64_t *left;
-    } warm; /* what it needs first when its program goes on; NULL: has not begun */
+    int64_t *left, *quiet;   /* its: to count its cost units, and what it promises. NULL: there is none */
+    const char *innermost;   /* of its stack, where it goes on; NULL: it has not begun */
     struct node_looks looks;
     int saved_errno;
     bool masked, in_handler;

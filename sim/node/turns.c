@@ -83,9 +83,8 @@ static inline __attribute__((always_inline)) void load_program(const struct node
     for (uint32_t i = 0; i < ids_in_use(n); i++)
         cache_load(n->ids.ids[i].receive.m);
     __builtin_prefetch(n->fiber, 1);
-    __builtin_prefetch(n->image);
-    load((const char *)n->warm.left - BESIDE, (const char *)n->warm.left + BESIDE + LINE);
-    load(n->warm.stack - BELOW, n->warm.stack + STACK);
+    load((const char *)n->left - BESIDE, (const char *)n->left + BESIDE + LINE);
+    load(n->innermost - BELOW, n->innermost + STACK);
 }
 
 static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
@@ -98,7 +97,7 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     if (n && !n->loose)
         load_receives(n);
     n = coming(s, THIRD);
-    if (n && n->state != NODE_ENDED && !n->loose && n->warm.stack)
+    if (n && n->state != NODE_ENDED && !n->loose && n->innermost)
         load_program(n);
 }
 
@@ -111,7 +110,7 @@ static void run(struct node *n)
         n->sys->run(n);
     else
         fiber_resume(n->fiber);
-    n->warm.stack = fiber_innermost(n->fiber);
+    n->innermost = fiber_innermost(n->fiber);
     clock_sync(n);
     n->clock.runs = false;
     n->saved_errno = errno;
