@@ -1,5 +1,7 @@
 # common.bash - what the speed benchmarks share. RUNS is how many runs a figure is the median of.
 
+[ -x "$BUILD/bench/measure" ] || { echo "$BUILD/bench/measure is missing: make bench builds it" >&2; exit 1; }
+
 median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
 
 # Of COMMAND: 1 seconds elapsed, 2 seconds of processor time, 3 KB of memory at most.
