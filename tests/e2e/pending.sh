@@ -18,3 +18,10 @@ for seed in 1 2 3 4 5 6; do
         done
     done
 done
+
+# Their times are noted with 56 bits: the program runs before, at and behind 2^56 ps.
+for later in 72057560000 72057590000 72057600000; do
+    run_results -w 1 -n 7 flushing 3 6 $later | sed 's/flushing/talk/' >one
+    run_results -w 1 -n 7 talk 3 6 $later >other
+    check "after $later us" diff one other
+done

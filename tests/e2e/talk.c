@@ -1,8 +1,9 @@
-/* talk.c - talk SEED ROUNDS: in each round the nodes send each other a random pattern of messages, short, long and forced, and
+/* talk.c - talk SEED ROUNDS [LATER]: after LATER microseconds, in each round the nodes send each other a random pattern of messages, short, long and forced, and
  * receive them in various ways: with a receive posted before or after, awaited in another order than sent, or by any type.
  * With an odd seed node 0 has a handler for others.
  * With -DFLUSHES it has flushmsg, which it never calls: then no call of it is pending at any time. */
 #include <stdlib.h>
+#include <unistd.h>
 #include "nx.h"
 
 enum { MOST = 24, FORCED = 1 << 30, LONGEST = 4000 };
@@ -108,6 +109,10 @@ int main(int argc, char **argv)
         return 64;
     if (atol(argv[1]) % 2 && mynode() == 0)
         called(CALL, 0, 0, 0);
+    if (argc > 3) {
+        sleep((unsigned)(atol(argv[3]) / 1000000));
+        usleep((useconds_t)(atol(argv[3]) % 1000000));
+    }
     for (long i = 0; i < atol(argv[2]); i++) {
         unsigned long seed = (unsigned long)(atol(argv[1]) * 1001 + 2 * i);
         state = seed;
