@@ -7,9 +7,9 @@
  * list of blocks, all but the first made when they are wanted. What is in them stays where it is.
  */
 #include "nx_api/calls/mailbox_ids.h"
-#include "nx_api/calls/backend.h"
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/calls/backend.h"
 
 /* NULL: there is no block for it. */
 static struct id *at(const struct mailbox_ids *ids, long id)

@@ -1,5 +1,6 @@
 /* cache.h - the processor's caches: what layout counts on, and loading ahead. A line is 64 bytes on all x86; what is needed
- * together lies in a pair of lines, at a multiple of CACHE_PAIR. */
+ * together lies in a pair of lines, at a multiple of CACHE_PAIR, or in a block of four: loaded ahead, lines side by side hardly
+ * cost more than one (bench/speed/NOTES.md). */
 #ifndef KERNEL_CACHE_H
 #define KERNEL_CACHE_H
 #include <stdint.h>
@@ -16,7 +17,7 @@ static inline __attribute__((always_inline)) void cache_load(const void *p)
     __builtin_prefetch((const void *)((uintptr_t)p ^ CACHE_LINE), 1);
 }
 
-/* The same for its block. */
+/* The same for the block in which p lies. */
 static inline __attribute__((always_inline)) void cache_load_block(const void *p)
 {
     if (!p)

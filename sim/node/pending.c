@@ -2,8 +2,6 @@
 #include "node/pending.h"
 #include <assert.h>
 #include <stddef.h>
-#include <stdlib.h>
-#include "kernel/cache.h"
 #include "node/clock.h"
 #include "node/cpu.h"
 #include "node/mailbox.h"

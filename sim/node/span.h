@@ -12,9 +12,9 @@
  * spans, the less does a switch between thousands of nodes cost. So heaps, which need room for all of a node's memory, are not
  * in there.
  *
- * A region is one mapping of the host (vm.max_map_count allows 65,530), and its heaps are another, without physical memory until it
- * is touched. Each node's text is one, too, the file's pages, so that a span takes two. Where that would be too many the nodes have copies
- * of the text in their spans. Guards are none where the kernel can do without (MADV_GUARD_INSTALL, Linux 6.13), else they
+ * A region is one mapping of the host (vm.max_map_count allows 65,530), and its heaps are another, without physical memory
+ * until it is touched. Each node's text is one, too, the file's pages, so that a span takes two. Where that would be too many
+ * the nodes have copies of the text in their spans. Guards are none where the kernel can do without (MADV_GUARD_INSTALL, Linux 6.13), else they
  * are one, which divides another; with copies of the text and too many nodes for that, there are no guards.
  */
 #ifndef NODE_SPAN_H
@@ -23,7 +23,8 @@
 #include <stddef.h>
 #include "node/node.h"
 
-/* Finds n a span for a program of so many bytes (page rounded) and a heap: sets region, span, stack, program and heap_start; memory there is zero and may be written to. False when this computer has no address space left for it. */
+/* Finds n a span for a program of so many bytes (page rounded) and a heap: sets region, span, stack, program and heap_start;
+ * memory there is zero and may be written to. False when this computer has no address space left for it. */
 bool span_take(struct node *n, size_t program_bytes);
 /* Gives it back. */
 void span_release(struct node *n);

@@ -45,8 +45,7 @@ static struct node *coming(const struct node_system *s, unsigned after)
     return fire == go_on || fire == wake ? n : NULL;
 }
 
-/* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
- * the node first, then what it points to. (Inlined: see cache.h.) */
+/* --- loading ahead (inlined: see cache.h) --- */
 
 static inline __attribute__((always_inline)) void load(const void *from, const void *end)
 {
@@ -87,6 +86,8 @@ static inline __attribute__((always_inline)) void load_program(const struct node
     load(n->innermost - BELOW, n->innermost + STACK);
 }
 
+/* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
+ * the node first, then what it points to. */
 static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
 {
     enum { FIRST = 8, SECOND = 5, THIRD = 3 };
@@ -100,6 +101,8 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     if (n && n->state != NODE_ENDED && !n->loose && n->innermost)
         load_program(n);
 }
+
+/* --- */
 
 /* Lets the program run on this thread until it yields. */
 static void run(struct node *n)

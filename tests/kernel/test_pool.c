@@ -16,10 +16,15 @@ static void fill(unsigned char *block, int i)
     memset(block, i % 251, BYTES);
 }
 
-static void assert_filled(const unsigned char *block, int i)
+/* Each is as it was filled; then all go. */
+static void end_with(struct pool *p, unsigned char *blocks[MANY])
 {
-    for (int k = 0; k < BYTES; k++)
-        assert_int_equal(block[k], i % 251);
+    for (int i = 0; i < MANY; i++)
+        for (int k = 0; k < BYTES; k++)
+            assert_int_equal(blocks[i][k], i % 251);
+    for (int i = 0; i < MANY; i++)
+        pool_give(p, blocks[i]);
+    pool_free(p);
 }
 
 static void blocks_are_aligned_and_do_not_touch(void **state)
@@ -34,11 +39,7 @@ static void blocks_are_aligned_and_do_not_touch(void **state)
 #endif
         fill(blocks[i], i);
     }
-    for (int i = 0; i < MANY; i++)
-        assert_filled(blocks[i], i);
-    for (int i = 0; i < MANY; i++)
-        pool_give(&p, blocks[i]);
-    pool_free(&p);
+    end_with(&p, blocks);
 }
 
 /* Every other block goes and comes again, while the others stay as they are. */
@@ -53,11 +54,7 @@ static void given_blocks_are_taken_again(void **state)
         pool_give(&p, blocks[i]);
     for (int i = 0; i < MANY; i += 2)
         fill(blocks[i] = pool_take(&p), i);
-    for (int i = 0; i < MANY; i++)
-        assert_filled(blocks[i], i);
-    for (int i = 0; i < MANY; i++)
-        pool_give(&p, blocks[i]);
-    pool_free(&p);
+    end_with(&p, blocks);
 }
 
 /* The one given back last, which the caches still hold. */
