@@ -10,18 +10,17 @@
 enum {
     SPINS = 400,        /* looks before a thread that has nothing to do sleeps: tens of microseconds */
     EPISODES = 32,      /* judged together: workers_worth */
-    INLINE_FOR = 2048,  /* pieces, when they were not worth it */
+    INLINE_FIRST = 64,  /* pieces, when they were not worth it; twice as many the next time */
+    INLINE_MOST = 2048, /* at most */
     MOST_PASSES = 1000, /* of work that the committing thread runs, until it looks elsewhere */
     PATIENCE_MS = 20,   /* so long it waits at a time */
     SHUFFLED_DELAY_US = 20
 };
 
-/* Work pauses for other work that is so far behind. Not sooner: what it computes with is in the caches. */
-#define FAR_BEHIND (100 * VT_MILLISECOND)
-
-/* For the same reason the committing thread, which helps with work until it may commit an event, goes on for so long: a tenth
- * of a millisecond of ours. */
-#define HELP_ON (20 * VT_MILLISECOND)
+/* The committing thread, which helps with work until it may commit an event, goes on for so long, and again for each piece that
+ * waits: while the threads have enough to do there is no hurry, and work that is gone on with elsewhere or later finds
+ * nothing of its own in the caches. 8 us of ours. */
+#define HELP_ON (8 * VT_MILLISECOND)
 
 struct bound {
     vtime time;
@@ -55,18 +54,18 @@ struct workers {
 
     /* looked at without the lock */
     atomic_size_t waits;                   /* waiting_count */
-    _Atomic vtime least;                   /* reached of waiting[0], VT_NEVER: none */
     atomic_bool any_done, halt, listening; /* listening: the committing thread waits for `news` */
     atomic_uint asleep;                    /* sleepers */
 
     /* the committing thread's own */
     struct bound bound; /* as last found */
     size_t out;
-    unsigned passes;            /* of what it helps with */
-    vtime until;                /* helps until then */
-    struct workers_stats stats; /* away and away_s: under the lock */
-    double episode_at, episode_gain;
-    unsigned episodes, wasted, skip;
+    unsigned passes;                 /* of what it helps with */
+    vtime awaited;                   /* the event that it helps to allow */
+    struct workers_stats stats;      /* away and away_s: under the lock */
+    double episode_at, episode_gain; /* when it began, and what had been gained before */
+    double took, gained;             /* by episodes */
+    unsigned episodes, skip, skips;  /* pieces; how many the next time */
 };
 
 static double seconds(void)
@@ -107,7 +106,6 @@ static void lower(struct bound *b, const struct work *w)
 static void note_waiting(struct workers *ws)
 {
     atomic_store(&ws->waits, ws->waiting_count);
-    atomic_store(&ws->least, ws->waiting_count ? atomic_load(&ws->waiting[0]->reached) : VT_NEVER);
 }
 
 static void put(struct workers *ws, struct work *w)
@@ -263,6 +261,14 @@ static void *work_on(void *arg)
     return NULL;
 }
 
+/* Has the committing thread helped with work, which has come so far, for long enough? */
+static bool has_helped(struct workers *ws, vtime reached)
+{
+    size_t waits = atomic_load_explicit(&ws->waits, memory_order_relaxed);
+    return ++ws->passes > MOST_PASSES ||
+           (reached > ws->awaited && reached - ws->awaited > (1 + waits) * HELP_ON);
+}
+
 bool workers_pass(struct workers *ws, struct work *w, vtime reached)
 {
     atomic_store_explicit(&w->reached, reached, memory_order_release);
@@ -275,10 +281,7 @@ bool workers_pass(struct workers *ws, struct work *w, vtime reached)
         return true;
     if (ws->shuffled)
         return chance(ws, 4);
-    if (w->helped && (reached > ws->until || ++ws->passes > MOST_PASSES))
-        return true;
-    vtime least = atomic_load_explicit(&ws->least, memory_order_relaxed);
-    return least < reached && reached - least > FAR_BEHIND;
+    return w->helped && has_helped(ws, reached);
 }
 
 /* --- making and ending --- */
@@ -291,7 +294,7 @@ struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct wor
     ws->calls = *calls, ws->here = here;
     ws->shuffle = shuffle * UINT64_C(0x9e3779b97f4a7c15), ws->shuffled = shuffle != 0;
     ws->bound = NOTHING;
-    atomic_store(&ws->least, VT_NEVER);
+    ws->skips = INLINE_FIRST;
     pthread_mutex_init(&ws->lock, NULL);
     pthread_cond_init(&ws->more, NULL);
     pthread_cond_init(&ws->news, NULL);
@@ -336,15 +339,24 @@ static double gain(struct workers *ws)
     return away - ws->stats.waited_s;
 }
 
+static void judge(struct workers *ws, bool worth)
+{
+    ws->skip = worth ? 0 : ws->skips;
+    if (worth)
+        ws->skips = INLINE_FIRST;
+    else if (ws->skips < INLINE_MOST)
+        ws->skips *= 2;
+}
+
 static void episode_ends(struct workers *ws)
 {
-    double took = seconds() - ws->episode_at, gained = gain(ws) - ws->episode_gain;
-    ws->wasted += gained < took / 4;
+    ws->took += seconds() - ws->episode_at;
+    ws->gained += gain(ws) - ws->episode_gain;
     if (++ws->episodes < EPISODES)
         return;
-    if (4 * ws->wasted > 3 * ws->episodes)
-        ws->skip = INLINE_FOR;
-    ws->episodes = ws->wasted = 0;
+    judge(ws, ws->gained >= ws->took / 4);
+    ws->took = ws->gained = 0;
+    ws->episodes = 0;
 }
 
 bool workers_worth(struct workers *ws, bool is_long)
@@ -449,7 +461,7 @@ struct work *workers_take(struct workers *ws)
 }
 
 /* Runs the work that waits and has come the least far. False: none waits. */
-static bool help(struct workers *ws, vtime until)
+static bool help(struct workers *ws, vtime awaited)
 {
     pthread_mutex_lock(&ws->lock);
     struct work *w = next_work(ws);
@@ -458,7 +470,7 @@ static bool help(struct workers *ws, vtime until)
     if (!w)
         return false;
     double begin = seconds();
-    ws->until = until + HELP_ON;
+    ws->awaited = awaited;
     ws->passes = 0;
     w->helped = true;
     bool done = ws->calls.run(ws->here, w);

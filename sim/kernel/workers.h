@@ -9,8 +9,8 @@
  *                  +-- paused --+                                 of any work that is out
  *
  * Which thread runs what, and when, changes no result: the rule above makes the order of events the same. The work
- * that has come the least far is run first, because it is what the others wait for, and work pauses where it can when
- * other work has fallen behind it. A committing thread that has to wait runs work itself.
+ * that has come the least far is run first, because it is what the others wait for. A committing thread that has to wait
+ * runs work itself; that pauses when there is more need of events, which bring more work, than of getting on with it.
  *
  * All functions are the committing thread's, but for workers_pass(), which is the work's.
  */

@@ -14,8 +14,8 @@
  * stands for. */
 enum { MOST_UNSEEN = 4096, LOOK_CALLS = 64 };
 
-/* Worth a thread of its own are stretches of a few microseconds of ours: clocks of an i860. What took so long the last
- * time will again; and what has taken half as long will take longer. */
+/* Worth a thread of its own are stretches of a few microseconds of ours: clocks of an i860. What took so long behind the same
+ * call the last time will again; and what has taken half as long will take longer. */
 #define LONG_STRETCH (UINT64_C(80000) * NXC_UNITS_PER_CLOCK)
 
 /* --- errno --- */
@@ -120,14 +120,37 @@ void node_order(struct node *n)
         allow_anew(n);
 }
 
+/* A set of one call, or few: by the place of its name in a page, the same in every run. */
+static uint64_t set_of(const char *call)
+{
+    return UINT64_C(1) << ((uintptr_t)call % 4096 / 8 % 64);
+}
+
+/* A stretch is over, and a call begins. Stretches that could not be handed out do not count. */
+static void note_stretch(struct node *n)
+{
+    struct node_ahead *a = &n->ahead;
+    if (!a->alert && clock_stretch(n) >= LONG_STRETCH)
+        a->long_after |= a->after;
+    else if (!a->alert)
+        a->long_after &= ~a->after;
+    a->after = set_of(n->call);
+}
+
+/* Will the program probably compute for long behind its call? */
+static bool is_long_next(const struct node *n)
+{
+    return n->sys->workers && (n->ahead.long_after & n->ahead.after);
+}
+
 static void begin_call(struct node *n, const char *call, bool early)
 {
     n->call = call;
     n->call_has_type = n->awaits = false;
     n->call_since = clock_sync(n);
     n->pending.early = early;
-    if (n->image)
-        n->ahead.computed = clock_stretch(n);
+    if (n->sys->workers)
+        note_stretch(n);
 }
 
 static void take_turn(struct node *n)
@@ -151,7 +174,7 @@ static bool may_pend(const struct node *n)
     const struct node_system *s = n->sys;
     return !n->loose && !n->armed && !n->is_host && !s->stop && n->call_since <= s->max_time &&
            !n->clock.stolen && !s->cube && !s->flushes && pending_room(n) && !mailbox_ignores(n) &&
-           !(s->workers && n->ahead.computed >= LONG_STRETCH);
+           !is_long_next(n);
 }
 
 void node_enter_early(struct node *n, const char *call)
@@ -219,7 +242,7 @@ void node_leave(struct node *n)
     n->pending.open = false;
     clock_give(n);
     clock_allow(n, deadline(n));
-    if (n->pending.count == 0 && is_free(n, n->ahead.computed >= LONG_STRETCH))
+    if (n->pending.count == 0 && is_free(n, is_long_next(n)))
         break_loose(n);
 }
 

@@ -88,12 +88,14 @@ struct node_stats {
 /* A program that computes ahead, on any thread: cpu.c. */
 struct node_ahead {
     struct work work;
-    bool paused;       /* it has stopped at a check, to be gone on with */
-    bool alert;        /* a handler may have to run: it computes up to a horizon only */
-    vtime check;       /* when the program is stopped at a check: its time */
-    vtime up_to;       /* not 0: it only makes up for what it has been let off so far: node_catch_up */
-    vtime arrived;     /* when not paused: the time of its next call */
-    uint64_t computed; /* units between its last two calls, for a guess at the next */
+    bool paused;   /* it has stopped at a check, to be gone on with */
+    bool alert;    /* a handler may have to run: it computes up to a horizon only */
+    vtime check;   /* when the program is stopped at a check: its time */
+    vtime up_to;   /* not 0: it only makes up for what it has been let off so far: node_catch_up */
+    vtime arrived; /* when not paused: the time of its next call */
+    /* for a guess at its next stretch, with workers: sets of calls */
+    uint64_t after;      /* its last */
+    uint64_t long_after; /* those behind which it computed for long the last time */
 };
 
 /* Messages and what they are for: mailbox.h. A line of the cache. */

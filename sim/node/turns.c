@@ -74,13 +74,17 @@ static inline __attribute__((always_inline)) void load_receives(const struct nod
     cache_load(n->receive.m);
 }
 
+static inline __attribute__((always_inline)) void load_messages(const struct node *n)
+{
+    for (uint32_t i = 0; i < ids_in_use(n); i++)
+        cache_load(n->ids.ids[i].receive.m);
+}
+
 /* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
  * counter lie its other small variables, and where it has its calls' addresses. */
 static inline __attribute__((always_inline)) void load_program(const struct node *n)
 {
     enum { LINE = CACHE_LINE, STACK = 12 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
-    for (uint32_t i = 0; i < ids_in_use(n); i++)
-        cache_load(n->ids.ids[i].receive.m);
     __builtin_prefetch(n->fiber, 1);
     load((const char *)n->left - BESIDE, (const char *)n->left + BESIDE + LINE);
     load(n->innermost - BELOW, n->innermost + STACK);
@@ -98,8 +102,10 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
     if (n && !n->loose)
         load_receives(n);
     n = coming(s, THIRD);
-    if (n && n->state != NODE_ENDED && !n->loose && n->innermost)
+    if (n && n->state != NODE_ENDED && !n->loose && n->innermost) {
+        load_messages(n);
         load_program(n);
+    }
 }
 
 /* --- */
@@ -265,6 +271,9 @@ static void resume(struct node *n, vtime now)
 bool node_run_ahead(struct node *n)
 {
     n->ahead.paused = false;
+    load(n, (const char *)n + CACHE_BLOCK);
+    load_node(n);
+    load_program(n);
     run(n);
     return n->crash || !n->ahead.paused;
 }
