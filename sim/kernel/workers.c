@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "kernel/cache.h"
 
 enum {
     SPINS = 400,        /* looks before a thread that has nothing to do sleeps: tens of microseconds */
@@ -57,7 +58,8 @@ struct workers {
     atomic_bool any_done, halt, listening; /* listening: the committing thread waits for `news` */
     atomic_uint asleep;                    /* sleepers */
 
-    /* the committing thread's own */
+    /* the committing thread's own, apart from what the others look at all the time */
+    char apart[CACHE_LINE];
     struct bound bound; /* as last found */
     size_t out;
     unsigned passes;                 /* of what it helps with */
