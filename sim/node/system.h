@@ -14,16 +14,10 @@ enum node_stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WAL
 enum { NODE_HOST_FILES = 64 };
 
 struct node_system {
-    /* what the committing thread writes all the time */
-    struct bounds checks;   /* beside q: computing nodes' next checks for messages: cpu.h */
-    struct instant present; /* the event that happens now, or was the last */
-    uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
-    uint64_t digest; /* of all messages received: time, nodes, type, length, in order */
-    uint64_t messages, bytes; /* received */
-    char apart[CACHE_LINE];   /* from what other threads look at all the time */
-
     const struct cfg_machine *cfg;
     struct evq *q;
+    struct bounds checks;   /* beside it: computing nodes' next checks for messages: cpu.h */
+    struct instant present; /* the event that happens now, or was the last */
     struct proto *proto;
     struct topo topo;
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
@@ -36,11 +30,10 @@ struct node_system {
     uint32_t running;    /* programs */
     bool flushes;        /* one of them may throw away messages of others */
     uint32_t await_ends; /* of them are in calls that wait for another's end */
-    vtime max_time;      /* VT_NEVER: none */
-    vtime longest_slice; /* not 0: computing is stopped at least so often, for tests: it changes no result */
 
     enum node_stop stop;    /* why the machine stops before its programs have ended */
     struct instant stop_at; /* STOP_FAILED: the failed program's; STOP_VIRTUAL_TIME: the limit */
+    uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
 
     /* the first failure, for the user; NULL none */
     char *failure;
@@ -48,10 +41,16 @@ struct node_system {
     /* output: a FILE for each of fd 1 and 2, written in the order of virtual time */
     FILE *out[2];
 
+    uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
+    uint64_t messages, bytes; /* received */
     char **
         host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
     size_t host_file_count; /* at most NODE_HOST_FILES: of more, the first */
 
+    /* Threads look at what follows all the time: apart from what the committing one writes. */
+    char apart[CACHE_LINE];
+    vtime max_time;      /* VT_NEVER: none */
+    vtime longest_slice; /* not 0: computing is stopped at least so often, for tests: it changes no result */
     /* Set by the machine; all may be NULL. */
     struct workers *workers; /* for programs that compute ahead: cpu.h */
     bool (*run)(
