@@ -9,7 +9,7 @@
 #include "kernel/cache.h"
 
 enum {
-    SPINS = 400,        /* looks before a thread that has nothing to do sleeps: tens of microseconds */
+    SPINS = 3000,       /* looks before a thread that has nothing to do sleeps: tens of microseconds */
     EPISODES = 32,      /* judged together: workers_worth */
     INLINE_FIRST = 64,  /* pieces, when they were not worth it; twice as many the next time */
     INLINE_MOST = 2048, /* at most */
