@@ -44,7 +44,7 @@ struct workers_calls {
 /* How the work went, for those who tune it. It differs from run to run. */
 struct workers_stats {
     uint64_t handed, away, helped; /* pieces handed out, runs on the threads, runs on the committing one */
-    uint64_t pauses, waits;        /* the committing thread had nothing to do */
+    uint64_t waits;                /* times that the committing one had nothing to do */
     double away_s, helped_s, waited_s;
 };
 
