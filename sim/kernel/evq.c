@@ -322,7 +322,7 @@ static inline bool advance(struct evq *q)
 
 /* --- what evq.h offers --- */
 
-static void put(struct evq *q, struct key k, struct action what)
+static inline __attribute__((always_inline)) void put(struct evq *q, struct key k, struct action what)
 {
     assert(k.time >= q->now);
     struct event *e = q->heap_length < FEW ? add_heap(q, k) : add(q, k);

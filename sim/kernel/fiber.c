@@ -30,6 +30,8 @@ struct fiber {
     void *thread, *back_thread; /* ThreadSanitizer takes each fiber to be a thread */
 };
 
+static _Thread_local struct fiber *current;
+
 /* Tell AddressSanitizer that the stack is about to change, and that it has changed. */
 static inline void leaving(void **fake, const void *bottom, size_t size)
 {
@@ -118,11 +120,14 @@ void fiber_free(struct fiber *f)
 
 void fiber_resume(struct fiber *f)
 {
+    struct fiber *outer = current;
     void *fake = NULL;
+    current = f;
     leaving(&fake, f->stack, f->size);
     switch_thread(&f->back_thread, f->thread);
     struct transfer t = jump_fcontext(f->self, f);
     arrived(fake, NULL, NULL);
+    current = outer;
     f->self = t.from;
 }
 
@@ -143,11 +148,14 @@ _Noreturn void fiber_finish(struct fiber *f)
     abort();
 }
 
-void fiber_abandon(struct fiber *f)
+struct fiber *fiber_current(void)
 {
-    /* A jump out of a signal handler is a switch the sanitizers have not been told of. */
-    leaving(NULL, f->back_stack, f->back_size);
-    arrived(NULL, NULL, NULL);
+    return current;
+}
+
+void *fiber_arg(const struct fiber *f)
+{
+    return f->arg;
 }
 
 const void *fiber_innermost(const struct fiber *f)

@@ -13,11 +13,13 @@ void fiber_free(struct fiber *f);
 
 /* From the scheduler: run f until it calls fiber_yield or fiber_finish. */
 void fiber_resume(struct fiber *f);
-/* From inside f: back to whoever resumed it. */
+/* From inside f: back to whoever resumed it. f is not to be resumed any more when it has finished, which it may do in a
+ * handler of a signal. */
 void fiber_yield(struct fiber *f);
 _Noreturn void fiber_finish(struct fiber *f);
-/* From the scheduler, having got there by siglongjmp out of f: f is not to be resumed any more. */
-void fiber_abandon(struct fiber *f);
+/* The one that runs on the calling thread, NULL: none; and the arg it was made with. */
+struct fiber *fiber_current(void);
+void *fiber_arg(const struct fiber *f);
 /* Where the innermost of its stack begins while it does not run. */
 const void *fiber_innermost(const struct fiber *f);
 #endif

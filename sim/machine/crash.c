@@ -1,6 +1,5 @@
 /* crash.c - see crash.h. */
 #include "machine/crash.h"
-#include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,10 +10,8 @@
 #include "node/trace.h"
 
 struct crash_guard {
-    sigjmp_buf jump;
-    struct node *node; /* whose program runs; NULL: none */
-    struct node_crash crash;
-    char stack[1 << 16]; /* the handler's own */
+    struct node_crash crash; /* the last, until it is kept */
+    char stack[1 << 16];     /* the handler's own */
 };
 
 static _Thread_local struct crash_guard *guard;
@@ -25,20 +22,23 @@ enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
 static void on_fault(int signal, siginfo_t *info, void *context)
 {
     struct crash_guard *g = guard;
-    if (!g || !g->node) {
+    struct fiber *f = fiber_current();
+    if (!g || !f) {
         struct sigaction usual = {.sa_handler = SIG_DFL};
         sigaction(signal, &usual, NULL);
         raise(signal);
         return;
     }
+    struct node *n = fiber_arg(f);
     const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
     g->crash.signal = signal;
     g->crash.address = (uintptr_t)info->si_addr;
-    g->crash.top = trace_in_stack(g->node, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
+    g->crash.top = trace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
     g->crash.frames[0] = (uintptr_t)r[REG_RIP];
-    g->crash.depth = 1 + trace_walk(g->node, (uintptr_t)r[REG_RBP], g->crash.frames + 1,
+    g->crash.depth = 1 + trace_walk(n, (uintptr_t)r[REG_RBP], g->crash.frames + 1,
                                     sizeof g->crash.frames / sizeof g->crash.frames[0] - 1);
-    siglongjmp(g->jump, 1);
+    n->crash = &g->crash;
+    fiber_finish(f);
 }
 
 void crash_catch(void)
@@ -73,41 +73,13 @@ void crash_unwatch(struct crash_guard *g)
     free(g);
 }
 
-/* One program may be run inside another's run. */
-struct outer {
-    struct node *node;
-    sigjmp_buf jump;
-};
-
-static void enter(struct node *n, struct outer *outer)
+void crash_keep(struct node *n)
 {
-    if ((outer->node = guard->node))
-        memcpy(outer->jump, guard->jump, sizeof outer->jump);
-    guard->node = n;
-}
-
-static void leave(const struct outer *outer)
-{
-    if ((guard->node = outer->node))
-        memcpy(guard->jump, outer->jump, sizeof outer->jump);
-}
-
-bool crash_run(struct node *n)
-{
-    struct outer outer;
-    enter(n, &outer);
-    if (sigsetjmp(guard->jump, 0) == 0) {
-        fiber_resume(n->fiber);
-        leave(&outer);
-        return true;
-    }
-    fiber_abandon(n->fiber);
-    leave(&outer);
-    n->crash = malloc(sizeof *n->crash);
-    if (!n->crash)
+    struct node_crash *kept = malloc(sizeof *kept);
+    if (!kept)
         abort();
-    *n->crash = guard->crash;
-    return false;
+    *kept = *n->crash;
+    n->crash = kept;
 }
 
 static const char *signal_text(int s)

@@ -1,8 +1,8 @@
 /* crash.h - a node program's fault (SIGSEGV and its kin) caught and told as the node's error.
  *
- * Each thread that runs programs watches, with a guard of its own. A fault while it runs one (crash_run) writes down what
- * is known and ends the run; any other fault takes the usual course. Signal handlers are given nothing but the signal, so
- * the guard in force is the one piece of thread-local state in the simulator. */
+ * Each thread that runs programs watches, with a guard of its own. A fault while a node's fiber runs writes down what
+ * is known, in n->crash, and ends the fiber; any other fault takes the usual course. Signal handlers are given nothing but the
+ * signal: so the guard in force and the fiber that runs are what the simulator has of thread-local state. */
 #ifndef MACHINE_CRASH_H
 #define MACHINE_CRASH_H
 #include "node/system.h"
@@ -23,8 +23,8 @@ void crash_ignore(void);
 /* For the calling thread. */
 struct crash_guard *crash_watch(void);
 void crash_unwatch(struct crash_guard *g);
-/* Runs n's program on a thread that watches, until it yields. False: it has crashed, and n->crash is set. */
-bool crash_run(struct node *n);
+/* n's program has just crashed on the calling thread: what is known of it is the node's to keep, malloc'd. */
+void crash_keep(struct node *n);
 /* What happened, for the user; malloc'd. */
 char *crash_report(const struct node *n);
 #endif

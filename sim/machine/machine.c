@@ -237,7 +237,7 @@ static bool commit_event(struct node_system *s)
     return next <= s->max_time && node_step(s);
 }
 
-static void commit_events(struct machine *m)
+__attribute__((flatten)) static void commit_events(struct machine *m)
 {
     enum { LOOK_EVERY = 1024 };
     struct node_system *s = &m->sys;
@@ -279,7 +279,7 @@ static void run_events(struct machine *m)
     struct node_system *s = &m->sys;
     struct crash_guard *guard = crash_watch();
     crash_catch();
-    s->run = crash_run, s->crashed = show_crash, s->look = look_outside, s->look_ctx = m;
+    s->keep_crash = crash_keep, s->crashed = show_crash, s->look = look_outside, s->look_ctx = m;
     if (m->options.workers > 1)
         s->workers = workers_new(m->options.workers - 1, m->options.shuffle, &calls, guard);
     commit_events(m);

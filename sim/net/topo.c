@@ -39,6 +39,8 @@ bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns)
         if (!t->rows || area < t->positions || (area == t->positions && r + c < t->rows + t->columns))
             t->rows = r, t->columns = c, t->positions = area;
     }
+    if (t->rows)
+        t->a_column = ((UINT64_C(1) << 40) + t->columns - 1) / t->columns;
     count_channels(t);
     return t->rows > 0;
 }
@@ -69,8 +71,10 @@ struct spot {
 
 static struct spot spot_of(const struct topo *t, uint32_t place)
 {
-    if (place < t->positions)
-        return (struct spot){place % t->columns, place / t->columns};
+    if (place < t->positions) {
+        uint32_t y = (uint32_t)(place * t->a_column >> 40); /* place / columns: both are less than 2^20 */
+        return (struct spot){place - y * t->columns, y};
+    }
     uint32_t i = place - t->positions;
     return (struct spot){t->columns + i / t->rows, i % t->rows};
 }

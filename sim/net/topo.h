@@ -25,6 +25,7 @@ struct topo {
     uint32_t nodes;         /* of the program */
     uint32_t dimension;     /* hypercube: > 0 or one node; mesh: 0 */
     uint32_t rows, columns; /* mesh: the rectangle; hypercube: 0 */
+    uint64_t a_column;      /* 2^40 / columns, rounded up */
     uint32_t positions;     /* nodes of the whole cube or rectangle, >= nodes */
     uint32_t services;      /* places positions .. positions + services - 1 */
     bool host;       /* the last place is the host's: on a channel (one each way) of its own from node 0 */

@@ -73,11 +73,17 @@ void clock_look(struct node *n)
         l->look += least(l->look - l->given_at, LONGEST_LOOK);
 }
 
+/* When it will have spent so many, or had, if it only computes. */
+static vtime clock_at(const struct node *n, uint64_t units)
+{
+    return n->clock.now + clock_of_units(n, units) - clock_of_units(n, n->clock.units);
+}
+
 vtime clock_quiet(const struct node *n)
 {
     const struct node_clock *c = &n->clock;
     uint64_t quiet = least(n->looks.quiet, n->looks.look);
-    return c->origin + clock_of_units(n, quiet > c->units ? quiet : c->units);
+    return quiet > c->units ? clock_at(n, quiet) : c->now;
 }
 
 uint64_t clock_stretch(const struct node *n)
@@ -87,14 +93,13 @@ uint64_t clock_stretch(const struct node *n)
 
 void clock_go_back(struct node *n)
 {
-    struct node_clock *c = &n->clock;
     clock_sync(n);
-    c->units = n->looks.looked > c->known ? n->looks.looked : c->known;
+    clock_set_units(n, n->looks.looked > n->clock.known ? n->looks.looked : n->clock.known);
 }
 
 vtime clock_next_look(const struct node *n)
 {
-    return n->clock.origin + clock_of_units(n, n->looks.look);
+    return clock_at(n, n->looks.look);
 }
 
 /* Does not depend on how far the program had run ahead. */
@@ -102,22 +107,22 @@ void clock_cut(struct node *n, vtime t)
 {
     clock_sync(n);
     vtime computed = clock_of_units(n, n->clock.units);
-    n->clock.units = computed > t ? units_of_time(n, computed - t) : 0;
+    clock_set_units(n, computed > t ? units_of_time(n, computed - t) : 0);
 }
 
 void clock_allow(struct node *n, vtime deadline)
 {
     struct node_clock *c = &n->clock;
-    vtime now = c->origin + clock_of_units(n, c->units);
     uint64_t units = n->looks.look - c->units;
     if (n->sys->longest_slice)
         units = least(units, units_of_time(n, n->sys->longest_slice));
-    if (deadline <= now)
+    if (deadline <= c->now)
         units = 1;
     else if (deadline != VT_NEVER)
-        units = least(units, units_of_time(n, deadline - now));
+        units = least(units, units_of_time(n, deadline - c->now));
     /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
     c->given = (int64_t)units - 1;
     *n->left = c->given;
     *n->quiet = NXC_NOT_QUIET;
+    c->runs = true;
 }

@@ -16,15 +16,31 @@ static inline vtime clock_of_units(const struct node *n, uint64_t units)
     return n->clock.unit_ps ? units * n->clock.unit_ps : clock_of_units_exactly(n, units);
 }
 
+/* The program has spent so many units. */
+static inline void clock_set_units(struct node *n, uint64_t units)
+{
+    struct node_clock *c = &n->clock;
+    c->now += clock_of_units(n, units) - clock_of_units(n, c->units);
+    c->units = units;
+}
+
 /* Take up what the program has spent since the last time; returns the time. */
 static inline vtime clock_sync(struct node *n)
 {
     struct node_clock *c = &n->clock;
-    if (c->runs && n->left) {
-        c->units += (uint64_t)(c->given - *n->left);
+    if (c->runs) {
+        clock_set_units(n, c->units + (uint64_t)(c->given - *n->left));
         c->given = *n->left;
     }
-    return c->origin + clock_of_units(n, c->units);
+    return c->now;
+}
+
+/* The program is in a call, or gone: it spends nothing until clock_allow. */
+static inline vtime clock_stop(struct node *n)
+{
+    clock_sync(n);
+    n->clock.runs = false;
+    return n->clock.now;
 }
 
 /* All that happened before this moment of the node has: it is not ahead of the others. Call after clock_sync. */
@@ -36,7 +52,7 @@ static inline void clock_is_known(struct node *n)
 /* Time goes on without the program: wait, system. Call after clock_sync. */
 static inline void clock_advance(struct node *n, vtime by)
 {
-    n->clock.origin += by;
+    n->clock.now += by;
     clock_is_known(n);
 }
 

@@ -147,7 +147,7 @@ static void begin_call(struct node *n, const char *call, bool early)
 {
     n->call = call;
     n->call_has_type = n->awaits = false;
-    n->call_since = clock_sync(n);
+    n->call_since = clock_stop(n);
     n->pending.early = early;
     if (n->sys->workers)
         note_stretch(n);

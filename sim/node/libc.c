@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "node/clock.h"
 #include "node/libc_parts.h"
 #include "node/node.h"
 
@@ -60,7 +61,8 @@ void node_libc_atexit_run(struct node *n)
 {
     struct node_libc *c = n->libc;
     while (c->atexit_count > 0)
-        c->atexit[--c->atexit_count]();
+        n->clock.runs = true, c->atexit[--c->atexit_count]();
+    clock_stop(n);
 }
 
 _Noreturn void node_exit(int code)

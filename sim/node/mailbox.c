@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/cache.h"
+#include "node/clock.h"
 #include "node/cpu.h"
 #include "node/pending.h"
 #include "node/system.h"
@@ -184,8 +185,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     (void)now;
     if (m->unwanted)
         return true;
-    if (n->pending.count)
-        pending_make_until(n, n->sys->present);
+    pending_make_until(n, n->sys->present);
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
         if (!selects(n, &(*link)->select, m))
             continue;
@@ -587,7 +587,7 @@ void mailbox_run_handler(struct node *n)
     free(d.send);
     node_leave(n);
     handler(n->info.type, n->info.count, n->info.node, n->info.pid, param);
-    node_now(n);
+    clock_stop(n);
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 
     n->in_handler = false;

@@ -353,13 +353,13 @@ static void strip(struct node *n)
         node_heap_free(n->heap);
     span_release(n);
     n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL, n->heap = NULL;
-    n->image = NULL, n->left = n->quiet = NULL;
+    n->image = NULL, n->left = n->quiet = NULL, n->clock.runs = false;
 }
 
 void node_succeed(struct node *n, struct node *before, vtime t)
 {
     size_t peak = n->stats.memory_peak;
-    n->clock.units = before->clock.units;
+    clock_set_units(n, before->clock.units);
     n->stats = before->stats;
     n->armed = before->armed;
     before->stats.waits = (struct node_waits){0};

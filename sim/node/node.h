@@ -40,13 +40,13 @@ enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
 enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED, NODE_NOT_LOADED };
 
 struct node_clock {
-    vtime origin;     /* virtual time not spent computing: now = origin + units as time */
-    uint64_t units;   /* cost units spent up to the last synchronisation */
+    vtime now;        /* at the last synchronisation */
+    uint64_t units;   /* cost units spent up to it */
     int64_t given;    /* what *left was set to then */
     uint64_t known;   /* units: what the node did until then is not ahead of the machine */
     vtime stolen;     /* system time not yet added to the program's: see cpu.c */
     uint64_t unit_ps; /* of a cost unit, 0 if that is no whole number; clock_set */
-    bool runs;        /* the program, since it was last switched to: it may have spent some */
+    bool runs;        /* the program has control: it may have spent some */
 };
 
 /* clock.h; in units. */

@@ -94,7 +94,7 @@ void pending_go_on(struct node *n)
 
 static void account(struct node *n, enum node_task task, vtime t)
 {
-    n->clock.origin += t;
+    n->clock.now += t;
     node_account(n, task, t);
 }
 
@@ -149,7 +149,7 @@ void pending_send(struct node *n, struct message *m)
     c->sends = !n->pending.told && node_is_alone(n, time_of(n, c->turn)); /* what is told comes before */
     c->in_turn = !c->sends;
     vtime sending = mailbox_send_time(n, m);
-    n->clock.origin += sending;
+    n->clock.now += sending;
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
         proto_send(n->sys->proto, m, clock_sync(n));
@@ -206,7 +206,7 @@ static void put_off(struct node *n, vtime now)
 {
     vtime late = n->clock.stolen, begun = now - late;
     n->clock.stolen = 0;
-    n->clock.origin += late;
+    n->clock.now += late;
     n->pending.late += late;
     n->pending.turn += late;
     if (n->call_since > begun)
@@ -273,7 +273,7 @@ static void make(struct node *n, struct pending_call *c, vtime now)
     pop(n);
 }
 
-void pending_make_until(struct node *n, struct instant at)
+void pending_make(struct node *n, struct instant at)
 {
     while (n->pending.count) {
         vtime now = n->pending.turn + n->clock.stolen;
@@ -345,7 +345,7 @@ void pending_take_back(struct node *n)
     if (p->count == 0)
         return;
     const struct pending_call *c = nth(n, 0);
-    n->clock.units = c->units, n->clock.origin = p->turn - clock_of_units(n, c->units);
+    n->clock.units = c->units, n->clock.now = p->turn;
     uint32_t i = index_of(n, 0);
     n->call = n->calls_beside.name[i];
     n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;

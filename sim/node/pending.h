@@ -52,8 +52,13 @@ vtime pending_turn(const struct node *n, struct message **sends);
 vtime pending_last(const struct node *n);
 /* A message has come that the receives may select. */
 void pending_may_select(struct node *n);
-/* Makes those whose turn has come before. */
-void pending_make_until(struct node *n, struct instant at);
+/* Makes those whose turn has come before; there may be none. */
+void pending_make(struct node *n, struct instant at);
+static inline void pending_make_until(struct node *n, struct instant at)
+{
+    if (n->pending.count)
+        pending_make(n, at);
+}
 /* The others have not happened, nor has what came after. */
 void pending_take_back(struct node *n);
 /* Only that: the node has no program any more. */

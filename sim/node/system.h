@@ -52,11 +52,10 @@ struct node_system {
     vtime max_time;      /* VT_NEVER: none */
     vtime longest_slice; /* not 0: computing is stopped at least so often, for tests: it changes no result */
     /* Set by the machine; all may be NULL. */
-    struct workers *workers; /* for programs that compute ahead: cpu.h */
-    bool (*run)(
-        struct node *n); /* goes on with a program until it yields; false: it has crashed, n->crash is set */
-    void (*crashed)(struct node *n); /* at its place in the order of events: reports n->crash */
-    void (*look)(void *ctx);         /* at the world outside, which may want the machine to stop */
+    struct workers *workers;            /* for programs that compute ahead: cpu.h */
+    void (*keep_crash)(struct node *n); /* n->crash has been set, on the calling thread, and would not last */
+    void (*crashed)(struct node *n);    /* at its place in the order of events: reports n->crash */
+    void (*look)(void *ctx);            /* at the world outside, which may want the machine to stop */
     void *look_ctx;
 };
 

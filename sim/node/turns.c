@@ -72,6 +72,7 @@ static inline __attribute__((always_inline)) void load_receives(const struct nod
     for (uint32_t i = 0; i < ids_in_use(n); i++)
         cache_load(&n->ids.ids[i]);
     cache_load(n->receive.m);
+    __builtin_prefetch(n->stats.waits.list, 1);
 }
 
 static inline __attribute__((always_inline)) void load_messages(const struct node *n)
@@ -114,14 +115,11 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
 static void run(struct node *n)
 {
     errno = n->saved_errno;
-    n->clock.runs = true;
-    if (n->sys->run)
-        n->sys->run(n);
-    else
-        fiber_resume(n->fiber);
+    fiber_resume(n->fiber);
+    if (n->crash)
+        n->sys->keep_crash(n);
     n->innermost = fiber_innermost(n->fiber);
     clock_sync(n);
-    n->clock.runs = false;
     n->saved_errno = errno;
 }
 
@@ -187,9 +185,9 @@ void turn_settle(struct node *n, struct instant before)
 /* Will what the program waits for be there at its turn? */
 static bool will_be_ready(struct node *n)
 {
-    n->clock.origin += n->clock.stolen;
+    n->clock.now += n->clock.stolen;
     bool ready = n->wait.ready(n, n->wait.arg);
-    n->clock.origin -= n->clock.stolen;
+    n->clock.now -= n->clock.stolen;
     return ready;
 }
 
