@@ -423,11 +423,15 @@ void counting::store_on_exit()
     }
 }
 
-/* Appends the call of the simulator. */
+/* Appends the call of the simulator. It saves all but what is in x87 registers (long double): whoever has anything there puts
+ * it elsewhere meanwhile, for to ask whether there is any takes longer than all the rest. */
 void append_preemption(gimple_seq *seq)
 {
+    static const char *const names[] = {"memory", "st",    "st(1)", "st(2)", "st(3)",
+                                        "st(4)",  "st(5)", "st(6)", "st(7)"};
     vec<tree, va_gc> *clobbers = NULL;
-    vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
+    for (const char *name : names)
+        vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string((int)strlen(name), name)));
     gasm *call = gimple_build_asm_vec("call\t" PREEMPT, NULL, NULL, clobbers, NULL);
     gimple_asm_set_volatile(call, true);
     gimple_seq_add_stmt_without_update(seq, call);

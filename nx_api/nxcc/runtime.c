@@ -40,63 +40,52 @@ struct nxc_image nxc_image = {
     .long_bytes = NXC_LONG_BYTES,
 };
 
-/* nxc_enter: called from inline assembly where a check finds the counter negative. Nothing is known to be
- * saved there and the stack may have any alignment, so it saves what a C function may change and calls
- * nxc_preempt. The direction flag and the control words are as the ABI wants them. fxsave and fxrstor take ten times as
- * long as the SSE registers and their status alone: that is for programs that have something in the x87 registers (long
- * double), which fxam tells. fxsave needs 512 bytes at a multiple of 16. */
+/* nxc_enter: called from inline assembly where a check finds the counter negative. The stack may have any alignment, and nothing
+ * is saved but x87 registers, so it saves what else a C function may change and calls nxc_preempt. The direction flag and the
+ * control words are as the ABI wants them. */
 #define SSE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15)
 #define SSE_SAVE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
 #define SSE_RESTORE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
 
-__asm__(
-    ".text\n"
-    ".hidden nxc_enter\n"
-    ".globl nxc_enter\n"
-    ".type nxc_enter, @function\n"
-    "nxc_enter:\n"
-    "    .cfi_startproc\n"
-    "    pushq %rbp\n"
-    "    .cfi_def_cfa_offset 16\n"
-    "    .cfi_offset %rbp, -16\n"
-    "    movq %rsp, %rbp\n"
-    "    .cfi_def_cfa_register %rbp\n"
-    "    pushq %rax\n"
-    "    pushq %rcx\n"
-    "    pushq %rdx\n"
-    "    pushq %rsi\n"
-    "    pushq %rdi\n"
-    "    pushq %r8\n"
-    "    pushq %r9\n"
-    "    pushq %r10\n"
-    "    pushq %r11\n"
-    "    subq $520, %rsp\n"
-    "    andq $-16, %rsp\n"
-    "    fxam\n"
-    "    fnstsw %ax\n"
-    "    andl $0x4500, %eax\n" /* C3, C2, C0: 1, 0, 1 is an empty register, and then all are */
-    "    cmpl $0x4100, %eax\n"
-    "    jne 1f\n" SSE(SSE_SAVE) "    stmxcsr 256(%rsp)\n"
-                                 "    call nxc_preempt@PLT\n"
-                                 "    ldmxcsr 256(%rsp)\n" SSE(SSE_RESTORE) "    jmp 2f\n"
-                                                                            "1:  fxsave (%rsp)\n"
-                                                                            "    call nxc_preempt@PLT\n"
-                                                                            "    fxrstor (%rsp)\n"
-                                                                            "2:  leaq -72(%rbp), %rsp\n"
-                                                                            "    popq %r11\n"
-                                                                            "    popq %r10\n"
-                                                                            "    popq %r9\n"
-                                                                            "    popq %r8\n"
-                                                                            "    popq %rdi\n"
-                                                                            "    popq %rsi\n"
-                                                                            "    popq %rdx\n"
-                                                                            "    popq %rcx\n"
-                                                                            "    popq %rax\n"
-                                                                            "    popq %rbp\n"
-                                                                            "    .cfi_def_cfa %rsp, 8\n"
-                                                                            "    ret\n"
-                                                                            "    .cfi_endproc\n"
-                                                                            ".size nxc_enter, .-nxc_enter\n");
+__asm__(".text\n"
+        ".hidden nxc_enter\n"
+        ".globl nxc_enter\n"
+        ".type nxc_enter, @function\n"
+        "nxc_enter:\n"
+        "    .cfi_startproc\n"
+        "    pushq %rbp\n"
+        "    .cfi_def_cfa_offset 16\n"
+        "    .cfi_offset %rbp, -16\n"
+        "    movq %rsp, %rbp\n"
+        "    .cfi_def_cfa_register %rbp\n"
+        "    pushq %rax\n"
+        "    pushq %rcx\n"
+        "    pushq %rdx\n"
+        "    pushq %rsi\n"
+        "    pushq %rdi\n"
+        "    pushq %r8\n"
+        "    pushq %r9\n"
+        "    pushq %r10\n"
+        "    pushq %r11\n"
+        "    subq $264, %rsp\n"
+        "    andq $-16, %rsp\n" SSE(SSE_SAVE) "    stmxcsr 256(%rsp)\n"
+                                              "    call nxc_preempt@PLT\n"
+                                              "    ldmxcsr 256(%rsp)\n" SSE(
+                                                  SSE_RESTORE) "    leaq -72(%rbp), %rsp\n"
+                                                               "    popq %r11\n"
+                                                               "    popq %r10\n"
+                                                               "    popq %r9\n"
+                                                               "    popq %r8\n"
+                                                               "    popq %rdi\n"
+                                                               "    popq %rsi\n"
+                                                               "    popq %rdx\n"
+                                                               "    popq %rcx\n"
+                                                               "    popq %rax\n"
+                                                               "    popq %rbp\n"
+                                                               "    .cfi_def_cfa %rsp, 8\n"
+                                                               "    ret\n"
+                                                               "    .cfi_endproc\n"
+                                                               ".size nxc_enter, .-nxc_enter\n");
 
 #ifndef NXC_HOSTED
 /* Run by the kernel when somebody starts the program in a shell: nothing has been relocated, so only what is

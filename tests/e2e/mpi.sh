@@ -21,7 +21,7 @@ check "sends never wait for receives" printed "0 wrong"
 
 for options in "-O2" "-O3 -march=native"; do
     # shellcheck disable=SC2086
-    "$BUILD/nxcc" --mpi $options -Wall -o registers "$tests/mpi/registers.c" 2>compile.err
+    "$BUILD/nxcc" --mpi $options -Wall -o registers "$tests/../nx/registers.c" 2>compile.err
     on_mpi 2 ./registers
     check "an interrupt leaves the registers as they were: $options" printed "many rounds, 0 differ"
 done
