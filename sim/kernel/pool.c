@@ -1,6 +1,7 @@
 /* pool.c - see pool.h. */
 #include "kernel/pool.h"
 #include <stdlib.h>
+#include <sys/mman.h>
 #include "kernel/cache.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -31,8 +32,11 @@ enum { AHEAD = 4 };  /* a block is loaded so many before it is taken */
 
 struct pool_chunk {
     struct pool_chunk *next;
-    char blocks[] __attribute__((aligned(CACHE_PAIR)));
+    char blocks[] __attribute__((aligned(CACHE_BLOCK)));
 };
+
+/* Chunks of half its size and more are in large pages, if the system has any: then a TLB holds them. */
+enum { LARGE_PAGE = 2 << 20 };
 
 static void *checked(void *p)
 {
@@ -41,11 +45,21 @@ static void *checked(void *p)
     return p;
 }
 
+static struct pool_chunk *new_chunk(size_t bytes)
+{
+    if (bytes < LARGE_PAGE / 2)
+        return checked(aligned_alloc(CACHE_BLOCK, bytes));
+    bytes = (bytes + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
+    struct pool_chunk *c = checked(aligned_alloc(LARGE_PAGE, bytes));
+    madvise(c, bytes, MADV_HUGEPAGE);
+    return c;
+}
+
 static void add_chunk(struct pool *p)
 {
     size_t stride = (p->bytes + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR;
     size_t more = p->blocks ? p->blocks : FIRST;
-    struct pool_chunk *c = checked(aligned_alloc(CACHE_PAIR, sizeof *c + more * stride));
+    struct pool_chunk *c = new_chunk(sizeof *c + more * stride);
     c->next = p->chunks;
     p->chunks = c;
     p->blocks += more;

@@ -14,7 +14,7 @@ struct pool {
     struct pool_chunk *chunks;
 };
 
-/* At the beginning of a pair of lines (cache.h). Not cleared. Never NULL. */
+/* At the beginning of a pair of lines (cache.h), or of a block if it has whole ones. Not cleared. Never NULL. */
 void *pool_take(struct pool *p);
 void pool_give(struct pool *p, void *block);
 /* All blocks go, in use or not. */

@@ -160,6 +160,7 @@ void machine_free(struct machine *m)
     for (uint32_t i = m->sys.nodes && !m->sys.cube ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);
     cube_free(m->sys.cube);
+    pool_free(&m->sys.made);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
     proto_free(m->sys.proto);

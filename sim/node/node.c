@@ -284,9 +284,8 @@ static void set_clock(struct node *n)
 
 static struct node *make(struct node_system *sys, uint32_t id)
 {
-    struct node *n = aligned_alloc(CACHE_BLOCK, (sizeof *n + CACHE_BLOCK - 1) / CACHE_BLOCK * CACHE_BLOCK);
-    if (!n)
-        abort();
+    sys->made.bytes = (sizeof(struct node) + CACHE_BLOCK - 1) / CACHE_BLOCK * CACHE_BLOCK;
+    struct node *n = pool_take(&sys->made);
     *n = (struct node){0};
     n->sys = sys, n->id = n->place = id;
     set_clock(n);
@@ -375,5 +374,5 @@ void node_delete(struct node *n)
     if (!n)
         return;
     strip(n);
-    free(n);
+    pool_give(&n->sys->made, n);
 }

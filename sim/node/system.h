@@ -5,6 +5,7 @@
 #include "kernel/bounds.h"
 #include "kernel/cache.h"
 #include "kernel/evq.h"
+#include "kernel/pool.h"
 #include "net/proto.h"
 #include "node/file.h"
 #include "node/node.h"
@@ -23,6 +24,7 @@ struct node_system {
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
+    struct pool made;          /* what nodes are made of; to be freed behind them */
     struct node_region *roomy; /* regions of address space with room for more nodes: span.h */
     struct node *host;         /* the node that runs the host program, NULL: none. Its number is count. */
     struct cube *cube;   /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
@@ -33,6 +35,7 @@ struct node_system {
 
     enum node_stop stop;    /* why the machine stops before its programs have ended */
     struct instant stop_at; /* STOP_FAILED: the failed program's; STOP_VIRTUAL_TIME: the limit */
+    uint32_t switches;      /* to programs, modulo 2^32 */
     uint32_t unseen; /* calls since the scheduler had control: it looks at the wall clock and the keyboard */
 
     /* the first failure, for the user; NULL none */
