@@ -146,7 +146,7 @@ bool cfg_number(struct cfg_reader *r, config_setting_t *in, const char *key, dou
 bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const char *tail, uint64_t *ps)
 {
     char us[MAX_KEY], ns[MAX_KEY];
-    double value;
+    double value = 0; /* GCC does not see that cfg_number sets it */
     snprintf(us, sizeof us, "%s_us%s", key, tail);
     snprintf(ns, sizeof ns, "%s_ns%s", key, tail);
     if (r->error)
