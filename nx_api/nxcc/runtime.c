@@ -44,8 +44,10 @@ struct nxc_image nxc_image = {
  * is saved but x87 registers, so it saves what else a C function may change and calls nxc_preempt. The direction flag and the
  * control words are as the ABI wants them. */
 #define SSE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15)
-#define SSE_SAVE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
-#define SSE_RESTORE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
+#define SAVE_ONE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
+#define RESTORE_ONE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
+#define SAVE_SSE SSE(SAVE_ONE)
+#define RESTORE_SSE SSE(RESTORE_ONE)
 
 __asm__(".text\n"
         ".hidden nxc_enter\n"
@@ -68,24 +70,23 @@ __asm__(".text\n"
         "    pushq %r10\n"
         "    pushq %r11\n"
         "    subq $264, %rsp\n"
-        "    andq $-16, %rsp\n" SSE(SSE_SAVE) "    stmxcsr 256(%rsp)\n"
-                                              "    call nxc_preempt@PLT\n"
-                                              "    ldmxcsr 256(%rsp)\n" SSE(
-                                                  SSE_RESTORE) "    leaq -72(%rbp), %rsp\n"
-                                                               "    popq %r11\n"
-                                                               "    popq %r10\n"
-                                                               "    popq %r9\n"
-                                                               "    popq %r8\n"
-                                                               "    popq %rdi\n"
-                                                               "    popq %rsi\n"
-                                                               "    popq %rdx\n"
-                                                               "    popq %rcx\n"
-                                                               "    popq %rax\n"
-                                                               "    popq %rbp\n"
-                                                               "    .cfi_def_cfa %rsp, 8\n"
-                                                               "    ret\n"
-                                                               "    .cfi_endproc\n"
-                                                               ".size nxc_enter, .-nxc_enter\n");
+        "    andq $-16, %rsp\n" SAVE_SSE "    stmxcsr 256(%rsp)\n"
+        "    call nxc_preempt@PLT\n"
+        "    ldmxcsr 256(%rsp)\n" RESTORE_SSE "    leaq -72(%rbp), %rsp\n"
+        "    popq %r11\n"
+        "    popq %r10\n"
+        "    popq %r9\n"
+        "    popq %r8\n"
+        "    popq %rdi\n"
+        "    popq %rsi\n"
+        "    popq %rdx\n"
+        "    popq %rcx\n"
+        "    popq %rax\n"
+        "    popq %rbp\n"
+        "    .cfi_def_cfa %rsp, 8\n"
+        "    ret\n"
+        "    .cfi_endproc\n"
+        ".size nxc_enter, .-nxc_enter\n");
 
 #ifndef NXC_HOSTED
 /* Run by the kernel when somebody starts the program in a shell: nothing has been relocated, so only what is

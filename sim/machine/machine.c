@@ -238,6 +238,7 @@ static bool commit_event(struct node_system *s)
     return next <= s->max_time && node_step(s);
 }
 
+/* Flattened: after a switch to a program and back no processor foresees where a function returns to. */
 __attribute__((flatten)) static void commit_events(struct machine *m)
 {
     enum { LOOK_EVERY = 1024 };
