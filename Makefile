@@ -18,7 +18,7 @@ APP_SRC := $(wildcard app/*.c)
 
 all: $B/touchstone $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a ## Build everything into build/
 
-$B/obj/%.o: %.c
+$B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LTO) -MMD -MP -c -o $@ $<
 

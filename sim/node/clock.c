@@ -124,5 +124,5 @@ void clock_allow(struct node *n, vtime deadline)
     c->given = (int64_t)units - 1;
     *n->left = c->given;
     *n->quiet = NXC_NOT_QUIET;
-    c->runs = true;
+    clock_start(n);
 }

@@ -35,7 +35,13 @@ static inline vtime clock_sync(struct node *n)
     return c->now;
 }
 
-/* The program is in a call, or gone: it spends nothing until clock_allow. */
+/* The program has control, with what it may yet spend: it may have spent some whenever the time is asked for. */
+static inline void clock_start(struct node *n)
+{
+    n->clock.runs = true;
+}
+
+/* The program is in a call: it spends nothing until clock_start. */
 static inline vtime clock_stop(struct node *n)
 {
     clock_sync(n);
@@ -64,7 +70,7 @@ static inline void clock_advance_to(struct node *n, vtime t)
 
 /* The program gets control: the looks begin anew. Call after clock_sync. */
 void clock_give(struct node *n);
-/* Let the program spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
+/* Starts the program's clock: it may spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
  * nxc_preempt. Call after clock_sync. */
 void clock_allow(struct node *n, vtime deadline);
 /* In nxc_preempt, after clock_sync: notes the looks that are due, and what the program says of its next call. */

@@ -60,8 +60,10 @@ int node_atexit(void (*f)(void))
 void node_libc_atexit_run(struct node *n)
 {
     struct node_libc *c = n->libc;
-    while (c->atexit_count > 0)
-        n->clock.runs = true, c->atexit[--c->atexit_count]();
+    while (c->atexit_count > 0) {
+        clock_start(n);
+        c->atexit[--c->atexit_count]();
+    }
     clock_stop(n);
 }
 
