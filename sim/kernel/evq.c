@@ -18,6 +18,7 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "kernel/cache.h"
+#include "kernel/pool.h"
 
 /* An event's place in the order is one number of 128 bits, compared without branches:
  * time (64) | place (20) | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
@@ -38,13 +39,13 @@ struct event {
 
 enum { SEQUENCE_BITS = 43, PLACE_BITS = 20, NUMBER_BITS = 22 };
 enum { DIGIT_BITS = 6, DIGITS = 1 << DIGIT_BITS, LEVELS = (64 + DIGIT_BITS - 1) / DIGIT_BITS };
-enum { CHUNK = 23, FEW = 4 };
-enum { AHEAD = 4 }; /* load_ahead */
+enum { CHUNK = 25, FEW = 4 }; /* of a chunk: as many as fit into 1 KB */
+enum { AHEAD = 4 };           /* load_ahead */
 #define LATE (UINT64_C(1) << SEQUENCE_BITS)
 #define ORDINARY (LATE >> 1)
 
 struct chunk {
-    struct chunk *next, *made; /* made: the one that was allocated before */
+    struct chunk *next;
     struct event events[CHUNK];
 };
 
@@ -70,22 +71,22 @@ struct evq {
     uint32_t levels;         /* bit L: filled[L] is not 0 */
     uint64_t filled[LEVELS]; /* bit D: slot D has events */
     struct slot slots[LEVELS][DIGITS];
-    struct chunk *unused, *made;
+    struct pool chunks;
 };
 
 struct evq *evq_new(void)
 {
-    return calloc(1, sizeof(struct evq));
+    struct evq *q = calloc(1, sizeof(struct evq));
+    if (q)
+        q->chunks.bytes = sizeof(struct chunk);
+    return q;
 }
 
 void evq_free(struct evq *q)
 {
     if (!q)
         return;
-    for (struct chunk *c = q->made, *made; c; c = made) {
-        made = c->made;
-        free(c);
-    }
+    pool_free(&q->chunks);
     free(q->heap);
     free(q);
 }
@@ -123,22 +124,9 @@ static void *checked(void *p)
 
 static struct chunk *new_chunk(struct evq *q)
 {
-    struct chunk *c = q->unused;
-    if (c) {
-        q->unused = c->next;
-    } else {
-        c = checked(malloc(sizeof *c));
-        c->made = q->made;
-        q->made = c;
-    }
+    struct chunk *c = pool_take(&q->chunks);
     c->next = NULL;
     return c;
-}
-
-static void drop_chunk(struct evq *q, struct chunk *c)
-{
-    c->next = q->unused;
-    q->unused = c;
 }
 
 /* Room for the first event of a list. */
@@ -228,14 +216,15 @@ static inline __attribute__((always_inline)) void load_ahead(const struct evq *q
 static inline struct action take_run(struct evq *q)
 {
     struct event *e = q->next;
+    struct action what = e->what;
     load_ahead(q);
     q->next = following(&q->run, e);
     if (q->next != e + 1) {
         struct chunk *c = q->run.first;
         q->run.first = c->next;
-        drop_chunk(q, c);
+        pool_give(&q->chunks, c);
     }
-    return e->what;
+    return what;
 }
 
 /* --- the future's slots --- */
@@ -299,7 +288,7 @@ static void spread(struct evq *q, struct list l)
         for (const struct event *e = c->events; e < end; e++)
             *add(q, e->key) = *e;
         next = c->next;
-        drop_chunk(q, c);
+        pool_give(&q->chunks, c);
     }
 }
 

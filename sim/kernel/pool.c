@@ -1,42 +1,62 @@
 /* pool.c - see pool.h. */
 #include "kernel/pool.h"
+#include <stdbool.h>
 #include <stdlib.h>
 #include <sys/mman.h>
 #include "kernel/cache.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 
+/* A block; they are linked. */
+struct pool_chunk {
+    struct pool_chunk *next, **link;
+    _Alignas(CACHE_BLOCK) char block[];
+};
+
 void *pool_take(struct pool *p)
 {
-    void *block = malloc(p->bytes);
-    if (!block)
+    void *memory;
+    if (posix_memalign(&memory, CACHE_BLOCK, sizeof(struct pool_chunk) + p->bytes))
         abort();
-    return block;
+    struct pool_chunk *c = memory;
+    *c = (struct pool_chunk){p->first, &p->first};
+    if (c->next)
+        c->next->link = &c->next;
+    p->first = c;
+    return c->block;
 }
 
 void pool_give(struct pool *p, void *block)
 {
+    struct pool_chunk *c = (struct pool_chunk *)((char *)block - offsetof(struct pool_chunk, block));
     (void)p;
-    free(block);
+    *c->link = c->next;
+    if (c->next)
+        c->next->link = c->link;
+    free(c);
 }
 
 void pool_free(struct pool *p)
 {
-    (void)p;
+    while (p->first)
+        pool_give(p, p->first->block);
 }
 
 #else
 
-enum { FIRST = 64 }; /* blocks; each chunk has as many as all before */
-enum { AHEAD = 4 };  /* a block is loaded so many before it is taken */
+enum { CHUNK = 256 << 10, WORD = 64, WORDS = CHUNK / CACHE_PAIR / WORD };
+enum { AHEAD = 4 }; /* a block is loaded so many before it is taken */
 
+/* Behind the first few, chunks come in groups that fill a large page, if the system has any: then a TLB holds them. */
+enum { LARGE_PAGE = 2 << 20, GROUP = LARGE_PAGE / CHUNK, SINGLE = 4 };
+
+/* At a multiple of its size, so that a block's chunk is found from its address. */
 struct pool_chunk {
-    struct pool_chunk *next;
-    char blocks[] __attribute__((aligned(CACHE_BLOCK)));
+    uint32_t number;        /* in pool.chunks */
+    uint32_t words;         /* bit W: unused[W] is not 0 */
+    uint64_t unused[WORDS]; /* bit B of word W: block WORD * W + B */
+    _Alignas(CACHE_BLOCK) char blocks[];
 };
-
-/* Chunks of half its size and more are in large pages, if the system has any: then a TLB holds them. */
-enum { LARGE_PAGE = 2 << 20 };
 
 static void *checked(void *p)
 {
@@ -45,51 +65,116 @@ static void *checked(void *p)
     return p;
 }
 
-static struct pool_chunk *new_chunk(size_t bytes)
+static bool begins_group(size_t chunk)
 {
-    if (bytes < LARGE_PAGE / 2)
-        return checked(aligned_alloc(CACHE_BLOCK, bytes));
-    bytes = (bytes + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
-    struct pool_chunk *c = checked(aligned_alloc(LARGE_PAGE, bytes));
-    madvise(c, bytes, MADV_HUGEPAGE);
+    return chunk < SINGLE || (chunk - SINGLE) % GROUP == 0;
+}
+
+static struct pool_chunk *new_chunk(const struct pool *p)
+{
+    if (!begins_group(p->count))
+        return (struct pool_chunk *)((char *)p->chunks[p->count - 1] + CHUNK);
+    if (p->count < SINGLE)
+        return checked(aligned_alloc(CHUNK, CHUNK));
+    struct pool_chunk *c = checked(aligned_alloc(LARGE_PAGE, LARGE_PAGE));
+    madvise(c, LARGE_PAGE, MADV_HUGEPAGE);
     return c;
 }
 
-static void add_chunk(struct pool *p)
+static void set_roomy(struct pool *p, const struct pool_chunk *c)
 {
-    size_t stride = (p->bytes + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR;
-    size_t more = p->blocks ? p->blocks : FIRST;
-    struct pool_chunk *c = new_chunk(sizeof *c + more * stride);
-    c->next = p->chunks;
-    p->chunks = c;
-    p->blocks += more;
-    p->unused = checked(reallocarray(p->unused, p->blocks, sizeof *p->unused));
-    for (size_t i = more; i-- > 0;)
-        pool_give(p, c->blocks + i * stride);
+    p->roomy[c->number / WORD] |= UINT64_C(1) << c->number % WORD;
+}
+
+static void fill(const struct pool *p, struct pool_chunk *c)
+{
+    size_t blocks = (CHUNK - sizeof *c) / p->stride;
+    for (size_t i = 0; i < blocks; i++) {
+        c->unused[i / WORD] |= UINT64_C(1) << i % WORD;
+        c->words |= UINT32_C(1) << i / WORD;
+    }
+}
+
+/* There is no room in the others. */
+static __attribute__((noinline)) void add_chunk(struct pool *p)
+{
+    p->stride = (p->bytes + CACHE_PAIR - 1) / CACHE_PAIR * CACHE_PAIR;
+    p->a_block = (UINT64_C(1) << 32) / p->stride + 1;
+    struct pool_chunk *c = new_chunk(p);
+    *c = (struct pool_chunk){.number = (uint32_t)p->count};
+    fill(p, c);
+    if (p->count % WORD == 0) {
+        p->chunks = checked(reallocarray(p->chunks, p->count + WORD, sizeof(struct pool_chunk *)));
+        p->roomy = checked(reallocarray(p->roomy, p->count / WORD + 1, sizeof *p->roomy));
+        p->roomy[p->count / WORD] = 0;
+    }
+    p->chunks[p->count++] = p->first = c;
+    set_roomy(p, c);
+}
+
+/* The first chunk is full. */
+static __attribute__((noinline)) void leave_first(struct pool *p)
+{
+    size_t w = p->first->number / WORD, words = (p->count + WORD - 1) / WORD;
+    p->roomy[w] &= p->roomy[w] - 1;
+    while (w < words && !p->roomy[w])
+        w++;
+    p->first = w < words ? p->chunks[WORD * w + (size_t)__builtin_ctzll(p->roomy[w])] : NULL;
+}
+
+static void *take_first(struct pool *p)
+{
+    if (!p->first)
+        add_chunk(p);
+    struct pool_chunk *c = p->first;
+    unsigned w = (unsigned)__builtin_ctz(c->words), b = (unsigned)__builtin_ctzll(c->unused[w]);
+    c->unused[w] &= c->unused[w] - 1;
+    if (!c->unused[w])
+        c->words &= c->words - 1;
+    if (!c->words)
+        leave_first(p);
+    char *block = c->blocks + (WORD * w + b) * p->stride, *ahead = block + AHEAD * p->stride;
+    if (ahead < (char *)c + CHUNK)
+        cache_load(ahead);
+    return block;
+}
+
+static void put_back(struct pool *p, void *block)
+{
+    struct pool_chunk *c = (struct pool_chunk *)((uintptr_t)block & ~(uintptr_t)(CHUNK - 1));
+    uint64_t i = (uint64_t)((char *)block - c->blocks) * p->a_block >> 32;
+    bool was_full = !c->words;
+    c->unused[i / WORD] |= UINT64_C(1) << i % WORD;
+    c->words |= UINT32_C(1) << i / WORD;
+    if (!was_full)
+        return;
+    set_roomy(p, c);
+    if (!p->first || c->number < p->first->number)
+        p->first = c;
 }
 
 void *pool_take(struct pool *p)
 {
-    if (!p->count)
-        add_chunk(p);
-    void *block = p->unused[--p->count];
-    if (p->count >= AHEAD)
-        cache_load(p->unused[p->count - AHEAD]);
-    return block;
+    void *last = p->last;
+    p->last = NULL;
+    return last ? last : take_first(p);
 }
 
 void pool_give(struct pool *p, void *block)
 {
-    p->unused[p->count++] = block;
+    void *before = p->last;
+    p->last = block;
+    if (before)
+        put_back(p, before);
 }
 
 void pool_free(struct pool *p)
 {
-    for (struct pool_chunk *c = p->chunks, *next; c; c = next) {
-        next = c->next;
-        free(c);
-    }
-    free(p->unused);
+    for (size_t i = p->count; i-- > 0;)
+        if (begins_group(i))
+            free(p->chunks[i]);
+    free(p->chunks);
+    free(p->roomy);
     *p = (struct pool){.bytes = p->bytes};
 }
 

@@ -1,21 +1,28 @@
-/* pool.h - blocks of memory of one size, which come and go often: those given back last are used first, while the caches
- * still hold them. With AddressSanitizer each is the heap's own, so that it sees a use after the end. */
+/* pool.h - blocks of memory of one size, which come and go often. Taken is the one given back last, which the caches still
+ * hold, else of those that are unused the first by address: so the blocks in use lie close together, and those taken one after
+ * the other side by side, in whatever order they were given back. With AddressSanitizer each is the heap's own, so that it
+ * sees a use after the end. */
 #ifndef POOL_POOL_H
 #define POOL_POOL_H
 #include <stddef.h>
+#include <stdint.h>
 
 struct pool_chunk; /* what blocks are cut from */
 
 struct pool {
-    size_t bytes;  /* of a block */
-    void **unused; /* blocks: none of them is looked at, not even to find another, until it is taken */
-    size_t count;  /* of them */
-    size_t blocks; /* in all */
-    struct pool_chunk *chunks;
+    size_t bytes;             /* of a block, at most 64 KB; the rest is the pool's own */
+    void *last;               /* the block given back last. NULL: it has been taken */
+    struct pool_chunk *first; /* with unused blocks. NULL: there is none */
+    size_t stride;            /* from one block to the next */
+    uint64_t a_block;         /* 2^32 / stride, rounded up */
+    struct pool_chunk **chunks;
+    uint64_t *roomy; /* bit B of word W: chunk 64 * W + B has unused blocks */
+    size_t count;    /* of chunks */
 };
 
 /* At the beginning of a pair of lines (cache.h), or of a block if it has whole ones. Not cleared. Never NULL. */
 void *pool_take(struct pool *p);
+/* Does not look at the block. */
 void pool_give(struct pool *p, void *block);
 /* All blocks go, in use or not. */
 void pool_free(struct pool *p);

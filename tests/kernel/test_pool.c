@@ -34,9 +34,7 @@ static void blocks_are_aligned_and_do_not_touch(void **state)
     (void)state;
     for (int i = 0; i < MANY; i++) {
         blocks[i] = pool_take(&p);
-#if !defined(__SANITIZE_ADDRESS__)
         assert_int_equal((uintptr_t)blocks[i] % CACHE_PAIR, 0);
-#endif
         fill(blocks[i], i);
     }
     end_with(&p, blocks);
@@ -57,7 +55,7 @@ static void given_blocks_are_taken_again(void **state)
     end_with(&p, blocks);
 }
 
-/* The one given back last, which the caches still hold. */
+/* The one given back last, which the caches still hold. (The other is the first by address.) */
 static void the_last_given_is_the_next_taken(void **state)
 {
 #if defined(__SANITIZE_ADDRESS__)
@@ -75,12 +73,41 @@ static void the_last_given_is_the_next_taken(void **state)
 #endif
 }
 
+/* Behind that one the first by address, in whatever order they were given back: in more chunks than a group has, and than
+ * have a word of bits. */
+static void the_others_are_taken_by_address(void **state)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    (void)state;
+    skip();
+#else
+    enum { CHUNKS = 70, LARGE = 60000, COUNT = CHUNKS * 4, STEP = 97 };
+    struct pool p = {.bytes = LARGE};
+    char *blocks[COUNT], *again[COUNT];
+    (void)state;
+    for (int i = 0; i < COUNT; i++)
+        memset(blocks[i] = pool_take(&p), i, LARGE);
+    for (int i = 0; i < COUNT; i++)
+        assert_int_equal((unsigned char)blocks[i][LARGE - 1], i % 256);
+    for (int i = 0; i < COUNT; i++)
+        pool_give(&p, blocks[i * STEP % COUNT]);
+    for (int i = 0; i < COUNT; i++)
+        again[i] = pool_take(&p);
+    int last = (COUNT - 1) * STEP % COUNT;
+    assert_ptr_equal(again[0], blocks[last]);
+    for (int i = 1; i < COUNT; i++)
+        assert_ptr_equal(again[i], blocks[i <= last ? i - 1 : i]);
+    pool_free(&p);
+#endif
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blocks_are_aligned_and_do_not_touch),
         cmocka_unit_test(given_blocks_are_taken_again),
         cmocka_unit_test(the_last_given_is_the_next_taken),
+        cmocka_unit_test(the_others_are_taken_by_address),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
