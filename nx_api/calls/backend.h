@@ -32,6 +32,8 @@ struct outgoing {
 /* Send to one node or all others. s, if not NULL, learns when buf may be used again: when the last message that this node
  * itself sends is gone. */
 void nx_send(struct node *n, const struct outgoing *o, struct send *s);
+/* Could the buffer be used again when nx_send returns? Then s tells nothing. */
+bool nx_goes_at_once(const struct node *n, const struct outgoing *o);
 /* May n send there? The node exists. 0, or -1 with the error. */
 long nx_check_way(struct node *n, long node);
 /* Throw away what typesel selects of the messages that have come for a node (-1: all). */

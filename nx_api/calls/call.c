@@ -91,7 +91,7 @@ static _Noreturn void wrong(struct node *n, const char *parameters, ...)
     }
     va_end(ap);
     fclose(f);
-    node_fail(n, "%s(%s): %s", n->call, text, n->error.text);
+    node_fail(n, "%s(%s): %s", n->call, text, n->error->text);
 }
 
 /* --- the faces --- */
@@ -120,7 +120,7 @@ static void leave(struct node *n)
 long nx_plain(struct node *n, long result)
 {
     if (result < 0)
-        node_fail(n, "%s: %s", n->call, n->error.text);
+        node_fail(n, "%s: %s", n->call, n->error->text);
     leave(n);
     return result;
 }
@@ -134,7 +134,7 @@ __attribute__((noinline)) static void set_errno(int why)
 /* _NAME: an error is the program's to see. */
 long nx_returning(struct node *n, long result)
 {
-    int why = n->error.code;
+    int why = n->error->code;
     leave(n);
     if (result < 0)
         set_errno(why);

@@ -21,14 +21,23 @@ bool nx_send_is_done(struct node *n, void *send)
     return ((struct send *)send)->done;
 }
 
-/* Sends, and waits until the buffer may be used again. Where it may be at once, the program goes on: what happens until
- * its next call takes the processor's time from it in any case. */
-static void send_and_wait(struct node *n, const struct outgoing *o)
+/* (Apart: most messages do without, and want few lines of the stack.) */
+static __attribute__((noinline)) void follow_and_wait(struct node *n, const struct outgoing *o)
 {
     struct send s = {0};
     nx_send(n, o, &s);
     if (!s.done)
         node_wait(n, nx_send_is_done, &s);
+}
+
+/* Sends, and waits until the buffer may be used again. Where it may be at once, the program goes on: what happens until
+ * its next call takes the processor's time from it in any case. */
+static void send_and_wait(struct node *n, const struct outgoing *o)
+{
+    if (nx_goes_at_once(n, o))
+        nx_send(n, o, NULL);
+    else
+        follow_and_wait(n, o);
 }
 
 long nxs_csend(word type, const void *buf, word len, word node, word pid)

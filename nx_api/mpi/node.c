@@ -131,9 +131,9 @@ long node_error(struct node *n, int code, const char *fmt, ...)
 {
     va_list ap;
     va_start(ap, fmt);
-    vsnprintf(n->error.text, sizeof n->error.text, fmt, ap);
+    vsnprintf(n->error->text, sizeof n->error->text, fmt, ap);
     va_end(ap);
-    n->error.code = code;
+    n->error->code = code;
     return -1;
 }
 
@@ -263,6 +263,12 @@ long nx_check_way(struct node *n, long node)
 {
     (void)n, (void)node;
     return 0;
+}
+
+bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
+{
+    (void)n, (void)o;
+    return true;
 }
 
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)

@@ -37,9 +37,9 @@ struct node {
     long id, pid;
     struct node_system *sys;
     struct node_info info;
-    struct node_error error;
-    const char *call; /* NULL while it computes */
-    long call_type;   /* type, typesel or id it was given */
+    struct node_error error[1]; /* the calls find it by n->error->, wherever a backend keeps it */
+    const char *call;           /* NULL while it computes */
+    long call_type;             /* type, typesel or id it was given */
     bool call_has_type;
     int saved_errno;
     bool masked, in_handler;

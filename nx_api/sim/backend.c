@@ -56,6 +56,13 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
         clock_advance_to(n, mailbox_send(n, m, node_now(n)));
 }
 
+/* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is
+ * to be seen in order all the same: one that is due runs before the call ends. */
+bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
+{
+    return proto_one_trip(n->sys->proto, (word)o->type, (size_t)o->len) && !n->armed;
+}
+
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
     struct proto *p = n->sys->proto;
@@ -65,10 +72,7 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     struct message *m = all ? proto_to_all(p, n->place, type, pid, o->buf, len)
                             : proto_message(p, n->place, place_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
-    /* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is
-     * to be seen in order all the same: one that is due runs before the call ends. */
-    bool free = proto_one_trip(p, type, len) && !n->armed;
-    if (s && (!m || free)) {
+    if (s && (!m || nx_goes_at_once(n, o))) {
         s->done = true;
         s = NULL;
     }

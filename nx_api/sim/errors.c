@@ -17,7 +17,7 @@ void node_nxperror(const char *what)
     struct node *n = node_self();
     int code = errno;
     fprintf(n->libc->streams.err, "(%s, ptype %ld) %s: %s\n", n->name, n->pid, what ? what : "",
-            code == n->error.code ? n->error.text : node_strerror(code));
+            code == n->error->code ? n->error->text : node_strerror(code));
 }
 
 /* For the calls that are node programs themselves (nx_api/common): ends the process with a message that names call and

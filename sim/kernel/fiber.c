@@ -18,18 +18,6 @@ struct transfer {
 extern fcontext_t make_fcontext(void *top, size_t size, void (*entry)(struct transfer));
 extern struct transfer jump_fcontext(fcontext_t to, void *data);
 
-struct fiber {
-    fcontext_t self, back;
-    void *stack;
-    size_t size;
-    void (*entry)(void *);
-    void *arg;
-    const void *back_stack; /* of the resumer, for the sanitizers */
-    size_t back_size;
-    void *fake;                 /* the sanitizers' shadow of the side not running */
-    void *thread, *back_thread; /* ThreadSanitizer takes each fiber to be a thread */
-};
-
 static _Thread_local struct fiber *current;
 
 /* Tell AddressSanitizer that the stack is about to change, and that it has changed. */
@@ -100,22 +88,19 @@ static void start(struct transfer t)
     abort(); /* entry must end with fiber_finish */
 }
 
-struct fiber *fiber_new(void *stack, size_t size, void (*entry)(void *), void *arg)
+void fiber_begin(struct fiber *f, void *stack, size_t size, void (*entry)(void *), void *arg)
 {
-    struct fiber *f = calloc(1, sizeof *f);
-    if (!f)
-        return NULL;
-    f->stack = stack, f->size = size, f->entry = entry, f->arg = arg;
+    *f = (struct fiber){.stack = stack, .size = size, .entry = entry, .arg = arg};
     clean(stack, size);
     f->thread = new_thread();
     f->self = make_fcontext((char *)stack + size, size, start);
-    return f;
 }
 
-void fiber_free(struct fiber *f)
+void fiber_end(struct fiber *f)
 {
-    free_thread(f->thread);
-    free(f);
+    if (f->self)
+        free_thread(f->thread);
+    f->self = NULL;
 }
 
 void fiber_resume(struct fiber *f)
@@ -156,9 +141,4 @@ struct fiber *fiber_current(void)
 void *fiber_arg(const struct fiber *f)
 {
     return f->arg;
-}
-
-const void *fiber_innermost(const struct fiber *f)
-{
-    return f->self;
 }

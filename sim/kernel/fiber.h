@@ -4,12 +4,24 @@
 #define FIBER_FIBER_H
 #include <stddef.h>
 
-struct fiber;
+/* Nobody else's business: here so that a fiber can lie where its owner wants it. */
+struct fiber {
+    void *stack;
+    size_t size;
+    void (*entry)(void *);
+    void *arg;
+    const void *back_stack; /* of the resumer, for the sanitizers */
+    size_t back_size;
+    void *fake;                 /* the sanitizers' shadow of the side not running */
+    void *thread, *back_thread; /* ThreadSanitizer takes each fiber to be a thread */
+    /* last, for what lies behind it: what a switch wants */
+    void *self, *back; /* where it goes on, and who resumed it */
+};
 
-/* A fiber that will run entry(arg) on [stack, stack + size). entry must end with fiber_finish(). */
-struct fiber *fiber_new(void *stack, size_t size, void (*entry)(void *), void *arg);
-/* Frees it; what it was doing is forgotten. Not from inside it. */
-void fiber_free(struct fiber *f);
+/* Makes f a fiber that will run entry(arg) on [stack, stack + size). entry must end with fiber_finish(). */
+void fiber_begin(struct fiber *f, void *stack, size_t size, void (*entry)(void *), void *arg);
+/* There is none any more, if there was; what it was doing is forgotten. Not from inside it. */
+void fiber_end(struct fiber *f);
 
 /* From the scheduler: run f until it calls fiber_yield or fiber_finish. */
 void fiber_resume(struct fiber *f);
@@ -20,6 +32,9 @@ _Noreturn void fiber_finish(struct fiber *f);
 /* The one that runs on the calling thread, NULL: none; and the arg it was made with. */
 struct fiber *fiber_current(void);
 void *fiber_arg(const struct fiber *f);
-/* Where the innermost of its stack begins while it does not run. */
-const void *fiber_innermost(const struct fiber *f);
+/* Where the innermost of its stack begins while it does not run. NULL: f is all zero, or has ended. */
+static inline const void *fiber_innermost(const struct fiber *f)
+{
+    return f->self;
+}
 #endif

@@ -161,6 +161,7 @@ void machine_free(struct machine *m)
         node_delete(m->sys.nodes[i]);
     cube_free(m->sys.cube);
     pool_free(&m->sys.made);
+    pool_free(&m->sys.made_beside);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
     proto_free(m->sys.proto);

@@ -111,7 +111,7 @@ void node_order(struct node *n)
     bool yielded = false;
     while (must_yield(n, now)) {
         yield_turn(n, now);
-        fiber_yield(n->fiber);
+        fiber_yield(&n->fiber);
         now = clock_sync(n);
         yielded = true;
     }
@@ -219,7 +219,7 @@ static void drain(struct node *n)
         return;
     n->pending.drains = true;
     turn_put(n, pending_last(n));
-    fiber_yield(n->fiber);
+    fiber_yield(&n->fiber);
 }
 
 /* Has the program handed out. What comes next may be on another thread. */
@@ -228,7 +228,7 @@ static void break_loose(struct node *n)
     n->loose = n->ahead.paused = true;
     n->ahead.work.place = n->place;
     atomic_store_explicit(&n->ahead.work.reached, clock_sync(n), memory_order_relaxed);
-    fiber_yield(n->fiber);
+    fiber_yield(&n->fiber);
 }
 
 void node_leave(struct node *n)
@@ -253,7 +253,7 @@ static void look_around(struct node *n, vtime now)
     if (n->loose) {
         n->ahead.paused = workers_pass(s->workers, &n->ahead.work, now);
         if (n->ahead.paused)
-            fiber_yield(n->fiber);
+            fiber_yield(&n->fiber);
     } else if (is_free(n, clock_stretch(n) >= LONG_STRETCH / 2)) {
         drain(n);
         break_loose(n);
@@ -327,7 +327,7 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
 {
     n->wait.ready = ready, n->wait.arg = arg;
     n->frame = (uintptr_t)__builtin_frame_address(0);
-    fiber_yield(n->fiber);
+    fiber_yield(&n->fiber);
     n->wait.ready = NULL;
     return n->blocked.since != VT_NEVER;
 }

@@ -582,7 +582,7 @@ void mailbox_run_handler(struct node *n)
     if (!d.receive)
         n->info = d.send->info;
     else if (mailbox_take(n, d.receive) < 0)
-        node_fail(n, "hrecv: %s", n->error.text);
+        node_fail(n, "hrecv: %s", n->error->text);
     free(d.receive);
     free(d.send);
     node_leave(n);

@@ -140,7 +140,7 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
         node_order(n);
     has_ended(n, how, code, node_now(n));
     assert(time_adds_up(n));
-    fiber_finish(n->fiber);
+    fiber_finish(&n->fiber);
 }
 
 void node_stop(struct node *n, struct instant at)
@@ -165,9 +165,9 @@ long node_error(struct node *n, int code, const char *fmt, ...)
 {
     va_list ap;
     va_start(ap, fmt);
-    vsnprintf(n->error.text, sizeof n->error.text, fmt, ap);
+    vsnprintf(n->error->text, sizeof n->error->text, fmt, ap);
     va_end(ap);
-    n->error.code = code;
+    n->error->code = code;
     return -1;
 }
 
@@ -269,7 +269,7 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     if (!node_image_map(img, n, error))
         return false;
     n->heap = node_heap_new(n->heap_start, n->region->heap_bytes, heap_room, heap_grown, n);
-    n->fiber = fiber_new(n->stack, n->stack_bytes, run_program, n);
+    fiber_begin(&n->fiber, n->stack, n->stack_bytes, run_program, n);
     node_memory_changed(n);
     return true;
 }
@@ -285,12 +285,15 @@ static void set_clock(struct node *n)
 static struct node *make(struct node_system *sys, uint32_t id)
 {
     sys->made.bytes = (sizeof(struct node) + CACHE_BLOCK - 1) / CACHE_BLOCK * CACHE_BLOCK;
+    sys->made_beside.bytes = sizeof(struct node_beside);
     struct node *n = pool_take(&sys->made);
-    *n = (struct node){0};
+    *n = (struct node){.beside = pool_take(&sys->made_beside)};
+    memset(n->beside, 0, sizeof *n->beside);
+    n->error = &n->beside->error;
     n->sys = sys, n->id = n->place = id;
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
-    mailbox_begin(&n->mailbox, &n->ids);
+    mailbox_begin(&n->mailbox, &n->beside->ids);
     n->info = (struct node_info){-1, -1, -1, -1};
     n->pending.begun = VT_NEVER;
     return n;
@@ -346,12 +349,11 @@ static void strip(struct node *n)
     free(n->crash);
     if (n->libc)
         node_libc_free(n);
-    if (n->fiber)
-        fiber_free(n->fiber);
+    fiber_end(&n->fiber);
     if (n->heap)
         node_heap_free(n->heap);
     span_release(n);
-    n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->fiber = NULL, n->heap = NULL;
+    n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->heap = NULL;
     n->image = NULL, n->left = n->quiet = NULL, n->clock.runs = false;
 }
 
@@ -374,5 +376,6 @@ void node_delete(struct node *n)
     if (!n)
         return;
     strip(n);
+    pool_give(&n->sys->made_beside, n->beside);
     pool_give(&n->sys->made, n);
 }

@@ -18,6 +18,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include "kernel/cache.h"
+#include "kernel/fiber.h"
 #include "kernel/vtime.h"
 #include "kernel/workers.h"
 #include "node/waits.h"
@@ -29,7 +30,6 @@
 struct node;
 struct node_image;  /* a program file, read once: image.h */
 struct node_heap;   /* heap.h */
-struct fiber;       /* kernel/fiber.h */
 struct node_system; /* what all nodes share: machine file, event queue, network, output: system.h */
 struct nxc_image;   /* nx_api/nxcc/image.h */
 struct node_crash;  /* what is known of a program's crash: machine/crash.h */
@@ -72,11 +72,11 @@ enum node_task {
 struct node_stats {
     vtime system; /* in the operating system: calls, messages, interrupts */
     vtime tasks[NODE_TASKS];
-    size_t memory_peak;
-    uint64_t sent, sent_bytes;
-    vtime idle;              /* waiting in a call, and the processor at rest */
-    vtime beside;            /* tasks that took none of the program's time */
     struct node_waits waits; /* of idle: in which calls, for which messages */
+    uint64_t sent, sent_bytes;
+    vtime idle;   /* waiting in a call, and the processor at rest */
+    vtime beside; /* tasks that took none of the program's time */
+    size_t memory_peak;
     uint64_t handlers, slices;
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     vtime ended_at;
@@ -87,11 +87,11 @@ struct node_stats {
 
 /* A program that computes ahead, on any thread: cpu.c. */
 struct node_ahead {
+    bool paused; /* it has stopped at a check, to be gone on with */
+    bool alert;  /* a handler may have to run: it computes up to a horizon only */
+    vtime up_to; /* not 0: it only makes up for what it has been let off so far: node_catch_up */
     struct work work;
-    bool paused;   /* it has stopped at a check, to be gone on with */
-    bool alert;    /* a handler may have to run: it computes up to a horizon only */
     vtime check;   /* when the program is stopped at a check: its time */
-    vtime up_to;   /* not 0: it only makes up for what it has been let off so far: node_catch_up */
     vtime arrived; /* when not paused: the time of its next call */
     /* for a guess at its next stretch, with workers: sets of calls */
     uint64_t after;      /* its last */
@@ -115,12 +115,12 @@ enum { PENDING_TIME_BITS = 56 };
 /* A node's messages that wait for their turn should still be in the caches then. */
 enum { PENDING_MOST = 16 };
 
-/* A call whose turn is still to come, although the program has gone on: pending.h. Half a line of the cache. What it takes is
- * in the node's books at once, and comes out of them if it is taken back. */
+/* A call whose turn is still to come, although the program has gone on: pending.h. What it takes is in the node's books at
+ * once, and comes out of them if it is taken back. */
 struct pending_call {
     uint64_t turn : PENDING_TIME_BITS; /* less node_pending.late at its beginning */
-    bool has_type : 1;                 /* node.calls_beside.type */
-    bool has_memory : 1;               /* node.calls_beside.memory */
+    bool has_type : 1;                 /* pending_beside.type */
+    bool has_memory : 1;               /* pending_beside.memory */
     bool in_turn : 1;                  /* is to be made in its turn */
     bool posts : 1;                    /* receive, when it is made */
     bool selected : 1;    /* receive has had its message from those that waited, before its turn */
@@ -130,15 +130,15 @@ struct pending_call {
     bool goes_on : 1; /* when it has handed over what it has to, it is there already, what it waits for */
     bool takes : 1;   /* that */
     bool plain : 1;   /* it is one message that needs no look any more, and is free then */
-    bool beside : 1;  /* message is in node.calls_beside, for it has a receive, too */
+    bool beside : 1;  /* message is in pending_beside, for it has a receive, too */
     vtime spent;
     union {
         struct receive *receive; /* if it posts or selected */
         struct message *taken;   /* if it takes; linked by next */
         struct message *message; /* if it has any, not beside */
     };
+    const char *name; /* of the call */
 };
-_Static_assert(sizeof(struct pending_call) == CACHE_LINE / 2, "two pending calls take a line of the cache");
 
 /* All of them: node.calls. */
 struct node_pending {
@@ -160,7 +160,6 @@ struct node_memory {
 
 /* What of pending calls is hardly ever asked for. */
 struct pending_beside {
-    const char *name[PENDING_MOST];
     struct message *message[PENDING_MOST];
     struct node_memory
         memory[PENDING_MOST];   /* the program's at the call, if it has changed since the one before */
@@ -173,8 +172,16 @@ struct node_error {
     char text[200];
 };
 
+/* What hardly any program uses, or not for each message: in another place, so that what all use lies close together. */
+struct node_beside {
+    struct id_block ids; /* the first of the mailbox's */
+    struct pending_beside calls;
+    struct node_error error;
+};
+
 /* What a message that comes needs lies in the node's first block of the cache (cache.h), up to what stats tell of sending and
- * receiving; behind it, what its program needs, up to `name`. */
+ * receiving; in one line behind it what stats tell of most calls; then some calls; and from fiber.self up to ahead.up_to what
+ * else most calls need. */
 struct node {
     struct mailbox mailbox;
     struct node_clock clock;
@@ -200,20 +207,18 @@ struct node {
         void *arg;
     } wait;
     struct node_stats stats;
-    struct pending_call calls[PENDING_MOST]; /* a ring */
-    struct id_block ids;                     /* the first of the mailbox's */
+    _Alignas(CACHE_LINE) struct pending_call calls[PENDING_MOST]; /* a ring */
 
+    struct fiber fiber;
     struct {
         vtime since, busy; /* stats.system then */
     } blocked;
     struct node_crash *crash; /* NULL: none */
     /* the call the program is in, for reports; NULL while it computes */
     const char *call;
-    vtime call_since, failed_malloc_at;
-    struct fiber *fiber;
-    struct nxc_image *image; /* of the program */
-    int64_t *left, *quiet;   /* its: to count its cost units, and what it promises. NULL: there is none */
-    const char *innermost;   /* of its stack, where it goes on; NULL: it has not begun */
+    vtime call_since;
+    /* its image's: to count its cost units, and what it promises. NULL: there is none */
+    int64_t *left, *quiet;
     struct node_looks looks;
     int saved_errno;
     bool masked, in_handler;
@@ -221,22 +226,23 @@ struct node {
     long awaited;    /* type or typesel of the message the call is about, if awaits */
     uintptr_t frame; /* of the call, on the stack, while it is blocked */
     struct node_info info;
-
-    struct node_heap *heap;
-    size_t heap_used; /* of it */
-    size_t buffered;  /* bytes of unexpected messages held */
+    size_t buffered; /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
-    size_t heap_known, buffered_known;
-    size_t taken;           /* of `buffered`: what the program has received from in pending calls */
-    size_t peak_ahead;      /* memory_peak as the program sees it */
-    size_t image_bytes;     /* program text, data and bss, page rounded */
+    size_t buffered_known;
     long pid;               /* process type: 0, unless the program has set it */
     struct receive receive; /* of the blocking call that the program is in, outside of handlers */
     struct node_ahead ahead;
-    struct pending_beside calls_beside;
 
-    char name[16]; /* for people: "node 3", "host" */
+    struct node_heap *heap;
+    size_t heap_used, heap_known; /* of it; known: as buffered_known */
+    size_t taken;                 /* of `buffered`: what the program has received from in pending calls */
+    size_t peak_ahead;            /* memory_peak as the program sees it */
+    size_t image_bytes;           /* program text, data and bss, page rounded */
+    struct nxc_image *image;      /* of the program */
+    struct node_beside *beside;
+    struct node_error *error; /* beside's */
+    char name[16];            /* for people: "node 3", "host" */
     uint32_t id;
     uint64_t clock_hz;
     struct node_region *region;
@@ -249,17 +255,19 @@ struct node {
     bool stripped; /* another has taken its place: nobody but late events knows of it */
     enum node_end end;
     int exit_code;
-    bool cut_short;   /* while it computed; its image knows nothing of that */
-    bool awaits_end;  /* is in a call that waits for another node's end */
-    bool end_noticed; /* such a call has told of this one's */
-    vtime open_since; /* when handlers were last let run */
-    struct node_error error;
+    bool cut_short;         /* while it computed; its image knows nothing of that */
+    bool awaits_end;        /* is in a call that waits for another node's end */
+    bool end_noticed;       /* such a call has told of this one's */
+    vtime open_since;       /* when handlers were last let run */
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
-    size_t failed_malloc;   /* size of the last allocation refused, at failed_malloc_at; 0: none */
+    size_t failed_malloc;   /* size of the last allocation refused, 0: none */
+    vtime failed_malloc_at;
 };
 
 _Static_assert(offsetof(struct node, stats.tasks[NODE_RECEIVING + 1]) <= CACHE_BLOCK,
                "what a message needs does not fit into a node's first block");
+_Static_assert(offsetof(struct node, stats.beside) <= CACHE_BLOCK + CACHE_LINE,
+               "what stats tell of most calls does not fit into a line behind it");
 
 /* The start of a region: which nodes its spans belong to, and how they are made. */
 struct node_region {

@@ -51,10 +51,10 @@ void pending_begin(struct node *n)
     p->open = true;
     n->calls[i] = (struct pending_call){.turn = (clock_sync(n) - p->late) & TIME_MASK,
                                         .units = n->clock.units & TIME_MASK,
-                                        .has_memory = n->heap_moved};
-    n->calls_beside.name[i] = n->call;
+                                        .has_memory = n->heap_moved,
+                                        .name = n->call};
     if (n->heap_moved)
-        n->calls_beside.memory[i] = node_memory_now(n);
+        n->beside->calls.memory[i] = node_memory_now(n);
     n->heap_moved = false;
 }
 
@@ -67,7 +67,7 @@ static void know_buffers(struct node *n)
 static struct message *message_of(const struct node *n, uint32_t i)
 {
     const struct pending_call *c = nth(n, i);
-    return c->beside ? n->calls_beside.message[index_of(n, i)] : c->message;
+    return c->beside ? n->beside->calls.message[index_of(n, i)] : c->message;
 }
 
 /* When the i-th is done with what it hands over. */
@@ -87,7 +87,7 @@ void pending_go_on(struct node *n)
     p->open = true;
     struct pending_call *c = open_call(n);
     c->goes_on = true;
-    n->calls_beside.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    n->beside->calls.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
     assert(handed_over(n, p->count - 1) == clock_sync(n) - p->late);
     know_buffers(n);
 }
@@ -108,7 +108,7 @@ void pending_spend(struct node *n, vtime t)
 
 static void put_beside(struct node *n, struct message *m)
 {
-    n->calls_beside.message[index_of(n, n->pending.count - 1)] = m;
+    n->beside->calls.message[index_of(n, n->pending.count - 1)] = m;
     last(n)->beside = true;
 }
 
@@ -235,7 +235,7 @@ static void begin(struct node *n, struct pending_call *c, vtime now)
 {
     n->pending.begun = now;
     if (c->has_memory)
-        node_memory_was(n, n->calls_beside.memory[index_of(n, 0)]);
+        node_memory_was(n, n->beside->calls.memory[index_of(n, 0)]);
     if (c->posts)
         mailbox_post_at(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends)
@@ -347,8 +347,8 @@ void pending_take_back(struct node *n)
     const struct pending_call *c = nth(n, 0);
     n->clock.units = c->units, n->clock.now = p->turn;
     uint32_t i = index_of(n, 0);
-    n->call = n->calls_beside.name[i];
+    n->call = c->name;
     n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;
-    n->call_type = n->calls_beside.type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
+    n->call_type = n->beside->calls.type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
     pending_unmake(n);
 }

@@ -24,9 +24,9 @@ struct node_system {
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
-    struct pool made;          /* what nodes are made of; to be freed behind them */
-    struct node_region *roomy; /* regions of address space with room for more nodes: span.h */
-    struct node *host;         /* the node that runs the host program, NULL: none. Its number is count. */
+    struct pool made, made_beside; /* what nodes are made of; to be freed behind them */
+    struct node_region *roomy;     /* regions of address space with room for more nodes: span.h */
+    struct node *host;             /* the node that runs the host program, NULL: none. Its number is count. */
     struct cube *cube;   /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
     uint32_t count;      /* nodes; with a host program: of its cube, 0 when it has none */
     uint32_t running;    /* programs */

@@ -53,12 +53,13 @@ static inline __attribute__((always_inline)) void load(const void *from, const v
         __builtin_prefetch(p, 1);
 }
 
-/* All of the node that its program may want, but for ids, and calls so many that it has hardly ever. */
+/* What every program wants of its node behind the first block. */
 static inline __attribute__((always_inline)) void load_node(const struct node *n)
 {
-    enum { SOON = 8 };
-    load((const char *)n + CACHE_BLOCK, &n->calls[SOON]);
-    load(&n->crash, &n->calls_beside.name[SOON]);
+    enum { CALLS = 2 };
+    __builtin_prefetch((const char *)n + CACHE_BLOCK, 1);
+    load(n->calls, &n->calls[CALLS]);
+    load(&n->fiber.self, &n->ahead.work);
 }
 
 static uint32_t ids_in_use(const struct node *n)
@@ -70,7 +71,7 @@ static uint32_t ids_in_use(const struct node *n)
 static inline __attribute__((always_inline)) void load_receives(const struct node *n)
 {
     for (uint32_t i = 0; i < ids_in_use(n); i++)
-        cache_load(&n->ids.ids[i]);
+        cache_load(&n->mailbox.ids.first->ids[i]);
     cache_load(n->receive.m);
     __builtin_prefetch(n->stats.waits.list, 1);
 }
@@ -78,43 +79,42 @@ static inline __attribute__((always_inline)) void load_receives(const struct nod
 static inline __attribute__((always_inline)) void load_messages(const struct node *n)
 {
     for (uint32_t i = 0; i < ids_in_use(n); i++)
-        cache_load(n->ids.ids[i].receive.m);
+        cache_load(n->mailbox.ids.first->ids[i].receive.m);
 }
 
-/* Of the stack: from a program's call to the switch, some functions; and what its next calls put below. Beside its
- * counter lie its other small variables, and where it has its calls' addresses. */
+/* Of the stack: from a program's call to the switch, some functions. Beside its counter lie its other small variables, and
+ * where it has its calls' addresses. */
 static inline __attribute__((always_inline)) void load_program(const struct node *n)
 {
-    enum { LINE = CACHE_LINE, STACK = 10 * LINE, BELOW = 6 * LINE, BESIDE = 2 * LINE };
-    __builtin_prefetch(n->fiber, 1);
+    enum { LINE = CACHE_LINE, STACK = 7 * LINE, BESIDE = 2 * LINE };
     load((const char *)n->left - BESIDE, (const char *)n->left + BESIDE + LINE);
-    load(n->innermost - BELOW, n->innermost + STACK);
+    const char *innermost = fiber_innermost(&n->fiber);
+    load(innermost, innermost + STACK);
 }
 
-/* Looks up the pages of a program: two at a time take hardly longer than one. */
-static inline __attribute__((always_inline)) void load_pages(const struct node *n)
+/* Looks up a page of a program: four at a time take hardly longer than one. That of its counter has its entry in the same
+ * line of the page tables. */
+static inline __attribute__((always_inline)) void load_page(const struct node *n)
 {
-    if (!n || n->loose || !n->innermost)
-        return;
-    __builtin_prefetch(n->left, 1);
-    __builtin_prefetch(n->innermost, 1);
+    if (n && !n->loose && fiber_innermost(&n->fiber))
+        __builtin_prefetch(fiber_innermost(&n->fiber), 1);
 }
 
 /* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
  * the node first, then what it points to. */
 static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
 {
-    enum { FIRST = 10, TOGETHER = 2, PAGES = 4, SECOND = 4, THIRD = 2 };
+    enum { FIRST = 10, TOGETHER = 4, PAGES = 4, SECOND = 4, THIRD = 2 };
     const struct node *n = coming(s, FIRST);
     if (n)
         load_node(n);
     for (unsigned i = 0; s->switches % TOGETHER == 0 && i < TOGETHER; i++)
-        load_pages(coming(s, PAGES + i));
+        load_page(coming(s, PAGES + i));
     n = coming(s, SECOND);
     if (n && !n->loose)
         load_receives(n);
     n = coming(s, THIRD);
-    if (n && n->state != NODE_ENDED && !n->loose && n->innermost) {
+    if (n && n->state != NODE_ENDED && !n->loose && fiber_innermost(&n->fiber)) {
         load_messages(n);
         load_program(n);
     }
@@ -126,10 +126,9 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
 static void run(struct node *n)
 {
     errno = n->saved_errno;
-    fiber_resume(n->fiber);
+    fiber_resume(&n->fiber);
     if (n->crash)
         n->sys->keep_crash(n);
-    n->innermost = fiber_innermost(n->fiber);
     clock_sync(n);
     n->saved_errno = errno;
 }
@@ -156,8 +155,8 @@ static void crash(struct node *n)
 static void account_wait(struct node *n, vtime waited, vtime busy)
 {
     vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
-    n->stats.system -= beside;
-    n->stats.beside += beside;
+    if (beside)
+        n->stats.system -= beside, n->stats.beside += beside;
     n->stats.idle += idle;
     if (idle)
         waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);

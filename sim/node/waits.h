@@ -16,7 +16,7 @@ struct node_wait {
 
 struct node_waits {
     struct node_wait *list;
-    size_t count, room;
+    uint32_t count, room;
 };
 
 /* One more wait, of `idle`. call's text must stay. */

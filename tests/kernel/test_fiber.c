@@ -9,7 +9,7 @@
 enum { STACK = 1 << 16, TURNS = 5 };
 
 struct turn {
-    struct fiber *self;
+    struct fiber self;
     void *stack;
     int count;
     double sum;
@@ -21,9 +21,9 @@ static void count_turns(void *arg)
     for (int i = 0; i < TURNS; i++) {
         t->count++;
         t->sum += 0.1 * i;
-        fiber_yield(t->self);
+        fiber_yield(&t->self);
     }
-    fiber_finish(t->self);
+    fiber_finish(&t->self);
 }
 
 static void fibers_take_turns(void **state)
@@ -32,17 +32,17 @@ static void fibers_take_turns(void **state)
     (void)state;
     for (int i = 0; i < 20; i++) {
         t[i].stack = malloc(STACK);
-        t[i].self = fiber_new(t[i].stack, STACK, count_turns, &t[i]);
+        fiber_begin(&t[i].self, t[i].stack, STACK, count_turns, &t[i]);
     }
     for (int turn = 1; turn <= TURNS; turn++)
         for (int i = 0; i < 20; i++) {
-            fiber_resume(t[i].self);
+            fiber_resume(&t[i].self);
             assert_int_equal(t[i].count, turn);
         }
     for (int i = 0; i < 20; i++) {
-        fiber_resume(t[i].self); /* to its end */
+        fiber_resume(&t[i].self); /* to its end */
         assert_true(t[i].sum > 0.999 && t[i].sum < 1.001);
-        fiber_free(t[i].self);
+        fiber_end(&t[i].self);
         free(t[i].stack);
     }
 }
