@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <time.h>
+#include "nx_api/nxcc/enter.h"
 
 enum { OFTEN_NS = 200000, SELDOM_NS = 2000000 };
 
@@ -51,26 +52,7 @@ void tick_rest(bool yes)
 __attribute__((
     visibility("hidden"))) unsigned nxc_saved; /* the parts of the state to be saved; 0: no xsave */
 
-__asm__(".text\n"
-        ".globl nxc_enter\n"
-        ".type nxc_enter, @function\n"
-        "nxc_enter:\n"
-        "    .cfi_startproc\n"
-        "    pushq %rbp\n"
-        "    .cfi_def_cfa_offset 16\n"
-        "    .cfi_offset %rbp, -16\n"
-        "    movq %rsp, %rbp\n"
-        "    .cfi_def_cfa_register %rbp\n"
-        "    pushq %rax\n"
-        "    pushq %rcx\n"
-        "    pushq %rdx\n"
-        "    pushq %rsi\n"
-        "    pushq %rdi\n"
-        "    pushq %r8\n"
-        "    pushq %r9\n"
-        "    pushq %r10\n"
-        "    pushq %r11\n"
-        "    subq $2816, %rsp\n"
+__asm__(".text\n" NXC_ENTER_SAVE "    subq $2816, %rsp\n"
         "    andq $-64, %rsp\n"
         "    cld\n"
         "    movl nxc_saved(%rip), %eax\n"
@@ -94,18 +76,4 @@ __asm__(".text\n"
         "1:  fxsave64 (%rsp)\n"
         "    call nxc_preempt\n"
         "    fxrstor64 (%rsp)\n"
-        "2:  leaq -72(%rbp), %rsp\n"
-        "    popq %r11\n"
-        "    popq %r10\n"
-        "    popq %r9\n"
-        "    popq %r8\n"
-        "    popq %rdi\n"
-        "    popq %rsi\n"
-        "    popq %rdx\n"
-        "    popq %rcx\n"
-        "    popq %rax\n"
-        "    popq %rbp\n"
-        "    .cfi_def_cfa %rsp, 8\n"
-        "    ret\n"
-        "    .cfi_endproc\n"
-        ".size nxc_enter, .-nxc_enter\n");
+        "2:\n" NXC_ENTER_RESTORE);

@@ -33,7 +33,7 @@ $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)
 	g++ -shared -o $@ $^ -lconfig
 
-$(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
+$(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
@@ -78,7 +78,7 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	ar d $@.new error.o stop.o backtrace.o async.o
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
-$(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/image.h
+$(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<
 

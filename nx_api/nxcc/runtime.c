@@ -6,6 +6,7 @@
  *
  * With NXC_HOSTED (tests) there is no _start, and the objects can be linked into an ordinary program.
  */
+#include "enter.h"
 #include "image.h"
 
 /* Among the initialised data, not behind the program's arrays: the page that a node has of these is in use anyway. */
@@ -50,43 +51,10 @@ struct nxc_image nxc_image = {
 #define RESTORE_SSE SSE(RESTORE_ONE)
 
 __asm__(".text\n"
-        ".hidden nxc_enter\n"
-        ".globl nxc_enter\n"
-        ".type nxc_enter, @function\n"
-        "nxc_enter:\n"
-        "    .cfi_startproc\n"
-        "    pushq %rbp\n"
-        "    .cfi_def_cfa_offset 16\n"
-        "    .cfi_offset %rbp, -16\n"
-        "    movq %rsp, %rbp\n"
-        "    .cfi_def_cfa_register %rbp\n"
-        "    pushq %rax\n"
-        "    pushq %rcx\n"
-        "    pushq %rdx\n"
-        "    pushq %rsi\n"
-        "    pushq %rdi\n"
-        "    pushq %r8\n"
-        "    pushq %r9\n"
-        "    pushq %r10\n"
-        "    pushq %r11\n"
-        "    subq $264, %rsp\n"
+        ".hidden nxc_enter\n" NXC_ENTER_SAVE "    subq $264, %rsp\n"
         "    andq $-16, %rsp\n" SAVE_SSE "    stmxcsr 256(%rsp)\n"
         "    call nxc_preempt@PLT\n"
-        "    ldmxcsr 256(%rsp)\n" RESTORE_SSE "    leaq -72(%rbp), %rsp\n"
-        "    popq %r11\n"
-        "    popq %r10\n"
-        "    popq %r9\n"
-        "    popq %r8\n"
-        "    popq %rdi\n"
-        "    popq %rsi\n"
-        "    popq %rdx\n"
-        "    popq %rcx\n"
-        "    popq %rax\n"
-        "    popq %rbp\n"
-        "    .cfi_def_cfa %rsp, 8\n"
-        "    ret\n"
-        "    .cfi_endproc\n"
-        ".size nxc_enter, .-nxc_enter\n");
+        "    ldmxcsr 256(%rsp)\n" RESTORE_SSE NXC_ENTER_RESTORE);
 
 #ifndef NXC_HOSTED
 /* Run by the kernel when somebody starts the program in a shell: nothing has been relocated, so only what is

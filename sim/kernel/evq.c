@@ -113,13 +113,6 @@ static inline const struct event *earlier(const struct event *a, const struct ev
     return !b || (a && before(a->key, b->key)) ? a : b;
 }
 
-static void *checked(void *p)
-{
-    if (!p)
-        abort();
-    return p;
-}
-
 /* --- lists --- */
 
 static struct chunk *new_chunk(struct evq *q)
@@ -161,7 +154,9 @@ static struct event *add_heap(struct evq *q, struct key k)
 {
     if (q->heap_length == q->heap_room) {
         q->heap_room = 2 * q->heap_room + 64;
-        q->heap = checked(realloc(q->heap, q->heap_room * sizeof *q->heap));
+        q->heap = realloc(q->heap, q->heap_room * sizeof *q->heap);
+        if (!q->heap)
+            abort();
     }
     size_t i = q->heap_length++;
     for (; i > 0 && before(k, q->heap[(i - 1) / 2].key); i = (i - 1) / 2)
