@@ -5,6 +5,7 @@
 #include "leaves.h"
 #include "output.h"
 #include "rounds.h"
+#include "tree-ssa-loop-ivopts.h"
 #include "varasm.h"
 #include "variable.h"
 #include <algorithm>
@@ -17,6 +18,7 @@ const int64_t worth_telling = 400 * NXC_UNITS_PER_CLOCK;
 /* Nor is a variable in a loop whose rounds cost less, but for those that run seldom. */
 const int64_t worth_keeping = 20 * NXC_UNITS_PER_CLOCK;
 const int64_t most_units = INT64_MAX / 64; /* no counter is ever greater */
+const int64_t most_times = 1 << 16;         /* that inner loops add to a round, in cheapest rounds, each */
 const size_t most_outside = 2;             /* functions of other files in a loop */
 
 struct silent_function {
@@ -83,7 +85,9 @@ class promising
     int64_t way(basic_block bb, class loop *inner, class loop *within);
     void accept_silent();
     bool is_worth_keeping(class loop *loop);
-    tree append_units(gimple_seq *seq, class loop *loop);
+    tree append_inner(gimple_seq *seq, class loop *outer, class loop *inner);
+    tree append_round(gimple_seq *seq, class loop *loop);
+    tree append_units(gimple_seq *seq, class loop *loop, tree a_round);
     void keep(class loop *loop);
     tree all_silent(gimple_seq *seq, const std::vector<tree> &outside);
     promise at(basic_block bb);
@@ -335,24 +339,87 @@ bool promising::is_worth_keeping(class loop *loop)
            l.least >= (slow.count(loop->header) ? 1 : worth_keeping);
 }
 
+/* Appends rounds, or 0 where that is only known to be the limit or more, or not at all. */
+tree append_known(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
+{
+    tree rounds = rounds_append(seq, loop, n, limit);
+    tree known = gimple_build(seq, LT_EXPR, boolean_type_node, rounds, build_int_cst(units_type(), limit));
+    return gimple_build(seq, COND_EXPR, units_type(), known, rounds, build_int_cst(units_type(), 0));
+}
+
+/* Appends the units that an inner loop adds to the cheapest round each time it is entered, which are known where the outer one is.
+ * NULL: they are not. */
+tree promising::append_inner(gimple_seq *seq, class loop *outer, class loop *inner)
+{
+    const loop_cost &l = loops[inner];
+    tree_niter_desc n;
+    if (l.rounds || !l.least || !rounds_foresee(inner, &n))
+        return NULL_TREE;
+    for (tree *t : {&n.niter, &n.may_be_zero, &n.assumptions})
+        if (!expr_invariant_in_loop_p(outer, *t = expand_simple_operations(*t)))
+            return NULL_TREE;
+    const int64_t limit = most_times * loops[outer].least / l.least;
+    return gimple_build(seq, MULT_EXPR, units_type(), append_known(seq, inner, n, limit),
+                        build_int_cst(units_type(), l.least));
+}
+
+/* The loop within `outer` into which a way leads and nowhere else; NULL: there is none. */
+class loop *loop_behind(edge way, class loop *outer)
+{
+    basic_block bb = way->dest;
+    while (bb->loop_father == outer && bb != outer->latch && single_succ_p(bb))
+        bb = single_succ(bb);
+    class loop *loop = bb->loop_father;
+    return loop_outer(loop) == outer && bb == loop->header ? loop : NULL;
+}
+
+/* The block in each of the outer loop's rounds that go back from which one comes to an inner one, or past it. */
+basic_block fork_before(class loop *outer, class loop *inner)
+{
+    basic_block bb = inner->header;
+    while (!dominated_by_p(CDI_DOMINATORS, outer->latch, bb))
+        bb = get_immediate_dominator(CDI_DOMINATORS, bb);
+    return bb;
+}
+
+/* Appends the units of a round that goes back: the cheapest, and what inner loops add in each. Of two between which a round
+ * chooses, that is the less: prepay.h makes two of one. */
+tree promising::append_round(gimple_seq *seq, class loop *loop)
+{
+    tree sum = build_int_cst(units_type(), loops[loop].least);
+    for (class loop *inner = loop->inner; inner; inner = inner->next) {
+        basic_block fork = fork_before(loop, inner);
+        tree units = NULL_TREE;
+        if (fork == inner->header) {
+            units = append_inner(seq, loop, inner);
+        } else if (EDGE_COUNT(fork->succs) == 2 && inner == loop_behind(EDGE_SUCC(fork, 0), loop)) {
+            class loop *other = loop_behind(EDGE_SUCC(fork, 1), loop);
+            tree one = other ? append_inner(seq, loop, inner) : NULL_TREE;
+            tree two = one ? append_inner(seq, loop, other) : NULL_TREE;
+            units = two ? gimple_build(seq, MIN_EXPR, units_type(), one, two) : NULL_TREE;
+        }
+        if (units)
+            sum = gimple_build(seq, PLUS_EXPR, units_type(), sum, units);
+    }
+    return sum;
+}
+
 /* Appends the units of the rounds to come where a loop is entered; NULL: not known. */
-tree promising::append_units(gimple_seq *seq, class loop *loop)
+tree promising::append_units(gimple_seq *seq, class loop *loop, tree a_round)
 {
     const loop_cost &l = loops[loop];
     int64_t limit = most_units / l.least;
     tree zero = build_int_cst(units_type(), 0), rounds;
     tree_niter_desc n;
-    if (l.rounds) {
+    if (!tree_fits_shwi_p(a_round))
+        limit /= most_times;
+    if (l.rounds)
         rounds = build_int_cst(units_type(), std::min(limit, l.rounds));
-    } else if (rounds_foresee(loop, &n)) {
-        rounds = rounds_append(seq, loop, n, limit);
-        tree known =
-            gimple_build(seq, LT_EXPR, boolean_type_node, rounds, build_int_cst(units_type(), limit));
-        rounds = gimple_build(seq, COND_EXPR, units_type(), known, rounds, zero);
-    } else {
+    else if (rounds_foresee(loop, &n))
+        rounds = append_known(seq, loop, n, limit);
+    else
         return NULL_TREE;
-    }
-    tree units = gimple_build(seq, MULT_EXPR, units_type(), rounds, build_int_cst(units_type(), l.least));
+    tree units = gimple_build(seq, MULT_EXPR, units_type(), rounds, a_round);
     if (!l.outside.empty())
         units = gimple_build(seq, COND_EXPR, units_type(), all_silent(seq, l.outside), units, zero);
     return units;
@@ -361,20 +428,23 @@ tree promising::append_units(gimple_seq *seq, class loop *loop)
 /* Makes the variable of a loop, if it is worth it. */
 void promising::keep(class loop *loop)
 {
+    if (!is_worth_keeping(loop))
+        return;
     gimple_seq seq = NULL;
-    tree units = is_worth_keeping(loop) ? append_units(&seq, loop) : NULL_TREE;
+    tree a_round = append_round(&seq, loop), units = append_units(&seq, loop, a_round);
     if (!units || integer_zerop(units))
         return;
+    tree step = gimple_build(&seq, NEGATE_EXPR, units_type(), a_round);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
         own.insert(gsi_stmt(gsi));
     if (seq)
         gsi_insert_seq_on_edge_immediate(loop_preheader_edge(loop), seq);
     loop_cost &l = loops[loop];
     gimple_stmt_iterator begin = gsi_after_labels(loop->header);
-    create_iv(units, build_int_cst(units_type(), -l.least), NULL_TREE, loop, &begin, false, &l.before,
-              &l.after);
+    create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
     own.insert(SSA_NAME_DEF_STMT(l.after));
-    l.exact = l.outside.empty() && (!l.rounds || rounds_constant(loop) == l.rounds);
+    l.exact = tree_fits_shwi_p(a_round) && l.outside.empty() &&
+              (!l.rounds || rounds_constant(loop) == l.rounds);
 }
 
 /* The units of a way from bb to the end of a round of `within`, or to the next call: beside those of the rounds to come of

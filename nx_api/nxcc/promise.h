@@ -14,6 +14,8 @@
  *         more -= cheapest round
  *         ...
  *
+ * What inner loops cost in a round is added, where their rounds are known before the outer one, too.
+ *
  * A function that makes no such call is silent, and a call of it is none. Whether one in another file is, the linker says: a
  * byte of its name (write_silent). Where a loop calls functions that check for themselves, it makes its promise at each
  * round, in time for them.

@@ -77,8 +77,7 @@ static void allow_anew(struct node *n)
         clock_allow(n, deadline(n));
 }
 
-/* Nothing of a program that has stopped at a check comes before. */
-static vtime quiet_until(const struct node *n)
+vtime node_quiet_until(const struct node *n)
 {
     if (n->in_handler)
         return 0;
@@ -99,12 +98,13 @@ static void yield_turn(struct node *n, vtime now)
     if (n->loose)
         n->ahead.arrived = now; /* for node_catch */
     else if (!n->call && n->ahead.alert)
-        turn_at_check(n, now, quiet_until(n));
+        turn_at_check(n, now, node_quiet_until(n));
     else
         turn_put(n, now);
 }
 
-void node_order(struct node *n)
+/* node_order, but where the program is does not become known: at a check, which depends on what else stops it. */
+static void order(struct node *n)
 {
     vtime now = clock_sync(n);
     n->pending.open = false;
@@ -115,9 +115,14 @@ void node_order(struct node *n)
         now = clock_sync(n);
         yielded = true;
     }
-    clock_is_known(n);
     if (yielded)
         allow_anew(n);
+}
+
+void node_order(struct node *n)
+{
+    order(n);
+    clock_is_known(n);
 }
 
 /* A set of one call, or few: by the place of its name in a page, the same in every run. */
@@ -270,9 +275,10 @@ static void listen(struct node *n)
 {
     bool any = false;
     uint64_t promised = clock_promised(n);
-    n->sys->unseen += LOOK_CALLS / 8;
+    if (!n->loose)
+        n->sys->unseen += LOOK_CALLS / 8;
     do
-        node_order(n);
+        order(n);
     while (node_run_handlers(n) && (any = true));
     if (!any)
         return;
@@ -289,13 +295,13 @@ void node_nxc_preempt(void)
     vtime now = clock_sync(n);
     n->stats.slices++;
     clock_look(n);
-    if (n->ahead.alert)
+    if (n->ahead.alert && !(n->loose && now < n->ahead.up_to))
         listen(n);
     else if (now > n->sys->max_time)
         node_order(n);
     else
         look_around(n, now);
-    clock_allow(n, n->loose ? end_of_time(n) : deadline(n));
+    clock_allow(n, n->loose && !n->ahead.alert ? end_of_time(n) : deadline(n));
 }
 
 bool node_run_handlers(struct node *n)

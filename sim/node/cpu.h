@@ -18,6 +18,9 @@
  * and the committing thread has all else of the node: mailbox, state, statistics. Calls are only ever served on the
  * committing thread, in order; so are all library calls that show something to the outside.
  *
+ * Programs with such a handler that have stopped at checks are lent, at once, when two of them have far to go before anything
+ * can reach any of them: they are loose until then, or the end of their promises.
+ *
  * System time. A message that reaches a computing node takes its processor for a while (node_work): the time
  * is noted as stolen and the node's next call or check is put back by it. The horizon is never past such a
  * moment, so it does not matter into how many slices the computing was cut.
@@ -53,6 +56,8 @@ bool node_step(struct node_system *s);
 void node_catch_up(struct node *n, vtime t);
 /* The same, up to the event that happens now: of equal times, their places say whether a check comes before it. */
 void node_catch_up_now(struct node *n);
+/* Nothing of a program that has stopped at a check comes before. */
+vtime node_quiet_until(const struct node *n);
 /* Put the node's start, at time t, into the queue. */
 void node_start(struct node *n, vtime t);
 

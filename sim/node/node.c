@@ -157,6 +157,7 @@ void node_end_other(struct node *n, struct node *victim)
     if (victim->loose)
         workers_drop(n->sys->workers, &victim->ahead.work);
     victim->loose = false;
+    victim->ahead.up_to = 0;
     node_stop(victim, (struct instant){now, n->place});
     has_ended(victim, NODE_KILLED, 0, now);
 }

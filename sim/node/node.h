@@ -89,7 +89,8 @@ struct node_stats {
 struct node_ahead {
     bool paused; /* it has stopped at a check, to be gone on with */
     bool alert;  /* a handler may have to run: it computes up to a horizon only */
-    vtime up_to; /* not 0: it only makes up for what it has been let off so far: node_catch_up */
+    vtime
+        up_to; /* not 0: it only makes up for what it has been let off so far: node_catch_up; or is lent, and loose, until then */
     struct work work;
     vtime check;   /* when the program is stopped at a check: its time */
     vtime arrived; /* when not paused: the time of its next call */

@@ -9,6 +9,7 @@
 #include "node/mailbox.h"
 #include "node/pending.h"
 #include "node/system.h"
+#include "nx_api/nxcc/image.h"
 
 static void go_on(void *ctx, void *arg, vtime now);
 static void wake(void *ctx, void *arg, vtime now);
@@ -290,8 +291,11 @@ bool node_run_ahead(struct node *n)
 void node_catch(struct node *n)
 {
     n->loose = false;
+    n->ahead.up_to = 0;
     if (n->crash)
         crash(n);
+    else if (n->ahead.alert && !n->call)
+        turn_at_check(n, n->ahead.arrived, node_quiet_until(n));
     else
         turn_put(n, n->ahead.arrived);
 }
@@ -358,7 +362,6 @@ static void check(struct node *n)
         go_on(n, NULL, n->ahead.check);
         return;
     }
-    clock_advance_to(n, n->ahead.check);
     run_warm(n);
 }
 
@@ -381,6 +384,66 @@ void node_catch_up_now(struct node *n)
     node_catch_up(n, s->present.time + (n->place < s->present.place));
 }
 
+/* --- programs that have stopped at checks, on any thread --- */
+
+/* A thread is worth what takes half as long as the longest time between looks: some microseconds of ours. */
+#define WORTH_LENDING (UINT64_C(160000) * NXC_UNITS_PER_CLOCK)
+
+/* Does it compute so many units at least before it makes a call, or anything reaches it, if no check comes before `bound`? */
+static bool may_lend(const struct node *n, vtime bound, uint64_t units)
+{
+    const struct node_system *s = n->sys;
+    vtime then = n->ahead.check + clock_of_units(n, units);
+    return s->checks.time[n->place] >= then && !n->clock.stolen && !n->in_handler &&
+           proto_horizon(s->proto, n->place, bound) >= then;
+}
+
+static void lend(struct node *n, vtime bound)
+{
+    const struct node_system *s = n->sys;
+    n->ahead.up_to = vt_min(s->checks.time[n->place], proto_horizon(s->proto, n->place, bound));
+    leave_check(n);
+    n->loose = true;
+    n->ahead.work.place = n->place;
+    atomic_store_explicit(&n->ahead.work.reached, n->ahead.check, memory_order_relaxed);
+    workers_hand(s->workers, &n->ahead.work);
+}
+
+/* The next that has so many units to compute at least, from a place on, which becomes the one behind it. NULL: there is none. */
+static struct node *next_to_lend(const struct node_system *s, uint32_t *place, vtime bound, uint64_t units)
+{
+    while (*place < s->checks.room) {
+        uint32_t at = (*place)++;
+        struct node *n = s->checks.time[at] != VT_NEVER ? node_at(s, at) : NULL;
+        if (n && may_lend(n, bound, units))
+            return n;
+    }
+    return NULL;
+}
+
+/* Are there two? One alone finds nothing to run beside. */
+static bool is_worth_lending(const struct node_system *s, vtime bound)
+{
+    uint32_t place = 0;
+    return next_to_lend(s, &place, bound, WORTH_LENDING) && next_to_lend(s, &place, bound, WORTH_LENDING);
+}
+
+/* The next check is n's. If it has far to compute until there, others may have, too: they all go on at once. */
+static bool lend_all(struct node *n)
+{
+    struct node_system *s = n->sys;
+    if (!s->workers)
+        return false;
+    vtime bound = bounds_least(&s->checks);
+    bool worth = may_lend(n, bound, WORTH_LENDING) && is_worth_lending(s, bound), any = false;
+    if (!workers_worth(s->workers, worth))
+        return false;
+    uint32_t place = 0;
+    while ((n = next_to_lend(s, &place, bound, worth ? WORTH_LENDING : 1)))
+        lend(n, bound), any = true;
+    return any;
+}
+
 vtime node_next(const struct node_system *s, uint32_t *place)
 {
     vtime time = evq_next(s->q);
@@ -394,7 +457,9 @@ vtime node_next(const struct node_system *s, uint32_t *place)
 bool node_step(struct node_system *s)
 {
     if (bounds_least(&s->checks) != VT_NEVER && check_is_before(s, evq_next(s->q), evq_next_place(s->q))) {
-        check(node_at(s, bounds_place(&s->checks)));
+        struct node *n = node_at(s, bounds_place(&s->checks));
+        if (!lend_all(n))
+            check(n);
         return true;
     }
     return evq_step(s->q, &s->present);

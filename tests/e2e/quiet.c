@@ -1,6 +1,7 @@
-/* quiet.c - quiet SEED [kill|fail]: all nodes compute with handlers armed, in loops whose rounds are known when they are
+/* quiet.c - quiet SEED [kill|fail|crash]: all nodes compute with handlers armed, in loops whose rounds are known when they are
  * entered, and send each other short and long messages whose handlers compute and answer. With kill, the last node ends
- * the others while they compute; with fail, it ends with an error. Each node prints when its handlers ran. */
+ * the others while they compute; with fail, it ends with an error; with crash, while it computes. Each node prints when its
+ * handlers ran. */
 #include <nx.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,6 +29,23 @@ static void compute(int n)
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 3; k++)
             s += row[i] * k;
+    sum = s;
+}
+
+/* Rows of one length, which may be 0; and rows that grow. */
+static void compute_rows(int rows, int length)
+{
+    static double cell[64];
+    double s = 0;
+    for (int y = 0; y < rows; y++)
+        for (int x = 0; x < length; x++)
+            cell[x] = cell[x] * 0.5 + y;
+    for (int y = 0; y < 64; y++) {
+        for (int x = 0; x < length; x++)
+            s += cell[x] * y;
+        for (int x = 0; x <= y; x++)
+            s += cell[x];
+    }
     sum = s;
 }
 
@@ -81,6 +99,9 @@ int main(int argc, char **argv)
     gsync();
     for (i = 0; i < ROUNDS; i++) {
         compute((int)number(4000));
+        compute_rows((int)number(number(4) ? 100 : 2000), (int)number(64));
+        if (mynode() == last && i == ROUNDS / 2 && !strcmp(how, "crash"))
+            *(volatile int *)(number(8) * 8L) = 1;
         if (number(2))
             send_something();
         if (mynode() == last && i == ROUNDS / 2 && !strcmp(how, "fail"))

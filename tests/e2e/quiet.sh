@@ -7,17 +7,18 @@
 "$BUILD/nxcc" -O2 -o quiet "$tests/quiet.c"
 "$BUILD/nxcc" -O2 -fplugin-arg-count-memory -o silent "$tests/quiet.c"
 
-# All that a run gives, without its wall times, and the memory, which is the larger program's.
+# All that a run gives, without its wall times, and the memory and addresses, which are the larger program's.
 results() { # PROGRAM ARGS...
     local program=$1
     shift
     rm -f f.json
     "$BUILD/touchstone" run --max-wall-time 60 --json f.json "${options[@]}" "$program" "$@" >out 2>err </dev/null
-    echo "status $?" && cat out && grep -v '^wall time\|^memory' err && grep -v 'wall_time\|memory_\|"program"' f.json
+    { echo "status $?" && cat out && grep -v '^wall time\|^memory' err && grep -v 'wall_time\|memory_\|"program"' f.json; } |
+        sed 's/main+0x[0-9a-f]*/main/'
 }
 
 for seed in 1 2 3 4; do
-    for how in "" kill fail limit; do
+    for how in "" kill fail crash limit; do
         machine=(-n $((3 + 2 * seed)))
         [ "$how" != limit ] || machine+=(--max-virtual-time "0.0$seed")
         options=("${machine[@]}" -w 1)
