@@ -18,8 +18,8 @@ const int64_t worth_telling = 400 * NXC_UNITS_PER_CLOCK;
 /* Nor is a variable in a loop whose rounds cost less, but for those that run seldom. */
 const int64_t worth_keeping = 20 * NXC_UNITS_PER_CLOCK;
 const int64_t most_units = INT64_MAX / 64; /* no counter is ever greater */
-const int64_t most_times = 1 << 16;         /* that inner loops add to a round, in cheapest rounds, each */
-const size_t most_outside = 2;             /* functions of other files in a loop */
+const int64_t most_times = 1 << 14; /* as much as the rest of a round costs, an inner loop adds to it */
+const size_t most_outside = 2;      /* functions of other files in a loop */
 
 struct silent_function {
     int64_t units; /* of the cheapest way */
@@ -386,8 +386,10 @@ basic_block fork_before(class loop *outer, class loop *inner)
  * chooses, that is the less: prepay.h makes two of one. */
 tree promising::append_round(gimple_seq *seq, class loop *loop)
 {
-    tree sum = build_int_cst(units_type(), loops[loop].least);
-    for (class loop *inner = loop->inner; inner; inner = inner->next) {
+    const int64_t least = loops[loop].least;
+    tree sum = build_int_cst(units_type(), least);
+    for (class loop *inner = least < most_units / most_times ? loop->inner : NULL; inner;
+         inner = inner->next) {
         basic_block fork = fork_before(loop, inner);
         tree units = NULL_TREE;
         if (fork == inner->header) {
@@ -443,8 +445,8 @@ void promising::keep(class loop *loop)
     gimple_stmt_iterator begin = gsi_after_labels(loop->header);
     create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
     own.insert(SSA_NAME_DEF_STMT(l.after));
-    l.exact = tree_fits_shwi_p(a_round) && l.outside.empty() &&
-              (!l.rounds || rounds_constant(loop) == l.rounds);
+    l.exact =
+        tree_fits_shwi_p(a_round) && l.outside.empty() && (!l.rounds || rounds_constant(loop) == l.rounds);
 }
 
 /* The units of a way from bb to the end of a round of `within`, or to the next call: beside those of the rounds to come of
