@@ -77,7 +77,8 @@ static void allow_anew(struct node *n)
         clock_allow(n, deadline(n));
 }
 
-vtime node_quiet_until(const struct node *n)
+/* Nothing of a program that has stopped at a check comes before. */
+static vtime quiet_until(const struct node *n)
 {
     if (n->in_handler)
         return 0;
@@ -92,13 +93,12 @@ static bool must_yield(struct node *n, vtime now)
     return n->loose || n->pending.count || n->clock.stolen || !turn_is_first(n, now) || must_stop(n, now);
 }
 
-/* Yields to what is to happen before the node's call at `now`. */
-static void yield_turn(struct node *n, vtime now)
+void node_yield_turn(struct node *n, vtime now)
 {
     if (n->loose)
         n->ahead.arrived = now; /* for node_catch */
     else if (!n->call && n->ahead.alert)
-        turn_at_check(n, now, node_quiet_until(n));
+        turn_at_check(n, now, quiet_until(n));
     else
         turn_put(n, now);
 }
@@ -110,7 +110,7 @@ static void order(struct node *n)
     n->pending.open = false;
     bool yielded = false;
     while (must_yield(n, now)) {
-        yield_turn(n, now);
+        node_yield_turn(n, now);
         fiber_yield(&n->fiber);
         now = clock_sync(n);
         yielded = true;
@@ -353,7 +353,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     if (yields) {
         n->rests = early && turn_may_rest(n, now) && !ready(n, arg);
         if (!n->rests)
-            yield_turn(n, now);
+            node_yield_turn(n, now);
         if (!switch_away(n, ready, arg))
             node_order(n);
     }

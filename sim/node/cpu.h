@@ -56,13 +56,14 @@ bool node_step(struct node_system *s);
 void node_catch_up(struct node *n, vtime t);
 /* The same, up to the event that happens now: of equal times, their places say whether a check comes before it. */
 void node_catch_up_now(struct node *n);
-/* Nothing of a program that has stopped at a check comes before. */
-vtime node_quiet_until(const struct node *n);
+/* Before it yields to what is to happen before its call or check at `now`: sees to its turn there, but for a loose program, whose
+ * turn node_catch sees to. */
+void node_yield_turn(struct node *n, vtime now);
 /* Put the node's start, at time t, into the queue. */
 void node_start(struct node *n, vtime t);
 
 /* Runs a loose program on the calling thread until it comes to its next call, crashes (true), or pauses (false). */
 bool node_run_ahead(struct node *n);
-/* The committing thread takes a program back that is loose no more: its call becomes an event. */
+/* The committing thread takes a program back that is loose no more: its call becomes an event, its check a bound. */
 void node_catch(struct node *n);
 #endif

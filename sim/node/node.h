@@ -89,11 +89,11 @@ struct node_stats {
 struct node_ahead {
     bool paused; /* it has stopped at a check, to be gone on with */
     bool alert;  /* a handler may have to run: it computes up to a horizon only */
-    vtime
-        up_to; /* not 0: it only makes up for what it has been let off so far: node_catch_up; or is lent, and loose, until then */
+    /* not 0: it only makes up for what it has been let off so far: node_catch_up; or it is lent, and loose, until then */
+    vtime up_to;
     struct work work;
     vtime check;   /* when the program is stopped at a check: its time */
-    vtime arrived; /* when not paused: the time of its next call */
+    vtime arrived; /* when not paused: the time of its next call, or check if it was lent */
     /* for a guess at its next stretch, with workers: sets of calls */
     uint64_t after;      /* its last */
     uint64_t long_after; /* those behind which it computed for long the last time */

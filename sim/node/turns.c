@@ -294,10 +294,8 @@ void node_catch(struct node *n)
     n->ahead.up_to = 0;
     if (n->crash)
         crash(n);
-    else if (n->ahead.alert && !n->call)
-        turn_at_check(n, n->ahead.arrived, node_quiet_until(n));
     else
-        turn_put(n, n->ahead.arrived);
+        node_yield_turn(n, n->ahead.arrived);
 }
 
 /* Is a node's check to come before time and place? */
