@@ -12,11 +12,15 @@ WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgslcblas -lz -lm
 
-SIM_SRC := $(filter-out sim/cli/main.c,$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
+# touchstone is linked twice, with the fast engine and with the one that defines its results: sim/node/engine.h.
+FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c node/commit.c node/cpu.c node/pending.c node/turns.c)
+REFERENCE   := $(wildcard sim/reference/*.c)
+SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
+REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
 APP_SRC := $(wildcard app/*.c)
 
-all: $B/touchstone $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a ## Build everything into build/
+all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a ## Build everything into build/
 
 $B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -30,7 +34,10 @@ $B/libtouchstone.a: $(SIM_OBJ)
 $B/touchstone: $B/obj/sim/cli/main.o $(SIM_OBJ)
 	$(CC) $(SAN) $(OPT) $(LTO) -Wno-lto-type-mismatch -o $@ $^ $(LIBS)
 
--include $(SIM_OBJ:.o=.d) $B/obj/sim/cli/main.d
+$B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
+	$(CC) $(SAN) $(OPT) -fno-lto -o $@ $^ $(LIBS)
+
+-include $(SIM_OBJ:.o=.d) $(REF_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
 include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk
 include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
@@ -64,8 +71,8 @@ SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
 ASAN_MAKE = $(SUBMAKE) B=$(ASAN) OPT="-O1 -g" LTO= SAN="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 
 test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
-	$(SUBMAKE) all unit
-	$(ASAN_MAKE) all unit
+	$(SUBMAKE) all unit prover
+	$(ASAN_MAKE) all unit prover
 	$(SUBMAKE) B=build/O0 OPT="-O0 -g" LTO= build/O0/touchstone
 	$(SUBMAKE) B=build/tsan OPT="-O1 -g" LTO= SAN="-fsanitize=thread" build/tsan/touchstone
 	@tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
@@ -74,6 +81,12 @@ test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 tables: setup ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
 	$(SUBMAKE) all
 	$B/touchstone tables
+
+SECONDS ?= 60
+SEED    ?=
+prove: setup ## Compare random programs on the fast engine with the reference for SECONDS (SEED=N: those from N on)
+	$(SUBMAKE) all prover
+	$B/tests/prove/prove --build $B --seconds $(SECONDS) --load $(JOBS) $(if $(SEED),--seed $(SEED))
 
 report: setup ## Write bench/paper/REPORT.md, and README's part on exactness, from a run of all tables
 	$(SUBMAKE) all
@@ -103,6 +116,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
+	install $B/touchstone-reference $(INST)/lib/touchstone
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
 	install -d $(INST)/lib/touchstone/mpi
 	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
@@ -131,4 +145,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: all unit test tables report bench bench-setup setup install format check-format clean help
+.PHONY: all unit test prove tables report bench bench-setup setup install format check-format clean help

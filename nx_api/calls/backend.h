@@ -18,7 +18,8 @@
 #ifdef NX_ON_MPI
 #include "nx_api/mpi/node.h"
 #else
-#include "node/cpu.h"
+#include "node/engine.h"
+#include "node/handlers.h"
 #include "node/mailbox.h"
 #include "node/system.h"
 #endif
@@ -48,6 +49,8 @@ void nx_spend_call(struct node *n);
  * its id. */
 long nx_move(bool write, int fd, const struct iovec *parts, int count);
 long nx_move_later(bool write, int fd, const struct iovec *parts, int count);
+/* The node's. */
+struct own_calls *nx_own_calls(struct node *n);
 /* How many message ids a node has. */
 uint32_t nx_message_ids(const struct node *n);
 

@@ -61,9 +61,10 @@ struct incoming {
 
 long nx_check_receive(struct node *n, const struct incoming *in);
 struct receive nx_receive(const struct incoming *in);
-/* Where a blocking call has its receive: in the node, which is at hand when messages come; in a handler, which may have
- * interrupted such a call, in `other`. */
-struct receive *nx_own_receive(struct node *n, struct receive *other);
+/* Where a blocking call has its receive, and its send, which is new: handlers, which may have interrupted such a call, have
+ * others. */
+struct receive *nx_own_receive(struct node *n);
+struct send *nx_own_send(struct node *n);
 bool nx_receive_is_complete(struct node *n, void *receive);
 /* Posts r, and tells a handler when it is complete. */
 long nx_post_handler(struct node *n, const struct incoming *in, mailbox_handler *handler, long param);

@@ -16,13 +16,13 @@ long nxs_csendrecv(word type, const void *buf, word len, word node, word pid, wo
     const struct incoming in = {{typesel, ANY, ANY}, answer, room, NULL};
     if (check(n, &o, &in) < 0)
         return -1;
-    struct receive other, *r = nx_own_receive(n, &other);
-    struct send s = {0};
+    struct receive *r = nx_own_receive(n);
+    struct send *s = nx_own_send(n);
     *r = nx_receive(&in);
     nx_spend_call(n);
     mailbox_post(n, r);
-    nx_send(n, &o, &s);
-    node_wait(n, nx_send_is_done, &s);
+    nx_send(n, &o, s);
+    node_wait(n, nx_send_is_done, s);
     nx_about(n, typesel);
     node_wait(n, nx_receive_is_complete, r);
     return mailbox_take(n, r) < 0 ? -1 : n->info.count;

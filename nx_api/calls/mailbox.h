@@ -49,6 +49,12 @@ struct send {
     struct message *m; /* while not done */
 };
 
+/* What blocking calls are about: not on the program's stack, which others may not write to. */
+struct own_calls {
+    struct receive in_handler; /* outside of handlers: node.receive */
+    struct send send[2];       /* outside and in handlers */
+};
+
 /* Are messages of this type the library's own, which are none of the program's business? */
 static inline bool mailbox_is_library(int64_t type)
 {

@@ -11,7 +11,7 @@ static bool probe(struct node *n, const struct incoming *in)
 
 static bool probe_finds(struct node *n, void *in)
 {
-    return probe(n, in);
+    return mailbox_probe(n, &((const struct incoming *)in)->select);
 }
 
 static long wait_for(struct incoming in)
@@ -21,6 +21,7 @@ static long wait_for(struct incoming in)
         return -1;
     nx_spend_call(n);
     node_wait(n, probe_finds, &in);
+    probe(n, &in);
     return 0;
 }
 

@@ -15,9 +15,9 @@ struct receive nx_receive(const struct incoming *in)
     return (struct receive){.select = in->select, .buf = in->buf, .room = (size_t)in->len, .info = in->info};
 }
 
-struct receive *nx_own_receive(struct node *n, struct receive *other)
+struct receive *nx_own_receive(struct node *n)
 {
-    return n->in_handler ? other : &n->receive;
+    return n->in_handler ? &nx_own_calls(n)->in_handler : &n->receive;
 }
 
 bool nx_receive_is_complete(struct node *n, void *receive)
@@ -43,7 +43,7 @@ static long receive(const struct incoming *in)
     struct node *n = node_self();
     if (nx_check_receive(n, in) < 0)
         return -1;
-    struct receive other, *r = nx_own_receive(n, &other);
+    struct receive *r = nx_own_receive(n);
     *r = nx_receive(in);
     nx_spend_call(n);
     mailbox_post(n, r);

@@ -21,13 +21,19 @@ bool nx_send_is_done(struct node *n, void *send)
     return ((struct send *)send)->done;
 }
 
-/* (Apart: most messages do without, and want few lines of the stack.) */
-static __attribute__((noinline)) void follow_and_wait(struct node *n, const struct outgoing *o)
+struct send *nx_own_send(struct node *n)
 {
-    struct send s = {0};
-    nx_send(n, o, &s);
-    if (!s.done)
-        node_wait(n, nx_send_is_done, &s);
+    struct send *s = &nx_own_calls(n)->send[n->in_handler];
+    *s = (struct send){0};
+    return s;
+}
+
+static void follow_and_wait(struct node *n, const struct outgoing *o)
+{
+    struct send *s = nx_own_send(n);
+    nx_send(n, o, s);
+    if (!s->done)
+        node_wait(n, nx_send_is_done, s);
 }
 
 /* Sends, and waits until the buffer may be used again. Where it may be at once, the program goes on: what happens until

@@ -54,7 +54,8 @@ static void add_compile(struct arguments *a)
         "-fno-tree-vectorize",       /* the i860 has no vectors: operations are counted as it ran them */
         "-fno-tree-slp-vectorize",   /* */
         "-ffp-contract=off",         /* no fused multiply-add: results as with separate ones */
-        "-fno-stack-protector",      /* a node's stack has guard pages */
+        "-fno-stack-protector",      /* a node's stack has guard pages, */
+        "-fstack-clash-protection",  /* and no array is large enough to lie beyond them */
         "-U_FORTIFY_SOURCE",         /* no __printf_chk */
         "-fcf-protection=none",      /* */
         "-gno-record-gcc-switches",  /* the same object wherever nxcc is installed */

@@ -253,6 +253,11 @@ void nx_spend_call(struct node *n)
     (void)n; /* time is real */
 }
 
+struct own_calls *nx_own_calls(struct node *n)
+{
+    return &n->own;
+}
+
 uint32_t nx_message_ids(const struct node *n)
 {
     (void)n;

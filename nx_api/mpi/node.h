@@ -49,6 +49,7 @@ struct node {
     long exit_code; /* of main, if it has returned */
     struct mailbox *mailbox;
     struct receive receive; /* of the blocking call that it is in, outside of handlers */
+    struct own_calls own;   /* of other calls */
     struct node_end *ends;  /* of all nodes */
     uint64_t ended;         /* how many of them */
 };

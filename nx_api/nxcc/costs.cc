@@ -405,6 +405,11 @@ int64_t costs_of(gimple *stmt)
     return with_factor(stmt, plain_cost(stmt));
 }
 
+int64_t costs_of_going_back(gimple *stmt)
+{
+    return with_factor(stmt, table.clocks.branch);
+}
+
 int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements)
 {
     const call_cost *known = listed(call);

@@ -15,6 +15,9 @@ void costs_use(const cost_table &table, const std::vector<cost_factor> &factors)
 /* Units of one execution of stmt. For a call this is the fixed part: see costs_of_call. */
 int64_t costs_of(gimple *stmt);
 
+/* Units of going back in a loop in which nothing else costs anything; stmt stands where it is. */
+int64_t costs_of_going_back(gimple *stmt);
+
 /* The function that stmt was written in. */
 tree costs_written_in(gimple *stmt);
 

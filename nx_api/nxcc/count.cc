@@ -42,7 +42,7 @@
 #define QUIET "nxc_quiet"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
-/* A library call that is known to cost more is checked for: 10 us of a 40 MHz processor. */
+/* A library call that is known to cost more is checked for, and interrupted at such intervals: 10 us of a 40 MHz processor. */
 const int64_t longest_amount = 400 * NXC_UNITS_PER_CLOCK;
 
 bool count_in_memory;
@@ -92,6 +92,9 @@ class counting
     void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
     void spend(stretch *s, gimple *stmt);
     void spend_leaf(stretch *s, gimple *stmt);
+    void find_idle_loops();
+    bool costs_nothing(basic_block bb);
+    void spend_going_back(stretch *s, basic_block bb);
     check subtract(gimple_seq *seq, tree amount);
     check charge(gimple_seq *seq, gimple *stmt, tree amount);
     void charge_call(gimple_seq *seq, gcall *call, tree amount);
@@ -107,6 +110,7 @@ class counting
     bool calls = false;                 /* others, so that it may be part of a recursion */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
     auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
+    auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
     prepaid ahead;                      /* loops paid for where they are entered */
     std::map<basic_block, promise> promises;
     std::set<basic_block> paid; /* their blocks that pay nothing themselves */
@@ -210,6 +214,69 @@ void counting::spend_leaf(stretch *s, gimple *stmt)
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
+}
+
+bool counting::costs_nothing(basic_block bb)
+{
+    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+        if (costs_of(gsi_stmt(gsi)) || leaves_cost(gsi_stmt(gsi)) || looks(gsi_stmt(gsi)))
+            return false;
+    return true;
+}
+
+/* In an endless loop without any work, such as for (;;); time has to go by, too, or nobody could stop it. */
+void counting::find_idle_loops()
+{
+    auto_bitmap costless;
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, fun)
+        if (costs_nothing(bb))
+            bitmap_set_bit(costless, bb->index);
+    FOR_EACH_BB_FN (bb, fun) {
+        if (!bitmap_bit_p(checked, bb->index) || !bitmap_bit_p(costless, bb->index))
+            continue;
+        auto_bitmap seen;
+        std::vector<basic_block> ways{bb};
+        while (!ways.empty() && !bitmap_bit_p(idle, bb->index)) {
+            basic_block from = ways.back();
+            ways.pop_back();
+            edge e;
+            edge_iterator ei;
+            FOR_EACH_EDGE (e, ei, from->succs) {
+                if (e->dest == bb)
+                    bitmap_set_bit(idle, bb->index);
+                else if (bitmap_bit_p(costless, e->dest->index) && bitmap_set_bit(seen, e->dest->index))
+                    ways.push_back(e->dest);
+            }
+        }
+    }
+}
+
+/* Where the source has a loop whose head has no statement. */
+location_t location_of(basic_block bb)
+{
+    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+        if (gimple_has_location(gsi_stmt(gsi)))
+            return gimple_location(gsi_stmt(gsi));
+    edge e;
+    edge_iterator ei;
+    FOR_EACH_EDGE (e, ei, bb->preds)
+        if (e->goto_locus != UNKNOWN_LOCATION)
+            return e->goto_locus;
+    return UNKNOWN_LOCATION;
+}
+
+/* The block gets a statement that does nothing and costs it: then it has a place in the source. */
+void counting::spend_going_back(stretch *s, basic_block bb)
+{
+    gimple *nop = gimple_build_nop();
+    gimple_set_location(nop, location_of(bb));
+    gimple_stmt_iterator gsi = gsi_after_labels(bb);
+    gsi_insert_before(&gsi, nop, GSI_SAME_STMT);
+    int64_t cost = costs_of_going_back(nop);
+    s->cost += cost;
+    if (profile)
+        s->shares[profile->cell_of(nop)] += cost;
 }
 
 /* A check where bb begins, of which `cost` has been paid, tells what is promised there; for those that are called soon it is
@@ -371,6 +438,8 @@ void counting::count_block(basic_block bb)
     gimple *behind = NULL;
     unsigned i;
     gimple *stmt;
+    if (bitmap_bit_p(idle, bb->index))
+        spend_going_back(&now, bb);
     FOR_EACH_VEC_ELT (statements, i, stmt) {
         spend(&now, stmt);
         pay_misses(stmt);
@@ -447,20 +516,28 @@ void counting::preempt(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(left, counter));
 }
 
-/* Appends a preemption at the very moment when left became negative; what was spent beyond is spent after it. */
+/* Appends a preemption at the end of the part of a library call in which left became negative; parts end at multiples of
+ * longest_amount before the call's end. What is behind that part is spent after it. */
 void counting::preempt_in_time(gimple_seq *seq)
 {
-    tree was = left, beyond = make_ssa_name(units_type()), now = make_ssa_name(units_type());
+    auto append = [seq](tree_code code, tree a, tree b) {
+        tree result = make_ssa_name(units_type());
+        gimple_seq_add_stmt_without_update(seq, gimple_build_assign(result, code, a, b));
+        return result;
+    };
+    tree was = left, now = make_ssa_name(units_type());
     if (!left) {
         was = make_ssa_name(units_type());
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     }
-    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(beyond, BIT_NOT_EXPR, was)); /* -1 - was */
-    store(seq, units_constant(-1));
+    tree beyond = append(MINUS_EXPR, units_constant(-1), was); /* spent since left was -1 */
+    tree in_part = append(TRUNC_MOD_EXPR, beyond, units_constant(longest_amount));
+    tree behind = append(MINUS_EXPR, beyond, in_part);
+    store(seq, append(PLUS_EXPR, was, behind));
     append_preemption(seq);
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, counter));
     tree is = left ? left : make_ssa_name(units_type());
-    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, now, beyond));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(is, MINUS_EXPR, now, behind));
     if (!left)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, is));
 }
@@ -495,6 +572,7 @@ void counting::insert_check(const check &c)
     make_single_succ_edge(cold, c.in_parts ? bb : rest, EDGE_FALLTHRU);
 
     gimple_seq seq = NULL;
+    location_t where = location_of(bb);
     if (profile)
         profile->flush(&seq, bb);
     if (c.promised)
@@ -503,6 +581,8 @@ void counting::insert_check(const check &c)
         preempt_in_time(&seq);
     else
         preempt(&seq);
+    for (gimple_stmt_iterator i = gsi_start(seq); !gsi_end_p(i); gsi_next(&i))
+        gimple_set_location(gsi_stmt(i), where);
     gsi = gsi_start_bb(cold);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
@@ -514,6 +594,7 @@ void counting::run()
     if (foresees && !calls && leaves_accept(fun))
         return;
     poll_mark(fun, calls, checked);
+    find_idle_loops();
     if (foresees) {
         ahead = prepay_loops(looks, checked);
         promises = promise_find(checked, ahead.slow, ahead.own);

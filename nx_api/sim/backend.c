@@ -1,7 +1,5 @@
 /* backend.c - the simulator behind the calls: see nx_api/calls/backend.h. */
-#include "node/clock.h"
 #include "node/cube.h"
-#include "node/pending.h"
 #include "nx_api/calls/call.h"
 
 void nx_about(struct node *n, long what)
@@ -18,6 +16,11 @@ void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
 void nx_spend_call(struct node *n)
 {
     node_spend(n, n->sys->cfg->call_ps);
+}
+
+struct own_calls *nx_own_calls(struct node *n)
+{
+    return &n->beside->own;
 }
 
 uint32_t nx_message_ids(const struct node *n)
@@ -50,10 +53,7 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
 {
     n->stats.sent += receivers;
     n->stats.sent_bytes += receivers * m->bytes;
-    if (n->pending.open)
-        pending_send(n, m);
-    else
-        clock_advance_to(n, mailbox_send(n, m, node_now(n)));
+    engine_send(n, m);
 }
 
 /* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is

@@ -100,9 +100,9 @@ long nxs_masktrap(word state)
     node_spend(n, n->sys->cfg->clock_call_ps);
     n->masked = state != 0;
     if (before && !n->masked)
-        n->open_since = node_now(n);
+        handlers_open(n);
     node_order(n);
-    while (node_run_handlers(n))
+    while (handlers_run(n))
         node_order(n);
     return before;
 }

@@ -88,27 +88,28 @@ int node_kill(int pid, int sig)
 
 /* --- waiting for ends --- */
 
-struct awaited {
-    word node; /* or all others */
-    struct node *found;
-};
-
 static bool is_meant(const struct node *n, const struct node *other, word node)
 {
     return other != n && !other->end_noticed && other->end != NODE_NOT_LOADED &&
            (node == ALL_NODES || node == (word)other->id);
 }
 
-static bool one_has_ended(struct node *n, void *arg)
+/* Of those meant the first that has ended. NULL: none. */
+static struct node *first_ended(const struct node *n, word node)
 {
-    struct awaited *a = arg;
+    struct node *first = NULL;
     for (uint32_t i = 0; i < n->sys->count; i++) {
         struct node *other = n->sys->nodes[i];
-        if (is_meant(n, other, a->node) && other->state == NODE_ENDED &&
-            (!a->found || other->stats.ended_at < a->found->stats.ended_at))
-            a->found = other;
+        if (is_meant(n, other, node) && other->state == NODE_ENDED &&
+            (!first || other->stats.ended_at < first->stats.ended_at))
+            first = other;
     }
-    return a->found;
+    return first;
+}
+
+static bool one_has_ended(struct node *n, void *node)
+{
+    return first_ended(n, *(word *)node);
 }
 
 static bool all_have_ended(struct node *n, void *arg)
@@ -157,17 +158,17 @@ long nxs_waitall(word node, word pid)
 long nxs_waitone(word node, word pid, long *ended, long *ended_pid, long *status)
 {
     struct node *n = node_self();
-    struct awaited a = {node, NULL};
     (void)pid;
     if (check(n, node) < 0)
         return -1;
-    wait_for_end(n, one_has_ended, &a);
-    a.found->end_noticed = true;
+    wait_for_end(n, one_has_ended, &node);
+    struct node *found = first_ended(n, node);
+    found->end_noticed = true;
     if (ended)
-        node_put_long(n, ended, 0, a.found->id);
+        node_put_long(n, ended, 0, found->id);
     if (ended_pid)
-        node_put_long(n, ended_pid, 0, a.found->pid);
+        node_put_long(n, ended_pid, 0, found->pid);
     if (status)
-        node_put_long(n, status, 0, a.found->exit_code);
+        node_put_long(n, status, 0, found->exit_code);
     return 0;
 }

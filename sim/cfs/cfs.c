@@ -44,6 +44,7 @@ void cfs_free(struct cfs *c)
     if (!c)
         return;
     cfs_free_ops(c);
+    cfs_free_questions(c);
     for (uint32_t i = 0; i < c->cfg->io_nodes; i++)
         ionode_free(c->io[i]);
     free(c->io);

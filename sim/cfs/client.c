@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/parts.h"
-#include "node/cpu.h"
+#include "node/engine.h"
 
 enum { READ_REQUEST = 64 }; /* bytes: file, block, offset, length */
 

@@ -2,11 +2,12 @@
  * for its turn there, and gets an answer. */
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 #include "cfs/parts.h"
-#include "node/cpu.h"
+#include "node/engine.h"
 
-/* A request on its way, with what it asks and what it gets. It lies on the caller's stack, which outlives it: a node's
- * memory stays until the machine is freed. */
+/* A request on its way, with what it asks and what it gets. While it is, it has nothing in its program's memory, for the
+ * program may be killed: ask() keeps a copy, and what it points to. */
 struct question {
     struct dir_request request; /* first */
     struct cfs *cfs;
@@ -16,20 +17,61 @@ struct question {
     int flags;
     mode_t permissions;
     struct store_file *store;
-    struct stat *st;
-    struct cfs_file *file;
+    struct stat st;
+    struct cfs_file *file; /* of the program's, NULL: the request is about a name */
     uint64_t number;
-    const uint32_t *disks;
+    const uint32_t *disks; /* so many */
     int error;
     bool answered;
     vtime complete;
+    struct question *next, **link; /* cfs.questions */
 };
 
+static struct question *keep(const struct question *q)
+{
+    struct question *kept = malloc(sizeof *kept);
+    if (!kept)
+        abort();
+    *kept = *q;
+    if ((q->path && !(kept->path = strdup(q->path))) || (q->to && !(kept->to = strdup(q->to))))
+        abort();
+    if (q->disks) {
+        uint32_t *disks = calloc(q->number + 1, sizeof *disks);
+        if (!disks)
+            abort();
+        kept->disks = memcpy(disks, q->disks, q->number * sizeof *disks);
+    }
+    struct cfs *c = q->cfs;
+    kept->next = c->questions, kept->link = &c->questions;
+    if (kept->next)
+        kept->next->link = &kept->next;
+    return c->questions = kept;
+}
+
+static void drop(struct question *q)
+{
+    if (q->next)
+        q->next->link = q->link;
+    *q->link = q->next;
+    free((void *)(uintptr_t)q->path);
+    free((void *)(uintptr_t)q->to);
+    free((void *)(uintptr_t)q->disks);
+    free(q);
+}
+
+void cfs_free_questions(struct cfs *c)
+{
+    while (c->questions)
+        drop(c->questions);
+}
+
+/* The files that a program had open are closed at its end. */
 static bool serve(struct dir_request *r, vtime now)
 {
     struct question *q = (struct question *)r;
     (void)now;
-    q->error = q->work(q);
+    if (!q->file || q->node->state != NODE_ENDED)
+        q->error = q->work(q);
     return true;
 }
 
@@ -39,7 +81,10 @@ static void answered(struct dir_request *r, vtime at, vtime now)
     (void)now;
     q->answered = true;
     q->complete = at;
-    node_wake(q->node, at);
+    if (q->node->state == NODE_ENDED)
+        drop(q); /* nobody asks any more */
+    else
+        node_wake(q->node, at);
 }
 
 static bool is_answered(struct node *n, void *arg)
@@ -55,9 +100,12 @@ static int ask(struct cfs *c, struct node *n, struct question *q, vtime takes)
     q->node = n;
     q->request = (struct dir_request){.node = n->id, .takes = takes, .serve = serve, .answered = answered};
     node_spend(n, n->sys->cfg->call_ps + directory_ask_time(c->directory));
-    directory_ask(c->directory, &q->request, node_now(n));
+    struct question *kept = keep(q);
+    directory_ask(c->directory, &kept->request, node_now(n));
     node_order(n);
-    node_wait(n, is_answered, q);
+    node_wait(n, is_answered, kept);
+    q->error = kept->error, q->number = kept->number, q->store = kept->store, q->st = kept->st;
+    drop(kept);
     errno = q->error;
     return q->error ? -1 : 0;
 }
@@ -121,27 +169,34 @@ static int own_stat(const struct cfs *c, struct stat *st, int error)
 
 static int do_stat(struct question *q)
 {
-    return own_stat(q->cfs, q->st, store_stat(q->cfs->store, q->path, q->st));
+    return own_stat(q->cfs, &q->st, store_stat(q->cfs->store, q->path, &q->st));
 }
 
 int cfs_fs_stat(void *ctx, struct node *n, const char *path, struct stat *st)
 {
     struct cfs *c = ctx;
-    return ask(c, n, &(struct question){.work = do_stat, .path = path, .st = st}, c->cfg->open_ps);
+    struct question q = {.work = do_stat, .path = path};
+    int r = ask(c, n, &q, c->cfg->open_ps);
+    if (r == 0)
+        *st = q.st;
+    return r;
 }
 
 /* --- sizes --- */
 
 static int do_fstat(struct question *q)
 {
-    return own_stat(q->cfs, q->st, store_fstat(q->file->store, q->st));
+    return own_stat(q->cfs, &q->st, store_fstat(q->file->store, &q->st));
 }
 
 int cfs_fstat(struct node_file *base, struct stat *st)
 {
     struct cfs_file *f = (struct cfs_file *)base;
-    struct question q = {.work = do_fstat, .file = f, .st = st};
-    return ask(f->cfs, base->node, &q, f->cfs->cfg->pointer_ps);
+    struct question q = {.work = do_fstat, .file = f};
+    int r = ask(f->cfs, base->node, &q, f->cfs->cfg->pointer_ps);
+    if (r == 0)
+        *st = q.st;
+    return r;
 }
 
 static int do_grow(struct question *q)

@@ -14,7 +14,8 @@ struct cfs {
     struct directory *directory;
     uint32_t first_place;
     struct node_fs fs;
-    struct cfs_op *ops; /* all under way or not ended yet */
+    struct cfs_op *ops;         /* all under way or not ended yet */
+    struct question *questions; /* all under way: names.c */
     uint64_t bytes_read, bytes_written;
 };
 
@@ -48,6 +49,7 @@ void cfs_room(void *ctx, struct io_request *r, vtime now);
 void cfs_free_ops(struct cfs *c);
 
 /* names.c: node_fs */
+void cfs_free_questions(struct cfs *c);
 struct node_file *cfs_fs_open(void *ctx, struct node *n, const char *path, int flags, mode_t permissions);
 int cfs_fs_unlink(void *ctx, struct node *n, const char *path);
 int cfs_fs_rename(void *ctx, struct node *n, const char *from, const char *to);

@@ -2,16 +2,17 @@
 #include "cfs/store.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <ftw.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "files/scratch.h"
 
 struct store {
-    char *dir;      /* NULL: the temporary one is not made yet */
-    bool temporary; /* to be removed at the end */
+    char *dir;              /* NULL: the temporary one is not made yet */
+    struct scratch scratch; /* that, and else nothing */
+    bool temporary;
     struct store_file *files;
     uint32_t ids;
 };
@@ -35,12 +36,6 @@ struct store *store_new(const char *dir, char **error)
     return s;
 }
 
-static int remove_one(const char *path, const struct stat *st, int kind, struct FTW *where)
-{
-    (void)st, (void)kind, (void)where;
-    return remove(path);
-}
-
 void store_free(struct store *s)
 {
     if (!s)
@@ -54,8 +49,7 @@ void store_free(struct store *s)
         free(f->path);
         free(f);
     }
-    if (s->temporary && s->dir)
-        nftw(s->dir, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    scratch_remove(&s->scratch);
     free(s->dir);
     free(s);
 }
@@ -88,16 +82,10 @@ static bool have_dir(struct store *s)
 {
     if (s->dir)
         return true;
-    const char *in = getenv("TMPDIR");
-    char *dir;
-    if (asprintf(&dir, "%s/touchstone-cfs-XXXXXX", in && *in ? in : "/tmp") < 0)
+    s->scratch = scratch_new("touchstone-cfs");
+    if (s->scratch.path && !(s->dir = strdup(s->scratch.path)))
         abort();
-    if (!mkdtemp(dir)) {
-        free(dir);
-        return false;
-    }
-    s->dir = dir;
-    return true;
+    return s->dir;
 }
 
 static int host_path(struct store *s, const char *name, char *buf, size_t size)

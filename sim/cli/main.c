@@ -1,4 +1,5 @@
 /* main.c - touchstone: finds the subcommand. */
+#include <signal.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -39,6 +40,7 @@ int main(int argc, char **argv)
         int (*run)(int, char **);
     } COMMANDS[] = {{"run", cli_run}, {"study", cli_study},   {"plot", cli_plot}, {"check", cli_check},
                     {"fit", cli_fit}, {"tables", cli_tables}, {"srm", cli_srm}};
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error of its writing */
     const char *slash = argc > 0 ? strrchr(argv[0], '/') : NULL, *called = slash      ? slash + 1
                                                                            : argc > 0 ? argv[0]
                                                                                       : "";

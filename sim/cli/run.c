@@ -1,11 +1,15 @@
 /* run.c - touchstone run: one program on one machine. */
 #include <errno.h>
+#include <signal.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "cli/cli.h"
+#include "files/result_file.h"
 #include "machine/machine.h"
+#include "node/engine.h"
 #include "observe/profile.h"
 #include "observe/summary.h"
 
@@ -38,26 +42,35 @@ static const char HELP[] =
     "  --slice S               look at computing programs at least every S virtual seconds: results must "
     "not\n"
     "                          depend on it, and this is how to test that\n"
+    "  --isolate               stop a program that writes into another node's memory, and say where; one thread, and\n"
+    "                          slower by some microseconds for each switch from node to node\n"
     "  -w, --workers N         compute with N threads; default TOUCHSTONE_WORKERS, else as many as processors, at\n"
     "                          most 8. Results do not depend on it\n"
     "  --shuffle SEED          let the threads take turns at random, which is how to test that\n"
+    "  --engine ENGINE         'reference': by the rules of time in their plainest form, which define all results; slow. "
+    "Or\n"
+    "                          'fast', the default, which has to give the same. TOUCHSTONE_ENGINE does that, too\n"
+    "  --history FILE          write a line for each message received, in order: picoseconds, sender, receiver, type,\n"
+    "                          length. The digest is made of these\n"
     "  -q, --quiet             no summary\n"
     "\n"
     "Exit status: 0 all programs ended; 1 a program crashed, ended with an error, ran out of memory, or a "
     "limit\n"
     "was reached; 2 deadlock: every program waits and no message is under way; 64 wrong arguments;\n"
-    "65 the machine or program cannot be used.\n"
+    "65 the machine or program cannot be used; 74 standard output or a result cannot be written. A run that is ended "
+    "by\n"
+    "SIGINT, SIGTERM or SIGHUP reports where each node is, and then ends by that signal.\n"
     "\n"
     "example: nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring\n";
 
-enum { EXIT_USAGE = 64, EXIT_INPUT = 65, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
+enum { EXIT_USAGE = 64, EXIT_INPUT = 65, EXIT_OUTPUT = 74, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
 
 struct arguments {
-    const char *machine, *json, *profile, *cfs, *host;
+    const char *machine, *json, *profile, *history, *cfs, *host, *engine;
     const char **set; /* ended by NULL */
     uint32_t nodes, workers, shuffle;
     double max_virtual_s, max_wall_s, slice_s;
-    bool quiet, help;
+    bool quiet, help, isolate;
     char **program;
     int program_count;
 };
@@ -81,9 +94,25 @@ static bool whole(const char *text, uint32_t *value)
 /* 0, or the exit status for wrong arguments. */
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { JSON = 256, MAX_VIRTUAL, MAX_WALL, SLICE, CFS, SET, PROFILE, SHUFFLE, HOST };
+    enum {
+        JSON = 256,
+        MAX_VIRTUAL,
+        MAX_WALL,
+        SLICE,
+        CFS,
+        SET,
+        PROFILE,
+        SHUFFLE,
+        HOST,
+        HISTORY,
+        ENGINE,
+        ISOLATE
+    };
     static const struct option LONG[] = {{"json", required_argument, NULL, JSON},
                                          {"profile", required_argument, NULL, PROFILE},
+                                         {"engine", required_argument, NULL, ENGINE},
+                                         {"isolate", no_argument, NULL, ISOLATE},
+                                         {"history", required_argument, NULL, HISTORY},
                                          {"host", required_argument, NULL, HOST},
                                          {"set", required_argument, NULL, SET},
                                          {"cfs", required_argument, NULL, CFS},
@@ -129,6 +158,17 @@ static int parse(int argc, char **argv, struct arguments *a)
             break;
         case HOST:
             a->host = optarg;
+            break;
+        case ENGINE:
+            if (strcmp(optarg, "fast") && strcmp(optarg, "reference"))
+                return cli_usage("run", "--engine takes 'fast' or 'reference', not '%s'", optarg);
+            a->engine = optarg;
+            break;
+        case ISOLATE:
+            a->isolate = true;
+            break;
+        case HISTORY:
+            a->history = optarg;
             break;
         case CFS:
             a->cfs = optarg;
@@ -182,6 +222,29 @@ static int input_error(char *error)
     return EXIT_INPUT;
 }
 
+static int output_error(char *error)
+{
+    input_error(error);
+    return EXIT_OUTPUT;
+}
+
+static char *cannot_write(const char *path)
+{
+    char *error;
+    if (asprintf(&error, "%s cannot be written: %s", path, strerror(errno)) < 0)
+        abort();
+    return error;
+}
+
+/* Has all that was written there arrived? Else errno says why not. */
+static bool flushed(FILE *f)
+{
+    errno = 0;
+    bool good = fflush(f) == 0 && !ferror(f);
+    errno = good || errno ? errno : ENOSPC; /* an earlier write failed, whose errno is gone */
+    return good;
+}
+
 /* Shows and writes it. NULL, or an error. */
 static char *report_profile(const struct machine *m, const struct arguments *a)
 {
@@ -196,7 +259,7 @@ static char *report_profile(const struct machine *m, const struct arguments *a)
 static int report(const struct machine *m, const struct arguments *a)
 {
     int status = m->outcome == MACHINE_ENDED ? 0 : m->outcome == MACHINE_DEADLOCK ? 2 : 1;
-    fflush(stdout);
+    char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
     if (m->message)
         fprintf(stderr, "touchstone run: %s\n", m->message);
     if (!a->quiet)
@@ -204,7 +267,10 @@ static int report(const struct machine *m, const struct arguments *a)
     char *error = a->json ? summary_json(m, a->json) : NULL;
     if (!error && a->profile)
         error = report_profile(m, a);
-    return error ? input_error(error) : status;
+    int result = lost ? output_error(lost) : 0;
+    if (error)
+        result = output_error(error);
+    return result ? result : status;
 }
 
 static int unprofiled(const char *program)
@@ -261,10 +327,17 @@ static int run(const struct arguments *a)
                                 .workers = workers(a),
                                 .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
+                                .isolate = a->isolate,
                                 .out = stdout,
                                 .err = stderr};
     if (a->host)
         give_host(&o, a);
+    struct result_file history;
+    if (a->history && !result_file_begin(&history, a->history, &error)) {
+        cfg_free(cfg);
+        return output_error(error);
+    }
+    o.history = a->history ? history.out : NULL;
     struct machine *m = machine_new(&o, &error);
     int status;
     if (!m) {
@@ -275,15 +348,46 @@ static int run(const struct arguments *a)
         machine_run(m);
         status = report(m, a);
     }
+    int ended_by = m ? m->signal : 0;
     machine_free(m);
     cfg_free(cfg);
+    if (o.history && !result_file_end(&history, &error))
+        return output_error(error);
+    if (ended_by)
+        raise(ended_by); /* whoever waits for us is to know */
     return status;
+}
+
+/* The other engine is in another binary, beside this one or, installed, among the libraries. */
+static int change_engine(const char *engine, char **argv)
+{
+    char path[PATH_MAX], *slash;
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path - 64);
+    path[length < 0 ? 0 : length] = 0;
+    if (!(slash = strrchr(path, '/')))
+        return input_error(strdup("/proc is not there: the other engine cannot be found"));
+    static const char *const PLACES[] = {"/touchstone%s", "/../lib/touchstone/touchstone%s",
+                                         "/../../bin/touchstone%s"};
+    char **all = argv - 1; /* main's: "touchstone", "run", ... */
+    for (size_t i = 0; i < sizeof PLACES / sizeof *PLACES; i++) {
+        sprintf(slash, PLACES[i], strcmp(engine, "reference") ? "" : "-reference");
+        execv(path, all);
+    }
+    char *error;
+    if (asprintf(&error, "--engine %s: %s cannot be run: %s", engine, path, strerror(errno)) < 0)
+        abort();
+    return input_error(error);
 }
 
 int cli_run(int argc, char **argv)
 {
     struct arguments a;
     int status = parse(argc, argv, &a);
+    const char *told = getenv("TOUCHSTONE_ENGINE"), *engine = a.engine ? a.engine : told ? told : ENGINE_NAME;
+    if (!status && !a.help && strcmp(engine, ENGINE_NAME)) {
+        free(a.set);
+        return change_engine(engine, argv);
+    }
     if (!status)
         status = a.help ? (fputs(HELP, stdout), 0) : run(&a);
     free(a.set);

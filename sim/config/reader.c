@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/whole.h"
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
@@ -31,27 +32,69 @@ bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const
     return false;
 }
 
+/* So large is no file that somebody writes for us. */
+enum { MOST_BYTES = 4 << 20 };
+
 /* What a file includes is looked for beside it. */
-static void include_beside(struct cfg_reader *r)
+static char *folder_of(const char *path)
 {
-    const char *slash = strrchr(r->path, '/');
-    char *dir = slash ? strndup(r->path, (size_t)(slash - r->path)) : strdup(".");
-    if (!dir)
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, slash > path ? (size_t)(slash - path) : 1) : strdup(".");
+    if (!folder)
         abort();
-    config_set_include_dir(&r->lib, *dir ? dir : "/");
-    free(dir);
+    return folder;
+}
+
+static char *read_all(struct cfg_reader *r, const char *path, int depth);
+
+/* The file that a line beginning so includes: libconfig reads it again, and could not say what is wrong with it. */
+static bool check_include(struct cfg_reader *r, const char *path, const char *line, int depth)
+{
+    line += strspn(line, " \t");
+    if (strncmp(line, "@include", 8) != 0 || !(line = strchr(line, '"')))
+        return true;
+    char *folder = folder_of(path), *name = strndup(line + 1, strcspn(line + 1, "\"\n")), *included;
+    if (!name || asprintf(&included, "%s%s%s", *name == '/' ? "" : folder, *name == '/' ? "" : "/", name) < 0)
+        abort();
+    char *text = read_all(r, included, depth + 1);
+    free(text);
+    free(included);
+    free(name);
+    free(folder);
+    return text;
+}
+
+/* The text of a file, malloc'd, if it and all that it includes are text that somebody may have written; else NULL. */
+static char *read_all(struct cfg_reader *r, const char *path, int depth)
+{
+    enum { DEEPEST = 10 }; /* libconfig's */
+    const char *why;
+    int at;
+    char *text = whole_text(path, MOST_BYTES, &why, &at);
+    if (!text && (at ? asprintf(&r->error, "%s:%d: %s", path, at, why)
+                     : asprintf(&r->error, "%s: cannot be read: %s", path, why)) < 0)
+        abort();
+    for (const char *line = text; depth < DEEPEST && line && *line;
+         line += strcspn(line, "\n"), line += *line == '\n')
+        if (!check_include(r, path, line, depth)) {
+            free(text);
+            return NULL;
+        }
+    return text;
 }
 
 bool cfg_open(struct cfg_reader *r, const char *path)
 {
     *r = (struct cfg_reader){.path = path};
     config_init(&r->lib);
-    FILE *in = fopen(path, "re");
-    if (!in)
-        return cfg_fail(r, NULL, NULL, "cannot be read: %m");
-    include_beside(r);
-    bool read = config_read(&r->lib, in) == CONFIG_TRUE;
-    fclose(in);
+    char *text = read_all(r, path, 0), *folder = folder_of(path);
+    if (text)
+        config_set_include_dir(&r->lib, folder);
+    free(folder);
+    if (!text)
+        return false;
+    bool read = config_read_string(&r->lib, text) == CONFIG_TRUE;
+    free(text);
     if (!read) {
         const char *file = config_error_file(&r->lib); /* the one included, or NULL */
         if (asprintf(&r->error, "%s:%d: %s (settings are written: key = value;)", file ? file : path,

@@ -34,5 +34,9 @@ static inline bool instant_before(vtime time, uint32_t place, struct instant tha
 {
     return time < than.time || (time == than.time && place < than.place);
 }
+static inline struct instant instant_later(struct instant a, struct instant b)
+{
+    return instant_before(a.time, a.place, b) ? b : a;
+}
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <ucontext.h>
+#include <unwind.h>
 #include "kernel/fiber.h"
 #include "node/image.h"
 #include "node/trace.h"
@@ -18,6 +19,39 @@ static _Thread_local struct crash_guard *guard;
 
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
 enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
+
+enum { MOST_FRAMES = sizeof(((struct node_crash *)0)->frames) / sizeof(uintptr_t), REGISTER_RBP = 6 };
+
+/* From where the program called what crashed: searched for upwards. */
+struct way_back {
+    const struct node *node;
+    uintptr_t at, frame; /* 0: not found */
+};
+
+static _Unwind_Reason_Code look_at_frame(struct _Unwind_Context *context, void *arg)
+{
+    struct way_back *b = arg;
+    uintptr_t at = _Unwind_GetIP(context);
+    if (!trace_in_program(b->node, at - 1))
+        return _URC_NO_REASON;
+    b->at = at;
+    b->frame = _Unwind_GetGR(context, REGISTER_RBP);
+    return _URC_END_OF_STACK;
+}
+
+static void note_frames(struct node_crash *c, const struct node *n, const greg_t *r)
+{
+    c->frames[0] = (uintptr_t)r[REG_RIP];
+    c->depth = 1;
+    c->in_library = !trace_in_program(n, c->frames[0]);
+    uintptr_t frame = (uintptr_t)r[REG_RBP];
+    struct way_back back = {.node = n};
+    if (c->in_library)
+        _Unwind_Backtrace(look_at_frame, &back);
+    if (back.at)
+        c->frames[c->depth++] = back.at, frame = back.frame;
+    c->depth += trace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
+}
 
 static void on_fault(int signal, siginfo_t *info, void *context)
 {
@@ -34,9 +68,7 @@ static void on_fault(int signal, siginfo_t *info, void *context)
     g->crash.signal = signal;
     g->crash.address = (uintptr_t)info->si_addr;
     g->crash.top = trace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
-    g->crash.frames[0] = (uintptr_t)r[REG_RIP];
-    g->crash.depth = 1 + trace_walk(n, (uintptr_t)r[REG_RBP], g->crash.frames + 1,
-                                    sizeof g->crash.frames / sizeof g->crash.frames[0] - 1);
+    note_frames(&g->crash, n, r);
     n->crash = &g->crash;
     fiber_finish(f);
 }
@@ -99,22 +131,43 @@ static const char *signal_text(int s)
     }
 }
 
+/* NULL: none. */
+static const struct node *owner_of(const struct node_system *s, uintptr_t address)
+{
+    for (uint32_t i = 0; i < s->count; i++)
+        if (node_owns(s->nodes[i], address))
+            return s->nodes[i];
+    return NULL;
+}
+
+/* In the guard there? */
+static bool is_behind(uintptr_t address, const char *end)
+{
+    return address - (uintptr_t)end < 1 << 16;
+}
+
 static void print_cause(FILE *f, const struct node *n)
 {
     const struct node_crash *g = n->crash;
     uintptr_t stack = (uintptr_t)n->stack;
     bool memory = g->signal == SIGSEGV || g->signal == SIGBUS;
+    const struct node *owner = memory ? owner_of(n->sys, g->address) : NULL;
     fprintf(f, "%s (%s)", signal_text(g->signal), strsignal(g->signal));
     if (memory && g->address < stack && g->address >= stack - (1 << 16))
         fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
                 (size_t)(n->sys->cfg->stack_bytes >> 10));
     else if (memory && g->address < 4096)
         fprintf(f, ": a null pointer");
+    else if (owner && owner != n)
+        fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->name);
+    else if (memory && is_behind(g->address, n->program + n->image_bytes))
+        fprintf(f, ": 0x%zx, behind the end of its static data", (size_t)g->address);
+    else if (memory && is_behind(g->address, n->heap_start + n->region->heap_bytes))
+        fprintf(f, ": 0x%zx, behind the end of its heap", (size_t)g->address);
     else if (memory)
         fprintf(f, ": 0x%zx", (size_t)g->address);
     if (memory && n->failed_malloc)
-        fprintf(f, "\n  its memory was exhausted: at %.9f s malloc could not give %zu bytes",
-                vt_seconds(n->failed_malloc_at), n->failed_malloc);
+        fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->failed_malloc);
 }
 
 /* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by frames. */
@@ -133,13 +186,15 @@ char *crash_report(const struct node *n)
     char *text = NULL;
     size_t size;
     FILE *f = open_memstream(&text, &size);
-    fprintf(f, "%s crashed at or soon after %.9f s, %s%s: ", n->name, vt_seconds(n->stats.ended_at),
-            n->call ? "in " : "computing", n->call ? n->call : "");
+    fprintf(f, "%s crashed at %s%.9f s, %s%s: ", n->name, n->call ? "" : "or shortly before ",
+            vt_seconds(n->stats.ended_at), n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, n);
-    if (!trace_in_program(n, g->frames[0]))
-        fprintf(f, "\n  in the library");
+    if (g->in_library && !n->call) {
+        const char *called = g->depth > 1 ? trace_called(n, g->frames[1]) : NULL;
+        fprintf(f, "\n  in %s", called ? called : "a library function");
+    }
     trace_print(f, n, "in", g->frames[0]);
-    if (!trace_in_program(n, g->frames[0]) || !has_frame(n, g->frames[0]))
+    if (!g->in_library && !has_frame(n, g->frames[0]))
         trace_print(f, n, "called from", g->top - 1);
     for (int i = 1; i < g->depth; i++)
         trace_print(f, n, "called from", g->frames[i] - 1);

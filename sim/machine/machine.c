@@ -1,21 +1,17 @@
 /* machine.c - see machine.h. */
 #include "machine/machine.h"
 #include <signal.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include "cfs/cfs.h"
-#include "kernel/workers.h"
 #include "machine/crash.h"
 #include "machine/places.h"
 #include "node/clock.h"
-#include "node/cpu.h"
 #include "node/cube.h"
+#include "node/engine.h"
 #include "node/image.h"
-#include "node/pending.h"
 #include "node/trace.h"
-#include "node/turns.h"
 
 static double wall_clock(void)
 {
@@ -136,6 +132,9 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->count = s->running = nodes_of(options);
     s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
     s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
+    s->history = options->history;
+    s->guards = NODE_GUARDS_ALL;
+    s->isolate = options->isolate;
     s->out[0] = options->out, s->out[1] = options->err;
     s->q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error))
@@ -179,95 +178,57 @@ void machine_free(struct machine *m)
 
 /* --- running --- */
 
-/* The world outside: the wall clock's limit and the keyboard. Neither changes a result, they only end the
+/* Signals that end a run. While it goes on they wait, and are looked at now and then: so what the nodes have printed is not
+ * lost, and it can be said where each is. */
+static const int ENDING[] = {SIGINT, SIGTERM, SIGHUP};
+enum { ENDINGS = sizeof ENDING / sizeof *ENDING };
+
+/* Those that are not ignored, as under nohup. */
+static sigset_t ending_signals(void)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (int i = 0; i < ENDINGS; i++) {
+        struct sigaction now;
+        if (sigaction(ENDING[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaddset(&set, ENDING[i]);
+    }
+    return set;
+}
+
+/* The world outside: the wall clock's limit, and who wants the run to end. Neither changes a result, they only end the
  * run. */
 static void look_outside(void *ctx)
 {
     struct machine *m = ctx;
     sigset_t pending;
     sigpending(&pending);
-    if (sigismember(&pending, SIGINT))
-        node_system_fail(&m->sys, STOP_INTERRUPTED, "interrupted");
+    for (int i = 0; i < ENDINGS && !m->signal; i++)
+        if (sigismember(&pending, ENDING[i]))
+            m->signal = ENDING[i];
+    if (m->signal)
+        node_system_fail(&m->sys, STOP_INTERRUPTED, m->signal == SIGINT ? "interrupted" : "stopped by SIG%s",
+                         sigabbrev_np(m->signal));
     if (m->options.max_wall_s > 0 && wall_clock() - m->begin > m->options.max_wall_s)
         node_system_fail(&m->sys, STOP_WALL_TIME, "wall time limit of %g s reached", m->options.max_wall_s);
 }
 
+/* At the crash's place in the order of events. */
 static void show_crash(struct node *n)
 {
-    if (!n->call)
-        clock_go_back(n);
     n->state = NODE_ENDED;
     n->end = NODE_CRASHED;
+    n->cut_short = !n->call;
     n->stats.ended_at = node_now(n);
+    n->sys->stop_at = (struct instant){n->stats.ended_at, n->place};
     char *report = crash_report(n);
     node_system_fail(n->sys, STOP_FAILED, "%s", report);
     free(report);
 }
 
-static struct node *node_of(struct work *w)
+static void *thread_begins(void)
 {
-    return (struct node *)((char *)w - offsetof(struct node, ahead.work));
-}
-
-/* Nothing is left to happen but what comes after the limit of virtual time. */
-static void end_at_limit(struct node_system *s)
-{
-    s->stop_at = (struct instant){s->max_time, UINT32_MAX};
-    node_system_fail(s, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached", vt_seconds(s->max_time));
-}
-
-/* The earliest event, if nothing that is out may come before it; else something is done about that. False: there is none,
- * and nothing out. */
-static bool commit_event(struct node_system *s)
-{
-    bool out = s->workers && workers_busy(s->workers);
-    if (!out && s->max_time == VT_NEVER)
-        return node_step(s);
-    for (struct work *w; out && (w = workers_take(s->workers));)
-        node_catch(node_of(w));
-    uint32_t place;
-    vtime next = node_next(s, &place);
-    if (out && !workers_allow(s->workers, next, place)) {
-        s->unseen += 64; /* it may have taken long */
-        workers_advance(s->workers, next, place);
-        return true;
-    }
-    if (next == VT_NEVER)
-        return out && workers_busy(s->workers);
-    if (next > s->max_time)
-        end_at_limit(s);
-    return next <= s->max_time && node_step(s);
-}
-
-/* Flattened: after a switch to a program and back no processor foresees where a function returns to. */
-__attribute__((flatten)) static void commit_events(struct machine *m)
-{
-    enum { LOOK_EVERY = 1024 };
-    struct node_system *s = &m->sys;
-    for (uint64_t i = 0; !s->stop && commit_event(s); i++)
-        if (i % LOOK_EVERY == 0 || s->unseen > LOOK_EVERY)
-            look_outside(m);
-}
-
-/* The machine has been stopped: programs that were let off come as far as the others. */
-static void catch_up(struct node_system *s)
-{
-    for (uint32_t i = 0; s->stop && i < s->count; i++)
-        node_catch_up(s->nodes[i], s->stop_at.time);
-    if (s->stop && s->host)
-        node_catch_up(s->host, s->stop_at.time);
-}
-
-static void *thread_begins(void *ctx)
-{
-    (void)ctx;
     return crash_watch();
-}
-
-static bool thread_runs(void *guard, struct work *w)
-{
-    (void)guard;
-    return node_run_ahead(node_of(w));
 }
 
 static void thread_ends(void *guard)
@@ -275,27 +236,28 @@ static void thread_ends(void *guard)
     crash_unwatch(guard);
 }
 
-/* The machine's events, until there are none, or something stops it. */
 static void run_events(struct machine *m)
 {
-    const struct workers_calls calls = {NULL, thread_begins, thread_runs, thread_ends};
     struct node_system *s = &m->sys;
     struct crash_guard *guard = crash_watch();
     crash_catch();
     s->keep_crash = crash_keep, s->crashed = show_crash, s->look = look_outside, s->look_ctx = m;
-    if (m->options.workers > 1)
-        s->workers = workers_new(m->options.workers - 1, m->options.shuffle, &calls, guard);
-    commit_events(m);
-    if (s->workers)
-        workers_halt(s->workers);
-    catch_up(s);
-    if (s->workers) {
-        m->workers = workers_stats(s->workers);
-        workers_free(s->workers);
-        s->workers = NULL;
-    }
+    m->workers =
+        engine_run(s, &(struct engine_threads){s->isolate ? 1 : m->options.workers, m->options.shuffle,
+                                               thread_begins, thread_ends, guard});
     crash_ignore();
     crash_unwatch(guard);
+}
+
+/* The source line in which the node is, NULL: unknown. One that computes may have run on before it was known that the system
+ * takes time from it: at a limit of virtual time, where a report is always the same, it is the line at its last look. */
+static const char *line_of(const struct node *n, struct trace_lines *lines)
+{
+    if (n->call)
+        return n->state == NODE_BLOCKED || n->call_since == VT_NEVER ? trace_line(lines, n) : NULL;
+    if (n->sys->stop == STOP_VIRTUAL_TIME)
+        return trace_line_at(lines, n, clock_looked_at(n));
+    return n->at_poll ? trace_line(lines, n) : NULL;
 }
 
 static void describe_waiting(FILE *f, const struct node *n, struct trace_lines *lines)
@@ -307,11 +269,13 @@ static void describe_waiting(FILE *f, const struct node *n, struct trace_lines *
         fprintf(f, "ended at %.9f s", vt_seconds(n->stats.ended_at));
     else if (!n->call)
         fprintf(f, "computing");
+    else if (n->call_since == VT_NEVER)
+        fprintf(f, "before %s", n->call);
     else if (n->call_has_type)
         fprintf(f, "%s(%ld) since %.9f s", n->call, n->call_type, vt_seconds(n->call_since));
     else
         fprintf(f, "%s since %.9f s", n->call, vt_seconds(n->call_since));
-    const char *line = n->call && n->state == NODE_BLOCKED ? trace_line(lines, n) : NULL;
+    const char *line = n->state == NODE_ENDED ? NULL : line_of(n, lines);
     if (line)
         fprintf(f, " (%s)", line);
 }
@@ -391,14 +355,13 @@ static struct instant end_of(const struct node_system *s)
 static void note_end(struct machine *m, struct node *n)
 {
     struct instant end = end_of(&m->sys);
-    turn_settle(n, end);
+    engine_settle(n, end);
     if (n->state == NODE_COMPUTING && stops_at_a_time(&m->sys)) {
         node_stop(n, end);
         n->stats.ended_at = end.time;
         if (n->call && !instant_before(n->call_since, n->place, end))
             n->call = NULL; /* it has not come so far */
     } else if (n->state != NODE_ENDED) {
-        pending_take_back(n);
         n->stats.ended_at = node_now(n);
     }
     m->end = vt_max(m->end, n->stats.ended_at);
@@ -407,15 +370,11 @@ static void note_end(struct machine *m, struct node *n)
 void machine_run(struct machine *m)
 {
     m->begin = wall_clock();
-    sigset_t keyboard, before;
-    sigemptyset(&keyboard);
-    sigaddset(&keyboard, SIGINT);
-    sigprocmask(SIG_BLOCK, &keyboard, &before);
+    sigset_t ending = ending_signals(), before;
+    sigprocmask(SIG_BLOCK, &ending, &before);
     run_events(m);
-    if (m->sys.stop == STOP_INTERRUPTED) {
-        int taken;
-        sigwait(&keyboard, &taken);
-    }
+    for (const struct timespec now = {0}; m->signal && sigtimedwait(&ending, NULL, &now) > 0;)
+        ;
     sigprocmask(SIG_SETMASK, &before, NULL);
     for (uint32_t i = 0; i < machine_nodes(m); i++)
         note_end(m, m->sys.nodes[i]);

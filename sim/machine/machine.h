@@ -15,7 +15,9 @@ struct machine_options {
     double slice_s;       /* longest slice of computing, 0: a tenth; see sim/node/cpu.h */
     unsigned workers;     /* threads in all; 0 or 1: one. Results do not depend on it */
     uint64_t shuffle;     /* not 0: the threads go about it at random, to test that */
+    bool isolate;         /* a node that writes to another's memory crashes; one thread */
     FILE *out, *err;      /* the programs' output */
+    FILE *history;        /* gets a line for each message received; NULL: not wanted */
     const char *cfs_dir;  /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 
@@ -28,6 +30,7 @@ struct machine {
     enum machine_outcome outcome;
     char *message;                /* what went wrong, for the user, one or more lines; NULL: nothing */
     struct workers_stats workers; /* how the threads did; all 0: there was one */
+    int signal;                   /* that ended the run; 0: none */
     vtime end;                    /* when the last program ended */
     double begin;                 /* of the run, by the wall's clock */
     double wall_s, start_s;       /* the run; of which putting the machine together */

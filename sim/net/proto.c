@@ -47,6 +47,9 @@ vtime proto_send_time(const struct proto *p, int32_t type, size_t bytes)
     return proto_one_trip(p, type, bytes) ? p->cfg->short_send_ps : p->cfg->ask_send_ps;
 }
 
+/* So many messages are not looked through each time: something comes at any moment. */
+enum { MANY = 256 };
+
 vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
 {
     /* A message that is not under way yet is sent at `next` at the earliest, and takes the sender's time to
@@ -54,11 +57,12 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
     if (next == VT_NEVER)
         return VT_NEVER;
     vtime horizon = next + proto_least(p, vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps));
-    for (const struct trip *t = p->places[node].in; t; t = t->next_in)
+    unsigned many = 0;
+    for (const struct trip *t = p->places[node].in; t && ++many < MANY; t = t->next_in)
         horizon = vt_min(horizon, vt_max(t->at_receiver.at, next + t->at_receiver.after));
-    for (const struct trip *t = p->places[node].out; t; t = t->next_out)
+    for (const struct trip *t = p->places[node].out; t && ++many < MANY; t = t->next_out)
         horizon = vt_min(horizon, vt_max(t->at_sender.at, next + t->at_sender.after));
-    return horizon;
+    return many < MANY ? horizon : next;
 }
 
 void proto_set_nodes(struct proto *p, uint32_t n)
@@ -85,7 +89,7 @@ void proto_send(struct proto *p, struct message *m, vtime when)
         t->at_receiver = proto_at(when + proto_trip(p, m));
         evq_put_sent(p->q, when + proto_trip(p, m), m->to, sender, ask_arrives, p, m);
     } else {
-        t->at_sender = t->by_hand ? proto_at(when) : PROTO_NOTHING;
+        t->at_sender = t->by_hand || t->followed ? proto_at(when) : PROTO_NOTHING;
         t->at_receiver = proto_at(when);
         evq_put_sent(p->q, when, m->from, sender, inject, p, t);
     }
@@ -93,7 +97,8 @@ void proto_send(struct proto *p, struct message *m, vtime when)
 
 void proto_take_back(struct message *m)
 {
-    m->trip->taken_back = m->trip->envelope = true; /* nobody waits for it */
+    m->trip->taken_back = true;
+    proto_envelope_seen(m->proto, m->trip); /* nobody waits for it */
     proto_unlink_out(m->trip);
 }
 
@@ -116,20 +121,13 @@ static void look_at(struct proto *p, struct message *m, vtime now);
 /* Is there a message under way between the same programs, sent earlier, whose envelope has not come? */
 static bool must_wait(const struct proto *p, const struct message *m)
 {
-    const struct trip *t = m->trip;
-    for (const struct trip *o = p->places[m->to].in; o; o = o->next_in)
-        if (o->source == t->source && o->order < t->order && !o->envelope)
-            return true;
-    return false;
+    return proto_first_coming(p, m->trip->source, m->to) != m->trip;
 }
 
 /* The envelope that waited for the one just seen, if it has come: the next in order. */
 static struct message *released(const struct proto *p, uint32_t source, uint32_t to)
 {
-    const struct trip *first = NULL;
-    for (const struct trip *o = p->places[to].in; o; o = o->next_in)
-        if (o->source == source && !o->envelope && (!first || o->order < first->order))
-            first = o;
+    const struct trip *first = proto_first_coming(p, source, to);
     return first && first->waits ? first->m : NULL;
 }
 
@@ -152,7 +150,7 @@ static void whole_message(struct proto *p, struct message *m, vtime now);
 
 static void look_at(struct proto *p, struct message *m, vtime now)
 {
-    m->trip->envelope = true;
+    proto_envelope_seen(p, m->trip);
     if (!m->is_long) {
         whole_message(p, m, now);
         return;

@@ -2,6 +2,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include "net/flow.h"
 #include "net/proto_parts.h"
 
 static vtime hops_time(const struct proto *p, const struct message *m, vtime per_hop)
@@ -52,6 +53,17 @@ void proto_begin_trip(struct proto *p, struct message *m)
     t->transit.holds = c->channel_ps_per_byte ? hops + m->bytes * c->channel_ps_per_byte : 0;
 }
 
+/* So many are looked through one by one: no more than some lines of the cache. */
+enum { FEW_COMING = 16 };
+
+static void begin_flows(struct proto_place *to)
+{
+    to->flows = flows_new();
+    for (struct trip *t = to->in; t; t = t->next_in)
+        if (!t->envelope)
+            flows_add(to->flows, t);
+}
+
 void proto_link(struct proto *p, struct trip *t)
 {
     struct proto_place *to = &p->places[t->transit.to], *from = &p->places[t->transit.from];
@@ -63,6 +75,30 @@ void proto_link(struct proto *p, struct trip *t)
         t->next_out->link_out = &t->next_out;
     *t->link_in = t, *t->link_out = t;
     p->under_way++;
+    if (++to->coming > FEW_COMING && !to->flows)
+        begin_flows(to);
+    else if (to->flows)
+        flows_add(to->flows, t);
+}
+
+void proto_envelope_seen(struct proto *p, struct trip *t)
+{
+    struct proto_place *to = &p->places[t->transit.to];
+    if (to->flows && !t->envelope)
+        flows_remove(to->flows, t);
+    t->envelope = true;
+}
+
+struct trip *proto_first_coming(const struct proto *p, uint32_t source, uint32_t to)
+{
+    const struct proto_place *place = &p->places[to];
+    if (place->flows)
+        return flows_first(place->flows, source);
+    struct trip *first = NULL;
+    for (struct trip *t = place->in; t; t = t->next_in)
+        if (t->source == source && !t->envelope && (!first || t->order < first->order))
+            first = t;
+    return first;
 }
 
 void proto_unlink_out(struct trip *t)
@@ -83,6 +119,12 @@ static void unlink_in(struct proto *p, struct trip *t)
         t->next_in->link_in = t->link_in;
     *t->link_in = t->next_in;
     p->under_way--;
+    proto_envelope_seen(p, t);
+    struct proto_place *to = &p->places[t->transit.to];
+    if (--to->coming == 0 && to->flows) {
+        flows_free(to->flows);
+        to->flows = NULL;
+    }
 }
 
 void proto_end_trip(struct proto *p, struct message *m)

@@ -44,6 +44,8 @@ _Static_assert(sizeof(struct message) == 96 && offsetof(struct message, send) ==
 struct proto_place {
     struct trip *in, *out;
     uint64_t made;
+    uint32_t coming;     /* of `in` */
+    struct flows *flows; /* those of `in` whose envelope has not come; NULL: there are few */
 };
 
 struct proto {
@@ -88,6 +90,10 @@ struct message *proto_message_sharing(struct proto *p, uint32_t from, uint32_t t
 /* Its trip begins; when it is linked, it is under way to its receiver and being sent by its sender. */
 void proto_begin_trip(struct proto *p, struct message *m);
 void proto_link(struct proto *p, struct trip *t);
+/* Its envelope has been looked at, or nobody waits for it. */
+void proto_envelope_seen(struct proto *p, struct trip *t);
+/* Of the messages on their way from the program at source, the first whose envelope has not come. NULL: there is none. */
+struct trip *proto_first_coming(const struct proto *p, uint32_t source, uint32_t to);
 /* It has left; and it has arrived: the trip is over. */
 void proto_unlink_out(struct trip *t);
 void proto_end_trip(struct proto *p, struct message *m);

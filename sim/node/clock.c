@@ -45,7 +45,9 @@ static uint64_t least(uint64_t a, uint64_t b)
 void clock_give(struct node *n)
 {
     uint64_t units = n->clock.units;
-    n->looks = (struct node_looks){.given_at = units, .looked = units, .look = units + FIRST_LOOK};
+    n->looks.quiet = 0;
+    n->looks.given_at = units;
+    n->looks.look = units + FIRST_LOOK;
 }
 
 uint64_t clock_promised(const struct node *n)
@@ -60,17 +62,30 @@ void clock_promise(struct node *n, uint64_t units)
         n->looks.quiet = until;
 }
 
-void clock_look(struct node *n)
+void clock_look(struct node *n, uintptr_t at)
 {
     struct node_looks *l = &n->looks;
-    uint64_t units = n->clock.units;
+    if (l->look <= n->clock.units)
+        n->beside->looks[n->beside->look_count++ % NODE_LOOKS] = (struct node_look){n->clock.units, at};
+    while (l->look <= n->clock.units)
+        l->look += least(l->look - l->given_at, LONGEST_LOOK);
+}
+
+void clock_look_ahead(struct node *n)
+{
     if (*n->quiet < n->clock.given)
         clock_promise(n, (uint64_t)(n->clock.given - *n->quiet));
-    if (units < l->look)
-        return;
-    l->looked = units;
-    while (l->look <= units)
-        l->look += least(l->look - l->given_at, LONGEST_LOOK);
+}
+
+uintptr_t clock_looked_at(const struct node *n)
+{
+    const struct node_beside *b = n->beside;
+    for (uint32_t i = 0; i < b->look_count && i < NODE_LOOKS; i++) {
+        const struct node_look *look = &b->looks[(b->look_count - 1 - i) % NODE_LOOKS];
+        if (look->units <= n->clock.units)
+            return look->units >= n->looks.known_at ? look->at : 0;
+    }
+    return 0;
 }
 
 /* When it will have spent so many, or had, if it only computes. */
@@ -91,15 +106,10 @@ uint64_t clock_stretch(const struct node *n)
     return n->clock.units - n->looks.given_at;
 }
 
-void clock_go_back(struct node *n)
+void clock_crash(struct node *n)
 {
-    clock_sync(n);
-    clock_set_units(n, n->looks.looked > n->clock.known ? n->looks.looked : n->clock.known);
-}
-
-vtime clock_next_look(const struct node *n)
-{
-    return clock_at(n, n->looks.look);
+    clock_stop(n);
+    clock_set_units(n, n->looks.look);
 }
 
 /* Does not depend on how far the program had run ahead. */
@@ -108,6 +118,27 @@ void clock_cut(struct node *n, vtime t)
     clock_sync(n);
     vtime computed = clock_of_units(n, n->clock.units);
     clock_set_units(n, computed > t ? units_of_time(n, computed - t) : 0);
+}
+
+/* Where a unit is no whole number of picoseconds, it depends on how many have been spent. */
+static __attribute__((noinline)) uint64_t units_until_exactly(const struct node *n, vtime t)
+{
+    const struct node_clock *c = &n->clock;
+    uint64_t units = units_of_time(n, t - c->now);
+    while (units > 0 && clock_at(n, c->units + units - 1) >= t)
+        units--;
+    while (clock_at(n, c->units + units) < t)
+        units++;
+    return units;
+}
+
+/* So many units it has to spend to come to t or behind it. */
+static inline uint64_t units_until(const struct node *n, vtime t)
+{
+    const struct node_clock *c = &n->clock;
+    if (!c->unit_ps)
+        return units_until_exactly(n, t);
+    return (t - c->now + c->unit_ps - 1) / c->unit_ps;
 }
 
 void clock_allow(struct node *n, vtime deadline)
@@ -119,7 +150,7 @@ void clock_allow(struct node *n, vtime deadline)
     if (deadline <= c->now)
         units = 1;
     else if (deadline != VT_NEVER)
-        units = least(units, units_of_time(n, deadline - c->now));
+        units = least(units, units_until(n, deadline));
     /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
     c->given = (int64_t)units - 1;
     *n->left = c->given;

@@ -49,17 +49,10 @@ static inline vtime clock_stop(struct node *n)
     return n->clock.now;
 }
 
-/* All that happened before this moment of the node has: it is not ahead of the others. Call after clock_sync. */
-static inline void clock_is_known(struct node *n)
-{
-    n->clock.known = n->clock.units;
-}
-
 /* Time goes on without the program: wait, system. Call after clock_sync. */
 static inline void clock_advance(struct node *n, vtime by)
 {
     n->clock.now += by;
-    clock_is_known(n);
 }
 
 /* The same until t >= clock_sync(n). */
@@ -70,11 +63,21 @@ static inline void clock_advance_to(struct node *n, vtime t)
 
 /* The program gets control: the looks begin anew. Call after clock_sync. */
 void clock_give(struct node *n);
+/* It got control when it had spent so many units, and all that has happened before is known. */
+static inline void clock_given_in_turn(struct node *n, uint64_t units)
+{
+    n->looks.known_at = units;
+}
 /* Starts the program's clock: it may spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
  * nxc_preempt. Call after clock_sync. */
 void clock_allow(struct node *n, vtime deadline);
-/* In nxc_preempt, after clock_sync: notes the looks that are due, and what the program says of its next call. */
-void clock_look(struct node *n);
+/* In nxc_preempt, after clock_sync: notes a look that is due, and where in the program it is. */
+void clock_look(struct node *n, uintptr_t at);
+/* And what the program says of its next call. */
+void clock_look_ahead(struct node *n);
+/* Where the program, which only computes, was at the last look before now; 0: there has been none since it got control, or too
+ * many since then. */
+uintptr_t clock_looked_at(const struct node *n);
 /* The program makes no call, and is not looked at, before this time, which is not before its clock's. */
 vtime clock_quiet(const struct node *n);
 /* Units that it has yet to spend before its next call; and that is what it has: handlers have run meanwhile. */
@@ -82,11 +85,9 @@ uint64_t clock_promised(const struct node *n);
 void clock_promise(struct node *n, uint64_t units);
 /* Units spent since the program got control. */
 uint64_t clock_stretch(const struct node *n);
-/* The program has crashed after its last look: takes back what it has computed since, which depends on where else it was
- * stopped. */
-void clock_go_back(struct node *n);
-/* When the next look will have been at the earliest. */
-vtime clock_next_look(const struct node *n);
+/* The program has crashed while it computed, some time after its last look: how far it had come nobody knows, and it counts as
+ * having computed up to its next look, which is the same however it was stopped before. */
+void clock_crash(struct node *n);
 /* Take back so much computing, or all there is. */
 void clock_cut(struct node *n, vtime t);
 #endif

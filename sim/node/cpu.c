@@ -1,12 +1,13 @@
-/* cpu.c - the program's side of cpu.h; turns.c has the scheduler's. */
-#include "node/cpu.h"
+/* cpu.c - the program's side of turns.h; turns.c has the scheduler's. */
 #include <assert.h>
-#include <errno.h>
 #include "kernel/fiber.h"
+#include "node/account.h"
 #include "node/clock.h"
+#include "node/handlers.h"
 #include "node/mailbox.h"
 #include "node/pending.h"
 #include "node/system.h"
+#include "node/trace.h"
 #include "node/turns.h"
 #include "nx_api/nxcc/image.h"
 
@@ -17,18 +18,6 @@ enum { MOST_UNSEEN = 4096, LOOK_CALLS = 64 };
 /* Worth a thread of its own are stretches of a few microseconds of ours: clocks of an i860. What took so long behind the same
  * call the last time will again; and what has taken half as long will take longer. */
 #define LONG_STRETCH (UINT64_C(80000) * NXC_UNITS_PER_CLOCK)
-
-/* --- errno --- */
-
-__attribute__((noipa)) int node_errno(void)
-{
-    return errno;
-}
-
-__attribute__((noipa)) void node_set_errno(int error)
-{
-    errno = error;
-}
 
 /* --- calls --- */
 
@@ -62,12 +51,12 @@ bool node_is_alone(const struct node *n, vtime t)
 static vtime deadline(struct node *n)
 {
     vtime end = end_of_time(n);
-    n->ahead.alert = mailbox_armed(n);
+    n->ahead.alert = handlers_armed(n);
     if (!n->ahead.alert)
         return end;
     if (n->ahead.up_to)
         return n->ahead.up_to;
-    return vt_min(end, vt_min(mailbox_next_due(n), horizon(n)));
+    return vt_min(end, vt_min(handlers_next_due(n), horizon(n)));
 }
 
 /* What the program may spend was reckoned before the system took time from it. */
@@ -82,7 +71,7 @@ static vtime quiet_until(const struct node *n)
 {
     if (n->in_handler)
         return 0;
-    return vt_min(clock_quiet(n), vt_min(end_of_time(n), mailbox_next_due(n)));
+    return vt_min(clock_quiet(n), vt_min(end_of_time(n), handlers_next_due(n)));
 }
 
 /* Is something else to happen before the node's call at `now`? */
@@ -97,32 +86,37 @@ void node_yield_turn(struct node *n, vtime now)
 {
     if (n->loose)
         n->ahead.arrived = now; /* for node_catch */
-    else if (!n->call && n->ahead.alert)
+    else if (!n->call && n->ahead.alert && !turn_is_passed(n, now))
         turn_at_check(n, now, quiet_until(n));
     else
         turn_put(n, now);
 }
 
-/* node_order, but where the program is does not become known: at a check, which depends on what else stops it. */
-static void order(struct node *n)
+/* The program's turn has come, maybe without an event; not where it only makes up for checks, which come before the present. */
+static void have_turn(struct node *n, vtime now)
+{
+    struct node_system *s = n->sys;
+    if (n->ahead.up_to)
+        return;
+    s->reached = turn_reached(s);
+    s->present = (struct instant){now, n->place};
+}
+
+void node_order(struct node *n)
 {
     vtime now = clock_sync(n);
     n->pending.open = false;
     bool yielded = false;
     while (must_yield(n, now)) {
         node_yield_turn(n, now);
+        n->frame = (uintptr_t)__builtin_frame_address(0);
         fiber_yield(&n->fiber);
         now = clock_sync(n);
         yielded = true;
     }
+    have_turn(n, now);
     if (yielded)
         allow_anew(n);
-}
-
-void node_order(struct node *n)
-{
-    order(n);
-    clock_is_known(n);
 }
 
 /* A set of one call, or few: by the place of its name in a page, the same in every run. */
@@ -153,16 +147,18 @@ static void begin_call(struct node *n, const char *call, bool early)
     n->call = call;
     n->call_has_type = n->awaits = false;
     n->call_since = clock_stop(n);
-    n->pending.early = early;
+    n->hands_over = early;
     if (n->sys->workers)
         note_stretch(n);
 }
 
 static void take_turn(struct node *n)
 {
-    do
+    n->call_since = VT_NEVER; /* it has not come so far */
+    node_order(n);
+    n->call_since = node_now(n);
+    while (handlers_run(n))
         node_order(n);
-    while (node_run_handlers(n));
     node_memory_settle(n);
 }
 
@@ -179,7 +175,7 @@ static bool may_pend(const struct node *n)
     const struct node_system *s = n->sys;
     return !n->loose && !n->armed && !n->is_host && !s->stop && n->call_since <= s->max_time &&
            !n->clock.stolen && !s->cube && !s->flushes && pending_room(n) && !mailbox_ignores(n) &&
-           !is_long_next(n);
+           !is_long_next(n) && !turn_is_passed(n, n->call_since);
 }
 
 void node_enter_early(struct node *n, const char *call)
@@ -202,11 +198,6 @@ void node_spend_on(struct node *n, enum node_task task, vtime t)
     clock_sync(n);
     clock_advance(n, t);
     node_account(n, task, t);
-}
-
-void node_spend(struct node *n, vtime t)
-{
-    node_spend_on(n, NODE_CALL, t);
 }
 
 /* --- computing ahead --- */
@@ -242,7 +233,7 @@ void node_leave(struct node *n)
     clock_sync(n);
     if (!n->pending.open) {
         node_memory_settle(n);
-        clock_is_known(n);
+        clock_given_in_turn(n, n->clock.units);
     }
     n->pending.open = false;
     clock_give(n);
@@ -278,12 +269,13 @@ static void listen(struct node *n)
     if (!n->loose)
         n->sys->unseen += LOOK_CALLS / 8;
     do
-        order(n);
-    while (node_run_handlers(n) && (any = true));
+        node_order(n);
+    while (handlers_run(n) && (any = true));
     if (!any)
         return;
     node_memory_settle(n);
     clock_give(n);
+    clock_given_in_turn(n, n->clock.units);
     clock_promise(n, promised);
 }
 
@@ -293,8 +285,10 @@ void node_nxc_preempt(void)
 {
     struct node *n = node_self();
     vtime now = clock_sync(n);
-    n->stats.slices++;
-    clock_look(n);
+    clock_look_ahead(n);
+    clock_look(n, trace_caller(__builtin_frame_address(0)));
+    n->frame = (uintptr_t)__builtin_frame_address(0);
+    n->at_poll = true;
     if (n->ahead.alert && !(n->loose && now < n->ahead.up_to))
         listen(n);
     else if (now > n->sys->max_time)
@@ -302,28 +296,13 @@ void node_nxc_preempt(void)
     else
         look_around(n, now);
     clock_allow(n, n->loose && !n->ahead.alert ? end_of_time(n) : deadline(n));
-}
-
-bool node_run_handlers(struct node *n)
-{
-    bool any = false;
-    while (mailbox_next_due(n) != VT_NEVER && mailbox_handler_due(n, node_now(n))) {
-        const char *call = n->call;
-        long type = n->call_type, awaited = n->awaited;
-        bool has_type = n->call_has_type, awaits = n->awaits;
-        vtime since = n->call_since;
-        mailbox_run_handler(n);
-        n->call = call, n->call_type = type, n->call_has_type = has_type, n->call_since = since;
-        n->awaited = awaited, n->awaits = awaits;
-        any = true;
-    }
-    return any;
+    n->at_poll = false;
 }
 
 /* Handlers that have become due while the node came here; others will wake it. */
 static void catch_up(struct node *n)
 {
-    while (node_run_handlers(n))
+    while (handlers_run(n))
         node_order(n);
 }
 
@@ -342,13 +321,13 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
 {
     vtime now = clock_sync(n);
     n->pending.open = false;
-    bool yields = must_yield(n, now), early = n->pending.early;
+    bool yields = must_yield(n, now), early = n->hands_over;
     if (yields && early && ready(n, arg) && may_pend(n) && now <= n->sys->max_time && !mailbox_may_grant(n) &&
         node_is_alone(n, now)) {
         pending_go_on(n);
         return;
     }
-    n->pending.early = false;
+    n->hands_over = false;
     n->blocked.since = VT_NEVER;
     if (yields) {
         n->rests = early && turn_may_rest(n, now) && !ready(n, arg);
@@ -356,9 +335,11 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
             node_yield_turn(n, now);
         if (!switch_away(n, ready, arg))
             node_order(n);
+    } else {
+        have_turn(n, now);
     }
     for (catch_up(n); !ready(n, arg); catch_up(n)) {
-        turn_block(n, node_now(n));
+        account_block(n, node_now(n));
         switch_away(n, ready, arg);
     }
 }

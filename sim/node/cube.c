@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "config/cube_type.h"
-#include "node/cpu.h"
+#include "node/engine.h"
 #include "node/image.h"
 #include "node/mailbox.h"
 #include "nx_api/include/nxerrno.h"

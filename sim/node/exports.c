@@ -36,3 +36,11 @@ const struct node_export *node_export_find(const char *name, bool long32)
     const struct node_export *e = long32 ? find(own) : NULL;
     return e ? e : find(name);
 }
+
+const char *node_export_name(uintptr_t address)
+{
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        if (table[i].code && (uintptr_t)table[i].code == address)
+            return table[i].name;
+    return NULL;
+}

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "node/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
 
@@ -142,7 +143,7 @@ static void leave(struct node *n, bool masked)
 {
     n->masked = masked;
     if (!masked)
-        n->open_since = node_now(n);
+        handlers_open(n);
     int why = node_errno();
     node_leave(n);
     node_set_errno(why);

@@ -2,11 +2,12 @@
  *
  * Blocks lie without gaps from base to top. Each has a 16-byte head in front of what the program gets:
  *
- *     base                                                             top
- *     | size prev tag | program's bytes | size prev tag | free: links | ... |        not in use
+ *     base                                                                         top
+ *     | size prev tag asked | program's bytes, rest | size prev tag | free: links | ... |        not in use
  *
  * size is that of the block, head included, and prev that of the block before it, so that both neighbours can
- * be found. tag tells used from free blocks and foreign pointers from both. Invariants: no two free blocks
+ * be found. tag tells used from free blocks and foreign pointers from both. The program has asked for `asked` bytes; the rest
+ * of the block, if there is any, holds REST, so that writing past the end is seen. Invariants: no two free blocks
  * touch, and the block below top is in use: top - base is what the heap takes of the node's memory.
  *
  * Free blocks are kept in bins by size: one bin for each size below 512 bytes, then one for each power of
@@ -26,9 +27,10 @@
 #define BINS 64u
 #define TAG_USED 0xa110ca7eu
 #define TAG_FREE 0x0f4eeb10u
+#define REST 0xe5
 
 struct block {
-    uint32_t size, prev, tag, unused;
+    uint32_t size, prev, tag, asked;
     struct block *next_free, *prev_free; /* of a free block; the program's bytes begin here */
 };
 
@@ -114,6 +116,31 @@ static void take_from_bin(struct node_heap *h, struct block *b)
     else if ((h->bins[i] = b->next_free) == NULL)
         h->filled &= ~(UINT64_C(1) << i);
     b->tag = 0;
+}
+
+/* --- what was written where it must not be --- */
+
+static unsigned char *bytes_of(struct block *b)
+{
+    return (unsigned char *)b + HEAD;
+}
+
+/* The program has asked for so many bytes of a block. */
+static void set_asked(struct block *b, size_t asked)
+{
+    b->asked = (uint32_t)asked;
+    memset(bytes_of(b) + asked, REST, b->size - HEAD - asked);
+}
+
+static bool is_within(const struct block *b)
+{
+    const unsigned char *bytes = (const unsigned char *)b + HEAD;
+    if (b->asked > b->size - HEAD)
+        return false;
+    for (size_t i = b->asked; i < b->size - HEAD; i++)
+        if (bytes[i] != REST)
+            return false;
+    return true;
 }
 
 /* A free block of at least size bytes, the best of its bin; NULL when there is none. */
@@ -206,6 +233,7 @@ void *node_heap_alloc(struct node_heap *h, size_t bytes)
         take_from_bin(h, b);
         b->tag = tag_at(b, TAG_USED);
         trim(h, b, size);
+        set_asked(b, bytes);
     } else {
         b = (struct block *)h->top;
         if (!raise_top(h, h->top + size))
@@ -213,11 +241,12 @@ void *node_heap_alloc(struct node_heap *h, size_t bytes)
         b->prev = h->last;
         b->tag = tag_at(b, TAG_USED);
         set_size(h, b, size);
+        set_asked(b, bytes);
     }
     return (char *)b + HEAD;
 }
 
-/* The used block behind a pointer the program gave, NULL when it is not one. */
+/* The used block behind a pointer the program gave, NULL when it is not one or is damaged. */
 static struct block *block_of(const struct node_heap *h, const void *p)
 {
     uintptr_t at = (uintptr_t)p - (uintptr_t)h->base;
@@ -229,7 +258,35 @@ static struct block *block_of(const struct node_heap *h, const void *p)
     /* the neighbours agree: nothing was written over either head */
     if ((char *)after(b) == h->top ? h->last != b->size : after(b)->prev != b->size)
         return NULL;
+    if (!is_within(b))
+        return NULL;
     return b->prev == 0 || (b->prev <= at - HEAD && before(b)->size == b->prev) ? b : NULL;
+}
+
+/* Is there a head where one has to be? */
+static bool has_head(const struct node_heap *h, const struct block *b, uint32_t prev)
+{
+    size_t room = (size_t)(h->top - (const char *)b);
+    return (b->tag == tag_at(b, TAG_USED) || is_free(b)) && b->prev == prev && b->size >= LEAST &&
+           b->size <= room && b->size % HEAD == 0;
+}
+
+size_t node_heap_check(const struct node_heap *h, const void **block)
+{
+    uint32_t prev = 0;
+    const struct block *last = NULL;
+    for (const struct block *b = (const struct block *)h->base; (const char *)b < h->top;
+         last = b, prev = b->size, b = after(b)) {
+        bool good = has_head(h, b, prev);
+        if (good && (is_free(b) || is_within(b)))
+            continue;
+        const struct block *culprit = good || !last ? b : last; /* who ran over a head is before it */
+        *block = (const char *)culprit + HEAD;
+        size_t most = culprit->size - HEAD;
+        return is_free(culprit) || culprit->asked > most ? most : culprit->asked;
+    }
+    *block = NULL;
+    return 0;
 }
 
 bool node_heap_owns(const struct node_heap *h, const void *p)
@@ -270,15 +327,14 @@ void *node_heap_resize(struct node_heap *h, void *p, size_t bytes)
     uint32_t size = block_size(h, bytes);
     if (b == NULL || size == 0)
         return NULL;
-    if (size <= b->size) {
+    if (size <= b->size || widen(h, b, size)) {
         trim(h, b, size);
+        set_asked(b, bytes);
         return p;
     }
-    if (widen(h, b, size))
-        return p;
     void *q = node_heap_alloc(h, bytes);
     if (q != NULL) {
-        memcpy(q, p, b->size - HEAD);
+        memcpy(q, p, b->asked);
         give_back(h, b);
     }
     return q;

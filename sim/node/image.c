@@ -261,6 +261,16 @@ size_t node_image_bytes(const struct node_image *img)
     return img->bytes;
 }
 
+size_t node_image_data_at(const struct node_image *img)
+{
+    return img->data_at;
+}
+
+bool node_image_is_long32(const struct node_image *img)
+{
+    return img->long32;
+}
+
 const char *node_image_path(const struct node_image *img)
 {
     return img->elf->path;

@@ -19,6 +19,10 @@ size_t node_image_load_bytes(const struct node_image *img);
 /* Does it ask for a function of that name? */
 bool node_image_uses(const struct node_image *img, const char *name);
 
+/* Offset from the program's start at which its data begin, page rounded; they end with the program. */
+size_t node_image_data_at(const struct node_image *img);
+/* Has its long 32 bits? */
+bool node_image_is_long32(const struct node_image *img);
 /* Its text, data and bss in a node, page rounded. */
 size_t node_image_bytes(const struct node_image *img);
 

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "node/clock.h"
+#include "node/heap.h"
 #include "node/libc_parts.h"
 #include "node/node.h"
 
@@ -57,22 +57,32 @@ int node_atexit(void (*f)(void))
 }
 
 /* A function that is run is off the list already, so that it may call exit() or atexit() itself. */
-void node_libc_atexit_run(struct node *n)
+static void run_atexit(struct node *n)
 {
     struct node_libc *c = n->libc;
     while (c->atexit_count > 0) {
-        clock_start(n);
+        node_leave(n);
         c->atexit[--c->atexit_count]();
+        node_enter(n, "exit");
     }
-    clock_stop(n);
+}
+
+void node_libc_end(struct node *n)
+{
+    const void *block;
+    run_atexit(n);
+    node_libc_flush(n);
+    size_t bytes = node_heap_check(n->heap, &block);
+    if (block)
+        node_fail(n, "its heap is damaged: something was written before or behind the %zu bytes at %p", bytes,
+                  block);
 }
 
 _Noreturn void node_exit(int code)
 {
     struct node *n = node_self();
     node_enter(n, "exit");
-    node_libc_atexit_run(n);
-    node_libc_flush(n);
+    node_libc_end(n);
     node_end_here(n, NODE_EXITED, code);
 }
 

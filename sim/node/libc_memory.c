@@ -13,7 +13,6 @@ static void *answer(struct node *n, void *p, size_t bytes)
 {
     if (p == NULL) {
         n->failed_malloc = bytes;
-        n->failed_malloc_at = node_now(n);
         errno = ENOMEM;
     }
     return p;

@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <time.h>
-#include "node/cpu.h"
+#include "node/engine.h"
 #include "node/node.h"
 #include "node/system.h"
 

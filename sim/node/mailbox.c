@@ -1,23 +1,16 @@
 /* mailbox.c - see mailbox.h. */
 #include "node/mailbox.h"
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/cache.h"
+#include "node/account.h"
 #include "node/clock.h"
-#include "node/cpu.h"
-#include "node/pending.h"
+#include "node/engine.h"
+#include "node/handlers.h"
 #include "node/system.h"
-#include "node/turns.h"
 #include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/include/nxerrno.h"
-
-/* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
-struct due {
-    vtime at;
-    struct receive *receive;
-    struct send *send;
-    struct due *next;
-};
 
 void mailbox_begin(struct mailbox *b, struct id_block *ids)
 {
@@ -25,32 +18,6 @@ void mailbox_begin(struct mailbox *b, struct id_block *ids)
     ids_begin(&b->ids, ids);
     b->posted_end = &b->posted;
     b->unexpected_end = &b->unexpected;
-}
-
-static const struct due *first_due(const struct mailbox *b)
-{
-    return b->last_due ? b->last_due->next : NULL;
-}
-
-static struct due take_due(struct mailbox *b)
-{
-    struct due *first = b->last_due->next, d = *first;
-    b->last_due->next = first->next;
-    if (b->last_due == first)
-        b->last_due = NULL;
-    free(first);
-    return d;
-}
-
-static void free_due(struct mailbox *b)
-{
-    while (b->last_due) {
-        struct due d = take_due(b);
-        if (d.receive && d.receive->m)
-            proto_message_free(d.receive->m);
-        free(d.receive);
-        free(d.send);
-    }
 }
 
 /* Those that the program did not make on its stack, or with an id. */
@@ -69,7 +36,7 @@ void mailbox_end(struct mailbox *b)
         next = m->next;
         proto_message_free(m);
     }
-    free_due(b);
+    handlers_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */
 }
@@ -116,20 +83,6 @@ static void unkeep(struct mailbox *b, struct message **link)
     *link = m->next;
     if (b->unexpected_end == &m->next)
         b->unexpected_end = link;
-}
-
-static void add_due(struct node *n, vtime at, struct receive *r, struct send *s)
-{
-    node_catch_up_now(n);
-    struct mailbox *b = &n->mailbox;
-    struct due *d = calloc(1, sizeof *d);
-    if (!d)
-        abort();
-    *d = (struct due){.at = at, .receive = r, .send = s, .next = d};
-    if (b->last_due)
-        d->next = b->last_due->next, b->last_due->next = d;
-    b->last_due = d;
-    node_wake(n, at);
 }
 
 /* --- system buffers --- */
@@ -185,7 +138,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     (void)now;
     if (m->unwanted)
         return true;
-    pending_make_until(n, n->sys->present);
+    engine_touch(n);
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
         if (!selects(n, &(*link)->select, m))
             continue;
@@ -196,8 +149,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     if (m->forced)
         return false;
     keep(b, m);
-    if (n->pending.count)
-        pending_may_select(n);
+    engine_kept(n);
     if (m->is_long && !room_for(n, m)) {
         b->waiting++;
         return false;
@@ -216,6 +168,8 @@ void node_system_digest(struct node_system *sys, const struct message *m, vtime 
 {
     sys->digest = mix(mix(sys->digest, now), (uint64_t)m->from << 32 | m->to);
     sys->digest = mix(mix(sys->digest, (uint64_t)m->type), m->bytes);
+    if (sys->history)
+        fprintf(sys->history, "%" PRIu64 " %u %u %d %zu\n", now, m->from, m->to, m->type, m->bytes);
 }
 
 void mailbox_arrived(void *ctx, struct message *m, vtime now)
@@ -231,9 +185,9 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
     if (m->unwanted)
         proto_message_free(m);
     else if (r && r->handler)
-        add_due(n, m->complete, r, NULL);
+        handlers_add(n, m->complete, r, NULL);
     else
-        turn_look(n, m->complete);
+        engine_look(n, m->complete);
 }
 
 void mailbox_sent(void *ctx, struct message *m, vtime now)
@@ -244,9 +198,9 @@ void mailbox_sent(void *ctx, struct message *m, vtime now)
     s->m = NULL;
     s->done = true;
     if (s->handler)
-        add_due(n, now, NULL, s);
+        handlers_add(n, now, NULL, s);
     else
-        turn_look(n, now);
+        engine_look(n, now);
 }
 
 void mailbox_follow(struct message *m, struct send *s)
@@ -312,7 +266,7 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now)
             proto_grant(m->proto, m, now);
         }
         if (m->arrived && r->handler)
-            add_due(n, vt_max(m->complete, now), r, NULL);
+            handlers_add(n, vt_max(m->complete, now), r, NULL);
         return;
     }
     post(b, r);
@@ -320,10 +274,7 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now)
 
 void mailbox_post(struct node *n, struct receive *r)
 {
-    if (n->pending.open)
-        pending_post(n, r);
-    else
-        mailbox_post_at(n, r, node_now(n));
+    engine_post(n, r);
 }
 
 void mailbox_put_back(struct node *n, struct message *m)
@@ -359,15 +310,9 @@ bool mailbox_complete(struct node *n, const struct receive *r)
     return true;
 }
 
-/* On an ordinary node. */
-static vtime copying(const struct node *n, const struct message *m)
+vtime mailbox_copying(const struct node *n, const struct message *m)
 {
     return m->buffered && !m->too_long ? m->bytes * n->sys->cfg->copy_ps_per_byte : 0;
-}
-
-vtime mailbox_copy_time(const struct node *n, const struct message *m)
-{
-    return node_system_time(n, copying(n, m));
 }
 
 void mailbox_done_with(struct node *n, struct message *m, vtime now)
@@ -399,12 +344,7 @@ long mailbox_take(struct node *n, struct receive *r)
         mailbox_tell(n, m, r->info);
     r->m = NULL;
     m->receive = NULL;
-    if (n->pending.open) {
-        pending_take(n, m);
-    } else {
-        node_spend_on(n, NODE_COPYING, copying(n, m));
-        mailbox_done_with(n, m, node_now(n));
-    }
+    engine_received(n, m);
     return result;
 }
 
@@ -484,7 +424,7 @@ void mailbox_abandon(struct node *n)
     for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
         if (m->receive)
             drop_receive(m);
-    free_due(b);
+    handlers_free(b);
     free_posted(b);
     b->posted = NULL, b->posted_end = &b->posted;
 }
@@ -514,29 +454,7 @@ void mailbox_inherit(struct node *n, struct node *before)
     node_memory_changed(n);
 }
 
-/* --- handlers --- */
-
-void mailbox_post_handler(struct node *n, const struct receive *what)
-{
-    struct receive *r = calloc(1, sizeof *r);
-    if (!r)
-        abort();
-    *r = *what;
-    n->mailbox.handlers++;
-    n->armed = true;
-    mailbox_post(n, r);
-}
-
-struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long param)
-{
-    struct send *s = calloc(1, sizeof *s);
-    if (!s)
-        abort();
-    s->handler = handler, s->param = param;
-    n->mailbox.handlers++;
-    n->armed = true;
-    return s;
-}
+/* --- questions --- */
 
 bool mailbox_may_grant(const struct node *n)
 {
@@ -546,51 +464,4 @@ bool mailbox_may_grant(const struct node *n)
 bool mailbox_ignores(const struct node *n)
 {
     return n->mailbox.ids.ignored > 0;
-}
-
-bool mailbox_armed(const struct node *n)
-{
-    return n->mailbox.handlers > 0 && !n->masked && !n->in_handler;
-}
-
-vtime mailbox_next_due(const struct node *n)
-{
-    const struct due *first = first_due(&n->mailbox);
-    return first ? first->at : VT_NEVER;
-}
-
-bool mailbox_handler_due(const struct node *n, vtime now)
-{
-    const struct due *first = first_due(&n->mailbox);
-    return first && first->at <= now && !n->masked && !n->in_handler;
-}
-
-void mailbox_run_handler(struct node *n)
-{
-    struct mailbox *b = &n->mailbox;
-    struct due d = take_due(b);
-    struct node_info before = n->info;
-    vtime since = node_now(n);
-    b->handlers--;
-    n->stats.handlers++;
-    n->stats.latest = vt_max(n->stats.latest, since - vt_max(d.at, vt_min(n->open_since, since)));
-    n->in_handler = true;
-
-    mailbox_handler *handler = d.receive ? d.receive->handler : d.send->handler;
-    long param = d.receive ? d.receive->param : d.send->param;
-    node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps / 2);
-    if (!d.receive)
-        n->info = d.send->info;
-    else if (mailbox_take(n, d.receive) < 0)
-        node_fail(n, "hrecv: %s", n->error->text);
-    free(d.receive);
-    free(d.send);
-    node_leave(n);
-    handler(n->info.type, n->info.count, n->info.node, n->info.pid, param);
-    clock_stop(n);
-    node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
-
-    n->in_handler = false;
-    n->open_since = node_now(n);
-    n->info = before;
 }

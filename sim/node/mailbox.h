@@ -35,8 +35,9 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now);
 vtime mailbox_send(struct node *n, struct message *first, vtime now);
 vtime mailbox_send_time(const struct node *n, const struct message *m);
 
-/* What the system takes to copy m to its program's buffer. A program is done with m: a waiting one may get its room. */
-vtime mailbox_copy_time(const struct node *n, const struct message *m);
+/* What an ordinary node's system takes to copy m to its program's buffer. A program is done with m: a waiting one may get its
+ * room. */
+vtime mailbox_copying(const struct node *n, const struct message *m);
 void mailbox_done_with(struct node *n, struct message *m, vtime now);
 /* m, which a receive had selected, is unexpected again, the first. */
 void mailbox_put_back(struct node *n, struct message *m);
@@ -46,10 +47,5 @@ bool mailbox_may_grant(const struct node *n);
 /* Follow a message for s until its buffer is free. */
 void mailbox_follow(struct message *m, struct send *s);
 
-/* Handlers. */
-bool mailbox_ignores(const struct node *n);   /* has it ids that the program has told it to look after? */
-bool mailbox_armed(const struct node *n);     /* may a handler have to be run before the next call? */
-vtime mailbox_next_due(const struct node *n); /* VT_NEVER: none due yet */
-bool mailbox_handler_due(const struct node *n, vtime now);
-void mailbox_run_handler(struct node *n); /* the first that is due */
+bool mailbox_ignores(const struct node *n); /* has it ids that the program has told it to look after? */
 #endif

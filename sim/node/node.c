@@ -1,22 +1,35 @@
 /* node.c - a node's making and ending, its memory account, and its errors. See node.h. */
 #include "node/node.h"
 #include <assert.h>
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/cache.h"
 #include "kernel/fiber.h"
 #include "node/clock.h"
-#include "node/cpu.h"
+#include "node/engine.h"
 #include "node/heap.h"
 #include "node/image.h"
+#include "node/isolate.h"
 #include "node/libc.h"
 #include "node/mailbox.h"
-#include "node/pending.h"
 #include "node/span.h"
 #include "node/system.h"
 #include "node/trace.h"
 #include "nx_api/nxcc/image.h"
+
+/* --- errno --- */
+
+__attribute__((noipa)) int node_errno(void)
+{
+    return errno;
+}
+
+__attribute__((noipa)) void node_set_errno(int error)
+{
+    errno = error;
+}
 
 /* --- memory --- */
 
@@ -64,7 +77,7 @@ void node_memory_settle(struct node *n)
     if (n->heap_moved)
         node_memory_was(n, node_memory_now(n));
     n->heap_moved = false;
-    if (!n->pending.early)
+    if (!n->hands_over)
         n->buffered_known = n->buffered;
 }
 
@@ -96,6 +109,13 @@ void node_system_fail(struct node_system *sys, enum node_stop why, const char *f
         abort();
     va_end(ap);
     sys->stop = why;
+}
+
+void node_system_end_at_limit(struct node_system *sys)
+{
+    sys->stop_at = (struct instant){sys->max_time, UINT32_MAX};
+    node_system_fail(sys, STOP_VIRTUAL_TIME, "virtual time limit of %.6f s reached",
+                     vt_seconds(sys->max_time));
 }
 
 static vtime accounted(const struct node *n)
@@ -154,10 +174,6 @@ void node_end_other(struct node *n, struct node *victim)
     vtime now = node_now(n);
     if (victim->state == NODE_ENDED)
         return;
-    if (victim->loose)
-        workers_drop(n->sys->workers, &victim->ahead.work);
-    victim->loose = false;
-    victim->ahead.up_to = 0;
     node_stop(victim, (struct instant){now, n->place});
     has_ended(victim, NODE_KILLED, 0, now);
 }
@@ -238,8 +254,7 @@ static void run_program(void *arg)
         (*f)();
     int code = n->image->main(n->argc, n->argv, n->envp);
     node_enter(n, "exit");
-    node_libc_atexit_run(n);
-    node_libc_flush(n);
+    node_libc_end(n);
     node_end_here(n, NODE_RETURNED, code);
 }
 
@@ -261,7 +276,7 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
 {
     if (!fits(n, img, error))
         return false;
-    if (!span_take(n, node_image_bytes(img))) {
+    if (!span_take(n, node_image_bytes(img), node_image_is_long32(img))) {
         if (asprintf(error, "%s: no address space left on this computer", n->name) < 0)
             abort();
         return false;
@@ -271,6 +286,7 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
         return false;
     n->heap = node_heap_new(n->heap_start, n->region->heap_bytes, heap_room, heap_grown, n);
     fiber_begin(&n->fiber, n->stack, n->stack_bytes, run_program, n);
+    isolate_made(n);
     node_memory_changed(n);
     return true;
 }
@@ -342,7 +358,7 @@ static void strip(struct node *n)
     if (n->stripped)
         return;
     n->stripped = true;
-    pending_unmake(n);
+    engine_forget(n);
     if (n->sys->proto)
         mailbox_abandon(n); /* what its messages under way would tell */
     mailbox_end(&n->mailbox);
@@ -353,6 +369,8 @@ static void strip(struct node *n)
     fiber_end(&n->fiber);
     if (n->heap)
         node_heap_free(n->heap);
+    if (n->sys->writable == n)
+        n->sys->writable = NULL;
     span_release(n);
     n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->heap = NULL;
     n->image = NULL, n->left = n->quiet = NULL, n->clock.runs = false;

@@ -1,7 +1,7 @@
 /* node.h - one simulated node: its memory and program image, its processor's clock, its mailbox and
  * interrupts.
  *
- * Its program and stack lie in a span of address space (span.h), so that a call finds its node from the stack
+ * Its program, stack and heap lie in a region of address space (span.h), so that a call finds its node from the stack
  * pointer (node_self) and no state is shared or thread-local.
  *
  * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image,
@@ -43,7 +43,6 @@ struct node_clock {
     vtime now;        /* at the last synchronisation */
     uint64_t units;   /* cost units spent up to it */
     int64_t given;    /* what *left was set to then */
-    uint64_t known;   /* units: what the node did until then is not ahead of the machine */
     vtime stolen;     /* system time not yet added to the program's: see cpu.c */
     uint64_t unit_ps; /* of a cost unit, 0 if that is no whole number; clock_set */
     bool runs;        /* the program has control: it may have spent some */
@@ -51,8 +50,9 @@ struct node_clock {
 
 /* clock.h; in units. */
 struct node_looks {
-    uint64_t quiet; /* the program makes no call before; less than clock.units: it may at any time */
-    uint64_t given_at, looked, look; /* when the program got control; the last look and the next */
+    uint64_t quiet;          /* the program makes no call before; less than clock.units: it may at any time */
+    uint64_t given_at, look; /* when the program got control; the next look */
+    uint64_t known_at;       /* when it last did so in the order of events: clock_given_in_turn */
 };
 
 /* What the operating system has the processor for. */
@@ -77,7 +77,7 @@ struct node_stats {
     vtime idle;   /* waiting in a call, and the processor at rest */
     vtime beside; /* tasks that took none of the program's time */
     size_t memory_peak;
-    uint64_t handlers, slices;
+    uint64_t handlers;
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     vtime ended_at;
     vtime
@@ -146,7 +146,6 @@ struct node_pending {
     uint16_t first, count;
     bool selects; /* one of them is a receive that may select a message in its turn */
     bool open;    /* the program is in the last of them */
-    bool early;   /* its call is one that may be pending, whether it is or not */
     bool drains;  /* it goes on when none is left, whatever its time */
     vtime turn;   /* of the first, or when it goes on; later by what has been stolen since then */
     vtime begun;  /* when the first began, if it is to go on; VT_NEVER: it has not begun */
@@ -173,10 +172,20 @@ struct node_error {
     char text[200];
 };
 
+/* Where a program was at a look. */
+struct node_look {
+    uint64_t units;
+    uintptr_t at; /* behind the poll */
+};
+enum { NODE_LOOKS = 16 };
+
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close together. */
 struct node_beside {
     struct id_block ids; /* the first of the mailbox's */
     struct pending_beside calls;
+    struct own_calls own;
+    struct node_look looks[NODE_LOOKS]; /* the latest; a ring */
+    uint32_t look_count;                /* of all */
     struct node_error error;
 };
 
@@ -198,6 +207,7 @@ struct node {
     bool stopped; /* at a check, for which it is in node_system.checks */
     bool rests;   /* it waits, at its turn, of which the queue knows nothing, it will be blocked: turns.h */
     bool call_has_type, awaits; /* see call */
+    bool hands_over;            /* the call was entered by node_enter_early, and has not waited */
     bool heap_moved;            /* heap_used has changed since the program was last in a call */
     struct node_system *sys;
     struct node_pending pending;
@@ -223,9 +233,10 @@ struct node {
     struct node_looks looks;
     int saved_errno;
     bool masked, in_handler;
-    long call_type;  /* type, typesel or id it was given, if call_has_type */
-    long awaited;    /* type or typesel of the message the call is about, if awaits */
-    uintptr_t frame; /* of the call, on the stack, while it is blocked */
+    long call_type; /* type, typesel or id it was given, if call_has_type */
+    long awaited;   /* type or typesel of the message the call is about, if awaits */
+    uintptr_t
+        frame; /* on the stack: of the call, while it is blocked, or of the poll at which it has stopped */
     struct node_info info;
     size_t buffered; /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
@@ -246,7 +257,7 @@ struct node {
     char name[16];            /* for people: "node 3", "host" */
     uint32_t id;
     uint64_t clock_hz;
-    struct node_region *region;
+    struct node_region *region;                /* NULL: it has no program */
     char *span, *stack, *program, *heap_start; /* of the region; the lowest bytes of each: span.h */
     size_t stack_bytes;                        /* there; those the machine file gives, or some more */
     const struct node_image *file;
@@ -256,13 +267,16 @@ struct node {
     bool stripped; /* another has taken its place: nobody but late events knows of it */
     enum node_end end;
     int exit_code;
-    bool cut_short;         /* while it computed; its image knows nothing of that */
-    bool awaits_end;        /* is in a call that waits for another node's end */
-    bool end_noticed;       /* such a call has told of this one's */
-    vtime open_since;       /* when handlers were last let run */
+    bool at_poll;     /* it has stopped at one, at `frame` */
+    bool cut_short;   /* while it computed; its image knows nothing of that */
+    bool awaits_end;  /* is in a call that waits for another node's end */
+    bool end_noticed; /* such a call has told of this one's */
+    struct {
+        vtime at;
+        uint64_t units;     /* what the program had computed then */
+    } opened;               /* when handlers were last let run */
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
     size_t failed_malloc;   /* size of the last allocation refused, 0: none */
-    vtime failed_malloc_at;
 };
 
 _Static_assert(offsetof(struct node, stats.tasks[NODE_RECEIVING + 1]) <= CACHE_BLOCK,
@@ -270,29 +284,48 @@ _Static_assert(offsetof(struct node, stats.tasks[NODE_RECEIVING + 1]) <= CACHE_B
 _Static_assert(offsetof(struct node, stats.beside) <= CACHE_BLOCK + CACHE_LINE,
                "what stats tell of most calls does not fit into a line behind it");
 
-/* The start of a region: which nodes its spans belong to, and how they are made. */
+/* What is guarded against running over: in the order of what it costs. */
+enum node_guards { NODE_GUARDS_NONE, NODE_GUARDS_STACKS, NODE_GUARDS_ALL };
+
+/* The start of a region: which nodes its spans and heaps belong to, and how they are made. */
 struct node_region {
-    uint64_t shift; /* a span has 2^shift bytes */
-    char *heaps;    /* of its nodes, by span */
-    size_t heap_bytes;
-    bool light_guards, guards, copies_text;
-    uint32_t fresh, used;     /* spans: the first that nobody has had yet; taken */
-    struct node_region *next; /* with room: node_system.roomy */
-    struct node *node[];      /* by span */
+    uint64_t shift;                 /* a span has 2^shift bytes */
+    uint64_t heaps_at, heap_stride; /* offset of the first heap, and from each to the next */
+    uint64_t heap_bytes;            /* of each, less than heap_stride */
+    uint32_t spans, fresh, used;    /* spans: in all; the first that nobody has had yet; taken */
+    enum node_guards guards;
+    bool light_guards, copies_text, low; /* low: below 2^32 */
+    struct node_region *next;            /* with room: node_system.roomy */
+    struct node *node[];                 /* by span */
 };
 
-/* The node on whose stack the caller runs. */
-static inline struct node *node_self(void)
+/* The node in whose memory an address lies: in the program, its stack or its heap. It has to lie in some node's region. */
+static inline struct node *node_at_address(uintptr_t address)
 {
-    uintptr_t sp = (uintptr_t)__builtin_frame_address(0);
-    const struct node_region *r = (const struct node_region *)(sp & ~(NODE_REGION - 1));
-    return r->node[(sp & (NODE_REGION - 1)) >> r->shift];
+    const struct node_region *r = (const struct node_region *)(address & ~(NODE_REGION - 1));
+    uint64_t offset = address & (NODE_REGION - 1);
+    uint64_t slot = offset < r->heaps_at ? offset >> r->shift : (offset - r->heaps_at) / r->heap_stride;
+    return r->node[slot];
 }
 
-/* Does the caller run on this node's stack? */
+/* The node that runs the caller: on its stack, or on one that the program has made in its own memory. */
+static inline struct node *node_self(void)
+{
+    return node_at_address((uintptr_t)__builtin_frame_address(0));
+}
+
+/* Does an address lie in its memory? */
+static inline bool node_owns(const struct node *n, uintptr_t address)
+{
+    const struct node_region *r = n->region;
+    return r && (address - (uintptr_t)n->span < (uintptr_t)1 << r->shift ||
+                 address - (uintptr_t)n->heap_start < r->heap_bytes);
+}
+
+/* Does the caller run on this node? */
 static inline bool node_is_self(const struct node *n)
 {
-    return (uintptr_t)__builtin_frame_address(0) - (uintptr_t)n->stack < n->stack_bytes;
+    return node_owns(n, (uintptr_t)__builtin_frame_address(0));
 }
 
 /* --- calls: clock.c, cpu.c --- */

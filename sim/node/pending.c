@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <stddef.h>
 #include "node/clock.h"
-#include "node/cpu.h"
+#include "node/account.h"
 #include "node/mailbox.h"
 #include "node/system.h"
 #include "node/turns.h"
@@ -113,7 +113,7 @@ static void put_beside(struct node *n, struct message *m)
 }
 
 /* A long message that waits for room is granted it in the call's turn. */
-void pending_post(struct node *n, struct receive *r)
+static void post(struct node *n, struct receive *r)
 {
     struct pending_call *c = open_call(n);
     assert(!c->posts && !c->selected && !c->goes_on);
@@ -142,7 +142,7 @@ void pending_may_select(struct node *n)
     turn_tell(n);
 }
 
-void pending_send(struct node *n, struct message *m)
+static void send(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
     assert(!c->has_message && !m->next && !c->goes_on);
@@ -168,7 +168,7 @@ static size_t buffered(const struct message *m)
     return m->buffered ? m->bytes : 0;
 }
 
-void pending_take(struct node *n, struct message *m)
+static void receive(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
     assert(c->goes_on && !c->posts && (!c->has_message || c->beside));
@@ -176,9 +176,43 @@ void pending_take(struct node *n, struct message *m)
     m->next = c->takes ? c->taken : NULL;
     c->taken = m;
     c->selected = false, c->takes = true;
-    account(n, NODE_COPYING, mailbox_copy_time(n, m));
+    account(n, NODE_COPYING, node_system_time(n, mailbox_copying(n, m)));
     n->taken += buffered(m);
     know_buffers(n);
+}
+
+/* --- calls made now, or pending --- */
+
+void engine_post(struct node *n, struct receive *r)
+{
+    if (n->pending.open)
+        post(n, r);
+    else
+        mailbox_post_at(n, r, node_now(n));
+}
+
+void engine_send(struct node *n, struct message *first)
+{
+    if (n->pending.open)
+        send(n, first);
+    else
+        clock_advance_to(n, mailbox_send(n, first, node_now(n)));
+}
+
+void engine_received(struct node *n, struct message *m)
+{
+    if (n->pending.open) {
+        receive(n, m);
+    } else {
+        node_spend_on(n, NODE_COPYING, mailbox_copying(n, m));
+        mailbox_done_with(n, m, node_now(n));
+    }
+}
+
+void engine_kept(struct node *n)
+{
+    if (n->pending.count)
+        pending_may_select(n);
 }
 
 vtime pending_turn(const struct node *n, struct message **sends)
@@ -209,10 +243,8 @@ static void put_off(struct node *n, vtime now)
     n->clock.now += late;
     n->pending.late += late;
     n->pending.turn += late;
-    if (n->call_since > begun)
+    if (n->call_since >= begun && n->call_since != VT_NEVER)
         n->call_since += late;
-    if (n->failed_malloc_at > begun)
-        n->failed_malloc_at += late;
 }
 
 static void take(struct node *n, const struct pending_call *c, vtime now)
@@ -222,7 +254,7 @@ static void take(struct node *n, const struct pending_call *c, vtime now)
         return;
     }
     for (const struct message *m = c->taken; m; m = m->next)
-        now += mailbox_copy_time(n, m);
+        now += node_system_time(n, mailbox_copying(n, m));
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
         n->taken -= buffered(m);
@@ -257,7 +289,6 @@ static void pop(struct node *n)
 static void make(struct node *n, struct pending_call *c, vtime now)
 {
     struct node_pending *p = &n->pending;
-    n->clock.known = c->units;
     if (p->begun == VT_NEVER) {
         vtime done = c->goes_on ? handed_over(n, 0) : 0;
         begin(n, c, now);
@@ -270,6 +301,7 @@ static void make(struct node *n, struct pending_call *c, vtime now)
     } else if (c->takes) {
         take(n, c, now);
     }
+    clock_given_in_turn(n, c->units);
     pop(n);
 }
 
@@ -297,7 +329,7 @@ static void put_back(struct node *n, const struct pending_call *c)
 {
     for (struct message *m = c->taken, *next; m; m = next) {
         next = m->next;
-        unaccount(n, NODE_COPYING, mailbox_copy_time(n, m));
+        unaccount(n, NODE_COPYING, node_system_time(n, mailbox_copying(n, m)));
         n->taken -= buffered(m);
         mailbox_put_back(n, m);
     }
@@ -346,9 +378,10 @@ void pending_take_back(struct node *n)
         return;
     const struct pending_call *c = nth(n, 0);
     n->clock.units = c->units, n->clock.now = p->turn;
+    n->at_poll = false;
     uint32_t i = index_of(n, 0);
-    n->call = c->name;
-    n->call_since = p->begun == VT_NEVER ? p->turn : p->begun;
-    n->call_type = n->beside->calls.type[i], n->call_has_type = c->has_type && p->begun != VT_NEVER;
+    n->call = p->begun == VT_NEVER ? NULL : c->name; /* else it has not come so far */
+    n->call_since = p->begun;
+    n->call_type = n->beside->calls.type[i], n->call_has_type = c->has_type;
     pending_unmake(n);
 }

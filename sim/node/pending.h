@@ -38,11 +38,8 @@ bool pending_room(const struct node *n);
 void pending_begin(struct node *n);
 /* It goes on: what it waits for will be there. */
 void pending_go_on(struct node *n);
-/* The call takes t, posts r, sends m: once each at most, before it goes on. It is done with m, which the program has got. */
+/* The call takes t. It may do so, post a receive and send a message (engine.h) once each at most, before it goes on. */
 void pending_spend(struct node *n, vtime t);
-void pending_post(struct node *n, struct receive *r);
-void pending_send(struct node *n, struct message *m);
-void pending_take(struct node *n, struct message *m);
 
 /* --- the scheduler's side --- */
 

@@ -10,14 +10,14 @@
 
 enum {
     PAGE = 4096,
-    HEAD = 16 * PAGE, /* of a span: the region's table, and room for other things to run into */
-    TABLE = 4 * PAGE, /* of the head, in a region's first span */
-    LEAST_SHIFT = 20, /* of a span */
+    HEAD = 16 * PAGE,  /* of a span: the region's table, and room for other things to run into */
+    TABLE = 4 * PAGE,  /* of the head, in a region's first span */
+    GUARD = 16 * PAGE, /* behind programs and heaps */
+    LEAST_SHIFT = 20,  /* of a span */
     COLOURS = 64,
     LINE = 64,   /* stacks start at so many places of a page */
     ENTRIES = 8, /* of the page tables, in a line */
 };
-#define SPANS(r) (NODE_REGION >> (r)->shift)
 
 _Static_assert(sizeof(struct node_region) + (NODE_REGION >> LEAST_SHIFT) * sizeof(struct node *) <= TABLE,
                "a region's table does not fit");
@@ -27,19 +27,20 @@ static size_t page_up(size_t bytes)
     return (bytes + PAGE - 1) / PAGE * PAGE;
 }
 
-/* --- regions --- */
+/* --- guards --- */
 
 /* Mappings that this process may have, less what else it has. */
-static size_t most_mappings(void)
+static size_t most_mappings(const struct node_system *sys)
 {
     enum { USUAL = 65530, OTHERS = 2000 };
     size_t most = USUAL;
-    FILE *f = fopen("/proc/sys/vm/max_map_count", "r");
+    FILE *f = sys->most_mappings ? NULL : fopen("/proc/sys/vm/max_map_count", "r");
     if (f) {
         if (fscanf(f, "%zu", &most) != 1)
             most = USUAL;
         fclose(f);
     }
+    most = sys->most_mappings ? sys->most_mappings : most;
     return most > OTHERS ? most - OTHERS : 0;
 }
 
@@ -49,13 +50,29 @@ static bool has_light_guards(void *page)
     return madvise(page, PAGE, MADV_GUARD_INSTALL) == 0;
 }
 
-static void choose_mappings(struct node_region *r, size_t nodes)
+/* A node's mappings are, with guards of both kinds: guard, stack, text, data; heap, guard. */
+static void choose_mappings(struct node_region *r, struct node_system *sys)
 {
-    size_t most = most_mappings();
-    r->light_guards = has_light_guards((char *)r + TABLE);
-    r->copies_text = nodes * (r->light_guards ? 2 : 4) > most;
-    r->guards = r->light_guards || !r->copies_text || nodes * 2 <= most;
+    size_t nodes = sys->count > sys->topo.positions ? sys->count : sys->topo.positions;
+    size_t most = most_mappings(sys);
+    r->light_guards = !sys->most_mappings && has_light_guards((char *)r + TABLE);
+    r->copies_text = nodes * (r->light_guards ? 2 : 6) > most;
+    r->guards = r->light_guards || nodes * 4 <= most ? NODE_GUARDS_ALL
+                : nodes * 2 <= most                  ? NODE_GUARDS_STACKS
+                                                     : NODE_GUARDS_NONE;
+    if (r->guards < sys->guards)
+        sys->guards = r->guards;
 }
+
+static bool guard(const struct node_region *r, char *from, char *to)
+{
+    if (from >= to)
+        return true;
+    return r->light_guards ? madvise(from, (size_t)(to - from), MADV_GUARD_INSTALL) == 0
+                           : mprotect(from, (size_t)(to - from), PROT_NONE) == 0;
+}
+
+/* --- regions --- */
 
 static uint32_t shift_for(size_t bytes)
 {
@@ -73,7 +90,7 @@ static void *fresh(void *where, size_t bytes, int flags)
 }
 
 /* A mapping at a multiple of its size; NULL when there is no room. */
-static struct node_region *reserve(void)
+static void *reserve(void)
 {
     char *wide = fresh(NULL, 2 * NODE_REGION, 0);
     if (wide == MAP_FAILED)
@@ -82,32 +99,57 @@ static struct node_region *reserve(void)
     if (region > wide)
         munmap(wide, (size_t)(region - wide));
     munmap(region + NODE_REGION, (size_t)(wide + NODE_REGION - region));
-    return (struct node_region *)region;
+    return region;
 }
 
-static void drop(struct node_region *r)
+/* The same below 2^32. */
+static void *reserve_low(void)
 {
-    if (r->heaps != MAP_FAILED)
-        munmap(r->heaps, SPANS(r) * r->heap_bytes);
-    munmap(r, NODE_REGION);
+    for (uintptr_t at = NODE_REGION; at < UINT64_C(1) << 32; at += NODE_REGION) {
+        void *region = fresh((void *)at, NODE_REGION, MAP_FIXED_NOREPLACE);
+        if (region == (void *)at)
+            return region;
+        if (region != MAP_FAILED)
+            munmap(region, NODE_REGION); /* an old kernel took it for a wish */
+    }
+    return NULL;
 }
 
-static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes)
+static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes, bool low)
 {
-    struct node_region *r = reserve();
+    struct node_region *r = low ? reserve_low() : reserve();
     if (!r)
         return NULL;
     r->shift = shift_for(span_bytes);
     r->heap_bytes = heap_bytes;
-    r->heaps = fresh(NULL, SPANS(r) * heap_bytes, 0);
-    choose_mappings(r, sys->count > sys->topo.positions ? sys->count : sys->topo.positions);
-    if (r->heaps == MAP_FAILED ||
-        (r->copies_text && mprotect(r, NODE_REGION, PROT_READ | PROT_WRITE | PROT_EXEC))) {
-        drop(r);
+    r->heap_stride = heap_bytes + GUARD;
+    r->spans = (uint32_t)(NODE_REGION / (r->heap_stride + ((size_t)1 << r->shift)));
+    r->heaps_at = (uint64_t)r->spans << r->shift;
+    r->low = low;
+    choose_mappings(r, sys);
+    if (r->copies_text && mprotect(r, r->heaps_at, PROT_READ | PROT_WRITE | PROT_EXEC)) {
+        munmap(r, NODE_REGION);
         return NULL;
     }
     r->next = sys->roomy;
     return sys->roomy = r;
+}
+
+static struct node_region *roomy_region(struct node_system *sys, size_t span_bytes, size_t heap_bytes,
+                                        bool low)
+{
+    struct node_region *r = sys->roomy;
+    while (r && ((size_t)1 << r->shift < span_bytes || r->heap_bytes < heap_bytes || r->low != low))
+        r = r->next;
+    return r ? r : region_new(sys, span_bytes, heap_bytes, low);
+}
+
+static void unlink_region(struct node_system *sys, struct node_region *r)
+{
+    struct node_region **link = &sys->roomy;
+    while (*link != r)
+        link = &(*link)->next;
+    *link = r->next;
 }
 
 /* --- spans --- */
@@ -119,17 +161,21 @@ static bool renew(const struct node_region *r, const struct node *n)
     char *span = n->span + kept;
     return fresh(span, bytes, MAP_FIXED) != MAP_FAILED &&
            (!r->copies_text || mprotect(span, bytes, PROT_READ | PROT_WRITE | PROT_EXEC) == 0) &&
-           fresh(n->heap_start, r->heap_bytes, MAP_FIXED) != MAP_FAILED;
+           fresh(n->heap_start, r->heap_stride, MAP_FIXED) != MAP_FAILED;
 }
 
-static bool make_guard(const struct node_region *r, const struct node *n)
+/* Below the stack, behind the program, and behind the heap. */
+static bool make_guards(const struct node_region *r, const struct node *n, size_t program_bytes)
 {
-    char *guard = n->span + TABLE;
-    size_t bytes = (size_t)(n->stack - guard);
-    if (!r->guards)
+    char *head = n->span == (const char *)r ? n->span + TABLE : n->span;
+    char *end = n->program + program_bytes, *span_end = n->span + ((size_t)1 << r->shift);
+    char *heap_end = n->heap_start + r->heap_bytes;
+    if (r->guards == NODE_GUARDS_NONE)
         return true;
-    return r->light_guards ? madvise(guard, bytes, MADV_GUARD_INSTALL) == 0
-                           : mprotect(guard, bytes, PROT_NONE) == 0;
+    if (r->light_guards)
+        span_end = end + GUARD < span_end ? end + GUARD : span_end; /* these cost for each page */
+    return guard(r, head, n->stack) && (r->guards == NODE_GUARDS_STACKS ||
+                                        (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
 }
 
 /* Else all nodes' frames would want the same few sets of the caches, and so would the entries of the page tables: the stack's
@@ -139,39 +185,33 @@ static void lay_out(struct node *n, size_t slot, size_t used_bytes)
 {
     const struct node_region *r = n->region;
     n->span = (char *)r + (slot << r->shift);
-    n->heap_start = r->heaps + slot * r->heap_bytes;
+    n->heap_start = (char *)r + r->heaps_at + slot * r->heap_stride;
     size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
     n->stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
     n->program = n->stack + page_up(n->sys->cfg->stack_bytes) + PAGE;
     n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE;
 }
 
-static struct node_region *region_with_room(struct node_system *sys, size_t span_bytes, size_t heap_bytes)
+/* The address space that a heap gets: the node's memory, if that is not more than fits beside a span. */
+static size_t heap_room(const struct node *n, size_t span_bytes)
 {
-    struct node_region *r = sys->roomy;
-    while (r && ((size_t)1 << r->shift < span_bytes || r->heap_bytes < heap_bytes))
-        r = r->next;
-    return r ? r : region_new(sys, span_bytes, heap_bytes);
+    size_t most = NODE_REGION - ((size_t)1 << shift_for(span_bytes)) - GUARD;
+    size_t wanted = page_up(node_memory_limit(n));
+    return wanted < most ? wanted : most;
 }
 
-static void unlink_region(struct node_system *sys, struct node_region *r)
-{
-    struct node_region **link = &sys->roomy;
-    while (*link != r)
-        link = &(*link)->next;
-    *link = r->next;
-}
-
-bool span_take(struct node *n, size_t program_bytes)
+bool span_take(struct node *n, size_t program_bytes, bool long32)
 {
     struct node_system *sys = n->sys;
-    size_t heap = page_up(node_memory_limit(n));
     size_t bytes = HEAD + page_up(sys->cfg->stack_bytes) + 2 * PAGE + program_bytes;
-    struct node_region *r = region_with_room(sys, bytes, heap < NODE_REGION ? heap : NODE_REGION);
+    size_t heap = heap_room(n, bytes);
+    struct node_region *r = long32 ? roomy_region(sys, bytes, heap, true) : NULL;
+    if (!r)
+        r = roomy_region(sys, bytes, heap, false);
     if (!r)
         return false;
     size_t slot = r->fresh;
-    bool used = slot == SPANS(r);
+    bool used = slot == r->spans;
     if (used)
         for (slot = 0; r->node[slot]; slot++)
             ;
@@ -179,10 +219,10 @@ bool span_take(struct node *n, size_t program_bytes)
         r->fresh++;
     n->region = r;
     r->node[slot] = n;
-    if (++r->used == SPANS(r))
+    if (++r->used == r->spans)
         unlink_region(sys, r);
     lay_out(n, slot, bytes);
-    return (!used || renew(r, n)) && make_guard(r, n);
+    return (!used || renew(r, n)) && make_guards(r, n, program_bytes);
 }
 
 void span_release(struct node *n)
@@ -190,7 +230,7 @@ void span_release(struct node *n)
     struct node_region *r = n->region;
     if (!r)
         return;
-    if (r->used-- == SPANS(r)) {
+    if (r->used-- == r->spans) {
         r->next = n->sys->roomy;
         n->sys->roomy = r;
     }
@@ -199,5 +239,5 @@ void span_release(struct node *n)
     if (r->used)
         return;
     unlink_region(n->sys, r);
-    drop(r);
+    munmap(r, NODE_REGION);
 }

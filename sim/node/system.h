@@ -18,7 +18,8 @@ struct node_system {
     const struct cfg_machine *cfg;
     struct evq *q;
     struct bounds checks;   /* beside it: computing nodes' next checks for messages: cpu.h */
-    struct instant present; /* the event that happens now, or was the last */
+    struct instant present; /* the event that happens now, or was the last, or a turn in passing */
+    struct instant reached; /* the latest of those before: turns.h */
     struct proto *proto;
     struct topo topo;
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
@@ -26,12 +27,16 @@ struct node_system {
     struct node **nodes;
     struct pool made, made_beside; /* what nodes are made of; to be freed behind them */
     struct node_region *roomy;     /* regions of address space with room for more nodes: span.h */
-    struct node *host;             /* the node that runs the host program, NULL: none. Its number is count. */
-    struct cube *cube;   /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
-    uint32_t count;      /* nodes; with a host program: of its cube, 0 when it has none */
-    uint32_t running;    /* programs */
-    bool flushes;        /* one of them may throw away messages of others */
-    uint32_t await_ends; /* of them are in calls that wait for another's end */
+    bool isolate;                  /* only `writable` may write to its memory: isolate.h */
+    struct node *writable;         /* NULL: none */
+    enum node_guards guards;       /* the least that any region has */
+    size_t most_mappings; /* not 0: as if the host allowed so many, and had no lighter guards; for tests */
+    struct node *host;    /* the node that runs the host program, NULL: none. Its number is count. */
+    struct cube *cube;    /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
+    uint32_t count;       /* nodes; with a host program: of its cube, 0 when it has none */
+    uint32_t running;     /* programs */
+    bool flushes;         /* one of them may throw away messages of others */
+    uint32_t await_ends;  /* of them are in calls that wait for another's end */
 
     enum node_stop stop;    /* why the machine stops before its programs have ended */
     struct instant stop_at; /* STOP_FAILED: the failed program's; STOP_VIRTUAL_TIME: the limit */
@@ -45,6 +50,7 @@ struct node_system {
     FILE *out[2];
 
     uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
+    FILE *history;            /* the same as text, a line for each; NULL: not wanted */
     uint64_t messages, bytes; /* received */
     char **
         host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
@@ -75,6 +81,9 @@ static inline uint32_t node_number(const struct node_system *sys, uint32_t place
 /* Record the first failure (printf-like), and stop the machine with `why`. */
 void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* Nothing is left to happen but what comes after the limit of virtual time: stops the machine there. */
+void node_system_end_at_limit(struct node_system *sys);
 
 /* A message has arrived: into the digest. */
 void node_system_digest(struct node_system *sys, const struct message *m, vtime now);

@@ -4,8 +4,10 @@
 #include <stddef.h>
 #include "kernel/cache.h"
 #include "kernel/fiber.h"
+#include "node/account.h"
 #include "node/clock.h"
-#include "node/cpu.h"
+#include "node/handlers.h"
+#include "node/isolate.h"
 #include "node/mailbox.h"
 #include "node/pending.h"
 #include "node/system.h"
@@ -126,6 +128,7 @@ static inline __attribute__((always_inline)) void warm_coming(const struct node_
 /* Lets the program run on this thread until it yields. */
 static void run(struct node *n)
 {
+    isolate_run(n);
     errno = n->saved_errno;
     fiber_resume(&n->fiber);
     if (n->crash)
@@ -134,46 +137,19 @@ static void run(struct node *n)
     n->saved_errno = errno;
 }
 
-static void show_crash(void *ctx, void *arg, vtime now)
-{
-    struct node *n = ctx;
-    (void)arg;
-    n->sys->stop_at = (struct instant){now, n->place};
-    if (n->state != NODE_ENDED)
-        n->sys->crashed(n);
-}
-
-/* A program has crashed somewhere before its next look, however far it was let run. In a call that is in its turn. */
+/* A program has crashed, in a call, or computing: told at the time of its clock, which messages may put off as they do a call. */
 static void crash(struct node *n)
 {
-    if (n->call)
-        show_crash(n, NULL, node_now(n));
-    else
-        evq_put_late(n->sys->q, clock_next_look(n), n->place, show_crash, n, NULL);
-}
-
-/* A wait of `waited` is over, during which the system was busy for `busy`. */
-static void account_wait(struct node *n, vtime waited, vtime busy)
-{
-    vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
-    if (beside)
-        n->stats.system -= beside, n->stats.beside += beside;
-    n->stats.idle += idle;
-    if (idle)
-        waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
-}
-
-void turn_block(struct node *n, vtime now)
-{
-    n->state = NODE_BLOCKED;
-    n->blocked.since = now;
-    n->blocked.busy = n->stats.system;
+    n->pending.open = false;
+    if (!n->call)
+        clock_crash(n);
+    turn_put(n, node_now(n));
 }
 
 bool turn_may_rest(const struct node *n, vtime now)
 {
     return !n->armed && !n->is_host && !n->loose && !n->clock.stolen && !n->sys->stop &&
-           now <= n->sys->max_time;
+           now <= n->sys->max_time && !turn_is_passed(n, now);
 }
 
 /* The turn of a program that is not loose, as far as is known. */
@@ -190,7 +166,7 @@ void turn_settle(struct node *n, struct instant before)
     n->rests = false;
     clock_advance(n, n->clock.stolen);
     n->clock.stolen = 0;
-    turn_block(n, clock_sync(n));
+    account_block(n, clock_sync(n));
 }
 
 /* Will what the program waits for be there at its turn? */
@@ -212,9 +188,19 @@ static void rouse(struct node *n)
     turn_put(n, turn_of(n));
 }
 
-void turn_look(struct node *n, vtime t)
+void engine_touch(struct node *n)
 {
-    turn_settle(n, n->sys->present);
+    if (!n->stopped && !n->pending.count && !n->rests)
+        return;
+    struct instant at = turn_reached(n->sys);
+    if (n->stopped)
+        node_catch_up(n, at.time + (n->place < at.place));
+    turn_settle(n, at);
+}
+
+void engine_look(struct node *n, vtime t)
+{
+    turn_settle(n, turn_reached(n->sys));
     rouse(n);
     vtime turn = n->loose ? n->sys->present.time + n->clock.stolen : turn_of(n);
     if (n->state == NODE_BLOCKED || turn < t)
@@ -247,7 +233,7 @@ void turn_tell(struct node *n)
 /* Has the program, which waits, anything to do now? */
 static bool may_go_on(struct node *n, vtime now)
 {
-    return mailbox_handler_due(n, now) || n->wait.ready(n, n->wait.arg);
+    return handlers_due(n, now) || n->wait.ready(n, n->wait.arg);
 }
 
 static void run_warm(struct node *n)
@@ -256,10 +242,6 @@ static void run_warm(struct node *n)
     n->sys->unseen = 0;
     run(n);
     if (n->crash)
-        n->pending.open = false;
-    if (n->crash && n->pending.count)
-        turn_put(n, pending_last(n)); /* it crashes behind them, or in the last */
-    else if (n->crash)
         crash(n);
     else if (n->loose)
         workers_hand(n->sys->workers, &n->ahead.work);
@@ -318,15 +300,9 @@ static void arrive(struct node *n, vtime now)
     clock_advance_to(n, now);
     if (n->wait.ready && turn_is_first(n, now) && !n->sys->stop && now <= n->sys->max_time &&
         !may_go_on(n, now))
-        turn_block(n, now);
+        account_block(n, now);
     else
         resume(n, now);
-}
-
-/* The turn of a program that goes on to compute, or crashes, when nothing is pending any more. */
-static vtime turn_behind_pending(const struct node *n, vtime now)
-{
-    return n->pending.count ? pending_last(n) : now;
 }
 
 /* It is the turn of a node that computes ahead: of its call or check. */
@@ -337,12 +313,13 @@ static void go_on(void *ctx, void *arg, vtime now)
     if (n->state == NODE_ENDED)
         return; /* killed meanwhile */
     pending_make_until(n, up_to(n, now));
-    bool behind = n->pending.drains || n->crash;
-    vtime turn = behind ? turn_behind_pending(n, now) : turn_of(n);
+    vtime turn = !n->pending.drains ? turn_of(n) : n->pending.count ? pending_last(n) : now;
     if (turn > now) {
         turn_put(n, turn);
     } else if (n->crash) {
-        crash(n);
+        n->clock.stolen = 0;
+        clock_advance_to(n, now);
+        n->sys->crashed(n);
     } else if (n->pending.drains) {
         n->pending.drains = false;
         run_on(n);
@@ -368,18 +345,15 @@ void node_catch_up(struct node *n, vtime t)
     if (!n->stopped)
         return;
     if (n->ahead.check < t && !n->clock.stolen) {
+        struct node *caller = n->sys->writable; /* another's call may have led here, and goes on behind it */
         n->ahead.up_to = t;
         check(n);
         n->ahead.up_to = 0;
+        if (caller)
+            isolate_run(caller);
     }
     if (n->stopped)
         turn_at_check(n, n->ahead.check, 0);
-}
-
-void node_catch_up_now(struct node *n)
-{
-    const struct node_system *s = n->sys;
-    node_catch_up(n, s->present.time + (n->place < s->present.place));
 }
 
 /* --- programs that have stopped at checks, on any thread --- */
@@ -460,6 +434,7 @@ bool node_step(struct node_system *s)
             check(n);
         return true;
     }
+    s->reached = turn_reached(s);
     return evq_step(s->q, &s->present);
 }
 
@@ -467,16 +442,10 @@ static void wake(void *ctx, void *arg, vtime now)
 {
     struct node *n = ctx;
     (void)arg;
-    turn_settle(n, n->sys->present);
+    turn_settle(n, turn_reached(n->sys));
     rouse(n);
-    if (n->state != NODE_BLOCKED)
-        return;
-    clock_advance_to(n, now);
-    account_wait(n, now - n->blocked.since, n->stats.system - n->blocked.busy);
-    if (may_go_on(n, now))
-        resume(n, now);
-    else
-        turn_block(n, now);
+    if (n->state == NODE_BLOCKED && account_unblock(n, now))
+        run_on(n);
 }
 
 void node_wake(struct node *n, vtime t)
@@ -491,18 +460,32 @@ void node_start(struct node *n, vtime t)
 
 void node_cut(struct node *n, struct instant at)
 {
-    vtime t = at.time;
-    turn_settle(n, at);
+    if (n->loose && n->sys->workers)
+        workers_drop(n->sys->workers, &n->ahead.work);
+    n->loose = false;
+    n->ahead.up_to = 0;
+    turn_settle(n, instant_later(at, turn_reached(n->sys)));
     n->rests = false;
     pending_take_back(n);
-    node_catch_up(n, t);
+    node_catch_up(n, at.time);
     leave_check(n);
-    vtime now = node_now(n), turn = now + n->clock.stolen;
-    bool at_its_turn = n->call && now < t;
+    vtime turn = node_now(n) + n->clock.stolen;
     if (n->state == NODE_BLOCKED)
-        account_wait(n, t - n->blocked.since, n->stats.system - n->blocked.busy);
-    else if (turn > t && !at_its_turn)
-        clock_cut(n, turn - t);
+        account_cut(n, at.time);
+    else if (turn > at.time)
+        clock_cut(n, turn - at.time);
     n->cut_short = n->state == NODE_COMPUTING;
     n->clock.stolen = 0;
+}
+
+void engine_settle(struct node *n, struct instant end)
+{
+    turn_settle(n, instant_later(end, turn_reached(n->sys)));
+    if (n->state != NODE_ENDED)
+        pending_take_back(n);
+}
+
+void engine_forget(struct node *n)
+{
+    pending_unmake(n);
 }

@@ -1,21 +1,19 @@
 /* json_file.c - see json_file.h. */
 #include "observe/json_file.h"
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "files/result_file.h"
 
 char *json_file_write(json_t *root, const char *path)
 {
-    char *text = NULL, *temporary = NULL;
-    if (asprintf(&temporary, "%s.tmp", path) < 0)
-        abort();
-    if (json_dump_file(root, temporary, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) || rename(temporary, path))
-        if (asprintf(&text, "cannot write %s: %s", path, strerror(errno)) < 0)
-            abort();
+    struct result_file f;
+    char *error = NULL;
+    if (result_file_begin(&f, path, &error)) {
+        json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
+        fputc('\n', f.out);
+        result_file_end(&f, &error);
+    }
     json_decref(root);
-    free(temporary);
-    return text;
+    return error;
 }
 
 json_t *json_tasks(const vtime tasks[NODE_TASKS])

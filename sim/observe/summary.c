@@ -104,6 +104,16 @@ static void print_threads(const struct workers_stats *s, FILE *f)
     fputc('\n', f);
 }
 
+/* Only if something is not guarded. */
+static void print_guards(enum node_guards guards, FILE *f)
+{
+    static const char *const LEFT[] = {"nothing: one that overruns its stack, data or heap is not stopped",
+                                       "their stacks: one that overruns its data or heap is not stopped"};
+    if (guards < NODE_GUARDS_ALL)
+        fprintf(f, "guards         of so many nodes the computer can guard only %s (vm.max_map_count)\n",
+                LEFT[guards]);
+}
+
 void summary_print(const struct machine *m, FILE *f)
 {
     size_t peak = 0;
@@ -127,6 +137,7 @@ void summary_print(const struct machine *m, FILE *f)
     if (machine_nodes(m))
         fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n",
                 (double)peak / 1048576, where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
+    print_guards(m->sys.guards, f);
     fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
 }
 

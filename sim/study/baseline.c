@@ -1,6 +1,6 @@
 /* baseline.c - see baseline.h. */
 #include "study/baseline.h"
-#include "study/draft.h"
+#include "files/result_file.h"
 #include "study/text.h"
 
 #include <stdio.h>
@@ -82,17 +82,12 @@ json_t *baseline_read(const char *path, char **error)
 
 bool baseline_write(const json_t *baseline, const char *path, char **error)
 {
-    const char *slash = strrchr(path, '/');
-    char *dir = slash ? text_of("%.*s", (int)(slash - path + 1), path) : text_of(".");
-    struct draft d;
-    bool written = draft_begin(&d, dir, slash ? slash + 1 : path, error);
-    if (written) {
-        json_dumpf(baseline, d.out, JSON_INDENT(1) | JSON_SORT_KEYS | JSON_REAL_PRECISION(15));
-        fputc('\n', d.out);
-        written = draft_end(&d, error);
-    }
-    free(dir);
-    return written;
+    struct result_file d;
+    if (!result_file_begin(&d, path, error))
+        return false;
+    json_dumpf(baseline, d.out, JSON_INDENT(1) | JSON_SORT_KEYS | JSON_REAL_PRECISION(15));
+    fputc('\n', d.out);
+    return result_file_end(&d, error);
 }
 
 json_t *baseline_study(json_t *baseline, const char *study)

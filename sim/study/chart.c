@@ -227,10 +227,10 @@ static bool run_gnuplot(const char *script, char **error)
 
 bool chart_draw(const struct record_points *points, const struct picture *p, const char *dir, char **error)
 {
-    char *scratch = folder_scratch("touchstone-picture", error);
-    if (!scratch)
+    struct scratch scratch = folder_scratch("touchstone-picture", error);
+    if (!scratch.path)
         return false;
-    char *path = text_of("%s/plot", scratch);
+    char *path = text_of("%s/plot", scratch.path);
     FILE *script = fopen(path, "we");
     bool ok = script;
     if (!script)
@@ -240,8 +240,7 @@ bool chart_draw(const struct record_points *points, const struct picture *p, con
     if (script)
         fclose(script);
     ok = ok && run_gnuplot(path, error);
-    folder_remove(scratch);
-    free(scratch);
+    scratch_remove(&scratch);
     free(path);
     return ok;
 }

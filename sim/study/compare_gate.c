@@ -2,7 +2,7 @@
 #include "study/compare_gate.h"
 #include "study/baseline.h"
 #include "study/compare_print.h"
-#include "study/draft.h"
+#include "files/result_file.h"
 #include "study/text.h"
 
 #include <stdlib.h>
@@ -169,19 +169,13 @@ static void print_counts(const struct gate *g, FILE *out)
 
 static bool write_junit(const struct gate *g, char **error)
 {
-    struct draft d;
+    struct result_file d;
     if (!g->options->junit)
         return true;
-    const char *slash = strrchr(g->options->junit, '/');
-    char *dir =
-        slash ? text_of("%.*s", (int)(slash - g->options->junit + 1), g->options->junit) : text_of(".");
-    bool good = draft_begin(&d, dir, slash ? slash + 1 : g->options->junit, error);
-    if (good) {
-        junit_write(g->points, g->count, d.out);
-        good = draft_end(&d, error);
-    }
-    free(dir);
-    return good;
+    if (!result_file_begin(&d, g->options->junit, error))
+        return false;
+    junit_write(g->points, g->count, d.out);
+    return result_file_end(&d, error);
 }
 
 /* --- the whole ------------------------------------------------------------------------------------------- */

@@ -5,7 +5,8 @@
  */
 #include "study/findings.h"
 #include "study/chart_parts.h"
-#include "study/draft.h"
+#include "files/result_file.h"
+#include "study/text.h"
 
 #include <math.h>
 #include <string.h>
@@ -269,14 +270,17 @@ static bool write_picture(const struct record_points *points, const struct pictu
 bool findings_write(const struct record_points *points, const struct picture *list, size_t count,
                     const char *dir, char **error)
 {
-    struct draft d;
-    if (!draft_begin(&d, dir, "findings.md", error))
+    struct result_file d;
+    char *path = text_of("%s/findings.md", dir);
+    bool begun = result_file_begin(&d, path, error);
+    free(path);
+    if (!begun)
         return false;
     bool ok = write_head(points, d.out, error);
     for (size_t i = 0; ok && i < count; i++)
         ok = write_picture(points, &list[i], d.out, error);
     if (ok)
-        return draft_end(&d, error);
-    draft_drop(&d);
+        return result_file_end(&d, error);
+    result_file_drop(&d);
     return false;
 }

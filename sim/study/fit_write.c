@@ -1,6 +1,6 @@
 /* fit_write.c - writes what was fitted as a file of constants, in the form of bench/paper/fitted.cfg, and where it comes
  * from: study, data, date, method, and each row before and after. */
-#include "study/draft.h"
+#include "files/result_file.h"
 #include "study/fit_parts.h"
 #include "study/text.h"
 
@@ -173,14 +173,9 @@ static void write_all(const struct fit *f, const struct fit_result *r, FILE *out
 
 bool fit_write(const struct fit *f, const struct fit_result *r, char **error)
 {
-    struct draft d;
-    const char *path = f->options->constants, *slash = strrchr(path, '/');
-    char *dir = slash ? text_of("%.*s", (int)(slash - path + 1), path) : text_of(".");
-    bool written = draft_begin(&d, dir, slash ? slash + 1 : path, error);
-    if (written) {
-        write_all(f, r, d.out);
-        written = draft_end(&d, error);
-    }
-    free(dir);
-    return written;
+    struct result_file d;
+    if (!result_file_begin(&d, f->options->constants, error))
+        return false;
+    write_all(f, r, d.out);
+    return result_file_end(&d, error);
 }

@@ -1,12 +1,11 @@
-/* folder.h - folders for results, and folders that are gone afterwards. */
+/* folder.h - folders for results. */
 #ifndef STUDY_FOLDER_H
 #define STUDY_FOLDER_H
 #include <stdbool.h>
+#include "files/scratch.h"
 
 /* Makes path and what is missing above it; false with errno. */
 bool folder_make(const char *path);
-/* A new folder in TMPDIR, NAME.XXXXXX: its malloc'd path, or NULL with *error a malloc'd text for the user. */
-char *folder_scratch(const char *name, char **error);
-/* Removes it with all that is in it. */
-void folder_remove(const char *path);
+/* scratch_new, with path NULL and *error a malloc'd text for the user if it cannot be made. */
+struct scratch folder_scratch(const char *name, char **error);
 #endif

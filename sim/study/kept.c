@@ -1,6 +1,6 @@
 /* kept.c - see kept.h. */
 #include "study/kept.h"
-#include "study/draft.h"
+#include "files/result_file.h"
 #include "study/folder.h"
 #include "study/line.h"
 #include "study/text.h"
@@ -72,22 +72,24 @@ json_t *kept_find(const char *folder, struct digest key, const json_t *inputs, F
 void kept_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
 {
     char digits[DIGEST_DIGITS + 1], *error = NULL;
-    struct draft d;
+    struct result_file d;
     size_t size;
     digest_write(key, digits);
     json_t *both = json_copy(record);
     if (json_object_set(both, "inputs", inputs) != 0)
         abort();
     char *line = line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, digits);
+    char *path = text_of("%s/%s", dir, digits);
     if (!folder_make(dir)) {
         error = text_of("%s cannot be made: %m", dir);
-    } else if (draft_begin(&d, dir, digits, &error)) {
+    } else if (result_file_begin(&d, path, &error)) {
         fwrite(line, 1, size, d.out);
-        draft_end(&d, &error);
+        result_file_end(&d, &error);
     }
     if (error)
         fprintf(notes, "not kept for other studies: %s\n", error);
     free(error);
+    free(path);
     free(dir);
     free(line);
     json_decref(both);

@@ -1,6 +1,6 @@
 /* record.c - see record.h. */
 #include "study/record.h"
-#include "study/draft.h"
+#include "files/result_file.h"
 #include "study/text.h"
 
 #include <stdlib.h>
@@ -137,12 +137,15 @@ static bool write_csv(const struct record_points *points, FILE *out, char **erro
 static bool write_file(const struct record_points *points, const char *dir, const char *name,
                        bool (*write)(const struct record_points *, FILE *, char **), char **error)
 {
-    struct draft d;
-    if (!draft_begin(&d, dir, name, error))
+    struct result_file d;
+    char *path = text_of("%s/%s", dir, name);
+    bool begun = result_file_begin(&d, path, error);
+    free(path);
+    if (!begun)
         return false;
     if (write(points, d.out, error))
-        return draft_end(&d, error);
-    draft_drop(&d);
+        return result_file_end(&d, error);
+    result_file_drop(&d);
     return false;
 }
 

@@ -1,4 +1,5 @@
 /* report.c - see report.h. */
+#include "files/result_file.h"
 #include "study/report.h"
 #include "study/explain.h"
 #include "study/text.h"
@@ -234,19 +235,11 @@ static bool write_to(FILE *out, const struct tables_options *o, struct results *
 
 bool report_write(const struct tables_options *o, struct results *r, const char *path, char **error)
 {
-    char *draft = text_of("%s.%ld", path, (long)getpid());
-    FILE *out = fopen(draft, "we");
-    bool ok = out;
-    if (!ok)
-        *error = text_of("%s cannot be written: %s", path, strerror(errno));
-    if (ok && !write_to(out, o, r, error))
-        ok = false;
-    if (out && (fclose(out) != 0 || (ok && rename(draft, path) != 0)) && ok) {
-        *error = text_of("%s cannot be written: %s", path, strerror(errno));
-        ok = false;
-    }
-    if (!ok)
-        unlink(draft);
-    free(draft);
-    return ok;
+    struct result_file f;
+    if (!result_file_begin(&f, path, error))
+        return false;
+    if (write_to(f.out, o, r, error))
+        return result_file_end(&f, error);
+    result_file_drop(&f);
+    return false;
 }

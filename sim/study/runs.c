@@ -122,14 +122,14 @@ bool runs_do(const struct tables_options *o, const struct paper *paper, struct r
              double *wall_s, char **error)
 {
     struct runs_kept *kept = o->resume ? runs_kept_open(o, paper, error) : NULL;
-    char *scratch = o->resume && !kept ? NULL : folder_scratch("touchstone-tables", error);
-    bool ok = scratch && do_in(o, paper, runs, count, scratch, kept, wall_s);
-    if (scratch && !ok)
+    struct scratch scratch = {NULL, -1};
+    if (!o->resume || kept)
+        scratch = folder_scratch("touchstone-tables", error);
+    bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, kept, wall_s);
+    if (scratch.path && !ok)
         *error = o->resume ? text_of("stopped; the same command goes on from %s/journal", o->dir)
                            : text_of("stopped; nothing was written");
-    if (scratch)
-        folder_remove(scratch);
-    free(scratch);
+    scratch_remove(&scratch);
     runs_kept_close(kept);
     return ok;
 }

@@ -23,7 +23,9 @@ static int nameless_file(void)
 void *spill_new(size_t bytes)
 {
     int fd = nameless_file();
-    int how = fd >= 0 && ftruncate(fd, (off_t)bytes) == 0 ? MAP_SHARED : MAP_PRIVATE | MAP_ANONYMOUS;
+    /* With its room: where there is none, a touch would end the process. */
+    int how = fd >= 0 && posix_fallocate(fd, 0, bytes ? (off_t)bytes : 1) == 0 ? MAP_SHARED
+                                                                               : MAP_PRIVATE | MAP_ANONYMOUS;
     void *p = mmap(NULL, bytes ? bytes : 1, PROT_READ | PROT_WRITE, how, how == MAP_SHARED ? fd : -1, 0);
     if (fd >= 0)
         close(fd);

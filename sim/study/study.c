@@ -113,7 +113,7 @@ static bool open_folder(struct study *s, char **error)
     }
     if (!(s->claims = claims_enter(o->dir, o->session, error)) ||
         !(s->journal = journal_open(o->dir, o->progress, error)) ||
-        !(s->scratch = folder_scratch("touchstone-study", error)))
+        !(s->scratch = folder_scratch("touchstone-study", error)).path)
         return false;
     if (o->retry_failed)
         journal_forget_failed(s->journal);
@@ -141,9 +141,7 @@ void study_close(struct study *s)
         return;
     journal_close(s->journal);
     claims_leave(s->claims);
-    if (s->scratch)
-        folder_remove(s->scratch);
-    free(s->scratch);
+    scratch_remove(&s->scratch);
     if (s->work)
         spill_free(s->work, s->spec->product * sizeof *s->work);
     inputs_close(s->inputs);

@@ -3,6 +3,7 @@
  * what they came to, study_report.c writes it down. */
 #ifndef STUDY_STUDY_PARTS_H
 #define STUDY_STUDY_PARTS_H
+#include "files/scratch.h"
 #include "study/claims.h"
 #include "study/inputs.h"
 #include "study/journal.h"
@@ -23,7 +24,7 @@ struct study {
     struct work
         *work; /* spec->product places, of which count are used; in the order of numbers or of costs */
     size_t count;
-    char *scratch; /* a folder for what runs leave */
+    struct scratch scratch; /* a folder for what runs leave */
     struct claims *claims;
     struct journal *journal;
     struct study_counts counts;

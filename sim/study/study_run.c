@@ -188,7 +188,7 @@ static char **environment(const struct study *s)
     static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
                                          "ASAN_OPTIONS"};
     char **env = NULL;
-    words_add(&env, text_of("TMPDIR=%s", s->scratch));
+    words_add(&env, text_of("TMPDIR=%s", s->scratch.path));
     for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)
         if (getenv(passed[i]))
             words_add(&env, text_of("%s=%s", passed[i], getenv(passed[i])));
@@ -236,8 +236,8 @@ static void begin_task(struct session *e, struct task *t, const struct work *w, 
 {
     const struct study *s = e->study;
     *t = (struct task){.used = true, .work = w, .inputs = inputs, .name = point_name(s->spec, p)};
-    t->json = text_of("%s/%lu.json", s->scratch, w->number);
-    t->profile = s->spec->profile ? text_of("%s/%lu.profile", s->scratch, w->number) : NULL;
+    t->json = text_of("%s/%lu.json", s->scratch.path, w->number);
+    t->profile = s->spec->profile ? text_of("%s/%lu.profile", s->scratch.path, w->number) : NULL;
     build_argv(s, p, t);
     t->job = (struct pool_job){.name = t->name,
                                .argv = t->argv,

@@ -1,5 +1,6 @@
 /* tables.c - from the paper's rows to runs, through the pool, to results; see tables.h. */
 #include "study/tables.h"
+#include "files/result_file.h"
 #include "study/folder.h"
 #include "study/pool.h"
 #include "study/explain.h"
@@ -15,21 +16,18 @@
 
 /* --- writing them down ----------------------------------------------------------------------------------- */
 
-/* Whole or not at all: under another name first. */
 static bool write_json(const struct results *r, const char *dir, char **error)
 {
+    struct result_file f;
     char *path = text_of("%s/tables.json", dir);
-    char *draft = text_of("%s/tables.json.%ld", dir, (long)getpid());
     json_t *root = results_json(r);
-    bool ok = json_dump_file(root, draft, JSON_INDENT(1) | JSON_REAL_PRECISION(15)) == 0 &&
-              rename(draft, path) == 0;
-    if (!ok) {
-        *error = text_of("%s cannot be written: %s", path, strerror(errno));
-        unlink(draft);
+    bool ok = result_file_begin(&f, path, error);
+    if (ok) {
+        json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
+        ok = result_file_end(&f, error);
     }
     json_decref(root);
     free(path);
-    free(draft);
     return ok;
 }
 

@@ -49,7 +49,7 @@ check "a program built otherwise is an error" ended_with 65
 check "that says how to build it" said 'nxcc --profile'
 check "and writes nothing" test ! -e p2.json
 run -n 2 --profile nowhere/p.json profiled
-check "so is a file that cannot be written" said 'cannot write nowhere/p.json'
+check "so is a file that cannot be written" said 'nowhere/p.json cannot be written'
 
 echo 'long work(long n); int main(void) { return work(100000) == 1; }' >a.c
 echo 'long work(long n) { long s = 0; while (n-- > 0) s += n % 3; return s; }' >b.c

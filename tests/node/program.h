@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "node/cpu.h"
+#include "node/engine.h"
 #include "node/image.h"
 #include "node/libc.h"
 #include "node/system.h"

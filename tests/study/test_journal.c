@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "study/claims.h"
-#include "study/folder.h"
+#include "files/scratch.h"
 #include "study/journal.h"
 #include "study/kept.h"
 
@@ -271,14 +271,15 @@ static void a_point_is_claimed_once(void **state)
 /* Each test has a folder of its own. */
 static int enter(void **state)
 {
-    char *dir = strdup("/tmp/test-journal.XXXXXX");
-    *state = dir;
-    return mkdtemp(dir) && chdir(dir) == 0 ? 0 : -1;
+    struct scratch *s = malloc(sizeof *s);
+    *s = scratch_new("test-journal");
+    *state = s;
+    return s->path && chdir(s->path) == 0 ? 0 : -1;
 }
 
 static int leave(void **state)
 {
-    folder_remove(*state);
+    scratch_remove(*state);
     free(*state);
     return chdir("/");
 }

@@ -1,0 +1,52 @@
+/* stopped.c - stopped HOW: node 1 does not end, in one way or another; or crashes in a library call; or is flooded. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "nx.h"
+
+static char *volatile nowhere = (char *)0x1234;
+
+static void show(const char *name)
+{
+    printf("name %s\n", name);
+}
+
+static void flood(int n)
+{
+    static char b[100];
+    if (mynode())
+        for (int i = 0; i < n; i++)
+            csend(1, b, sizeof b, 0, 0);
+    for (volatile long i = 0; i < 1000; i++)
+        ;
+    for (int i = 0; i < n * (numnodes() - 1) && mynode() == 0; i++)
+        crecv(1, b, sizeof b);
+}
+
+int main(int argc, char **argv)
+{
+    const char *how = argc > 1 ? argv[1] : "";
+    printf("node %ld is there\n", mynode());
+    if (!strcmp(how, "flood")) {
+        flood(atoi(argv[2]));
+    } else if (mynode() == 1) {
+        if (!strcmp(how, "for"))
+            for (;;)
+                ;
+        if (!strcmp(how, "goto"))
+        here:
+            goto here;
+        if (!strcmp(how, "asm"))
+            for (;;)
+                __asm__ volatile("");
+        if (!strcmp(how, "calls"))
+            while (dclock() >= 0)
+                ;
+        if (!strcmp(how, "printf"))
+            show(nowhere);
+        if (!strcmp(how, "strlen"))
+            printf("%zu\n", strlen(nowhere));
+    }
+    gsync();
+    return 0;
+}

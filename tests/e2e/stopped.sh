@@ -1,0 +1,136 @@
+#!/bin/bash
+# stopped.sh - runs that are stopped, by a signal or a limit, tell where each node is, and lose nothing; results that cannot be
+# written are said; what a run writes to is never replaced by a file; no folder stays behind.
+. "$(dirname "$0")/common.bash"
+compile stopped
+compile ring
+
+# --- loops that do nothing ---
+for how in for goto asm calls; do
+    line="node 1: .*(computing|dclock).*stopped.c:[0-9]+"
+    run -q -n 2 --max-virtual-time 0.01 stopped $how
+    check "$how: the limit of virtual time" said 'virtual time limit of 0.010000 s reached'
+    [ $how = calls ] || check "$how: and where it is then" said "$line"
+    run -q -n 2 --max-wall-time 0.5 stopped $how
+    check "$how: the limit of real time" said 'wall time limit of 0.5 s reached'
+    check "$how: and where it is then" said "$line"
+    run -q -n 2 --max-virtual-time 0.01 --engine reference stopped $how
+    check "$how: the reference stops it, too" said 'virtual time limit of 0.010000 s reached'
+done
+
+# --- signals ---
+for signal in INT TERM HUP; do
+    for how in for calls; do
+        # (A shell without job control starts what is in the background with SIGINT ignored.)
+        env --default-signal=INT "$BUILD/touchstone" run -n 2 stopped $how >out 2>err &
+        child=$!
+        sleep 0.6
+        kill -$signal $child
+        wait $child
+        status=$?
+        check "SIG$signal, $how: ends by it" ended_with $((128 + $(kill -l $signal)))
+        check "SIG$signal, $how: what the nodes printed" grep -q '^node 1 is there' out
+        check "SIG$signal, $how: it is said" said "^touchstone run: (interrupted|stopped by SIG$signal)"
+        check "SIG$signal, $how: where node 1 is" said 'node 1: .*stopped.c:[0-9]+'
+        check "SIG$signal, $how: the summary" said '^digest'
+    done
+done
+trap '' HUP
+"$BUILD/touchstone" run -q -n 2 --max-wall-time 1 stopped for >out 2>err &
+trap - HUP
+sleep 0.3
+kill -HUP $!
+wait $!
+check "an ignored SIGHUP stays ignored" said 'wall time limit'
+
+# --- crashes in libraries ---
+run -q -n 2 stopped printf
+check "a crash in the library: in which call" said '^  in printf'
+check "a crash in the library: called from where" said '^  called from (show|main).*stopped.c:'
+run -q -n 2 stopped strlen
+check "a crash in another: in which call" said '^  in strlen'
+
+# --- floods ---
+seconds() { # MESSAGES
+    local begin=$EPOCHREALTIME
+    run -q -m cluster2026 -n 9 stopped flood "$1"
+    awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }'
+}
+few=$(seconds 1250) many=$(seconds 10000)
+check "80,000 messages take no more than in proportion: $few s, $many s" \
+    awk -v few="$few" -v many="$many" 'BEGIN { exit !(many < 40 * few) }'
+
+# --- where results go ---
+run -q -n 2 --json - ring
+check "--json -: to standard output" grep -q '"machine": "delta"' out
+check "--json -: no file of that name" test ! -e ./-
+ln -s target link
+touch target
+run -q -n 2 --json link --history history ring
+check "--json LINK: the link stays" test -L link
+check "--json LINK: its target is written" grep -q '"machine"' target
+check "--history: a line a message" test "$(wc -l <history)" = "$(sed -n 's/ "messages": \(.*\),/\1/p' target)"
+mkfifo pipe
+cat pipe >through &
+run -q -n 2 --json pipe ring
+wait $!
+check "--json PIPE: written through" grep -q '"machine"' through
+check "--json PIPE: it stays" test -p pipe
+run -q -n 2 --json /dev/full ring
+check "--json to a full device: said" said '/dev/full cannot be written: No space left'
+check "--json to a full device: status 74" ended_with 74
+check "a device stays a device" test -c /dev/full
+"$BUILD/touchstone" run -q -n 2 ring >/dev/full 2>err
+status=$?
+check "standard output full: said" said 'standard output cannot be written: No space left'
+check "standard output full: status 74" ended_with 74
+"$BUILD/touchstone" run -q -n 2 --json j.json ring >&- 2>err
+status=$?
+check "standard output closed: status 74" ended_with 74
+(
+    ulimit -f 1
+    "$BUILD/touchstone" run -q -n 2 --history big ring 2>err >out
+    echo $? >status
+) 2>/dev/null
+status=$(cat status)
+check "a limit on files is an error of writing, or does not matter" test "$status" = 0 -o "$status" = 74
+
+# --- what cannot be read ---
+mkdir folder.cfg
+printf 'title = "a";\nprogram = "ring";\nmachine = "delta";\naxes = ( { name = "how";\n cases = ( { label = "\xff"; } ); } );\n' >bad.cfg
+cp -r "$tests"/../../machines/{cpu,ipsc860.cfg,ipsc860.inc} .
+echo '@include "folder.cfg"' >>ipsc860.cfg
+refused() { # NAME TEXT COMMAND...
+    local name=$1 text=$2
+    shift 2
+    timeout 20 "$BUILD/touchstone" "$@" >out 2>err </dev/null
+    status=$?
+    check "$name: said" said "$text"
+    check "$name: status 65" ended_with 65
+}
+refused "a machine file that is a folder" 'folder.cfg: cannot be read: it is a folder' run -m ./folder.cfg ring
+refused "one that includes a folder" 'folder.cfg: cannot be read: it is a folder' run -m ./ipsc860.cfg ring
+refused "one without end" '/dev/zero: cannot be read: it is larger' run -m /dev/zero ring
+refused "one that is not there" 'none.cfg: cannot be read: No such file' run -m ./none.cfg ring
+refused "a study that is a folder" 'folder.cfg: cannot be read: it is a folder' study folder.cfg
+refused "a label that is no UTF-8" 'bad.cfg:5: a byte that is no text' study bad.cfg
+refused "a program that is a folder" 'folder.cfg: not a regular file' run folder.cfg
+
+# --- folders ---
+mkdir tmp
+cat >open.c <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+#include "nx.h"
+int main(void) { FILE *f = fopen("/cfs/a", "w"); fprintf(f, "x\n"); fclose(f); for (volatile long i = 0; i >= 0; i++) ; }
+END
+"$BUILD/nxcc" -O2 -o open open.c
+TMPDIR=$work/tmp "$BUILD/touchstone" run -q -m ipsc860 open >out 2>err &
+child=$!
+for ((i = 0; i < 100 && $(ls tmp | wc -l) == 0; i++)); do sleep 0.05; done
+check "a run has a folder for /cfs" test "$(ls tmp | wc -l)" = 1
+kill -KILL $child
+wait $child 2>/dev/null
+touch -d '1 hour ago' tmp/*
+TMPDIR=$work/tmp timeout -s TERM 1 "$BUILD/touchstone" run -q -m ipsc860 open >out 2>err
+check "the next run removes a killed one's, and its own at SIGTERM" test "$(ls tmp | wc -l)" = 0

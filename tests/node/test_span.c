@@ -1,0 +1,157 @@
+/* The address space of nodes: guards between all parts, as far as the host allows mappings, and parts near to each other. */
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <cmocka.h>
+#include "node/span.h"
+#include "node/system.h"
+
+enum { NODES = 3, PROGRAM = 100 << 10 };
+
+static struct cfg_machine cfg = {.memory_bytes = 16 << 20, .system_bytes = 1 << 20, .stack_bytes = 512 << 10};
+
+struct machine {
+    struct node_system sys;
+    struct node node[NODES];
+};
+
+/* count: how many nodes the machine says it has. most: mappings; 0: as many as there are, and lighter guards. */
+static void take(struct machine *m, uint32_t count, size_t most, bool long32)
+{
+    m->sys =
+        (struct node_system){.cfg = &cfg, .count = count, .most_mappings = most, .guards = NODE_GUARDS_ALL};
+    for (int i = 0; i < NODES; i++) {
+        m->node[i] = (struct node){.sys = &m->sys, .id = (uint32_t)i};
+        assert_true(span_take(&m->node[i], PROGRAM, long32));
+    }
+}
+
+static void release(struct machine *m)
+{
+    for (int i = 0; i < NODES; i++)
+        span_release(&m->node[i]);
+}
+
+/* Is a byte there that can be written to? Tried by a child, which may die of it. */
+static bool is_there(char *byte)
+{
+    int status;
+    pid_t child = fork();
+    if (child == 0) {
+        signal(SIGSEGV, SIG_DFL);
+        *(volatile char *)byte = 1;
+        _exit(0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+static void check_guards(struct machine *m, bool data, bool stacks)
+{
+    for (int i = 0; i < NODES; i++) {
+        struct node *n = &m->node[i];
+        char *heap_end = n->heap_start + n->region->heap_bytes;
+        assert_true(is_there(n->stack) && is_there(n->program) && is_there(n->program + PROGRAM - 1));
+        assert_true(is_there(n->heap_start) && is_there(heap_end - 1));
+        assert_int_equal(is_there(n->stack - 1), !stacks);
+        assert_int_equal(is_there(n->program + PROGRAM), !data);
+        assert_int_equal(is_there(heap_end), !data);
+    }
+}
+
+static void all_parts_are_guarded(void **state)
+{
+    struct machine m;
+    (void)state;
+    take(&m, NODES, 0, false);
+    check_guards(&m, true, true);
+    assert_int_equal(m.sys.guards, NODE_GUARDS_ALL);
+    release(&m);
+}
+
+/* As on kernels on which a guard is a mapping. */
+static void guards_are_given_up_when_there_are_too_many_nodes_for_them(void **state)
+{
+    struct machine m;
+    (void)state;
+    take(&m, 10000, 65530, false);
+    check_guards(&m, true, true);
+    assert_false(m.node[0].region->copies_text);
+    release(&m);
+    take(&m, 15000, 65530, false);
+    check_guards(&m, true, true);
+    assert_true(m.node[0].region->copies_text);
+    release(&m);
+    take(&m, 31000, 65530, false);
+    check_guards(&m, false, true);
+    assert_int_equal(m.sys.guards, NODE_GUARDS_STACKS);
+    release(&m);
+    take(&m, 65536, 65530, false);
+    check_guards(&m, false, false);
+    assert_int_equal(m.sys.guards, NODE_GUARDS_NONE);
+    release(&m);
+}
+
+static void all_memory_tells_whose_it_is(void **state)
+{
+    struct machine m;
+    (void)state;
+    take(&m, NODES, 0, false);
+    for (int i = 0; i < NODES; i++) {
+        struct node *n = &m.node[i];
+        char *parts[] = {n->stack, n->program, n->program + PROGRAM - 1, n->heap_start,
+                         n->heap_start + n->region->heap_bytes - 1};
+        for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
+            assert_ptr_equal(node_at_address((uintptr_t)parts[k]), n);
+            for (int j = 0; j < NODES; j++)
+                assert_int_equal(node_owns(&m.node[j], (uintptr_t)parts[k]), i == j);
+        }
+    }
+    release(&m);
+}
+
+static void a_nodes_parts_are_near_to_each_other(void **state)
+{
+    struct machine m;
+    (void)state;
+    for (uint64_t memory = 2 << 20; memory <= UINT64_C(1) << 32; memory *= 2) {
+        cfg.memory_bytes = memory;
+        take(&m, NODES, 0, false);
+        for (int i = 0; i < NODES; i++) {
+            const struct node *n = &m.node[i];
+            assert_true(n->heap_start + n->region->heap_bytes - n->stack < 1L << 30);
+            assert_true(n->heap_start > n->program);
+        }
+        release(&m);
+    }
+    cfg.memory_bytes = 16 << 20;
+}
+
+static void memory_of_programs_with_a_long_of_32_bits_lies_below_4_gb(void **state)
+{
+    struct machine m;
+    (void)state;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    skip(); /* which have their own memory there */
+#endif
+    take(&m, NODES, 0, true);
+    for (int i = 0; i < NODES; i++)
+        assert_true((uintptr_t)m.node[i].heap_start + m.node[i].region->heap_bytes < UINT64_C(1) << 32);
+    release(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_parts_are_guarded),
+        cmocka_unit_test(guards_are_given_up_when_there_are_too_many_nodes_for_them),
+        cmocka_unit_test(all_memory_tells_whose_it_is),
+        cmocka_unit_test(a_nodes_parts_are_near_to_each_other),
+        cmocka_unit_test(memory_of_programs_with_a_long_of_32_bits_lies_below_4_gb),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

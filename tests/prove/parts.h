@@ -1,0 +1,496 @@
+/* parts.h - what the operations of ops.def use, in C for nodes. A program that `make prove` prints begins with this text. */
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+#include "nx.h"
+
+enum { IDS = 30, MOST = 30000, ROOMS = 8, MOST_HANDLED = 150, BLOCKS = 40 };
+
+static char out[MOST], in[ROOMS][MOST];
+static long id[IDS], ids, handled, rooms, how_of[8], info[8], msgs_left;
+static unsigned long long seen = 14695981039346656037ULL;
+static volatile double result = 1;
+static double row[512];
+static volatile int *volatile nowhere = (int *)16;
+static char *block[BLOCKS];
+static int blocks;
+
+/* What the program has seen of the machine: all goes into one number. */
+static void note(long x)
+{
+    seen = (seen ^ (unsigned long long)x) * 1099511628211ULL;
+}
+
+static void told(void)
+{
+    note(infotype());
+    note(infocount());
+    note(infonode());
+    note(infopid());
+}
+
+static char *room(void)
+{
+    return in[rooms++ % ROOMS];
+}
+
+/* --- computing, in loops of all kinds: some say for how long they will run, some cannot --- */
+
+static unsigned long grow(unsigned n)
+{
+    return n < 2 ? n : grow(n - 1) + grow(n - 2);
+}
+
+static double small(double x)
+{
+    return x * 0.75 + 0.125;
+}
+
+static double (*volatile by_pointer)(double) = small;
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void series(long n)
+{
+    double x = result;
+    for (long i = 0; i < n; i++)
+        x = x * 1.0000001 + 1e-9 * (double)i;
+    result = x > 1e6 ? 1 : x;
+}
+
+static void rows(long n)
+{
+    double s = 0;
+    for (long y = 0; y < n; y++)
+        for (int x = 0; x < 64; x++)
+            s += row[x] = row[x] * 0.5 + (double)y;
+    result = s > 1e6 ? 1 : s;
+}
+
+static void search(long n)
+{
+    unsigned long x = (unsigned long)n * 2654435761u;
+    while (n-- > 0 && (x & 0xffffff))
+        x ^= x << 13, x ^= x >> 7, x ^= x << 17;
+    note((long)x);
+}
+
+static void compute(long kind, long clocks)
+{
+    switch (kind) {
+    case 0:
+        series(clocks / 20);
+        break;
+    case 1:
+        rows(clocks / 640);
+        break;
+    case 2:
+        search(clocks / 10);
+        break;
+    case 3:
+        for (long i = 0; i < clocks / 2000; i++)
+            note((long)grow(8));
+        break;
+    case 4:
+        for (long i = 0; i < clocks / 100; i++)
+            result = sqrt(result + (double)i) + sin(result);
+        break;
+    case 5:
+        for (long i = 0; i < clocks / 30; i++)
+            result = by_pointer(result);
+        break;
+    case 6: {
+        long double x = result;
+        for (long i = 0; i < clocks / 40; i++)
+            x = x * 1.0000001L + 1e-9L;
+        result = (double)x > 1e6 ? 1 : (double)x;
+        break;
+    }
+    case 7:
+        for (long i = 0; i < clocks / 4000; i++)
+            memcpy(in[0], out, (size_t)(i * 97 % 4000));
+        break;
+    case 8:
+        for (int i = 0; i < 100; i++)
+            row[i] = (i * 37) % 101;
+        for (long i = 0; i < clocks / 20000 + 1; i++)
+            qsort(row, 100, sizeof *row, compare);
+        break;
+    default:
+        for (long y = 0; y < clocks / 700; y++)
+            for (long x = 0; x <= y % 60; x++)
+                result = result * 0.5 + 1;
+    }
+}
+
+/* --- handlers --- */
+
+enum {
+    REPOST = 1,
+    COMPUTE = 2,
+    ANSWER = 4,
+    MASK = 8,
+    WAIT = 16,
+    CLOCK = 32,
+    REPOST_LATE = 64,
+    FORCE = 128,
+    PROBE = 256,
+    SEND_BEHIND = 512,
+    POST = 1024,
+    LONG_ANSWER = 2048,
+    EXIT = 4096,
+    KILL = 8192,
+    CRASH = 16384
+};
+#define FORCED_TYPE 1073741824
+
+static void handle(long type, long count, long node, long pid);
+
+static void has_left(long type, long count, long node, long pid)
+{
+    note(type + 3 * count + 5 * node + 7 * pid);
+    msgs_left++;
+}
+
+static void has_left_x(long type, long count, long node, long pid, long param)
+{
+    has_left(type, count, node, pid + param);
+}
+
+static long to(long node)
+{
+    return node < numnodes() ? node : 0;
+}
+
+static void react(long type, long count, long node, long how)
+{
+    told();
+    if (++handled > MOST_HANDLED)
+        return;
+    if (how & REPOST)
+        hrecv(type, room(), MOST, handle);
+    if (how & COMPUTE)
+        compute(count % 10, 40 + count * 7 % 3000);
+    if (how & ANSWER)
+        csend(112 + type % 4, out, count % 90, to(node), 0);
+    if (how & LONG_ANSWER)
+        csend(200 + type % 4, out, count * 3 % 9000, to(node), 0);
+    if (how & FORCE)
+        csend(FORCED_TYPE + 100 + type % 4, out, count % 500, to(node), 0);
+    if (how & MASK) {
+        long before = masktrap(0);
+        compute(0, 500);
+        note(masktrap(before));
+    }
+    if (how & SEND_BEHIND)
+        hsend(112 + type % 4, out, count % 300, to(node), 0, has_left);
+    if (how & POST && ids < IDS)
+        id[ids++] = irecv(204 + type % 4, room(), MOST);
+    if (how & WAIT)
+        msgwait(isend(112 + type % 4, out, count % 200, to(node), 0));
+    if (how & PROBE && iprobe(-1))
+        told();
+    if (how & CLOCK)
+        note((long)(dclock() * 1e12));
+    if (how & EXIT && handled > 3)
+        exit(3);
+    if (how & KILL && handled > 3)
+        killproc(to(node), 0);
+    if (how & CRASH && handled > 3)
+        *nowhere = 1;
+    if (how & REPOST_LATE)
+        hrecv(type, room(), MOST, handle);
+}
+
+static void handle(long type, long count, long node, long pid)
+{
+    note(pid);
+    react(type, count, node, how_of[type % 8]);
+}
+
+static void handle_x(long type, long count, long node, long pid, long how)
+{
+    note(pid);
+    react(type, count, node, how & ~(long)(REPOST | REPOST_LATE));
+}
+
+static void masked(long kind, long clocks)
+{
+    note(masktrap(1));
+    compute(kind, clocks);
+    note(masktrap(0));
+}
+
+/* --- ids --- */
+
+static void keep_id(long new)
+{
+    if (ids < IDS)
+        id[ids++] = new;
+    else
+        msgwait(new);
+}
+
+/* Handlers keep ids, too: what is taken has to be off the list before anything is done with it. */
+static long take_id(long slot)
+{
+    long i = slot % ids, taken = id[i];
+    id[i] = id[--ids];
+    return taken;
+}
+
+static void wait_id(long slot)
+{
+    if (!ids)
+        return;
+    msgwait(take_id(slot));
+    told();
+}
+
+static void done_id(long slot)
+{
+    if (!ids)
+        return;
+    long taken = take_id(slot);
+    if (msgdone(taken))
+        told();
+    else if (ids < IDS)
+        id[ids++] = taken;
+    else
+        msgcancel(taken);
+}
+
+static void merge_ids(long a, long b)
+{
+    if (ids < 2)
+        return;
+    long first = take_id(a), second = take_id(b);
+    keep_id(msgmerge(first, second));
+}
+
+static void send_list(long type, long len, long node, long count)
+{
+    long list[4];
+    for (long i = 0; i < 4; i++)
+        list[i] = (node + i * i) % numnodes();
+    gsendx(type, out, len, list, count % 5);
+}
+
+static void crecv_mask(long type)
+{
+    long mask = (int)(0x80000000u | 1u << (type + 1) | 1u << (type + 2));
+    if (!iprobe(mask))
+        return;
+    crecv(mask, room(), MOST);
+    told();
+}
+
+static void await_probe(long type, long times)
+{
+    for (long i = 0; i < 10 * times && !iprobe(type); i++)
+        compute(0, 400);
+}
+
+/* --- all nodes together --- */
+
+static void sum_doubles(long n)
+{
+    double x[8], work[8];
+    for (long i = 0; i < 8; i++)
+        x[i] = (double)(mynode() + i);
+    gdsum(x, n % 8 + 1, work);
+    note((long)x[0]);
+}
+
+static void highest(long x)
+{
+    long work;
+    x += mynode();
+    gihigh(&x, 1, &work);
+    note(x);
+}
+
+static void collect(long len)
+{
+    static char all[64 * 64];
+    long total;
+    gcol(out, len % 60, all, sizeof all, &total);
+    note(total);
+}
+
+static void shared_file(long mode, long len, long rounds)
+{
+    struct stat there;
+    if (stat("/cfs", &there))
+        return;
+    int fd = gopen("/cfs/shared", O_RDWR | O_CREAT, (int)mode, 0644);
+    for (long i = 0; i < rounds; i++)
+        note(cwrite(fd, out, (unsigned long)(mode == M_RECORD ? len : len + mynode() % 3)));
+    if (mode == M_UNIX)
+        lseek(fd, 0, SEEK_SET);
+    for (long i = 0; i < rounds; i++)
+        note(cread(fd, room(), (unsigned long)len));
+    note(iomode(fd));
+    close(fd);
+    gsync();
+}
+
+/* --- files --- */
+
+static int open_file(long name, int flags)
+{
+    char path[32];
+    snprintf(path, sizeof path, "/cfs/f%ld", name);
+    return open(path, flags, 0644);
+}
+
+static void cfs_write(long name, long len)
+{
+    int fd = open_file(name, O_RDWR | O_CREAT);
+    if (fd < 0)
+        return;
+    note(lseek(fd, len / 2, SEEK_SET));
+    note(cwrite(fd, out, (unsigned long)len));
+    close(fd);
+}
+
+static void cfs_read(long name, long len)
+{
+    int fd = open_file(name, O_RDONLY);
+    if (fd < 0)
+        return;
+    long n = cread(fd, room(), (unsigned long)len);
+    note(n);
+    note(n < len ? iseof(fd) : 0);
+    close(fd);
+}
+
+static void cfs_later(long name, long len, long kind)
+{
+    int fd = open_file(name, O_RDWR | O_CREAT);
+    if (fd < 0)
+        return;
+    long reading = iread(fd, room(), (unsigned long)len), writing = iwrite(fd, out, (unsigned long)len / 2);
+    compute(kind, 3000);
+    if (!iodone(reading))
+        iowait(reading);
+    iowait(writing);
+    note(lsize(fd, 10, SIZE_END));
+    close(fd);
+}
+
+static void cfs_stdio(long name, long len)
+{
+    char path[32];
+    snprintf(path, sizeof path, "/cfs/s%ld", name);
+    FILE *f = fopen(path, "w+");
+    if (!f)
+        return;
+    fprintf(f, "%ld %ld\n", mynode(), len);
+    rewind(f);
+    long x = 0;
+    note(fscanf(f, "%ld", &x));
+    note(x);
+    fclose(f);
+}
+
+static void cfs_names(long name)
+{
+    struct stat st;
+    char path[32], other[32];
+    snprintf(path, sizeof path, "/cfs/f%ld", name);
+    snprintf(other, sizeof other, "/cfs/f%ld", name + 1);
+    note(stat(path, &st) ? errno : st.st_size);
+    note(rename(path, other));
+    note(unlink(path));
+}
+
+/* --- memory, and ends --- */
+
+static void take_memory(long bytes)
+{
+    char *p = blocks < BLOCKS ? malloc((size_t)bytes) : NULL;
+    note(p != NULL);
+    if (p)
+        block[blocks++] = memset(p, 1, bytes < 100 ? (size_t)bytes : 100);
+}
+
+static void give_memory(void)
+{
+    if (blocks)
+        free(block[--blocks]);
+}
+
+static void crash(long kind, long clocks)
+{
+    compute(kind, clocks);
+    *nowhere = 1;
+}
+
+static long exit_kind, exit_clocks;
+
+static void work_at_exit(void)
+{
+    compute(exit_kind, exit_clocks);
+    csend(101, out, 20, (mynode() + 1) % numnodes(), 0);
+}
+
+static void at_exit(long kind, long clocks)
+{
+    exit_kind = kind, exit_clocks = clocks;
+    atexit(work_at_exit);
+}
+
+/* --- the host's --- */
+
+#ifdef __NX_HOST__
+static int any_loaded;
+
+/* There may be no cube. */
+static long some(long node)
+{
+    return numnodes() ? node % numnodes() : 0;
+}
+
+static void host_load(long node, long all)
+{
+    long r = all == 0 ? _load("player", -1, 0) : _load("player", some(node), 0);
+    note(r);
+    any_loaded |= r == 0;
+}
+
+static void host_getcube(long nodes)
+{
+    char type[16];
+    snprintf(type, sizeof type, "%ld", nodes);
+    note(_getcube("c", type, "", 0));
+}
+
+static void host_send(long type, long len, long node)
+{
+    note(_csend(type, out, len, node < 0 ? -1 : some(node), 0));
+}
+
+static void host_kill(long node)
+{
+    note(_killproc(some(node), 0));
+}
+#endif
+
+/* Called at the end: what this node has seen, and how long it took. */
+static void tell(void)
+{
+    note((long)(result * 1e6));
+    printf("node %ld saw %016llx in %ld handlers, %ld left, by %.12f s\n", mynode(), seen, handled, msgs_left,
+           dclock());
+}

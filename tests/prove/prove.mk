@@ -1,0 +1,23 @@
+# prove.mk - the prover, and the node programs that it runs: tests/prove/prove.c.
+PROVE := $B/tests/prove
+PROVE_PLAYERS := $(addprefix $(PROVE)/,player player-flushes player-profile player-host)
+PROVE_PARTS := $(wildcard tests/prove/*.h) tests/prove/ops.def
+
+$(PROVE)/player-flushes: PLAYER = -DPLAYER_FLUSHES
+$(PROVE)/player-profile: PLAYER = --profile
+$(PROVE)/player-host: PLAYER = -host
+
+$(PROVE_PLAYERS): tests/prove/player.c $(PROVE_PARTS) $(NXCC_DEPS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 -g -Wall -Wno-unused-function $(PLAYER) -o $@ $< -lm
+
+$(PROVE)/parts.h: tests/prove/parts.h
+	@mkdir -p $(@D)
+	cp $< $@
+
+$(PROVE)/prove: $(wildcard tests/prove/*.c) $(PROVE_PARTS)
+	@mkdir -p $(@D)
+	$(CC) -std=gnu17 -O2 -g $(WARN) -D_GNU_SOURCE -o $@ $(filter-out %player.c,$(filter %.c,$^)) -lm
+
+prover: $(PROVE)/prove $(PROVE_PLAYERS) $(PROVE)/parts.h
+.PHONY: prover

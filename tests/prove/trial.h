@@ -1,0 +1,30 @@
+/* trial.h - one run of a program, and what it gave. */
+#ifndef PROVE_TRIAL_H
+#define PROVE_TRIAL_H
+#include "program.h"
+
+/* Where things are, and where a prover may write. */
+struct place {
+    const char *build;  /* the folder of the build under test */
+    const char *folder; /* the prover's own */
+};
+
+enum result { HISTORY, OUTPUT, ERRORS, FIGURES, PROFILE, RESULTS };
+extern const char *const RESULT_NAMES[RESULTS];
+
+/* All that must be the same in every run: results without the lines that tell of real time. */
+struct trial {
+    char *text[RESULTS];
+    int status; /* as of wait(2); -1: it took too long */
+};
+
+/* way: arguments for touchstone run, such as "-w 2". */
+struct trial trial_run(const struct place *place, const struct program *p, const char *way);
+void trial_free(struct trial *t);
+/* The first result that differs, or RESULTS if only the status does; -1: none. */
+int trial_differs(const struct trial *a, const struct trial *b);
+/* Shows where two texts begin to differ. */
+void trial_print_difference(const char *name, const char *a, const char *b, FILE *f);
+/* The command, as somebody would type it. */
+void trial_print_command(const struct program *p, const char *way, FILE *f);
+#endif
