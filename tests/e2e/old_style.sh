@@ -22,3 +22,15 @@ strict() { ! "$BUILD/nxcc" -w -o old "$tests/missing.c"; }
 check "old style: a call that is not there is still named when it is linked" strict
 named() { "$BUILD/nxcc" -w -o old "$tests/missing.c" 2>&1 | grep "missing\.c:6: undefined reference to .gfrobnicate"; }
 check "old style: with its file and line" named
+
+# Declaring calls again is allowed (tests/nx/declared_again.c), as long as the types differ in integers only.
+declares() { printf '#include <nx.h>\n%s\nint main(void) { return 0; }\n' "$1" >again.c && "$BUILD/nxcc" -c -o again.o again.c 2>err; }
+declares_wrongly() { ! declares "$1" && grep -q "again\.c:2:.*conflicting types for" err; }
+check "declared again: int for long" declares 'int mynode(void); int mynode(); extern void msgwait(int);'
+check "declared again: extern long errno, twice" declares 'extern long errno; extern long errno;'
+check "declared again: C library functions" declares $'#include <stdlib.h>\n#include <string.h>\nextern char *malloc(); int atol(); int strlen();'
+check "declared again: another number of arguments is an error" declares_wrongly 'extern long numnodes(long);'
+check "declared again: another kind of result is an error" declares_wrongly 'extern double mynode(void);'
+check "declared again: a pointer to something else is an error" declares_wrongly 'extern void gdsum(float *, long, float *);'
+calls_wrongly() { ! declares 'int mynode(); int f(void) { return mynode(1); }' && grep -q 'too many arguments to function .mynode' err; }
+check "declared again: calls are checked against the header" calls_wrongly

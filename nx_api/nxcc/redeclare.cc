@@ -1,0 +1,135 @@
+/* redeclare.cc - C programs of the time declare again what a header declares: `int mynode();`, `extern void msgwait(int);`,
+ * `extern long errno;`. The compilers of the time had int and long as one size, and often no header.
+ *
+ * GCC refuses a second declaration with another type. So, where a program and a system header declare one function, before
+ * or after each other, and the types are alike but for
+ *
+ *     integer types of any size and sign, also behind pointers       int for long, int * for long *
+ *     void and an integer as the result                              int gsync();
+ *     void * and any pointer to data; const                          char *malloc();
+ *     parameters that one of them does not say                       long csendrecv();
+ *
+ * the header's type holds, and calls are checked against it. Any other difference is the error that it was. A function that
+ * the program defines itself is left alone.
+ *
+ * GCC asks the target for attributes of each declaration just before it compares the declaration with earlier ones: the one
+ * moment at which its type can be changed.
+ */
+#include <set>
+#include <string>
+#include "gcc.h"
+#include "redeclare.h"
+#include "target.h"
+
+/* GCC's for C; not there in the compilers of other languages. */
+extern tree lookup_name(tree) __attribute__((weak));
+extern int comptypes(tree, tree) __attribute__((weak));
+
+namespace
+{
+void (*gcc_insert_attributes)(tree, tree *);
+std::set<std::string> from_header; /* functions that headers have declared */
+tree defined;                      /* the function whose definition has just begun */
+
+bool alike(tree a, tree b);
+
+bool alike_as_results(tree a, tree b)
+{
+    bool plain_a = VOID_TYPE_P(a) || INTEGRAL_TYPE_P(a), plain_b = VOID_TYPE_P(b) || INTEGRAL_TYPE_P(b);
+    return (plain_a && plain_b) || alike(a, b);
+}
+
+bool alike_as_parameters(tree a, tree b)
+{
+    if (!a || !b)
+        return true; /* not said */
+    for (; a && b; a = TREE_CHAIN(a), b = TREE_CHAIN(b))
+        if (!alike(TREE_VALUE(a), TREE_VALUE(b)))
+            return false;
+    return !a && !b;
+}
+
+bool alike_behind_pointers(tree a, tree b)
+{
+    bool function_a = TREE_CODE(a) == FUNCTION_TYPE, function_b = TREE_CODE(b) == FUNCTION_TYPE;
+    if (function_a || function_b)
+        return function_a && function_b && alike(a, b);
+    return VOID_TYPE_P(a) || VOID_TYPE_P(b) || alike(a, b);
+}
+
+bool alike(tree a, tree b)
+{
+    a = TYPE_MAIN_VARIANT(a), b = TYPE_MAIN_VARIANT(b);
+    if (INTEGRAL_TYPE_P(a) && INTEGRAL_TYPE_P(b))
+        return true;
+    if (POINTER_TYPE_P(a) && POINTER_TYPE_P(b))
+        return alike_behind_pointers(TREE_TYPE(a), TREE_TYPE(b));
+    if (TREE_CODE(a) == FUNCTION_TYPE && TREE_CODE(b) == FUNCTION_TYPE)
+        return alike_as_results(TREE_TYPE(a), TREE_TYPE(b)) &&
+               alike_as_parameters(TYPE_ARG_TYPES(a), TYPE_ARG_TYPES(b));
+    return comptypes(a, b) == 1;
+}
+
+/* A header's own declaration; `extern long errno;` is the program's, though the name comes out of a header's macro. */
+bool in_header(tree decl)
+{
+    return in_system_header_at(expansion_point_location(DECL_SOURCE_LOCATION(decl)));
+}
+
+/* Declared by a header, perhaps by the program as well: the place is that of the last declaration. */
+bool by_header(tree decl)
+{
+    return in_header(decl) || from_header.count(IDENTIFIER_POINTER(DECL_NAME(decl)));
+}
+
+/* One of the two is a header's. */
+void reconcile(tree old, tree fresh)
+{
+    bool old_holds = by_header(old) && !in_header(fresh);
+    bool fresh_holds = !by_header(old) && in_header(fresh);
+    if ((!old_holds && !fresh_holds) || !alike(TREE_TYPE(old), TREE_TYPE(fresh)))
+        return;
+    tree program = old_holds ? fresh : old;
+    TREE_TYPE(program) = TREE_TYPE(old_holds ? old : fresh);
+    DECL_ARGUMENTS(program) = NULL_TREE;
+}
+
+void look_at_function(tree decl)
+{
+    tree old = lookup_name(DECL_NAME(decl));
+    if (old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
+        comptypes(TREE_TYPE(old), TREE_TYPE(decl)) != 1)
+        reconcile(old, decl);
+    if (in_header(decl))
+        from_header.insert(IDENTIFIER_POINTER(DECL_NAME(decl)));
+}
+
+void insert_attributes(tree decl, tree *attributes)
+{
+    if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl)) {
+        if (TREE_PUBLIC(decl) && decl != defined)
+            look_at_function(decl);
+        defined = NULL_TREE; /* the next one may be at the same address */
+    }
+    gcc_insert_attributes(decl, attributes);
+}
+
+void begin_definition(void *decl, void *)
+{
+    defined = static_cast<tree>(decl);
+}
+
+void start_unit(void *, void *)
+{
+    if (!lookup_name || !comptypes)
+        return;
+    gcc_insert_attributes = targetm.insert_attributes;
+    targetm.insert_attributes = insert_attributes;
+}
+} // namespace
+
+void redeclare_register(const char *plugin)
+{
+    register_callback(plugin, PLUGIN_START_UNIT, start_unit, NULL);
+    register_callback(plugin, PLUGIN_START_PARSE_FUNCTION, begin_definition, NULL);
+}
