@@ -45,10 +45,11 @@ void nx_about(struct node *n, long what);
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s);
 /* Any call that looks at or changes the message state takes this time. */
 void nx_spend_call(struct node *n);
-/* Moves bytes between a file and parts of memory: how many, or -1 with the error; and the same begun, to be waited for by
- * its id. */
-long nx_move(bool write, int fd, const struct iovec *parts, int count);
-long nx_move_later(bool write, int fd, const struct iovec *parts, int count);
+/* Moves bytes between a file, at its pointer or at a place, and parts of memory: how many, or -1 with the error; and the
+ * same begun, to be waited for by its id. */
+enum { AT_POINTER = -1 };
+long nx_move(bool write, int fd, int64_t at, const struct iovec *parts, int count);
+long nx_move_later(bool write, int fd, int64_t at, const struct iovec *parts, int count);
 /* The node's. */
 struct own_calls *nx_own_calls(struct node *n);
 /* How many message ids a node has. */

@@ -1,5 +1,6 @@
-/* transfer.c - cread, cwrite, iread, iwrite and their forms with several parts: all are one of two movements of parts
- * between memory and a file, which the backend makes. */
+/* transfer.c - cread, cwrite, iread, iwrite, their forms with several parts, and those at a place of their own: all are one
+ * of two movements of parts between memory and a file, which the backend makes. */
+#include <errno.h>
 #include "nx_api/calls/call.h"
 
 /* A buffer as a part. Lengths are the machine's: 32 bits. */
@@ -11,43 +12,76 @@ static struct iovec whole(const void *buf, size_word len)
 long nxs_cread(word fd, void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
-    return nx_move(false, fd, &part, 1);
+    return nx_move(false, fd, AT_POINTER, &part, 1);
 }
 
 long nxs_creadv(word fd, const struct iovec *parts, word count)
 {
-    return nx_move(false, fd, parts, count);
+    return nx_move(false, fd, AT_POINTER, parts, count);
 }
 
 long nxs_cwrite(word fd, const void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
-    return nx_move(true, fd, &part, 1);
+    return nx_move(true, fd, AT_POINTER, &part, 1);
 }
 
 long nxs_cwritev(word fd, const struct iovec *parts, word count)
 {
-    return nx_move(true, fd, parts, count);
+    return nx_move(true, fd, AT_POINTER, parts, count);
 }
 
 long nxs_iread(word fd, void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
-    return nx_move_later(false, fd, &part, 1);
+    return nx_move_later(false, fd, AT_POINTER, &part, 1);
 }
 
 long nxs_ireadv(word fd, const struct iovec *parts, word count)
 {
-    return nx_move_later(false, fd, parts, count);
+    return nx_move_later(false, fd, AT_POINTER, parts, count);
 }
 
 long nxs_iwrite(word fd, const void *buf, size_word len)
 {
     struct iovec part = whole(buf, len);
-    return nx_move_later(true, fd, &part, 1);
+    return nx_move_later(true, fd, AT_POINTER, &part, 1);
 }
 
 long nxs_iwritev(word fd, const struct iovec *parts, word count)
 {
-    return nx_move_later(true, fd, parts, count);
+    return nx_move_later(true, fd, AT_POINTER, parts, count);
+}
+
+/* --- at a place, not at the file's pointer --- */
+
+typedef long movement(bool write, int fd, int64_t at, const struct iovec *parts, int count);
+
+static long move_at(movement *move, bool write, word fd, word slow, word shigh, const void *buf,
+                    size_word len)
+{
+    struct iovec part = whole(buf, len);
+    if (shigh < 0)
+        return node_error(node_self(), EINVAL, "the offset is negative");
+    return move(write, fd, (int64_t)shigh << 32 | (uint32_t)slow, &part, 1);
+}
+
+long nxs_readoff(word fd, word slow, word shigh, void *buf, size_word len)
+{
+    return move_at(nx_move, false, fd, slow, shigh, buf, len);
+}
+
+long nxs_writeoff(word fd, word slow, word shigh, const void *buf, size_word len)
+{
+    return move_at(nx_move, true, fd, slow, shigh, buf, len);
+}
+
+long nxs_ireadoff(word fd, word slow, word shigh, void *buf, size_word len)
+{
+    return move_at(nx_move_later, false, fd, slow, shigh, buf, len);
+}
+
+long nxs_iwriteoff(word fd, word slow, word shigh, const void *buf, size_word len)
+{
+    return move_at(nx_move_later, true, fd, slow, shigh, buf, len);
 }

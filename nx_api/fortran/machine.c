@@ -9,6 +9,7 @@
         return (integer)name();                                                                              \
     }
 VALUE(mynode)
+VALUE(myphysnode)
 VALUE(numnodes)
 VALUE(myhost)
 VALUE(nodedim)
@@ -49,11 +50,12 @@ FACE integer ginv_(in *n)
 
 /* --- the Paragon's submesh --- */
 
-FACE void mypart_(integer *rows, integer *columns)
+FACE integer mypart_(integer *rows, integer *columns)
 {
     long r, c;
-    mypart(&r, &c);
+    integer result = (integer)mypart(&r, &c);
     *rows = (integer)r, *columns = (integer)c;
+    return result;
 }
 
 FACE integer nx_app_rect_(integer *rows, integer *columns)
@@ -77,6 +79,11 @@ FACE integer nx_nfork_(in nodes[], in *count, in *ptype, integer pids[])
 }
 
 VALUE(nx_waitall)
+
+FACE integer nx_pri_(in *process_group, in *priority)
+{
+    return (integer)nx_pri(*process_group, *priority);
+}
 
 /* --- processes --- */
 
@@ -131,6 +138,11 @@ FACE void nxperror_(const char *what, size_t bytes)
     char *text = nx_fortran_text(what, bytes, "nxperror");
     nxperror(text);
     free(text);
+}
+
+FACE void nx_perror_(const char *what, size_t bytes)
+{
+    nxperror_(what, bytes);
 }
 
 /* --- extended arithmetic: an INTEGER(2) holds the low half, then the high --- */

@@ -48,9 +48,34 @@ FACE integer iodone_(in *id)
     return (integer)iodone(*id);
 }
 
-FACE void iowait_(in *id)
+FACE integer iowait_(in *id)
 {
-    iowait(*id);
+    return (integer)iowait(*id);
+}
+
+static esize_t place(in offset[2])
+{
+    return (esize_t){offset[0], offset[1]};
+}
+
+FACE integer readoff_(in *unit, in offset[2], void *buf, in *len)
+{
+    return (integer)readoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
+}
+
+FACE integer writeoff_(in *unit, in offset[2], const void *buf, in *len)
+{
+    return (integer)writeoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
+}
+
+FACE integer ireadoff_(in *unit, in offset[2], void *buf, in *len)
+{
+    return (integer)ireadoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
+}
+
+FACE integer iwriteoff_(in *unit, in offset[2], const void *buf, in *len)
+{
+    return (integer)iwriteoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
 }
 
 FACE integer iseof_(in *unit)
@@ -68,15 +93,15 @@ FACE integer lseek_(in *unit, in *offset, in *whence)
     return (integer)eseek(fd_of(unit), (esize_t){*offset, *offset < 0 ? -1 : 0}, *whence).slow;
 }
 
-FACE void eseek_(in *unit, in offset[2], in *whence, integer place[2])
+FACE void eseek_(in *unit, in offset[2], in *whence, integer now[2])
 {
-    esize_t e = eseek(fd_of(unit), (esize_t){offset[0], offset[1]}, *whence);
-    place[0] = (integer)e.slow, place[1] = (integer)e.shigh;
+    esize_t e = eseek(fd_of(unit), place(offset), *whence);
+    now[0] = (integer)e.slow, now[1] = (integer)e.shigh;
 }
 
 FACE void esize_(in *unit, in offset[2], in *whence, integer size[2])
 {
-    esize_t e = esize(fd_of(unit), (esize_t){offset[0], offset[1]}, *whence);
+    esize_t e = esize(fd_of(unit), place(offset), *whence);
     size[0] = (integer)e.slow, size[1] = (integer)e.shigh;
 }
 

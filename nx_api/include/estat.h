@@ -26,8 +26,10 @@ struct estat {
 
 long estat(const char *path, struct estat *st);
 long festat(int fd, struct estat *st);
+long lestat(const char *path, struct estat *st); /* of a symbolic link itself */
 long _estat(const char *path, struct estat *st); /* -1 and errno for an error */
 long _festat(int fd, struct estat *st);
+long _lestat(const char *path, struct estat *st);
 
 #ifdef __cplusplus
 }

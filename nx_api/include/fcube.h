@@ -6,6 +6,8 @@
       integer masktrap, mclock, msgdone, msgmerge, myhost, mynode
       integer mypid, myptype, nodedim, numnodes
       integer nx_app_rect, nx_initve, nx_nfork, nx_waitall
+      integer ireadoff, iwriteoff, myphysnode, nx_pri
+      integer readoff, writeoff
       double precision dclock
       external csendrecv, ecmp, ediv, emod, ginv, gray, infocount
       external infonode, infopid, infoptype, infotype, iodone
@@ -14,10 +16,13 @@
       external masktrap, mclock, msgdone, msgmerge, myhost, mynode
       external mypid, myptype, nodedim, numnodes
       external nx_app_rect, nx_initve, nx_nfork, nx_waitall
+      external ireadoff, iwriteoff, myphysnode, nx_pri
+      external readoff, writeoff
       external dclock
 ! I/O modes, and where LSEEK, ESEEK, LSIZE and ESIZE count from
-      integer m_unix, m_log, m_sync, m_record
+      integer m_unix, m_log, m_sync, m_record, m_global, m_async
       parameter (m_unix=0, m_log=1, m_sync=2, m_record=3)
+      parameter (m_global=4, m_async=5)
       integer seek_set, seek_cur, seek_end
       parameter (seek_set=0, seek_cur=1, seek_end=2)
       integer size_set, size_cur, size_end

@@ -3,7 +3,8 @@
  *
  * The host program is run by touchstone run --host HOST [NODE]. Messages, clocks and files are as on a node (nx.h), with
  * these differences: mynode() is myhost(), which is numnodes(); a csend to -1 goes to all nodes, a node's to -1 not to the
- * host; the global operations are the nodes' only; standard input is the host's.
+ * host; the global operations are the nodes' only; standard input is the host program's and node 0's: each line goes to the
+ * one that reads first.
  *
  * Nobody has found a manual of these calls. Names and arguments are as old programs give them; what each leaves open is
  * said here as "silent". Each exists with an underscore before its name too, which returns -1 and sets errno.
@@ -35,8 +36,9 @@ void load(const char *path, long node, long pid);
 void waitcube(void);
 
 /* The cubes that there are: fills at most `slots` entries, returns how many there are (silent, all of it). */
+#define NAMELEN 32 /* bytes of a cube's name with the terminating 0 (silent) */
 struct cubeinfo {
-    char cubename[32], cubetype[16];
+    char cubename[NAMELEN], cubetype[16];
     long nodes;
 };
 long cubeinfo(struct cubeinfo *table, long slots, long global);

@@ -107,7 +107,8 @@ long mynode(void);                      /* 0 .. numnodes()-1 */
 long numnodes(void);                    /* nodes of this cube or submesh */
 long myhost(void);                      /* the node number by which the host is addressed: numnodes() */
 long nodedim(void);                     /* dimension of the cube: the least d with 2^d >= numnodes() */
-void mypart(long *rows, long *columns); /* shape of the submesh; 1 x numnodes() on a hypercube (silent) */
+long myphysnode(void);                  /* the node's number in the machine (here: mynode()) */
+long mypart(long *rows, long *columns); /* shape of the submesh; 1 x numnodes() on a hypercube (silent); 0 */
 unsigned long mclock(void);             /* milliseconds of the node's clock */
 double dclock(void);                    /* seconds of the node's clock */
 void hwclock(esize_t *ticks); /* ticks of the node's clock: 10 MHz, Paragon 50 (machine file: hwclock_mhz) */
@@ -148,10 +149,36 @@ typedef long *nx_nodes_t;
 long nx_app_nodes(long process_group, nx_nodes_t *nodes, unsigned long *count);
 long nx_app_rect(long *rows, long *columns); /* as mypart; 0 */
 
+/* Partitions: a program's nodes are the whole machine here, and the partition that it runs in, whatever that is called
+ * (silent); its mode is 0777, it belongs to user and group 0. Lists are to be freed by the caller. 0, or -1 and errno. */
+typedef struct nx_part_info {
+    unsigned uid, gid;
+    int access;                         /* its mode, as of a file */
+    int sched;                          /* how it is scheduled: NX_STD, NX_GANG, NX_SPS */
+    unsigned long rq;                   /* roll-in quantum, milliseconds: 0 */
+    int epl;                            /* highest priority: NX_MOST_PRIORITY */
+    int nodes;                          /* how many */
+    int mesh_x, mesh_y;                 /* columns and rows, if it is a rectangle */
+    int enclose_mesh_x, enclose_mesh_y; /* of the least rectangle around it */
+} nx_part_info_t;
+#define NX_STD 0
+#define NX_GANG 1
+#define NX_SPS 2
+#define NX_MOST_PRIORITY 10
+long nx_part_attr(const char *partition, nx_part_info_t *attributes);
+long nx_part_nodes(const char *partition, nx_nodes_t *nodes, unsigned long *count);
+long nx_root_nodes(nx_nodes_t *nodes, unsigned long *count);  /* of the machine */
+long nx_empty_nodes(nx_nodes_t *nodes, unsigned long *count); /* slots without a node: none */
+/* A priority from 0 to 10, else EINVAL. It does nothing: a node runs one program. */
+long nx_pri(long process_group, long priority);
+/* Keeps pages of memory from being paged out. It does nothing: no page is (silent). 0. */
+long mcmsg_wire(void *memory, long bytes);
+
 /* Text for errno, after "(node N, ptype P) what: ", on the standard error output. */
 void nxperror(const char *what);
+void nx_perror(const char *what);
 
-/* --- files: those under /cfs are the Concurrent File System's, spread over the disks of its I/O nodes ---
+/* --- files: those under /cfs, or /pfs, are the Concurrent or Parallel File System's, spread over its I/O nodes' disks ---
  *
  * open, close, read, write, lseek, unlink, stat and stdio work on them too; these calls add asynchronous and shared
  * access. I/O modes: 0 each node its own file pointer; 1 one pointer, first come first served; 2 one pointer, nodes in
@@ -165,8 +192,9 @@ struct iovec; /* sys/uio.h */
 #define M_LOG 1
 #define M_SYNC 2
 #define M_RECORD 3
-/* The Paragon's: M_GLOBAL, in which all nodes give the same calls and one read serves all, and M_ASYNC, which is 0 without
- * its promises. Both are taken as 0, and iomode says so: each node reads, or writes the same, at its own pointer (silent). */
+/* The Paragon's: M_GLOBAL, in which all nodes make the same calls, and one read or write serves all: the first node's, from
+ * which the others get the data; a call that differs from the others' is an error. And M_ASYNC, which is 0 without the promise
+ * that calls of several nodes do not mix, which nobody makes here (silent). Of other files both are 0. */
 #define M_GLOBAL 4
 #define M_ASYNC 5
 
@@ -187,7 +215,13 @@ long iwrite(int fd, const void *buf, unsigned long len);
 long ireadv(int fd, const struct iovec *parts, int count);
 long iwritev(int fd, const struct iovec *parts, int count);
 long iodone(long id); /* 1 if complete (the id is given back), else 0 */
-void iowait(long id); /* wait until it is complete; gives the id back */
+long iowait(long id); /* wait until it is complete; gives the id back. Returns the bytes moved. */
+
+/* The Paragon's, which read or write at an offset and leave the pointer alone, in any I/O mode. EINVAL: below 0. */
+long readoff(int fd, esize_t offset, void *buf, unsigned long len);
+long writeoff(int fd, esize_t offset, const void *buf, unsigned long len);
+long ireadoff(int fd, esize_t offset, void *buf, unsigned long len);
+long iwriteoff(int fd, esize_t offset, const void *buf, unsigned long len);
 
 #define SIZE_SET 0
 #define SIZE_CUR 1
@@ -250,6 +284,7 @@ void gcol(const void *x, long len, void *y, long room, long *total);
 }
 #endif
 #include "nx_underscore.h"
+#include "pfs/pfs.h"
 #ifdef __NX_HOST__
 #include "host.h"
 #endif

@@ -1,6 +1,5 @@
 /* absent.c - parts of GNU Fortran's library that a node does not have: threads for asynchronous I/O (async.c), 128-bit
  * reals (libquadmath), and the host processor's instructions beyond plain x86-64; and how the library is ended. */
-#include <errno.h>
 #include <stdlib.h>
 #include "libgfortran.h"
 
@@ -34,15 +33,6 @@ __attribute__((visibility("hidden"))) int dup(int fd);
 int dup(int fd)
 {
     return fd;
-}
-
-/* OPEN's SHARE= would lock. */
-__attribute__((visibility("hidden"))) int fcntl(int fd, int what, ...);
-int fcntl(int fd, int what, ...)
-{
-    (void)fd, (void)what;
-    errno = ENOSYS;
-    return -1;
 }
 
 /* --- REAL(16): its output and input --- */

@@ -17,13 +17,16 @@ enum { IO_IDS = 128 };
 static struct open_file *table;
 static int table_size;
 static int32_t pointers; /* numbers given to shared pointers so far */
-static bool io_ids[IO_IDS];
+static struct {
+    bool used;
+    long moved;
+} io_ids[IO_IDS];
 
 /* --- open files --- */
 
 struct open_file *files_find(int fd)
 {
-    if (fd < 0 || fcntl(fd, F_GETFD) < 0)
+    if (fd < 0 || syscall(SYS_fcntl, fd, F_GETFD) < 0)
         return NULL;
     if (fd >= table_size) {
         struct open_file *more = realloc(table, ((size_t)fd + 1) * sizeof *table);
@@ -54,6 +57,12 @@ void files_opened(int fd, const char *path)
 static const char *name_of(const struct open_file *f)
 {
     return f->path ? f->path : "the file";
+}
+
+/* Do calls in its mode depend on the other nodes'? */
+static bool shares(const struct open_file *f)
+{
+    return f->mode != M_UNIX && f->mode != M_ASYNC;
 }
 
 static bool is_cfs(const struct open_file *f)
@@ -133,8 +142,27 @@ static int64_t length(const struct iovec *parts, int count)
     return sum;
 }
 
+/* M_GLOBAL: all nodes make the same call. Each reads for itself; node 0 writes, and the others know when it has. */
+static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    struct open_file *f = files_find(fd);
+    int32_t pointer = f->pointer;
+    int64_t place = lseek(fd, 0, SEEK_CUR), bytes = length(parts, count);
+    shared_check(n, pointer, f->round, bytes);
+    table[fd].round++;
+    if (write_it)
+        shared_borrow(n, M_SYNC, pointer, 0);
+    ssize_t moved = write_it && n->id != 0 ? bytes : move_parts(write_it, fd, parts, count, place);
+    int why = errno;
+    if (write_it)
+        shared_give_back(n, M_SYNC, pointer, 0);
+    lseek(fd, place + (moved > 0 ? moved : 0), SEEK_SET);
+    errno = why;
+    return moved;
+}
+
 /* At the shared pointer; the file's own follows it, for those who ask for the end of the file. */
-static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+static ssize_t move_at_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
 {
     struct open_file f = *files_find(fd);
     int64_t bytes = length(parts, count), place, behind;
@@ -158,35 +186,41 @@ static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct i
     return moved;
 }
 
-long nx_move(bool write_it, int fd, const struct iovec *parts, int count)
+static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    return files_find(fd)->mode == M_GLOBAL ? move_alike(n, write_it, fd, parts, count)
+                                            : move_at_shared(n, write_it, fd, parts, count);
+}
+
+long nx_move(bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
 {
     struct open_file *f = file_of(fd);
     if (!f || check_parts(parts, count) < 0)
         return -1;
-    ssize_t moved = f->mode == M_UNIX ? move_parts(write_it, fd, parts, count, -1)
-                                      : move_shared(node_self(), write_it, fd, parts, count);
+    ssize_t moved = at != AT_POINTER || !shares(f) ? move_parts(write_it, fd, parts, count, at)
+                                                   : move_shared(node_self(), write_it, fd, parts, count);
     return moved < 0 ? fail(name_of(files_find(fd))) : moved;
 }
 
-long nx_move_later(bool write_it, int fd, const struct iovec *parts, int count)
+long nx_move_later(bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
 {
     long id = 0;
-    while (id < IO_IDS && io_ids[id])
+    while (id < IO_IDS && io_ids[id].used)
         id++;
     if (id == IO_IDS)
         return node_error(node_self(), EQNOMID, "out of ids (%d): iowait or iodone give them back", IO_IDS);
-    if (nx_move(write_it, fd, parts, count) < 0)
+    if ((io_ids[id].moved = nx_move(write_it, fd, at, parts, count)) < 0)
         return -1;
-    io_ids[id] = true;
+    io_ids[id].used = true;
     return id;
 }
 
 long nxs_iowait(word id)
 {
-    if (id < 0 || id >= IO_IDS || !io_ids[id])
+    if (id < 0 || id >= IO_IDS || !io_ids[id].used)
         return node_error(node_self(), EQMID, "%d is no id in use", id);
-    io_ids[id] = false;
-    return 0;
+    io_ids[id].used = false;
+    return io_ids[id].moved;
 }
 
 long nxs_iodone(word id)
@@ -202,7 +236,7 @@ int node_close(int fd) NX_EXPORT("close");
 
 static bool is_shared(int fd)
 {
-    return fd >= 0 && fd < table_size && table[fd].mode != M_UNIX;
+    return fd >= 0 && fd < table_size && shares(&table[fd]);
 }
 
 ssize_t node_read(int fd, void *buf, size_t len)
@@ -232,21 +266,22 @@ static long set_mode(int fd, long mode)
     struct open_file *f = file_of(fd);
     if (!f)
         return -1;
-    if (mode == M_GLOBAL || mode == M_ASYNC) /* nx.h says why */
-        mode = M_UNIX;
-    if (mode < M_UNIX || mode > M_RECORD)
+    if (mode < M_UNIX || mode > M_ASYNC)
         return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 5)", name_of(f), mode);
-    if (!is_cfs(f) && mode != M_UNIX)
-        return node_error(n, EINVAL, "%s: only files under /cfs have I/O modes other than 0", name_of(f));
+    if (!is_cfs(f) && mode >= M_LOG && mode <= M_RECORD)
+        return node_error(n, EINVAL, "%s: only files under /cfs or /pfs share a pointer (I/O mode %ld)",
+                          name_of(f), mode);
+    if (!is_cfs(f))
+        mode = M_UNIX;
     if (f->mode == mode)
         return 0;
     f->mode = (int)mode;
-    if (mode == M_UNIX)
+    if (!shares(f))
         return 0;
     f->pointer = pointers++;
     f->next = lseek(fd, 0, SEEK_CUR);
     f->round = 0;
-    if (mode == M_SYNC && n->id == 0) /* the pointer begins its way here */
+    if ((mode == M_SYNC || mode == M_GLOBAL) && n->id == 0) /* the pointer begins its way here */
         shared_start(n, f->pointer, f->next);
     return 0;
 }
@@ -350,7 +385,7 @@ int64_t files_resize(int fd, int64_t offset, int whence)
     if (!f)
         return -1;
     if (!is_cfs(f))
-        return node_error(node_self(), EINVAL, "%s: only files under /cfs can be sized", name_of(f));
+        return node_error(node_self(), EINVAL, "%s: only files under /cfs or /pfs can be sized", name_of(f));
     int64_t size = grow(fd, offset, whence);
     return size < 0 ? fail(name_of(f)) : size;
 }
@@ -432,14 +467,14 @@ static void to_estat(const struct node *n, struct estat *e, const struct stat *s
     memcpy((char *)e + before + 2 * (size_t)node_long_bytes, (char *)&all + after, sizeof all - after);
 }
 
-static long stat_path(const char *call, const char *path, struct estat *e, nx_face *face)
+static long stat_path(const char *call, int how, const char *path, struct estat *e, nx_face *face)
 {
     struct node *n = node_self();
     struct stat st;
     char space[PATH_MAX];
     node_enter(n, call);
     const char *here = path_here(path, space);
-    if (!here || fstatat(AT_FDCWD, here, &st, 0))
+    if (!here || fstatat(AT_FDCWD, here, &st, how))
         return face(n, fail(path));
     to_estat(node_self(), e, &st);
     return face(n, 0);
@@ -450,12 +485,25 @@ long node__estat(const char *path, struct estat *e) NX_EXPORT("_estat");
 
 long node_estat(const char *path, struct estat *e)
 {
-    return stat_path("estat", path, e, nx_plain);
+    return stat_path("estat", 0, path, e, nx_plain);
 }
 
 long node__estat(const char *path, struct estat *e)
 {
-    return stat_path("_estat", path, e, nx_returning);
+    return stat_path("_estat", 0, path, e, nx_returning);
+}
+
+long node_lestat(const char *path, struct estat *e) NX_EXPORT("lestat");
+long node__lestat(const char *path, struct estat *e) NX_EXPORT("_lestat");
+
+long node_lestat(const char *path, struct estat *e)
+{
+    return stat_path("lestat", AT_SYMLINK_NOFOLLOW, path, e, nx_plain);
+}
+
+long node__lestat(const char *path, struct estat *e)
+{
+    return stat_path("_lestat", AT_SYMLINK_NOFOLLOW, path, e, nx_returning);
 }
 
 long nxs_festat(word fd, struct estat *e)

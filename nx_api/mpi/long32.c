@@ -43,3 +43,20 @@ SIZE_CALL(eseek, files_seek, nx_plain)
 SIZE_CALL(_eseek, files_seek, nx_returning)
 SIZE_CALL(esize, files_resize, nx_plain)
 SIZE_CALL(_esize, files_resize, nx_returning)
+
+#define OFFSET_CALL(name, served, buffer, face)                                                              \
+    __attribute__((visibility("default"))) long node_long32_##name(word fd, int64_t offset, buffer buf,      \
+                                                                   size_word len) __asm__(#name);            \
+    long node_long32_##name(word fd, int64_t offset, buffer buf, size_word len)                              \
+    {                                                                                                        \
+        struct node *n = node_self();                                                                        \
+        node_enter(n, #name);                                                                                \
+        return face(n, served(fd, (word)offset, (word)(offset >> 32), buf, len));                            \
+    }
+#define OFFSET_CALLS(name, buffer)                                                                           \
+    OFFSET_CALL(name, nxs_##name, buffer, nx_plain) OFFSET_CALL(_##name, nxs_##name, buffer, nx_returning)
+
+OFFSET_CALLS(readoff, void *)
+OFFSET_CALLS(writeoff, const void *)
+OFFSET_CALLS(ireadoff, void *)
+OFFSET_CALLS(iwriteoff, const void *)

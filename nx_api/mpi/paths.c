@@ -13,7 +13,7 @@
 
 bool path_is_cfs(const char *path)
 {
-    return path && !strncmp(path, "/cfs", 4) && (path[4] == '/' || !path[4]);
+    return path && (!strncmp(path, "/cfs", 4) || !strncmp(path, "/pfs", 4)) && (path[4] == '/' || !path[4]);
 }
 
 static bool goes_up(const char *path)

@@ -1,4 +1,4 @@
-/* paths.h - where the files under /cfs are: in the folder that TOUCHSTONE_CFS names, or else in ./cfs. All nodes are to see
+/* paths.h - where the files under /cfs, or /pfs, which is the same, are: in the folder that TOUCHSTONE_CFS names, or else in ./cfs. All nodes are to see
  * the same folder: on several machines, one on a shared file system. */
 #ifndef MPI_PATHS_H
 #define MPI_PATHS_H

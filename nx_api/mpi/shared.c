@@ -101,8 +101,8 @@ static void check_round(struct node *n, int source, int32_t number, struct note 
         k->first = source;
     }
     if (k->note.bytes != note.bytes)
-        node_fail(n, "I/O mode 3: node %d gives %lld bytes in a round for which node %ld gave %lld", source,
-                  (long long)note.bytes, k->first, (long long)k->note.bytes);
+        node_fail(n, "I/O modes 3 and 4: node %d gives %lld bytes in a round for which node %ld gave %lld",
+                  source, (long long)note.bytes, k->first, (long long)k->note.bytes);
     if (++k->told == n->sys->count)
         forget(k);
     tell(n, source, CHECKED, number, note);

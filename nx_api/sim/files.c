@@ -43,8 +43,7 @@ static long check_parts(struct node *n, const struct iovec *parts, long count)
     return 0;
 }
 
-/* A file of this computer: moved at once. */
-static ssize_t move_host(struct node_file *f, bool write, const struct iovec *parts, int count)
+static ssize_t move_host_parts(struct node_file *f, bool write, const struct iovec *parts, int count)
 {
     ssize_t moved = 0;
     for (int i = 0; i < count; i++) {
@@ -59,24 +58,36 @@ static ssize_t move_host(struct node_file *f, bool write, const struct iovec *pa
     return moved;
 }
 
+/* A file of this computer: moved at once. */
+static ssize_t move_host(struct node_file *f, bool write, int64_t at, const struct iovec *parts, int count)
+{
+    int64_t before = at == AT_POINTER ? 0 : f->class->seek(f, 0, SEEK_CUR);
+    if (before < 0 || (at != AT_POINTER && f->class->seek(f, at, SEEK_SET) < 0))
+        return -1;
+    ssize_t moved = move_host_parts(f, write, parts, count);
+    if (at != AT_POINTER)
+        f->class->seek(f, before, SEEK_SET);
+    return moved;
+}
+
 /* Starts it. *op is NULL when it is done already, with *moved bytes. */
-static long start(bool write, int fd, struct node_file *f, const struct iovec *parts, int count,
+static long start(bool write, int fd, struct node_file *f, int64_t at, const struct iovec *parts, int count,
                   struct cfs_op **op, ssize_t *moved)
 {
     struct cfs_file *file = cfs_file_of(f);
     if (check_parts(f->node, parts, count) < 0)
         return -1;
-    *op = file ? cfs_start(file, write, parts, count) : NULL;
-    *moved = file ? 0 : move_host(f, write, parts, count);
+    *op = file ? cfs_start(file, write, at, parts, count) : NULL;
+    *moved = file ? 0 : move_host(f, write, at, parts, count);
     return (file && !*op) || *moved < 0 ? fail_on(f->node, fd) : 0;
 }
 
-long nx_move(bool write, int fd, const struct iovec *parts, int count)
+long nx_move(bool write, int fd, int64_t at, const struct iovec *parts, int count)
 {
     struct node_file *f = file_of(fd);
     struct cfs_op *op;
     ssize_t moved;
-    if (!f || start(write, fd, f, parts, count, &op, &moved) < 0)
+    if (!f || start(write, fd, f, at, parts, count, &op, &moved) < 0)
         return -1;
     if (!op)
         return moved;
@@ -84,11 +95,10 @@ long nx_move(bool write, int fd, const struct iovec *parts, int count)
     return cfs_end(op);
 }
 
-long nx_move_later(bool write, int fd, const struct iovec *parts, int count)
+long nx_move_later(bool write, int fd, int64_t at, const struct iovec *parts, int count)
 {
     struct node_file *f = file_of(fd);
     long id = 0;
-    ssize_t moved;
     if (!f)
         return -1;
     struct io_id *ids = descriptors_open(f->node)->io;
@@ -97,7 +107,7 @@ long nx_move_later(bool write, int fd, const struct iovec *parts, int count)
     if (id == NODE_IO_IDS)
         return node_error(f->node, EQNOMID, "out of ids (%d): iowait or iodone give them back", NODE_IO_IDS);
     ids[id].used = true;
-    if (start(write, fd, f, parts, count, &ids[id].op, &moved) < 0) {
+    if (start(write, fd, f, at, parts, count, &ids[id].op, &ids[id].moved) < 0) {
         ids[id] = (struct io_id){0};
         return -1;
     }
@@ -120,11 +130,12 @@ static struct io_id *find_id(struct node *n, long id)
     return &ids[id];
 }
 
-static void give_back(struct io_id *id)
+/* The bytes moved. */
+static long give_back(struct io_id *id)
 {
-    if (id->op)
-        cfs_end(id->op);
+    ssize_t moved = id->op ? cfs_end(id->op) : id->moved;
     *id = (struct io_id){0};
+    return moved;
 }
 
 long nxs_iodone(word id)
@@ -148,8 +159,7 @@ long nxs_iowait(word id)
         return -1;
     if (i->op)
         cfs_wait(n, i->op);
-    give_back(i);
-    return 0;
+    return give_back(i);
 }
 
 /* --- opening and modes --- */
@@ -157,13 +167,11 @@ long nxs_iowait(word id)
 static long set_mode(struct node *n, int fd, struct node_file *f, long mode)
 {
     struct cfs_file *file = cfs_file_of(f);
-    if (mode == M_GLOBAL || mode == M_ASYNC) /* nx.h says why */
-        mode = M_UNIX;
-    if (mode < M_UNIX || mode > M_RECORD)
+    if (mode < M_UNIX || mode > M_ASYNC)
         return node_error(n, EINVAL, "%s: there is no I/O mode %ld (0 to 5)", descriptor_path(n, fd), mode);
-    if (!file && mode != M_UNIX)
-        return node_error(n, EINVAL, "%s: only files under /cfs have I/O modes other than 0",
-                          descriptor_path(n, fd));
+    if (!file && mode >= M_LOG && mode <= M_RECORD)
+        return node_error(n, EINVAL, "%s: only files under /cfs or /pfs share a pointer (I/O mode %ld)",
+                          descriptor_path(n, fd), mode);
     if (file && cfs_mode(file) != mode)
         cfs_set_mode(file, (int)mode);
     return 0;
@@ -287,7 +295,8 @@ static int64_t resize(struct node *n, int fd, int64_t offset, int whence)
         return -1;
     struct cfs_file *file = cfs_file_of(f);
     if (!file)
-        return node_error(n, EINVAL, "%s: only files under /cfs can be sized", descriptor_path(n, fd));
+        return node_error(n, EINVAL, "%s: only files under /cfs or /pfs can be sized",
+                          descriptor_path(n, fd));
     int64_t from = start_of(f, whence);
     if (from >= 0 && from + offset < 0)
         errno = EINVAL, from = -1;
@@ -301,6 +310,22 @@ long nxs_lsize(word fd, word offset, word whence)
 }
 
 SIZE_CALLS(esize, resize)
+
+/* Where long has 32 bits. */
+#define OFFSET_CALL(name, served, buffer, face)                                                              \
+    long node_long32_##name(word fd, int64_t offset, buffer buf, size_word len)                              \
+    {                                                                                                        \
+        struct node *n = node_self();                                                                        \
+        node_enter(n, #name);                                                                                \
+        return face(n, served(fd, (word)offset, (word)(offset >> 32), buf, len));                            \
+    }
+#define OFFSET_CALLS(name, buffer)                                                                           \
+    OFFSET_CALL(name, nxs_##name, buffer, nx_plain) OFFSET_CALL(_##name, nxs_##name, buffer, nx_returning)
+
+OFFSET_CALLS(readoff, void *)
+OFFSET_CALLS(writeoff, const void *)
+OFFSET_CALLS(ireadoff, void *)
+OFFSET_CALLS(iwriteoff, const void *)
 
 long nxs_iseof(word fd)
 {
@@ -357,11 +382,12 @@ static void to_estat(const struct node *n, struct estat *e, const struct stat *s
 }
 
 /* As by stat(), which enters and leaves by itself. */
-static long stat_path(const char *call, const char *path, struct estat *e, nx_face *face)
+static long stat_path(const char *call, int (*get)(struct node *, const char *, struct stat *),
+                      const char *path, struct estat *e, nx_face *face)
 {
     struct node *n = node_self();
     struct stat st;
-    int r = file_stat(n, path, &st), why = errno;
+    int r = get(n, path, &st), why = errno;
     if (r) {
         node_enter(n, call);
         errno = why;
@@ -373,12 +399,22 @@ static long stat_path(const char *call, const char *path, struct estat *e, nx_fa
 
 long node_estat(const char *path, struct estat *e)
 {
-    return stat_path("estat", path, e, nx_plain);
+    return stat_path("estat", file_stat, path, e, nx_plain);
 }
 
 long node__estat(const char *path, struct estat *e)
 {
-    return stat_path("_estat", path, e, nx_returning);
+    return stat_path("_estat", file_stat, path, e, nx_returning);
+}
+
+long node_lestat(const char *path, struct estat *e)
+{
+    return stat_path("lestat", file_lstat, path, e, nx_plain);
+}
+
+long node__lestat(const char *path, struct estat *e)
+{
+    return stat_path("_lestat", file_lstat, path, e, nx_returning);
 }
 
 long nxs_festat(word fd, struct estat *e)

@@ -45,6 +45,7 @@ void cfs_free(struct cfs *c)
         return;
     cfs_free_ops(c);
     cfs_free_questions(c);
+    unison_free(c);
     for (uint32_t i = 0; i < c->cfg->io_nodes; i++)
         ionode_free(c->io[i]);
     free(c->io);
@@ -95,7 +96,7 @@ const char *cfs_name(const struct cfs_file *f)
 /* A read or write from beginning to end. */
 static ssize_t move(struct node_file *base, bool write, const struct iovec *part)
 {
-    struct cfs_op *op = cfs_start((struct cfs_file *)base, write, part, 1);
+    struct cfs_op *op = cfs_start((struct cfs_file *)base, write, -1, part, 1);
     if (!op)
         return -1;
     cfs_wait(base->node, op);

@@ -38,8 +38,9 @@ const char *cfs_name(const struct cfs_file *f);
 
 /* --- reading and writing: client.c --- */
 
-/* Starts a read or write at the file's pointer, which goes on. Data to be written are taken now. NULL: EBADF. */
-struct cfs_op *cfs_start(struct cfs_file *f, bool write, const struct iovec *parts, int count);
+/* Starts a read or write at the file's pointer (at: -1), which goes on, or at a place, which leaves pointers alone. Data to
+ * be written are taken now. NULL: EBADF. */
+struct cfs_op *cfs_start(struct cfs_file *f, bool write, int64_t at, const struct iovec *parts, int count);
 bool cfs_done(struct node *n, const struct cfs_op *op);
 void cfs_wait(struct node *n, struct cfs_op *op);
 /* Of an op that is done: puts data read in place; how many bytes were moved. Frees it. */
@@ -49,10 +50,12 @@ ssize_t cfs_end(struct cfs_op *op);
 
 int64_t cfs_seek(struct cfs_file *f, int64_t offset, int whence);
 int cfs_mode(const struct cfs_file *f);
-int cfs_set_mode(struct cfs_file *f, int mode); /* MODE_OWN to MODE_RECORDS */
+int cfs_set_mode(struct cfs_file *f, int mode); /* MODE_OWN to MODE_ASYNC */
 bool cfs_at_end(const struct cfs_file *f);
 /* The size, after making it at least `size`. */
 int64_t cfs_grow(struct cfs_file *f, uint64_t size);
+/* The disks that a file is striped over: how many, and the first. */
+void cfs_disks(const struct cfs_file *f, int *count, int *first);
 /* Stripes an empty file over these disks. */
 int cfs_restrict(struct cfs_file *f, const uint32_t *disks, uint32_t count);
 

@@ -32,6 +32,7 @@ struct cfs_op {
     struct node *node;
     struct store_file *store;
     bool write, shared;
+    struct round *round; /* mode 4, and this call serves all */
     uint64_t at, bytes;
     char *data;
     struct iovec *parts; /* of the program's memory */
@@ -62,8 +63,8 @@ static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec 
     struct cfs_op *op = calloc(1, sizeof *op);
     if (!op)
         abort();
-    *op = (struct cfs_op){
-        .cfs = c, .node = f->base.node, .store = f->store, .write = write, .shared = f->mode != MODE_OWN};
+    *op = (struct cfs_op){.cfs = c, .node = f->base.node, .store = f->store, .write = write};
+    op->shared = f->mode != MODE_OWN && f->mode != MODE_ASYNC;
     op->part_count = count;
     op->parts = malloc((size_t)count * sizeof *parts + 1);
     for (int i = 0; i < count; i++)
@@ -94,11 +95,21 @@ static void finish(struct cfs_op *op, vtime at)
 {
     op->done = true;
     op->complete = at;
+    if (op->round)
+        unison_spread(op->round, op->node->id, op->bytes, op->data, at);
     store_release(op->store);
     if (op->node->state == NODE_ENDED)
         op_free(op);
     else
         node_wake(op->node, at);
+}
+
+void cfs_told(struct cfs_op *op, uint64_t bytes, const char *data, vtime at)
+{
+    op->bytes = bytes;
+    if (!op->write)
+        memcpy(op->data, data, bytes);
+    finish(op, at);
 }
 
 bool cfs_done(struct node *n, const struct cfs_op *op)
@@ -364,7 +375,53 @@ static void place_own(struct cfs_file *f, struct cfs_op *op)
     f->at += op->bytes;
 }
 
-struct cfs_op *cfs_start(struct cfs_file *f, bool write, const struct iovec *parts, int count)
+/* Mode 4: the first node's call is as in mode 0, the others' wait for it. */
+static void start_unison(struct cfs_file *f, struct cfs_op *op)
+{
+    struct node *n = op->node;
+    const struct round_call call = {op->write, f->at, op->bytes};
+    struct round_call other;
+    bool first;
+    struct round *r = unison_join(f, &call, &first, &other);
+    if (!r)
+        node_fail(
+            n,
+            "%s: in I/O mode 4 all nodes give the same calls: a %s of %lu bytes at %lu here, a %s of %lu at %lu elsewhere (%s)",
+            n->call, call.write ? "write" : "read", call.asked, call.at, other.write ? "write" : "read",
+            other.asked, other.at, cfs_name(f));
+    if (first) {
+        op->round = r;
+        place_own(f, op);
+        *unison_pointer(r) = f->at;
+        go(op);
+    } else {
+        f->at = *unison_pointer(r);
+        unison_await(r, n->id, op, node_now(n));
+    }
+}
+
+/* Modes in which a call depends on the other nodes'. False: it is another. */
+static bool start_shared(struct cfs_file *f, struct cfs_op *op)
+{
+    if (f->mode == MODE_FIRST_COME || f->mode == MODE_ORDERED)
+        ask_place(op, f->mode);
+    else if (f->mode == MODE_UNISON)
+        start_unison(f, op);
+    else
+        return false;
+    return true;
+}
+
+/* No pointer has to do with it. */
+static void place_at(struct cfs_op *op, uint64_t at)
+{
+    if (!op->write)
+        op->bytes = cfs_readable(op->store, at, op->bytes);
+    op->shared = false;
+    op->at = at;
+}
+
+struct cfs_op *cfs_start(struct cfs_file *f, bool write, int64_t at, const struct iovec *parts, int count)
 {
     struct node *n = f->base.node;
     int access = f->flags & O_ACCMODE;
@@ -375,11 +432,11 @@ struct cfs_op *cfs_start(struct cfs_file *f, bool write, const struct iovec *par
         return NULL;
     }
     struct cfs_op *op = op_new(f, write, parts, count);
-    if (f->mode == MODE_FIRST_COME || f->mode == MODE_ORDERED) {
-        ask_place(op, f->mode);
+    if (at < 0 && start_shared(f, op))
         return op;
-    }
-    if (f->mode == MODE_RECORDS)
+    if (at >= 0)
+        place_at(op, (uint64_t)at);
+    else if (f->mode == MODE_RECORDS)
         place_record(f, op);
     else
         place_own(f, op);

@@ -12,6 +12,7 @@ void modes_join(struct modes *m, int mode, uint64_t at)
     struct modes_group *g = &m->group[mode];
     if (g->members++ > 0)
         return;
+    g->generation++;
     g->at = at;
     g->turn = 0;
     g->round_count = 0;

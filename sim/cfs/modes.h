@@ -4,6 +4,8 @@
  *   1  one pointer for all; whoever asks first is served first
  *   2  one pointer for all; nodes are served in order 0, 1, ... n-1, 0, ...; lengths as they like
  *   3  as 2, but in a round all nodes give the same length: each knows its place without asking
+ *   4  each node its own, which all move alike: one call serves all (unison.h)
+ *   5  as 0
  *
  * One group of nodes shares a pointer in each mode of a file: it starts where its first member's own pointer was, and
  * ends when its last member leaves. Pure arithmetic; who is told when is directory.c's and client.c's business.
@@ -14,7 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MODE_OWN, MODE_FIRST_COME, MODE_ORDERED, MODE_RECORDS, MODES };
+enum { MODE_OWN, MODE_FIRST_COME, MODE_ORDERED, MODE_RECORDS, MODE_UNISON, MODE_ASYNC, MODES };
 
 /* Mode 3: a round of calls, one of each node. */
 struct modes_round {
@@ -24,8 +26,9 @@ struct modes_round {
 
 struct modes_group {
     uint32_t members;
-    uint64_t at;   /* modes 1, 2: the pointer */
-    uint32_t turn; /* mode 2: the node whose turn it is */
+    uint32_t generation; /* groups of this mode that there have been */
+    uint64_t at;         /* modes 1, 2: the pointer */
+    uint32_t turn;       /* mode 2: the node whose turn it is */
     struct modes_round *rounds;
     size_t round_count;
 };

@@ -249,6 +249,12 @@ static int do_restrict(struct question *q)
     return 0;
 }
 
+void cfs_disks(const struct cfs_file *f, int *count, int *first)
+{
+    *count = (int)f->store->volume_count;
+    *first = f->store->volumes ? (int)f->store->volumes[0] : 0;
+}
+
 int cfs_restrict(struct cfs_file *f, const uint32_t *disks, uint32_t count)
 {
     struct question q = {.work = do_restrict, .file = f, .disks = disks, .number = count};
@@ -262,14 +268,14 @@ static uint64_t pointer(const struct cfs_file *f)
 {
     if (f->mode == MODE_RECORDS)
         return modes_round_start(cfs_group(f), f->round, f->cfs->sys->count);
-    return f->mode == MODE_OWN ? f->at : cfs_group(f)->at;
+    return cfs_own_pointer(f) ? f->at : cfs_group(f)->at;
 }
 
 static int set_pointer(struct cfs_file *f, uint64_t at)
 {
     if (f->mode == MODE_RECORDS)
         return modes_set_round(cfs_group(f), f->round, f->cfs->sys->count, at) ? 0 : EINVAL;
-    *(f->mode == MODE_OWN ? &f->at : &cfs_group(f)->at) = at;
+    *(cfs_own_pointer(f) ? &f->at : &cfs_group(f)->at) = at;
     return 0;
 }
 
@@ -314,6 +320,7 @@ static int do_set_mode(struct question *q)
     f->round = 0;
     if (f->mode != MODE_OWN)
         modes_join(m, f->mode, f->at);
+    f->generation = cfs_group(f)->generation;
     return 0;
 }
 

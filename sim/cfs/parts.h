@@ -5,6 +5,7 @@
 #include "cfs/directory.h"
 #include "cfs/ionode.h"
 #include "cfs/store.h"
+#include "cfs/unison.h"
 
 struct cfs {
     struct node_system *sys;
@@ -16,6 +17,7 @@ struct cfs {
     struct node_fs fs;
     struct cfs_op *ops;         /* all under way or not ended yet */
     struct question *questions; /* all under way: names.c */
+    struct round *rounds;       /* of mode 4, not over: unison.c */
     uint64_t bytes_read, bytes_written;
 };
 
@@ -24,10 +26,17 @@ struct cfs_file {
     struct cfs *cfs;
     struct store_file *store;
     int flags;   /* of open() */
-    uint64_t at; /* mode 0 */
+    uint64_t at; /* the node's own pointer */
     int mode;
-    uint64_t round; /* mode 3: calls made */
+    uint64_t round;      /* modes 3 and 4: calls made */
+    uint32_t generation; /* of the group that it has joined */
 };
+
+/* Has each node a pointer of its own? */
+static inline bool cfs_own_pointer(const struct cfs_file *f)
+{
+    return f->mode == MODE_OWN || f->mode == MODE_UNISON || f->mode == MODE_ASYNC;
+}
 
 static inline struct modes_group *cfs_group(const struct cfs_file *f)
 {

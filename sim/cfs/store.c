@@ -56,7 +56,7 @@ void store_free(struct store *s)
 
 /* --- paths --- */
 
-/* "/cfs//a/./b" -> "a/b". False: it leads out of /cfs, or is too long. */
+/* "/cfs//a/./b", or "/pfs//a/./b" -> "a/b". False: it leads out of /cfs, or is too long. */
 static bool within(const char *path, char *buf, size_t size)
 {
     char *end = buf;

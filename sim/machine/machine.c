@@ -72,7 +72,7 @@ static bool make_file_system(struct machine *m, char **error)
     if (!s->cfg->cfs.io_nodes && !m->options.cfs_dir)
         return true;
     if (!s->cfg->cfs.io_nodes) {
-        if (asprintf(error, "--cfs %s: %s has no Concurrent File System", m->options.cfs_dir, s->cfg->name) <
+        if (asprintf(error, "--cfs %s: %s has no file system of its own", m->options.cfs_dir, s->cfg->name) <
             0)
             abort();
         return false;

@@ -11,6 +11,7 @@ enum { NODE_DESCRIPTORS = 64, NODE_IO_IDS = 128 };
 struct io_id {
     bool used;
     struct cfs_op *op; /* under way in the machine's file system; NULL: done at once */
+    ssize_t moved;     /* bytes, if done at once */
 };
 
 struct open_files {

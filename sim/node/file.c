@@ -82,7 +82,7 @@ struct node_file *file_of_host(struct node *n, int fd)
     return &f->base;
 }
 
-/* --- /cfs on a machine that has no such file system, and on the host, which is not on its network --- */
+/* --- /cfs and /pfs on a machine that has no such file system, and on the host, which is not on its network --- */
 
 static int refuse(void)
 {
@@ -124,9 +124,10 @@ static const struct node_fs *fs_of(const struct node *n)
     return n->sys->fs && !n->is_host ? n->sys->fs : &NO_FS;
 }
 
-static bool simulated(const char *path)
+bool file_is_simulated(const char *path)
 {
-    return strncmp(path, "/cfs", 4) == 0 && (path[4] == '/' || path[4] == 0);
+    return (strncmp(path, "/cfs", 4) == 0 || strncmp(path, "/pfs", 4) == 0) &&
+           (path[4] == '/' || path[4] == 0);
 }
 
 /* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The deadline
@@ -165,7 +166,7 @@ static void note_host_file(struct node_system *s, const char *path)
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
-    if (!simulated(path)) {
+    if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
         return file_of_host(n, open(path, flags | O_CLOEXEC, permissions));
@@ -260,7 +261,7 @@ void file_drop(struct node_file *f)
 
 int file_stat(struct node *n, const char *path, struct stat *st)
 {
-    if (!simulated(path)) {
+    if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
         return stat(path, st);
@@ -271,9 +272,28 @@ int file_stat(struct node *n, const char *path, struct stat *st)
     return r;
 }
 
+int file_stat_within(struct node *n, const char *path, struct stat *st)
+{
+    if (file_is_simulated(path))
+        return fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
+    node_order(n);
+    note_host_file(n->sys, path);
+    return stat(path, st);
+}
+
+/* The machine's file system has no links. */
+int file_lstat(struct node *n, const char *path, struct stat *st)
+{
+    if (file_is_simulated(path))
+        return file_stat(n, path, st);
+    node_order(n);
+    note_host_file(n->sys, path);
+    return lstat(path, st);
+}
+
 int file_unlink(struct node *n, const char *path)
 {
-    if (!simulated(path)) {
+    if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
         return unlink(path);
@@ -286,11 +306,11 @@ int file_unlink(struct node *n, const char *path)
 
 int file_rename(struct node *n, const char *from, const char *to)
 {
-    if (simulated(from) != simulated(to)) {
+    if (file_is_simulated(from) != file_is_simulated(to)) {
         errno = EXDEV;
         return -1;
     }
-    if (!simulated(from)) {
+    if (!file_is_simulated(from)) {
         node_order(n);
         note_host_file(n->sys, from);
         note_host_file(n->sys, to);

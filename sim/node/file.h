@@ -1,6 +1,6 @@
 /* file.h - an open file of a node: of this computer, or of the simulated machine's file system.
  *
- * Paths under /cfs belong to the machine's file system (node_system.fs; ENODEV if it has none): opening, reading and
+ * Paths under /cfs, and under /pfs, another name for it, belong to the machine's file system (node_system.fs; ENODEV if it has none): opening, reading and
  * writing there takes virtual time. All other paths are this computer's, relative ones from where the simulator was started;
  * they take no virtual time, but are opened, read and written in its order.
  *
@@ -44,6 +44,7 @@ struct node_fs {
     int (*stat)(void *ctx, struct node *n, const char *path, struct stat *st);
 };
 
+bool file_is_simulated(const char *path); /* Is it the machine's file system's? */
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions);
 /* A file of this computer's that is open already; takes fd over, also when it fails. */
 struct node_file *file_of_host(struct node *n, int fd);
@@ -57,6 +58,9 @@ int file_truncate(struct node_file *f, int64_t size);
 void file_drop(struct node_file *f);
 
 int file_stat(struct node *n, const char *path, struct stat *st);
+/* The same between node_enter() and node_leave(). */
+int file_stat_within(struct node *n, const char *path, struct stat *st);
+int file_lstat(struct node *n, const char *path, struct stat *st);
 int file_unlink(struct node *n, const char *path);
 int file_rename(struct node *n, const char *from, const char *to);
 #endif

@@ -20,6 +20,17 @@ static bool on_its_node(const struct stream *s)
     return node_is_self(s->node);
 }
 
+/* The host program and node 0 take turns at one input: neither takes more than a line that the other may want. */
+static ssize_t read_line(struct node_file *f, char *buf, size_t size)
+{
+    size_t done = 0;
+    ssize_t n = 1;
+    while (n == 1 && done < size && (done == 0 || buf[done - 1] != '\n'))
+        if ((n = file_read(f, buf + done, 1)) == 1)
+            done++;
+    return done > 0 ? (ssize_t)done : n;
+}
+
 static ssize_t stream_read(void *cookie, char *buf, size_t size)
 {
     struct stream *s = cookie;
@@ -27,7 +38,7 @@ static ssize_t stream_read(void *cookie, char *buf, size_t size)
         errno = EBADF;
         return -1;
     }
-    return file_read(s->target, buf, size);
+    return s->by_lines ? read_line(s->target, buf, size) : file_read(s->target, buf, size);
 }
 
 static ssize_t stream_write(void *cookie, const char *buf, size_t size)
@@ -139,12 +150,14 @@ static FILE *add_output(struct streams *list, struct node *n, int fd)
     return s->file;
 }
 
-/* What comes in on standard input is node 0's, or the host program's when there is one. */
+/* What comes in on standard input is node 0's, and the host program's when there is one. */
 void streams_open(struct streams *list, struct node *n)
 {
-    int fd = (n->sys->cube ? n->is_host : n->id == 0) ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
+    int fd = n->id == 0 || n->is_host ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
     struct node_file *in = file_of_host(n, fd);
-    list->in = add_standard(list, n, in ? STREAM_FILE : STREAM_CLOSED, in, "r")->file;
+    struct stream *input = add_standard(list, n, in ? STREAM_FILE : STREAM_CLOSED, in, "r");
+    input->by_lines = n->sys->cube != NULL;
+    list->in = input->file;
     list->out = add_output(list, n, STDOUT_FILENO);
     list->err = add_output(list, n, STDERR_FILENO);
     setvbuf(list->out, NULL, _IOLBF, BUFSIZ);
@@ -257,6 +270,7 @@ FILE *stream_freopen(struct streams *list, const char *path, const char *mode, F
     }
     s->target = target;
     s->kind = STREAM_FILE;
+    s->by_lines = false;
     __fpurge(f);
     fseek(f, 0, *mode == 'a' ? SEEK_END : SEEK_SET); /* forget the place in the old file */
     clearerr(f);

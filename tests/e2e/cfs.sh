@@ -29,10 +29,26 @@ check "nothing outside the folder is reached" said 'gopen: .*Permission denied'
 run -m ipsc860 --cfs disks/kept/lines cfs_keep read
 check "--cfs that is no folder: exit status 65" ended_with 65
 check "--cfs that is no folder: says so" said '^touchstone run: --cfs disks/kept/lines: Not a directory'
-run -m paragon cfs_keep read
+run -m paragon -n 3 --cfs disks cfs_keep read
+check "so does the Paragon, whose Parallel File System this is" cmp -s out disks/kept/lines
+sed '/^cfs = {/,/^};/d' "$tests/../../machines/paragon.cfg" >none.cfg
+ln -s "$tests/../../machines/cpu" cpu
+run -m ./none.cfg cfs_keep read
 check "a machine without /cfs: the program is told" said 'gopen: /cfs/kept/lines: No such device'
-run -m paragon --cfs disks cfs_keep read
+run -m ./none.cfg --cfs disks cfs_keep read
 check "a machine without /cfs: --cfs is refused" ended_with 65
-check "a machine without /cfs: it is named" said 'paragon.* has no Concurrent File System'
+check "a machine without /cfs: it is named" said 'paragon.* has no file system of its own'
+
+# I/O mode 4: one read serves all. 200,000 bytes are 49 blocks of 4 KB, whatever the number of nodes.
+compile cfs_global
+for nodes in 1 5; do
+    run -m ipsc860 -n $nodes cfs_global
+    check "M_GLOBAL on $nodes nodes: it ends well" ended_with 0
+    check "M_GLOBAL on $nodes nodes: it is written once, and read once" said '200000 bytes read in 49 pieces .*200000 written in 49'
+done
+run -n 2 cfs_global differ
+check "M_GLOBAL: calls that differ are an error" ended_with 1
+check "M_GLOBAL: which says how" said 'cread: in I/O mode 4 all nodes give the same calls: a read of [0-9]+ bytes at 0 here, a read of [0-9]+ at 0 elsewhere'
+
 run --help
 check "--help tells of --cfs" grep -q -- '--cfs DIR' out

@@ -28,6 +28,10 @@ run -n 8 -q --host ./farm "$work/farm_node" <<<"input"
 check "with -n, the path of the node program does not matter, nor that of the host's" cmp want out
 echo "a line" | "$BUILD/touchstone" run -q --host farm farm_node >out 2>err
 check "standard input is the host's" grep -qx 'the host reads: a line' out
+printf '1\n2\na line\n3\n' | "$BUILD/touchstone" run -q -n 2 --host lines lines_node >out 2>err
+printf '%s\n' 'node 0: 1, 2' 'node 1: -1, -1' 'a line' 'host: 1 and 3' >want_lines
+check "standard input is node 0's too: each line goes to the one that reads first" \
+    eval "sort out | cmp - <(sort want_lines)"
 host farm farm_node 5
 check "five nodes are a cube of eight" cmp want out
 

@@ -1,0 +1,2 @@
+/* sys/estat.h - the Paragon's name for estat.h. */
+#include <estat.h>

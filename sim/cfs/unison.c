@@ -1,0 +1,179 @@
+/* unison.c - see unison.h. */
+#include "cfs/unison.h"
+#include <stdlib.h>
+#include <string.h>
+#include "cfs/parts.h"
+#include "node/engine.h"
+
+/* A node of the round. */
+struct member {
+    struct parcel parcel; /* the message that tells it; first */
+    struct round *round;
+    struct cfs_op *op; /* waits for the news */
+    bool told;
+    vtime at; /* told: from then on */
+};
+
+struct round {
+    struct cfs *cfs;
+    const struct store_file *store;
+    uint32_t generation; /* of the file's group */
+    uint64_t number;
+    struct round_call call;
+    uint64_t behind; /* the pointer after it */
+    uint64_t bytes;  /* moved */
+    char *data;      /* of a read */
+    uint32_t first;  /* the node whose call it is */
+    uint32_t nodes, joined, told;
+    struct member *member;
+    struct round *next, **link; /* cfs.rounds */
+};
+
+static void drop(struct round *r)
+{
+    if (r->next)
+        r->next->link = r->link;
+    *r->link = r->next;
+    free(r->member);
+    free(r->data);
+    free(r);
+}
+
+/* All have made their calls, and all know: nobody looks at it any more. */
+static void drop_if_over(struct round *r)
+{
+    if (r->joined == r->nodes && r->told == r->nodes)
+        drop(r);
+}
+
+void unison_free(struct cfs *c)
+{
+    while (c->rounds)
+        drop(c->rounds);
+}
+
+static struct round *find(const struct cfs_file *f)
+{
+    struct round *r = f->cfs->rounds;
+    while (r && (r->store != f->store || r->generation != f->generation || r->number != f->round))
+        r = r->next;
+    return r;
+}
+
+static struct round *begin(const struct cfs_file *f, const struct round_call *call)
+{
+    struct cfs *c = f->cfs;
+    struct round *r = calloc(1, sizeof *r);
+    if (!r)
+        abort();
+    *r = (struct round){.cfs = c, .store = f->store, .generation = f->generation, .number = f->round};
+    r->call = *call;
+    r->nodes = c->sys->count;
+    r->member = calloc(r->nodes, sizeof *r->member);
+    if (!r->member)
+        abort();
+    r->next = c->rounds, r->link = &c->rounds;
+    if (r->next)
+        r->next->link = &r->next;
+    return c->rounds = r;
+}
+
+static bool same_call(const struct round_call *a, const struct round_call *b)
+{
+    return a->write == b->write && a->at == b->at && a->asked == b->asked;
+}
+
+struct round *unison_join(struct cfs_file *f, const struct round_call *call, bool *first,
+                          struct round_call *other)
+{
+    struct round *r = find(f);
+    *first = !r;
+    if (!r)
+        r = begin(f, call);
+    *other = r->call;
+    if (!same_call(call, other))
+        return NULL;
+    f->round++;
+    r->joined++;
+    return r;
+}
+
+uint64_t *unison_pointer(struct round *r)
+{
+    return &r->behind;
+}
+
+/* --- the news --- */
+
+static void pass_on(struct round *r, uint32_t node, vtime at);
+
+static void tell(struct round *r, uint32_t node, vtime at)
+{
+    struct member *m = &r->member[node];
+    m->told = true;
+    m->at = at;
+    r->told++;
+    if (m->op)
+        cfs_told(m->op, r->bytes, r->data, at);
+    m->op = NULL;
+}
+
+static void arrived(struct parcel *parcel, vtime at, vtime now)
+{
+    struct member *m = (struct member *)parcel;
+    struct round *r = m->round;
+    uint32_t node = (uint32_t)(m - r->member);
+    (void)now;
+    pass_on(r, node, at);
+    tell(r, node, at);
+    drop_if_over(r);
+}
+
+/* One message. A node whose program has ended passes it on all the same, without time of a program. */
+static vtime send(struct round *r, uint32_t from, uint32_t to, vtime at)
+{
+    struct node_system *s = r->cfs->sys;
+    size_t bytes = POST_HEADER + (r->call.write ? 0 : r->bytes);
+    struct member *m = &r->member[to];
+    m->round = r;
+    m->parcel.arrived = arrived;
+    if (s->nodes[from]->state != NODE_ENDED)
+        at = node_work(s, from, PROTO_SEND, at, post_send_time(s->proto, POST_FORCED, bytes));
+    post_send(s->proto, from, to, POST_FORCED, bytes, &m->parcel, at);
+    return at;
+}
+
+static void pass_on(struct round *r, uint32_t node, vtime at)
+{
+    uint32_t rank = (node + r->nodes - r->first) % r->nodes, step = 1;
+    while (step < r->nodes)
+        step *= 2;
+    for (; step > 0 && step > rank; step /= 2)
+        if (rank + step < r->nodes)
+            at = send(r, node, (rank + step + r->first) % r->nodes, at);
+}
+
+void unison_spread(struct round *r, uint32_t node, uint64_t bytes, const char *data, vtime at)
+{
+    r->first = node;
+    r->bytes = bytes;
+    if (!r->call.write) {
+        r->data = malloc(bytes + 1);
+        if (!r->data)
+            abort();
+        memcpy(r->data, data, bytes);
+    }
+    pass_on(r, node, at);
+    tell(r, node, at);
+    drop_if_over(r);
+}
+
+void unison_await(struct round *r, uint32_t node, struct cfs_op *op, vtime now)
+{
+    struct member *m = &r->member[node];
+    if (m->told)
+        cfs_told(op, r->bytes, r->data, vt_max(m->at, now));
+    else
+        m->op = op;
+    drop_if_over(r);
+}
