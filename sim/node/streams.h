@@ -22,7 +22,7 @@ struct stream {
     enum stream_kind kind;
     int fd;                   /* OUTPUT: 1 or 2 for node_output */
     struct node_file *target; /* FILE: file.h */
-    bool by_lines; /* FILE: reads no more than a line at a time */
+    bool by_lines;            /* FILE: reads no more than a line at a time */
     bool standard; /* never freed before the node is: the program has it in stdin, stdout or stderr */
     struct stream *next;
 };
