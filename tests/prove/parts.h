@@ -335,12 +335,33 @@ static void shared_file(long mode, long len, long rounds)
         return;
     int fd = gopen("/cfs/shared", O_RDWR | O_CREAT, (int)mode, 0644);
     for (long i = 0; i < rounds; i++)
-        note(cwrite(fd, out, (unsigned long)(mode == M_RECORD ? len : len + mynode() % 3)));
-    if (mode == M_UNIX)
+        note(cwrite(fd, out,
+                    (unsigned long)(mode == M_RECORD || mode == M_GLOBAL ? len : len + mynode() % 3)));
+    if (mode == M_UNIX || mode == M_GLOBAL || mode == M_ASYNC)
         lseek(fd, 0, SEEK_SET);
     for (long i = 0; i < rounds; i++)
         note(cread(fd, room(), (unsigned long)len));
     note(iomode(fd));
+    close(fd);
+    gsync();
+}
+
+/* One call serves all; nodes come at different times. */
+static void global_file(long len, long kind, long rounds)
+{
+    struct stat there;
+    if (stat("/cfs", &there))
+        return;
+    int fd = gopen("/cfs/global", O_RDWR | O_CREAT, M_GLOBAL, 0644);
+    for (long i = 0; i < rounds; i++) {
+        compute(kind, 300 * (mynode() % 7));
+        note(cwrite(fd, out, (unsigned long)len));
+    }
+    lseek(fd, 0, SEEK_SET);
+    long id = iread(fd, room(), (unsigned long)len);
+    compute(kind, 2000);
+    note(read(fd, room(), (size_t)len / 2));
+    note(iowait(id));
     close(fd);
     gsync();
 }
@@ -383,9 +404,42 @@ static void cfs_later(long name, long len, long kind)
     long reading = iread(fd, room(), (unsigned long)len), writing = iwrite(fd, out, (unsigned long)len / 2);
     compute(kind, 3000);
     if (!iodone(reading))
-        iowait(reading);
-    iowait(writing);
+        note(iowait(reading));
+    note(iowait(writing));
     note(lsize(fd, 10, SIZE_END));
+    close(fd);
+}
+
+static void cfs_at(long name, long len, long kind)
+{
+    esize_t place = {len * 3, 0}, end = {len * 4, 0};
+    int fd = open_file(name, O_RDWR | O_CREAT);
+    if (fd < 0)
+        return;
+    note(writeoff(fd, place, out, (unsigned long)len));
+    long reading = ireadoff(fd, place, room(), (unsigned long)len);
+    long writing = iwriteoff(fd, end, out, (unsigned long)len / 3);
+    compute(kind, 2000);
+    note(iowait(reading));
+    note(readoff(fd, end, room(), (unsigned long)len));
+    note(iowait(writing));
+    close(fd);
+}
+
+static void cfs_stripes(long name, long factor)
+{
+    struct sattr stripes;
+    struct estatfs fs;
+    struct statpfs layout;
+    int fd = open_file(name, O_RDWR | O_CREAT);
+    if (fd < 0)
+        return;
+    note(fcntl(fd, F_GETSATTR, &stripes));
+    stripes.s_sfactor = (int)factor;
+    note(fcntl(fd, F_SETSATTR, &stripes));
+    note(fstatpfs(fd, &fs, &layout, sizeof layout));
+    note(layout.p_sfactor);
+    note(statpfs("/pfs/f0", &fs, &layout, sizeof layout));
     close(fd);
 }
 
