@@ -48,7 +48,8 @@ for nodes in 1 5; do
 done
 run -n 2 cfs_global differ
 check "M_GLOBAL: calls that differ are an error" ended_with 1
-check "M_GLOBAL: which says how" said 'cread: in I/O mode 4 all nodes give the same calls: a read of [0-9]+ bytes at 0 here, a read of [0-9]+ at 0 elsewhere'
+differ='all nodes give the same calls: a read of [0-9]+ bytes at 0 here, a read of [0-9]+ at 0 elsewhere'
+check "M_GLOBAL: which says how" said "cread: in I/O mode 4 $differ"
 
 run --help
 check "--help tells of --cfs" grep -q -- '--cfs DIR' out

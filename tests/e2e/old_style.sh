@@ -28,7 +28,8 @@ declares() { printf '#include <nx.h>\n%s\nint main(void) { return 0; }\n' "$1" >
 declares_wrongly() { ! declares "$1" && grep -q "again\.c:2:.*conflicting types for" err; }
 check "declared again: int for long" declares 'int mynode(void); int mynode(); extern void msgwait(int);'
 check "declared again: extern long errno, twice" declares 'extern long errno; extern long errno;'
-check "declared again: C library functions" declares $'#include <stdlib.h>\n#include <string.h>\nextern char *malloc(); int atol(); int strlen();'
+again='extern char *malloc(); int atol(); int strlen();'
+check "declared again: C library functions" declares $'#include <stdlib.h>\n#include <string.h>\n'"$again"
 check "declared again: another number of arguments is an error" declares_wrongly 'extern long numnodes(long);'
 check "declared again: another kind of result is an error" declares_wrongly 'extern double mynode(void);'
 check "declared again: a pointer to something else is an error" declares_wrongly 'extern void gdsum(float *, long, float *);'
