@@ -19,7 +19,7 @@ $(MPI_OBJ): $(MPI)/obj/%.o: nx_api/%.c $(MPI)/mpicc nx_api/calls/calls.def
 	@mkdir -p $(@D)
 	$(MPI_CC) $(MPI_FLAGS) -I. -DNX_ON_MPI -fvisibility=hidden -MMD -MP -c -o $@ $<
 
-MPI_HDR    := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h nx_api/include/*.h)
+MPI_HDR    := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h nx_api/include/*.h nx_api/include/pfs/*.h)
 $(filter-out %/open_unit.o,$(MPI_COMMON)): $(MPI)/obj/%.o: nx_api/%.c $(MPI_HDR)
 	@mkdir -p $(@D)
 	$(CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
