@@ -86,17 +86,17 @@ void node_yield_turn(struct node *n, vtime now)
 {
     if (n->loose)
         n->ahead.arrived = now; /* for node_catch */
-    else if (!n->call && n->ahead.alert && !turn_is_passed(n, now))
+    else if (!n->call && n->ahead.alert)
         turn_at_check(n, now, quiet_until(n));
     else
         turn_put(n, now);
 }
 
-/* The program's turn has come, maybe without an event; not where it only makes up for checks, which come before the present. */
+/* The program's turn has come, maybe without an event. (Where it only makes up for checks, that was long ago.) */
 static void have_turn(struct node *n, vtime now)
 {
     struct node_system *s = n->sys;
-    if (n->ahead.up_to)
+    if (n->ahead.up_to || turn_is_passed(n, now))
         return;
     s->reached = turn_reached(s);
     s->present = (struct instant){now, n->place};
