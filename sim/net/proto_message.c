@@ -212,7 +212,8 @@ static struct message *message_new(struct proto *p, enum proto_size size, uint32
     m->from = m->source = from, m->to = to;
     m->order = p->places[from].made++;
     m->is_long = !proto_one_trip(p, type, bytes), m->forced = (type & PROTO_FORCED) != 0;
-    m->serves = m->followed = m->granted = m->arrived = m->buffered = m->unwanted = m->too_long = false;
+    m->serves = m->followed = m->granted = m->arrived = m->buffered = m->unwanted = m->too_long = m->whole =
+        false;
     return m;
 }
 

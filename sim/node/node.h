@@ -102,7 +102,7 @@ struct node_ahead {
 /* Messages and what they are for: mailbox.h. A line of the cache. */
 struct mailbox {
     struct receive *posted, **posted_end;
-    struct message *unexpected, **unexpected_end;
+    struct message *whole, **whole_end; /* unexpected.h */
     struct due *last_due; /* of a ring: its next is the first. NULL: none */
     uint32_t handlers;    /* posted or due */
     uint32_t waiting;     /* unexpected long messages that found no room */
@@ -238,7 +238,8 @@ struct node {
     uintptr_t
         frame; /* on the stack: of the call, while it is blocked, or of the poll at which it has stopped */
     struct node_info info;
-    size_t buffered; /* bytes of unexpected messages held */
+    struct message *coming; /* unexpected.h */
+    size_t buffered;        /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t buffered_known;
