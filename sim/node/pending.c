@@ -121,10 +121,9 @@ static void post(struct node *n, struct receive *r)
         put_beside(n, c->message);
     c->receive = r;
     c->posts = true;
-    if (n->pending.selects)
-        return; /* one before may select another message first */
     const struct message *m = unexpected_first(n, &r->select);
-    if (m && !m->arrived) { /* another may be the first then */
+    if (n->pending.selects ||
+        (m && !m->arrived)) { /* one before may select it, or another be the first then */
         pending_may_select(n);
     } else if (m) {
         mailbox_post_at(n, r, 0);
