@@ -45,6 +45,7 @@ void mailbox_end(struct node *n)
     struct mailbox *b = &n->mailbox;
     free_messages(b->whole);
     free_messages(n->coming);
+    unexpected_end(n);
     handlers_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */

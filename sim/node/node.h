@@ -239,8 +239,11 @@ struct node {
     uintptr_t
         frame; /* on the stack: of the call, while it is blocked, or of the poll at which it has stopped */
     struct node_info info;
-    struct message *coming; /* unexpected.h */
-    size_t buffered;        /* bytes of unexpected messages held */
+    struct message *coming; /* unexpected.h, as the next three */
+    struct queues *by_type; /* the whole ones; NULL: they are few */
+    uint32_t whole_count;
+    int64_t whole_order; /* of the last, in by_type */
+    size_t buffered;     /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t buffered_known;

@@ -12,6 +12,7 @@
 #include "node/node.h"
 
 void unexpected_begin(struct node *n);
+void unexpected_end(struct node *n); /* whose messages have been freed, or are another's */
 /* An envelope has come. */
 void unexpected_add(struct node *n, struct message *m);
 /* One of them has arrived: all its bytes are here. */
