@@ -1,7 +1,7 @@
 # man.mk - the manual pages: $B/man. Included by the Makefile.
 man: $B/man/nx.3 ## Make the manual pages into build/man
 
-$B/man/nx.3: doc/man/pages doc/man/nx3.awk $(wildcard nx_api/include/*.h) | all
+$B/man/nx.3: doc/man/pages doc/man/nx3.awk $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h) | all
 	doc/man/pages $B
 
 install: install-man

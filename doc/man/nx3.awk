@@ -63,6 +63,7 @@ BEGIN {
     section["nxerrno.h"] = "errors"
     section["host.h"] = "host programs"
     section["estat.h"] = "state of files"
+    section["pfs.h"] = "stripes of files"
     print ".\\\" generated from the headers by doc/man/nx3.awk"
     print ".TH NX 3 \"" date "\" \"touchstone\" \"NX calls\""
     print ".SH NAME\nnx \\- the message-passing calls of Intel's iPSC/860, Touchstone Delta and Paragon"

@@ -210,8 +210,8 @@ long cread(int fd, void *buf, unsigned long len);
 long cwrite(int fd, const void *buf, unsigned long len);
 long creadv(int fd, const struct iovec *parts, int count);
 long cwritev(int fd, const struct iovec *parts, int count);
-/* The same, going on while the program computes: return an id for iodone or iowait. What is to be written is taken at
- * once; what is read is in place once iowait returns or iodone answers 1. */
+/* The same, going on while the program computes: return an id, 1 or more, for iodone or iowait. What is to be written is
+ * taken at once; what is read is in place once iowait returns or iodone answers 1. */
 long iread(int fd, void *buf, unsigned long len);
 long iwrite(int fd, const void *buf, unsigned long len);
 long ireadv(int fd, const struct iovec *parts, int count);

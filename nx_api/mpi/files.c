@@ -212,15 +212,15 @@ long nx_move_later(bool write_it, int fd, int64_t at, const struct iovec *parts,
     if ((io_ids[id].moved = nx_move(write_it, fd, at, parts, count)) < 0)
         return -1;
     io_ids[id].used = true;
-    return id;
+    return id + 1; /* 0 is none, for programs */
 }
 
 long nxs_iowait(word id)
 {
-    if (id < 0 || id >= IO_IDS || !io_ids[id].used)
+    if (id < 1 || id > IO_IDS || !io_ids[id - 1].used)
         return node_error(node_self(), EQMID, "%d is no id in use", id);
-    io_ids[id].used = false;
-    return io_ids[id].moved;
+    io_ids[id - 1].used = false;
+    return io_ids[id - 1].moved;
 }
 
 long nxs_iodone(word id)

@@ -111,7 +111,7 @@ long nx_move_later(bool write, int fd, int64_t at, const struct iovec *parts, in
         ids[id] = (struct io_id){0};
         return -1;
     }
-    return id;
+    return id + 1; /* 0 is none, for programs */
 }
 
 /* --- ids --- */
@@ -122,12 +122,12 @@ static struct io_id *find_id(struct node *n, long id)
     struct io_id *ids = descriptors_open(n)->io;
     n->call_type = id;
     n->call_has_type = true;
-    if (id < 0 || id >= NODE_IO_IDS || !ids[id].used) {
+    if (id < 1 || id > NODE_IO_IDS || !ids[id - 1].used) {
         node_error(n, EQMID, "%ld is no id in use", id);
         return NULL;
     }
     node_spend(n, n->sys->cfg->call_ps);
-    return &ids[id];
+    return &ids[id - 1];
 }
 
 /* The bytes moved. */
