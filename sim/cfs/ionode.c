@@ -18,6 +18,7 @@ struct ionode {
     struct cache *cache;
     struct io_disk *disks;
     uint32_t disk_count;
+    struct transfer *transfers;                /* all that disks are to do */
     struct io_request *stalled, **stalled_end; /* no idle cache block */
     struct ionode_stats stats;
 };
@@ -29,9 +30,18 @@ struct transfer {
     struct io_disk *disk;
     uint64_t block;
     uint32_t stride;
+    struct transfer *next, **link; /* the I/O node's */
 };
 
 /* --- making --- */
+
+static void transfer_free(struct transfer *t)
+{
+    if (t->next)
+        t->next->link = t->link;
+    *t->link = t->next;
+    free(t);
+}
 
 struct ionode *ionode_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t index, uint32_t place,
                           uint32_t nodes, const struct ionode_up *up)
@@ -60,6 +70,8 @@ void ionode_free(struct ionode *io)
         disk_free(io->disks[i].disk);
     }
     free(io->disks);
+    while (io->transfers) /* the machine stops meanwhile */
+        transfer_free(io->transfers);
     cache_free(io->cache);
     free(io);
 }
@@ -140,7 +152,7 @@ static void transferred(void *ctx, struct disk_access *a, vtime now)
     uint64_t rows = a->rows;
     for (uint64_t k = 0; k < rows; k++)
         settle(t, nth(t, k), now);
-    free(t);
+    transfer_free(t);
     if (rows > 0)
         serve_stalled(io, now);
 }
@@ -152,6 +164,10 @@ static struct transfer *transfer_new(struct ionode *io, struct io_disk *d, uint3
     if (!t)
         abort();
     *t = (struct transfer){.io = io, .disk = d, .block = block, .stride = stride};
+    t->next = io->transfers, t->link = &io->transfers;
+    if (t->next)
+        t->next->link = &t->next;
+    io->transfers = t;
     t->access =
         (struct disk_access){.file = file, .row = block / stride, .rows = 1, .done = transferred, .ctx = t};
     return t;
