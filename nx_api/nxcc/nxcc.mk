@@ -6,7 +6,7 @@ DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
 PLUGIN_INC  = $(shell $(CC) -print-file-name=plugin)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
-COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
+COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
 COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
 PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
@@ -14,7 +14,7 @@ LIBNX      := $(NODE)/libnx.a $(patsubst %,$(NODE)/libnx_%.a,profile long32 long
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(NODE)/stubs.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
@@ -37,6 +37,10 @@ $(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
+$(NODE)/stubs.o: nx_api/nxcc/stubs.S
+	@mkdir -p $(@D)
+	$(CC) -c -o $@ $<
+
 $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/calls.def
 	@mkdir -p $(@D)
 	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
@@ -45,7 +49,8 @@ $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/
 $(STAND_INS): | $(NODE)/libnode.so
 	echo '/* these names are in libnode.so */ INPUT(-lnode)' > $@
 
-# Node code of our own is counted like the user's: the global operations, and NX's faces to Fortran.
+# Node code of our own is counted like the user's: the global operations, the C library's functions that keep state where
+# programs see it, and NX's faces to Fortran.
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)

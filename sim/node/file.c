@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "node/folder.h"
 #include "node/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
@@ -129,6 +130,11 @@ static bool simulated(const char *path)
     return strncmp(path, "/cfs", 4) == 0 && (path[4] == '/' || path[4] == 0);
 }
 
+bool file_is_of_machine(const char *path)
+{
+    return simulated(path);
+}
+
 /* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The deadline
  * that node_leave() sets must be the one without that. */
 static bool enter(struct node *n, const char *call)
@@ -165,6 +171,7 @@ static void note_host_file(struct node_system *s, const char *path)
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
+    path = folder_path(n, path, 0);
     if (!simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
@@ -260,6 +267,7 @@ void file_drop(struct node_file *f)
 
 int file_stat(struct node *n, const char *path, struct stat *st)
 {
+    path = folder_path(n, path, 0);
     if (!simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
@@ -273,6 +281,7 @@ int file_stat(struct node *n, const char *path, struct stat *st)
 
 int file_unlink(struct node *n, const char *path)
 {
+    path = folder_path(n, path, 0);
     if (!simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
@@ -286,6 +295,8 @@ int file_unlink(struct node *n, const char *path)
 
 int file_rename(struct node *n, const char *from, const char *to)
 {
+    from = folder_path(n, from, 0);
+    to = folder_path(n, to, 1);
     if (simulated(from) != simulated(to)) {
         errno = EXDEV;
         return -1;
@@ -300,4 +311,24 @@ int file_rename(struct node *n, const char *from, const char *to)
     int r = fs_of(n)->rename(fs_of(n)->ctx, n, from, to);
     leave(n, masked);
     return r;
+}
+
+/* On this computer only: the machine's file system has names with / in them, and no folders. */
+int file_make_folder(struct node *n, const char *path, mode_t permissions)
+{
+    path = folder_path(n, path, 0);
+    if (simulated(path))
+        return 0;
+    node_order(n);
+    note_host_file(n->sys, path);
+    return mkdir(path, permissions);
+}
+
+int file_remove_folder(struct node *n, const char *path)
+{
+    path = folder_path(n, path, 0);
+    if (simulated(path))
+        return 0;
+    node_order(n);
+    return rmdir(path);
 }
