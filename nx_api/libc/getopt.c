@@ -51,3 +51,10 @@ int getopt(int argc, char *const argv[], const char *options)
         return wrong(argv, options, "invalid option", '?');
     return option[1] == ':' ? take_value(argc, argv, options) : optopt;
 }
+
+/* What a header calls it that is asked for POSIX's only. */
+int __posix_getopt(int argc, char *const argv[], const char *options);
+int __posix_getopt(int argc, char *const argv[], const char *options)
+{
+    return getopt(argc, argv, options);
+}

@@ -14,7 +14,7 @@ LIBNX      := $(NODE)/libnx.a $(patsubst %,$(NODE)/libnx_%.a,profile long32 long
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(NODE)/stubs.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
@@ -36,10 +36,6 @@ $(NODE)/count.so: $(PLUGIN_OBJ)
 $(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
-
-$(NODE)/stubs.o: nx_api/nxcc/stubs.S
-	@mkdir -p $(@D)
-	$(CC) -c -o $@ $<
 
 $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/calls.def
 	@mkdir -p $(@D)

@@ -50,11 +50,8 @@ struct node_image {
     size_t address_count;
     struct own_word *own;
     size_t own_count;
-    uint64_t object;        /* of nxc_image */
-    const Elf64_Sym *stubs; /* nx_api/nxcc/stubs.S, NULL: it has none */
-    const char **absent;    /* names that it has instead of functions: each the number of its stub */
-    size_t absent_count;
-    bool long32; /* its long has 32 bits */
+    uint64_t object; /* of nxc_image */
+    bool long32;     /* its long has 32 bits */
 };
 
 static void *zeroed(size_t count, size_t size)
@@ -160,21 +157,6 @@ static void put_address(struct node_image *img, uint64_t at, uint64_t vaddr)
     img->addresses[img->address_count++] = at;
 }
 
-enum { STUB_BYTES = 16 };
-
-/* The address of the stub for a name that nodes do not have; 0: it has none left. */
-static uint64_t stub_for(struct node_image *img, const char *name)
-{
-    size_t i = 0;
-    while (i < img->absent_count && strcmp(img->absent[i], name) != 0)
-        i++;
-    if (!img->stubs || i == img->stubs->st_size / STUB_BYTES)
-        return 0;
-    if (i == img->absent_count)
-        img->absent[img->absent_count++] = name;
-    return img->stubs->st_value + i * STUB_BYTES;
-}
-
 /* A word that is to hold the address of a symbol, or for R_X86_64_COPY the symbol's value. */
 static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at, char **error)
 {
@@ -191,8 +173,6 @@ static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at,
     const struct node_export *e = node_export_find(name, img->long32);
     if (e == NULL && ELF64_ST_BIND(s->st_info) == STB_WEAK) {
         put_word(img, at, 0);
-    } else if (e == NULL && !copy && stub_for(img, name)) {
-        put_address(img, at, stub_for(img, name) + r->r_addend);
     } else if (e == NULL || (copy && (e->code != NULL || s->st_size != sizeof(void *)))) {
         return elf_fail(error,
                         "%s: uses '%s', which nodes do not offer: it was linked against another version; "
@@ -247,8 +227,6 @@ static bool prepare(struct node_image *img, char **error)
     size_t count = img->elf->data.count + img->elf->calls.count;
     img->addresses = zeroed(count, sizeof *img->addresses);
     img->own = zeroed(count, sizeof *img->own);
-    img->absent = zeroed(count, sizeof *img->absent);
-    img->stubs = elf_defined(&img->elf->dynamic, "nxc_stubs");
     return lay_out(img, error) && find_object(img, error) && relocate(img, &img->elf->data, error) &&
            relocate(img, &img->elf->calls, error);
 }
@@ -275,7 +253,6 @@ void node_image_close(struct node_image *img)
     free(img->template);
     free(img->addresses);
     free(img->own);
-    free(img->absent);
     free(img);
 }
 
@@ -306,11 +283,6 @@ bool node_image_uses(const struct node_image *img, const char *name)
         if (d->sym[i].st_shndx == SHN_UNDEF && strcmp(elf_name(d, &d->sym[i]), name) == 0)
             return true;
     return false;
-}
-
-const char *node_image_absent(const struct node_image *img, size_t i)
-{
-    return i < img->absent_count ? img->absent[i] : "?";
 }
 
 size_t node_image_load_bytes(const struct node_image *img)

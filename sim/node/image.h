@@ -1,7 +1,6 @@
 /* image.h - a node program: an ELF file built by nxcc, read once and mapped into every node.
  * Text and constants are mapped from the file (shared pages); data are private to each node; undefined symbols are
- * resolved against exports.def and nothing else, those of programs
- * linked by nxcc --stubs against their stubs, too. Errors name the file and what to do. */
+ * resolved against exports.def and nothing else. Errors name the file and what to do. */
 #ifndef NODE_IMAGE_H
 #define NODE_IMAGE_H
 #include <stdbool.h>
@@ -19,9 +18,6 @@ const char *node_image_path(const struct node_image *img);
 size_t node_image_load_bytes(const struct node_image *img);
 /* Does it ask for a function of that name? */
 bool node_image_uses(const struct node_image *img, const char *name);
-
-/* The i-th name that nodes do not have, of a program linked by nxcc --stubs. */
-const char *node_image_absent(const struct node_image *img, size_t i);
 
 /* Offset from the program's start at which its data begin, page rounded; they end with the program. */
 size_t node_image_data_at(const struct node_image *img);

@@ -3,6 +3,7 @@
  * node's stack. */
 #include <errno.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "node/heap.h"
@@ -266,6 +267,20 @@ struct node_locale *node_uselocale(struct node_locale *to)
 void node_freelocale(struct node_locale *l)
 {
     (void)l;
+}
+
+/* GNU's, and POSIX's, which headers call so. */
+char *node_strerror_r(int code, char *buf, size_t size)
+{
+    (void)buf, (void)size;
+    return node_strerror(code);
+}
+
+int node___xpg_strerror_r(int code, char *buf, size_t size)
+{
+    const char *text = node_strerror(code);
+    snprintf(buf, size, "%s", text);
+    return strlen(text) < size ? 0 : ERANGE;
 }
 
 char *node_strerror_l(int code, struct node_locale *l)

@@ -4,11 +4,10 @@
 #include <errno.h>
 #include <stddef.h>
 #include <string.h>
-#include "node/image.h"
 #include "node/node.h"
 #include "node/system.h"
 
-/* Does it fail by NULL, and not by -1? The loader does not know what a function returns. */
+/* Does it fail by NULL, and not by -1? A stub does not know what its function returns. */
 static bool returns_pointer(const char *name)
 {
     static const char *const names[] = {
@@ -27,7 +26,7 @@ static bool returns_pointer(const char *name)
 static long absent(const char *name)
 {
     struct node *n = node_self();
-    node_enter(n, name);
+    node_enter(n, "a function that nodes do not have");
     node_system_note_absent(n->sys, name, n->name);
     node_leave(n);
     node_set_errno(ENOSYS);
@@ -40,9 +39,8 @@ int node_system(const char *command)
     return command == NULL ? 0 : (int)absent("system");
 }
 
-/* What a program linked by nxcc --stubs comes to when it calls the index-th of the names that it does not have:
- * nx_api/nxcc/stubs.S. */
-long node_nx_absent(unsigned index)
+/* What a program linked by nxcc --stubs comes to by a name that it does not have: nx_api/driver/stubs.c. */
+long node_nx_absent(const char *name)
 {
-    return absent(node_image_absent(node_self()->file, index));
+    return absent(name);
 }

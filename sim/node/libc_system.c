@@ -263,6 +263,12 @@ void (*node_signal(int number, void (*f)(int)))(int)
     return SIG_DFL;
 }
 
+/* The same under -std=c90. */
+void (*node___sysv_signal(int number, void (*f)(int)))(int)
+{
+    return node_signal(number, f);
+}
+
 int node_sigaction(int number, const struct sigaction *to, struct sigaction *before)
 {
     (void)number, (void)to;

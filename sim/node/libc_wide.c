@@ -146,6 +146,10 @@ size_t node_mbrlen(const char *s, size_t n, mbstate_t *of)
 {
     return mbrlen(s, n, state(of));
 }
+size_t node___mbrlen(const char *s, size_t n, mbstate_t *of)
+{
+    return node_mbrlen(s, n, of);
+}
 size_t node_mbrtowc(wchar_t *to, const char *s, size_t n, mbstate_t *of)
 {
     return mbrtowc(to, s, n, state(of));
