@@ -8,8 +8,7 @@ extern int bzero(), bcmp();
 extern char *index(), *rindex();
 char a[16] = "abcabc", b[16];
 
-main(argc, argv)
-char **argv;
+main(argc, argv) char **argv;
 {
     int n = 16;
     bzero(b, n);

@@ -22,7 +22,8 @@ static int calendar(void)
         return 0;
     again = mktime(localtime(&t));
     strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S %a %B %j %% %y", &tm);
-    return again == t && difftime(t + 60, t) == 60 && !strcmp(text, "1993-03-02 01:00:00 Tue March 061 % 93") &&
+    return again == t && difftime(t + 60, t) == 60 &&
+           !strcmp(text, "1993-03-02 01:00:00 Tue March 061 % 93") &&
            !strcmp(asctime(&tm), "Tue Mar  2 01:00:00 1993\n") && strlen(ctime(&t)) == 25;
 }
 
@@ -61,8 +62,8 @@ static int multibyte(void)
 {
     wchar_t w[8];
     char s[8];
-    return mblen("a", 1) == 1 && mblen("", 1) == 0 && mblen(NULL, 0) == 0 && mbtowc(w, "xy", 2) == 1 && *w == L'x' &&
-           wctomb(s, L'z') == 1 && *s == 'z' && mbstowcs(w, "four", 8) == 4 && wcslen(w) == 4 &&
+    return mblen("a", 1) == 1 && mblen("", 1) == 0 && mblen(NULL, 0) == 0 && mbtowc(w, "xy", 2) == 1 &&
+           *w == L'x' && wctomb(s, L'z') == 1 && *s == 'z' && mbstowcs(w, "four", 8) == 4 && wcslen(w) == 4 &&
            wcstombs(s, w, 8) == 4 && !strcmp(s, "four") && mbrlen("a", 1, NULL) == 1;
 }
 
@@ -140,9 +141,10 @@ static int numbers(void)
 {
     unsigned short seed[3] = {1, 2, 3};
     int point, sign;
-    return atoll("123456789012") == 123456789012 && llabs(-3LL) == 3 && !strcmp(ecvt(-12.5, 3, &point, &sign), "125") &&
-           point == 2 && sign && isnan(nan("")) && fdim(3, 1) == 2 && erand48(seed) != erand48(seed) &&
-           llround(2.5) == 3 && ilogb(9.0) == 3 && remainder(7, 4) == -1;
+    return atoll("123456789012") == 123456789012 && llabs(-3LL) == 3 &&
+           !strcmp(ecvt(-12.5, 3, &point, &sign), "125") && point == 2 && sign && isnan(nan("")) &&
+           fdim(3, 1) == 2 && erand48(seed) != erand48(seed) && llround(2.5) == 3 && ilogb(9.0) == 3 &&
+           remainder(7, 4) == -1;
 }
 
 int main(void)

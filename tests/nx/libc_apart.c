@@ -17,7 +17,8 @@ static int folders(void)
     char now[1000];
     FILE *f;
     mkdir(folder, 0777);
-    int good = chdir(folder) == 0 && (f = fopen("here", "w")) != NULL && fprintf(f, "%ld", mynode()) > 0 && fclose(f) == 0;
+    int good = chdir(folder) == 0 && (f = fopen("here", "w")) != NULL && fprintf(f, "%ld", mynode()) > 0 &&
+               fclose(f) == 0;
     gsync();
     long who = -1;
     f = fopen("./here", "r");

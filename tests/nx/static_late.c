@@ -44,8 +44,7 @@ static void reset()
     calls = 10;
 }
 
-static implicit(n)
-int n;
+static implicit(n) int n;
 {
     calls += n;
 }

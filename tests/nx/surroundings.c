@@ -28,6 +28,7 @@ int main(void)
     rule("alarm", alarm(10) == 0 && sleep(3) == 0 && alarm(0) == 7 && alarm(0) == 0);
     rule("times", times(&t) >= 3 * sysconf(_SC_CLK_TCK) && t.tms_utime < sysconf(_SC_CLK_TCK));
     rule("a page", getpagesize() == 4096 && sysconf(_SC_PAGESIZE) == 4096);
-    rule("the standard streams", fileno(stdin) == 0 && fileno(stdout) == 1 && fileno(stderr) == 2 && isatty(fileno(stdout)));
+    rule("the standard streams",
+         fileno(stdin) == 0 && fileno(stdout) == 1 && fileno(stderr) == 2 && isatty(fileno(stdout)));
     return 0;
 }

@@ -21,8 +21,7 @@ va_list ap;
     return sum;
 }
 
-int total(va_alist)
-va_dcl
+int total(va_alist) va_dcl
 {
     va_list ap;
     char *kinds;
@@ -38,8 +37,7 @@ va_dcl
     return once == twice ? once : -1;
 }
 
-say(va_alist)
-va_dcl
+say(va_alist) va_dcl
 {
     va_list ap;
     char *format;
