@@ -91,7 +91,7 @@ void mailbox_drop(struct receive *r);
 /* The message that s follows shall tell it no more: s is about to be freed. */
 void mailbox_unfollow(struct send *s);
 
-/* Message ids, 0 or more. An id stands for a receive, a send, or both; ids that have been merged are parts of the first,
+/* Message ids, 1 or more. An id stands for a receive, a send, or both; ids that have been merged are parts of the first,
  * which goes on standing for all of them. */
 enum { ID_RECEIVES = 1, ID_SENDS = 2 };
 long mailbox_id_new(struct node *n, unsigned use);           /* -1: all are taken */

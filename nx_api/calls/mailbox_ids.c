@@ -1,4 +1,5 @@
-/* mailbox_ids.c - message ids: see mailbox.h. Ids that have been merged are linked by next, from the one that stands for
+/* mailbox_ids.c - message ids: see mailbox.h. They begin at 1, as those of NX do: many programs have 0 for no message under
+ * way. Ids that have been merged are linked by next, from the one that stands for
  * all:
  *
  *     id 3 -> id 7 -> id 2        3 is valid; 7 and 2 are parts
@@ -15,9 +16,10 @@
 static struct id *at(const struct mailbox_ids *ids, long id)
 {
     struct id_block *b = ids->first;
-    for (; b && id >= IDS_BLOCK; id -= IDS_BLOCK)
+    long i = id - 1;
+    for (; b && i >= IDS_BLOCK; i -= IDS_BLOCK)
         b = b->next;
-    return b ? &b->ids[id] : NULL;
+    return b ? &b->ids[i] : NULL;
 }
 
 static struct id *of(const struct node *n, long id)
@@ -82,14 +84,14 @@ long mailbox_id_new(struct node *n, unsigned use)
         ids->used++;
         if (use & ID_SENDS && !(id->send = calloc(1, sizeof *id->send)))
             abort();
-        return first + (id - (*b)->ids);
+        return first + (id - (*b)->ids) + 1;
     }
     return -1;
 }
 
 bool mailbox_id_is_valid(const struct node *n, long id)
 {
-    const struct id *i = id >= 0 ? of(n, id) : NULL;
+    const struct id *i = id > 0 ? of(n, id) : NULL;
     return i && i->use && !i->part && !i->ignored;
 }
 
@@ -164,7 +166,7 @@ void mailbox_settle(struct node *n)
     if (!ids->ignored)
         return;
     struct node_info before = n->info;
-    long id = 0;
+    long id = 1;
     for (const struct id_block *b = ids->first; ids->ignored && b; b = b->next)
         for (unsigned i = 0; i < IDS_BLOCK; i++, id++)
             if (b->ids[i].ignored && mailbox_id_is_complete(n, id)) {

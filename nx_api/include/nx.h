@@ -25,11 +25,13 @@ extern "C" {
 /* Send and return when buf may be reused (not: when received). Never waits for the receiver to post. Errors: EQNODE,
  * EQTYPE, EQLEN, EQPBUF (a null pointer and len not 0); of all sends. */
 void csend(long type, const void *buf, long len, long node, long pid);
-/* Receive one selected message, waiting for it. A message longer than len is an error, EQMSGLONG: it is lost, and buf is
+/* Receive one selected message, waiting for it. Of those that have come in whole, the one that did so first; if none has, the
+ * first on its way. Those of one type from one process are received in the order sent. A probe finds the same message as the
+ * receive behind it (which of them, if several have come: silent). A message longer than len is an error, EQMSGLONG: it is lost, and buf is
  * as it was (silent). Errors: EQLEN, EQPBUF, EQMSGLONG; of all receives. */
 void crecv(long typesel, void *buf, long len);
-/* Start a send; returns a message id to be given to msgwait, msgdone, msgcancel or msgignore. Ids are limited in number
- * (machine file: message_ids): EQNOMID when all are in use. */
+/* Start a send; returns a message id, 1 or more, to be given to msgwait, msgdone, msgcancel or msgignore. Ids are limited in
+ * number (machine file: message_ids): EQNOMID when all are in use. */
 long isend(long type, const void *buf, long len, long node, long pid);
 /* Post a receive; returns a message id. buf holds the message once msgwait returns or msgdone answers 1. */
 long irecv(long typesel, void *buf, long len);

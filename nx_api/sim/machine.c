@@ -102,7 +102,7 @@ long nxs_masktrap(word state)
     if (before && !n->masked)
         handlers_open(n);
     node_order(n);
-    while (handlers_run(n))
+    for (vtime now = node_now(n); handlers_run_held(n, now);)
         node_order(n);
     return before;
 }

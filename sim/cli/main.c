@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "cli/cli.h"
 
@@ -44,6 +45,9 @@ int main(int argc, char **argv)
     const char *slash = argc > 0 ? strrchr(argv[0], '/') : NULL, *called = slash      ? slash + 1
                                                                            : argc > 0 ? argv[0]
                                                                                       : "";
+    const char *engine = getenv("TOUCHSTONE_ENGINE");
+    if (engine && cli_is_other_engine(engine))
+        return cli_change_engine(engine, argv);
     if (cli_is_cube_command(called)) { /* through a link of that name */
         argv[0] = (char *)(uintptr_t)called;
         return cli_cube(argc, argv);

@@ -9,7 +9,6 @@
 #include "cli/cli.h"
 #include "files/result_file.h"
 #include "machine/machine.h"
-#include "node/engine.h"
 #include "observe/profile.h"
 #include "observe/summary.h"
 
@@ -49,7 +48,8 @@ static const char HELP[] =
     "  --shuffle SEED          let the threads take turns at random, which is how to test that\n"
     "  --engine ENGINE         'reference': by the rules of time in their plainest form, which define all results; slow. "
     "Or\n"
-    "                          'fast', the default, which has to give the same. TOUCHSTONE_ENGINE does that, too\n"
+    "                          'fast', the default, which has to give the same. TOUCHSTONE_ENGINE=reference in the\n"
+    "                          environment does that for all commands of touchstone\n"
     "  --history FILE          write a line for each message received, in order: picoseconds, sender, receiver, type,\n"
     "                          length. The digest is made of these\n"
     "  -q, --quiet             no summary\n"
@@ -358,35 +358,13 @@ static int run(const struct arguments *a)
     return status;
 }
 
-/* The other engine is in another binary, beside this one or, installed, among the libraries. */
-static int change_engine(const char *engine, char **argv)
-{
-    char path[PATH_MAX], *slash;
-    ssize_t length = readlink("/proc/self/exe", path, sizeof path - 64);
-    path[length < 0 ? 0 : length] = 0;
-    if (!(slash = strrchr(path, '/')))
-        return input_error(strdup("/proc is not there: the other engine cannot be found"));
-    static const char *const PLACES[] = {"/touchstone%s", "/../lib/touchstone/touchstone%s",
-                                         "/../../bin/touchstone%s"};
-    char **all = argv - 1; /* main's: "touchstone", "run", ... */
-    for (size_t i = 0; i < sizeof PLACES / sizeof *PLACES; i++) {
-        sprintf(slash, PLACES[i], strcmp(engine, "reference") ? "" : "-reference");
-        execv(path, all);
-    }
-    char *error;
-    if (asprintf(&error, "--engine %s: %s cannot be run: %s", engine, path, strerror(errno)) < 0)
-        abort();
-    return input_error(error);
-}
-
 int cli_run(int argc, char **argv)
 {
     struct arguments a;
     int status = parse(argc, argv, &a);
-    const char *told = getenv("TOUCHSTONE_ENGINE"), *engine = a.engine ? a.engine : told ? told : ENGINE_NAME;
-    if (!status && !a.help && strcmp(engine, ENGINE_NAME)) {
+    if (!status && !a.help && a.engine && cli_is_other_engine(a.engine)) {
         free(a.set);
-        return change_engine(engine, argv);
+        return cli_change_engine(a.engine, argv - 1); /* main's: "touchstone", "run", ... */
     }
     if (!status)
         status = a.help ? (fputs(HELP, stdout), 0) : run(&a);

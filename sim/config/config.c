@@ -144,10 +144,20 @@ static bool read_fast_nodes(struct cfg_reader *r, config_setting_t *g, struct cf
     return true;
 }
 
+static bool read_share(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)
+{
+    double share = 0.05;
+    if (config_setting_get_member(g, "program_share") && !cfg_number(r, g, "program_share", 0, 0.999, &share))
+        return false;
+    m->program_milli = (uint64_t)llround(share * 1000);
+    return true;
+}
+
 static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
 {
-    static const char *const keys[] = {"cpu",      "clock_mhz",  "hwclock_mhz",    "memory_mb", "system_kb",
-                                       "stack_kb", "fast_every", "fast_clock_mhz", NULL};
+    static const char *const keys[] = {"cpu",           "clock_mhz", "hwclock_mhz", "memory_mb",
+                                       "system_kb",     "stack_kb",  "fast_every",  "fast_clock_mhz",
+                                       "program_share", NULL};
     config_setting_t *g;
     double clock_mhz, hwclock_mhz = 10;
     uint64_t memory, system, stack;
@@ -157,7 +167,8 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
          !cfg_number(r, g, "hwclock_mhz", 0.001, 100000, &hwclock_mhz)) ||
         !cfg_whole(r, g, "memory_mb", 1, 65536, &memory) ||
         !cfg_whole(r, g, "system_kb", 0, memory * KB, &system) ||
-        !cfg_whole(r, g, "stack_kb", 16, memory * KB, &stack) || !read_fast_nodes(r, g, m))
+        !cfg_whole(r, g, "stack_kb", 16, memory * KB, &stack) || !read_fast_nodes(r, g, m) ||
+        !read_share(r, g, m))
         return false;
     if (system + stack >= memory * KB)
         return cfg_fail(r, g, "memory_mb", "system_kb and stack_kb leave nothing of it to the program");

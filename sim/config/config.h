@@ -69,6 +69,9 @@ struct cfg_machine {
      * system alike: what if hosts were faster than their slaves? fast_every 0: none. */
     uint32_t fast_every;
     uint64_t fast_clock_hz;
+    /* A program that handlers interrupt one after the other has at least so many thousandths of its node's processor to itself;
+     * 50 where the file does not say (program_share = 0.05). 0: handlers may keep it from going on for ever. */
+    uint64_t program_milli;
     uint64_t hwclock_hz;   /* of the count that hwclock() gives; 10 MHz where the file does not say */
     uint64_t memory_bytes; /* all of a node's memory */
     uint64_t system_bytes; /* of which the operating system takes this much */

@@ -52,6 +52,7 @@ struct message {
     bool buffered : 1; /* held in a system buffer */
     bool unwanted : 1; /* to be thrown away when it arrives */
     bool too_long : 1; /* for its receiver's buffer */
+    bool whole : 1;    /* unexpected, and in the order of the whole: node/unexpected.h */
     size_t bytes;
     union {
         uint64_t order; /* of the source's messages, until it is sent */
@@ -60,7 +61,10 @@ struct message {
     void *receive;     /* the posted receive it is for, NULL: none yet */
     struct trip *trip; /* NULL: not sent yet, or arrived */
 
-    void *send;    /* the sender's message id or handler, if anybody asks */
+    union {
+        void *send;                  /* the sender's message id or handler, if anybody asks */
+        struct message **whole_link; /* whole: what points to it */
+    };
     void *service; /* not between programs: what it is about, to a service or its client */
     struct proto *proto;
     void *data; /* a copy of the sender's: in few, or shared by messages to all nodes */

@@ -2,7 +2,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-#include "net/flow.h"
+#include "kernel/queues.h"
 #include "net/proto_parts.h"
 
 static vtime hops_time(const struct proto *p, const struct message *m, vtime per_hop)
@@ -58,10 +58,10 @@ enum { FEW_COMING = 16 };
 
 static void begin_flows(struct proto_place *to)
 {
-    to->flows = flows_new();
+    to->flows = queues_new();
     for (struct trip *t = to->in; t; t = t->next_in)
         if (!t->envelope)
-            flows_add(to->flows, t);
+            queues_add(to->flows, t->source, (int64_t)t->order, t);
 }
 
 void proto_link(struct proto *p, struct trip *t)
@@ -78,14 +78,14 @@ void proto_link(struct proto *p, struct trip *t)
     if (++to->coming > FEW_COMING && !to->flows)
         begin_flows(to);
     else if (to->flows)
-        flows_add(to->flows, t);
+        queues_add(to->flows, t->source, (int64_t)t->order, t);
 }
 
 void proto_envelope_seen(struct proto *p, struct trip *t)
 {
     struct proto_place *to = &p->places[t->transit.to];
     if (to->flows && !t->envelope)
-        flows_remove(to->flows, t);
+        queues_remove(to->flows, t->source, t);
     t->envelope = true;
 }
 
@@ -93,7 +93,7 @@ struct trip *proto_first_coming(const struct proto *p, uint32_t source, uint32_t
 {
     const struct proto_place *place = &p->places[to];
     if (place->flows)
-        return flows_first(place->flows, source);
+        return queues_at(place->flows, source, 0);
     struct trip *first = NULL;
     for (struct trip *t = place->in; t; t = t->next_in)
         if (t->source == source && !t->envelope && (!first || t->order < first->order))
@@ -122,7 +122,7 @@ static void unlink_in(struct proto *p, struct trip *t)
     proto_envelope_seen(p, t);
     struct proto_place *to = &p->places[t->transit.to];
     if (--to->coming == 0 && to->flows) {
-        flows_free(to->flows);
+        queues_free(to->flows);
         to->flows = NULL;
     }
 }
@@ -212,7 +212,8 @@ static struct message *message_new(struct proto *p, enum proto_size size, uint32
     m->from = m->source = from, m->to = to;
     m->order = p->places[from].made++;
     m->is_long = !proto_one_trip(p, type, bytes), m->forced = (type & PROTO_FORCED) != 0;
-    m->serves = m->followed = m->granted = m->arrived = m->buffered = m->unwanted = m->too_long = false;
+    m->serves = m->followed = m->granted = m->arrived = m->buffered = m->unwanted = m->too_long = m->whole =
+        false;
     return m;
 }
 

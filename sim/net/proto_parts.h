@@ -44,8 +44,8 @@ _Static_assert(sizeof(struct message) == 96 && offsetof(struct message, send) ==
 struct proto_place {
     struct trip *in, *out;
     uint64_t made;
-    uint32_t coming;     /* of `in` */
-    struct flows *flows; /* those of `in` whose envelope has not come; NULL: there are few */
+    uint32_t coming;      /* of `in` */
+    struct queues *flows; /* those of `in` whose envelope has not come, by source; NULL: there are few */
 };
 
 struct proto {

@@ -5,10 +5,16 @@
 #include "node/handlers.h"
 #include "node/system.h"
 
-void node_account(struct node *n, enum node_task task, vtime t)
+static void add(struct node *n, enum node_task task, vtime t)
 {
     n->stats.tasks[task] += t;
     n->stats.system += t;
+}
+
+void node_account(struct node *n, enum node_task task, vtime t)
+{
+    add(n, task, t);
+    handlers_share_used(n, t);
 }
 
 void node_spend(struct node *n, vtime t)
@@ -31,7 +37,7 @@ static void steal(struct node *n, enum node_task task, vtime t)
     engine_touch(n);
     if (n->state == NODE_COMPUTING)
         n->clock.stolen += t;
-    node_account(n, task, t);
+    add(n, task, t);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
@@ -58,6 +64,7 @@ void account_block(struct node *n, vtime now)
     n->state = NODE_BLOCKED;
     n->blocked.since = now;
     n->blocked.busy = n->stats.system;
+    n->share_until = 0;
 }
 
 void account_cut(struct node *n, vtime t)

@@ -22,7 +22,7 @@ vtime clock_of_units_exactly(const struct node *n, uint64_t units)
     return (vtime)((unsigned __int128)units * VT_SECOND / (n->clock_hz * UNITS_PER_CLOCK));
 }
 
-static uint64_t units_of_time(const struct node *n, vtime t)
+uint64_t clock_units_in(const struct node *n, vtime t)
 {
     if (n->clock.unit_ps)
         return t / n->clock.unit_ps + (t % n->clock.unit_ps > 0);
@@ -94,6 +94,11 @@ static vtime clock_at(const struct node *n, uint64_t units)
     return n->clock.now + clock_of_units(n, units) - clock_of_units(n, n->clock.units);
 }
 
+vtime clock_when(const struct node *n, uint64_t units)
+{
+    return units > n->clock.units ? clock_at(n, units) : 0;
+}
+
 vtime clock_quiet(const struct node *n)
 {
     const struct node_clock *c = &n->clock;
@@ -117,14 +122,14 @@ void clock_cut(struct node *n, vtime t)
 {
     clock_sync(n);
     vtime computed = clock_of_units(n, n->clock.units);
-    clock_set_units(n, computed > t ? units_of_time(n, computed - t) : 0);
+    clock_set_units(n, computed > t ? clock_units_in(n, computed - t) : 0);
 }
 
 /* Where a unit is no whole number of picoseconds, it depends on how many have been spent. */
 static __attribute__((noinline)) uint64_t units_until_exactly(const struct node *n, vtime t)
 {
     const struct node_clock *c = &n->clock;
-    uint64_t units = units_of_time(n, t - c->now);
+    uint64_t units = clock_units_in(n, t - c->now);
     while (units > 0 && clock_at(n, c->units + units - 1) >= t)
         units--;
     while (clock_at(n, c->units + units) < t)
@@ -146,7 +151,7 @@ void clock_allow(struct node *n, vtime deadline)
     struct node_clock *c = &n->clock;
     uint64_t units = n->looks.look - c->units;
     if (n->sys->longest_slice)
-        units = least(units, units_of_time(n, n->sys->longest_slice));
+        units = least(units, clock_units_in(n, n->sys->longest_slice));
     if (deadline <= c->now)
         units = 1;
     else if (deadline != VT_NEVER)

@@ -83,6 +83,10 @@ vtime clock_quiet(const struct node *n);
 /* Units that it has yet to spend before its next call; and that is what it has: handlers have run meanwhile. */
 uint64_t clock_promised(const struct node *n);
 void clock_promise(struct node *n, uint64_t units);
+/* When it will have spent so many units, if it only computes; 0: it has. */
+vtime clock_when(const struct node *n, uint64_t units);
+/* The least units that take t. */
+uint64_t clock_units_in(const struct node *n, vtime t);
 /* Units spent since the program got control. */
 uint64_t clock_stretch(const struct node *n);
 /* The program has crashed while it computed, some time after its last look: how far it had come nobody knows, and it counts as

@@ -86,17 +86,17 @@ void node_yield_turn(struct node *n, vtime now)
 {
     if (n->loose)
         n->ahead.arrived = now; /* for node_catch */
-    else if (!n->call && n->ahead.alert && !turn_is_passed(n, now))
+    else if (!n->call && n->ahead.alert)
         turn_at_check(n, now, quiet_until(n));
     else
         turn_put(n, now);
 }
 
-/* The program's turn has come, maybe without an event; not where it only makes up for checks, which come before the present. */
+/* The program's turn has come, maybe without an event. (Where it only makes up for checks, that was long ago.) */
 static void have_turn(struct node *n, vtime now)
 {
     struct node_system *s = n->sys;
-    if (n->ahead.up_to)
+    if (n->ahead.up_to || turn_is_passed(n, now))
         return;
     s->reached = turn_reached(s);
     s->present = (struct instant){now, n->place};
@@ -157,7 +157,7 @@ static void take_turn(struct node *n)
     n->call_since = VT_NEVER; /* it has not come so far */
     node_order(n);
     n->call_since = node_now(n);
-    while (handlers_run(n))
+    while (handlers_run(n, false))
         node_order(n);
     node_memory_settle(n);
 }
@@ -270,7 +270,7 @@ static void listen(struct node *n)
         n->sys->unseen += LOOK_CALLS / 8;
     do
         node_order(n);
-    while (handlers_run(n) && (any = true));
+    while (handlers_run(n, false) && (any = true));
     if (!any)
         return;
     node_memory_settle(n);
@@ -299,11 +299,15 @@ void node_nxc_preempt(void)
     n->at_poll = false;
 }
 
-/* Handlers that have become due while the node came here; others will wake it. */
-static void catch_up(struct node *n)
+/* Handlers that have become due while the node came here; others will wake it. Is what it waits for there? */
+static bool catch_up(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
-    while (handlers_run(n))
+    bool is_ready = ready(n, arg);
+    while (handlers_run(n, !is_ready)) {
         node_order(n);
+        is_ready = ready(n, arg);
+    }
+    return is_ready;
 }
 
 /* Switches away until the program has something to do; on the scheduler's side, go_on and wake see to that. True if it
@@ -338,7 +342,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     } else {
         have_turn(n, now);
     }
-    for (catch_up(n); !ready(n, arg); catch_up(n)) {
+    while (!catch_up(n, ready, arg)) {
         account_block(n, node_now(n));
         switch_away(n, ready, arg);
     }

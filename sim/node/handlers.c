@@ -85,7 +85,7 @@ bool handlers_armed(const struct node *n)
 vtime handlers_next_due(const struct node *n)
 {
     const struct due *first = first_due(&n->mailbox);
-    return first ? first->at : VT_NEVER;
+    return first ? vt_max(first->at, clock_when(n, n->share_until)) : VT_NEVER;
 }
 
 bool handlers_due(const struct node *n, vtime now)
@@ -140,10 +140,8 @@ static void run_first(struct node *n)
 }
 
 /* What the interrupted call is about, for reports: handlers make calls of their own. */
-bool handlers_run(struct node *n)
+static void run_within(struct node *n)
 {
-    if (handlers_next_due(n) == VT_NEVER || !handlers_due(n, node_now(n)))
-        return false;
     const char *call = n->call;
     long type = n->call_type, awaited = n->awaited;
     bool has_type = n->call_has_type, awaits = n->awaits, hands_over = n->hands_over;
@@ -151,5 +149,46 @@ bool handlers_run(struct node *n)
     run_first(n);
     n->call = call, n->call_type = type, n->call_has_type = has_type, n->call_since = since;
     n->awaited = awaited, n->awaits = awaits, n->hands_over = hands_over;
+}
+
+void handlers_share_used(struct node *n, vtime t)
+{
+    uint64_t left = n->share_until > n->clock.units ? n->share_until - n->clock.units : 0, used;
+    if (!left || n->in_handler)
+        return;
+    used = clock_units_in(n, t);
+    n->share_until -= used < left ? used : left;
+}
+
+/* Runs it; the program, which would have gone on meanwhile, has its share before the next. */
+static void interrupt(struct node *n)
+{
+    const uint64_t share = n->sys->cfg->program_milli;
+    vtime begun = node_now(n);
+    run_within(n);
+    vtime stood = node_now(n) - begun;
+    n->stats.stood += stood;
+    n->share_until = (n->share_until > n->clock.units ? n->share_until : n->clock.units) +
+                     clock_units_in(n, stood / (1000 - share) * share);
+}
+
+bool handlers_run(struct node *n, bool waits)
+{
+    if (!first_due(&n->mailbox) || !handlers_due(n, node_now(n)))
+        return false;
+    if (waits)
+        run_within(n);
+    else if (n->share_until <= n->clock.units)
+        interrupt(n);
+    else
+        return false;
+    return true;
+}
+
+bool handlers_run_held(struct node *n, vtime t)
+{
+    if (!handlers_due(n, t))
+        return false;
+    interrupt(n);
     return true;
 }

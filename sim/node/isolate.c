@@ -29,13 +29,32 @@ void isolate_made(struct node *n)
         set_writable(n, false);
 }
 
+static void close_writable(struct node_system *s)
+{
+    if (s->writable && s->writable->region)
+        set_writable(s->writable, false);
+}
+
 void isolate_run(struct node *n)
 {
     struct node_system *s = n->sys;
     if (!s->isolate || s->writable == n)
         return;
-    if (s->writable && s->writable->region)
-        set_writable(s->writable, false);
+    close_writable(s);
     set_writable(n, true);
     s->writable = n;
+}
+
+struct node *isolate_keep(struct node_system *s)
+{
+    struct node *running = s->writable;
+    s->writable = NULL;
+    return running;
+}
+
+void isolate_back_to(struct node_system *s, struct node *caller)
+{
+    if (s->writable != caller)
+        close_writable(s);
+    s->writable = caller;
 }

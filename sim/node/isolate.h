@@ -9,4 +9,7 @@
 void isolate_made(struct node *n);
 /* n is going to run. */
 void isolate_run(struct node *n);
+/* Another is going to run within a call of the one that runs, which is returned, and may write beside it; then that goes on. */
+struct node *isolate_keep(struct node_system *s);
+void isolate_back_to(struct node_system *s, struct node *caller);
 #endif

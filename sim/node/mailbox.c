@@ -9,15 +9,17 @@
 #include "node/engine.h"
 #include "node/handlers.h"
 #include "node/system.h"
+#include "node/unexpected.h"
 #include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/include/nxerrno.h"
 
-void mailbox_begin(struct mailbox *b, struct id_block *ids)
+void mailbox_begin(struct node *n, struct id_block *ids)
 {
+    struct mailbox *b = &n->mailbox;
     *b = (struct mailbox){0};
     ids_begin(&b->ids, ids);
     b->posted_end = &b->posted;
-    b->unexpected_end = &b->unexpected;
+    unexpected_begin(n);
 }
 
 /* Those that the program did not make on its stack, or with an id. */
@@ -30,22 +32,23 @@ static void free_posted(struct mailbox *b)
     }
 }
 
-void mailbox_end(struct mailbox *b)
+static void free_messages(struct message *list)
 {
-    for (struct message *m = b->unexpected, *next; m; m = next) {
+    for (struct message *m = list, *next; m; m = next) {
         next = m->next;
         proto_message_free(m);
     }
+}
+
+void mailbox_end(struct node *n)
+{
+    struct mailbox *b = &n->mailbox;
+    free_messages(b->whole);
+    free_messages(n->coming);
+    unexpected_end(n);
     handlers_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */
-}
-
-static bool selects(const struct node *n, const struct selector *s, const struct message *m)
-{
-    return mailbox_selects(s->type, m->type) &&
-           (s->node < 0 || s->node == (long)node_number(n->sys, m->source)) &&
-           (s->pid < 0 || s->pid == m->pid);
 }
 
 struct mailbox_ids *mailbox_ids(const struct node *n)
@@ -70,21 +73,6 @@ static void unpost(struct mailbox *b, struct receive **link)
         b->posted_end = link;
 }
 
-static void keep(struct mailbox *b, struct message *m)
-{
-    m->next = NULL;
-    *b->unexpected_end = m;
-    b->unexpected_end = &m->next;
-}
-
-static void unkeep(struct mailbox *b, struct message **link)
-{
-    struct message *m = *link;
-    *link = m->next;
-    if (b->unexpected_end == &m->next)
-        b->unexpected_end = link;
-}
-
 /* --- system buffers --- */
 
 static void buffer(struct node *n, struct message *m)
@@ -102,7 +90,7 @@ static bool room_for(struct node *n, const struct message *m)
 /* Buffers have been given back: grant what waits for them, in the order asked. */
 static void grant_waiting(struct node *n, vtime now)
 {
-    for (struct message *m = n->mailbox.unexpected; m && n->mailbox.waiting; m = m->next) {
+    for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
         if (!m->is_long || m->granted)
             continue;
         if (!room_for(n, m))
@@ -140,7 +128,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
         return true;
     engine_touch(n);
     for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
-        if (!selects(n, &(*link)->select, m))
+        if (!unexpected_selects(n, &(*link)->select, m))
             continue;
         give(*link, m);
         unpost(b, link);
@@ -148,7 +136,7 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     }
     if (m->forced)
         return false;
-    keep(b, m);
+    unexpected_add(n, m);
     engine_kept(n);
     if (m->is_long && !room_for(n, m)) {
         b->waiting++;
@@ -179,6 +167,8 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
     struct receive *r = m->receive;
     if (r)
         r->complete = m->complete;
+    else if (!m->unwanted)
+        unexpected_has_arrived(n, m);
     sys->messages++;
     sys->bytes += m->bytes;
     node_system_digest(sys, m, now);
@@ -243,33 +233,21 @@ vtime mailbox_send(struct node *n, struct message *first, vtime now)
 
 /* --- receiving --- */
 
-const struct message *mailbox_first(const struct node *n, const struct receive *r)
-{
-    const struct message *m = n->mailbox.unexpected;
-    while (m && !selects(n, &r->select, m))
-        m = m->next;
-    return m;
-}
-
 void mailbox_post_at(struct node *n, struct receive *r, vtime now)
 {
-    struct mailbox *b = &n->mailbox;
-    for (struct message **link = &b->unexpected; *link; link = &(*link)->next) {
-        struct message *m = *link;
-        if (!selects(n, &r->select, m))
-            continue;
-        unkeep(b, link);
-        cache_load(*link); /* often the next to be asked for */
-        give(r, m);
-        if (m->is_long && !m->granted) {
-            b->waiting--;
-            proto_grant(m->proto, m, now);
-        }
-        if (m->arrived && r->handler)
-            handlers_add(n, vt_max(m->complete, now), r, NULL);
+    struct message *m = unexpected_first(n, &r->select);
+    if (!m) {
+        post(&n->mailbox, r);
         return;
     }
-    post(b, r);
+    unexpected_take(n, m);
+    give(r, m);
+    if (m->is_long && !m->granted) {
+        n->mailbox.waiting--;
+        proto_grant(m->proto, m, now);
+    }
+    if (m->arrived && r->handler)
+        handlers_add(n, vt_max(m->complete, now), r, NULL);
 }
 
 void mailbox_post(struct node *n, struct receive *r)
@@ -279,12 +257,8 @@ void mailbox_post(struct node *n, struct receive *r)
 
 void mailbox_put_back(struct node *n, struct message *m)
 {
-    struct mailbox *b = &n->mailbox;
     m->receive = NULL;
-    m->next = b->unexpected;
-    if (!b->unexpected)
-        b->unexpected_end = &m->next;
-    b->unexpected = m;
+    unexpected_put_back(n, m);
 }
 
 void mailbox_withdraw(struct node *n, struct receive *r)
@@ -352,11 +326,8 @@ long mailbox_take(struct node *n, struct receive *r)
 
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
-    vtime now = node_now(n);
-    for (const struct message *m = n->mailbox.unexpected; m; m = m->next)
-        if (selects(n, select, m) && m->arrived && m->complete <= now)
-            return m;
-    return NULL;
+    const struct message *m = unexpected_first(n, select);
+    return m && m->whole && m->complete <= node_now(n) ? m : NULL;
 }
 
 /* A message that has left the queue is not wanted any more. */
@@ -372,24 +343,21 @@ static void throw_away(struct node *n, struct message *m, vtime now)
         proto_message_free(m);
 }
 
-void mailbox_flush(struct node *n, int64_t typesel, vtime now)
+static void throw_away_all(struct node *n, struct message *list, int64_t typesel, vtime now)
 {
-    struct message *unwanted = NULL, **end = &unwanted;
-    struct message **link = &n->mailbox.unexpected;
-    while (*link) {
-        struct message *m = *link;
-        if (!mailbox_selects(typesel, m->type)) {
-            link = &m->next;
-            continue;
-        }
-        unkeep(&n->mailbox, link);
-        m->next = NULL;
-        *end = m, end = &m->next;
-    }
-    for (struct message *m = unwanted, *next; m; m = next) {
+    for (struct message *m = list, *next; m; m = next) {
         next = m->next;
+        if (!mailbox_selects(typesel, m->type))
+            continue;
+        unexpected_take(n, m);
         throw_away(n, m, now);
     }
+}
+
+void mailbox_flush(struct node *n, int64_t typesel, vtime now)
+{
+    throw_away_all(n, n->mailbox.whole, typesel, now);
+    throw_away_all(n, n->coming, typesel, now);
 }
 
 /* --- when a program is gone --- */
@@ -429,28 +397,28 @@ void mailbox_abandon(struct node *n)
     b->posted = NULL, b->posted_end = &b->posted;
 }
 
-void mailbox_empty(struct node *n, vtime now)
+static void throw_away_list(struct node *n, struct message **list, vtime now)
 {
-    struct message **link = &n->mailbox.unexpected;
-    while (*link) {
-        struct message *m = *link;
-        unkeep(&n->mailbox, link);
+    while (*list) {
+        struct message *m = *list;
+        unexpected_take(n, m);
         throw_away(n, m, now);
     }
+}
+
+void mailbox_empty(struct node *n, vtime now)
+{
+    throw_away_list(n, &n->coming, now);
+    throw_away_list(n, &n->mailbox.whole, now);
     for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
         m->unwanted = m->unwanted || !m->serves;
 }
 
 void mailbox_inherit(struct node *n, struct node *before)
 {
-    struct mailbox *old = &before->mailbox;
-    for (struct message *m = old->unexpected, *next; m; m = next) {
-        next = m->next;
-        keep(&n->mailbox, m);
-    }
-    n->mailbox.waiting = old->waiting;
+    unexpected_inherit(n, before);
+    n->mailbox.waiting = before->mailbox.waiting;
     n->buffered = before->buffered;
-    old->unexpected = NULL, old->unexpected_end = &old->unexpected;
     node_memory_changed(n);
 }
 

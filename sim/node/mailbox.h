@@ -4,6 +4,7 @@
  *                       none does                    ->  it waits, unexpected, in a system buffer
  *   a receive is made:  the first unexpected message it selects, else it is posted (first posted, first served)
  *
+ * unexpected.h says which is the first.
  * A message is complete when it has arrived and the operating system is done with it (message.complete). What NX's calls
  * do with it is declared in nx_api/calls/mailbox.h.
  */
@@ -14,8 +15,8 @@
 #include "nx_api/calls/mailbox.h"
 
 /* With room for its first ids, for as long as there is the mailbox. */
-void mailbox_begin(struct mailbox *b, struct id_block *ids);
-void mailbox_end(struct mailbox *b);
+void mailbox_begin(struct node *n, struct id_block *ids);
+void mailbox_end(struct node *n);
 
 /* Throw away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
 void mailbox_flush(struct node *n, int64_t typesel, vtime now);
@@ -26,8 +27,6 @@ void mailbox_abandon(struct node *n);
 void mailbox_empty(struct node *n, vtime now);
 void mailbox_inherit(struct node *n, struct node *before);
 
-/* The first unexpected message for r. NULL: there is none. */
-const struct message *mailbox_first(const struct node *n, const struct receive *r);
 /* Post r at time now: mailbox_post for a call that is made then. */
 void mailbox_post_at(struct node *n, struct receive *r, vtime now);
 /* Send messages, linked by next, from time now on; returns when the last has left the program. One takes the processor so

@@ -324,7 +324,7 @@ static struct node *make(struct node_system *sys, uint32_t id)
     n->sys = sys, n->id = n->place = id;
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
-    mailbox_begin(&n->mailbox, &n->beside->ids);
+    mailbox_begin(n, &n->beside->ids);
     n->info = (struct node_info){-1, -1, -1, -1};
     n->pending.begun = VT_NEVER;
     return n;
@@ -375,7 +375,7 @@ static void strip(struct node *n)
     engine_forget(n);
     if (n->sys->proto)
         mailbox_abandon(n); /* what its messages under way would tell */
-    mailbox_end(&n->mailbox);
+    mailbox_end(n);
     waits_free(&n->stats.waits);
     free(n->crash);
     if (n->libc)

@@ -78,6 +78,7 @@ struct node_stats {
     vtime beside; /* tasks that took none of the program's time */
     size_t memory_peak;
     uint64_t handlers;
+    vtime stood;  /* that the program stood still for handlers, and did not wait */
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     vtime ended_at;
     vtime
@@ -102,10 +103,10 @@ struct node_ahead {
 /* Messages and what they are for: mailbox.h. A line of the cache. */
 struct mailbox {
     struct receive *posted, **posted_end;
-    struct message *unexpected, **unexpected_end;
-    struct due *last_due; /* of a ring: its next is the first. NULL: none */
-    uint32_t handlers;    /* posted or due */
-    uint32_t waiting;     /* unexpected long messages that found no room */
+    struct message *whole, **whole_end; /* unexpected.h */
+    struct due *last_due;               /* of a ring: its next is the first. NULL: none */
+    uint32_t handlers;                  /* posted or due */
+    uint32_t waiting;                   /* unexpected long messages that found no room */
     struct mailbox_ids ids;
 };
 _Static_assert(sizeof(struct mailbox) == CACHE_LINE, "a mailbox does not fit into a line");
@@ -238,7 +239,11 @@ struct node {
     uintptr_t
         frame; /* on the stack: of the call, while it is blocked, or of the poll at which it has stopped */
     struct node_info info;
-    size_t buffered; /* bytes of unexpected messages held */
+    struct message *coming; /* unexpected.h, as the next three */
+    struct queues *by_type; /* the whole ones; NULL: they are few */
+    uint32_t whole_count;
+    int64_t whole_order; /* of the last, in by_type */
+    size_t buffered;     /* bytes of unexpected messages held */
     /* Messages come while the program computes ahead. Each of the two sees what the other had when the program was last
      * in a call. */
     size_t buffered_known;
@@ -273,8 +278,10 @@ struct node {
     bool end_noticed; /* such a call has told of this one's */
     struct {
         vtime at;
-        uint64_t units;     /* what the program had computed then */
-    } opened;               /* when handlers were last let run */
+        uint64_t units; /* what the program had computed then */
+    } opened;           /* when handlers were last let run */
+    uint64_t
+        share_until; /* no handler interrupts the program before its clock has so many units: handlers.h */
     struct node_libc *libc; /* stdio, random numbers, strtok: libc.h */
     size_t failed_malloc;   /* size of the last allocation refused, 0: none */
 };

@@ -7,6 +7,7 @@
 #include "node/mailbox.h"
 #include "node/system.h"
 #include "node/turns.h"
+#include "node/unexpected.h"
 
 #define TIME_MASK ((UINT64_C(1) << PENDING_TIME_BITS) - 1)
 
@@ -112,7 +113,6 @@ static void put_beside(struct node *n, struct message *m)
     last(n)->beside = true;
 }
 
-/* A long message that waits for room is granted it in the call's turn. */
 static void post(struct node *n, struct receive *r)
 {
     struct pending_call *c = open_call(n);
@@ -121,10 +121,9 @@ static void post(struct node *n, struct receive *r)
         put_beside(n, c->message);
     c->receive = r;
     c->posts = true;
-    if (n->pending.selects)
-        return; /* one before may select another message first */
-    const struct message *m = mailbox_first(n, r);
-    if (m && m->is_long && !m->granted) {
+    const struct message *m = unexpected_first(n, &r->select);
+    if (n->pending.selects ||
+        (m && !m->arrived)) { /* one before may select it, or another be the first then */
         pending_may_select(n);
     } else if (m) {
         mailbox_post_at(n, r, 0);

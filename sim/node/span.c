@@ -89,8 +89,8 @@ static void *fresh(void *where, size_t bytes, int flags)
                 0);
 }
 
-/* A mapping at a multiple of its size; NULL when there is no room. */
-static void *reserve(void)
+/* At a multiple of its size, anywhere; NULL when there is no room. */
+static void *reserve_anywhere(void)
 {
     char *wide = fresh(NULL, 2 * NODE_REGION, 0);
     if (wide == MAP_FAILED)
@@ -102,10 +102,10 @@ static void *reserve(void)
     return region;
 }
 
-/* The same below 2^32. */
-static void *reserve_low(void)
+/* At the first place between two that is free. NULL: there is none. */
+static void *reserve_between(uintptr_t from, uintptr_t to)
 {
-    for (uintptr_t at = NODE_REGION; at < UINT64_C(1) << 32; at += NODE_REGION) {
+    for (uintptr_t at = from; at < to; at += NODE_REGION) {
         void *region = fresh((void *)at, NODE_REGION, MAP_FIXED_NOREPLACE);
         if (region == (void *)at)
             return region;
@@ -115,9 +115,28 @@ static void *reserve_low(void)
     return NULL;
 }
 
+/* Where hosts have nothing of their own: so that programs find the same addresses in every run, whatever they do with them.
+ * (ThreadSanitizer has its tables there.) */
+#ifdef __SANITIZE_THREAD__
+static const uintptr_t FIRST_REGION = UINT64_C(1) << 36;
+#else
+static const uintptr_t FIRST_REGION = UINT64_C(1) << 45;
+#endif
+
+static void *reserve(struct node_system *sys)
+{
+    enum { TRIES = 1024 };
+    uintptr_t from = sys->last_region ? sys->last_region + NODE_REGION : FIRST_REGION;
+    void *region = reserve_between(from, from + TRIES * NODE_REGION);
+    if (!region)
+        return reserve_anywhere();
+    sys->last_region = (uintptr_t)region;
+    return region;
+}
+
 static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes, bool low)
 {
-    struct node_region *r = low ? reserve_low() : reserve();
+    struct node_region *r = low ? reserve_between(NODE_REGION, UINT64_C(1) << 32) : reserve(sys);
     if (!r)
         return NULL;
     r->shift = shift_for(span_bytes);

@@ -32,6 +32,7 @@ struct node_system {
     struct node **nodes;
     struct pool made, made_beside; /* what nodes are made of; to be freed behind them */
     struct node_region *roomy;     /* regions of address space with room for more nodes: span.h */
+    uintptr_t last_region;         /* the latest that lies where all are meant to; 0: none */
     bool isolate;                  /* only `writable` may write to its memory: isolate.h */
     struct node *writable;         /* NULL: none */
     enum node_guards guards;       /* the least that any region has */

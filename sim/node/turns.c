@@ -345,12 +345,11 @@ void node_catch_up(struct node *n, vtime t)
     if (!n->stopped)
         return;
     if (n->ahead.check < t && !n->clock.stolen) {
-        struct node *caller = n->sys->writable; /* another's call may have led here, and goes on behind it */
+        struct node *caller = isolate_keep(n->sys);
         n->ahead.up_to = t;
         check(n);
         n->ahead.up_to = 0;
-        if (caller)
-            isolate_run(caller);
+        isolate_back_to(n->sys, caller);
     }
     if (n->stopped)
         turn_at_check(n, n->ahead.check, 0);

@@ -28,7 +28,8 @@
  * Turns that are not events - of a program that rests, of pending calls, of checks - have come when the machine has been at a
  * later moment. Where what happens at one node may happen to another in no time (a network without a hop's time, killproc), the
  * machine comes back from a place to smaller ones at the same time; so that what counts is the latest moment so far, `reached`. A
- * turn that is put before it, at that time again, has not come: it is made an event (turn_is_passed).
+ * turn that is put before it, at that time again, has not come: it is made an event (turn_is_passed). Checks need no such care: a
+ * program has always computed something before one, so that it comes later than the turn before.
  *
  * An event of a node is that it goes on (its start, a call), that pending calls have their turn or, blocked, that it looks again at
  * what it waits for (node_wake). Its checks are not events, but bounds beside the queue (node_system.checks). */

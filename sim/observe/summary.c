@@ -69,13 +69,21 @@ static void print_handlers(const struct machine *m, FILE *f)
 {
     uint64_t handlers = 0;
     vtime latest = 0;
+    const struct node *most = m->sys.nodes[0];
     for (uint32_t k = 0; k < machine_nodes(m); k++) {
-        handlers += m->sys.nodes[k]->stats.handlers;
-        latest = vt_max(latest, m->sys.nodes[k]->stats.latest);
+        const struct node *n = m->sys.nodes[k];
+        handlers += n->stats.handlers;
+        latest = vt_max(latest, n->stats.latest);
+        most = n->stats.stood > most->stats.stood ? n : most;
     }
-    if (handlers)
-        fprintf(f, "interrupts     %" PRIu64 " handlers run, the latest %.3f us after it was due\n", handlers,
-                vt_seconds(latest) * 1e6);
+    if (!handlers)
+        return;
+    fprintf(f, "interrupts     %" PRIu64 " handlers run, the latest %.3f us after it was due", handlers,
+            vt_seconds(latest) * 1e6);
+    if (most->stats.stood)
+        fprintf(f, "; the program of %s stood still for %.6f s meanwhile", most->name,
+                vt_seconds(most->stats.stood));
+    fputc('\n', f);
 }
 
 static void print_files(const struct machine *m, FILE *f)

@@ -12,7 +12,7 @@
  *    is put into the queue again, so much later. That is repeated until the turn comes and nothing has put it off.
  * 5. A call is made in its turn, at once and as a whole. The time it takes is added to the clock, and the program goes on from there.
  * 6. A handler that is due by the program's time runs when its turn has come at a poll, when it enters a call, and while it waits in
- *    one; not while another runs, nor while they are masked.
+ *    one; not while another runs, nor while they are masked. Between two of them the program has its share (node/handlers.h).
  * 7. A call that waits does so until what it waits for is there: that is looked at in its turn, and then whenever something comes
  *    to the node.
  * 8. A program that crashes while it computes is known to have done so at its next look (node/clock.h): the poll at which it had
@@ -112,7 +112,7 @@ void node_nxc_preempt(void)
     n->at_poll = true;
     node_order(n);
     bool any = false;
-    for (; handlers_run(n); any = true)
+    for (; handlers_run(n, false); any = true)
         node_order(n);
     if (any) {
         node_memory_settle(n);
@@ -133,7 +133,7 @@ static void enter(struct node *n, const char *call)
     n->call_since = VT_NEVER; /* it has not come so far */
     node_order(n);
     n->call_since = node_now(n);
-    while (handlers_run(n))
+    while (handlers_run(n, false))
         node_order(n);
     node_memory_settle(n);
 }
@@ -189,7 +189,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     n->hands_over = false;
     node_order(n);
     for (;;) {
-        while (handlers_run(n))
+        while (handlers_run(n, !ready(n, arg)))
             node_order(n);
         if (ready(n, arg))
             return;

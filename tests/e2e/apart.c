@@ -96,6 +96,8 @@ int main(int argc, char **argv)
         write_to_other();
     else if (!strcmp(what, "stacks"))
         other_stack(malloc(65536), 65536), other_stack(data_room, sizeof data_room);
+    else if (!strcmp(what, "addresses"))
+        printf("%p %p %p\n", malloc(1000), (void *)shared, (void *)&argc);
     else if (!strcmp(what, "near"))
         printf("%d\n", labs((char *)malloc(1000000) - (char *)shared) < 1L << 31 &&
                            labs((char *)&argc - (char *)shared) < 1L << 31);

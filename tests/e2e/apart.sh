@@ -42,6 +42,12 @@ node 1 of 3: 1, 1, 0.0
 node 2 of 3: 2, 1, 0.0
 node 2 of 3: 2, 1, 0.0
 END
+run -q -n 40 apart addresses
+cp out first
+for engine in fast reference; do
+    run -q -n 40 --engine $engine apart addresses
+    check "the same addresses in every run: $engine" cmp first out
+done
 for machine in delta paragon cluster2026; do
     run -q -m $machine -n 3 apart near
     check "stack, data and heap within 2 GB on $machine" diff - out <<<$'1\n1\n1'

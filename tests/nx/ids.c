@@ -1,4 +1,4 @@
-/* Message ids: irecv and isend give them out, msgwait, msgdone and msgcancel give them back; there are a limited number.
+/* Message ids, from 1 on: irecv and isend give them out, msgwait, msgdone and msgcancel give them back; there are a limited number.
  * run: -m delta -n 2
  */
 #include <nx.h>
@@ -23,6 +23,7 @@ int main(void)
         msgwait(id[i]);
     while (!msgdone(id[99]))
         polls++;
+    printf("ids begin at 1: %s\n", id[0] == 1 ? "yes" : "no");
     printf("got %s, %ld bytes of type %ld\n", in, infocount(), infotype());
     for (i = 100; i < 500; i++)
         msgcancel(id[i]);

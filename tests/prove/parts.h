@@ -420,7 +420,7 @@ static void cfs_names(long name)
 static void take_memory(long bytes)
 {
     char *p = blocks < BLOCKS ? malloc((size_t)bytes) : NULL;
-    note(p != NULL);
+    note((long)p);
     if (p)
         block[blocks++] = memset(p, 1, bytes < 100 ? (size_t)bytes : 100);
 }

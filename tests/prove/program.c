@@ -312,6 +312,8 @@ static void choose_numbers(struct chooser *c)
                        random_chance(r, 0.6) ? 0 : (double)spread(r, 200));
     if (random_chance(r, 0.1))
         set_number(p, "node.fast_every", 2), set_number(p, "node.fast_clock_mhz", 50);
+    if (random_chance(r, 0.15))
+        set_number(p, "node.program_share", random_chance(r, 0.3) ? 0 : (double)spread(r, 900) / 1000);
     bool small = !strcmp(p->machine, "delta") || !strcmp(p->machine, "ipsc860");
     if (small && random_chance(r, 0.15))
         set_number(p, "node.system_kb", (double)(14700 + random_below(r, 500)));
