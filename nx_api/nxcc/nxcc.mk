@@ -45,6 +45,7 @@ $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/
 $(STAND_INS): | $(NODE)/libnode.so
 	echo '/* these names are in libnode.so */ INPUT(-lnode)' > $@
 
+# (Programs that define optarg, and getopt with it, keep both: names of nx_api/libc are weak.)
 # Node code of our own is counted like the user's: the global operations, the C library's functions that keep state where
 # programs see it, and NX's faces to Fortran.
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
@@ -52,6 +53,7 @@ define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
 	$B/nxcc -std=gnu17 -O2 $(WARN) $(2) -c -o $$@ $$<
+	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
 $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
