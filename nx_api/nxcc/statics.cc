@@ -8,7 +8,8 @@
  *
  * What GCC reads is searched for functions that are defined as static. A static declaration of one of them in a block is made
  * extern in GCC's copy of the text, which is as long. Every declaration of one of them is made static once GCC has it, and so
- * agrees with the definition when it comes. Where a definition is left out by #if, GCC takes such a declaration as extern again, and warns.
+ * agrees with the definition when it comes. Where a definition is left out by #if, GCC takes such a declaration as extern again,
+ * and warns.
  */
 #include "gcc.h"
 #include "statics.h"
