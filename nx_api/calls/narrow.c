@@ -98,3 +98,10 @@ WITH_DOTS(fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, nar
 WITH_DOTS(__isoc99_fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
 WITH_DOTS(sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
 WITH_DOTS(__isoc99_sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
+WITH_LIST(vscanf, (const char *format, va_list ap), true, libc_vfscanf(nx_input(), narrow, ap))
+WITH_LIST(__isoc99_vscanf, (const char *format, va_list ap), true, libc_vfscanf(nx_input(), narrow, ap))
+WITH_LIST(vfscanf, (FILE * f, const char *format, va_list ap), true, libc_vfscanf(f, narrow, ap))
+WITH_LIST(__isoc99_vfscanf, (FILE * f, const char *format, va_list ap), true, libc_vfscanf(f, narrow, ap))
+WITH_LIST(vsscanf, (const char *s, const char *format, va_list ap), true, libc_vsscanf(s, narrow, ap))
+WITH_LIST(__isoc99_vsscanf, (const char *s, const char *format, va_list ap), true,
+          libc_vsscanf(s, narrow, ap))

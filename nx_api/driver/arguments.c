@@ -114,6 +114,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         add(a, "-D__NX_HOST__");
     else if (!strcmp(option, "--long32"))
         a->long32 = true;
+    else if (!strcmp(option, "--stubs"))
+        a->stubs = true;
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
     else

@@ -24,6 +24,7 @@ struct arguments {
     bool links;    /* gcc will link */
     bool has_file; /* there is something to compile or link */
     bool dry_run;
+    bool stubs; /* for names that are not there */
     bool mpi;
 };
 

@@ -26,6 +26,7 @@ static const char help[] =
     "    -node -nx        accepted: they linked NX programs in their day\n"
     "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
     "    --long32         long has 32 bits, as on the i860; without it, 64. All of a program's C files, and its link, need it\n"
+    "    --stubs          link functions that nodes do not have, too: they fail with ENOSYS, and the report names those called\n"
     "    --mpi            a program for a cluster, run by mpirun, instead of one for simulated nodes\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"

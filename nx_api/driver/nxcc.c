@@ -13,6 +13,7 @@
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/command.h"
 #include "nx_api/driver/places.h"
+#include "nx_api/driver/stubs.h"
 #include "nx_api/driver/text.h"
 
 static void print_command(const char *const *gcc)
@@ -29,6 +30,8 @@ static void become(const struct arguments *user, const struct places *p, bool li
         print_command(gcc);
         return;
     }
+    if (link)
+        _exit(stubs_link(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
     fail("%s: %s", gcc[0], strerror(errno));
 }

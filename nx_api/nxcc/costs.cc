@@ -279,7 +279,7 @@ bool is_quiet_name(const char *name)
 {
     static const char names[] =
         " memcpy memmove memset memcmp memchr strlen strnlen strcpy strncpy strcat strncat strcmp strncmp"
-        " strcasecmp strncasecmp strchr strrchr strstr strspn strcspn strpbrk strtok_r"
+        " stpcpy stpncpy mempcpy strcasecmp strncasecmp strchr strrchr strstr strspn strcspn strpbrk strtok_r"
         " strtol strtoul strtoll strtoull strtod strtof atoi atol atof abs labs rand_r strerror"
         " __ctype_b_loc __ctype_tolower_loc __ctype_toupper_loc __errno_location toupper tolower"
         " isalpha isdigit isspace isalnum isupper islower isprint ispunct"

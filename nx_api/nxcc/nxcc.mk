@@ -6,7 +6,7 @@ DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
 PLUGIN_INC  = $(shell $(CC) -print-file-name=plugin)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
-COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
+COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
 COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
 PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
@@ -45,12 +45,15 @@ $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/
 $(STAND_INS): | $(NODE)/libnode.so
 	echo '/* these names are in libnode.so */ INPUT(-lnode)' > $@
 
-# Node code of our own is counted like the user's: the global operations, and NX's faces to Fortran.
+# (Programs that define optarg, and getopt with it, keep both: names of nx_api/libc are weak.)
+# Node code of our own is counted like the user's: the global operations, the C library's functions that keep state where
+# programs see it, and NX's faces to Fortran.
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
 	$B/nxcc -std=gnu17 -O2 $(WARN) $(2) -c -o $$@ $$<
+	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
 $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
 	@mkdir -p $$(@D)

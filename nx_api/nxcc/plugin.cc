@@ -13,6 +13,7 @@
 #include "promise.h"
 #include "purity.h"
 #include "redeclare.h"
+#include "statics.h"
 #include "variable.h"
 
 int plugin_is_GPL_compatible;
@@ -119,6 +120,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     if (a.long32)
         long32_register(info->base_name, a.long32);
     redeclare_register(info->base_name);
+    statics_register(info->base_name);
     if (a.poll) {
         register_pass_info pass = {poll_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
         register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);

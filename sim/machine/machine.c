@@ -171,6 +171,11 @@ void machine_free(struct machine *m)
     for (size_t i = 0; i < m->sys.host_file_count; i++)
         free(m->sys.host_files[i]);
     free(m->sys.host_files);
+    for (size_t i = 0; i < m->sys.absent_count; i++) {
+        free(m->sys.absent[i].function);
+        free(m->sys.absent[i].first);
+    }
+    free(m->sys.absent);
     free(m->sys.failure);
     free(m->message);
     free(m);

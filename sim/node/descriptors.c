@@ -211,6 +211,24 @@ int node_mkostemp(char *pattern, int flags)
     return -1;
 }
 
+int node_mkstemp(char *pattern)
+{
+    return node_mkostemp(pattern, 0);
+}
+
+/* The first name that is free. */
+char *node_mktemp(char *pattern)
+{
+    int fd = node_mkostemp(pattern, 0);
+    if (fd < 0) {
+        *pattern = 0;
+        return pattern;
+    }
+    node_close(fd);
+    file_unlink(node_self(), pattern);
+    return pattern;
+}
+
 /* Permissions are those asked for, less what the user of the simulator takes off. */
 mode_t node_umask(mode_t mask)
 {
@@ -224,6 +242,30 @@ int node_stat(const char *path, struct stat *st)
 {
     return file_stat(node_self(), path, st);
 }
+
+/* Links are followed: nodes know of none. */
+int node_lstat(const char *path, struct stat *st)
+{
+    return node_stat(path, st);
+}
+
+int node_mkdir(const char *path, mode_t permissions)
+{
+    return file_make_folder(node_self(), path, permissions);
+}
+
+int node_rmdir(const char *path)
+{
+    return file_remove_folder(node_self(), path);
+}
+
+/* What is written is in its file at once. */
+int node_fsync(int fd)
+{
+    return standard(node_self(), fd) || descriptor_file(node_self(), fd) ? 0 : -1;
+}
+
+void node_sync(void) {}
 
 int node_unlink(const char *path)
 {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "node/folder.h"
 #include "node/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
@@ -166,6 +167,7 @@ static void note_host_file(struct node_system *s, const char *path)
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
+    path = folder_path(n, path, 0);
     if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
@@ -261,6 +263,7 @@ void file_drop(struct node_file *f)
 
 int file_stat(struct node *n, const char *path, struct stat *st)
 {
+    path = folder_path(n, path, 0);
     if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
@@ -274,6 +277,7 @@ int file_stat(struct node *n, const char *path, struct stat *st)
 
 int file_stat_within(struct node *n, const char *path, struct stat *st)
 {
+    path = folder_path(n, path, 0);
     if (file_is_simulated(path))
         return fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
     node_order(n);
@@ -284,6 +288,7 @@ int file_stat_within(struct node *n, const char *path, struct stat *st)
 /* The machine's file system has no links. */
 int file_lstat(struct node *n, const char *path, struct stat *st)
 {
+    path = folder_path(n, path, 0);
     if (file_is_simulated(path))
         return file_stat(n, path, st);
     node_order(n);
@@ -293,6 +298,7 @@ int file_lstat(struct node *n, const char *path, struct stat *st)
 
 int file_unlink(struct node *n, const char *path)
 {
+    path = folder_path(n, path, 0);
     if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
@@ -306,6 +312,8 @@ int file_unlink(struct node *n, const char *path)
 
 int file_rename(struct node *n, const char *from, const char *to)
 {
+    from = folder_path(n, from, 0);
+    to = folder_path(n, to, 1);
     if (file_is_simulated(from) != file_is_simulated(to)) {
         errno = EXDEV;
         return -1;
@@ -320,4 +328,24 @@ int file_rename(struct node *n, const char *from, const char *to)
     int r = fs_of(n)->rename(fs_of(n)->ctx, n, from, to);
     leave(n, masked);
     return r;
+}
+
+/* On this computer only: the machine's file system has names with / in them, and no folders. */
+int file_make_folder(struct node *n, const char *path, mode_t permissions)
+{
+    path = folder_path(n, path, 0);
+    if (file_is_simulated(path))
+        return 0;
+    node_order(n);
+    note_host_file(n->sys, path);
+    return mkdir(path, permissions);
+}
+
+int file_remove_folder(struct node *n, const char *path)
+{
+    path = folder_path(n, path, 0);
+    if (file_is_simulated(path))
+        return 0;
+    node_order(n);
+    return rmdir(path);
 }

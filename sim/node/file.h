@@ -1,7 +1,8 @@
 /* file.h - an open file of a node: of this computer, or of the simulated machine's file system.
  *
- * Paths under /cfs, and under /pfs, another name for it, belong to the machine's file system (node_system.fs; ENODEV if it has none): opening, reading and
- * writing there takes virtual time. All other paths are this computer's, relative ones from where the simulator was started;
+ * Paths under /cfs, and under /pfs, another name for it, belong to the machine's file system (node_system.fs; ENODEV if it has
+ * none): opening, reading and writing there takes virtual time. All other paths are this computer's, relative ones from the node's
+ * folder (folder.h), at first where the simulator was started;
  * they take no virtual time, but are opened, read and written in its order.
  *
  * file_* functions run on the node's stack and answer as their namesakes in POSIX do: -1 (NULL) with errno. Handlers
@@ -63,4 +64,6 @@ int file_stat_within(struct node *n, const char *path, struct stat *st);
 int file_lstat(struct node *n, const char *path, struct stat *st);
 int file_unlink(struct node *n, const char *path);
 int file_rename(struct node *n, const char *from, const char *to);
+int file_make_folder(struct node *n, const char *path, mode_t permissions);
+int file_remove_folder(struct node *n, const char *path);
 #endif

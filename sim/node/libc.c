@@ -1,8 +1,9 @@
 /* libc.c - a node's part of the C library: what is made and freed with it, its ending, and its small state.
- * Functions named node_<name> serve the node program's <name>; they run on the node's stack. */
+ * Its surroundings are in libc_system.c. Functions named node_<name> serve the node program's <name>; they run on the
+ * node's stack. */
 #include <errno.h>
-#include <signal.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "node/heap.h"
@@ -26,6 +27,8 @@ void *node_libc_data(struct node *n, const char *name)
         return &s->in;
     if (strcmp(name, "stdout") == 0)
         return &s->out;
+    if (strcmp(name, "environ") == 0)
+        return &n->envp;
     return strcmp(name, "stderr") == 0 ? &s->err : NULL;
 }
 
@@ -39,6 +42,8 @@ void node_libc_free(struct node *n)
     streams_close(&n->libc->streams);
     descriptors_close(&n->libc->descriptors);
     free(n->libc->atexit);
+    folder_free(n->libc);
+    node_libc_free_environment(n->libc);
     free(n->libc);
     n->libc = NULL;
 }
@@ -93,6 +98,11 @@ _Noreturn void node__exit(int code)
     node_end_here(n, NODE_EXITED, code);
 }
 
+_Noreturn void node__Exit(int code)
+{
+    node__exit(code);
+}
+
 _Noreturn void node_abort(void)
 {
     struct node *n = node_self();
@@ -112,13 +122,6 @@ _Noreturn void node___stack_chk_fail(void)
     node_fail(node_self(), "a function that ends wrote past the end of an array on its stack");
 }
 
-/* No signals come to a node's program but those that end it: 0 is what was set before, the default. */
-void (*node_signal(int number, void (*f)(int)))(int)
-{
-    (void)number, (void)f;
-    return SIG_DFL;
-}
-
 int node_raise(int number)
 {
     struct node *n = node_self();
@@ -126,26 +129,7 @@ int node_raise(int number)
     node_fail(n, "raise(%d)", number);
 }
 
-int node_getpid(void)
-{
-    return (int)node_self()->id + 1;
-}
-
-/* --- environment, random numbers, strtok, locale --- */
-
-char *node_getenv(const char *name)
-{
-    size_t len = strlen(name);
-    for (char **e = node_self()->envp; e != NULL && *e != NULL; e++)
-        if (strncmp(*e, name, len) == 0 && (*e)[len] == '=')
-            return *e + len + 1;
-    return NULL;
-}
-
-char *node_secure_getenv(const char *name)
-{
-    return node_getenv(name);
-}
+/* --- random numbers, strtok, locale --- */
 
 /* Every run gets the same: other numbers on each node, from its own generator (splitmix64). */
 int node_getentropy(void *buf, size_t bytes)
@@ -202,6 +186,62 @@ void node_srand48(long seed)
     srand48_r(seed, &node_self()->libc->drand48);
 }
 
+long node_mrand48(void)
+{
+    long r;
+    mrand48_r(&node_self()->libc->drand48, &r);
+    return r;
+}
+
+double node_erand48(unsigned short x[3])
+{
+    double r;
+    erand48_r(x, &node_self()->libc->drand48, &r);
+    return r;
+}
+
+long node_nrand48(unsigned short x[3])
+{
+    long r;
+    nrand48_r(x, &node_self()->libc->drand48, &r);
+    return r;
+}
+
+long node_jrand48(unsigned short x[3])
+{
+    long r;
+    jrand48_r(x, &node_self()->libc->drand48, &r);
+    return r;
+}
+
+/* As glibc's: the state before, which the generator keeps. */
+unsigned short *node_seed48(unsigned short x[3])
+{
+    struct drand48_data *d = &node_self()->libc->drand48;
+    seed48_r(x, d);
+    return d->__old_x;
+}
+
+void node_lcong48(unsigned short parameters[7])
+{
+    lcong48_r(parameters, &node_self()->libc->drand48);
+}
+
+/* The state is the program's own array from then on; the one before is returned. */
+char *node_initstate(unsigned seed, char *state, size_t bytes)
+{
+    struct random_data *r = &node_self()->libc->random;
+    char *before = (char *)(r->state - 1);
+    return initstate_r(seed, state, bytes, r) == 0 ? before : NULL;
+}
+
+char *node_setstate(char *state)
+{
+    struct random_data *r = &node_self()->libc->random;
+    char *before = (char *)(r->state - 1);
+    return setstate_r(state, r) == 0 ? before : NULL;
+}
+
 char *node_strtok(char *s, const char *delimiters)
 {
     return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
@@ -227,6 +267,20 @@ struct node_locale *node_uselocale(struct node_locale *to)
 void node_freelocale(struct node_locale *l)
 {
     (void)l;
+}
+
+/* GNU's, and POSIX's, which headers call so. */
+char *node_strerror_r(int code, char *buf, size_t size)
+{
+    (void)buf, (void)size;
+    return node_strerror(code);
+}
+
+int node___xpg_strerror_r(int code, char *buf, size_t size)
+{
+    const char *text = node_strerror(code);
+    snprintf(buf, size, "%s", text);
+    return strlen(text) < size ? 0 : ERANGE;
 }
 
 char *node_strerror_l(int code, struct node_locale *l)

@@ -3,10 +3,17 @@
  * The calendar starts at a fixed moment when the program starts: results must not depend on the day they were
  * made.
  */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <sys/time.h>
+#include <sys/times.h>
 #include <time.h>
+#include <unistd.h>
 #include "node/engine.h"
+#include "node/libc_parts.h"
 #include "node/node.h"
 #include "node/system.h"
 
@@ -80,6 +87,54 @@ int node_getrusage(int who, struct rusage *use)
     return 0;
 }
 
+/* In ticks of sysconf(_SC_CLK_TCK), from the program's start. A program has no children. */
+clock_t node_times(struct tms *t)
+{
+    struct reading r = read_clock("times");
+    vtime tick = VT_SECOND / (vtime)sysconf(_SC_CLK_TCK);
+    if (t != NULL)
+        *t = (struct tms){.tms_utime = (clock_t)((r.now - r.idle - r.system) / tick),
+                          .tms_stime = (clock_t)(r.system / tick)};
+    return (clock_t)(r.now / tick);
+}
+
+/* No signal comes, as none does but those that end a program: it says what was left of the alarm before. */
+unsigned node_alarm(unsigned seconds)
+{
+    vtime *at = &node_self()->libc->alarm_at, now = clock_call("alarm");
+    vtime left = *at > now ? *at - now : 0;
+    *at = seconds > 0 ? now + seconds * VT_SECOND : 0;
+    return (unsigned)((left + VT_SECOND - 1) / VT_SECOND);
+}
+
+/* The host's, but for GNU's %s, which takes the time zone from the host. For free(). */
+static char *without_seconds(const char *format, const struct tm *tm)
+{
+    struct tm copy = *tm;
+    char seconds[24], *made = malloc(strlen(format) * sizeof seconds + 1), *to = made;
+    if (made == NULL)
+        abort();
+    snprintf(seconds, sizeof seconds, "%lld", (long long)timegm(&copy));
+    for (; *format; format++) {
+        if (format[0] == '%' && format[1] == 's')
+            to = stpcpy(to, seconds), format++;
+        else if (format[0] == '%' && format[1] != 0)
+            *to++ = *format++, *to++ = *format;
+        else
+            *to++ = *format;
+    }
+    *to = 0;
+    return made;
+}
+
+size_t node_strftime(char *buf, size_t room, const char *format, const struct tm *tm)
+{
+    char *plain = without_seconds(format, tm);
+    size_t len = strftime(buf, room, plain, tm);
+    free(plain);
+    return len;
+}
+
 /* The machine's time zone is UTC. */
 struct tm *node_localtime_r(const time_t *t, struct tm *tm)
 {
@@ -113,5 +168,17 @@ unsigned node_sleep(unsigned seconds)
 int node_usleep(unsigned microseconds)
 {
     pause_for("usleep", microseconds * VT_MICROSECOND);
+    return 0;
+}
+
+int node_nanosleep(const struct timespec *t, struct timespec *left)
+{
+    if (t->tv_sec < 0 || t->tv_nsec < 0 || t->tv_nsec >= 1000000000) {
+        errno = EINVAL;
+        return -1;
+    }
+    pause_for("nanosleep", (vtime)t->tv_sec * VT_SECOND + (vtime)t->tv_nsec * (VT_SECOND / 1000000000));
+    if (left != NULL)
+        *left = (struct timespec){0};
     return 0;
 }

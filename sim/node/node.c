@@ -244,6 +244,20 @@ void node_put_long(const struct node *n, long *array, size_t i, long value)
         array[i] = value;
 }
 
+void node_system_note_absent(struct node_system *sys, const char *function, const char *node)
+{
+    size_t i = 0;
+    while (i < sys->absent_count && strcmp(sys->absent[i].function, function) != 0)
+        i++;
+    if (i == sys->absent_count) {
+        sys->absent = reallocarray(sys->absent, i + 1, sizeof *sys->absent);
+        if (!sys->absent)
+            abort();
+        sys->absent[sys->absent_count++] = (struct node_absent){strdup(function), strdup(node), 0};
+    }
+    sys->absent[i].calls++;
+}
+
 /* --- making --- */
 
 static void run_program(void *arg)

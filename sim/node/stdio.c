@@ -41,6 +41,16 @@ int node_puts(const char *s)
     return fputs(s, out) == EOF || putc('\n', out) == EOF ? EOF : 1;
 }
 
+int node_putchar_unlocked(int c)
+{
+    return node_putchar(c);
+}
+
+int node_getchar_unlocked(void)
+{
+    return getc(streams()->in);
+}
+
 void node_perror(const char *s)
 {
     int why = errno;
@@ -83,6 +93,16 @@ int node_scanf(const char *format, ...)
     return r;
 }
 
+int node_vscanf(const char *format, va_list ap)
+{
+    return vfscanf(streams()->in, format, ap);
+}
+
+int node___isoc99_vscanf(const char *format, va_list ap)
+{
+    return vfscanf(streams()->in, format, ap);
+}
+
 /* --- streams --- */
 
 FILE *node_fopen(const char *path, const char *mode)
@@ -101,6 +121,16 @@ int node_fclose(FILE *f)
 FILE *node_freopen(const char *path, const char *mode, FILE *f)
 {
     return stream_freopen(streams(), path, mode, f);
+}
+
+/* Files opened by name have no descriptors: EBADF. */
+int node_fileno(FILE *f)
+{
+    const struct streams *s = streams();
+    if (f == s->in || f == s->out || f == s->err)
+        return f == s->in ? 0 : f == s->out ? 1 : 2;
+    errno = EBADF;
+    return -1;
 }
 
 /* NULL flushes the node's streams, not the simulator's. */

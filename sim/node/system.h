@@ -14,6 +14,11 @@ enum node_stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WAL
 
 enum { NODE_HOST_FILES = 64 };
 
+struct node_absent {
+    char *function, *first; /* the node that called it first */
+    uint64_t calls;
+};
+
 struct node_system {
     const struct cfg_machine *cfg;
     struct evq *q;
@@ -55,6 +60,8 @@ struct node_system {
     uint64_t messages, bytes; /* received */
     char **
         host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
+    struct node_absent *absent; /* functions that nodes do not have, and programs called; by first call */
+    size_t absent_count;
     size_t host_file_count; /* at most NODE_HOST_FILES: of more, the first */
 
     /* Threads look at what follows all the time: apart from what the committing one writes. */
@@ -82,6 +89,9 @@ static inline uint32_t node_number(const struct node_system *sys, uint32_t place
 /* Record the first failure (printf-like), and stop the machine with `why`. */
 void node_system_fail(struct node_system *sys, enum node_stop why, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* Notes a call of a function that nodes do not have, by a node of that name. In the order of events. */
+void node_system_note_absent(struct node_system *sys, const char *function, const char *node);
 
 /* Nothing is left to happen but what comes after the limit of virtual time: stops the machine there. */
 void node_system_end_at_limit(struct node_system *sys);

@@ -122,6 +122,15 @@ static void print_guards(enum node_guards guards, FILE *f)
                 LEFT[guards]);
 }
 
+/* What programs called that nodes do not have. */
+static void print_absent(const struct node_system *s, FILE *f)
+{
+    for (size_t i = 0; i < s->absent_count; i++)
+        fprintf(f, "%s%s failed with ENOSYS, as nodes do not have it: %" PRIu64 " %s, the first on %s\n",
+                i == 0 ? "not there      " : "               ", s->absent[i].function, s->absent[i].calls,
+                s->absent[i].calls == 1 ? "call" : "calls", s->absent[i].first);
+}
+
 void summary_print(const struct machine *m, FILE *f)
 {
     size_t peak = 0;
@@ -145,11 +154,22 @@ void summary_print(const struct machine *m, FILE *f)
     if (machine_nodes(m))
         fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n",
                 (double)peak / 1048576, where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
+    print_absent(&m->sys, f);
     print_guards(m->sys.guards, f);
     fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
 }
 
 /* --- for programs --- */
+
+/* Functions that nodes do not have, and programs called. */
+static json_t *absent_json(const struct node_system *s)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < s->absent_count; i++)
+        json_array_append_new(list, json_pack("{s:s, s:I, s:s}", "function", s->absent[i].function, "calls",
+                                              (json_int_t)s->absent[i].calls, "first", s->absent[i].first));
+    return list;
+}
 
 /* Of idle_s: an object for each call and type of message waited for. */
 static json_t *waits_json(const struct node *n)
@@ -211,6 +231,8 @@ static json_t *machine_json(const struct machine *m)
     for (size_t i = 0; i < m->sys.host_file_count; i++)
         json_array_append_new(files, json_string(m->sys.host_files[i]));
     json_object_set_new(root, "host_files", files);
+    if (m->sys.absent_count)
+        json_object_set_new(root, "absent", absent_json(&m->sys));
     json_object_set_new(root, "node", nodes);
     if (m->sys.host)
         json_object_set_new(root, "host", node_json(m->sys.host));

@@ -1,0 +1,173 @@
+/* stubs.c - see stubs.h. The names are read from what the linker says. */
+#include "nx_api/driver/stubs.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "nx_api/driver/text.h"
+
+struct names {
+    char **name;
+    size_t count;
+};
+
+/* Those that nxcc's own objects ask for are not the program's. A ' ends the name. */
+static bool is_own(const char *name)
+{
+    return !strncmp(name, "main'", 5) || !strncmp(name, "nxc_", 4);
+}
+
+static void add_name(struct names *n, const char *name, size_t len)
+{
+    for (size_t i = 0; i < n->count; i++)
+        if (strlen(n->name[i]) == len && !strncmp(n->name[i], name, len))
+            return;
+    n->name = reallocarray(n->name, n->count + 1, sizeof *n->name);
+    if (!n->name)
+        fail("out of memory");
+    n->name[n->count++] = text("%.*s", (int)len, name);
+}
+
+/* "... undefined reference to `fork'" */
+static void read_line(struct names *n, const char *line)
+{
+    static const char says[] = "undefined reference to `";
+    const char *name = strstr(line, says), *end = name ? strchr(name, '\'') : NULL;
+    if (end && !is_own(name + strlen(says)))
+        add_name(n, name + strlen(says), (size_t)(end - name) - strlen(says));
+}
+
+/* With colours if they would have been there without the pipe. */
+static _Noreturn void become(const char **gcc, bool colors)
+{
+    static const char color[] = "-fdiagnostics-color=always";
+    size_t count = 0;
+    while (gcc[count])
+        count++;
+    const char **more = calloc(count + 2, sizeof *more);
+    if (!more)
+        fail("out of memory");
+    more[0] = gcc[0], more[1] = color;
+    memcpy(more + 2, gcc + 1, count * sizeof *more);
+    execvp(gcc[0], (char *const *)(colors ? more : gcc));
+    fail("%s: %s", gcc[0], strerror(errno));
+}
+
+/* Runs gcc; all that it says, for free(). */
+static char *listen(const char **gcc, int *status)
+{
+    int ends[2];
+    fflush(stdout);
+    if (pipe(ends))
+        fail("pipe: %s", strerror(errno));
+    pid_t child = fork();
+    if (child < 0)
+        fail("fork: %s", strerror(errno));
+    if (child == 0) {
+        bool colors = isatty(STDERR_FILENO);
+        dup2(ends[1], STDERR_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        become(gcc, colors);
+    }
+    close(ends[1]);
+    FILE *from = fdopen(ends[0], "r");
+    char *said = NULL;
+    size_t room = 0;
+    if (!from || getdelim(&said, &room, 0, from) < 0)
+        said = text("%s", "");
+    fclose(from);
+    if (waitpid(child, status, 0) < 0)
+        fail("waitpid: %s", strerror(errno));
+    *status = WIFEXITED(*status) ? WEXITSTATUS(*status) : 1;
+    return said;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static struct names read_names(const char *said)
+{
+    struct names n = {NULL, 0};
+    char *lines = text("%s", said), *rest = lines;
+    for (char *line; (line = strsep(&rest, "\n"));)
+        read_line(&n, line);
+    free(lines);
+    if (n.count)
+        qsort(n.name, n.count, sizeof *n.name, by_name);
+    return n;
+}
+
+static void print_names(const struct names *n)
+{
+    for (size_t i = 0; i < n->count; i++)
+        fprintf(stderr, "%s%s", i ? ", " : "", n->name[i]);
+}
+
+/* A function for each name, which tells the simulator that it was called: sim/node/libc_absent.c. */
+static void write_stubs(const struct names *n, const char *path)
+{
+    FILE *f = fopen(path, "w");
+    if (!f)
+        fail("%s: %s", path, strerror(errno));
+    for (size_t i = 0; i < n->count; i++)
+        fprintf(
+            f,
+            "\t.section .rodata\n1:\t.string \"%s\"\n\t.text\n\t.globl %s\n\t.hidden %s\n\t.type %s, @function\n"
+            "%s:\tleaq 1b(%%rip), %%rdi\n\tjmp nx_absent@PLT\n",
+            n->name[i], n->name[i], n->name[i], n->name[i], n->name[i]);
+    fputs("\t.section .note.GNU-stack, \"\", @progbits\n", f);
+    if (ferror(f) || fclose(f))
+        fail("%s: %s", path, strerror(errno));
+}
+
+/* Links again, with them. */
+static int link_stubs(const char **gcc, const struct names *n, const char *who)
+{
+    char folder[] = P_tmpdir "/nxccXXXXXX";
+    size_t count = 0;
+    int status;
+    if (!mkdtemp(folder))
+        fail("%s: %s", folder, strerror(errno));
+    char *path = text("%s/stubs.s", folder);
+    write_stubs(n, path);
+    while (gcc[count])
+        count++;
+    const char **more = calloc(count + 2, sizeof *more);
+    if (!more)
+        fail("out of memory");
+    memcpy(more, gcc, count * sizeof *more);
+    more[count] = path;
+    fputs(listen(more, &status), stderr);
+    unlink(path);
+    rmdir(folder);
+    fprintf(stderr, "nxcc: --stubs: %s do not have these; they fail with ENOSYS when they are called: ", who);
+    print_names(n);
+    fputc('\n', stderr);
+    return status;
+}
+
+int stubs_link(const char **gcc, const struct arguments *user)
+{
+    int status;
+    const char *who = user->mpi ? "libraries" : "nodes";
+    setenv("LANGUAGE", "en", true); /* the linker's messages are read */
+    char *said = listen(gcc, &status);
+    struct names n = status ? read_names(said) : (struct names){NULL, 0};
+    if (n.count && user->stubs)
+        return link_stubs(gcc, &n, who);
+    fputs(said, stderr);
+    if (n.count) {
+        fprintf(stderr, "nxcc: %s do not have ", who);
+        print_names(&n);
+        fprintf(
+            stderr,
+            ": if the program can do without, --stubs links it; they fail with ENOSYS when they are called, and the "
+            "report names them\n");
+    }
+    return status;
+}

@@ -1,0 +1,9 @@
+/* stubs.h - linking, with an eye on names that are not there. */
+#ifndef DRIVER_STUBS_H
+#define DRIVER_STUBS_H
+#include "nx_api/driver/arguments.h"
+
+/* Runs gcc, which links; its exit status. When names are not there, says that --stubs links them; or if the user has said --stubs,
+ * links again with a function for each of them that fails with ENOSYS when it is called, and says which. */
+int stubs_link(const char **gcc, const struct arguments *user);
+#endif

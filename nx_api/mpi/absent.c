@@ -1,0 +1,33 @@
+/* absent.c - functions that are nowhere, in programs linked by nxcc --mpi --stubs: nx_api/driver/stubs.c. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "nx_api/calls/call.h"
+
+long node_nx_absent(const char *name) NX_EXPORT("nx_absent");
+
+/* Is it new? The program's names last as long as it does. */
+static int note(const char *name)
+{
+    static const char **noted;
+    static size_t count;
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(noted[i], name) == 0)
+            return 0;
+    const char **more = reallocarray(noted, count + 1, sizeof *noted);
+    if (!more)
+        abort();
+    noted = more;
+    noted[count++] = name;
+    return 1;
+}
+
+/* Each is named once on each node. */
+long node_nx_absent(const char *name)
+{
+    if (note(name))
+        fprintf(stderr, "node %ld: %s failed with ENOSYS, as it is not there\n", (long)node_self()->id, name);
+    errno = ENOSYS;
+    return -1;
+}

@@ -1,0 +1,46 @@
+/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS, and the report says
+ * which of them a program called: node_system_note_absent.
+ */
+#include <errno.h>
+#include <stddef.h>
+#include <string.h>
+#include "node/node.h"
+#include "node/system.h"
+
+/* Does it fail by NULL, and not by -1? A stub does not know what its function returns. */
+static bool returns_pointer(const char *name)
+{
+    static const char *const names[] = {
+        "popen",      "opendir",       "readdir",       "gethostbyname",  "gethostbyaddr",
+        "gethostent", "getservbyname", "getservbyport", "getprotobyname", "getpwnam",
+        "getpwuid",   "getpwent",      "getgrnam",      "getgrgid",       "getpass",
+        "dlopen",     "dlsym",         "dlerror",       "inet_ntoa",      "ttyname",
+        "ctermid",    "tempnam",       "fmemopen",      "open_memstream", "crypt",
+        "setmntent",  "getmntent",     "tsearch",       "tfind",          "nl_langinfo"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(name, names[i]) == 0)
+            return true;
+    return false;
+}
+
+static long absent(const char *name)
+{
+    struct node *n = node_self();
+    node_enter(n, "a function that nodes do not have");
+    node_system_note_absent(n->sys, name, n->name);
+    node_leave(n);
+    node_set_errno(ENOSYS);
+    return returns_pointer(name) ? 0 : -1;
+}
+
+/* There is no command processor. */
+int node_system(const char *command)
+{
+    return command == NULL ? 0 : (int)absent("system");
+}
+
+/* What a program linked by nxcc --stubs comes to by a name that it does not have: nx_api/driver/stubs.c. */
+long node_nx_absent(const char *name)
+{
+    return absent(name);
+}

@@ -1,0 +1,53 @@
+#!/bin/bash
+# stubs.sh - nxcc --stubs links what nodes do not have; it fails with ENOSYS, and the report names what was called.
+. "$(dirname "$0")/common.bash"
+. "$tests/mpi.bash"
+
+plain() { ! "$BUILD/nxcc" -O2 -o stubs "$tests/stubs.c" 2>err; }
+check "without --stubs: not linked" plain
+check "file and line are there" said "stubs\.c:[0-9]+: undefined reference to .fork'"
+check "the message says the option, and each name once" said \
+    "^nxcc: nodes do not have fork, gadget, pipe, popen, socket: .*--stubs"
+
+echo 'int main(void) { return "x"; } int f(void) { return x; }' >broken.c
+broken() { ! "$BUILD/nxcc" -o broken broken.c 2>err; }
+check "other errors" broken
+check "they do not say it" eval "! said stubs && said \"'x' undeclared|.x. undeclared\""
+echo 'int f(void) { return 0; }' >no_main.c
+no_main() { ! "$BUILD/nxcc" -o no_main no_main.c 2>err; }
+check "without main" no_main
+check "that is no function to do without" eval "! said --stubs"
+
+linked() { "$BUILD/nxcc" --stubs -O2 -o stubs "$tests/stubs.c" 2>err; }
+check "with --stubs: linked" linked
+check "it says what of" said "^nxcc: --stubs: nodes do not have these; .*: fork, gadget, pipe, popen, socket$"
+check "and nothing of undefined references" eval "! said undefined"
+
+cat >expected <<'END'
+fork -1 ENOSYS
+fork -1 ENOSYS
+gadget -1 ENOSYS
+popen 0 ENOSYS
+a command processor 0
+system -1 ENOSYS
+END
+for machine in ipsc860 delta paragon; do
+    run -m $machine -n 3 --json out.json stubs
+    check "$machine: it ends well" ended_with 0
+    check "$machine: each call fails with ENOSYS, or NULL" cmp out expected
+    check "$machine: the report names what was called, how often, and who began" said \
+        "^not there +fork failed with ENOSYS, as nodes do not have it: 6 calls, the first on node 0$"
+    check "$machine: one that one node called" said "^ +socket failed .*: 1 call, the first on node 1$"
+    check "$machine: and not what was only linked" eval "! said '^ +pipe '"
+    check "$machine: the JSON file does, too" grep -q '"function": *"gadget"' out.json
+done
+cp err first
+run -m paragon -n 3 --workers 2 stubs
+check "with workers: the same order" diff <(grep failed first) <(grep failed err)
+
+on_cluster() { "$BUILD/nxcc" --mpi --stubs -O2 -o clustered "$tests/gadget.c" 2>err; }
+check "--mpi --stubs: linked" on_cluster
+on_mpi 2 ./clustered
+check "MPI: it ends well" ended_with 0
+check "MPI: the call fails with ENOSYS" eval "[ \"\$(cat out)\" = 'gadget -1 ENOSYS' ]"
+check "MPI: it is named, once a node" eval "[ \"\$(grep -c 'node [01]: gadget failed with ENOSYS' err)\" = 2 ]"
