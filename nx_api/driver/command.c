@@ -33,6 +33,10 @@ static void add_fortran(struct arguments *a)
         "-fallow-argument-mismatch", /* a buffer of any type */
         "-fcray-pointer",
         "-fdollar-ok",
+        "-fdec",                   /* structures, integers as logicals, lines that begin with D ... */
+        "-fno-dec-intrinsic-ints", /* ... but no more functions by names that programs have themselves */
+        "-fno-dec-math",
+        "-fallow-invalid-boz",              /* 'ff'x */
         "-fno-backtrace",                   /* the simulator reports ... */
         "-fno-optimize-sibling-calls",      /* the lines of all calls under way */
         "-finline-matmul-limit=1000000000", /* counted, not the library's */
@@ -147,7 +151,8 @@ const char **command(const struct arguments *user, const struct places *p, bool 
     else
         add(&a, "-fcommon"); /* old programs define a variable in several files */
     for (size_t i = 0; i < user->count; i++)
-        add(&a, user->gcc[i].text);
+        if (fortran || user->gcc[i].kind != FORTRAN_OPTION)
+            add(&a, user->gcc[i].text);
     if (mpi)
         cluster_add_compile(&a, p);
     else
