@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/command.h"
+#include "nx_api/driver/logicals.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
@@ -29,6 +30,8 @@ static void become(const struct arguments *user, const struct places *p, bool li
         print_command(gcc);
         return;
     }
+    if (has_kind(user, FORTRAN_FILE))
+        _exit(logicals_run(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
     fail("%s: %s", gcc[0], strerror(errno));
 }

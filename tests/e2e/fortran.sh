@@ -70,3 +70,18 @@ check "costs: compiles" "$BUILD/nxcc" -O2 -o costs "$f/costs.c" "$f/loops.f"
 run -n 1 costs
 check "costs: a loop in Fortran costs within 5 % of the same in C" \
     awk '{ n++; if ($2 < 950 || $2 > 1050) exit 1 } END { if (n != 3) exit 1 }' out
+
+# --- what GNU Fortran refuses
+cp "$f/logicals.f" .
+check "logicals: compared with .eq. and .ne." nxf77 -o logicals logicals.f
+run -n 1 logicals
+check "logicals: above .and., below .not., in long and continued lines" prints ' F T T T\n T T T T\n it is .eq. to b T\n'
+check "logicals: lines are those of the original" said 'logicals\.f:40: Fortran run-time error: .*/nowhere/at/all'
+mkdir inner
+sed 's/if (t(1)) call/if (t(1)) gosub/' logicals.f >inner/bad.f
+bad() { ! nxf77 -c inner/bad.f && grep -q "^inner/bad\.f:33:" compile.err && ! grep -q "Logicals at" compile.err; }
+check "logicals: another error in such a file is shown with its own line" bad
+check "dec: structures, integers as logicals, lines that begin with D" nxf77 -o dec "$f/dec.f"
+run -n 1 dec
+check "dec: a program's own function has precedence over one of DEC's" \
+    prints '           5           1         244           3\n  95 1.5\n'
