@@ -129,6 +129,8 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, "none");
     const char *kind = a->long32 ? "_long32" : "";
     add(a, text("%s/runtime%s.o", p->lib, kind));
+    if (a->kmath)
+        add(a, text("%s/libkmath.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     add(a, text("%s/libgfortran.a", p->lib));
     add(a, "-lgcc");

@@ -85,3 +85,16 @@ check "dec: structures, integers as logicals, lines that begin with D" nxf77 -o 
 run -n 1 dec
 check "dec: a program's own function has precedence over one of DEC's" \
     prints '           5           1         244           3\n  95 1.5\n'
+
+# --- linear algebra
+check "-lkmath: linked, with a program's own routine of the same name" nxf77 -Mextend -o algebra "$f/algebra.f" -lkmath
+run -m ipsc860 -n 2 algebra
+right() { sort out >sorted && [ "$(grep -c ' T' sorted)" = 15 ] && ! grep ' F' sorted && [ "$(grep -c "the program's own dzasum" sorted)" = 2 ]; }
+check "-lkmath: right results, in the time of the same loops; handlers run meanwhile" right
+grep '^digest' err >expected
+timeout 100 "$BUILD/touchstone-reference" run -m ipsc860 -n 2 algebra 2>&1 | grep '^digest' >got
+check "-lkmath: the same times on the reference engine" cmp expected got
+check "-lkmath: C calls it, with -lblas and -llapack too" "$BUILD/nxcc" -w -O2 -o norm -x c - -llapack -lblas <<<'double dnrm2_();
+int main() { int n = 2, one = 1; double x[2] = {3, 4}; printf("%g\n", dnrm2_(&n, x, &one)); }'
+run -n 1 norm
+check "-lkmath: and has its result" prints '5\n'
