@@ -34,8 +34,8 @@ static bool is_one_of(const char *option, const char *const *list)
     return false;
 }
 
-/* Those that chose a way of computing, a library or a file that there is only one of here. GCC's own -M options go on with a
- * capital letter. */
+/* Those that chose a way of computing, a library or a file that there is only one of here. GCC's own -M
+ * options go on with a capital letter. */
 static bool is_ignored(const char *option)
 {
     static const char *const exact[] = {"-i860", "-nostartup", NULL};

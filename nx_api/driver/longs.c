@@ -1,4 +1,5 @@
-/* longs.c - see longs.h. The records are those of nxcc/longs.cc: lines "BYTES FILE WHAT NAME" in section .nxc_longs. */
+/* longs.c - see longs.h. The records are those of nxcc/longs.cc: lines "BYTES FILE WHAT NAME" in section
+ * .nxc_longs. */
 #include "nx_api/driver/longs.h"
 #include <elf.h>
 #include <stdbool.h>
@@ -31,7 +32,8 @@ static char *read_all(const char *path, size_t *size)
     return all;
 }
 
-/* A section's bytes, ended by a 0 in place of its last, or NULL: the linker has just written the file, and well. */
+/* A section's bytes, ended by a 0 in place of its last, or NULL: the linker has just written the file, and
+ * well. */
 static char *section(char *elf, size_t size, const char *name)
 {
     const Elf64_Ehdr *head = (const Elf64_Ehdr *)elf;
@@ -94,10 +96,9 @@ static void check_library(const char *program, const struct record *r)
     if (r->bytes != '8' || r->what != 'l')
         return;
     unlink(program);
-    fail(
-        "%s, compiled without --long32, hands longs to %s, which has longs of 4 bytes in a program linked with "
-        "--long32: compile it with --long32, too",
-        r->file, r->name);
+    fail("%s, compiled without --long32, hands longs to %s, which has longs of 4 bytes in a program "
+         "linked with --long32: compile it with --long32, too",
+         r->file, r->name);
 }
 
 static void check_pair(const char *program, const struct record *wide, const struct record *narrow)
@@ -105,10 +106,9 @@ static void check_pair(const char *program, const struct record *wide, const str
     if (!clash(wide, narrow))
         return;
     unlink(program);
-    fail(
-        "%s, compiled without --long32, and %s, compiled with it, hand longs to each other by %s: compile both with "
-        "--long32, or neither",
-        wide->file, narrow->file, wide->name);
+    fail("%s, compiled without --long32, and %s, compiled with it, hand longs to each other by %s: "
+         "compile both with --long32, or neither",
+         wide->file, narrow->file, wide->name);
 }
 
 void longs_check(const char *program)

@@ -1,4 +1,5 @@
-/* longs.h - a program linked with --long32, of objects compiled with it and without: do they hand longs to each other? */
+/* longs.h - a program linked with --long32, of objects compiled with it and without: do they hand longs to
+ * each other? */
 #ifndef DRIVER_LONGS_H
 #define DRIVER_LONGS_H
 

@@ -77,7 +77,8 @@ static bool continues(const struct source *s, size_t i)
            line[LABEL - 1] != '0';
 }
 
-/* A statement: the lines it is in, its text in one piece, and the same with its texts in quotes made invisible. */
+/* A statement: the lines it is in, its text in one piece, and the same with its texts in quotes made
+ * invisible. */
 struct statement {
     size_t first, last;
     char *text, *code;

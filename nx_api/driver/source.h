@@ -23,8 +23,8 @@ struct source source_read(const char *name, bool fixed, size_t width);
 void source_write(const struct source *s, const char *path, bool marked);
 void source_settle(struct source *s);
 
-/* The compiler says that logicals are compared in line `line` (from 1) behind column `column`. Rewrites that comparison. False:
- * it is not found, or the statement has been changed since source_settle. */
+/* The compiler says that logicals are compared in line `line` (from 1) behind column `column`. Rewrites that
+ * comparison. False: it is not found, or the statement has been changed since source_settle. */
 bool source_compare_logicals(struct source *s, size_t line, size_t column);
 
 #endif

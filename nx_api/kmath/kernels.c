@@ -1,5 +1,5 @@
-/* kernels.c - the inner loops of the reference BLAS, as its Fortran sources have them: compiled by nxcc, so that they are counted as a
- * program's own. They are run on a few elements, to see what they cost. */
+/* kernels.c - the inner loops of the reference BLAS, as its Fortran sources have them: compiled by nxcc, so
+ * that they are counted as a program's own. They are run on a few elements, to see what they cost. */
 #include "kmath.h"
 
 #define KERNELS(T, kind, magnitude)                                                                          \

@@ -1,14 +1,16 @@
-/* kmath.h - libkmath.a: the reference BLAS and LAPACK of Debian's libblas-dev and liblapack-dev, whose work is counted.
+/* kmath.h - libkmath.a: the reference BLAS and LAPACK of Debian's libblas-dev and liblapack-dev, whose work
+ * is counted.
  *
  * Debian's objects are machine code that counts nothing. So each routine that routines.def lists is renamed
- * (nx_kmath_NAME_), and its name becomes an entry (entry.c) that first pays for the work (pay.c), then goes on with the routine.
- * LAPACK's routines call these entries, too. What is paid: so many times one of the inner loops that the reference's Fortran
- * sources have (work.c), each at what nxcc counts for the same loop (kernels.c). Handlers run while a routine is paid for, before
- * it has changed anything.
+ * (nx_kmath_NAME_), and its name becomes an entry (entry.c) that first pays for the work (pay.c), then goes
+ * on with the routine. LAPACK's routines call these entries, too. What is paid: so many times one of the
+ * inner loops that the reference's Fortran sources have (work.c), each at what nxcc counts for the same loop
+ * (kernels.c). Handlers run while a routine is paid for, before it has changed anything.
  *
- * Standing: derived. Loops of a triangle count with their mean length, strides other than 1 as 1, and elements that are 0, which
- * the reference skips, as any. LAPACK's loops outside of these routines are not counted: of order n or n^2 where the work is of
- * order n^3; the iterations for eigenvalues (xSTEQR, xHSEQR) and narrow-banded solvers are the exceptions that matter.
+ * Standing: derived. Loops of a triangle count with their mean length, strides other than 1 as 1, and
+ * elements that are 0, which the reference skips, as any. LAPACK's loops outside of these routines are not
+ * counted: of order n or n^2 where the work is of order n^3; the iterations for eigenvalues (xSTEQR, xHSEQR)
+ * and narrow-banded solvers are the exceptions that matter.
  */
 #ifndef KMATH_H
 #define KMATH_H

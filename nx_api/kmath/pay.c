@@ -1,5 +1,5 @@
-/* pay.c - spends a node's time for a routine's work. Not counted itself; it takes from the program's counter what the work
- * costs (nxcc/image.h), in pieces, so that handlers run at their times. */
+/* pay.c - spends a node's time for a routine's work. Not counted itself; it takes from the program's counter
+ * what the work costs (nxcc/image.h), in pieces, so that handlers run at their times. */
 #include "../nxcc/image.h"
 #include "kmath.h"
 

@@ -1,5 +1,5 @@
-/* work.c - the loops in each routine: how long the inner ones are, and how often they are done, by the arguments of the call.
- * Arguments are numbered from 1, as in the routine's Fortran header. */
+/* work.c - the loops in each routine: how long the inner ones are, and how often they are done, by the
+ * arguments of the call. Arguments are numbered from 1, as in the routine's Fortran header. */
 #include "kmath.h"
 
 static int64_t number(const struct kmath_call *c, int argument)

@@ -1,5 +1,5 @@
-/* sleep.c - pauses of a program, in which its handlers run as on a node: sleep and usleep of libnx.a take precedence over the C
- * library's, which nothing of ours interrupts. */
+/* sleep.c - pauses of a program, in which its handlers run as on a node: sleep and usleep of libnx.a take
+ * precedence over the C library's, which nothing of ours interrupts. */
 #include "nx_api/mpi/node.h"
 
 /* Seconds since the program began at which the pause ends. */

@@ -1,13 +1,15 @@
-/* longs.cc - notes the functions by which a C file and other files could hand longs to each other: as records in section
- * .nxc_longs, which is not loaded, for nxcc to compare when it links with --long32 (driver/longs.c). A record is a line:
+/* longs.cc - notes the functions by which a C file and other files could hand longs to each other: as
+ * records in section .nxc_longs, which is not loaded, for nxcc to compare when it links with --long32
+ * (driver/longs.c). A record is a line:
  *
  *     BYTES FILE WHAT NAME    BYTES: of this file's long, 8 or 4      WHAT of:
- *     d c     the function is defined, or called, here; with longs of 8 bytes only if it has some in memory or as result
+ *     d c     the function is defined, or called, here; with longs of 8 bytes only if it has some in memory
+ *             or as its result
  *     v       it is defined here, and longs of 8 bytes are handed to it by value
  *     l       a call of a library that reads or writes longs of 8 bytes
  *
- * A file with longs of 4 bytes names all its functions: there a long is the same type as an int. By value, a long of 8 bytes
- * that becomes one of 4 is cut as any number is, so that callers need not tell.
+ * A file with longs of 4 bytes names all its functions: there a long is the same type as an int. By value, a
+ * long of 8 bytes that becomes one of 4 is cut as any number is, so that callers need not tell.
  */
 #include "gcc.h"
 #include "longs.h"
@@ -33,7 +35,8 @@ bool is_one_of(const char *name, std::initializer_list<const char *> list)
     return false;
 }
 
-/* Is it called long, by the program? Types of the host's headers, as size_t, have 64 bits everywhere, but for these. */
+/* Is it called long, by the program? Types of the host's headers, as size_t, have 64 bits everywhere, but
+ * for these. */
 bool is_long(tree type)
 {
     tree main = TYPE_MAIN_VARIANT(type), name = TYPE_NAME(type);
