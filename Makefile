@@ -20,7 +20,7 @@ SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
 APP_SRC := $(wildcard app/*.c)
 
-all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a ## Build everything into build/
+all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/libkmath.a ## Build everything into build/
 
 $B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -39,7 +39,7 @@ $B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
 
 -include $(SIM_OBJ:.o=.d) $(REF_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
-include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk
+include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk nx_api/kmath/kmath.mk
 include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
 
 # The model program: plain NX C, built like any node program.

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 #include "nx_api/driver/help.h"
+#include "nx_api/driver/intel.h"
 #include "nx_api/driver/text.h"
 
 /* --- lists --- */
@@ -53,7 +54,7 @@ static const char *file_of(const char *name, int argc, char **argv, int *i)
     if (argv[*i][n] == '=')
         return argv[*i] + n + 1;
     if (++*i == argc)
-        fail("%s needs a file name", name);
+        fail("%s needs a name behind it", name);
     return argv[*i];
 }
 
@@ -95,10 +96,19 @@ static void refuse(const char *s, bool mpi)
         fail("%s: needs a library that a node does not have", s);
 }
 
-/* Takes an option of nxcc's own. False: argv[*i] is none. */
+static void refuse_cplusplus(const char *s)
+{
+    static const char *const endings[] = {"cc", "C", "cpp", "cxx", "c++", "cp", "CPP", "ii", NULL};
+    const char *dot = strrchr(s, '.');
+    if ((s[0] != '-' && dot && is_one_of(dot + 1, endings)) || !strcmp(s, "-lstdc++"))
+        fail("%s: C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran", s);
+}
+
+/* Takes an option of nxcc's own, or of Intel's compilers. False: argv[*i] is none. */
 static bool take_own(struct arguments *a, int argc, char **argv, int *i)
 {
-    static const char *const dropped[] = {"-node", "-nx", "-g0", "--mpi", NULL};
+    static const char *const dropped[] = {"-g0", "--mpi", NULL};
+    static const char *const algebra[] = {"-lkmath", "-lblas", "-llapack", NULL};
     const char *option = argv[*i], *file;
     if (!strcmp(option, "--help"))
         help_show();
@@ -108,6 +118,10 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         a->costs = file;
     else if ((file = file_of("--factors", argc, argv, i)))
         a->factors = file;
+    else if ((file = file_of("--as-intel", argc, argv, i)))
+        intel_links(file);
+    else if (is_one_of(option, algebra))
+        a->kmath = true;
     else if (!strcmp(option, "--profile"))
         a->profile = true;
     else if (!strcmp(option, "-host"))
@@ -119,7 +133,7 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
     else
-        return is_one_of(option, dropped);
+        return is_one_of(option, dropped) || intel_take(a, option);
     return true;
 }
 
@@ -128,6 +142,8 @@ static void take_for_gcc(struct arguments *a, const char *argument)
     static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-fsyntax-only", NULL};
     enum kind kind = kind_of(argument);
     refuse(argument, a->mpi);
+    refuse_cplusplus(argument);
+    a->silent = a->silent || !strcmp(argument, "-w");
     a->warnings = a->warnings || (!strncmp(argument, "-W", 2) && argument[2] != 'l');
     a->links = a->links && !is_one_of(argument, no_link);
     a->has_file = a->has_file || kind != OPTION;
@@ -158,5 +174,7 @@ struct arguments arguments_read(int argc, char **argv)
     }
     if (a.mpi && a.profile)
         fail("--profile: only for simulated nodes; leave it out with --mpi");
+    if (!a.silent)
+        intel_note(&a);
     return a;
 }

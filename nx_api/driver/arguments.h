@@ -7,11 +7,11 @@
 
 #define DEFAULT_COSTS "i860xr.cfg"
 
-enum kind { OPTION, OUTPUT, C_FILE, FORTRAN_FILE, OTHER_FILE };
+enum kind { OPTION, FORTRAN_OPTION, OUTPUT, C_FILE, FORTRAN_FILE, OTHER_FILE };
 
 struct argument {
     const char *text;
-    enum kind kind; /* OUTPUT: -o and its file */
+    enum kind kind; /* OUTPUT: -o and its file; FORTRAN_OPTION: only for Fortran files */
 };
 
 struct arguments {
@@ -19,13 +19,16 @@ struct arguments {
     size_t count;
     const char *costs;
     const char *factors;
+    const char *ignored; /* options of Intel's compilers, or NULL */
     bool profile, long32;
     bool warnings; /* are asked for */
+    bool silent;   /* -w */
     bool links;    /* gcc will link */
     bool has_file; /* there is something to compile or link */
     bool dry_run;
     bool stubs; /* for names that are not there */
     bool mpi;
+    bool kmath; /* is to be linked with the library of linear algebra */
 };
 
 /* Does not return when they ask for help, or cannot be met. */

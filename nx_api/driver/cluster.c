@@ -46,6 +46,10 @@ void cluster_add_link(struct arguments *a, const struct places *p)
     add(a, text("-Wl,--version-script=%s/mpi/names.map", p->lib)); /* the program's names are its own */
     add(a, "-x");
     add(a, "none");
+    if (a->kmath) {
+        add(a, "-llapack");
+        add(a, "-lblas");
+    }
     add(a, text("%s/mpi/libnx%s.a", p->lib, a->long32 ? "_long32" : ""));
     add_all(a, libraries);
 }

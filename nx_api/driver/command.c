@@ -33,6 +33,10 @@ static void add_fortran(struct arguments *a)
         "-fallow-argument-mismatch", /* a buffer of any type */
         "-fcray-pointer",
         "-fdollar-ok",
+        "-fdec",                   /* structures, integers as logicals, lines that begin with D ... */
+        "-fno-dec-intrinsic-ints", /* ... but no more functions by names that programs have themselves */
+        "-fno-dec-math",
+        "-fallow-invalid-boz",              /* 'ff'x */
         "-fno-backtrace",                   /* the simulator reports ... */
         "-fno-optimize-sibling-calls",      /* the lines of all calls under way */
         "-finline-matmul-limit=1000000000", /* counted, not the library's */
@@ -125,6 +129,8 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, "none");
     const char *kind = a->long32 ? "_long32" : "";
     add(a, text("%s/runtime%s.o", p->lib, kind));
+    if (a->kmath)
+        add(a, text("%s/libkmath.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     add(a, text("%s/libgfortran.a", p->lib));
     add(a, "-lgcc");
@@ -147,7 +153,8 @@ const char **command(const struct arguments *user, const struct places *p, bool 
     else
         add(&a, "-fcommon"); /* old programs define a variable in several files */
     for (size_t i = 0; i < user->count; i++)
-        add(&a, user->gcc[i].text);
+        if (fortran || user->gcc[i].kind != FORTRAN_OPTION)
+            add(&a, user->gcc[i].text);
     if (mpi)
         cluster_add_compile(&a, p);
     else

@@ -12,6 +12,8 @@
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/command.h"
+#include "nx_api/driver/logicals.h"
+#include "nx_api/driver/longs.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/stubs.h"
 #include "nx_api/driver/text.h"
@@ -22,6 +24,33 @@ static void print_command(const char *const *gcc)
         printf("%s%s", gcc[i], gcc[i + 1] ? " " : "\n");
 }
 
+static const char *output_of(const struct arguments *user)
+{
+    for (size_t i = 0; i + 1 < user->count; i++)
+        if (user->gcc[i].kind == OUTPUT && !strcmp(user->gcc[i].text, "-o"))
+            return user->gcc[i + 1].text;
+    for (size_t i = 0; i < user->count; i++)
+        if (!strncmp(user->gcc[i].text, "-o", 2) && user->gcc[i].text[2])
+            return user->gcc[i].text + 2;
+    return "a.out";
+}
+
+/* Runs gcc and waits; its exit status. */
+static int wait_for(const char *const *gcc)
+{
+    int status;
+    pid_t child = fork();
+    if (child < 0)
+        fail("fork: %s", strerror(errno));
+    if (child == 0) {
+        execvp(gcc[0], (char *const *)gcc);
+        fail("%s: %s", gcc[0], strerror(errno));
+    }
+    if (waitpid(child, &status, 0) < 0)
+        fail("waitpid: %s", strerror(errno));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
 /* Does not return, or returns when it is a dry run. */
 static void become(const struct arguments *user, const struct places *p, bool link)
 {
@@ -30,10 +59,21 @@ static void become(const struct arguments *user, const struct places *p, bool li
         print_command(gcc);
         return;
     }
+<<<<<<< HEAD
     if (link)
         _exit(stubs_link(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
     fail("%s: %s", gcc[0], strerror(errno));
+=======
+    if (!has_kind(user, FORTRAN_FILE) && !(link && user->long32)) {
+        execvp(gcc[0], (char *const *)gcc);
+        fail("%s: %s", gcc[0], strerror(errno));
+    }
+    int status = has_kind(user, FORTRAN_FILE) ? logicals_run(gcc, user) : wait_for(gcc);
+    if (!status && link && user->long32)
+        longs_check(output_of(user));
+    _exit(status);
+>>>>>>> driver
 }
 
 /* The same, and waits; gcc's exit status. */

@@ -7,7 +7,7 @@
 
 int node_long_bytes = 4;
 /* Files compiled with --long32 refer to it (nxcc/long32.cc), so that they are linked with it. */
-__attribute__((visibility("default"))) const char nxc_long_has_4_bytes;
+__attribute__((visibility("default"))) const char compiled_with_long32_so_link_with_long32;
 
 FILE *nx_output(void)
 {

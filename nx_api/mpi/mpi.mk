@@ -28,11 +28,13 @@ $(MPI)/obj/%.o: nx_api/%.f90
 	@mkdir -p $(@D)
 	gfortran -O2 -g -Wall -fPIE -c -o $@ $<
 
+# MPI's functions are called by their second names (PMPI_Isend ...): the first are the program's, if it wants them.
 $(MPI)/nx.o: $(filter-out $(MPI_LONG32),$(MPI_OBJ))
 $(MPI)/nx_long32.o: $(MPI_OBJ)
 $(MPI)/nx.o $(MPI)/nx_long32.o:
 	ld -r -o $@ $^
-	objcopy --localize-hidden --globalize-symbol=nxc_enter $@
+	nm -u $@ | awk '$$2 ~ /^MPI_/ { print $$2, "P" $$2 }' >$@.pmpi
+	objcopy --redefine-syms=$@.pmpi --localize-hidden --globalize-symbol=nxc_enter $@
 
 $(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))): $(MPI)/obj/long32/%.o: nx_api/%.c $(MPI_HDR) $(NXCC_TOOLS)
 	@mkdir -p $(@D)

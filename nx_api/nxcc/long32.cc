@@ -52,8 +52,9 @@ void start_unit(void *, void *)
 /* A name that only the runtime of such programs has, in a section that is not loaded. */
 void finish_unit(void *, void *)
 {
-    if (asm_out_file)
-        fputs("\t.section .nxc_long32,\"\",@progbits\n\t.quad nxc_long_has_4_bytes\n", asm_out_file);
+    if (asm_out_file && &parse_in && parse_in)
+        fputs("\t.section .nxc_long32,\"\",@progbits\n\t.quad compiled_with_long32_so_link_with_long32\n",
+              asm_out_file);
 }
 } // namespace
 

@@ -25,7 +25,7 @@ extern struct nxc_cell __stop_nxc_cells[] __attribute__((visibility("hidden"), w
 #define NXC_LONG_BYTES 8
 #endif
 #if NXC_LONG_BYTES == 4
-__attribute__((visibility("hidden"))) const char nxc_long_has_4_bytes;
+__attribute__((visibility("hidden"))) const char compiled_with_long32_so_link_with_long32;
 #endif
 
 struct nxc_image nxc_image = {

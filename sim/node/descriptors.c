@@ -243,10 +243,9 @@ int node_stat(const char *path, struct stat *st)
     return file_stat(node_self(), path, st);
 }
 
-/* Links are followed: nodes know of none. */
 int node_lstat(const char *path, struct stat *st)
 {
-    return node_stat(path, st);
+    return file_lstat(node_self(), path, st);
 }
 
 int node_mkdir(const char *path, mode_t permissions)

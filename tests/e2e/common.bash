@@ -4,7 +4,8 @@
 #   run ARGS     touchstone run ARGS in $work: leaves out, err (files) and status
 #   check NAME COMMAND...   "ok NAME" if the command succeeds, else "not ok NAME" and what the last run said
 #   block PAGE KIND [N]     the Nth block, else the first, of that kind in a page
-#   example PAGE FILE       what a reader of PAGE does: writes its C program into FILE and gives its commands
+#   example PAGE FILE [N]   what a reader of PAGE does: writes its C program into FILE and gives its commands, those of the
+#                           Nth such blocks, else of the first
 tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 BUILD=$(cd "${BUILD:-$tests/../../build}" && pwd)
 work=$(mktemp -d)
@@ -42,8 +43,8 @@ block() {
 
 example() {
     block "$1" c >"$2"
-    block "$1" out >expected
-    block "$1" sh >commands
+    block "$1" out "${3:-1}" >expected
+    block "$1" sh "${3:-1}" >commands
     ln -s "$BUILD" build
     bash -e commands >out 2>err
     status=$?

@@ -70,3 +70,31 @@ check "costs: compiles" "$BUILD/nxcc" -O2 -o costs "$f/costs.c" "$f/loops.f"
 run -n 1 costs
 check "costs: a loop in Fortran costs within 5 % of the same in C" \
     awk '{ n++; if ($2 < 950 || $2 > 1050) exit 1 } END { if (n != 3) exit 1 }' out
+
+# --- what GNU Fortran refuses
+cp "$f/logicals.f" .
+check "logicals: compared with .eq. and .ne." nxf77 -o logicals logicals.f
+run -n 1 logicals
+check "logicals: above .and., below .not., in long and continued lines" prints ' F T T T\n T T T T\n it is .eq. to b T\n'
+check "logicals: lines are those of the original" said 'logicals\.f:40: Fortran run-time error: .*/nowhere/at/all'
+mkdir inner
+sed 's/if (t(1)) call/if (t(1)) gosub/' logicals.f >inner/bad.f
+bad() { ! nxf77 -c inner/bad.f && grep -q "^inner/bad\.f:33:" compile.err && ! grep -q "Logicals at" compile.err; }
+check "logicals: another error in such a file is shown with its own line" bad
+check "dec: structures, integers as logicals, lines that begin with D" nxf77 -o dec "$f/dec.f"
+run -n 1 dec
+check "dec: a program's own function has precedence over one of DEC's" \
+    prints '           5           1         244           3\n  95 1.5\n'
+
+# --- linear algebra
+check "-lkmath: linked, with a program's own routine of the same name" nxf77 -Mextend -o algebra "$f/algebra.f" -lkmath
+run -m ipsc860 -n 2 algebra
+right() { sort out >sorted && [ "$(grep -c ' T' sorted)" = 15 ] && ! grep ' F' sorted && [ "$(grep -c "the program's own dzasum" sorted)" = 2 ]; }
+check "-lkmath: right results, in the time of the same loops; handlers run meanwhile" right
+grep '^digest' err >expected
+timeout 100 "$BUILD/touchstone-reference" run -m ipsc860 -n 2 algebra 2>&1 | grep '^digest' >got
+check "-lkmath: the same times on the reference engine" cmp expected got
+check "-lkmath: C calls it, with -lblas and -llapack too" "$BUILD/nxcc" -w -O2 -o norm -x c - -llapack -lblas <<<'double dnrm2_();
+int main() { int n = 2, one = 1; double x[2] = {3, 4}; printf("%g\n", dnrm2_(&n, x, &one)); }'
+run -n 1 norm
+check "-lkmath: and has its result" prints '5\n'

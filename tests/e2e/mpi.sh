@@ -4,7 +4,7 @@
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 
-for program in interrupts masks library flood ends; do
+for program in interrupts masks library flood ends sleeps own_mpi; do
     check "$program.c compiles" "$BUILD/nxcc" --mpi -O2 -g -Wall -o $program "$tests/mpi/$program.c" -lm
 done
 
@@ -18,6 +18,11 @@ on_mpi 2 ./library
 check "no handler runs inside the C library" printed "3000 handled, 0 inside"
 on_mpi 3 ./flood
 check "sends never wait for receives" printed "0 wrong"
+
+on_mpi 2 ./sleeps
+check "handlers run while a node sleeps" [ "$(sort out)" = $'sleep: asleep\nslept: all of it\nusleep: asleep' ]
+on_mpi 2 ./own_mpi
+check "a program may have functions by the names of MPI's" printed $'102, sum 201\n102, sum 201'
 
 for options in "-O2" "-O3 -march=native"; do
     # shellcheck disable=SC2086

@@ -1,8 +1,33 @@
 #!/bin/bash
-# old_programs.sh - what doc/old-programs.md shows: its example, and what is said when it goes wrong.
+# old_programs.sh - what doc/old-programs.md shows: the path from an archive to a run, its example, and what is said when it goes
+# wrong.
 . "$(dirname "$0")/common.bash"
+page=$tests/../../doc/old-programs.md
 
-example "$tests/../../doc/old-programs.md" pi.c
+# --- the archive ---
+ln -s "$BUILD" build
+mkdir tests && ln -s "$tests" tests/e2e
+block "$page" sh >commands
+block "$page" out >expected
+bash -e commands >out 2>err
+status=$?
+printed_last() { diff expected <(tail -n "$(wc -l <expected)" out); }
+check "an archive with a makefile for icc and if77: made and run" ended_with 0
+check "its five programs print what the page says" printed_last
+noted() { [ "$(grep -c '^if77: note: ignored, as options of the i860.s own compilers: -i860 -Knoieee -Mvect$' err)" = 2 ]; }
+check "one note a command of options that are ignored" noted
+sized() { grep -qE '^ +[0-9]+.*[[:space:]]layer$' out; }
+check "size860 tells their sizes" sized
+for program in heat chain server threads layer; do
+    for machine in delta paragon; do
+        run -q -m $machine -n 8 old/$program
+        check "$program on $machine" diff <(grep "^$program:" expected) out
+    done
+done
+rm -rf build old tests
+
+# --- the example ---
+example "$page" pi.c 2
 
 build() { "$BUILD/nxcc" -w -O2 "$@"; }
 check "without --long32 it does too" build -o pi pi.c

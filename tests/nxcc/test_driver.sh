@@ -64,8 +64,58 @@ int main(void) { return wide(65537) != 131073 / 16; }
 EOT
 narrow() { "$NXCC" --long32 -O2 -Wall -Werror -o long long.c && "$NXCC" --long32 -c long.c && "$NXCC" --long32 -o long long.o; }
 check "--long32: long has 32 bits in a program and in nx.h" narrow
-check "--long32: its objects are linked with it" says "undefined reference to \`nxc_long_has_4_bytes'" "$NXCC" long.o
+check "--long32: its objects are linked with it" says "undefined reference to \`compiled_with_long32_so_link_with_long32'" "$NXCC" long.o
+
+# parts WIDE NARROW - a program of two C files, the second compiled with --long32
+parts() {
+    echo "$1" >wide.c
+    echo "$2" >narrow.c
+    "$NXCC" -w -O2 -c wide.c && "$NXCC" -w -O2 --long32 -c narrow.c && "$NXCC" --long32 -o parts wide.o narrow.o
+}
+check "--long32: linked with files without it that hand over no longs" parts \
+    'extern void f_(); static unsigned long p(void *v) { return (unsigned long)v; } void *g(unsigned long n) { return (void *)n; }
+     int main(void) { int n = 1; f_((int *)p(&n)); printf("%d %lld %lf\n", n, 1LL, 1.0); csend(1, &n, 4, -1, 0); return n; }' \
+    'void f_(long *n) { *n += sizeof *n; }'
+check "--long32: not by an argument in memory" says "wide.c, compiled without --long32, and narrow.c, compiled with it, hand longs to each other by f_" \
+    parts 'extern void f_(long *); int main(void) { long n = 1; f_(&n); return n; }' 'void f_(long *n) { *n += sizeof *n; }'
+check "--long32: nor by a result" says "hand longs to each other by f_" \
+    parts 'extern long f_(); int main(void) { return f_(); }' 'long f_(void) { return -1; }'
+check "--long32: nor by value to a file with the host's long" says "hand longs to each other by f_" \
+    parts 'int f_(long n) { return n < 0; }' 'int f_(long); int main(void) { return f_(-1); }'
+check "--long32: nor to a call of NX" says "wide.c, compiled without --long32, hands longs to gisum" \
+    parts '#include <nx.h>
+     int main(void) { long x = 1, w; gisum(&x, 1, &w); return x; }' 'int f_;'
+check "--long32: nor to printf" says "hands longs to printf" \
+    parts 'int printf(); int main(void) { long x = 1; printf("%5d %ld\n", 1, x); return 0; }' 'int f_;'
+gone() { [ ! -e parts ]; }
+check "--long32: no program is left behind" gone
+
 check "without it: long has 64 bits" says "static assertion failed" "$NXCC" -c long.c
+
+
+# --- as icc and if77 ---
+intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && [ -x bin860/ar860 ] && [ -x bin860/size860 ]; }
+check "--as-intel makes links by the names of Intel's tools" intel
+one_note() {
+    bin860/icc -O4 -i860 -Knoieee -Mvect -Mstreamall -node -o hello hello.c other.c -lnode -lm 2>said &&
+        [ "$(cat said)" = "icc: note: ignored, as options of the i860's own compilers: -i860 -Knoieee -Mvect -Mstreamall" ]
+}
+check "icc: options of the i860's own compilers are ignored, with one note" one_note
+silent() { bin860/icc -w -Kieee -c other.c 2>said && [ ! -s said ]; }
+check "icc: -w, and there is none" silent
+echo "      program wide
+      real x
+      print *, kind(x), 'a line of more than 72 columns'                                            , 1
+      end" >wide.f
+translated() { bin860/if77 -Mextend -Mr8 --dry-run wide.f | grep -q -- "-ffixed-line-length-132 -fdefault-real-8" && bin860/if77 -Mextend -Mr8 -o wide wide.f; }
+check "if77: options that change a program's meaning are translated" translated
+both() { bin860/icc -Mr8 --dry-run -c other.c | grep -q -v -- -fdefault-real-8; }
+check "icc: and do not disturb C" both
+gcc_own() { "$NXCC" -MM -MF other.d other.c && grep -q '^other\.o: other\.c' other.d; }
+check "GCC's own -M options are GCC's" gcc_own
+check "if77: an option that nothing has is refused" says "-Monetrip: GNU Fortran has no such DO loops" bin860/if77 -Monetrip -c wide.f
+cp other.c other.cc
+check "C++ is refused at once" says "other.cc: C++ programs cannot be made" "$NXCC" -c other.cc
 
 same() { "$NXCC" -O2 -S -o a.s hello.c && "$NXCC" -O2 -S -o b.s hello.c && cmp a.s b.s; }
 check "the same source gives the same code" same

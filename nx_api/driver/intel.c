@@ -1,0 +1,119 @@
+/* intel.c - see intel.h. */
+#include "nx_api/driver/intel.h"
+#include <ctype.h>
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "nx_api/driver/text.h"
+
+/* --- options --- */
+
+/* Those that change what a program means, and GNU Fortran's for them. */
+static const struct translation {
+    const char *intel, *gcc;
+} fortran_options[] = {
+    {"-Mextend", "-ffixed-line-length-132"},
+    {"-Mr8", "-fdefault-real-8"},
+    {"-Mbounds", "-fcheck=bounds"},
+    {"-Msave", "-fno-automatic"},
+    {"-Mdlines", "-fd-lines-as-code"},
+    {"-Mdclchk", "-fimplicit-none"},
+    {"-Mpreprocess", "-cpp"},
+    {"-Mnobackslash", "-fbackslash"},
+};
+
+static bool is_one_of(const char *option, const char *const *list)
+{
+    for (; *list; list++)
+        if (!strcmp(option, *list))
+            return true;
+    return false;
+}
+
+/* Those that chose a way of computing, a library or a file that there is only one of here. GCC's own -M
+ * options go on with a capital letter. */
+static bool is_ignored(const char *option)
+{
+    static const char *const exact[] = {"-i860", "-nostartup", NULL};
+    return is_one_of(option, exact) || !strncmp(option, "-K", 2) ||
+           (!strncmp(option, "-M", 2) && islower((unsigned char)option[2]));
+}
+
+/* Every program is linked with what these had. */
+static bool is_library(const char *option)
+{
+    static const char *const there[] = {"-node", "-nx", "-lnode", "-lnx", "-lmach", NULL};
+    return is_one_of(option, there);
+}
+
+bool intel_take(struct arguments *a, const char *option)
+{
+    for (size_t i = 0; i < sizeof fortran_options / sizeof *fortran_options; i++)
+        if (!strcmp(option, fortran_options[i].intel)) {
+            add_kind(a, fortran_options[i].gcc, FORTRAN_OPTION);
+            return true;
+        }
+    if (!strcmp(option, "-Monetrip"))
+        fail("%s: GNU Fortran has no such DO loops; those that end before they begin need an IF", option);
+    if (is_library(option))
+        return true;
+    if (!is_ignored(option))
+        return false;
+    a->ignored = a->ignored ? text("%s %s", a->ignored, option) : option;
+    return true;
+}
+
+void intel_note(const struct arguments *a)
+{
+    if (a->ignored)
+        fprintf(stderr, "%s: note: ignored, as options of the i860's own compilers: %s\n",
+                program_invocation_short_name, a->ignored);
+}
+
+/* --- names --- */
+
+static void make_link(const char *folder, const char *name, const char *target)
+{
+    char *link = text("%s/%s", folder, name);
+    if (unlink(link) && errno != ENOENT)
+        fail("--as-intel: %s: %s", link, strerror(errno));
+    if (symlink(target, link))
+        fail("--as-intel: %s: %s", link, strerror(errno));
+    printf("%s -> %s\n", link, target);
+    free(link);
+}
+
+/* The whole path of a program that the shell finds. */
+static char *which(const char *program)
+{
+    const char *path = getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin";
+    for (const char *at = path; *at;) {
+        int n = (int)strcspn(at, ":");
+        char *whole = text("%.*s/%s", n, at, program);
+        if (*whole == '/' && !access(whole, X_OK))
+            return whole;
+        free(whole);
+        at += n + (at[n] == ':');
+    }
+    fail("--as-intel: %s is not to be found: install Debian's binutils", program);
+}
+
+_Noreturn void intel_links(const char *folder)
+{
+    char self[PATH_MAX];
+    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    if (n < 0)
+        fail("/proc/self/exe: %s", strerror(errno));
+    self[n] = '\0';
+    if (mkdir(folder, 0777) && errno != EEXIST)
+        fail("--as-intel %s: %s", folder, strerror(errno));
+    make_link(folder, "icc", self);
+    make_link(folder, "if77", self);
+    make_link(folder, "ar860", which("ar"));
+    make_link(folder, "size860", which("size"));
+    exit(0);
+}

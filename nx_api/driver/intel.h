@@ -1,0 +1,19 @@
+/* intel.h - what makefiles of the time give to icc and if77, the compilers that Intel sold for the i860, and
+ * their names. */
+#ifndef DRIVER_INTEL_H
+#define DRIVER_INTEL_H
+#include <stdbool.h>
+#include "nx_api/driver/arguments.h"
+
+/* Takes an option of icc or if77: adds what GCC has for it, or notes that it is ignored. False: it is none
+ * of theirs. */
+bool intel_take(struct arguments *a, const char *option);
+
+/* Says once, on standard error, which options were ignored. */
+void intel_note(const struct arguments *a);
+
+/* Makes the folder, if there is none, and in it links by the names of Intel's tools: icc, if77, ar860,
+ * size860. Does not return. */
+_Noreturn void intel_links(const char *folder);
+
+#endif

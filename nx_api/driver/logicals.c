@@ -1,0 +1,237 @@
+/* logicals.c - see logicals.h. What is allocated lives as long as the driver. */
+#include "nx_api/driver/logicals.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "nx_api/driver/source.h"
+#include "nx_api/driver/text.h"
+
+enum { ROUNDS = 100, FIXED_WIDTH = 72, ANY_WIDTH = 10000 };
+static const char complaint[] = "Logicals at (1) must be compared with";
+
+/* A Fortran file of the user's, and its copy. */
+struct file {
+    struct source source;
+    char *folder, *copy;
+};
+
+struct files {
+    char folder[sizeof P_tmpdir "/nxccXXXXXX"];
+    struct file *list;
+    size_t count;
+};
+
+/* --- running gcc --- */
+
+/* Its exit status; what it says goes to `said`, or to standard error if that is NULL. */
+static int run(const char *const *gcc, FILE *said)
+{
+    int status;
+    pid_t child = fork();
+    if (child < 0)
+        fail("fork: %s", strerror(errno));
+    if (child == 0) {
+        if (said)
+            dup2(fileno(said), STDERR_FILENO);
+        execvp(gcc[0], (char *const *)gcc);
+        fail("%s: %s", gcc[0], strerror(errno));
+    }
+    if (waitpid(child, &status, 0) < 0)
+        fail("waitpid: %s", strerror(errno));
+    if (said)
+        rewind(said);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/* The command with copies for files, and more options, a list that NULL ends. */
+static const char **with_copies(const char **gcc, const struct files *files, const char *const *more)
+{
+    size_t n = 0, m = 0;
+    while (gcc[n])
+        n++;
+    while (more[m])
+        m++;
+    const char **all = calloc(n + m + 1, sizeof *all);
+    if (!all)
+        fail("out of memory");
+    for (size_t i = 0; i < n; i++) {
+        all[i] = gcc[i];
+        for (size_t k = 0; k < files->count; k++)
+            if (gcc[i] == files->list[k].source.name)
+                all[i] = files->list[k].copy;
+    }
+    memcpy(all + n, more, m * sizeof *all);
+    return all;
+}
+
+/* --- the user's files --- */
+
+/* Does the last of the options that choose the form say that it is fixed? */
+static bool is_fixed(const char **gcc, const char *name)
+{
+    bool fixed = strchr("fF", strrchr(name, '.')[1]) && !strpbrk(strrchr(name, '.'), "0123456789");
+    for (; *gcc; gcc++)
+        if (!strcmp(*gcc, "-ffree-form") || !strcmp(*gcc, "-ffixed-form"))
+            fixed = (*gcc)[3] == 'i';
+    return fixed;
+}
+
+static size_t width_of(const char **gcc)
+{
+    static const char option[] = "-ffixed-line-length-";
+    size_t width = FIXED_WIDTH;
+    for (; *gcc; gcc++)
+        if (!strncmp(*gcc, option, strlen(option)))
+            width = strtoul(*gcc + strlen(option), NULL, 10);
+    return width > 0 ? width : ANY_WIDTH;
+}
+
+static struct file file_read(const char **gcc, const char *folder, size_t number, const char *name)
+{
+    bool fixed = is_fixed(gcc, name);
+    const char *slash = strrchr(name, '/');
+    char *own = text("%s/%zu", folder, number);
+    if (mkdir(own, 0700))
+        fail("%s: %s", own, strerror(errno));
+    return (struct file){.source = source_read(name, fixed, fixed ? width_of(gcc) : ANY_WIDTH),
+                         .folder = own,
+                         .copy = text("%s/%s", own, slash ? slash + 1 : name)};
+}
+
+static struct files files_read(const char **gcc, const struct arguments *user)
+{
+    struct files all = {.folder = P_tmpdir "/nxccXXXXXX"};
+    all.list = calloc(user->count, sizeof *all.list);
+    if (!all.list)
+        fail("out of memory");
+    if (!mkdtemp(all.folder))
+        fail("%s: %s", all.folder, strerror(errno));
+    for (size_t i = 0; i < user->count; i++)
+        if (user->gcc[i].kind == FORTRAN_FILE)
+            all.list[all.count] = file_read(gcc, all.folder, all.count, user->gcc[i].text), all.count++;
+    return all;
+}
+
+static void files_write(struct files *all, bool marked)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        source_write(&all->list[i].source, all->list[i].copy, marked);
+        source_settle(&all->list[i].source);
+    }
+}
+
+static void files_remove(struct files *all)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        unlink(all->list[i].copy);
+        rmdir(all->list[i].folder);
+    }
+    rmdir(all->folder);
+}
+
+/* --- rewriting what gcc complains of --- */
+
+/* "FILE:LINE:COLUMN: Error: ..." */
+static bool rewrite_one(struct files *all, const char *message)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        size_t n = strlen(all->list[i].copy), line, column;
+        if (!strncmp(message, all->list[i].copy, n) && sscanf(message + n, ":%zu:%zu:", &line, &column) == 2)
+            return source_compare_logicals(&all->list[i].source, line, column);
+    }
+    return false;
+}
+
+/* One look of gcc's at the copies. False: nothing was left to rewrite. */
+static bool rewrite_round(struct files *all, const char **gcc)
+{
+    bool any = false;
+    char *message = NULL;
+    size_t size = 0;
+    FILE *said = tmpfile();
+    if (!said)
+        fail("%s: %s", P_tmpdir, strerror(errno));
+    files_write(all, false);
+    run(gcc, said);
+    while (getline(&message, &size, said) >= 0)
+        if (strstr(message, complaint) && rewrite_one(all, message))
+            any = true;
+    free(message);
+    fclose(said);
+    return any;
+}
+
+/* INCLUDE looks beside the file it is in. */
+static const char **more_options(const struct files *all, const char *const *options)
+{
+    const char **more = calloc(all->count + 8, sizeof *more);
+    size_t n = 0;
+    if (!more)
+        fail("out of memory");
+    for (size_t i = 0; i < all->count; i++) {
+        const char *name = all->list[i].source.name, *slash = strrchr(name, '/');
+        more[n++] = slash ? text("-I%.*s", (int)(slash - name), name) : "-I.";
+    }
+    for (; *options; options++)
+        more[n++] = *options;
+    return more;
+}
+
+static int compile_copies(const char **gcc, const struct arguments *user)
+{
+    static const char *const look[] = {"-fsyntax-only", "-fdiagnostics-plain-output", "-fmax-errors=0", NULL};
+    static const char *const none[] = {NULL};
+    struct files all = files_read(gcc, user);
+    const char **looks = with_copies(gcc, &all, more_options(&all, look));
+    for (int i = 0; i < ROUNDS && rewrite_round(&all, looks); i++)
+        ;
+    files_write(&all, true);
+    int status = run(with_copies(gcc, &all, more_options(&all, none)), NULL);
+    files_remove(&all);
+    return status;
+}
+
+/* --- the command --- */
+
+static void copy_to_stderr(FILE *said)
+{
+    char *line = NULL;
+    size_t size = 0;
+    while (getline(&line, &size, said) >= 0)
+        fputs(line, stderr);
+    free(line);
+}
+
+static bool complains(FILE *said)
+{
+    char *line = NULL;
+    size_t size = 0;
+    bool yes = false;
+    while (!yes && getline(&line, &size, said) >= 0)
+        yes = strstr(line, complaint);
+    free(line);
+    rewind(said);
+    return yes;
+}
+
+int logicals_run(const char **gcc, const struct arguments *user)
+{
+    static const char *const colours[] = {"-fdiagnostics-color=always", NULL};
+    static const char *const none[] = {NULL};
+    const struct files nothing = {.count = 0};
+    FILE *said = tmpfile();
+    if (!said)
+        fail("%s: %s", P_tmpdir, strerror(errno));
+    int status = run(with_copies(gcc, &nothing, isatty(STDERR_FILENO) ? colours : none), said);
+    if (status && complains(said))
+        status = compile_copies(gcc, user);
+    else
+        copy_to_stderr(said);
+    fclose(said);
+    return status;
+}

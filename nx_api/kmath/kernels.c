@@ -1,0 +1,93 @@
+/* kernels.c - the inner loops of the reference BLAS, as its Fortran sources have them: compiled by nxcc, so
+ * that they are counted as a program's own. They are run on a few elements, to see what they cost. */
+#include "kmath.h"
+
+#define KERNELS(T, kind, magnitude)                                                                          \
+    static void axpy_##kind(int n, T *x, T *y)                                                               \
+    {                                                                                                        \
+        T a = x[n];                                                                                          \
+        for (int i = 0; i < n; i++)                                                                          \
+            y[i] += a * x[i];                                                                                \
+    }                                                                                                        \
+    static void dot_##kind(int n, T *x, T *y)                                                                \
+    {                                                                                                        \
+        T sum = 0;                                                                                           \
+        for (int i = 0; i < n; i++)                                                                          \
+            sum += x[i] * y[i];                                                                              \
+        y[n] = sum;                                                                                          \
+    }                                                                                                        \
+    static void scal_##kind(int n, T *x, T *y)                                                               \
+    {                                                                                                        \
+        T a = y[n];                                                                                          \
+        for (int i = 0; i < n; i++)                                                                          \
+            x[i] = a * x[i];                                                                                 \
+    }                                                                                                        \
+    static void copy_##kind(int n, T *x, T *y)                                                               \
+    {                                                                                                        \
+        for (int i = 0; i < n; i++)                                                                          \
+            y[i] = x[i];                                                                                     \
+    }                                                                                                        \
+    static void swap_##kind(int n, T *x, T *y)                                                               \
+    {                                                                                                        \
+        for (int i = 0; i < n; i++) {                                                                        \
+            T t = x[i];                                                                                      \
+            x[i] = y[i];                                                                                     \
+            y[i] = t;                                                                                        \
+        }                                                                                                    \
+    }                                                                                                        \
+    static void rot_##kind(int n, T *x, T *y)                                                                \
+    {                                                                                                        \
+        T c = x[n], s = y[n];                                                                                \
+        for (int i = 0; i < n; i++) {                                                                        \
+            T t = c * x[i] + s * y[i];                                                                       \
+            y[i] = c * y[i] - s * x[i];                                                                      \
+            x[i] = t;                                                                                        \
+        }                                                                                                    \
+    }                                                                                                        \
+    static void asum_##kind(int n, T *x, T *y)                                                               \
+    {                                                                                                        \
+        T sum = 0;                                                                                           \
+        for (int i = 0; i < n; i++)                                                                          \
+            sum += magnitude(x[i]);                                                                          \
+        y[n] = sum;                                                                                          \
+    }                                                                                                        \
+    static void nrm2_##kind(int n, T *x, T *y)                                                               \
+    {                                                                                                        \
+        T sum = 0;                                                                                           \
+        for (int i = 0; i < n; i++)                                                                          \
+            if (magnitude(x[i]) < 1e10f)                                                                     \
+                sum += x[i] * x[i];                                                                          \
+        y[n] = sum;                                                                                          \
+    }                                                                                                        \
+    static void iamax_##kind(int n, T *x, T *y)                                                              \
+    {                                                                                                        \
+        int at = 0;                                                                                          \
+        for (int i = 0; i < n; i++)                                                                          \
+            if (magnitude(x[i]) > magnitude(x[at]))                                                          \
+                at = i;                                                                                      \
+        y[n] = (T)at;                                                                                        \
+    }                                                                                                        \
+    static void run_##kind(enum kmath_loop loop, int n, void *x, void *y)                                    \
+    {                                                                                                        \
+        static void (*const loops[KMATH_LOOPS])(int, T *, T *) = {axpy_##kind, dot_##kind,  scal_##kind,     \
+                                                                  copy_##kind, swap_##kind, rot_##kind,      \
+                                                                  asum_##kind, nrm2_##kind, iamax_##kind};   \
+        loops[loop](n, x, y);                                                                                \
+    }
+
+#define COMPLEX_MAGNITUDE(x) (__builtin_fabsf(__real__(x)) + __builtin_fabsf(__imag__(x)))
+#define DOUBLE_COMPLEX_MAGNITUDE(x) (__builtin_fabs(__real__(x)) + __builtin_fabs(__imag__(x)))
+
+/* As GNU Fortran does: complex numbers are multiplied without a look for infinities. */
+#pragma GCC optimize("cx-fortran-rules")
+KERNELS(float, s, __builtin_fabsf)
+KERNELS(double, d, __builtin_fabs)
+KERNELS(_Complex float, c, COMPLEX_MAGNITUDE)
+KERNELS(_Complex double, z, DOUBLE_COMPLEX_MAGNITUDE)
+
+void nx_kmath_kernel(enum kmath_kind kind, enum kmath_loop loop, int n, void *x, void *y)
+{
+    static void (*const kinds[KMATH_KINDS])(enum kmath_loop, int, void *, void *) = {run_s, run_d, run_c,
+                                                                                     run_z};
+    kinds[kind](loop, n, x, y);
+}

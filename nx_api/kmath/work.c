@@ -1,0 +1,183 @@
+/* work.c - the loops in each routine: how long the inner ones are, and how often they are done, by the
+ * arguments of the call. Arguments are numbered from 1, as in the routine's Fortran header. */
+#include "kmath.h"
+
+static int64_t number(const struct kmath_call *c, int argument)
+{
+    const int *at = argument <= 6 ? c->registers[argument - 1] : c->stack[argument - 7];
+    return *at > 0 ? *at : 0;
+}
+
+/* Is the option of that argument the letter? */
+static bool is(const struct kmath_call *c, int argument, char letter)
+{
+    const char *at = c->registers[argument - 1];
+    return (*at & ~0x20) == letter;
+}
+
+static int64_t loop(const struct kmath_call *c, enum kmath_loop l, int64_t n, int64_t times)
+{
+    return nx_kmath_loop(c->kind, l, n, times);
+}
+
+/* A matrix as it is: columns are added up; transposed: products with columns are summed. */
+static int64_t by_column(const struct kmath_call *c, int transposed, int64_t n, int64_t times)
+{
+    return loop(c, is(c, transposed, 'N') ? KMATH_AXPY : KMATH_DOT, n, times);
+}
+
+/* One half of a matrix, used as the whole. */
+static int64_t both_halves(const struct kmath_call *c, int64_t n, int64_t times)
+{
+    return loop(c, KMATH_AXPY, n, times) + loop(c, KMATH_DOT, n, times);
+}
+
+/* --- vectors --- */
+
+#define VECTORS(name, kernel)                                                                                \
+    static int64_t name(const struct kmath_call *c)                                                          \
+    {                                                                                                        \
+        return loop(c, kernel, number(c, 1), 1);                                                             \
+    }
+
+VECTORS(axpy, KMATH_AXPY)
+VECTORS(dot, KMATH_DOT)
+VECTORS(scal, KMATH_SCAL)
+VECTORS(copy, KMATH_COPY)
+VECTORS(swap, KMATH_SWAP)
+VECTORS(rot, KMATH_ROT)
+VECTORS(asum, KMATH_ASUM)
+VECTORS(nrm2, KMATH_NRM2)
+VECTORS(iamax, KMATH_IAMAX)
+
+/* --- matrices and vectors --- */
+
+static int64_t gemv(const struct kmath_call *c) /* trans, m, n */
+{
+    return by_column(c, 1, number(c, 2), number(c, 3));
+}
+
+static int64_t gbmv(const struct kmath_call *c) /* trans, m, n, kl, ku */
+{
+    return by_column(c, 1, number(c, 4) + number(c, 5) + 1, number(c, 3));
+}
+
+static int64_t ger(const struct kmath_call *c) /* m, n */
+{
+    return loop(c, KMATH_AXPY, number(c, 1), number(c, 2));
+}
+
+static int64_t symv(const struct kmath_call *c) /* uplo, n */
+{
+    return both_halves(c, number(c, 2) / 2, number(c, 2));
+}
+
+static int64_t sbmv(const struct kmath_call *c) /* uplo, n, k */
+{
+    return both_halves(c, number(c, 3), number(c, 2));
+}
+
+static int64_t trmv(const struct kmath_call *c) /* uplo, trans, diag, n */
+{
+    return by_column(c, 2, number(c, 4) / 2, number(c, 4));
+}
+
+static int64_t tbmv(const struct kmath_call *c) /* uplo, trans, diag, n, k */
+{
+    return by_column(c, 2, number(c, 5), number(c, 4));
+}
+
+static int64_t syr(const struct kmath_call *c) /* uplo, n */
+{
+    return loop(c, KMATH_AXPY, number(c, 2) / 2, number(c, 2));
+}
+
+static int64_t syr2(const struct kmath_call *c) /* uplo, n */
+{
+    return 2 * syr(c);
+}
+
+/* --- matrices --- */
+
+static int64_t gemm(const struct kmath_call *c) /* transa, transb, m, n, k */
+{
+    int64_t m = number(c, 3), n = number(c, 4), k = number(c, 5);
+    return is(c, 1, 'N') ? loop(c, KMATH_AXPY, m, n * k) : loop(c, KMATH_DOT, k, m * n);
+}
+
+static int64_t symm(const struct kmath_call *c) /* side, uplo, m, n */
+{
+    int64_t m = number(c, 3), n = number(c, 4);
+    return is(c, 1, 'L') ? both_halves(c, m / 2, m * n) : loop(c, KMATH_AXPY, m, n * n);
+}
+
+static int64_t trmm(const struct kmath_call *c) /* side, uplo, trans, diag, m, n */
+{
+    int64_t m = number(c, 5), n = number(c, 6);
+    return is(c, 1, 'L') ? by_column(c, 3, m / 2, m * n) : loop(c, KMATH_AXPY, m, n * n / 2);
+}
+
+static int64_t syrk(const struct kmath_call *c) /* uplo, trans, n, k */
+{
+    int64_t n = number(c, 3), k = number(c, 4);
+    return is(c, 2, 'N') ? loop(c, KMATH_AXPY, n / 2, n * k) : loop(c, KMATH_DOT, k, n * n / 2);
+}
+
+static int64_t syr2k(const struct kmath_call *c) /* uplo, trans, n, k */
+{
+    return 2 * syrk(c);
+}
+
+/* --- LAPACK's own --- */
+
+static int64_t laswp(const struct kmath_call *c) /* n, a, lda, k1, k2 */
+{
+    int64_t rows = number(c, 5) - number(c, 4) + 1;
+    return loop(c, KMATH_SWAP, number(c, 1), rows > 0 ? rows : 0);
+}
+
+static int64_t lacpy(const struct kmath_call *c) /* uplo, m, n */
+{
+    bool half = is(c, 1, 'U') || is(c, 1, 'L');
+    return loop(c, KMATH_COPY, number(c, 2) >> half, number(c, 3));
+}
+
+static int64_t lascl(const struct kmath_call *c) /* type, kl, ku, cfrom, cto, m, n */
+{
+    return loop(c, KMATH_SCAL, number(c, 6), number(c, 7));
+}
+
+static int64_t lasr(const struct kmath_call *c) /* side, pivot, direct, m, n */
+{
+    int64_t m = number(c, 4), n = number(c, 5);
+    return is(c, 1, 'L') ? loop(c, KMATH_ROT, n, m) : loop(c, KMATH_ROT, m, n);
+}
+
+static int64_t lange(const struct kmath_call *c) /* norm, m, n */
+{
+    return loop(c, KMATH_ASUM, number(c, 2), number(c, 3));
+}
+
+static int64_t lansy(const struct kmath_call *c) /* norm, uplo, n */
+{
+    return loop(c, KMATH_ASUM, number(c, 3) / 2, number(c, 3));
+}
+
+/* Elimination and substitution for each right-hand side: three steps like those of axpy for each row. */
+static int64_t gtsv(const struct kmath_call *c) /* n, nrhs */
+{
+    return loop(c, KMATH_AXPY, number(c, 1), 3 * (1 + number(c, 2)));
+}
+
+/* --- the table --- */
+
+#define ROUTINE(kind, name, work) work,
+kmath_work *const nx_kmath_work[] = {
+#include "routines.def"
+};
+#undef ROUTINE
+
+#define ROUTINE(kind, name, work) KMATH_##kind,
+const enum kmath_kind nx_kmath_kinds[] = {
+#include "routines.def"
+};

@@ -1,0 +1,197 @@
+/* longs.cc - notes the functions by which a C file and other files could hand longs to each other: as
+ * records in section .nxc_longs, which is not loaded, for nxcc to compare when it links with --long32
+ * (driver/longs.c). A record is a line:
+ *
+ *     BYTES FILE WHAT NAME    BYTES: of this file's long, 8 or 4      WHAT of:
+ *     d c     the function is defined, or called, here; with longs of 8 bytes only if it has some in memory
+ *             or as its result
+ *     v       it is defined here, and longs of 8 bytes are handed to it by value
+ *     l       a call of a library that reads or writes longs of 8 bytes
+ *
+ * A file with longs of 4 bytes names all its functions: there a long is the same type as an int. By value, a
+ * long of 8 bytes that becomes one of 4 is cut as any number is, so that callers need not tell.
+ */
+#include "gcc.h"
+#include "longs.h"
+#include "output.h"
+#include <set>
+#include <string>
+
+/* The C preprocessor's state; there is none in the compilers of other languages. */
+extern struct cpp_reader *parse_in __attribute__((weak));
+
+namespace
+{
+bool narrow;
+std::set<std::string> records; /* "WHAT NAME" */
+
+/* --- types --- */
+
+bool is_one_of(const char *name, std::initializer_list<const char *> list)
+{
+    for (const char *one : list)
+        if (!strcmp(name, one))
+            return true;
+    return false;
+}
+
+/* Is it called long, by the program? Types of the host's headers, as size_t, have 64 bits everywhere, but
+ * for these. */
+bool is_long(tree type)
+{
+    tree main = TYPE_MAIN_VARIANT(type), name = TYPE_NAME(type);
+    if (main != long_integer_type_node && main != long_unsigned_type_node)
+        return false;
+    if (!name || TREE_CODE(name) != TYPE_DECL || !DECL_NAME(name) ||
+        !in_system_header_at(DECL_SOURCE_LOCATION(name)))
+        return true;
+    return DECL_SOURCE_LOCATION(name) <= BUILTINS_LOCATION ||
+           is_one_of(IDENTIFIER_POINTER(DECL_NAME(name)), {"time_t", "u_long", "ulong", "clock_t"});
+}
+
+bool points_at_long(tree type)
+{
+    while (POINTER_TYPE_P(type) || TREE_CODE(type) == ARRAY_TYPE) {
+        type = TREE_TYPE(type);
+        if (is_long(type))
+            return true;
+    }
+    return false;
+}
+
+struct signature {
+    bool by_value = false, in_memory = false, result = false;
+};
+
+signature signature_of(tree function)
+{
+    signature s;
+    tree type = TREE_TYPE(function);
+    s.result = is_long(TREE_TYPE(type));
+    s.in_memory = points_at_long(TREE_TYPE(type));
+    for (tree a = TYPE_ARG_TYPES(type); a; a = TREE_CHAIN(a)) {
+        s.by_value |= is_long(TREE_VALUE(a));
+        s.in_memory |= points_at_long(TREE_VALUE(a));
+    }
+    for (tree a = TYPE_ARG_TYPES(type) ? NULL_TREE : DECL_ARGUMENTS(function); a; a = DECL_CHAIN(a)) {
+        s.by_value |= is_long(TREE_TYPE(a)); /* defined in the old style */
+        s.in_memory |= points_at_long(TREE_TYPE(a));
+    }
+    return s;
+}
+
+/* --- formats --- */
+
+/* The text that a pointer points at, or NULL. */
+const char *text_at(tree pointer)
+{
+    if (TREE_CODE(pointer) != ADDR_EXPR)
+        return NULL;
+    tree text = TREE_OPERAND(pointer, 0);
+    if (TREE_CODE(text) == ARRAY_REF)
+        text = TREE_OPERAND(text, 0);
+    return TREE_CODE(text) == STRING_CST ? TREE_STRING_POINTER(text) : NULL;
+}
+
+/* Has it a %ld, %-8lx or the like? %lld and %lf are no longs. */
+bool formats_long(const char *s)
+{
+    while ((s = strchr(s, '%'))) {
+        s += 1 + strspn(s + 1, "-+ #0123456789.*$");
+        if (s[0] == 'l' && s[1] && strchr("diouxXn", s[1]))
+            return true;
+        if (*s == '%')
+            s++;
+    }
+    return false;
+}
+
+bool hands_long_by_format(gcall *call)
+{
+    tree function = gimple_call_fndecl(call);
+    if (!strstr(IDENTIFIER_POINTER(DECL_NAME(function)), "printf") &&
+        !strstr(IDENTIFIER_POINTER(DECL_NAME(function)), "scanf"))
+        return false;
+    for (unsigned i = 0; i < gimple_call_num_args(call); i++) {
+        const char *format = text_at(gimple_call_arg(call, i));
+        if (format && formats_long(format))
+            return true;
+    }
+    return false;
+}
+
+/* --- functions --- */
+
+void add(char what, tree function)
+{
+    records.insert(std::string(1, what) + " " + IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function)));
+}
+
+void note_definition(tree function)
+{
+    signature s = signature_of(function);
+    if (narrow || s.in_memory || s.result)
+        add('d', function);
+    if (!narrow && s.by_value)
+        add('v', function);
+}
+
+void note_call(gcall *call)
+{
+    tree function = gimple_call_fndecl(call);
+    if (!function || !DECL_NAME(function) || !TREE_PUBLIC(function))
+        return;
+    signature s = signature_of(function);
+    bool library = in_system_header_at(DECL_SOURCE_LOCATION(function));
+    if (!narrow && ((library && s.in_memory) || hands_long_by_format(call)))
+        add('l', function);
+    if (narrow ? !library : s.in_memory || s.result)
+        add('c', function);
+}
+
+void look_at_functions(void *, void *)
+{
+    cgraph_node *node;
+    FOR_EACH_FUNCTION_WITH_GIMPLE_BODY(node)
+    {
+        function *f = DECL_STRUCT_FUNCTION(node->decl);
+        basic_block block;
+        if (!f || !f->cfg)
+            continue;
+        if (TREE_PUBLIC(node->decl))
+            note_definition(node->decl);
+        FOR_EACH_BB_FN(block, f)
+            for (gimple_stmt_iterator i = gsi_start_bb(block); !gsi_end_p(i); gsi_next(&i))
+                if (gcall *call = dyn_cast<gcall *>(gsi_stmt(i)))
+                    note_call(call);
+    }
+}
+
+void finish_unit(void *, void *)
+{
+    if (!asm_out_file || records.empty())
+        return;
+    fputs("\t.section .nxc_longs,\"\",@progbits\n", asm_out_file);
+    for (const std::string &record : records) {
+        std::string line = std::string(narrow ? "4 " : "8 ") + main_input_filename + " " + record + "\n";
+        fputs("\t.ascii ", asm_out_file);
+        output_quoted_string(asm_out_file, line.c_str());
+        fputc('\n', asm_out_file);
+    }
+}
+
+void start_unit(void *, void *data)
+{
+    const char *plugin = static_cast<const char *>(data);
+    if (!&parse_in || !parse_in)
+        return;
+    register_callback(plugin, PLUGIN_ALL_IPA_PASSES_START, look_at_functions, NULL);
+    register_callback(plugin, PLUGIN_FINISH_UNIT, finish_unit, NULL);
+}
+} // namespace
+
+void longs_register(const char *plugin, bool long32)
+{
+    narrow = long32;
+    register_callback(plugin, PLUGIN_START_UNIT, start_unit, const_cast<char *>(plugin));
+}
