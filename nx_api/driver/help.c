@@ -27,12 +27,8 @@ static const char help[] =
     "    -lkmath          the reference BLAS and LAPACK, counted; -lblas and -llapack are the same\n"
     "    --as-intel DIR   make links in DIR by the names that makefiles of the time use: icc, if77, ar860, size860\n"
     "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and their kin\n"
-<<<<<<< HEAD
-    "    --long32         long has 32 bits, as on the i860; without it, 64. All of a program's C files, and its link, need it\n"
-    "    --stubs          link functions that nodes do not have, too: they fail with ENOSYS, and the report names those called\n"
-=======
     "    --long32         long has 32 bits, as on the i860; without it, 64. Also when linking\n"
->>>>>>> driver
+    "    --stubs          link functions that nodes do not have, too: they fail with ENOSYS, and the report names those called\n"
     "    --mpi            a program for a cluster, run by mpirun, instead of one for simulated nodes\n"
     "    --dry-run        print the gcc command and do not run it\n"
     "    --help           this text            --version    nxcc's version, and gcc's\n"

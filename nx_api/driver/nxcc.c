@@ -1,8 +1,8 @@
 /* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link. nxf77 is another
  * name for it.
  *
- * It runs gcc once (command.h); when there are both C and Fortran files, which take other options, once for each Fortran file
- * before.
+ * It runs gcc once (command.h); where Fortran files are to be linked, or there are C files beside them, which take other options,
+ * once for each Fortran file before.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -35,22 +35,6 @@ static const char *output_of(const struct arguments *user)
     return "a.out";
 }
 
-/* Runs gcc and waits; its exit status. */
-static int wait_for(const char *const *gcc)
-{
-    int status;
-    pid_t child = fork();
-    if (child < 0)
-        fail("fork: %s", strerror(errno));
-    if (child == 0) {
-        execvp(gcc[0], (char *const *)gcc);
-        fail("%s: %s", gcc[0], strerror(errno));
-    }
-    if (waitpid(child, &status, 0) < 0)
-        fail("waitpid: %s", strerror(errno));
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
 /* Does not return, or returns when it is a dry run. */
 static void become(const struct arguments *user, const struct places *p, bool link)
 {
@@ -59,21 +43,16 @@ static void become(const struct arguments *user, const struct places *p, bool li
         print_command(gcc);
         return;
     }
-<<<<<<< HEAD
-    if (link)
-        _exit(stubs_link(gcc, user));
+    if (link) {
+        int status = stubs_link(gcc, user);
+        if (!status && user->long32)
+            longs_check(output_of(user));
+        _exit(status);
+    }
+    if (has_kind(user, FORTRAN_FILE))
+        _exit(logicals_run(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
     fail("%s: %s", gcc[0], strerror(errno));
-=======
-    if (!has_kind(user, FORTRAN_FILE) && !(link && user->long32)) {
-        execvp(gcc[0], (char *const *)gcc);
-        fail("%s: %s", gcc[0], strerror(errno));
-    }
-    int status = has_kind(user, FORTRAN_FILE) ? logicals_run(gcc, user) : wait_for(gcc);
-    if (!status && link && user->long32)
-        longs_check(output_of(user));
-    _exit(status);
->>>>>>> driver
 }
 
 /* The same, and waits; gcc's exit status. */
@@ -117,7 +96,7 @@ static struct arguments without(const struct arguments *user, enum kind left_out
 }
 
 /* To be linked: the Fortran files become objects in a folder of their own first, and take their places. */
-static int link_mixed(const struct arguments *user, const struct places *p)
+static int link_objects(const struct arguments *user, const struct places *p)
 {
     char folder[] = P_tmpdir "/nxccXXXXXX";
     struct arguments all = arguments_none(user);
@@ -165,10 +144,12 @@ int main(int argc, char **argv)
         fail("no input files; %s --help shows how it is used", program_invocation_short_name);
     bool link = user.links && user.has_file;
     int status = 0;
-    if (!has_kind(&user, C_FILE) || !has_kind(&user, FORTRAN_FILE))
-        become(&user, &p, link);
+    if (link && has_kind(&user, FORTRAN_FILE))
+        status = link_objects(&user, &p);
+    else if (has_kind(&user, C_FILE) && has_kind(&user, FORTRAN_FILE))
+        status = compile_mixed(&user, &p);
     else
-        status = link ? link_mixed(&user, &p) : compile_mixed(&user, &p);
+        become(&user, &p, link);
     fflush(stdout);
     _exit(status); /* what has been allocated lives as long as the driver */
 }
