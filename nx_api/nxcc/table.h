@@ -14,7 +14,7 @@
 /* clang-format off */
 #define NXCC_CLASSES(CLASS) \
     CLASS(integer) CLASS(multiply) CLASS(divide) CLASS(large_constant) \
-    CLASS(index) CLASS(bitfield) CLASS(load) CLASS(store) \
+    CLASS(static_address) CLASS(index) CLASS(bitfield) CLASS(load) CLASS(store) \
     CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument) \
     CLASS(fp_add_single) CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double) \
     CLASS(fp_divide_single) CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double) \
