@@ -59,7 +59,10 @@ static void point(const char *series, double us)
 int main(void)
 {
     double sender;
-    point("gsync", sum_us(0));
+    double gsync_us = sum_us(0);
+    point("gsync", gsync_us);
+    if (mynode() == 0)
+        figure("gsync_per_dimension_us", gsync_us / nodedim());
     point("gdsum_1", sum_us(1));
     point("gdsum_1000", sum_us(ELEMENTS));
     point("broadcast_0", broadcast_us(0, &sender));

@@ -45,6 +45,8 @@ void nx_about(struct node *n, long what);
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s);
 /* Any call that looks at or changes the message state takes this time. */
 void nx_spend_call(struct node *n);
+/* A call that, where NX is a library above a kernel, goes into that takes this time besides. */
+void nx_spend_kernel(struct node *n);
 /* Moves bytes between a file, at its pointer or at a place, and parts of memory: how many, or -1 with the error; and the
  * same begun, to be waited for by its id. */
 enum { AT_POINTER = -1 };

@@ -32,6 +32,7 @@ long nx_post_handler(struct node *n, const struct incoming *in, mailbox_handler 
     if (!handler)
         return node_error(n, EQHND, "the handler is a null pointer");
     nx_spend_call(n);
+    nx_spend_kernel(n);
     struct receive r = nx_receive(in);
     r.handler = handler, r.param = param;
     mailbox_post_handler(n, &r);

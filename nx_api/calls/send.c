@@ -77,6 +77,7 @@ long nxs_hsendx(word type, const void *buf, word len, word node, word pid, mailb
         return -1;
     if (!handler)
         return node_error(n, EQHND, "the handler is a null pointer");
+    nx_spend_kernel(n);
     struct send *s = mailbox_send_handler(n, handler, param);
     s->info = (struct node_info){type, len, node, pid};
     nx_send(n, &o, s);

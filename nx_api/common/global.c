@@ -1,4 +1,4 @@
-/* global.c - global operations, as programs over the calls of nx.h: the same on every backend.
+/* global.c - global operations on vectors, as programs over the calls of nx.h: the same on every backend.
  *
  * All nodes hold a vector; at the end all hold the vectors combined, element by element. Recursive doubling: let p be
  * the largest power of two that is no more than the number of nodes. In step k the nodes 0 to p-1 exchange what they
@@ -29,8 +29,8 @@
 enum { FOLD = 62, TELL = 63 };
 
 struct global {
-    long type;           /* of the operation's step 0 */
-    nx_combine *combine; /* NULL: nothing to combine, nodes only wait for each other */
+    long type; /* of the operation's step 0 */
+    nx_combine *combine;
     long n, bytes;
     void *x, *work;
 };
@@ -42,9 +42,9 @@ static void exchange(const struct global *g, long step, long me, long partner)
     long id = irecv(g->type + step, g->work, g->bytes);
     csend(g->type + step, g->x, g->bytes, partner, 0);
     msgwait(id);
-    if (g->combine && me < partner)
+    if (me < partner)
         g->combine(g->x, g->x, g->work, g->n);
-    else if (g->combine)
+    else
         g->combine(g->x, g->work, g->x, g->n);
 }
 
@@ -60,8 +60,7 @@ static void run(const struct global *g)
     }
     if (me + p < nodes) {
         crecv(g->type + FOLD, g->work, g->bytes);
-        if (g->combine)
-            g->combine(g->x, g->x, g->work, g->n);
+        g->combine(g->x, g->x, g->work, g->n);
     }
     for (long bit = 1, step = 0; bit < p; bit *= 2, step++)
         exchange(g, step, me, me ^ bit);
@@ -91,11 +90,6 @@ void nx_reduce(enum nx_operation op, nx_combine *f, long n, size_t size, void *x
     }
 
 #include "reductions.def"
-
-void gsync(void)
-{
-    nx_reduce(GSYNC, NULL, 0, 0, NULL, NULL);
-}
 
 /* The program's operation, while gopf is under way. f(low, high) leaves the result in low. */
 static long (*program_operation)(void *, void *);

@@ -13,7 +13,7 @@ typedef void nx_combine(void *out, const void *low, const void *high, long n);
 
 #define REDUCTION(name, operation, element, expression) operation,
 enum nx_operation {
-    GSYNC,
+    GSYNC, /* gsync.c */
 #include "reductions.def"
     GOPF,
 };

@@ -2,18 +2,123 @@
 #include "gcc.h"
 #include "cache.h"
 #include "costs.h"
+#include "image.h"
+#include "variable.h"
+#include <math.h>
+#include <stdarg.h>
 
 namespace
 {
 cache_costs cache;
+tree tags; /* nxc_cache of cache_runtime.c */
 
-/* long name(void *address, long sets, long ways, long line, long miss) */
-tree function(const char *name)
+/* Something in memory at a known distance from what others are, too. */
+struct spot {
+    tree base = NULL_TREE, index = NULL_TREE, step = NULL_TREE, index2 = NULL_TREE; /* base NULL: unknown */
+    int64_t offset = 0;
+};
+
+/* What has been loaded in this block since the last call. */
+struct known_load {
+    tree ref;
+    spot at;
+    bool looked_up;
+};
+std::vector<known_load> loaded;
+const int farthest = 64; /* statements ahead that are looked at */
+
+/* --- the assembly: %0 the units, %1 and %2 scratch, %3 the address, %4 nxc_cache of cache_runtime.c --------- */
+
+std::string text(const char *format, ...) __attribute__((format(printf, 1, 2)));
+std::string text(const char *format, ...)
 {
-    tree l = units_type();
-    tree type = build_function_type_list(l, ptr_type_node, l, l, l, l, NULL_TREE);
-    return build_fn_decl(name, type);
+    char line[200];
+    va_list ap;
+    va_start(ap, format);
+    vsnprintf(line, sizeof line, format, ap);
+    va_end(ap);
+    return line;
 }
+
+/* Cache or translation buffer: what it is, where it begins in nxc_cache, and its labels: label + way, where that way of a set
+ * becomes the first. */
+struct place {
+    const cache_level &level;
+    int begin, label;
+
+    /* A way of the address's set, whose offset is in %1. */
+    std::string way(int64_t i) const { return text("%d(%%4,%%1)", begin + 8 * (int)i); }
+
+    /* %1 = offset of the address's set. */
+    std::string find_set() const
+    {
+        int shift = (int)log2((double)level.line / NXC_CACHE_SET_BYTES);
+        std::string s = shift ? text("movq\t%%3, %%1\n\tshrq\t$%d, %%1\n\t", shift) : "movl\t%k3, %k1\n\t";
+        return s + text("andl\t$%d, %%k1\n\t", (int)(level.sets - 1) * NXC_CACHE_SET_BYTES);
+    }
+
+    /* Compares a way with the address in scratch, and jumps if jump says so. */
+    std::string compare(int64_t i, const char *scratch, const std::string &jump) const
+    {
+        return text("movq\t%s, %s\n\txorq\t%%3, %s\n\tcmpq\t$%d, %s\n\t", way(i).c_str(), scratch, scratch,
+                    (int)level.line - 1, scratch) +
+               jump + "\n\t";
+    }
+
+    /* A hit in another way than the first goes to its label. */
+    std::string compare_others() const
+    {
+        std::string s;
+        for (int i = 1; i < level.ways; i++)
+            s += compare(i, "%2", text("jbe\t%df", label + i));
+        return s;
+    }
+
+    /* The address's line becomes the first of its set, and the last of them goes. */
+    std::string bring(bool with_labels) const
+    {
+        std::string s;
+        for (int64_t i = level.ways - 1; i > 0; i--)
+            s += (with_labels ? text("%d:\t", label + (int)i) : "") + "movq\t" + way(i - 1) +
+                 ", %2\n\tmovq\t%2, " + way(i) + "\n\t";
+        return s + text("movq\t%%3, %%2\n\tandq\t$%d, %%2\n\tmovq\t%%2, ", -(int)level.line) + way(0) +
+               "\n\t";
+    }
+};
+
+const std::string DONE = "jmp\t772b\n\t";
+
+std::string pay(const char *operation, int64_t units)
+{
+    return text("%s\t$%d, %%0\n\t", operation, (int)units);
+}
+
+/* The line's page, and the end. */
+std::string translate(const char *operation)
+{
+    const place tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790};
+    if (!tlb.level.sets)
+        return DONE;
+    return tlb.find_set() + tlb.compare(0, "%2", "jbe\t772b") + tlb.compare_others() +
+           pay(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
+}
+
+/* What a load or store looks like. operation: how %0 pays, "subq" or "addq". */
+std::string look_up_text(bool load, const char *operation)
+{
+    const place data = {cache.data, 0, 780};
+    std::string s = data.find_set() + data.compare(0, "%1", "ja\t771f") + "\n772:\n\t.subsection 1\n771:\t" +
+                    data.find_set() + data.compare_others();
+    s += pay(operation, load ? cache.load_miss : cache.store_miss);
+    if (load)
+        s += data.bring(false);
+    s += translate(operation);
+    if (data.level.ways > 1)
+        s += data.bring(true) + DONE;
+    return s + ".previous";
+}
+
+/* --- where it goes ------------------------------------------------------------------------------------------ */
 
 /* The address of what a reference to memory names; of a bit-field, the address of what holds it. */
 tree address_of(tree ref)
@@ -30,20 +135,121 @@ tree address_of(tree ref)
     return build_fold_addr_expr(unshare_expr(ref));
 }
 
-void look_up(gimple *stmt, tree ref, const char *name, int64_t miss, vec<tree> &units)
+bool is_looked_up(tree ref)
 {
-    if (!costs_is_memory(ref) || (VAR_P(get_base_address(ref)) && DECL_HARD_REGISTER(get_base_address(ref))))
+    return costs_is_memory(ref) &&
+           !(VAR_P(get_base_address(ref)) && DECL_HARD_REGISTER(get_base_address(ref)));
+}
+
+spot spot_of(tree ref)
+{
+    poly_int64 offset;
+    int64_t distance;
+    tree base = get_addr_base_and_unit_offset(ref, &offset);
+    if (!base || !offset.is_constant(&distance))
+        return {};
+    if (DECL_P(base))
+        return {base, NULL_TREE, NULL_TREE, NULL_TREE, distance};
+    tree more = TREE_CODE(base) == TARGET_MEM_REF ? TMR_OFFSET(base) : TREE_OPERAND(base, 1);
+    if (!tree_fits_shwi_p(more))
+        return {};
+    distance += tree_to_shwi(more);
+    if (TREE_CODE(base) == TARGET_MEM_REF)
+        return {TMR_BASE(base), TMR_INDEX(base), TMR_STEP(base), TMR_INDEX2(base), distance};
+    return {TREE_OPERAND(base, 0), NULL_TREE, NULL_TREE, NULL_TREE, distance};
+}
+
+bool are_same(tree a, tree b)
+{
+    return a == b || (a && b && operand_equal_p(a, b, 0));
+}
+
+bool are_related(const spot &a, const spot &b)
+{
+    return a.base && b.base && are_same(a.base, b.base) && are_same(a.index, b.index) &&
+           are_same(a.step, b.step) && are_same(a.index2, b.index2);
+}
+
+bool has_been_loaded(tree ref)
+{
+    for (const known_load &l : loaded)
+        if (operand_equal_p(l.ref, ref, 0))
+            return true;
+    return false;
+}
+
+bool ends_what_is_known(gimple *stmt)
+{
+    return is_gimple_call(stmt) || gimple_code(stmt) == GIMPLE_ASM;
+}
+
+/* Will something be loaded from which `from` is less than a line away, and `at` lies between the two? */
+bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
+{
+    gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
+    gsi_next_nondebug(&gsi);
+    for (int i = 0; i < farthest && !gsi_end_p(gsi); i++, gsi_next_nondebug(&gsi)) {
+        gimple *s = gsi_stmt(gsi);
+        if (ends_what_is_known(s))
+            return false;
+        if (!gimple_assign_single_p(s) || !is_looked_up(gimple_assign_rhs1(s)))
+            continue;
+        spot to = spot_of(gimple_assign_rhs1(s));
+        int64_t whole = to.offset - from.offset, part = at.offset - from.offset;
+        if (are_related(from, to) && llabs(whole) < cache.data.line &&
+            (whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole))
+            return true;
+    }
+    return false;
+}
+
+/* Between two loads less than a line apart there is no third line. */
+bool is_between(gimple *stmt, const spot &at)
+{
+    for (const known_load &l : loaded)
+        if (l.looked_up && are_related(l.at, at) && is_on_the_way(stmt, l.at, at))
+            return true;
+    return false;
+}
+
+void operand(vec<tree, va_gc> **list, const char *constraint, tree value)
+{
+    tree c = build_tree_list(NULL_TREE, build_string((int)strlen(constraint) + 1, constraint));
+    vec_safe_push(*list, build_tree_list(c, value));
+}
+
+void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
+{
+    if (!is_looked_up(ref) || has_been_loaded(ref))
+        return;
+    spot at = load ? spot_of(ref) : spot();
+    bool needed = !load || !is_between(stmt, at);
+    if (load)
+        loaded.push_back({ref, at, needed});
+    if (!needed)
         return;
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
     tree address = force_gimple_operand_gsi(&gsi, fold_convert(ptr_type_node, address_of(ref)), true,
                                             NULL_TREE, true, GSI_SAME_STMT);
-    tree l = units_type(), answer = make_ssa_name(l);
-    gcall *call =
-        gimple_build_call(function(name), 5, address, build_int_cst(l, cache.sets),
-                          build_int_cst(l, cache.ways), build_int_cst(l, cache.line), build_int_cst(l, miss));
-    gimple_call_set_lhs(call, answer);
-    gsi_insert_before(&gsi, call, GSI_SAME_STMT);
-    units.safe_push(answer);
+    tree l = units_type(), paid = left ? left : make_ssa_name(l);
+    vec<tree, va_gc> *in = NULL, *out = NULL;
+    operand(&out, "=&r", paid);
+    operand(&out, "=&r", make_ssa_name(l));
+    operand(&out, "=&r", make_ssa_name(l));
+    operand(&in, "r", address);
+    operand(&in, "r", build_fold_addr_expr(tags));
+    operand(&in, "0", left ? left : build_int_cst(l, 0));
+    gasm *a = gimple_build_asm_vec(ggc_strdup(look_up_text(load, left ? "subq" : "addq").c_str()), in, out,
+                                   NULL, NULL);
+    gimple_asm_set_volatile(a, true);
+    for (unsigned i = 0; i < gimple_asm_noutputs(a); i++) {
+        tree name = TREE_VALUE(gimple_asm_output_op(a, i));
+        if (TREE_CODE(name) == SSA_NAME)
+            SSA_NAME_DEF_STMT(name) = a;
+    }
+    gsi_insert_before(&gsi, a, GSI_SAME_STMT);
+    if (!left)
+        units.safe_push(paid);
 }
 } // namespace
 
@@ -54,14 +260,34 @@ void cache_use(const cache_costs &c)
 
 bool cache_is_simulated()
 {
-    return cache.sets;
+    return cache.data.sets;
 }
 
-void cache_look_up(gimple *stmt, vec<tree> &units)
+void cache_forget()
+{
+    loaded.clear();
+}
+
+void cache_look_up(gimple *stmt, tree left, vec<tree> &units)
+{
+    if (!cache_is_simulated())
+        return;
+    if (ends_what_is_known(stmt))
+        cache_forget();
+    if (!is_gimple_assign(stmt) || gimple_clobber_p(stmt))
+        return;
+    if (!tags)
+        tags = variable_declare("nxc_cache", units_type());
+    if (gimple_assign_single_p(stmt))
+        look_up(stmt, gimple_assign_rhs1(stmt), true, left, units);
+    look_up(stmt, gimple_assign_lhs(stmt), false, left, units);
+}
+
+int64_t cache_most(gimple *stmt)
 {
     if (!cache_is_simulated() || !is_gimple_assign(stmt) || gimple_clobber_p(stmt))
-        return;
-    if (gimple_assign_single_p(stmt))
-        look_up(stmt, gimple_assign_rhs1(stmt), "nxc_cache_load", cache.load_miss, units);
-    look_up(stmt, gimple_assign_lhs(stmt), "nxc_cache_store", cache.store_miss, units);
+        return 0;
+    bool load = gimple_assign_single_p(stmt) && is_looked_up(gimple_assign_rhs1(stmt));
+    bool store = is_looked_up(gimple_assign_lhs(stmt));
+    return load * (cache.load_miss + cache.tlb_miss) + store * (cache.store_miss + cache.tlb_miss);
 }

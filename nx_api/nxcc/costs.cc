@@ -78,9 +78,20 @@ int64_t words(tree type)
     return (int64_t)((tree_to_uhwi(TYPE_SIZE_UNIT(type)) + 7) / 8);
 }
 
+/* A variable with an address of 32 bits, of which a load or store holds 16. Loops have such addresses in registers, as they
+ * have in what GCC leaves of the accesses in them. */
+int64_t base_cost(tree operand)
+{
+    tree base = get_base_address(operand);
+    return base && VAR_P(base) && (TREE_STATIC(base) || DECL_EXTERNAL(base)) ? table.clocks.static_address
+                                                                             : 0;
+}
+
 int64_t memory_cost(tree operand, int64_t access)
 {
-    return is_memory(operand) ? address_cost(operand) + access * words(TREE_TYPE(operand)) : 0;
+    if (!is_memory(operand))
+        return 0;
+    return base_cost(operand) + address_cost(operand) + access * words(TREE_TYPE(operand));
 }
 
 int64_t divide_cost(tree divisor)

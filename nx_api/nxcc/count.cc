@@ -85,6 +85,7 @@ class counting
     void count_block(basic_block bb);
     gimple *hand_over(gcall *call);
     void pay_misses(gimple *stmt);
+    void pay_misses_of(basic_block bb);
     void pay_argument(gcall *call);
     gimple *pay_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
@@ -320,7 +321,9 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
 void counting::pay_misses(gimple *stmt)
 {
     auto_vec<tree> misses;
-    cache_look_up(stmt, misses);
+    cache_look_up(stmt, profile ? NULL_TREE : left, misses);
+    if (misses.is_empty())
+        return;
     gimple_seq seq = NULL;
     for (tree units : misses)
         charge(&seq, stmt, units);
@@ -427,6 +430,17 @@ void counting::pay_ahead(const prepaid_loop &loop)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
+/* Of a block that has been paid for ahead. */
+void counting::pay_misses_of(basic_block bb)
+{
+    auto_vec<gimple *> statements;
+    for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+        statements.safe_push(gsi_stmt(gsi));
+    cache_forget();
+    for (gimple *stmt : statements)
+        pay_misses(stmt);
+}
+
 void counting::count_block(basic_block bb)
 {
     if (paid.count(bb))
@@ -438,6 +452,7 @@ void counting::count_block(basic_block bb)
     gimple *behind = NULL;
     unsigned i;
     gimple *stmt;
+    cache_forget();
     if (bitmap_bit_p(idle, bb->index))
         spend_going_back(&now, bb);
     FOR_EACH_VEC_ELT (statements, i, stmt) {
@@ -590,8 +605,8 @@ void counting::insert_check(const check &c)
 void counting::run()
 {
     look_at_function();
-    bool foresees = left && optimize && !cache_is_simulated();
-    if (foresees && !calls && leaves_accept(fun))
+    bool foresees = left && optimize;
+    if (foresees && !calls && !cache_is_simulated() && leaves_accept(fun))
         return;
     poll_mark(fun, calls, checked);
     find_idle_loops();
@@ -609,6 +624,9 @@ void counting::run()
         count_block(bb);
     for (const prepaid_loop &loop : ahead.loops)
         pay_ahead(loop);
+    for (const prepaid_loop &loop : ahead.loops)
+        for (const prepaid_block &b : loop.blocks)
+            pay_misses_of(b.bb);
     if (left) {
         load_on_entry();
         store_on_exit();

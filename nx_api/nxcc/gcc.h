@@ -22,6 +22,7 @@
 #include "gimple-pretty-print.h"
 #include "ssa.h"
 #include "tree-cfg.h"
+#include "tree-dfa.h"
 #include "tree-into-ssa.h"
 #include "tree-ssa-operands.h"
 #include "tree-ssa-address.h"

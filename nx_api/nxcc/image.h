@@ -30,7 +30,8 @@
 #define NXC_IMAGE_VERSION 4u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_NOT_QUIET (INT64_MAX / 2)
-#define NXC_CACHE_LINES 4096 /* at most, of a simulated data cache: cache.h */
+/* At most, of a simulated data cache and translation buffer: cache.h. */
+enum { NXC_CACHE_SETS = 1024, NXC_TLB_SETS = 64, NXC_CACHE_WAYS = 4, NXC_CACHE_SET_BYTES = 32 };
 
 /* Units spent in one function's body, all that was inlined into it included; or in a part of a body: what was
  * inlined from one other function, or one library call. So what a function has spent is the sum over the cells

@@ -28,8 +28,7 @@ void set_long(bool is_wide)
 
 bool is_host_header(const line_map_ordinary *map)
 {
-    return ORDINARY_MAP_IN_SYSTEM_HEADER_P(map) &&
-           !startswith(ORDINARY_MAP_FILE_NAME(map), nx_headers);
+    return ORDINARY_MAP_IN_SYSTEM_HEADER_P(map) && !startswith(ORDINARY_MAP_FILE_NAME(map), nx_headers);
 }
 
 void file_change(cpp_reader *reader, const line_map_ordinary *map)

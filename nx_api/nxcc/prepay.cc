@@ -1,5 +1,6 @@
 /* prepay.cc - see prepay.h. */
 #include "prepay.h"
+#include "cache.h"
 #include "costs.h"
 #include "leaves.h"
 #include "rounds.h"
@@ -77,11 +78,11 @@ int64_t cost_of_block(basic_block bb)
 {
     int64_t sum = 0;
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        sum += costs_of(gsi_stmt(gsi)) + leaves_cost(gsi_stmt(gsi));
+        sum += costs_of(gsi_stmt(gsi)) + leaves_cost(gsi_stmt(gsi)) + cache_most(gsi_stmt(gsi));
     return sum;
 }
 
-/* The units of a round that runs all blocks. */
+/* The units of a round that runs all blocks, and finds nothing in a cache. */
 int64_t dearest_round(class loop *loop)
 {
     int64_t sum = 0;

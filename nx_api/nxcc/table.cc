@@ -148,41 +148,66 @@ bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
     return true;
 }
 
-bool power_of_two(reader &r, const config_setting_t *group, const char *key, int64_t &value)
+bool power_of_two(reader &r, const config_setting_t *group, const char *key, int64_t least, int64_t &value)
 {
     const config_setting_t *s = config_setting_get_member(group, key);
     value = s ? config_setting_get_int64(s) : 0;
-    if (value < 1 || value > 1 << 20 || (value & (value - 1)))
-        return r.fail(s ? s : group, std::string("cache: '") + key + "' must be a power of two");
+    if (value < least || value > 1 << 20 || (value & (value - 1)))
+        return r.fail(s ? s : group, std::string(config_setting_name(group)) + ": '" + key +
+                                         "' must be a power of two from " + std::to_string(least));
     return true;
+}
+
+/* So many lines in all, in sets of some ways. */
+bool read_level(reader &r, const config_setting_t *group, int64_t lines, int64_t most_sets, cache_level &l)
+{
+    l.sets = lines / l.ways;
+    if (l.ways > NXC_CACHE_WAYS || l.sets < 1 || l.sets > most_sets)
+        return r.fail(group, std::string(config_setting_name(group)) + ": must have 1 to " +
+                                 std::to_string(NXC_CACHE_WAYS) + " ways and 1 to " +
+                                 std::to_string(most_sets) + " sets");
+    return true;
+}
+
+bool miss(reader &r, const config_setting_t *group, const char *key, int64_t &value)
+{
+    const config_setting_t *s = config_setting_get_member(group, key);
+    if (!s)
+        return r.fail(group, std::string(config_setting_name(group)) + ": '" + key + "' is needed");
+    return units(r, s, value);
 }
 
 /* cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; }, which may be left out. */
 bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
 {
     int64_t bytes;
-    if (!only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss"}))
-        return false;
-    const config_setting_t *load = config_setting_get_member(group, "load_miss");
-    const config_setting_t *store = config_setting_get_member(group, "store_miss");
-    if (!load || !store)
-        return r.fail(group, "cache: 'load_miss' and 'store_miss' are needed");
-    if (!power_of_two(r, group, "bytes", bytes) || !power_of_two(r, group, "ways", cache.ways) ||
-        !power_of_two(r, group, "line", cache.line) || !units(r, load, cache.load_miss) ||
-        !units(r, store, cache.store_miss))
-        return false;
-    cache.sets = bytes / (cache.ways * cache.line);
-    if (cache.sets < 1 || cache.sets * cache.ways > NXC_CACHE_LINES)
-        return r.fail(group, "cache: must have 1 to " + std::to_string(NXC_CACHE_LINES) + " lines");
-    return true;
+    return only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss"}) &&
+           miss(r, group, "load_miss", cache.load_miss) && miss(r, group, "store_miss", cache.store_miss) &&
+           power_of_two(r, group, "bytes", 1, bytes) && power_of_two(r, group, "ways", 1, cache.data.ways) &&
+           power_of_two(r, group, "line", NXC_CACHE_SET_BYTES, cache.data.line) &&
+           read_level(r, group, bytes / cache.data.line, NXC_CACHE_SETS, cache.data);
+}
+
+/* tlb = { entries = 64; ways = 4; page = 4096; miss = 24; }, which may be left out. */
+bool read_tlb(reader &r, const config_setting_t *group, cache_costs &cache)
+{
+    int64_t entries;
+    return only_keys(r, group, {"entries", "ways", "page", "miss"}) &&
+           miss(r, group, "miss", cache.tlb_miss) && power_of_two(r, group, "entries", 1, entries) &&
+           power_of_two(r, group, "ways", 1, cache.tlb.ways) &&
+           power_of_two(r, group, "page", NXC_CACHE_SET_BYTES, cache.tlb.line) &&
+           read_level(r, group, entries, NXC_TLB_SETS, cache.tlb);
 }
 
 bool read_costs(reader &r, const config_setting_t *root, cost_table &table)
 {
-    if (!only_keys(r, root, {"name", "clock_mhz", "clocks", "calls", "cache"}))
+    if (!only_keys(r, root, {"name", "clock_mhz", "clocks", "calls", "cache", "tlb"}))
         return false;
     const config_setting_t *cache = config_setting_get_member(root, "cache");
+    const config_setting_t *tlb = config_setting_get_member(root, "tlb");
     if (cache && !read_cache(r, cache, table.cache))
+        return false;
+    if (tlb && !read_tlb(r, tlb, table.cache))
         return false;
     const config_setting_t *clocks = config_setting_get_member(root, "clocks");
     const config_setting_t *calls = config_setting_get_member(root, "calls");

@@ -14,7 +14,7 @@
 /* clang-format off */
 #define NXCC_CLASSES(CLASS) \
     CLASS(integer) CLASS(multiply) CLASS(divide) CLASS(large_constant) \
-    CLASS(index) CLASS(bitfield) CLASS(load) CLASS(store) \
+    CLASS(static_address) CLASS(index) CLASS(bitfield) CLASS(load) CLASS(store) \
     CLASS(branch) CLASS(jump_table) CLASS(call) CLASS(argument) \
     CLASS(fp_add_single) CLASS(fp_add_double) CLASS(fp_multiply_single) CLASS(fp_multiply_double) \
     CLASS(fp_divide_single) CLASS(fp_divide_double) CLASS(fp_sqrt_single) CLASS(fp_sqrt_double) \
@@ -36,10 +36,16 @@ struct call_cost {
     bool elements = false; /* `of` is the number of an array */
 };
 
-/* A data cache that is simulated while the program runs: slow, for studies. sets 0: there is none. */
+/* Sets of lines, or of pages. sets 0: there is none. */
+struct cache_level {
+    int64_t sets = 0, ways = 0, line = 0; /* powers of two; line in bytes */
+};
+
+/* A data cache that is simulated while the program runs, and a translation buffer. */
 struct cache_costs {
-    int64_t sets = 0, ways = 0, line = 0;  /* powers of two; line in bytes */
+    cache_level data, tlb;
     int64_t load_miss = 0, store_miss = 0; /* on top of a hit */
+    int64_t tlb_miss = 0;                  /* on top of these */
 };
 
 struct cost_table {

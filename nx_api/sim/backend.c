@@ -18,6 +18,12 @@ void nx_spend_call(struct node *n)
     node_spend(n, n->sys->cfg->call_ps);
 }
 
+void nx_spend_kernel(struct node *n)
+{
+    if (n->sys->cfg->kernel_ps)
+        node_spend(n, n->sys->cfg->kernel_ps);
+}
+
 struct own_calls *nx_own_calls(struct node *n)
 {
     return &n->beside->own;

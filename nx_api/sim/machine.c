@@ -80,7 +80,9 @@ long nxs_hwclock(esize_t *ticks)
 
 long nxs_flick(void)
 {
-    nx_spend_call(node_self());
+    struct node *n = node_self();
+    nx_spend_call(n);
+    nx_spend_kernel(n);
     return 0;
 }
 
@@ -90,6 +92,7 @@ long nxs_led(word state)
     struct node *n = node_self();
     (void)state;
     node_spend(n, n->sys->cfg->clock_call_ps);
+    nx_spend_kernel(n);
     return 0;
 }
 
@@ -98,6 +101,7 @@ long nxs_masktrap(word state)
     struct node *n = node_self();
     long before = n->masked;
     node_spend(n, n->sys->cfg->clock_call_ps);
+    nx_spend_kernel(n);
     n->masked = state != 0;
     if (before && !n->masked)
         handlers_open(n);

@@ -18,21 +18,31 @@ enum { MAX_DIMENSION = 16, MAX_SIDE = 4096, MAX_NODES = 1 << MAX_DIMENSION, KB =
 /* A time in the file: its group's key without unit, and where it goes. */
 struct time_key {
     const char *name;
-    const char *tail; /* what follows the unit: "" or "_per_byte" */
-    size_t offset;    /* of a uint64_t of picoseconds in struct cfg_machine */
-    bool optional;    /* 0 where the file does not give it */
+    const char *tail;                         /* what follows the unit: "" or "_per_byte" */
+    size_t offset;                            /* of a uint64_t of picoseconds in struct cfg_machine */
+    enum { NEEDED, ZERO, AS_ANOTHER } absent; /* what it is where the file does not give it */
+    size_t another;                           /* offset of the one it is then as, which stands before it */
 };
+#define PLACE(member) offsetof(struct cfg_machine, member)
 #define TIME(name, member)                                                                                   \
     {                                                                                                        \
-        name, "", offsetof(struct cfg_machine, member), false                                                \
+        name, "", PLACE(member), NEEDED, 0                                                                   \
+    }
+#define TIME_OR_NONE(name, member)                                                                           \
+    {                                                                                                        \
+        name, "", PLACE(member), ZERO, 0                                                                     \
+    }
+#define TIME_OR_AS(name, member, other)                                                                      \
+    {                                                                                                        \
+        name, "", PLACE(member), AS_ANOTHER, PLACE(other)                                                    \
     }
 #define RATE(name, member)                                                                                   \
     {                                                                                                        \
-        name, "_per_byte", offsetof(struct cfg_machine, member), false                                       \
+        name, "_per_byte", PLACE(member), NEEDED, 0                                                          \
     }
-#define OPTIONAL_RATE(name, member)                                                                          \
+#define RATE_OR_NONE(name, member)                                                                           \
     {                                                                                                        \
-        name, "_per_byte", offsetof(struct cfg_machine, member), true                                        \
+        name, "_per_byte", PLACE(member), ZERO, 0                                                            \
     }
 
 static const struct time_key net_times[] = {
@@ -40,13 +50,16 @@ static const struct time_key net_times[] = {
     TIME("long_hop", long_hop_ps),
     RATE("short", short_ps_per_byte),
     RATE("long", long_ps_per_byte),
-    OPTIONAL_RATE("channel", channel_ps_per_byte),
+    RATE_OR_NONE("channel", channel_ps_per_byte),
 };
 static const struct time_key system_times[] = {
     TIME("call", call_ps),
     TIME("clock_call", clock_call_ps),
+    TIME_OR_NONE("kernel", kernel_ps),
     TIME("short_send", short_send_ps),
     TIME("short_receive", short_receive_ps),
+    TIME_OR_AS("forced_send", forced_send_ps, short_send_ps),
+    TIME_OR_AS("forced_receive", forced_receive_ps, short_receive_ps),
     TIME("ask_send", ask_send_ps),
     TIME("ask_receive", ask_receive_ps),
     TIME("grant_receive", grant_receive_ps),
@@ -57,6 +70,11 @@ static const struct time_key system_times[] = {
     RATE("copy", copy_ps_per_byte),
 };
 #define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static uint64_t *place(struct cfg_machine *m, size_t offset)
+{
+    return (uint64_t *)(void *)((char *)m + offset);
+}
 
 /* Reads a group that holds times and one whole number besides: nothing else is allowed in it. */
 static bool read_times(struct cfg_reader *r, config_setting_t *group, const struct time_key *keys,
@@ -78,8 +96,10 @@ static bool read_times(struct cfg_reader *r, config_setting_t *group, const stru
     for (size_t i = 0; ok && i < count; i++) {
         bool given = config_setting_get_member(group, names[2 * i]) ||
                      config_setting_get_member(group, names[2 * i + 1]);
-        if (given || !keys[i].optional)
-            ok = cfg_time(r, group, keys[i].name, keys[i].tail, (uint64_t *)((char *)m + keys[i].offset));
+        if (given || keys[i].absent == NEEDED)
+            ok = cfg_time(r, group, keys[i].name, keys[i].tail, place(m, keys[i].offset));
+        else if (keys[i].absent == AS_ANOTHER)
+            *place(m, keys[i].offset) = *place(m, keys[i].another);
     }
     return ok;
 }

@@ -87,15 +87,19 @@ struct cfg_machine {
     uint64_t short_limit;    /* longest message, in bytes, sent in one trip */
 
     /* system = { ... }: the processor time that NX takes */
-    uint64_t call_ps;             /* any call that looks at or changes the message state */
-    uint64_t clock_call_ps;       /* dclock, mclock, mynode and the like */
-    uint64_t short_send_ps;       /* sender, short message */
-    uint64_t short_receive_ps;    /* receiver, short message */
-    uint64_t ask_send_ps;         /* sender of a long one: until the asking leaves */
-    uint64_t ask_receive_ps;      /* receiver: until the grant leaves */
-    uint64_t grant_receive_ps;    /* sender: until the data leave */
-    uint64_t long_receive_ps;     /* receiver: until the message is complete */
-    uint64_t send_ps_per_byte;    /* sender's processor busy feeding the channel, long messages */
+    uint64_t call_ps;          /* any call that looks at or changes the message state */
+    uint64_t clock_call_ps;    /* dclock, mclock, mynode and the like */
+    uint64_t kernel_ps;        /* beside these, for a call that goes into a kernel below NX; 0: NX is one */
+    uint64_t short_send_ps;    /* sender, short message */
+    uint64_t short_receive_ps; /* receiver, short message */
+    uint64_t forced_send_ps;   /* sender, message of a forced type that is longer than a short one; as that */
+    uint64_t
+        forced_receive_ps;     /* receiver of such a message; where the file does not say: as a short one's */
+    uint64_t ask_send_ps;      /* sender of a long one: until the asking leaves */
+    uint64_t ask_receive_ps;   /* receiver: until the grant leaves */
+    uint64_t grant_receive_ps; /* sender: until the data leave */
+    uint64_t long_receive_ps;  /* receiver: until the message is complete */
+    uint64_t send_ps_per_byte; /* sender's processor busy feeding the channel, long messages */
     uint64_t receive_ps_per_byte; /* receiver's processor busy emptying it */
     uint64_t copy_ps_per_byte;    /* from system buffer to the program's, when nothing was posted */
     uint64_t interrupt_ps;        /* entry to and exit from a handler, together */

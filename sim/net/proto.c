@@ -44,7 +44,9 @@ void proto_free(struct proto *p)
 
 vtime proto_send_time(const struct proto *p, int32_t type, size_t bytes)
 {
-    return proto_one_trip(p, type, bytes) ? p->cfg->short_send_ps : p->cfg->ask_send_ps;
+    if (bytes <= p->cfg->short_limit)
+        return p->cfg->short_send_ps;
+    return type & PROTO_FORCED ? p->cfg->forced_send_ps : p->cfg->ask_send_ps;
 }
 
 /* So many messages are not looked through each time: something comes at any moment. */
@@ -56,7 +58,7 @@ vtime proto_horizon(const struct proto *p, uint32_t node, vtime next)
      * leave. */
     if (next == VT_NEVER)
         return VT_NEVER;
-    vtime horizon = next + proto_least(p, vt_min(p->cfg->short_send_ps, p->cfg->ask_send_ps));
+    vtime horizon = next + proto_least_send_time(p);
     unsigned many = 0;
     for (const struct trip *t = p->places[node].in; t && ++many < MANY; t = t->next_in)
         horizon = vt_min(horizon, vt_max(t->at_receiver.at, next + t->at_receiver.after));
@@ -256,11 +258,12 @@ static void complete(struct proto *p, struct message *m, vtime now, vtime system
 
 static void whole_message(struct proto *p, struct message *m, vtime now)
 {
+    vtime system = m->bytes <= p->cfg->short_limit ? p->cfg->short_receive_ps : p->cfg->forced_receive_ps;
     if (p->nodes.envelope(p->nodes.ctx, m, now)) {
-        complete(p, m, now, p->cfg->short_receive_ps);
+        complete(p, m, now, system);
     } else {
         assert(m->forced);
-        pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, p->cfg->short_receive_ps));
+        pass_on(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTO_RECEIVE, now, system));
         proto_message_free(m);
     }
 }

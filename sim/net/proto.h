@@ -1,7 +1,8 @@
 /* proto.h - the message protocol of NX: how a message gets from one node's memory into another's.
  *
  *   short (at most short_limit bytes)      sender ---- message ----> receiver     one trip
- *   forced (bit 30 of the type)            the same at any length; dropped when nothing is posted
+ *   forced (bit 30 of the type)            the same at any length, at times of its own (forced_send, forced_receive);
+ *                                          dropped when nothing is posted
  *   long                                   sender ------ ask ------> receiver     room found, or waited for
  *                                          sender <----- grant ----- receiver
  *                                          sender ------ data -----> receiver     three trips

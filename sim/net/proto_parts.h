@@ -67,6 +67,13 @@ static inline vtime proto_least(const struct proto *p, vtime t)
     return p->least_milli == 1000 ? t : t * p->least_milli / 1000;
 }
 
+/* The least time in which any node's system sends anything. */
+static inline vtime proto_least_send_time(const struct proto *p)
+{
+    const struct cfg_machine *c = p->cfg;
+    return proto_least(p, vt_min(c->short_send_ps, vt_min(c->forced_send_ps, c->ask_send_ps)));
+}
+
 static const struct proto_bound PROTO_NOTHING = {.at = VT_NEVER};
 
 static inline struct proto_bound proto_at(vtime t)

@@ -32,8 +32,7 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
         proto_begin_trip(t->p, m);
         if (i > 0 || t->source != t->root) {
             m->trip->at_sender = PROTO_NOTHING;
-            m->trip->at_receiver =
-                proto_after(proto_least(t->p, vt_min(t->p->cfg->short_send_ps, t->p->cfg->ask_send_ps)));
+            m->trip->at_receiver = proto_after(proto_least_send_time(t->p));
             proto_link(t->p, m->trip);
         }
         m->trip->pass_on = tree_messages(t, i + half, count - half);

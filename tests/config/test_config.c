@@ -40,7 +40,29 @@ static void ipsc860_adds_up_to_bokhari(void **state)
     assert_int_equal(m->long_ps_per_byte, 390000);
     assert_in_range(3 * m->long_hop_ps, 30500000 - 1, 30500000 + 1);
     assert_int_equal(m->short_limit, 100);
+    assert_int_equal(m->forced_send_ps + m->forced_receive_ps, 95 * US);
+    assert_int_equal(m->kernel_ps, 0);
     cfg_free(m);
+}
+
+static void longer_forced_messages_are_as_short_ones_where_the_file_does_not_say(void **state)
+{
+    (void)state;
+    struct cfg_machine *m = shipped("delta");
+    assert_int_equal(m->forced_send_ps, m->short_send_ps);
+    assert_int_equal(m->forced_receive_ps, m->short_receive_ps);
+    cfg_free(m);
+}
+
+static void masktrap_takes_65_to_70_us_on_a_paragon(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"paragon", "paragon95"};
+    for (int i = 0; i < 2; i++) {
+        struct cfg_machine *m = shipped(names[i]);
+        assert_in_range(m->clock_call_ps + m->kernel_ps, 65 * US, 70 * US);
+        cfg_free(m);
+    }
 }
 
 static void delta_is_a_mesh_of_528(void **state)
@@ -263,6 +285,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ipsc860_adds_up_to_bokhari),
+        cmocka_unit_test(longer_forced_messages_are_as_short_ones_where_the_file_does_not_say),
+        cmocka_unit_test(masktrap_takes_65_to_70_us_on_a_paragon),
         cmocka_unit_test(delta_is_a_mesh_of_528),
         cmocka_unit_test(hwclock_counts_at_10_mhz_and_on_the_paragon_at_50),
         cmocka_unit_test(file_systems_are_as_published),

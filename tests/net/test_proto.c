@@ -60,6 +60,8 @@ static const struct cfg_machine IPSC = {.short_hop_ps = 10 * US,
                                         .short_limit = 100,
                                         .short_send_ps = 35 * US,
                                         .short_receive_ps = 30 * US,
+                                        .forced_send_ps = 45 * US,
+                                        .forced_receive_ps = 50 * US,
                                         .ask_send_ps = 40 * US,
                                         .ask_receive_ps = 37 * US,
                                         .grant_receive_ps = 35 * US,
@@ -142,7 +144,7 @@ static void long_messages_take_147_us_and_0_39_a_byte_and_30_a_hop(void **state)
 static void forced_messages_skip_the_asking(void **state)
 {
     (void)state;
-    assert_int_equal(one_way(1, PROTO_FORCED | 5, 1000), (35 + 10 + 30) * US + 1000 * 390000);
+    assert_int_equal(one_way(1, PROTO_FORCED | 5, 1000), (45 + 10 + 50) * US + 1000 * 390000);
 }
 
 static void a_long_message_without_room_waits_for_its_grant(void **state)
