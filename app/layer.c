@@ -1,5 +1,6 @@
 /* layer.c - computing the subcubes between two slices; packing rows of them into messages. */
 #include "layer.h"
+#include "share.h"
 
 /* Header of a chunk: kind, layer, first subcube, number of subcubes. */
 enum { KIND, LAYER, FIRST, COUNT, HEADER };
@@ -30,9 +31,12 @@ void layer_cell(const struct options *o, struct fit_system *system, const struct
         tricubic_polygons(system, &where, corner, &o->iso, o->lattice, out);
 }
 
-long chunk_bytes_max(const struct grid *g)
+long chunk_bytes_max(const struct options *o)
 {
-    return (HEADER + 2L * grid_slice_doubles(g)) * (long)sizeof(double);
+    const struct grid *g = &o->grid;
+    long lines = pool_chunk_max(g->ny, g->nx, o->policy.k, o->policy.min_rows) / g->nx + 1;
+
+    return (HEADER + 2 * lines * grid_row_doubles(g)) * (long)sizeof(double);
 }
 
 static double *pack_rows(double *to, const double *from, int n)

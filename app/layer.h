@@ -26,8 +26,8 @@ struct chunk {
     struct layer layer;
 };
 
-/* Greatest length of a chunk: a whole layer. */
-long chunk_bytes_max(const struct grid *g);
+/* Greatest length of a chunk. */
+long chunk_bytes_max(const struct options *o);
 
 /* Pack subcubes [first, first + count) of a layer; the grid points that they share go in once. Answers the bytes. */
 long chunk_pack(const struct grid *g, const struct layer *l, int first, int count, double *message);

@@ -1,4 +1,6 @@
 /* options.c - reads the command line into struct options. */
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,7 +62,7 @@ static int read_positive(struct parser *p, double *value)
     if (!text)
         return complain(p, "needs a number after it");
     *value = strtod(text, &end);
-    if (end == text || *end || !(*value > 0)) {
+    if (end == text || *end || !(*value > 0) || isinf(*value)) {
         snprintf(p->error, p->size, "%s: '%s' is not a number above 0", p->name, text);
         return -1;
     }
@@ -99,8 +101,8 @@ static int read_isovalues(struct parser *p, struct isovalues *iso)
     for (iso->n = 0;; text = end + 1) {
         if (iso->n == ISOVALUES_MAX)
             return complain(p, "too many isovalues (16 at most)");
-        iso->value[iso->n++] = strtod(text, &end);
-        if (end == text || (*end && *end != ','))
+        iso->value[iso->n] = strtod(text, &end);
+        if (end == text || (*end && *end != ',') || !isfinite(iso->value[iso->n++]))
             return complain(p, "needs gray levels after it, separated by commas, such as 64,128");
         if (!*end)
             return 0;
@@ -218,8 +220,14 @@ static void set_defaults(struct options *o)
     o->lattice = 2;
 }
 
+/* Subcubes, pixels and grid data of a slice are counted by ints. */
+static int slice_fits(int x, int y)
+{
+    return (double)(x + 1.0) * (y + 1.0) * C3_COMPS <= INT_MAX;
+}
+
 /* What depends on several options. */
-static void complete(struct parser *p, struct options *o)
+static int complete(struct parser *p, struct options *o)
 {
     int cubic = p->approx == 333, i, shorter;
     double top = o->bits == 8 ? 256 : 65536;
@@ -228,6 +236,10 @@ static void complete(struct parser *p, struct options *o)
         p->x = cubic ? 192 : 512;
         p->y = cubic ? 128 : 512;
         p->z = 65;
+    }
+    if (!slice_fits(p->x, p->y)) {
+        snprintf(p->error, p->size, "slices of %d x %d pixels are too large", p->x, p->y);
+        return -1;
     }
     shorter = p->x < p->y ? p->x : p->y;
     if (p->zspace == 0)
@@ -239,6 +251,7 @@ static void complete(struct parser *p, struct options *o)
                 o->volume ? (i + 1) * top / 8 : slice_level(&o->grid, (i + 1) * OUTERMOST / 7 * shorter / 2);
     for (i = 0; i < o->iso.n; i++)
         o->iso.value[i] += OFF_LATTICE;
+    return 0;
 }
 
 int options_read(struct options *o, int argc, char **argv, char *error, int size)
@@ -259,6 +272,5 @@ int options_read(struct options *o, int argc, char **argv, char *error, int size
         if (r)
             return r;
     }
-    complete(&p, o);
-    return 0;
+    return complete(&p, o);
 }

@@ -33,7 +33,7 @@ void service_begin(void)
 
     outgoing = allocate(host.o->policy.buffers * sizeof *outgoing);
     for (i = 0; i < host.o->policy.buffers; i++) {
-        outgoing[i].message = allocate(chunk_bytes_max(&host.o->grid));
+        outgoing[i].message = allocate(chunk_bytes_max(host.o));
         outgoing[i].id = -1;
     }
     body = allocate(host.o->policy.buffer);

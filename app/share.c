@@ -40,8 +40,17 @@ int pool_chunk(struct pool *p, double k, int nodes, int min_rows, int *first)
     if (rows < min_rows)
         rows = min_rows;
     *first = p->head;
-    p->head += rows * p->row < left ? rows * p->row : left;
+    p->head = rows <= left / p->row ? p->head + rows * p->row : p->tail;
     return p->head - *first;
+}
+
+int pool_chunk_max(int rows, int row, double k, int min_rows)
+{
+    struct pool full;
+    int first;
+
+    pool_fill(&full, rows, row);
+    return pool_chunk(&full, k, 2, min_rows, &first);
 }
 
 int pool_help(struct pool *p, int gran, int keep, int *first)

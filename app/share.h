@@ -24,6 +24,10 @@ int pool_left(const struct pool *p);
  * to whole rows, at least min_rows of them, at most what is left. Takes it from the pool; *first is its first subcube. */
 int pool_chunk(struct pool *p, double k, int nodes, int min_rows, int *first);
 
+/* The most subcubes that pool_chunk takes from a layer of rows x row of them, whatever was taken before. Who hands out
+ * chunks has a slave, so that a group has two nodes at least. */
+int pool_chunk_max(int rows, int row, double k, int min_rows);
+
 /* The host takes up to gran subcubes from the tail, but leaves keep of them. Answers how many; *first: the first. */
 int pool_help(struct pool *p, int gran, int keep, int *first);
 

@@ -40,7 +40,7 @@ void slave_prepare(const struct options *o)
 
     slave.o = o;
     for (i = 0; i < 2; i++) {
-        slave.chunk[i] = allocate(chunk_bytes_max(&o->grid));
+        slave.chunk[i] = allocate(chunk_bytes_max(o));
         for (k = 0; k < o->iso.n; k++) {
             slave.surface[k].buffer[i] = allocate(o->policy.buffer);
             slave.surface[k].send[i] = -1;
@@ -110,7 +110,7 @@ static void request(int buffer)
     enum activity before = times_enter(SENDING);
 
     slave.turn = buffer;
-    slave.receive = irecv(CHUNK, slave.chunk[buffer], chunk_bytes_max(&slave.o->grid));
+    slave.receive = irecv(CHUNK, slave.chunk[buffer], chunk_bytes_max(slave.o));
     csend(REQUEST, NULL, 0, slave.host, 0);
     times_enter(before);
 }
