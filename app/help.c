@@ -33,7 +33,7 @@ const char options_help[] =
     "  -keep C                subcubes of a layer the host leaves to its slaves  [8]\n"
     "  -gran C                subcubes the host takes at a time when it helps  [1]\n"
     "  -lead C                subcubes left when a slave asks for its next chunk  [12]\n"
-    "  -buffers B             chunks the host packs before it waits for the first of them to be sent  [2]\n"
+    "  -buffers B             chunks the host packs before it waits for the first to be sent; as many as fit  [2]\n"
     "  -buffer BYTES          polygons of one surface a slave collects before it sends them  [32768]\n"
     "  -flush wait|chunk|full   also send them when about to wait, after every chunk, or only when full  [wait]\n"
     "\n"
