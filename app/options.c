@@ -13,9 +13,6 @@
  * they round differently, and no polygon shrinks to a point. */
 #define OFF_LATTICE (9.5 / 4096)
 
-/* By default the outermost of the equidistant spheres has this part of the shorter half side of the image. */
-#define OUTERMOST (11.0 / 12.0)
-
 struct parser {
     int argc, at;
     char **argv;
@@ -145,6 +142,10 @@ static int read_volume_option(struct parser *p, struct options *o, const char *n
             return -1;
         return o->lattice <= LATTICE_MAX ? 0 : complain(p, "the lattice has at most 4 small cubes a side");
     }
+    if (!strcmp(name, "-search"))
+        return read_int(p, &o->search, 1);
+    if (!strcmp(name, "-outermost"))
+        return read_positive(p, &o->outermost);
     if (!strcmp(name, "-ply"))
         return read_name(p, &o->ply);
     if (!strcmp(name, "-parts")) {
@@ -170,6 +171,10 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
         return read_int(p, &q->group, 0);
     if (!strcmp(name, "-noreassign"))
         return q->reassign = 0;
+    if (!strcmp(name, "-nooverlap"))
+        return q->overlap = 0;
+    if (!strcmp(name, "-noempty"))
+        return q->empty = 0;
     if (!strcmp(name, "-preload"))
         return q->preload = 1, 0;
     if (!strcmp(name, "-keep"))
@@ -195,9 +200,21 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
         return 0;
     }
     if (!strcmp(name, "-weights")) {
-        if (read_word(p, &word, "exact slices"))
+        if (read_word(p, &word, "slices exact"))
             return -1;
         q->weights = (enum weights)word;
+        return 0;
+    }
+    if (!strcmp(name, "-shares")) {
+        if (read_word(p, &word, "slices layers"))
+            return -1;
+        q->shares = (enum shares)word;
+        return 0;
+    }
+    if (!strcmp(name, "-prepare")) {
+        if (read_word(p, &word, "chunk subcube once"))
+            return -1;
+        q->prepare = (enum prepare)word;
         return 0;
     }
     return 1;
@@ -205,8 +222,10 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
 
 static void set_defaults(struct options *o)
 {
-    static const struct policy usual = {.reassign = 1,
-                                        .keep = 8,
+    static const struct policy usual = {.overlap = 1,
+                                        .reassign = 1,
+                                        .empty = 1,
+                                        .keep = 1,
                                         .gran = 1,
                                         .lead = 12,
                                         .min_rows = 1,
@@ -218,6 +237,8 @@ static void set_defaults(struct options *o)
     memset(o, 0, sizeof *o);
     o->policy = usual;
     o->lattice = 2;
+    o->search = 8;
+    o->outermost = 11.0 / 12.0;
 }
 
 /* Subcubes, pixels and grid data of a slice are counted by ints. */
@@ -247,8 +268,8 @@ static int complete(struct parser *p, struct options *o)
     grid_set(&o->grid, p->x, p->y, p->z, p->step, cubic ? C3_COMPS : 1, p->zspace);
     if (o->iso.n == 0)
         for (o->iso.n = 7, i = 0; i < 7; i++)
-            o->iso.value[i] =
-                o->volume ? (i + 1) * top / 8 : slice_level(&o->grid, (i + 1) * OUTERMOST / 7 * shorter / 2);
+            o->iso.value[i] = o->volume ? (i + 1) * top / 8
+                                        : slice_level(&o->grid, (i + 1) * o->outermost / 7 * shorter / 2);
     for (i = 0; i < o->iso.n; i++)
         o->iso.value[i] += OFF_LATTICE;
     return 0;

@@ -1,15 +1,15 @@
 /* share.c - the rules of share.h. */
 #include "share.h"
 
-struct span share_layers(int slices, int groups, int group)
+struct span share_layers(int n, int layers, int groups, int group)
 {
-    int each = slices / groups, extra = slices % groups;
+    int each = n / groups, extra = n % groups;
     struct span s;
 
     s.first = group * each + (group < extra ? group : extra);
     s.layers = each + (group < extra);
-    if (s.first + s.layers > slices - 1)
-        s.layers = slices - 1 - s.first;
+    if (s.first + s.layers > layers)
+        s.layers = layers - s.first;
     if (s.layers < 0)
         s.layers = 0;
     return s;

@@ -7,9 +7,10 @@ struct span {
     int first, layers;
 };
 
-/* Slices are dealt in equal shares, what is left over one each to the first groups. A slice stands for the layer above
- * it, so the last group has one layer less than slices. */
-struct span share_layers(int slices, int groups, int group);
+/* n things in a row are dealt in equal shares, what is left over one each to the first groups; of them `layers` are
+ * layers, from the first on. n = layers deals layers; n = layers + 1 deals slices, of which each stands for the layer
+ * above it, so that the last group has one layer less than slices. */
+struct span share_layers(int n, int layers, int groups, int group);
 
 /* The subcubes of the current layer that are in nobody's hands: [head, tail). Chunks leave from the head in whole rows,
  * the host helps itself from the tail. */

@@ -14,7 +14,9 @@ for approx in 111 333; do
     # shellcheck disable=SC2086
     polygons 1 $volume >alone
     check "$approx: there are polygons" grep -qE '^polygons [1-9]' alone
-    for how in "2 -group 2" "4 -group 4" "8 -group 8" "8 -group 4" "8 -group 2" "8 -group 2 -noreassign" "4 -group 2 -preload"; do
+    for how in "2 -group 2" "4 -group 4" "8 -group 8" "8 -group 4" "8 -group 2" "8 -group 2 -noreassign" "4 -group 2 -preload" \
+        "8 -group 4 -shares layers -weights exact" "8 -group 4 -noempty -nooverlap -keep 20" "8 -group 4 -prepare once -buffers 1" \
+        "8 -group 4 -prepare subcube -k 0.7 -minrows 3"; do
         # shellcheck disable=SC2086
         polygons $how $volume >shared
         check "$approx: $how as alone" cmp alone shared
