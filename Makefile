@@ -93,6 +93,10 @@ report: setup ## Write bench/paper/REPORT.md, and README's part on exactness, fr
 	$B/touchstone tables --ties --report bench/paper/REPORT.md
 	bench/paper/copy-accuracy bench/paper/REPORT.md README.md
 
+choices: setup ## Write bench/paper/CHOICES.md: what each choice made with the paper's tables in view does to them
+	$(SUBMAKE) all
+	$B/touchstone tables --choices bench/paper/CHOICES.md
+
 bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
 	bench/speed/run $B
@@ -145,4 +149,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: all unit test prove tables report bench bench-setup setup install format check-format clean help
+.PHONY: all unit test prove tables report choices bench bench-setup setup install format check-format clean help

@@ -23,12 +23,19 @@ void fail(const char *format, ...)
     exit(1);
 }
 
-void *allocate(size_t bytes)
+void *allocate_if_room(size_t bytes)
 {
     long old = masktrap(1);
     void *p = malloc(bytes);
 
     masktrap(old);
+    return p;
+}
+
+void *allocate(size_t bytes)
+{
+    void *p = allocate_if_room(bytes);
+
     if (!p)
         fail("out of memory (%lu bytes asked for)", (unsigned long)bytes);
     return p;

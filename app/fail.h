@@ -9,4 +9,7 @@ void fail(const char *format, ...);
 /* Memory, or fail. Handlers are held back meanwhile: malloc must not be entered twice. */
 void *allocate(size_t bytes);
 
+/* Memory, or NULL. */
+void *allocate_if_room(size_t bytes);
+
 #endif

@@ -83,6 +83,14 @@ void group_register(void)
 
 /* --- all hosts ------------------------------------------------------------------------------------------- */
 
+struct span group_share(int group)
+{
+    int layers = host.o->grid.slices - 1;
+
+    return share_layers(host.o->policy.shares == SHARES_SLICES ? layers + 1 : layers, layers, host.groups,
+                        group);
+}
+
 void group_begin(void)
 {
     int i;
@@ -90,7 +98,7 @@ void group_begin(void)
     host.news = allocate(host.groups * sizeof *host.news);
     memset(host.news, 0, host.groups * sizeof *host.news);
     for (i = 0; i < host.groups; i++)
-        host.news[i].layers_left = share_layers(host.o->grid.slices, host.groups, i).layers;
+        host.news[i].layers_left = group_share(i).layers;
     if (mynode() == 0 && numnodes() > 1)
         hrecv(TOTALS, &totals, sizeof totals, on_totals);
 }

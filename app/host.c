@@ -59,7 +59,7 @@ void host_prepare(const struct options *o)
     host.in_hand = table(sizeof *host.in_hand);
     host.queue = table(sizeof *host.queue);
     host.few_left_at = -1;
-    span = share_layers(o->grid.slices, host.groups, host.group);
+    span = group_share(host.group);
     host.later = span.layers;
     add_first_slaves();
     group_begin();
@@ -84,7 +84,7 @@ static void read_ahead(int j)
 
     if (host.later > 0)
         slices_prepare(j + 2);
-    else
+    else if (host.o->policy.overlap)
         slices_overlap();
     times_enter(before);
 }
@@ -132,8 +132,7 @@ static void help(void)
         if (n == 0)
             return;
         for (i = 0; i < n; i++) {
-            if (i == 0 || !alone)
-                layer_prepare(host.o, &system);
+            layer_prepare(host.o, &system, alone ? i : 0);
             layer_cell(host.o, &system, &host.layer, first + i, keep_polygon);
         }
     }

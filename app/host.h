@@ -63,6 +63,7 @@ int service_ready(enum waiting what);
 double host_unfinished(void); /* layers, with fraction, that are not computed as far as we know */
 
 /* group.c: the other groups. */
+struct span group_share(int group); /* its layers */
 void group_begin(void);
 void group_handle_control(const struct control_message *m);
 void group_tell_all(int kind, int value);

@@ -1,16 +1,27 @@
 /* layer.c - computing the subcubes between two slices; packing rows of them into messages. */
 #include "layer.h"
+#include "share.h"
 
 /* Header of a chunk: kind, layer, first subcube, number of subcubes. */
 enum { KIND, LAYER, FIRST, COUNT, HEADER };
 
-void layer_prepare(const struct options *o, struct fit_system *system)
+static int is_prepared(enum prepare when, const struct fit_system *system, int nth)
 {
-    struct cell any = grid_cell(&o->grid, 0, 0, 0);
-    const double widths[3] = {any.wx, any.wy, any.dz};
+    return when == PREPARE_ONCE ? system->widths[0] > 0 : when == PREPARE_CHUNK && nth > 0;
+}
 
-    if (o->grid.comps > 1)
-        fit_prepare(system, widths);
+void layer_prepare(const struct options *o, struct fit_system *system, int nth)
+{
+    struct cell any;
+    double widths[3];
+
+    if (o->grid.comps == 1 || is_prepared(o->policy.prepare, system, nth))
+        return;
+    any = grid_cell(&o->grid, 0, 0, 0);
+    widths[0] = any.wx;
+    widths[1] = any.wy;
+    widths[2] = any.dz;
+    fit_prepare(system, widths);
 }
 
 void layer_cell(const struct options *o, struct fit_system *system, const struct layer *l, int cell,
@@ -27,12 +38,15 @@ void layer_cell(const struct options *o, struct fit_system *system, const struct
     if (g->comps == 1)
         trilinear_polygons(&where, corner, &o->iso, out);
     else
-        tricubic_polygons(system, &where, corner, &o->iso, o->lattice, out);
+        tricubic_polygons(system, &where, corner, &o->iso, o->lattice, o->search, out);
 }
 
-long chunk_bytes_max(const struct grid *g)
+long chunk_bytes_max(const struct options *o)
 {
-    return (HEADER + 2L * grid_slice_doubles(g)) * (long)sizeof(double);
+    const struct grid *g = &o->grid;
+    long lines = pool_chunk_max(g->ny, g->nx, o->policy.k, o->policy.min_rows) / g->nx + 1;
+
+    return (HEADER + 2 * lines * grid_row_doubles(g)) * (long)sizeof(double);
 }
 
 static double *pack_rows(double *to, const double *from, int n)

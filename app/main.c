@@ -7,11 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <nx.h>
+#include "fail.h"
 #include "host.h"
 #include "ply.h"
 #include "report.h"
 #include "slave.h"
 #include "times.h"
+#include "volume.h"
 
 /* All nodes read the same command line; node 0 speaks for them. */
 static int read_options(struct options *o, int argc, char **argv)
@@ -29,6 +31,16 @@ static int read_options(struct options *o, int argc, char **argv)
 static int group_size(const struct options *o)
 {
     return o->policy.group > 0 ? o->policy.group : (int)numnodes();
+}
+
+/* A file of another size would be read as nonsense. One node looks, before the others open it. */
+static void check_volume(const struct options *o)
+{
+    char error[256];
+
+    if (mynode() == 0 && volume_check(o, error, sizeof error))
+        fail("%s", error);
+    gsync();
 }
 
 /* Everything that takes memory, and slices when they are to be read before the clock starts. */
@@ -70,6 +82,8 @@ int main(int argc, char **argv)
 
     if (r)
         exit(r < 0);
+    if (o.volume)
+        check_volume(&o);
     is_host = mynode() % group_size(&o) == 0;
     prepare(&o, is_host);
     gsync();

@@ -1,4 +1,6 @@
 /* options.c - reads the command line into struct options. */
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,9 +12,6 @@
  * 1/4096, so that F does not equal an isovalue there: neighbouring subcubes agree which points are inside although
  * they round differently, and no polygon shrinks to a point. */
 #define OFF_LATTICE (9.5 / 4096)
-
-/* By default the outermost of the equidistant spheres has this part of the shorter half side of the image. */
-#define OUTERMOST (11.0 / 12.0)
 
 struct parser {
     int argc, at;
@@ -60,7 +59,7 @@ static int read_positive(struct parser *p, double *value)
     if (!text)
         return complain(p, "needs a number after it");
     *value = strtod(text, &end);
-    if (end == text || *end || !(*value > 0)) {
+    if (end == text || *end || !(*value > 0) || isinf(*value)) {
         snprintf(p->error, p->size, "%s: '%s' is not a number above 0", p->name, text);
         return -1;
     }
@@ -99,8 +98,8 @@ static int read_isovalues(struct parser *p, struct isovalues *iso)
     for (iso->n = 0;; text = end + 1) {
         if (iso->n == ISOVALUES_MAX)
             return complain(p, "too many isovalues (16 at most)");
-        iso->value[iso->n++] = strtod(text, &end);
-        if (end == text || (*end && *end != ','))
+        iso->value[iso->n] = strtod(text, &end);
+        if (end == text || (*end && *end != ',') || !isfinite(iso->value[iso->n++]))
             return complain(p, "needs gray levels after it, separated by commas, such as 64,128");
         if (!*end)
             return 0;
@@ -143,6 +142,10 @@ static int read_volume_option(struct parser *p, struct options *o, const char *n
             return -1;
         return o->lattice <= LATTICE_MAX ? 0 : complain(p, "the lattice has at most 4 small cubes a side");
     }
+    if (!strcmp(name, "-search"))
+        return read_int(p, &o->search, 1);
+    if (!strcmp(name, "-outermost"))
+        return read_positive(p, &o->outermost);
     if (!strcmp(name, "-ply"))
         return read_name(p, &o->ply);
     if (!strcmp(name, "-parts")) {
@@ -168,6 +171,10 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
         return read_int(p, &q->group, 0);
     if (!strcmp(name, "-noreassign"))
         return q->reassign = 0;
+    if (!strcmp(name, "-nooverlap"))
+        return q->overlap = 0;
+    if (!strcmp(name, "-noempty"))
+        return q->empty = 0;
     if (!strcmp(name, "-preload"))
         return q->preload = 1, 0;
     if (!strcmp(name, "-keep"))
@@ -193,9 +200,21 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
         return 0;
     }
     if (!strcmp(name, "-weights")) {
-        if (read_word(p, &word, "exact slices"))
+        if (read_word(p, &word, "slices exact"))
             return -1;
         q->weights = (enum weights)word;
+        return 0;
+    }
+    if (!strcmp(name, "-shares")) {
+        if (read_word(p, &word, "slices layers"))
+            return -1;
+        q->shares = (enum shares)word;
+        return 0;
+    }
+    if (!strcmp(name, "-prepare")) {
+        if (read_word(p, &word, "chunk subcube once"))
+            return -1;
+        q->prepare = (enum prepare)word;
         return 0;
     }
     return 1;
@@ -203,8 +222,10 @@ static int read_policy_option(struct parser *p, struct policy *q, const char *na
 
 static void set_defaults(struct options *o)
 {
-    static const struct policy usual = {.reassign = 1,
-                                        .keep = 8,
+    static const struct policy usual = {.overlap = 1,
+                                        .reassign = 1,
+                                        .empty = 1,
+                                        .keep = 1,
                                         .gran = 1,
                                         .lead = 12,
                                         .min_rows = 1,
@@ -216,10 +237,18 @@ static void set_defaults(struct options *o)
     memset(o, 0, sizeof *o);
     o->policy = usual;
     o->lattice = 2;
+    o->search = 8;
+    o->outermost = 11.0 / 12.0;
+}
+
+/* Subcubes, pixels and grid data of a slice are counted by ints. */
+static int slice_fits(int x, int y)
+{
+    return (double)(x + 1.0) * (y + 1.0) * C3_COMPS <= INT_MAX;
 }
 
 /* What depends on several options. */
-static void complete(struct parser *p, struct options *o)
+static int complete(struct parser *p, struct options *o)
 {
     int cubic = p->approx == 333, i, shorter;
     double top = o->bits == 8 ? 256 : 65536;
@@ -229,16 +258,21 @@ static void complete(struct parser *p, struct options *o)
         p->y = cubic ? 128 : 512;
         p->z = 65;
     }
+    if (!slice_fits(p->x, p->y)) {
+        snprintf(p->error, p->size, "slices of %d x %d pixels are too large", p->x, p->y);
+        return -1;
+    }
     shorter = p->x < p->y ? p->x : p->y;
     if (p->zspace == 0)
         p->zspace = o->volume ? 1.0 : (double)shorter / (p->z - 1);
     grid_set(&o->grid, p->x, p->y, p->z, p->step, cubic ? C3_COMPS : 1, p->zspace);
     if (o->iso.n == 0)
         for (o->iso.n = 7, i = 0; i < 7; i++)
-            o->iso.value[i] =
-                o->volume ? (i + 1) * top / 8 : slice_level(&o->grid, (i + 1) * OUTERMOST / 7 * shorter / 2);
+            o->iso.value[i] = o->volume ? (i + 1) * top / 8
+                                        : slice_level(&o->grid, (i + 1) * o->outermost / 7 * shorter / 2);
     for (i = 0; i < o->iso.n; i++)
         o->iso.value[i] += OFF_LATTICE;
+    return 0;
 }
 
 int options_read(struct options *o, int argc, char **argv, char *error, int size)
@@ -259,6 +293,5 @@ int options_read(struct options *o, int argc, char **argv, char *error, int size
         if (r)
             return r;
     }
-    complete(&p, o);
-    return 0;
+    return complete(&p, o);
 }

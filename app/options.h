@@ -5,11 +5,14 @@
 #include "subcube.h"
 
 enum flush { FLUSH_WAIT, FLUSH_CHUNK, FLUSH_FULL };
-enum weights { WEIGHTS_EXACT, WEIGHTS_SLICES };
+enum weights { WEIGHTS_SLICES, WEIGHTS_EXACT };
+enum shares { SHARES_SLICES, SHARES_LAYERS };
+enum prepare { PREPARE_CHUNK, PREPARE_SUBCUBE, PREPARE_ONCE };
 
 /* How work is divided and handed out. */
 struct policy {
     int group;    /* nodes in a group; 0: all in one */
+    int overlap;  /* read the slice above a group's last one also where only C0 data are made */
     int reassign; /* deal the nodes of a finished group to the others */
     int preload;  /* read the first slices before the clock starts */
     int keep;     /* subcubes of a layer that the host leaves to its slaves */
@@ -20,6 +23,9 @@ struct policy {
     int buffers;  /* chunks the host may have under way at a time */
     double k;     /* the first chunk of a layer is 1 / (k nodes) of it */
     double half;  /* a group with so many layers unfinished takes no new nodes */
+    int empty;    /* a flush sends the sets of surfaces without polygons too */
+    enum shares shares;
+    enum prepare prepare; /* how often the fit's system of equations is set up and factored */
     enum flush flush;
     enum weights weights;
 };
@@ -31,6 +37,8 @@ struct options {
     const char *volume; /* file name, or NULL: the sphere */
     int bits;           /* of a pixel in the file: 8 or 16 */
     int lattice;        /* the cubic is polygonised on lattice^3 small cubes */
+    int search;         /* parts of a small cube's edge that are looked at for a root of the cubic */
+    double outermost;   /* radius of the sphere's largest surface by default, part of the shorter half side */
     const char *ply;    /* prefix of output files, or NULL */
     int parts_only;     /* leave the hosts' part files as they are */
     int digest;         /* print a hash of all polygons */

@@ -14,7 +14,7 @@ struct outgoing {
 };
 
 static struct outgoing *outgoing;
-static int next_outgoing;
+static int outgoings, next_outgoing;
 
 static struct polygons_message header;
 static struct fin_message fin;
@@ -27,18 +27,26 @@ static void on_polygons(long type, long count, long node, long pid);
 static void on_fin(long type, long count, long node, long pid);
 static void on_control(long type, long count, long node, long pid);
 
-void service_begin(void)
+/* As many buffers as wished for, or as there is room for; one is enough, if the host waits more often. */
+static void allocate_outgoing(void)
 {
-    int i;
+    size_t bytes = chunk_bytes_max(host.o);
+    double *message = allocate(bytes);
 
     outgoing = allocate(host.o->policy.buffers * sizeof *outgoing);
-    for (i = 0; i < host.o->policy.buffers; i++) {
-        outgoing[i].message = allocate(chunk_bytes_max(&host.o->grid));
-        outgoing[i].id = -1;
+    while (message) {
+        outgoing[outgoings].message = message;
+        outgoing[outgoings].id = -1;
+        message = ++outgoings < host.o->policy.buffers ? allocate_if_room(bytes) : NULL;
     }
+}
+
+void service_begin(void)
+{
     body = allocate(host.o->policy.buffer);
     control_bytes = (long)sizeof *control + numnodes() * (long)sizeof(int);
     control = allocate(control_bytes);
+    allocate_outgoing();
     hrecv(REQUEST, NULL, 0, on_request);
     hrecv(POLYGONS, &header, sizeof header, on_polygons);
     hrecv(FIN, &fin, sizeof fin, on_fin);
@@ -82,7 +90,7 @@ static struct outgoing *free_buffer(void)
 {
     struct outgoing *b = &outgoing[next_outgoing];
 
-    next_outgoing = (next_outgoing + 1) % host.o->policy.buffers;
+    next_outgoing = (next_outgoing + 1) % outgoings;
     if (b->id >= 0)
         msgwait(b->id);
     return b;

@@ -1,15 +1,15 @@
 /* share.c - the rules of share.h. */
 #include "share.h"
 
-struct span share_layers(int slices, int groups, int group)
+struct span share_layers(int n, int layers, int groups, int group)
 {
-    int each = slices / groups, extra = slices % groups;
+    int each = n / groups, extra = n % groups;
     struct span s;
 
     s.first = group * each + (group < extra ? group : extra);
     s.layers = each + (group < extra);
-    if (s.first + s.layers > slices - 1)
-        s.layers = slices - 1 - s.first;
+    if (s.first + s.layers > layers)
+        s.layers = layers - s.first;
     if (s.layers < 0)
         s.layers = 0;
     return s;
@@ -40,8 +40,17 @@ int pool_chunk(struct pool *p, double k, int nodes, int min_rows, int *first)
     if (rows < min_rows)
         rows = min_rows;
     *first = p->head;
-    p->head += rows * p->row < left ? rows * p->row : left;
+    p->head = rows <= left / p->row ? p->head + rows * p->row : p->tail;
     return p->head - *first;
+}
+
+int pool_chunk_max(int rows, int row, double k, int min_rows)
+{
+    struct pool full;
+    int first;
+
+    pool_fill(&full, rows, row);
+    return pool_chunk(&full, k, 2, min_rows, &first);
 }
 
 int pool_help(struct pool *p, int gran, int keep, int *first)

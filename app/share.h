@@ -7,9 +7,10 @@ struct span {
     int first, layers;
 };
 
-/* Slices are dealt in equal shares, what is left over one each to the first groups. A slice stands for the layer above
- * it, so the last group has one layer less than slices. */
-struct span share_layers(int slices, int groups, int group);
+/* n things in a row are dealt in equal shares, what is left over one each to the first groups; of them `layers` are
+ * layers, from the first on. n = layers deals layers; n = layers + 1 deals slices, of which each stands for the layer
+ * above it, so that the last group has one layer less than slices. */
+struct span share_layers(int n, int layers, int groups, int group);
 
 /* The subcubes of the current layer that are in nobody's hands: [head, tail). Chunks leave from the head in whole rows,
  * the host helps itself from the tail. */
@@ -23,6 +24,10 @@ int pool_left(const struct pool *p);
 /* Size of the next chunk for a group of `nodes`: 1/(k nodes) of the layer first, left/nodes when that is less, rounded up
  * to whole rows, at least min_rows of them, at most what is left. Takes it from the pool; *first is its first subcube. */
 int pool_chunk(struct pool *p, double k, int nodes, int min_rows, int *first);
+
+/* The most subcubes that pool_chunk takes from a layer of rows x row of them, whatever was taken before. Who hands out
+ * chunks has a slave, so that a group has two nodes at least. */
+int pool_chunk_max(int rows, int row, double k, int min_rows);
 
 /* The host takes up to gran subcubes from the tail, but leaves keep of them. Answers how many; *first: the first. */
 int pool_help(struct pool *p, int gran, int keep, int *first);

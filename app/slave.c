@@ -40,7 +40,7 @@ void slave_prepare(const struct options *o)
 
     slave.o = o;
     for (i = 0; i < 2; i++) {
-        slave.chunk[i] = allocate(chunk_bytes_max(&o->grid));
+        slave.chunk[i] = allocate(chunk_bytes_max(o));
         for (k = 0; k < o->iso.n; k++) {
             slave.surface[k].buffer[i] = allocate(o->policy.buffer);
             slave.surface[k].send[i] = -1;
@@ -78,7 +78,7 @@ static void claim_buffer(struct surface *s, int buffer)
     s->send[buffer] = -1;
 }
 
-/* All sets are sent, empty ones too: the host is told of every surface each time. But not before the first chunk: a
+/* All sets are sent, unless -noempty is given empty ones too: the host is told of every surface each time. But not before the first chunk: a
  * host that discards us does not wait for our messages, and must not get any. The buffers are free again afterwards. */
 static void flush_polygons(void)
 {
@@ -88,7 +88,8 @@ static void flush_polygons(void)
         return;
     slave.computed = 0;
     for (iso = 0; iso < slave.o->iso.n; iso++)
-        send_polygons(iso);
+        if (slave.surface[iso].used > 0 || slave.o->policy.empty)
+            send_polygons(iso);
     for (iso = 0; iso < slave.o->iso.n; iso++)
         for (i = 0; i < 2; i++)
             claim_buffer(&slave.surface[iso], i);
@@ -110,7 +111,7 @@ static void request(int buffer)
     enum activity before = times_enter(SENDING);
 
     slave.turn = buffer;
-    slave.receive = irecv(CHUNK, slave.chunk[buffer], chunk_bytes_max(&slave.o->grid));
+    slave.receive = irecv(CHUNK, slave.chunk[buffer], chunk_bytes_max(slave.o));
     csend(REQUEST, NULL, 0, slave.host, 0);
     times_enter(before);
 }
@@ -140,10 +141,10 @@ static void compute(const struct chunk *c)
     int lead = slave.o->policy.lead < c->count ? slave.o->policy.lead : c->count, other = slave.turn ^ 1, i;
 
     times_enter(COMPUTING);
-    layer_prepare(slave.o, &system);
     for (i = 0; i < c->count; i++) {
         if (c->count - i == lead)
             request(other);
+        layer_prepare(slave.o, &system, i);
         layer_cell(slave.o, &system, &c->layer, c->first + i, keep_polygon);
     }
     times_enter(OTHER);

@@ -18,10 +18,11 @@ struct isovalues {
 void trilinear_polygons(const struct cell *cell, const double *const corner[8], const struct isovalues *iso,
                         polygon_fn *out);
 
-/* The cubic is polygonised on lattice x lattice x lattice small cubes, 1 <= lattice <= LATTICE_MAX. The system must be one
+/* The cubic is polygonised on lattice x lattice x lattice small cubes, 1 <= lattice <= LATTICE_MAX. A cubic may cross an
+ * edge of theirs three times: `search` parts of it are looked at for a change of sign, and the first root is taken. The system must be one
  * that fit_prepare has set up; it is set up anew when the subcube's sides are not those it was made for. */
 void tricubic_polygons(struct fit_system *system, const struct cell *cell, const double *const corner[8],
-                       const struct isovalues *iso, int lattice, polygon_fn *out);
+                       const struct isovalues *iso, int lattice, int search, polygon_fn *out);
 
 /* F and its gradient with respect to u, v, w (0 to 1 across the subcube); b as in fit.h. */
 double tricubic_value(const double b[64], double u, double v, double w);

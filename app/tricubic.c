@@ -10,13 +10,12 @@
 #include "fit.h"
 #include "subcube.h"
 
-#define INTERVALS 8
 #define POINTS_MAX ((LATTICE_MAX + 1) * (LATTICE_MAX + 1) * (LATTICE_MAX + 1))
 
 /* Lattice point (i, j, k) has number i * stride[0] + j * stride[1] + k * stride[2]; the edge from it along axis d has
  * the same number in edge[d]. */
 struct lattice {
-    int m, stride[3];
+    int m, search, stride[3];
     double value[POINTS_MAX];
     double edge[3][POINTS_MAX][4]; /* F along the edge, as a Bernstein-Bezier cubic */
 };
@@ -163,19 +162,19 @@ static double draw_together(const double q[4], double c, double t0, double f0, d
     return t;
 }
 
-/* Seek the roots of q - c from one end of an edge to the other; answers how many changes of sign there are, and the
+/* Seek the roots of q - c from one end of an edge to the other, a part of it at a time; answers how many changes of sign there are, and the
  * place of the first. */
-static int seek(const double q[4], double c, double *root)
+static int seek(const double q[4], double c, int parts, double *root)
 {
-    double last = q[0] - c, now;
+    double last = q[0] - c, now, part = 1.0 / parts;
     int i, found = 0;
 
-    for (i = 1; i <= INTERVALS; i++, last = now) {
-        double t = i * (1.0 / INTERVALS);
+    for (i = 1; i <= parts; i++, last = now) {
+        double t = i * part;
 
-        now = i < INTERVALS ? blossom(q, t, t, t) - c : q[3] - c;
+        now = i < parts ? blossom(q, t, t, t) - c : q[3] - c;
         if ((last < 0) != (now < 0) && ++found == 1)
-            *root = draw_together(q, c, t - 1.0 / INTERVALS, last, t, now);
+            *root = draw_together(q, c, t - part, last, t, now);
     }
     return found;
 }
@@ -206,7 +205,7 @@ static void cross_edges(const struct cell *cell, const double b[64], const struc
             for (i[1] = 0; i[1] <= m - (d == 1); i[1]++)
                 for (i[2] = 0; i[2] <= m - (d == 2); i[2]++) {
                     n = i[0] * l->stride[0] + i[1] * l->stride[1] + i[2];
-                    if (seek(l->edge[d][n], c, &root) & 1) {
+                    if (seek(l->edge[d][n], c, l->search, &root) & 1) {
                         double at[3] = {i[0], i[1], i[2]};
 
                         at[d] += root;
@@ -238,7 +237,7 @@ static void link_cube(const struct lattice *l, double c, int n, vertex crossing[
 }
 
 void tricubic_polygons(struct fit_system *system, const struct cell *cell, const double *const corner[8],
-                       const struct isovalues *iso, int lattice, polygon_fn *out)
+                       const struct isovalues *iso, int lattice, int search, polygon_fn *out)
 {
     const double widths[3] = {cell->wx, cell->wy, cell->dz};
     double b[FIT_UNKNOWNS];
@@ -250,6 +249,7 @@ void tricubic_polygons(struct fit_system *system, const struct cell *cell, const
         fit_prepare(system, widths); /* the last subcube of a row or column may be narrower */
     fit_tricubic(system, corner, b);
     set_lattice(&l, b, lattice);
+    l.search = search;
     for (s = 0; s < iso->n; s++) {
         cross_edges(cell, b, &l, iso->value[s], crossing);
         for (i = 0; i < lattice; i++)

@@ -31,10 +31,15 @@ static int read_row(struct volume *v, int bytes)
     return got == bytes ? 0 : -1;
 }
 
+/* The bytes of one slice. */
+static long slice_bytes(const struct options *o)
+{
+    return (long)o->grid.pixels_x * o->grid.pixels_y * (o->bits / 8);
+}
+
 static int go_to(struct volume *v, int k)
 {
-    const struct grid *g = &v->o->grid;
-    long slice = (long)g->pixels_x * g->pixels_y * (v->o->bits / 8), old;
+    long slice = slice_bytes(v->o), old;
     int ok = 1;
 
     if (v->next != k) {
@@ -44,6 +49,34 @@ static int go_to(struct volume *v, int k)
     }
     v->next = k + 1;
     return ok ? 0 : -1;
+}
+
+/* What is there from one byte before the end that the options say: that byte should be, and no other. */
+static int bytes_at_end(gzFile file, const struct options *o)
+{
+    z_off_t last = (z_off_t)slice_bytes(o) * o->grid.slices - 1;
+    unsigned char byte[2];
+
+    return gzseek(file, last, 0) == last ? gzread(file, byte, 2) : 0;
+}
+
+int volume_check(const struct options *o, char *error, int size)
+{
+    const struct grid *g = &o->grid;
+    struct volume v;
+    int got;
+
+    if (!o->volume)
+        return 0;
+    if (volume_open(&v, o, error, size))
+        return -1;
+    got = bytes_at_end(v.file, o);
+    volume_close(&v);
+    if (got == 1)
+        return 0;
+    snprintf(error, size, "%s holds %s than %d x %d x %d pixels of %d bits", o->volume,
+             got > 1 ? "more" : "less", g->pixels_x, g->pixels_y, g->slices, o->bits);
+    return -1;
 }
 
 int volume_read(struct volume *v, int k, pixel *image, char *error, int size)

@@ -10,7 +10,7 @@
 #include "study/tables.h"
 
 static const char HELP[] =
-    "usage: touchstone tables [-t TABLES] [-o DIR] [-j JOBS] [--ties] [--report FILE]\n"
+    "usage: touchstone tables [-t TABLES] [-o DIR] [-j JOBS] [--ties] [--report FILE] [--choices FILE]\n"
     "       touchstone tables --explain ROW [-j JOBS]\n"
     "\n"
     "Runs the model program as each row of Tables 1-5 of Bajaj & Lin, \"Scalar Field Modeling & "
@@ -27,6 +27,8 @@ static const char HELP[] =
     "                       message's latency 2 % less to 2 % more, and give the range of their times beside\n"
     "      --report FILE    write a report in Markdown: errors, the paper's own rounding, what was fitted, what\n"
     "                       remains and where its time goes\n"
+    "      --choices FILE   run all rows once more for each choice that was made with the paper's tables in view, with it\n"
+    "                       otherwise, and write the errors in Markdown; about half a minute a choice\n"
     "      --explain ROW    make no tables: say where the time of one row goes, by activity, processor and layer; ROW\n"
     "                       is table:nodes, such as 1:128\n"
     "\n"
@@ -40,7 +42,7 @@ enum { EXIT_USAGE = 64, EXIT_INPUT = 65, MAX_TABLES = 16 };
 
 struct arguments {
     unsigned tables[MAX_TABLES + 1]; /* ended by 0; none: all */
-    const char *dir, *report, *explain;
+    const char *dir, *report, *choices, *explain;
     unsigned jobs;
     bool ties, help;
 };
@@ -63,10 +65,11 @@ static bool read_tables(const char *text, unsigned tables[])
 
 static int parse(int argc, char **argv, struct arguments *a)
 {
-    enum { TIES = 256, REPORT, EXPLAIN };
+    enum { TIES = 256, REPORT, CHOICES, EXPLAIN };
     static const struct option LONG[] = {{"tables", required_argument, NULL, 't'},
                                          {"ties", no_argument, NULL, TIES},
                                          {"report", required_argument, NULL, REPORT},
+                                         {"choices", required_argument, NULL, CHOICES},
                                          {"explain", required_argument, NULL, EXPLAIN},
                                          {"output", required_argument, NULL, 'o'},
                                          {"jobs", required_argument, NULL, 'j'},
@@ -93,6 +96,9 @@ static int parse(int argc, char **argv, struct arguments *a)
             break;
         case REPORT:
             a->report = optarg;
+            break;
+        case CHOICES:
+            a->choices = optarg;
             break;
         case EXPLAIN:
             a->explain = optarg;
@@ -133,6 +139,7 @@ int cli_tables(int argc, char **argv)
                                      .resume = true,
                                      .ties = a.ties,
                                      .report = a.report,
+                                     .choices = a.choices,
                                      .out = stdout,
                                      .progress = stderr};
     enum tables_end end =

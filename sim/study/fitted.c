@@ -27,7 +27,28 @@ static bool read_factor(struct cfg_reader *r, config_setting_t *g, struct paper_
     return f->file || f->function || cfg_fail(r, g, "file", "missing; file or function must be given");
 }
 
-/* Adds a list of ( what, fitted to ), if it is there. */
+/* ( what, fitted to ), and then what else might have been chosen. */
+static bool read_choice(struct cfg_reader *r, config_setting_t *s, const char *key, struct paper_choice *c)
+{
+    unsigned count = config_setting_is_list(s) ? (unsigned)config_setting_length(s) : 0;
+    for (unsigned i = 0; i < count; i++)
+        if (!config_setting_get_string_elem(s, i))
+            count = 0;
+    if (count < 2)
+        return cfg_fail(r, s, key,
+                        "must hold lists of texts: ( what, fitted to, and what else it might be )");
+    c->what = strdup(config_setting_get_string_elem(s, 0));
+    c->fitted_to = strdup(config_setting_get_string_elem(s, 1));
+    c->instead_count = count - 2;
+    c->instead = calloc(count - 1, sizeof *c->instead);
+    if (!c->instead)
+        abort();
+    for (unsigned i = 2; i < count; i++)
+        c->instead[i - 2] = strdup(config_setting_get_string_elem(s, i));
+    return true;
+}
+
+/* Adds a list of choices, if it is there. */
 static bool read_choices(struct cfg_reader *r, const char *key, bool policy, struct paper_fitted *f)
 {
     config_setting_t *list = config_setting_get_member(r->root, key);
@@ -36,12 +57,11 @@ static bool read_choices(struct cfg_reader *r, const char *key, bool policy, str
     if (!f->choices)
         abort();
     for (unsigned i = 0; i < count; i++) {
-        config_setting_t *s = config_setting_get_elem(list, i);
-        const char *what = config_setting_get_string_elem(s, 0);
-        const char *fitted_to = config_setting_get_string_elem(s, 1);
-        if (!config_setting_is_list(s) || !what || !fitted_to)
-            return cfg_fail(r, s, key, "must hold lists of two texts: ( what, fitted to )");
-        f->choices[f->choice_count++] = (struct paper_choice){policy, strdup(what), strdup(fitted_to)};
+        struct paper_choice *c = &f->choices[f->choice_count];
+        *c = (struct paper_choice){.policy = policy};
+        if (!read_choice(r, config_setting_get_elem(list, i), key, c))
+            return false;
+        f->choice_count++;
     }
     return true;
 }
@@ -89,6 +109,9 @@ void paper_free_fitted(struct paper_fitted *f)
     for (size_t i = 0; i < f->choice_count; i++) {
         free(f->choices[i].what);
         free(f->choices[i].fitted_to);
+        for (size_t k = 0; k < f->choices[i].instead_count; k++)
+            free(f->choices[i].instead[k]);
+        free(f->choices[i].instead);
     }
     free(f->choices);
     free(f->factors);

@@ -74,6 +74,9 @@ struct paper_choice {
     bool policy;
     char *what;
     char *fitted_to;
+    char **
+        instead; /* what else might have been chosen: words for the program, or "--set KEY=VALUE" for the machine */
+    size_t instead_count;
 };
 
 struct paper_fitted {

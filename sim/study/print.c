@@ -93,7 +93,7 @@ static void print_table(FILE *out, const struct ink *ink, const struct result_ta
 static void print_fitted(FILE *out, const struct ink *ink, const struct results *r)
 {
     const struct paper_fitted *fitted = r->fitted;
-    fprintf(out, "\n%sFitted to the paper%s; all else is prediction\n", ink->title, ink->off);
+    fprintf(out, "\n%sFitted to the paper, or chosen with its tables in view%s\n", ink->title, ink->off);
     for (size_t i = 0; i < fitted->count; i++) {
         const struct paper_factor *f = &fitted->factors[i];
         fprintf(out, "  cost    %s%s%s x %g: %s\n", f->file ? f->file : "",

@@ -115,7 +115,7 @@ static const char COLUMNS[] =
     "  rows in which a small change may decide what happens.\n"
     "- rounding: half a unit of the last digit of the paper's total time: what lies within cannot be told apart.\n"
     "- speed column: the total time that the paper's column of speed/node implies, against its column of total time.\n"
-    "- standing: fitted, when a constant or a choice was fitted to a figure of the row; else predicted.\n"
+    "- standing: fitted, when a constant or a choice was settled by a figure of the row; else predicted.\n"
     "- host idle: waits for the last request of a layer, every wait for a request, and the wait for the last polygons\n"
     "  (drain), each of the total time and on average over the hosts. The paper's definition is a wait for a message.\n";
 
@@ -123,7 +123,9 @@ static const char COLUMNS[] =
 
 static void write_fitted(FILE *out, const struct results *r)
 {
-    fputs("\n## What was fitted\n\n| what | value | fitted to |\n|---|---|---|\n", out);
+    fputs(
+        "\n## What was fitted, or chosen with the tables in view\n\n| what | value | settled by |\n|---|---|---|\n",
+        out);
     for (size_t i = 0; i < r->fitted->count; i++) {
         const struct paper_factor *f = &r->fitted->factors[i];
         fprintf(out, "| cost of %s%s%s | x %g | %s |\n", f->file ? f->file : "",
@@ -133,7 +135,7 @@ static void write_fitted(FILE *out, const struct results *r)
         const struct paper_choice *c = &r->fitted->choices[i];
         fprintf(out, "| %s | %s | %s |\n", c->policy ? "policy" : "constant", c->what, c->fitted_to);
     }
-    fputs("\nEverything else is prediction.\n", out);
+    fputs("\nCHOICES.md says what the errors are with each of them otherwise.\n", out);
 }
 
 /* --- what remains ------------------------------------------------------------------------------------------ */

@@ -8,20 +8,26 @@ double results_error_pct(const struct result_row *row)
     return 100 * (outcome_figure(&row->run->outcome, "total_s") / row->row->paper.total_s - 1);
 }
 
+const struct result_row *results_one_node(const struct result_table *t)
+{
+    for (size_t i = 0; i < t->table->count; i++)
+        if (t->rows[i].run->nodes == 1)
+            return &t->rows[i];
+    return NULL;
+}
+
 double results_speed_per_node(const struct result_table *t, size_t row)
 {
     const struct run *run = t->rows[row].run;
-    for (size_t i = 0; i < t->table->count; i++)
-        if (t->rows[i].run->nodes == 1)
-            return outcome_figure(&t->rows[i].run->outcome, "total_s") /
-                   (run->nodes * outcome_figure(&run->outcome, "total_s"));
-    return NAN;
+    const struct result_row *one = results_one_node(t);
+    return one ? outcome_figure(&one->run->outcome, "total_s") /
+                     (run->nodes * outcome_figure(&run->outcome, "total_s"))
+               : NAN;
 }
 
-/* Takes one more row into e, whose mean_pct is a sum until finish(). */
-static void add(struct result_errors *e, const struct result_row *row, unsigned table)
+/* Takes one more error into e, whose mean_pct is a sum until finish(). */
+static void add_error(struct result_errors *e, const struct result_row *row, unsigned table, double error)
 {
-    double error = results_error_pct(row);
     if (isnan(error)) {
         e->failed++;
         return;
@@ -33,6 +39,11 @@ static void add(struct result_errors *e, const struct result_row *row, unsigned 
     }
     e->mean_pct += fabs(error);
     e->rows++;
+}
+
+static void add(struct result_errors *e, const struct result_row *row, unsigned table)
+{
+    add_error(e, row, table, results_error_pct(row));
 }
 
 static struct result_errors finish(struct result_errors e)
@@ -89,6 +100,21 @@ struct result_errors results_all_errors(const struct results *r)
 struct result_errors results_fitted_errors(const struct results *r, bool fitted)
 {
     return errors_of(r, fitted, !fitted);
+}
+
+struct result_errors results_scaled_errors(const struct results *r)
+{
+    struct result_errors e = {0};
+    for (size_t t = 0; t < r->table_count; t++) {
+        const struct result_table *table = &r->tables[t];
+        const struct result_row *one = results_one_node(table);
+        double scale = one ? 1 + results_error_pct(one) / 100 : NAN;
+        for (size_t i = 0; one && i < table->table->count; i++)
+            if (!shown_before(r, t, table->rows[i].run))
+                add_error(&e, &table->rows[i], table->table->number,
+                          100 * ((1 + results_error_pct(&table->rows[i]) / 100) / scale - 1));
+    }
+    return finish(e);
 }
 
 int results_decimals(double total_s)

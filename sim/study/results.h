@@ -38,6 +38,8 @@ void results_free(struct results *r);
 
 /* Total time of the row against the paper's, percent; NAN if the row has none. */
 double results_error_pct(const struct result_row *row);
+/* The table's row of one node; NULL none. */
+const struct result_row *results_one_node(const struct result_table *t);
 /* T(1) / (N T(N)) of our own times; NAN if either is missing. */
 double results_speed_per_node(const struct result_table *t, size_t row);
 
@@ -55,6 +57,9 @@ struct result_errors results_row_errors(const struct results *r); /* of all rows
  */
 struct result_errors results_all_errors(const struct results *r);
 struct result_errors results_fitted_errors(const struct results *r, bool fitted);
+/* Of all runs, each once, when each table's times are scaled so that its row of one node is exact; a table without that
+ * row has no part in it. */
+struct result_errors results_scaled_errors(const struct results *r);
 /* Half a unit of the last digit of the paper's total, percent; NAN: not known. */
 double results_rounding_pct(const struct result_row *row);
 /* The total that the paper's column of speeds implies, against the column of totals, percent; NAN: none. */

@@ -14,8 +14,18 @@
 /* A run's command line: argv and the texts that are its own. */
 struct command {
     char *argv[10 + 2 * RUN_MAX_SETTINGS + PAPER_MAX_ARGS + RUN_MAX_EXTRA + 1];
-    char *program, *nodes, *json, *arguments;
+    char *program, *nodes, *json, *arguments, *extra;
 };
+
+/* Cuts text into words, at most `most`; answers how many. */
+static size_t add_words(char **argv, char *text, size_t most)
+{
+    size_t n = 0;
+    char *save, *word = strtok_r(text, " ", &save);
+    for (; word && n < most; word = strtok_r(NULL, " ", &save))
+        argv[n++] = word;
+    return n;
+}
 
 static void build_command(struct command *c, const struct tables_options *o, const struct paper *paper,
                           const struct run *run, size_t i, const char *scratch)
@@ -24,6 +34,7 @@ static void build_command(struct command *c, const struct tables_options *o, con
     c->nodes = text_of("%u", run->nodes);
     c->json = text_of("%s/%zu.json", scratch, i);
     c->arguments = text_of("%s", run->arguments);
+    c->extra = text_of("%s", run->extra ? run->extra : "");
     char *const head[] = {(char *)o->runner, "run",    "-q",   "-m", paper->machine, "-n",
                           c->nodes,          "--json", c->json};
     size_t n = sizeof head / sizeof *head;
@@ -33,11 +44,8 @@ static void build_command(struct command *c, const struct tables_options *o, con
         c->argv[n++] = *set;
     }
     c->argv[n++] = c->program;
-    char *save, *word = strtok_r(c->arguments, " ", &save);
-    for (size_t end = n + PAPER_MAX_ARGS; word && n < end; word = strtok_r(NULL, " ", &save))
-        c->argv[n++] = word;
-    if (run->extra)
-        c->argv[n++] = (char *)run->extra;
+    n += add_words(c->argv + n, c->arguments, PAPER_MAX_ARGS);
+    n += add_words(c->argv + n, c->extra, RUN_MAX_EXTRA);
     c->argv[n] = NULL;
 }
 
@@ -48,6 +56,7 @@ static void free_command(struct command *c)
     free(c->nodes);
     free(c->json);
     free(c->arguments);
+    free(c->extra);
 }
 
 static void read_outcome(struct run *run, const struct pool_job *job, const char *json)

@@ -7,13 +7,13 @@
 #include "study/outcome.h"
 #include "study/paper.h"
 
-enum { RUN_MAX_SETTINGS = 8, RUN_MAX_EXTRA = 2 };
+enum { RUN_MAX_SETTINGS = 8, RUN_MAX_EXTRA = 8 };
 
 /* One run; several rows of the tables may be the same one. */
 struct run {
     unsigned nodes;
     const char *arguments;                /* of its first row */
-    const char *extra;                    /* one more argument, or NULL */
+    const char *extra;                    /* more arguments after these, separated by spaces, or NULL */
     char *settings[RUN_MAX_SETTINGS + 1]; /* of the machine file (--set), ended by NULL; malloc'd */
     char *name;                           /* "tables 1, 2, 3; 8 nodes"; malloc'd */
     double weight;                        /* its share of the work */

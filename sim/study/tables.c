@@ -1,6 +1,7 @@
 /* tables.c - from the paper's rows to runs, through the pool, to results; see tables.h. */
 #include "study/tables.h"
 #include "files/result_file.h"
+#include "study/choices.h"
 #include "study/folder.h"
 #include "study/pool.h"
 #include "study/explain.h"
@@ -68,6 +69,10 @@ static enum tables_end write_down(const struct tables_options *o, struct results
         return TABLES_ERROR;
     if (o->report)
         fprintf(o->out, "%s is the report\n", o->report);
+    if (o->choices && !choices_write(o, r, o->choices, error))
+        return TABLES_ERROR;
+    if (o->choices)
+        fprintf(o->out, "%s says what each choice does\n", o->choices);
     return drawn && results_all_errors(r).failed == 0 ? TABLES_DONE : TABLES_INCOMPLETE;
 }
 

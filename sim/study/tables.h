@@ -18,6 +18,7 @@ struct tables_options {
     bool resume;            /* keep rows in DIR/journal until all is done, and take them from there */
     bool ties;              /* say how far rows that turn on ties depend on them: ties.h */
     const char *report;     /* a file for the report (report.h); NULL: none */
+    const char *choices;    /* a file for what each choice does (choices.h); NULL: none */
     FILE *out;              /* the tables */
     FILE *progress;         /* how it is getting on */
 };

@@ -10,6 +10,7 @@
 #include "near.h"
 #include "volume_mesh.h"
 
+/* Lines four pixels apart are one of two readings of the paper's "4x4 pixels", and our choice. */
 static void the_papers_grids_have_whole_numbers_of_subcubes(void **state)
 {
     (void)state;

@@ -10,6 +10,7 @@
 #include "share.h"
 #include "volume_mesh.h"
 
+/* A choice: the paper says "its share of slices" and no more; Table 3 has one group with a layer more. */
 static void the_first_group_gets_the_extra_slice(void **state)
 {
     (void)state;
@@ -19,10 +20,10 @@ static void the_first_group_gets_the_extra_slice(void **state)
                 {8, 9, 8, 7},    {16, 5, 4, 3},   {32, 3, 2, 1}};
     for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
         int groups = want[i].groups;
-        assert_int_equal(share_layers(65, groups, 0).layers, want[i].first);
-        assert_int_equal(share_layers(65, groups, groups - 1).layers, want[i].last);
+        assert_int_equal(share_layers(65, 64, groups, 0).layers, want[i].first);
+        assert_int_equal(share_layers(65, 64, groups, groups - 1).layers, want[i].last);
         for (int g = 1; g < groups - 1; g++)
-            assert_int_equal(share_layers(65, groups, g).layers, want[i].others);
+            assert_int_equal(share_layers(65, 64, groups, g).layers, want[i].others);
     }
 }
 
@@ -33,7 +34,7 @@ static void the_groups_layers_follow_each_other_without_a_gap(void **state)
         for (int groups = 1; groups < 80; groups++) {
             int next = 0;
             for (int g = 0; g < groups; g++) {
-                struct span s = share_layers(slices, groups, g);
+                struct span s = share_layers(slices, slices - 1, groups, g);
                 assert_true(s.layers >= 0);
                 if (s.layers > 0)
                     assert_int_equal(s.first, next);
@@ -41,6 +42,14 @@ static void the_groups_layers_follow_each_other_without_a_gap(void **state)
             }
             assert_int_equal(next, slices - 1);
         }
+}
+
+static void layers_can_be_dealt_evenly(void **state)
+{
+    (void)state;
+    for (int g = 0; g < 8; g++)
+        assert_int_equal(share_layers(64, 64, 8, g).layers, 8);
+    assert_int_equal(share_layers(64, 64, 8, 7).first, 56);
 }
 
 static void chunks_are_whole_rows_and_sum_to_the_layer(void **state)
@@ -62,6 +71,7 @@ static void chunks_are_whole_rows_and_sum_to_the_layer(void **state)
     }
 }
 
+/* That a first chunk is a kth of a share is a choice, and k was fitted. */
 static void the_first_chunk_is_a_kth_of_an_even_share(void **state)
 {
     (void)state;
@@ -70,6 +80,34 @@ static void the_first_chunk_is_a_kth_of_an_even_share(void **state)
     pool_fill(&p, 128, 128);
     assert_int_equal(pool_chunk(&p, 1.6, 16, 1, &first), 5 * 128);
     assert_int_equal(pool_chunk(&p, 1.6, 16, 7, &first), 7 * 128);
+}
+
+static void a_least_number_of_rows_beyond_the_layer_takes_what_is_left(void **state)
+{
+    (void)state;
+    struct pool p;
+    int first;
+    pool_fill(&p, 128, 128);
+    pool_help(&p, 5, 0, &first);
+    assert_int_equal(pool_chunk(&p, 1.6, 16, 1000000000, &first), 128 * 128 - 5);
+    assert_int_equal(pool_left(&p), 0);
+}
+
+static void no_chunk_is_greater_than_the_greatest(void **state)
+{
+    (void)state;
+    static const double ks[] = {0.3, 1, 1.6, 7};
+    for (int k = 0; k < 4; k++)
+        for (int nodes = 2; nodes < 20; nodes++)
+            for (int min_rows = 1; min_rows < 300; min_rows += 37) {
+                struct pool p;
+                int first, n, most = pool_chunk_max(131, 47, ks[k], min_rows);
+                pool_fill(&p, 131, 47);
+                assert_true(most <= 131 * 47);
+                while ((n = pool_chunk(&p, ks[k], nodes, min_rows, &first)) > 0)
+                    assert_true(n <= most);
+            }
+    assert_true(pool_chunk_max(131, 47, 1.6, 1) < 131 * 47 / 3 + 47);
 }
 
 static void the_host_helps_from_the_end_and_leaves_its_slaves_some(void **state)
@@ -140,22 +178,23 @@ static void add_up(int iso, int n, const vertex *v)
 static void a_packed_chunk_is_as_good_as_the_layer(void **state)
 {
     (void)state;
-    static const char *const lines[] = {"-sphere 50 41 5", "-approx 333 -sphere 50 41 5"};
+    static const char *const lines[] = {"-minrows 5 -sphere 50 41 5",
+                                        "-minrows 5 -approx 333 -sphere 50 41 5"};
     for (int i = 0; i < 2; i++) {
         struct options o = options_of(lines[i]);
         pixel *p = volume_sphere(&o.grid);
-        double *data = volume_data(&o.grid, p), *message = malloc((size_t)chunk_bytes_max(&o.grid));
+        double *data = volume_data(&o.grid, p), *message = malloc((size_t)chunk_bytes_max(&o));
         struct layer l = {.lower = data, .upper = data + grid_slice_doubles(&o.grid)};
-        struct fit_system system;
+        struct fit_system system = {0};
         int first = 3 * o.grid.nx, count = 4 * o.grid.nx + 5;
         double direct, number;
         sum = polygons = 0;
-        layer_prepare(&o, &system);
+        layer_prepare(&o, &system, 0);
         for (int c = 0; c < count; c++)
             layer_cell(&o, &system, &l, first + c, add_up);
         direct = sum;
         number = polygons;
-        assert_true(chunk_pack(&o.grid, &l, first, count, message) <= chunk_bytes_max(&o.grid));
+        assert_true(chunk_pack(&o.grid, &l, first, count, message) <= chunk_bytes_max(&o));
         struct chunk c = chunk_unpack(&o.grid, message);
         assert_int_equal(c.kind, CHUNK_WORK);
         assert_int_equal(c.first, first);
@@ -192,6 +231,10 @@ static void wrong_options_are_named(void **state)
     check_refused("-k", "-1", "above 0");
     check_refused("-approx", "222", "111 333");
     check_refused("-isovalues", "1,,2", "commas");
+    check_refused("-isovalues", "1,nan", "commas");
+    check_refused("-isovalues", "-inf", "commas");
+    check_refused("-zspace", "inf", "above 0");
+    check_refused("-k", "nan", "above 0");
     check_refused("-lattice", "5", "at most 4");
 }
 
@@ -218,8 +261,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_group_gets_the_extra_slice),
         cmocka_unit_test(the_groups_layers_follow_each_other_without_a_gap),
+        cmocka_unit_test(layers_can_be_dealt_evenly),
         cmocka_unit_test(chunks_are_whole_rows_and_sum_to_the_layer),
         cmocka_unit_test(the_first_chunk_is_a_kth_of_an_even_share),
+        cmocka_unit_test(a_least_number_of_rows_beyond_the_layer_takes_what_is_left),
+        cmocka_unit_test(no_chunk_is_greater_than_the_greatest),
         cmocka_unit_test(the_host_helps_from_the_end_and_leaves_its_slaves_some),
         cmocka_unit_test(nodes_are_dealt_by_largest_remainder),
         cmocka_unit_test(all_nodes_are_dealt),

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "near.h"
 #include "volume_mesh.h"
 
@@ -67,6 +68,40 @@ static void few_levels_and_isovalues_among_them_are_no_exception(void **state)
     }
 }
 
+/* --- one subcube ----------------------------------------------------------------------------------------- */
+
+static vertex found[POLYGON_MAX];
+static int found_vertices;
+
+static void keep(int iso, int n, const vertex *v)
+{
+    (void)iso;
+    memcpy(found, v, (size_t)n * sizeof *v);
+    found_vertices = n;
+}
+
+/* F = 2 u + 4 v + 8 w. */
+static void a_trilinear_vertex_divides_its_edge_in_the_ratio_of_the_levels(void **state)
+{
+    (void)state;
+    static const double level[8] = {0, 2, 4, 6, 8, 10, 12, 14};
+    const struct cell cell = {.x = 10, .y = 20, .layer = 3, .wx = 4, .wy = 4, .dz = 8};
+    const struct isovalues iso = {1, {1.5}};
+    const double *corner[8];
+    double sum[3] = {0};
+    for (int c = 0; c < 8; c++)
+        corner[c] = &level[c];
+    found_vertices = 0;
+    trilinear_polygons(&cell, corner, &iso, keep);
+    assert_int_equal(found_vertices, 3);
+    for (int i = 0; i < 3; i++)
+        for (int d = 0; d < 3; d++)
+            sum[d] += found[i][d];
+    assert_true(sum[0] == 3 * 10 + 4 * 0.75);
+    assert_true(sum[1] == 3 * 20 + 4 * 0.375);
+    assert_true(sum[2] == 3 * 24 + 8 * 0.1875);
+}
+
 /* --- each polygon of a sphere ------------------------------------------------------------------------------ */
 
 static struct options sphere;
@@ -117,6 +152,9 @@ static void vertices_lie_on_the_sphere_and_normals_point_outwards(void **state)
 
 /* --- the published totals ------------------------------------------------------------------------------------ */
 
+/* No proof: the paper gives totals but neither isovalues nor slice distance nor lattice. Those were chosen so that the
+ * totals come out (bench/paper/fitted.cfg); the test keeps the choice, and fails when the polygons change by 3 %. */
+
 static double total;
 
 static void count(int iso, int n, const vertex *v)
@@ -125,7 +163,7 @@ static void count(int iso, int n, const vertex *v)
     total++;
 }
 
-static void default_isovalues_give_the_papers_totals_within_3_percent(void **state)
+static void the_chosen_isovalues_slices_and_lattice_still_give_the_papers_totals(void **state)
 {
     (void)state;
     static const double paper[2] = {121486, 78741};
@@ -145,8 +183,9 @@ int main(void)
         cmocka_unit_test(a_spheres_surfaces_are_closed),
         cmocka_unit_test(noise_has_watertight_surfaces),
         cmocka_unit_test(few_levels_and_isovalues_among_them_are_no_exception),
+        cmocka_unit_test(a_trilinear_vertex_divides_its_edge_in_the_ratio_of_the_levels),
         cmocka_unit_test(vertices_lie_on_the_sphere_and_normals_point_outwards),
-        cmocka_unit_test(default_isovalues_give_the_papers_totals_within_3_percent),
+        cmocka_unit_test(the_chosen_isovalues_slices_and_lattice_still_give_the_papers_totals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

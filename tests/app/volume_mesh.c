@@ -62,8 +62,8 @@ void volume_polygons(const struct options *o, const pixel *pixels, polygon_fn *o
 {
     const struct grid *g = &o->grid;
     double *data = volume_data(g, pixels);
-    struct fit_system system;
-    layer_prepare(o, &system);
+    struct fit_system system = {0};
+    layer_prepare(o, &system, 0);
     for (int k = 0; k < g->slices - 1; k++) {
         const double *lower = data + (size_t)k * (size_t)grid_slice_doubles(g);
         struct layer l = {.lower = lower, .upper = lower + grid_slice_doubles(g), .number = k, .row = 0};

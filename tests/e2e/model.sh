@@ -14,7 +14,9 @@ for approx in 111 333; do
     # shellcheck disable=SC2086
     polygons 1 $volume >alone
     check "$approx: there are polygons" grep -qE '^polygons [1-9]' alone
-    for how in "2 -group 2" "4 -group 4" "8 -group 8" "8 -group 4" "8 -group 2" "8 -group 2 -noreassign" "4 -group 2 -preload"; do
+    for how in "2 -group 2" "4 -group 4" "8 -group 8" "8 -group 4" "8 -group 2" "8 -group 2 -noreassign" "4 -group 2 -preload" \
+        "8 -group 4 -shares layers -weights exact" "8 -group 4 -noempty -nooverlap -keep 20" "8 -group 4 -prepare once -buffers 1" \
+        "8 -group 4 -prepare subcube -k 0.7 -minrows 3"; do
         # shellcheck disable=SC2086
         polygons $how $volume >shared
         check "$approx: $how as alone" cmp alone shared
@@ -41,7 +43,19 @@ for file in volume.raw volume.gz; do
 done
 head -c 7000 volume.raw >short.raw
 run -q -n 2 "$BUILD/app/model" -volume short.raw 40 32 6 8
-check "a file that ends too soon is an error that names it" grep -q 'short.raw ends before slice 6 of 6' err
+check "a file that ends too soon is an error that names it" grep -q 'short.raw holds less than 40 x 32 x 6 pixels of 8 bits' err
+gzip -c short.raw >short.gz
+{ cat volume.raw; echo; } >long.raw
+gzip -c long.raw >long.gz
+for file in short.gz long.raw long.gz; do
+    run -q -n 2 "$BUILD/app/model" -volume $file 40 32 6 8
+    check "$file: an error at the start" grep -q "$file holds [a-z]* than 40 x 32 x 6 pixels" err
+    check "$file: nothing is computed" test ! -s out
+done
+
+# The paper's own size of images, at a grid of three pixels, on nodes of 16 MB.
+run -q -n 2 "$BUILD/app/model" -approx 333 -grid 3 -sphere 512 768 4
+check "512 x 768 pixels of C3 data on two nodes" grep -qE '^polygons [1-9]' out
 
 # A CT scan of an engine block, if it is at hand.
 scan=$tests/../../../shared/data/engine_256x256x128_uint8.raw.gz

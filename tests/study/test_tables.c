@@ -22,7 +22,8 @@ static const char stand_in[] =
     "echo \"$machine $nodes $*\" >>calls\n"
     "if [ $nodes = 8 ] && [ -e fail ]; then echo 'node 3 at 1.5 s: it broke' >&2; exit 1; fi\n"
     "echo 'Some words for people: 3'\n"
-    "awk -v n=$nodes 'BEGIN { printf \"total_s %.6f\\n\", 1200 / n }'\n"
+    "case \"$*\" in *-slow*) s=2400 ;; *) s=1200 ;; esac\n"
+    "awk -v n=$nodes -v s=$s 'BEGIN { printf \"total_s %.6f\\n\", s / n }'\n"
     "echo polygons 121486; echo polygons_by_isovalue 1 2 3; echo host_idle_pct 0.25\n"
     "[ $nodes = 1 ] || echo slave_idle_pct 1.5\n"
     "echo \"{\\\"machine\\\": \\\"$machine\\\", \\\"digest\\\": \\\"00ff\\\", \\\"virtual_time_s\\\": 1.5,"
@@ -59,6 +60,8 @@ static char *read_text(const char *path)
 }
 
 /* Makes the tables in the current folder; the text for people goes to said, that of progress to progress. */
+static const char *choices; /* where to */
+
 static enum tables_end make(const unsigned *wanted, char **error)
 {
     FILE *out = fopen("said", "w"), *progress = fopen("progress", "w");
@@ -70,6 +73,7 @@ static enum tables_end make(const unsigned *wanted, char **error)
                                .dir = "made/out",
                                .wanted = wanted,
                                .at_once = 2,
+                               .choices = choices,
                                .out = out,
                                .progress = progress};
     enum tables_end end = tables_make(&o, error);
@@ -184,6 +188,30 @@ static void fitted_factors_are_named(void **state)
     free(said);
 }
 
+static void each_alternative_to_a_choice_is_run_and_its_errors_are_given(void **state)
+{
+    (void)state;
+    write_file(
+        "bench/paper/fitted.cfg",
+        "factors = ( );\n"
+        "constants = ( ( \"net = 5\", \"table 2\", \"--set net=6\" ) );\n"
+        "policies = ( ( \"fast\", \"table 1\", \"-slow 1\", \"-slow 2\" ), ( \"alone\", \"table 1\" ) );\n");
+    choices = "made/choices.md";
+    assert_int_equal(make(NULL, NULL), TABLES_DONE);
+    choices = NULL;
+    char *said = read_text("made/choices.md"), *calls = read_text("calls");
+    assert_non_null(
+        strstr(said, "\n| all as it is |  | 8.12 | +20.00 (1:1) | 15.10 | -21.88 (1:16) | 121486 |\n"));
+    assert_non_null(
+        strstr(said, "\n| fast | `-slow 1` | 103.75 | +140.00 (1:1) | 15.10 | -21.88 (1:16) | 121486 |\n"));
+    assert_non_null(strstr(said, "\n|  | `-slow 2` | 103.75 |"));
+    assert_non_null(strstr(said, "\n| alone | not tried |"));
+    assert_non_null(strstr(calls, "\ndelta 16 build/app/model -approx 111 -group 8 -noreassign -slow 2\n"));
+    assert_non_null(strstr(calls, "\ndelta 16 --set net=6 build/app/model -approx 111 -group 16\n"));
+    free(calls);
+    free(said);
+}
+
 static void bad_figures_are_named_by_line(void **state)
 {
     (void)state;
@@ -238,6 +266,7 @@ int main(void)
         IN_FOLDER(one_table_alone),
         IN_FOLDER(a_row_that_fails_is_named_and_the_rest_is_there),
         IN_FOLDER(fitted_factors_are_named),
+        IN_FOLDER(each_alternative_to_a_choice_is_run_and_its_errors_are_given),
         IN_FOLDER(bad_figures_are_named_by_line),
         IN_FOLDER(a_place_that_cannot_be_written),
     };

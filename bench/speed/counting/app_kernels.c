@@ -101,7 +101,7 @@ double KERNEL(app_tricubic)(void)
     for (int i = 0; i < 16; i++) {
         struct cell cell = grid_cell(&grid, i, i / 2, 1);
         corners(i, i / 2, 1, corner);
-        tricubic_polygons(&system, &cell, corner, &iso, 2, take);
+        tricubic_polygons(&system, &cell, corner, &iso, 2, 8, take);
     }
     return sum;
 }
