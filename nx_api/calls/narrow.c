@@ -55,8 +55,6 @@ int libc_vfprintf(FILE *f, int flag, const char *format, va_list ap) __asm__("__
 int libc_vsprintf(char *s, int flag, size_t room, const char *format, va_list ap) __asm__("__vsprintf_chk");
 int libc_vsnprintf(char *s, size_t n, int flag, size_t room, const char *format,
                    va_list ap) __asm__("__vsnprintf_chk");
-int libc_vfscanf(FILE *f, const char *format, va_list ap) __asm__("__isoc99_vfscanf");
-int libc_vsscanf(const char *s, const char *format, va_list ap) __asm__("__isoc99_vsscanf");
 #define ANY_ROOM ((size_t)-1)
 
 #define WITH_LIST(name, parameters, scans, call)                                                             \
@@ -92,16 +90,16 @@ WITH_DOTS(snprintf, (char *s, size_t n, const char *format, ...), false,
           libc_vsnprintf(s, n, 0, ANY_ROOM, narrow, ap))
 WITH_LIST(vsnprintf, (char *s, size_t n, const char *format, va_list ap), false,
           libc_vsnprintf(s, n, 0, ANY_ROOM, narrow, ap))
-WITH_DOTS(scanf, (const char *format, ...), true, libc_vfscanf(nx_input(), narrow, ap))
-WITH_DOTS(__isoc99_scanf, (const char *format, ...), true, libc_vfscanf(nx_input(), narrow, ap))
-WITH_DOTS(fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
-WITH_DOTS(__isoc99_fscanf, (FILE * f, const char *format, ...), true, libc_vfscanf(f, narrow, ap))
-WITH_DOTS(sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
-WITH_DOTS(__isoc99_sscanf, (const char *s, const char *format, ...), true, libc_vsscanf(s, narrow, ap))
-WITH_LIST(vscanf, (const char *format, va_list ap), true, libc_vfscanf(nx_input(), narrow, ap))
-WITH_LIST(__isoc99_vscanf, (const char *format, va_list ap), true, libc_vfscanf(nx_input(), narrow, ap))
-WITH_LIST(vfscanf, (FILE * f, const char *format, va_list ap), true, libc_vfscanf(f, narrow, ap))
-WITH_LIST(__isoc99_vfscanf, (FILE * f, const char *format, va_list ap), true, libc_vfscanf(f, narrow, ap))
-WITH_LIST(vsscanf, (const char *s, const char *format, va_list ap), true, libc_vsscanf(s, narrow, ap))
+WITH_DOTS(scanf, (const char *format, ...), true, nx_scan_file(nx_input(), narrow, ap))
+WITH_DOTS(__isoc99_scanf, (const char *format, ...), true, nx_scan_file(nx_input(), narrow, ap))
+WITH_DOTS(fscanf, (FILE * f, const char *format, ...), true, nx_scan_file(f, narrow, ap))
+WITH_DOTS(__isoc99_fscanf, (FILE * f, const char *format, ...), true, nx_scan_file(f, narrow, ap))
+WITH_DOTS(sscanf, (const char *s, const char *format, ...), true, nx_scan_text(s, narrow, ap))
+WITH_DOTS(__isoc99_sscanf, (const char *s, const char *format, ...), true, nx_scan_text(s, narrow, ap))
+WITH_LIST(vscanf, (const char *format, va_list ap), true, nx_scan_file(nx_input(), narrow, ap))
+WITH_LIST(__isoc99_vscanf, (const char *format, va_list ap), true, nx_scan_file(nx_input(), narrow, ap))
+WITH_LIST(vfscanf, (FILE * f, const char *format, va_list ap), true, nx_scan_file(f, narrow, ap))
+WITH_LIST(__isoc99_vfscanf, (FILE * f, const char *format, va_list ap), true, nx_scan_file(f, narrow, ap))
+WITH_LIST(vsscanf, (const char *s, const char *format, va_list ap), true, nx_scan_text(s, narrow, ap))
 WITH_LIST(__isoc99_vsscanf, (const char *s, const char *format, va_list ap), true,
-          libc_vsscanf(s, narrow, ap))
+          nx_scan_text(s, narrow, ap))

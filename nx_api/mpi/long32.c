@@ -1,5 +1,7 @@
 /* long32.c - for programs whose long has 32 bits (nxcc --mpi --long32): linked, with narrow.c, into their libnx_long32.a
  * only. */
+#include <dlfcn.h>
+#include <stdlib.h>
 #include <time.h>
 #include "nx_api/calls/call.h"
 #include "nx_api/calls/narrow.h"
@@ -17,6 +19,27 @@ FILE *nx_output(void)
 FILE *nx_input(void)
 {
     return stdin;
+}
+
+/* The host's, behind this program's. */
+static void *next(const char *name)
+{
+    void *f = dlsym(RTLD_NEXT, name);
+    if (!f)
+        abort();
+    return f;
+}
+
+int nx_scan_file(FILE *f, const char *format, va_list ap)
+{
+    int (*scan)(FILE *, const char *, va_list) = next("__isoc99_vfscanf");
+    return scan(f, format, ap);
+}
+
+int nx_scan_text(const char *s, const char *format, va_list ap)
+{
+    int (*scan)(const char *, const char *, va_list) = next("__isoc99_vsscanf");
+    return scan(s, format, ap);
 }
 
 /* time_t is such a program's long. */

@@ -66,10 +66,11 @@ static void allow_anew(struct node *n)
         clock_allow(n, deadline(n));
 }
 
-/* Nothing of a program that has stopped at a check comes before. */
+/* Nothing of a program that has stopped at a check comes before. (One that has had time taken from it in its own call is put off at
+ * the check.) */
 static vtime quiet_until(const struct node *n)
 {
-    if (n->in_handler)
+    if (n->in_handler || n->clock.stolen)
         return 0;
     return vt_min(clock_quiet(n), vt_min(end_of_time(n), handlers_next_due(n)));
 }

@@ -16,6 +16,16 @@ FILE *nx_input(void)
     return node_self()->libc->streams.in;
 }
 
+int nx_scan_file(FILE *f, const char *format, va_list ap)
+{
+    return vfscanf(f, format, ap);
+}
+
+int nx_scan_text(const char *s, const char *format, va_list ap)
+{
+    return vsscanf(s, format, ap);
+}
+
 time_t node_time(time_t *t);
 
 /* time_t is such a program's long. */

@@ -223,7 +223,10 @@ _Noreturn void node_fail(struct node *n, const char *fmt, ...)
 
 void node_output(struct node *n, int fd, const char *bytes, size_t len)
 {
-    fwrite(bytes, 1, len, n->sys->out[fd - 1]);
+    FILE *const *out = n->sys->out;
+    if (fd == 2)
+        fflush(out[0]); /* both may be one file */
+    fwrite(bytes, 1, len, out[fd - 1]);
 }
 
 size_t node_long_bytes(const struct node *n)

@@ -19,7 +19,9 @@ engines() { # NAME ARGS...
 }
 for source in "$tests"/../nx/*.c; do
     name=$(basename "$source" .c)
-    "$BUILD/nxcc" -O2 -g -o "$name" "$source" -lm 2>compile.err || check "$name compiles" cat compile.err
+    options=$(sed -n 's/^ \* compile: //p' "$source")
+    # shellcheck disable=SC2086
+    "$BUILD/nxcc" -O2 -g $options -o "$name" "$source" -lm 2>compile.err || check "$name compiles" cat compile.err
     arguments=$(first_run "$source")
     # shellcheck disable=SC2086
     engines "$name" $arguments "$name"
