@@ -69,3 +69,12 @@ run_results() { # ARGS...
 first_run() { # SOURCE
     sed -n 's/^ \* run: //p' "$1" | head -1 | sed 's/^all$/-m delta -n 8/'
 }
+
+# Compiles a conformance program of tests/nx as its head says: into the program of that name.
+compile_rule() { # SOURCE
+    local name options
+    name=$(basename "$1" .c)
+    options=$(sed -n 's/^ \* compile: //p' "$1")
+    # shellcheck disable=SC2086
+    "$BUILD/nxcc" -O2 -g $options -o "$name" "$1" -lm 2>compile.err || check "$name compiles" cat compile.err
+}

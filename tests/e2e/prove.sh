@@ -19,9 +19,7 @@ engines() { # NAME ARGS...
 }
 for source in "$tests"/../nx/*.c; do
     name=$(basename "$source" .c)
-    options=$(sed -n 's/^ \* compile: //p' "$source")
-    # shellcheck disable=SC2086
-    "$BUILD/nxcc" -O2 -g $options -o "$name" "$source" -lm 2>compile.err || check "$name compiles" cat compile.err
+    compile_rule "$source"
     arguments=$(first_run "$source")
     # shellcheck disable=SC2086
     engines "$name" $arguments "$name"

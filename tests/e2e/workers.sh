@@ -37,7 +37,7 @@ under_tsan() { # NAME ARGS...
 
 for source in "$nx"/*.c; do
     name=$(basename "$source" .c)
-    "$BUILD/nxcc" -O2 -g -o "$name" "$source" -lm 2>compile.err || check "$name compiles" cat compile.err
+    compile_rule "$source"
     arguments=$(first_run "$source")
     # shellcheck disable=SC2086
     same "$name $arguments" $arguments "$name"
