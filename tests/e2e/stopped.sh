@@ -21,8 +21,8 @@ done
 # --- signals ---
 for signal in INT TERM HUP; do
     for how in for calls; do
-        # (A shell without job control starts what is in the background with SIGINT ignored.)
-        env --default-signal=INT "$BUILD/touchstone" run -n 2 stopped $how >out 2>err &
+        # (A shell without job control starts what is in the background with SIGINT ignored; nohup ignores SIGHUP.)
+        env --default-signal=INT,TERM,HUP "$BUILD/touchstone" run --max-wall-time 20 -n 2 stopped $how >out 2>err &
         child=$!
         sleep 0.6
         kill -$signal $child
