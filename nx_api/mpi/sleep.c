@@ -1,6 +1,18 @@
 /* sleep.c - pauses of a program, in which its handlers run as on a node: sleep and usleep of libnx.a take
- * precedence over the C library's, which nothing of ours interrupts. */
+ * precedence over the C library's, which nothing of ours interrupts. Libraries come here, too: MPI sleeps while it
+ * starts, and no handler may run within it. */
+#include <errno.h>
+#include <stdbool.h>
+#include <time.h>
 #include "nx_api/mpi/node.h"
+
+/* The linker's: where the program's code is, ours included. */
+extern const char __executable_start[], etext[];
+
+static bool is_program(const void *caller)
+{
+    return (const char *)caller >= __executable_start && (const char *)caller < etext;
+}
 
 /* Seconds since the program began at which the pause ends. */
 static bool is_over(struct node *n, void *end)
@@ -9,7 +21,7 @@ static bool is_over(struct node *n, void *end)
     return node_seconds() >= *(const double *)end;
 }
 
-static void pause_for(const char *call, double seconds)
+static void pause_program(const char *call, double seconds)
 {
     struct node *n = node_self();
     double end = node_seconds() + seconds;
@@ -18,16 +30,31 @@ static void pause_for(const char *call, double seconds)
     node_leave(n);
 }
 
+static void pause_library(double seconds)
+{
+    struct timespec left = {(time_t)seconds, (long)((seconds - (double)(time_t)seconds) * 1e9)};
+    while (nanosleep(&left, &left) && errno == EINTR)
+        ;
+}
+
+static void pause_caller(const void *caller, const char *call, double seconds)
+{
+    if (is_program(caller))
+        pause_program(call, seconds);
+    else
+        pause_library(seconds);
+}
+
 unsigned node_sleep(unsigned seconds) NX_EXPORT("sleep");
 unsigned node_sleep(unsigned seconds)
 {
-    pause_for("sleep", seconds);
+    pause_caller(__builtin_return_address(0), "sleep", seconds);
     return 0;
 }
 
 int node_usleep(unsigned microseconds) NX_EXPORT("usleep");
 int node_usleep(unsigned microseconds)
 {
-    pause_for("usleep", 1e-6 * microseconds);
+    pause_caller(__builtin_return_address(0), "usleep", 1e-6 * microseconds);
     return 0;
 }

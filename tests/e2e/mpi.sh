@@ -32,6 +32,14 @@ for options in "-O2" "-O3 -march=native"; do
 done
 
 # The conformance program of long32, but for what depends on virtual time.
+# MPI then sleeps while it starts, by the name that the program's own pauses have.
+echo '#include <stdio.h>
+#include <nx.h>
+int main(void) { usleep(1000); printf("node %ld of %ld\n", mynode(), numnodes()); return 0; }' >alone.c
+"$BUILD/nxcc" --mpi -O2 -w -o alone alone.c
+./alone >got 2>err
+check "a program runs without mpirun, too, as one node" diff got - <<<"node 0 of 1"
+
 "$BUILD/nxcc" --mpi --long32 -O2 -o long32 "$tests/../nx/long32.c"
 on_mpi 3 ./long32
 rules() { grep -vE '^(time|computing takes its time|a handler interrupts it):' "$1" | sort -u; }
