@@ -51,7 +51,7 @@ static int go_to(struct volume *v, int k)
     return ok ? 0 : -1;
 }
 
-/* What is there from one byte before the end that the options say: that byte should be, and no other. */
+/* The bytes there from one before the end that the options say: that byte should be, and no other. */
 static int bytes_at_end(gzFile file, const struct options *o)
 {
     z_off_t last = (z_off_t)slice_bytes(o) * o->grid.slices - 1;

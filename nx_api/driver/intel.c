@@ -12,7 +12,7 @@
 
 /* --- options --- */
 
-/* Those that change what a program means, and GNU Fortran's for them. */
+/* Options that change what a program means, and GNU Fortran's for them. */
 static const struct translation {
     const char *intel, *gcc;
 } fortran_options[] = {
@@ -34,7 +34,7 @@ static bool is_one_of(const char *option, const char *const *list)
     return false;
 }
 
-/* Those that chose a way of computing, a library or a file that there is only one of here. GCC's own -M
+/* Options that chose a way of computing, a library or a file that there is only one of here. GCC's own -M
  * options go on with a capital letter. */
 static bool is_ignored(const char *option)
 {

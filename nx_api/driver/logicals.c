@@ -28,7 +28,7 @@ struct files {
 
 /* --- running gcc --- */
 
-/* Its exit status; what it says goes to `said`, or to standard error if that is NULL. */
+/* Returns gcc's exit status; what gcc says goes to `said`, or to standard error if that is NULL. */
 static int run(const char *const *gcc, FILE *said)
 {
     int status;

@@ -13,7 +13,7 @@ struct names {
     size_t count;
 };
 
-/* Those that nxcc's own objects ask for are not the program's. A ' ends the name. */
+/* Names that nxcc's own objects ask for are not the program's. A ' ends the name. */
 static bool is_own(const char *name)
 {
     return !strncmp(name, "main'", 5) || !strncmp(name, "nxc_", 4);
