@@ -18,9 +18,9 @@
 #ifdef NX_ON_MPI
 #include "nx_api/mpi/node.h"
 #else
-#include "node/engine.h"
-#include "node/handlers.h"
-#include "node/mailbox.h"
+#include "lp/engine.h"
+#include "os/handlers.h"
+#include "os/mailbox.h"
 #include "node/system.h"
 #endif
 

@@ -1,5 +1,5 @@
 /* mailbox.h - what the calls do with a node's messages: receives posted, messages come in unexpected, ids, handlers. Each
- * backend has a mailbox of its own behind it (sim/node/mailbox.c, nx_api/mpi/mailbox.c); ids are the same (mailbox_ids.c).
+ * backend has a mailbox of its own behind it (sim/os/mailbox.c, nx_api/mpi/mailbox.c); ids are the same (mailbox_ids.c).
  *
  * A message's bytes are put into the program's buffer when the program asks (crecv, msgwait, msgdone, handler), not
  * before: a program that looks too early finds its old bytes, on every backend.

@@ -108,7 +108,7 @@ static void print_names(const struct names *n)
         fprintf(stderr, "%s%s", i ? ", " : "", n->name[i]);
 }
 
-/* A function for each name, which tells the simulator that it was called: sim/node/libc_absent.c. */
+/* A function for each name, which tells the simulator that it was called: sim/guest/libc_absent.c. */
 static void write_stubs(const struct names *n, const char *path)
 {
     FILE *f = fopen(path, "w");

@@ -1,7 +1,7 @@
 /* image.h - the contract between a node program built by nxcc and the simulator that loads it.
  *
  * A node program is a position-independent executable (ELF ET_DYN, x86-64) whose undefined symbols are all
- * named in sim/node/exports.def. It exports one object, nxc_image, through which the simulator finds the
+ * named in sim/guest/exports.def. It exports one object, nxc_image, through which the simulator finds the
  * rest.
  *
  * Counting. The plugin keeps, in every instrumented function, a register copy of *left, the cost units that

@@ -37,7 +37,7 @@ $(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
-$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/node/exports.def nx_api/calls/calls.def
+$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/guest/exports.def nx_api/calls/calls.def
 	@mkdir -p $(@D)
 	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
 

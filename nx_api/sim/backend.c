@@ -1,5 +1,5 @@
 /* backend.c - the simulator behind the calls: see nx_api/calls/backend.h. */
-#include "node/cube.h"
+#include "machine/cube.h"
 #include "nx_api/calls/call.h"
 
 void nx_about(struct node *n, long what)

@@ -2,7 +2,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include "node/libc_parts.h"
+#include "guest/libc_parts.h"
 #include "nx_api/sim/call.h"
 
 char *node_strerror(int code)

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 #include "cfs/cfs.h"
-#include "node/libc_parts.h"
+#include "guest/libc_parts.h"
 #include "nx_api/sim/call.h"
 
 /* --- errors --- */

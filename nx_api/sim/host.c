@@ -1,8 +1,8 @@
-/* host.c - the calls by which a host program deals with a cube of nodes: what they do is in sim/node/cube.h. */
+/* host.c - the calls by which a host program deals with a cube of nodes: what they do is in sim/machine/cube.h. */
 #include <errno.h>
 #include <stddef.h>
 #include <string.h>
-#include "node/cube.h"
+#include "machine/cube.h"
 #include "nx_api/include/host.h"
 #include "nx_api/sim/call.h"
 

@@ -1,7 +1,7 @@
 /* process.c - processes, one on each node, and their ends. Without a host program all are loaded before the first starts. */
 #include "nx_api/sim/call.h"
 #include <errno.h>
-#include "node/cube.h"
+#include "machine/cube.h"
 
 /* --- their numbers --- */
 

@@ -4,7 +4,7 @@
 #include <fcntl.h>
 #include <stdarg.h>
 #include "cfs/cfs.h"
-#include "node/libc_parts.h"
+#include "guest/libc_parts.h"
 #include "nx_api/sim/call.h"
 
 enum { OTHER_BLOCK = 8192 };

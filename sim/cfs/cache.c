@@ -1,4 +1,4 @@
-/* cache.c - see cache.h. The hash only finds blocks; no order comes from it. */
+/* cache.c - see prefetch.h. The hash only finds blocks; no order comes from it. */
 #include "cfs/cache.h"
 #include <assert.h>
 #include <stdlib.h>

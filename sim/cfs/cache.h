@@ -1,4 +1,4 @@
-/* cache.h - the block cache of an I/O node.
+/* prefetch.h - the block cache of an I/O node.
  *
  *             take                 disk                      write
  *   (idle) ---------> RESERVED  READING ------> CLEAN (idle) ------> DIRTY ------> WRITING ------> CLEAN (idle)

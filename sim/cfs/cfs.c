@@ -1,4 +1,4 @@
-/* cfs.c - see cfs.h: puts the file system together, and its files as a node's files (node/file.h). */
+/* cfs.c - see cfs.h: puts the file system together, and its files as a node's files (guest/file.h). */
 #include "cfs/cfs.h"
 #include <errno.h>
 #include <stdlib.h>

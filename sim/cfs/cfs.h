@@ -16,7 +16,7 @@
 #include <sys/uio.h>
 #include "cfs/disk.h"
 #include "cfs/ionode.h"
-#include "node/file.h"
+#include "guest/file.h"
 #include "node/system.h"
 
 struct cfs;

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/parts.h"
-#include "node/engine.h"
+#include "lp/engine.h"
 
 enum { READ_REQUEST = 64 }; /* bytes: file, block, offset, length */
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/parts.h"
-#include "node/engine.h"
+#include "lp/engine.h"
 
 /* A request on its way, with what it asks and what it gets. While it is, it has nothing in its program's memory, for the
  * program may be killed: ask() keeps a copy, and what it points to. */

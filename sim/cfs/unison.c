@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/parts.h"
-#include "node/engine.h"
+#include "lp/engine.h"
 
 /* A node of the round. */
 struct member {

@@ -16,7 +16,7 @@ int cli_cube(int argc, char **argv);          /* getcube, load and their kin, by
 extern const char *const CLI_CUBE_COMMANDS[]; /* ended by NULL */
 bool cli_is_cube_command(const char *name);
 
-/* Is it an engine (node/engine.h) that this binary does not have? Calls the one that does, with main's argv. Returns an exit status
+/* Is it an engine (lp/engine.h) that this binary does not have? Calls the one that does, with main's argv. Returns an exit status
  * if that cannot be. */
 bool cli_is_other_engine(const char *engine);
 int cli_change_engine(const char *engine, char **argv);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/cli.h"
-#include "node/engine.h"
+#include "lp/engine.h"
 
 bool cli_is_other_engine(const char *engine)
 {

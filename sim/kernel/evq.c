@@ -17,8 +17,8 @@
 #include "kernel/evq.h"
 #include <assert.h>
 #include <stdlib.h>
-#include "kernel/cache.h"
-#include "kernel/pool.h"
+#include "kernel/prefetch.h"
+#include "kernel/arena.h"
 
 /* An event's place in the order is one number of 128 bits, compared without branches:
  * time (64) | place (20) | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
@@ -71,7 +71,7 @@ struct evq {
     uint32_t levels;         /* bit L: filled[L] is not 0 */
     uint64_t filled[LEVELS]; /* bit D: slot D has events */
     struct slot slots[LEVELS][DIGITS];
-    struct pool chunks;
+    struct arena chunks;
 };
 
 struct evq *evq_new(void)
@@ -86,7 +86,7 @@ void evq_free(struct evq *q)
 {
     if (!q)
         return;
-    pool_free(&q->chunks);
+    arena_free(&q->chunks);
     free(q->heap);
     free(q);
 }
@@ -117,7 +117,7 @@ static inline const struct event *earlier(const struct event *a, const struct ev
 
 static struct chunk *new_chunk(struct evq *q)
 {
-    struct chunk *c = pool_take(&q->chunks);
+    struct chunk *c = arena_take(&q->chunks);
     c->next = NULL;
     return c;
 }
@@ -204,8 +204,8 @@ static inline __attribute__((always_inline)) void load_ahead(const struct evq *q
     const struct event *e = coming(q, AHEAD);
     if (!e)
         return;
-    cache_load_block(e->what.ctx);
-    cache_load(e->what.arg);
+    prefetch_block(e->what.ctx);
+    prefetch_pair(e->what.arg);
 }
 
 static inline struct action take_run(struct evq *q)
@@ -217,7 +217,7 @@ static inline struct action take_run(struct evq *q)
     if (q->next != e + 1) {
         struct chunk *c = q->run.first;
         q->run.first = c->next;
-        pool_give(&q->chunks, c);
+        arena_give(&q->chunks, c);
     }
     return what;
 }
@@ -283,7 +283,7 @@ static void spread(struct evq *q, struct list l)
         for (const struct event *e = c->events; e < end; e++)
             *add(q, e->key) = *e;
         next = c->next;
-        pool_give(&q->chunks, c);
+        arena_give(&q->chunks, c);
     }
 }
 

@@ -7,7 +7,7 @@
  * events are counted by themselves. What programs send may be put in at any time before it happens: such events come before
  * the ordinary ones of their time and place, in the order of the senders' numbers and then of their own.
  *
- * Where much happens at one time, what ctx and arg point to is loaded some events ahead (cache.h): so arg may be a hint, too.
+ * Where much happens at one time, what ctx and arg point to is loaded some events ahead (prefetch.h): so arg may be a hint, too.
  */
 #ifndef EVQ_EVQ_H
 #define EVQ_EVQ_H

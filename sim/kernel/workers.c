@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "kernel/cache.h"
+#include "kernel/prefetch.h"
 
 enum {
     SPINS = 3000,       /* looks before a thread that has nothing to do sleeps: tens of microseconds */

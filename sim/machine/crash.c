@@ -7,8 +7,8 @@
 #include <ucontext.h>
 #include <unwind.h>
 #include "kernel/fiber.h"
-#include "node/image.h"
-#include "node/trace.h"
+#include "guest/image.h"
+#include "guest/trace.h"
 
 struct crash_guard {
     struct node_crash crash; /* the last, until it is kept */

@@ -7,11 +7,11 @@
 #include "cfs/cfs.h"
 #include "machine/crash.h"
 #include "machine/places.h"
-#include "node/clock.h"
-#include "node/cube.h"
-#include "node/engine.h"
-#include "node/image.h"
-#include "node/trace.h"
+#include "lp/clock.h"
+#include "machine/cube.h"
+#include "lp/engine.h"
+#include "guest/image.h"
+#include "guest/trace.h"
 
 static double wall_clock(void)
 {
@@ -159,13 +159,13 @@ void machine_free(struct machine *m)
     for (uint32_t i = m->sys.nodes && !m->sys.cube ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);
     cube_free(m->sys.cube);
-    pool_free(&m->sys.made);
-    pool_free(&m->sys.made_beside);
+    arena_free(&m->sys.made);
+    arena_free(&m->sys.made_beside);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
     proto_free(m->sys.proto);
     evq_free(m->sys.q);
-    bounds_free(&m->sys.checks);
+    mintree_free(&m->sys.checks);
     if (m->image)
         node_image_close(m->image);
     for (size_t i = 0; i < m->sys.host_file_count; i++)

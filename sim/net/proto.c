@@ -37,8 +37,8 @@ void proto_free(struct proto *p)
     wire_free(p->wire);
     free(p->places);
     for (unsigned i = 0; i < PROTO_SIZES; i++)
-        pool_free(&p->messages[i]);
-    pool_free(&p->trips);
+        arena_free(&p->messages[i]);
+    arena_free(&p->trips);
     free(p);
 }
 

@@ -41,7 +41,7 @@ void proto_begin_trip(struct proto *p, struct message *m)
     vtime per_byte = is_hosts(p, m) ? c->host.link_ps_per_byte
                      : small        ? c->short_ps_per_byte
                                     : c->long_ps_per_byte;
-    struct trip *t = m->trip = pool_take(&p->trips);
+    struct trip *t = m->trip = arena_take(&p->trips);
     t->m = m;
     t->link_in = t->link_out = NULL;
     t->order = m->order, t->source = m->source;
@@ -133,7 +133,7 @@ void proto_end_trip(struct proto *p, struct message *m)
     m->trip = NULL;
     unlink_in(p, t);
     proto_unlink_out(t);
-    pool_give(&p->trips, t);
+    arena_give(&p->trips, t);
 }
 
 static struct message *message_of(const struct trip *t)
@@ -198,7 +198,7 @@ static unsigned size_for(size_t bytes)
     return bytes <= PROTO_IN_MESSAGE[PROTO_FEW] ? PROTO_FEW : PROTO_SHORT;
 }
 
-static struct pool *pool_of(const struct message *m)
+static struct arena *pool_of(const struct message *m)
 {
     return &m->proto->messages[m->data == m->few ? size_for(m->bytes) : PROTO_FEW];
 }
@@ -206,7 +206,7 @@ static struct pool *pool_of(const struct message *m)
 static struct message *message_new(struct proto *p, enum proto_size size, uint32_t from, uint32_t to,
                                    int32_t type, int32_t pid, size_t bytes)
 {
-    struct message *m = pool_take(&p->messages[size]);
+    struct message *m = arena_take(&p->messages[size]);
     m->next = NULL, m->receive = NULL, m->trip = NULL, m->proto = p;
     m->type = type, m->pid = pid, m->bytes = bytes;
     m->from = m->source = from, m->to = to;
@@ -242,7 +242,7 @@ void proto_message_free(struct message *m)
     if (m->trip)
         proto_end_trip(m->proto, m);
     release(m);
-    pool_give(pool_of(m), m);
+    arena_give(pool_of(m), m);
 }
 
 bool proto_message_is_plain(const struct message *m)
@@ -252,5 +252,5 @@ bool proto_message_is_plain(const struct message *m)
 
 void proto_message_free_plain(struct proto *p, struct message *m)
 {
-    pool_give(&p->messages[PROTO_FEW], m);
+    arena_give(&p->messages[PROTO_FEW], m);
 }

@@ -3,7 +3,7 @@
 #ifndef PROTO_PARTS_H
 #define PROTO_PARTS_H
 #include <stddef.h>
-#include "kernel/pool.h"
+#include "kernel/arena.h"
 #include "net/proto.h"
 
 /* When the next thing reaches a node on a message's account: not before `at`, nor before the machine's next
@@ -55,7 +55,7 @@ struct proto {
     struct wire *wire;
     struct proto_nodes nodes;
     struct proto_place *places;
-    struct pool messages[PROTO_SIZES], trips;
+    struct arena messages[PROTO_SIZES], trips;
     uint64_t under_way;
     uint64_t
         least_milli; /* no node's system takes less than so many thousandths of the time that an ordinary one's does */

@@ -17,11 +17,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "kernel/cache.h"
+#include "kernel/prefetch.h"
 #include "kernel/fiber.h"
 #include "kernel/vtime.h"
 #include "kernel/workers.h"
-#include "node/waits.h"
+#include "lp/waits.h"
 #include "nx_api/calls/mailbox.h"
 #include "nx_api/calls/mailbox_ids.h"
 
@@ -190,7 +190,7 @@ struct node_beside {
     struct node_error error;
 };
 
-/* What a message that comes needs lies in the node's first block of the cache (cache.h), up to what stats tell of sending and
+/* What a message that comes needs lies in the node's first block of the cache (prefetch.h), up to what stats tell of sending and
  * receiving; in one line behind it what stats tell of most calls; then some calls; and from fiber.self up to ahead.up_to what
  * else most calls need. */
 struct node {

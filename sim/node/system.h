@@ -2,12 +2,12 @@
 #ifndef NODE_SYSTEM_H
 #define NODE_SYSTEM_H
 #include "config/config.h"
-#include "kernel/bounds.h"
-#include "kernel/cache.h"
+#include "kernel/mintree.h"
+#include "kernel/prefetch.h"
 #include "kernel/evq.h"
-#include "kernel/pool.h"
+#include "kernel/arena.h"
 #include "net/proto.h"
-#include "node/file.h"
+#include "guest/file.h"
 #include "node/node.h"
 
 enum node_stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
@@ -22,7 +22,7 @@ struct node_absent {
 struct node_system {
     const struct cfg_machine *cfg;
     struct evq *q;
-    struct bounds checks;   /* beside it: computing nodes' next checks for messages: cpu.h */
+    struct mintree checks;   /* beside it: computing nodes' next checks for messages: cpu.h */
     struct instant present; /* the event that happens now, or was the last, or a turn in passing */
     struct instant reached; /* the latest of those before: turns.h */
     struct proto *proto;
@@ -30,7 +30,7 @@ struct node_system {
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
-    struct pool made, made_beside; /* what nodes are made of; to be freed behind them */
+    struct arena made, made_beside; /* what nodes are made of; to be freed behind them */
     struct node_region *roomy;     /* regions of address space with room for more nodes: span.h */
     uintptr_t last_region;         /* the latest that lies where all are meant to; 0: none */
     bool isolate;                  /* only `writable` may write to its memory: isolate.h */

@@ -2,8 +2,8 @@
 #include "observe/profile.h"
 #include <stdlib.h>
 #include <string.h>
-#include "node/clock.h"
-#include "node/image.h"
+#include "lp/clock.h"
+#include "guest/image.h"
 #include "nx_api/nxcc/image.h"
 
 /* Of what was compiled without --profile, if the program has such parts. */

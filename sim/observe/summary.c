@@ -2,7 +2,7 @@
 #include "observe/summary.h"
 #include <inttypes.h>
 #include "cfs/cfs.h"
-#include "node/clock.h"
+#include "lp/clock.h"
 #include "observe/json_file.h"
 
 /* What the program itself has computed, by its cost units. */

@@ -12,23 +12,23 @@
  *    is put into the queue again, so much later. That is repeated until the turn comes and nothing has put it off.
  * 5. A call is made in its turn, at once and as a whole. The time it takes is added to the clock, and the program goes on from there.
  * 6. A handler that is due by the program's time runs when its turn has come at a poll, when it enters a call, and while it waits in
- *    one; not while another runs, nor while they are masked. Between two of them the program has its share (node/handlers.h).
+ *    one; not while another runs, nor while they are masked. Between two of them the program has its share (os/handlers.h).
  * 7. A call that waits does so until what it waits for is there: that is looked at in its turn, and then whenever something comes
  *    to the node.
- * 8. A program that crashes while it computes is known to have done so at its next look (node/clock.h): the poll at which it had
+ * 8. A program that crashes while it computes is known to have done so at its next look (lp/clock.h): the poll at which it had
  *    last stopped depends on what else happened.
  */
 #include <errno.h>
 #include "kernel/evq.h"
 #include "kernel/fiber.h"
-#include "node/account.h"
-#include "node/clock.h"
-#include "node/engine.h"
-#include "node/handlers.h"
-#include "node/isolate.h"
-#include "node/mailbox.h"
+#include "os/charge.h"
+#include "lp/clock.h"
+#include "lp/engine.h"
+#include "os/handlers.h"
+#include "guest/isolate.h"
+#include "os/mailbox.h"
 #include "node/system.h"
-#include "node/trace.h"
+#include "guest/trace.h"
 
 const char ENGINE_NAME[] = "reference";
 

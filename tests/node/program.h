@@ -14,9 +14,9 @@
 #include <string.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "node/engine.h"
-#include "node/image.h"
-#include "node/libc.h"
+#include "lp/engine.h"
+#include "guest/image.h"
+#include "guest/libc.h"
 #include "node/system.h"
 
 #define LINKED_AS_BY_NXCC                                                                                    \

@@ -1,4 +1,4 @@
-/* A node's heap: sim/node/heap.h. */
+/* A node's heap: sim/guest/heap.h. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <cmocka.h>
-#include "node/heap.h"
+#include "guest/heap.h"
 
 #define LIMIT ((size_t)4 << 20)
 #define SLOTS 500

@@ -1,7 +1,7 @@
-/* The program loader: sim/node/image.h. */
+/* The program loader: sim/guest/image.h. */
 #include "program.h"
 #include <elf.h>
-#include "node/elffile.h"
+#include "guest/elffile.h"
 #include "nx_api/nxcc/image.h"
 
 /* --- programs ----------------------------------------------------------------------------------------------- */

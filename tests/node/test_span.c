@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "node/span.h"
+#include "guest/span.h"
 #include "node/system.h"
 
 enum { NODES = 3, PROGRAM = 100 << 10 };

@@ -8,5 +8,5 @@
 #define DATA(name) .pushsection .data; .globl name; .type name, @object; .size name, 8; name: .quad 0; .popsection;
 
     .text
-#include "../../../sim/node/exports.def"
+#include "../../../sim/guest/exports.def"
     .section .note.GNU-stack, "", @progbits

@@ -1,0 +1,120 @@
+/* folder.c - see folder.h. */
+#include "guest/folder.h"
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "guest/file.h"
+#include "guest/libc_parts.h"
+#include "node/node.h"
+
+static char *joined(const char *folder, const char *path)
+{
+    char *whole;
+    if (asprintf(&whole, "%s/%s", folder, path) < 0)
+        abort();
+    return whole;
+}
+
+const char *folder_path(struct node *n, const char *path, int slot)
+{
+    struct node_libc *c = n->libc;
+    if (c->folder == NULL || *path == '/' || *path == 0)
+        return path;
+    free(c->whole[slot]);
+    return c->whole[slot] = joined(c->folder, path);
+}
+
+void folder_free(struct node_libc *c)
+{
+    free(c->folder);
+    for (int i = 0; i < FOLDER_SLOTS; i++)
+        free(c->whole[i]);
+}
+
+/* Takes "//", "." and ".." out of a path that begins with /. */
+static void tidy(char *path)
+{
+    char *end = path;
+    for (const char *from = path; *from;) {
+        size_t len = strcspn(++from, "/");
+        if (len == 2 && from[0] == '.' && from[1] == '.') {
+            while (end > path && *--end != '/')
+                ;
+        } else if (len > 0 && !(len == 1 && *from == '.')) {
+            *end++ = '/';
+            memmove(end, from, len);
+            end += len;
+        }
+        from += len;
+    }
+    if (end == path)
+        *end++ = '/';
+    *end = 0;
+}
+
+/* The machine's file system has no folders: every name there may begin one. */
+static int check_is_folder(struct node *n, const char *path)
+{
+    struct stat st;
+    if (file_is_simulated(path))
+        return 0;
+    if (file_stat(n, path, &st) != 0)
+        return -1;
+    if (S_ISDIR(st.st_mode))
+        return 0;
+    errno = ENOTDIR;
+    return -1;
+}
+
+/* The folder in use, for free(). NULL: errno says why. */
+static char *present(struct node *n)
+{
+    return n->libc->folder ? strdup(n->libc->folder) : getcwd(NULL, 0);
+}
+
+int node_chdir(const char *path)
+{
+    struct node *n = node_self();
+    char *now = *path == '/' ? strdup("") : present(n);
+    char *to = now ? joined(now, path) : NULL;
+    free(now);
+    if (to == NULL || *path == 0 || check_is_folder(n, to) != 0) {
+        int why = *path == 0 ? ENOENT : node_errno();
+        free(to);
+        node_set_errno(why);
+        return -1;
+    }
+    tidy(to);
+    free(n->libc->folder);
+    n->libc->folder = to;
+    return 0;
+}
+
+void *node_malloc(size_t bytes);
+
+/* With NULL: in memory of the program's own, as GNU has it. */
+char *node_getcwd(char *buf, size_t size)
+{
+    char *now = present(node_self());
+    size_t bytes = now ? strlen(now) + 1 : 0;
+    if (now && buf == NULL)
+        buf = node_malloc(size = size > bytes ? size : bytes);
+    if (now && bytes > size)
+        errno = ERANGE;
+    if (now == NULL || buf == NULL || bytes > size)
+        buf = NULL;
+    else
+        memcpy(buf, now, bytes);
+    int why = node_errno();
+    free(now);
+    node_set_errno(why);
+    return buf;
+}
+
+char *node_getwd(char *buf)
+{
+    return node_getcwd(buf, PATH_MAX);
+}

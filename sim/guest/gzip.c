@@ -1,0 +1,165 @@
+/* gzip.c - zlib's gzopen and its kin for node programs, over the node's own files: so that reading a compressed file
+ * of the Concurrent File System takes that file system's time. Reading only; a plain file is seen through, as zlib does.
+ * The decompressor's memory is the node's. The processor's time is in the compiler's table of calls (gzread). */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
+#include "guest/heap.h"
+#include "guest/libc_parts.h"
+#include "node/node.h"
+
+struct gz {
+    FILE *file;
+    z_stream z;
+    bool packed;   /* else plain */
+    bool end, bad; /* of the data; of their format */
+    z_off_t at;
+    unsigned char in[8192];
+};
+
+static voidpf take(voidpf n, uInt items, uInt size)
+{
+    return node_heap_alloc(((struct node *)n)->heap, (size_t)items * size);
+}
+
+static void give_back(voidpf n, voidpf p)
+{
+    node_heap_release(((struct node *)n)->heap, p);
+}
+
+static size_t fill(struct gz *g)
+{
+    g->z.next_in = g->in;
+    g->z.avail_in = (uInt)fread(g->in, 1, sizeof g->in, g->file);
+    return g->z.avail_in;
+}
+
+/* From the beginning of the file: is it packed? */
+static bool start(struct gz *g)
+{
+    g->end = g->bad = false;
+    g->at = 0;
+    fill(g);
+    g->packed = g->z.avail_in > 1 && g->in[0] == 0x1f && g->in[1] == 0x8b;
+    return !g->packed || inflateReset(&g->z) == Z_OK;
+}
+
+gzFile node_gzopen(const char *path, const char *mode)
+{
+    enum { ANY_WINDOW_GZIP = 15 + 16 };
+    struct node *n = node_self();
+    if (strpbrk(mode, "wa+")) {
+        errno = EINVAL;
+        return NULL;
+    }
+    FILE *file = stream_fopen(&n->libc->streams, n, path, "rb");
+    struct gz *g = file ? node_heap_alloc(n->heap, sizeof *g) : NULL;
+    if (!g)
+        goto fail;
+    *g = (struct gz){.file = file, .z = {.zalloc = take, .zfree = give_back, .opaque = n}};
+    if (inflateInit2(&g->z, ANY_WINDOW_GZIP) != Z_OK)
+        goto fail;
+    if (start(g))
+        return (gzFile)g;
+    inflateEnd(&g->z);
+fail:
+    if (file)
+        stream_fclose(&n->libc->streams, file);
+    if (g)
+        node_heap_release(n->heap, g);
+    return NULL;
+}
+
+/* Bytes of a member after a member go on; anything else after one is the end. */
+static bool next_member(struct gz *g)
+{
+    if (g->z.avail_in == 0 && fill(g) == 0)
+        return false;
+    return g->z.next_in[0] == 0x1f && inflateReset(&g->z) == Z_OK;
+}
+
+static size_t read_packed(struct gz *g, void *buf, size_t size)
+{
+    g->z.next_out = buf;
+    g->z.avail_out = (uInt)size;
+    while (g->z.avail_out > 0 && !g->end && !g->bad) {
+        if (g->z.avail_in == 0 && fill(g) == 0) {
+            g->bad = true; /* it ends in the middle */
+            break;
+        }
+        int r = inflate(&g->z, Z_NO_FLUSH);
+        if (r == Z_STREAM_END)
+            g->end = !next_member(g);
+        else if (r != Z_OK && r != Z_BUF_ERROR)
+            g->bad = true;
+    }
+    return size - g->z.avail_out;
+}
+
+static size_t read_plain(struct gz *g, char *buf, size_t size)
+{
+    size_t got = g->z.avail_in < size ? g->z.avail_in : size;
+    memcpy(buf, g->z.next_in, got);
+    g->z.next_in += got;
+    g->z.avail_in -= (uInt)got;
+    got += fread(buf + got, 1, size - got, g->file);
+    g->end = got < size;
+    return got;
+}
+
+int node_gzread(gzFile file, voidp buf, unsigned size)
+{
+    struct gz *g = (struct gz *)file;
+    size_t got = g->packed ? read_packed(g, buf, size) : read_plain(g, buf, size);
+    g->at += (z_off_t)got;
+    return g->bad && got == 0 ? -1 : (int)got;
+}
+
+static bool skip_to(struct gz *g, z_off_t to)
+{
+    char waste[1024];
+    while (g->at < to) {
+        z_off_t left = to - g->at;
+        if (node_gzread((gzFile)g, waste, left < (z_off_t)sizeof waste ? (unsigned)left : sizeof waste) <= 0)
+            return false;
+    }
+    return true;
+}
+
+z_off_t node_gzseek(gzFile file, z_off_t offset, int whence)
+{
+    struct gz *g = (struct gz *)file;
+    z_off_t to = whence == SEEK_CUR ? g->at + offset : offset;
+    if (whence == SEEK_END || to < 0)
+        return -1;
+    if (to < g->at) {
+        rewind(g->file);
+        if (!start(g))
+            return -1;
+    }
+    return skip_to(g, to) ? to : -1;
+}
+
+int node_gzeof(gzFile file)
+{
+    return ((struct gz *)file)->end;
+}
+
+const char *node_gzerror(gzFile file, int *number)
+{
+    const struct gz *g = (const struct gz *)file;
+    if (number)
+        *number = g->bad ? Z_DATA_ERROR : Z_OK;
+    return g->bad ? "the compressed data are damaged or cut short" : "";
+}
+
+int node_gzclose(gzFile file)
+{
+    struct gz *g = (struct gz *)file;
+    struct node *n = node_self();
+    inflateEnd(&g->z);
+    int r = stream_fclose(&n->libc->streams, g->file);
+    node_heap_release(n->heap, g);
+    return r ? Z_ERRNO : Z_OK;
+}

@@ -1,0 +1,341 @@
+/* heap.c - malloc for one node: see heap.h.
+ *
+ * Blocks lie without gaps from base to top. Each has a 16-byte head in front of what the program gets:
+ *
+ *     base                                                                         top
+ *     | size prev tag asked | program's bytes, rest | size prev tag | free: links | ... |        not in use
+ *
+ * size is that of the block, head included, and prev that of the block before it, so that both neighbours can
+ * be found. tag tells used from free blocks and foreign pointers from both. The program has asked for `asked` bytes; the rest
+ * of the block, if there is any, holds REST, so that writing past the end is seen. Invariants: no two free blocks
+ * touch, and the block below top is in use: top - base is what the heap takes of the node's memory.
+ *
+ * Free blocks are kept in bins by size: one bin for each size below 512 bytes, then one for each power of
+ * two. A request takes the best block of its own bin, else the first of the next bin that has any, else moves
+ * top.
+ */
+#include <assert.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "guest/heap.h"
+
+#define HEAD 16u
+#define LEAST 32u /* a head and two links */
+#define EXACT_BINS 32u
+#define BINS 64u
+#define TAG_USED 0xa110ca7eu
+#define TAG_FREE 0x0f4eeb10u
+#define REST 0xe5
+
+struct block {
+    uint32_t size, prev, tag, asked;
+    struct block *next_free, *prev_free; /* of a free block; the program's bytes begin here */
+};
+
+struct node_heap {
+    char *base, *top;
+    size_t limit;
+    uint32_t last;   /* size of the block below top, 0 when there is none */
+    uint64_t filled; /* bit b: bins[b] is not empty */
+    struct block *bins[BINS];
+    int (*room)(void *ctx, size_t bytes);
+    void (*grown)(void *ctx);
+    void *ctx;
+};
+
+struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx, size_t bytes),
+                                void (*grown)(void *ctx), void *ctx)
+{
+    assert((uintptr_t)base % HEAD == 0 && limit <= UINT32_MAX / 2);
+    struct node_heap *h = calloc(1, sizeof *h);
+    if (h == NULL)
+        abort();
+    h->base = h->top = base;
+    h->limit = limit;
+    h->room = room;
+    h->grown = grown;
+    h->ctx = ctx;
+    return h;
+}
+
+void node_heap_free(struct node_heap *h)
+{
+    free(h);
+}
+
+size_t node_heap_used(const struct node_heap *h)
+{
+    return (size_t)(h->top - h->base);
+}
+
+/* The tag depends on the address, so that a copied head does not pass for a block. */
+static uint32_t tag_at(const struct block *b, uint32_t kind)
+{
+    return kind ^ (uint32_t)((uintptr_t)b >> 4);
+}
+static bool is_free(const struct block *b)
+{
+    return b->tag == tag_at(b, TAG_FREE);
+}
+static struct block *after(const struct block *b)
+{
+    return (struct block *)((char *)b + b->size);
+}
+static struct block *before(const struct block *b)
+{
+    return (struct block *)((char *)b - b->prev);
+}
+
+static unsigned bin_of(uint32_t size)
+{
+    unsigned exact = size / HEAD;
+    return exact < EXACT_BINS ? exact : EXACT_BINS + (unsigned)(31 - __builtin_clz(size)) - 9;
+}
+
+static void put_in_bin(struct node_heap *h, struct block *b)
+{
+    unsigned i = bin_of(b->size);
+    b->tag = tag_at(b, TAG_FREE);
+    b->prev_free = NULL;
+    b->next_free = h->bins[i];
+    if (b->next_free != NULL)
+        b->next_free->prev_free = b;
+    h->bins[i] = b;
+    h->filled |= UINT64_C(1) << i;
+}
+
+static void take_from_bin(struct node_heap *h, struct block *b)
+{
+    unsigned i = bin_of(b->size);
+    if (b->next_free != NULL)
+        b->next_free->prev_free = b->prev_free;
+    if (b->prev_free != NULL)
+        b->prev_free->next_free = b->next_free;
+    else if ((h->bins[i] = b->next_free) == NULL)
+        h->filled &= ~(UINT64_C(1) << i);
+    b->tag = 0;
+}
+
+/* --- what was written where it must not be --- */
+
+static unsigned char *bytes_of(struct block *b)
+{
+    return (unsigned char *)b + HEAD;
+}
+
+/* The program has asked for so many bytes of a block. */
+static void set_asked(struct block *b, size_t asked)
+{
+    b->asked = (uint32_t)asked;
+    memset(bytes_of(b) + asked, REST, b->size - HEAD - asked);
+}
+
+static bool is_within(const struct block *b)
+{
+    const unsigned char *bytes = (const unsigned char *)b + HEAD;
+    if (b->asked > b->size - HEAD)
+        return false;
+    for (size_t i = b->asked; i < b->size - HEAD; i++)
+        if (bytes[i] != REST)
+            return false;
+    return true;
+}
+
+/* A free block of at least size bytes, the best of its bin; NULL when there is none. */
+static struct block *find_free(const struct node_heap *h, uint32_t size)
+{
+    unsigned i = bin_of(size);
+    struct block *best = NULL;
+    for (struct block *b = h->bins[i]; b != NULL && (best == NULL || best->size != size); b = b->next_free)
+        if (b->size >= size && (best == NULL || b->size < best->size))
+            best = b;
+    uint64_t larger = h->filled & ~((UINT64_C(2) << i) - 1);
+    if (best == NULL && larger != 0)
+        best = h->bins[__builtin_ctzll(larger)];
+    return best;
+}
+
+/* Sets a block's size where the block above it, or the heap for the last one, looks for it. */
+static void set_size(struct node_heap *h, struct block *b, uint32_t size)
+{
+    b->size = size;
+    if ((char *)b + size == h->top)
+        h->last = size;
+    else
+        after(b)->prev = size;
+}
+
+/* Moves top up to end; false when the node's memory does not allow it. */
+static bool raise_top(struct node_heap *h, char *end)
+{
+    size_t bytes = (size_t)(end - h->base);
+    if (bytes > h->limit || !h->room(h->ctx, bytes))
+        return false;
+    h->top = end;
+    h->grown(h->ctx);
+    return true;
+}
+
+/* Gives a block that is in no bin back: merges it with free neighbours, lowers top when it was the last. */
+static void give_back(struct node_heap *h, struct block *b)
+{
+    uint32_t size = b->size;
+    if ((char *)after(b) != h->top && is_free(after(b))) {
+        take_from_bin(h, after(b));
+        size += after(b)->size;
+    }
+    b->tag = 0;
+    if (b->prev != 0 && is_free(before(b))) {
+        b = before(b);
+        take_from_bin(h, b);
+        size += b->size;
+    }
+    if ((char *)b + size == h->top) {
+        h->top = (char *)b;
+        h->last = b->prev;
+        h->grown(h->ctx);
+    } else {
+        set_size(h, b, size);
+        put_in_bin(h, b);
+    }
+}
+
+/* Cuts a used block down to size when the rest is worth a block. */
+static void trim(struct node_heap *h, struct block *b, uint32_t size)
+{
+    if (b->size - size < LEAST)
+        return;
+    struct block *rest = (struct block *)((char *)b + size);
+    rest->prev = size;
+    set_size(h, rest, b->size - size);
+    b->size = size;
+    give_back(h, rest);
+}
+
+/* Size of the block for a request, 0 when no heap could hold it. */
+static uint32_t block_size(const struct node_heap *h, size_t bytes)
+{
+    if (bytes > h->limit)
+        return 0;
+    size_t size = (bytes + HEAD + HEAD - 1) / HEAD * HEAD;
+    return (uint32_t)(size < LEAST ? LEAST : size);
+}
+
+void *node_heap_alloc(struct node_heap *h, size_t bytes)
+{
+    uint32_t size = block_size(h, bytes);
+    if (size == 0)
+        return NULL;
+    struct block *b = find_free(h, size);
+    if (b != NULL) {
+        take_from_bin(h, b);
+        b->tag = tag_at(b, TAG_USED);
+        trim(h, b, size);
+        set_asked(b, bytes);
+    } else {
+        b = (struct block *)h->top;
+        if (!raise_top(h, h->top + size))
+            return NULL;
+        b->prev = h->last;
+        b->tag = tag_at(b, TAG_USED);
+        set_size(h, b, size);
+        set_asked(b, bytes);
+    }
+    return (char *)b + HEAD;
+}
+
+/* The used block behind a pointer the program gave, NULL when it is not one or is damaged. */
+static struct block *block_of(const struct node_heap *h, const void *p)
+{
+    uintptr_t at = (uintptr_t)p - (uintptr_t)h->base;
+    if (at % HEAD != 0 || at < HEAD || at >= node_heap_used(h))
+        return NULL;
+    struct block *b = (struct block *)((char *)p - HEAD);
+    if (b->tag != tag_at(b, TAG_USED) || b->size > (size_t)(h->top - (char *)b) || b->size < LEAST)
+        return NULL;
+    /* the neighbours agree: nothing was written over either head */
+    if ((char *)after(b) == h->top ? h->last != b->size : after(b)->prev != b->size)
+        return NULL;
+    if (!is_within(b))
+        return NULL;
+    return b->prev == 0 || (b->prev <= at - HEAD && before(b)->size == b->prev) ? b : NULL;
+}
+
+/* Is there a head where one has to be? */
+static bool has_head(const struct node_heap *h, const struct block *b, uint32_t prev)
+{
+    size_t room = (size_t)(h->top - (const char *)b);
+    return (b->tag == tag_at(b, TAG_USED) || is_free(b)) && b->prev == prev && b->size >= LEAST &&
+           b->size <= room && b->size % HEAD == 0;
+}
+
+size_t node_heap_check(const struct node_heap *h, const void **block)
+{
+    uint32_t prev = 0;
+    const struct block *last = NULL;
+    for (const struct block *b = (const struct block *)h->base; (const char *)b < h->top;
+         last = b, prev = b->size, b = after(b)) {
+        bool good = has_head(h, b, prev);
+        if (good && (is_free(b) || is_within(b)))
+            continue;
+        const struct block *culprit = good || !last ? b : last; /* who ran over a head is before it */
+        *block = (const char *)culprit + HEAD;
+        size_t most = culprit->size - HEAD;
+        return is_free(culprit) || culprit->asked > most ? most : culprit->asked;
+    }
+    *block = NULL;
+    return 0;
+}
+
+bool node_heap_owns(const struct node_heap *h, const void *p)
+{
+    return block_of(h, p) != NULL;
+}
+
+int node_heap_release(struct node_heap *h, void *p)
+{
+    struct block *b = block_of(h, p);
+    if (b == NULL)
+        return -1;
+    give_back(h, b);
+    return 0;
+}
+
+/* Lets a used block grow upwards to size, into a free neighbour or past top. */
+static bool widen(struct node_heap *h, struct block *b, uint32_t size)
+{
+    if ((char *)after(b) == h->top) {
+        if (!raise_top(h, (char *)b + size))
+            return false;
+        set_size(h, b, size);
+        return true;
+    }
+    struct block *next = after(b);
+    if (!is_free(next) || b->size + next->size < size)
+        return false;
+    take_from_bin(h, next);
+    set_size(h, b, b->size + next->size);
+    trim(h, b, size);
+    return true;
+}
+
+void *node_heap_resize(struct node_heap *h, void *p, size_t bytes)
+{
+    struct block *b = block_of(h, p);
+    uint32_t size = block_size(h, bytes);
+    if (b == NULL || size == 0)
+        return NULL;
+    if (size <= b->size || widen(h, b, size)) {
+        trim(h, b, size);
+        set_asked(b, bytes);
+        return p;
+    }
+    void *q = node_heap_alloc(h, bytes);
+    if (q != NULL) {
+        memcpy(q, p, b->asked);
+        give_back(h, b);
+    }
+    return q;
+}

@@ -1,0 +1,406 @@
+/* image.c - the program loader: see image.h.
+ *
+ *     file      | headers, text, constants          | initialised data |
+ *     in a node | text: the file's pages, shared     | data: private copy of a template | bss, 0 |
+ *                 one mapping                          one anonymous mapping
+ *
+ * All that is the same on every node is done once, in node_image_open: checks, symbols, and a template of the
+ * data in which every relocation is applied as for a program at address 0. A node then gets two mappings, a
+ * copy of the template, its own address added to the words that hold addresses, and the addresses of its own
+ * streams.
+ */
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include "guest/elffile.h"
+#include "guest/exports.h"
+#include "guest/image.h"
+#include "guest/libc.h"
+#include "node/node.h"
+#include "nx_api/nxcc/image.h"
+
+#define PAGE ((uint64_t)4096)
+
+/* Consecutive read-only segments that one mapping can serve. */
+struct shared_part {
+    uint64_t at, bytes, file_offset; /* page rounded */
+    int protection;
+};
+
+/* A word that refers to a C library variable of which each node has its own. */
+struct own_word {
+    uint64_t at; /* offset in the data */
+    const char *name;
+    bool copy; /* it holds the variable's value, not its address */
+    int64_t addend;
+};
+
+struct node_image {
+    struct elf_file *elf;
+    uint64_t bytes; /* the whole program, page rounded */
+    struct shared_part *shared;
+    size_t shared_count;
+    uint64_t data_at, data_bytes; /* data and bss, page rounded */
+    unsigned char *template;      /* the first template_bytes of the data; the rest is zero */
+    uint64_t template_bytes;
+    uint64_t *addresses; /* offsets in the data of words that hold an address in the program */
+    size_t address_count;
+    struct own_word *own;
+    size_t own_count;
+    uint64_t object; /* of nxc_image */
+    bool long32;     /* its long has 32 bits */
+};
+
+static void *zeroed(size_t count, size_t size)
+{
+    void *p = calloc(count + 1, size);
+    if (p == NULL)
+        abort();
+    return p;
+}
+
+static uint64_t page_down(uint64_t x)
+{
+    return x & ~(PAGE - 1);
+}
+static uint64_t page_up(uint64_t x)
+{
+    return (x + PAGE - 1) & ~(PAGE - 1);
+}
+
+static int protection_of(const Elf64_Phdr *p)
+{
+    return ((p->p_flags & PF_R) ? PROT_READ : 0) | ((p->p_flags & PF_X) ? PROT_EXEC : 0);
+}
+
+/* Adds a read-only segment, to the last part when the file continues there: fewer mappings a node matter more
+ * than constants that could be executed, since the kernel allows a process only some 65,000. */
+static void add_shared(struct node_image *img, const Elf64_Phdr *p)
+{
+    uint64_t at = page_down(p->p_vaddr), end = page_up(p->p_vaddr + p->p_memsz);
+    uint64_t offset = page_down(p->p_offset);
+    if (img->shared_count > 0) {
+        struct shared_part *last = &img->shared[img->shared_count - 1];
+        if (offset - last->file_offset == at - last->at && at - (last->at + last->bytes) < 16 * PAGE) {
+            last->bytes = end - last->at;
+            last->protection |= protection_of(p);
+            return;
+        }
+    }
+    img->shared[img->shared_count++] = (struct shared_part){at, end - at, offset, protection_of(p)};
+}
+
+/* Everything from the first writable segment on is data. */
+static bool lay_out(struct node_image *img, char **error)
+{
+    const struct elf_file *f = img->elf;
+    const Elf64_Phdr *p = f->loads, *end = f->loads + f->load_count;
+    uint64_t shared_end = 0;
+    img->shared = zeroed(f->load_count, sizeof *img->shared);
+    for (; p < end && !(p->p_flags & PF_W); p++) {
+        add_shared(img, p);
+        shared_end = page_up(p->p_vaddr + p->p_memsz);
+    }
+    img->data_at = p < end ? page_down(p->p_vaddr) : shared_end;
+    img->bytes = page_up(end[-1].p_vaddr + end[-1].p_memsz);
+    img->data_bytes = img->bytes - img->data_at;
+    if (img->bytes > NODE_REGION / 2)
+        return elf_fail(error, "%s: the program needs %llu MB, more than a node can address", f->path,
+                        (unsigned long long)(img->bytes >> 20));
+    if (img->data_at < shared_end)
+        return elf_fail(error, "%s: code and data share a page: link it with nxcc", f->path);
+    for (const Elf64_Phdr *q = p; q < end; q++) {
+        if (q->p_flags & PF_X)
+            return elf_fail(error, "%s: has code that may be written to: link it with nxcc", f->path);
+        img->template_bytes = q->p_vaddr + q->p_filesz - img->data_at;
+    }
+    img->template = zeroed(img->template_bytes, 1);
+    for (; p < end; p++)
+        memcpy(img->template + (p->p_vaddr - img->data_at), f->bytes + p->p_offset, p->p_filesz);
+    return true;
+}
+
+/* Finds nxc_image and checks that the file was built to the contract this loader knows. */
+static bool find_object(struct node_image *img, char **error)
+{
+    const struct elf_file *f = img->elf;
+    const Elf64_Sym *s = elf_defined(&f->dynamic, "nxc_image");
+    struct nxc_image object;
+    const void *bytes = s == NULL ? NULL : elf_at(f, s->st_value, sizeof object);
+    if (bytes == NULL)
+        return elf_fail(error, "%s: %s", f->path, ELF_NOT_NXCC);
+    memcpy(&object, bytes, sizeof object);
+    if (object.magic != NXC_IMAGE_MAGIC)
+        return elf_fail(error, "%s: %s", f->path, ELF_NOT_NXCC);
+    if (object.version != NXC_IMAGE_VERSION)
+        return elf_fail(error,
+                        "%s: built by another version of nxcc (image version %u, this is %u): build it again",
+                        f->path, object.version, NXC_IMAGE_VERSION);
+    if (s->st_value < img->data_at || s->st_value % 8 != 0)
+        return elf_fail(error, "%s: damaged: nxc_image is not among its data", f->path);
+    img->object = s->st_value;
+    img->long32 = object.long_bytes == 4;
+    return true;
+}
+
+static void put_word(struct node_image *img, uint64_t at, uint64_t value)
+{
+    memcpy(img->template + at, &value, sizeof value);
+}
+
+static void put_address(struct node_image *img, uint64_t at, uint64_t vaddr)
+{
+    put_word(img, at, vaddr);
+    img->addresses[img->address_count++] = at;
+}
+
+/* A word that is to hold the address of a symbol, or for R_X86_64_COPY the symbol's value. */
+static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at, char **error)
+{
+    const struct elf_file *f = img->elf;
+    if (ELF64_R_SYM(r->r_info) >= f->dynamic.count)
+        return elf_fail(error, "%s: damaged relocations: build it again", f->path);
+    const Elf64_Sym *s = &f->dynamic.sym[ELF64_R_SYM(r->r_info)];
+    const char *name = elf_name(&f->dynamic, s);
+    bool copy = ELF64_R_TYPE(r->r_info) == R_X86_64_COPY;
+    if (s->st_shndx != SHN_UNDEF && !copy) {
+        put_address(img, at, s->st_value + r->r_addend);
+        return true;
+    }
+    const struct node_export *e = node_export_find(name, img->long32);
+    if (e == NULL && ELF64_ST_BIND(s->st_info) == STB_WEAK) {
+        put_word(img, at, 0);
+    } else if (e == NULL || (copy && (e->code != NULL || s->st_size != sizeof(void *)))) {
+        return elf_fail(error,
+                        "%s: uses '%s', which nodes do not offer: it was linked against another version; "
+                        "link it again with nxcc",
+                        f->path, name);
+    } else if (e->code != NULL) {
+        put_word(img, at, (uintptr_t)e->code + r->r_addend);
+    } else {
+        img->own[img->own_count++] = (struct own_word){at, name, copy, r->r_addend};
+    }
+    return true;
+}
+
+static bool relocate(struct node_image *img, const struct elf_relocations *t, char **error)
+{
+    const char *path = img->elf->path;
+    for (size_t i = 0; i < t->count; i++) {
+        const Elf64_Rela *r = &t->rela[i];
+        uint64_t at = r->r_offset - img->data_at;
+        unsigned type = ELF64_R_TYPE(r->r_info);
+        uint64_t room = type == R_X86_64_COPY ? img->data_bytes : img->template_bytes;
+        if (type == R_X86_64_NONE)
+            continue;
+        if (r->r_offset < img->data_at || room < 8 || at > room - 8)
+            return elf_fail(error, "%s: its code holds addresses (text relocations): link it with nxcc",
+                            path);
+        switch (type) {
+        case R_X86_64_RELATIVE:
+            put_address(img, at, (uint64_t)r->r_addend);
+            break;
+        case R_X86_64_64:
+        case R_X86_64_GLOB_DAT:
+        case R_X86_64_JUMP_SLOT:
+        case R_X86_64_COPY:
+            if (!put_symbol(img, r, at, error))
+                return false;
+            break;
+        case R_X86_64_DTPMOD64:
+        case R_X86_64_DTPOFF64:
+        case R_X86_64_TPOFF64:
+        case R_X86_64_TLSDESC:
+            return elf_fail(error, "%s: uses thread-local variables: NX nodes have no threads", path);
+        default:
+            return elf_fail(error, "%s: relocation type %u is not supported: build it with nxcc", path, type);
+        }
+    }
+    return true;
+}
+
+static bool prepare(struct node_image *img, char **error)
+{
+    size_t count = img->elf->data.count + img->elf->calls.count;
+    img->addresses = zeroed(count, sizeof *img->addresses);
+    img->own = zeroed(count, sizeof *img->own);
+    return lay_out(img, error) && find_object(img, error) && relocate(img, &img->elf->data, error) &&
+           relocate(img, &img->elf->calls, error);
+}
+
+struct node_image *node_image_open(const char *path, char **error)
+{
+    struct elf_file *f = elf_open(path, error);
+    if (f == NULL)
+        return NULL;
+    struct node_image *img = zeroed(1, sizeof *img);
+    img->elf = f;
+    if (prepare(img, error))
+        return img;
+    node_image_close(img);
+    return NULL;
+}
+
+void node_image_close(struct node_image *img)
+{
+    if (img == NULL)
+        return;
+    elf_close(img->elf);
+    free(img->shared);
+    free(img->template);
+    free(img->addresses);
+    free(img->own);
+    free(img);
+}
+
+size_t node_image_bytes(const struct node_image *img)
+{
+    return img->bytes;
+}
+
+size_t node_image_data_at(const struct node_image *img)
+{
+    return img->data_at;
+}
+
+bool node_image_is_long32(const struct node_image *img)
+{
+    return img->long32;
+}
+
+const char *node_image_path(const struct node_image *img)
+{
+    return img->elf->path;
+}
+
+bool node_image_uses(const struct node_image *img, const char *name)
+{
+    const struct elf_symbols *d = &img->elf->dynamic;
+    for (size_t i = 0; i < d->count; i++)
+        if (d->sym[i].st_shndx == SHN_UNDEF && strcmp(elf_name(d, &d->sym[i]), name) == 0)
+            return true;
+    return false;
+}
+
+size_t node_image_load_bytes(const struct node_image *img)
+{
+    return img->data_at + img->template_bytes;
+}
+
+/* The file's bytes of a part; what its last page has beyond the end of the file is zero. */
+static void copy_part(const struct elf_file *f, const struct shared_part *s, char *at)
+{
+    uint64_t there = f->size - s->file_offset;
+    memcpy(at, f->bytes + s->file_offset, s->bytes < there ? s->bytes : there);
+}
+
+/* Data and bss are zero already. */
+static bool map_pages(const struct node_image *img, const struct node *n)
+{
+    for (size_t i = 0; i < img->shared_count; i++) {
+        const struct shared_part *s = &img->shared[i];
+        if (n->region->copies_text)
+            copy_part(img->elf, s, n->program + s->at);
+        else if (mmap(n->program + s->at, s->bytes, s->protection, MAP_PRIVATE | MAP_FIXED, img->elf->fd,
+                      (off_t)s->file_offset) == MAP_FAILED)
+            return false;
+    }
+    return true;
+}
+
+/* Fills the data of the program at base. Words need not be aligned (packed structures), hence memcpy. */
+static void fill_data(const struct node_image *img, struct node *n, char *base)
+{
+    char *data = base + img->data_at;
+    memcpy(data, img->template, img->template_bytes);
+    for (size_t i = 0; i < img->address_count; i++) {
+        uintptr_t word;
+        memcpy(&word, data + img->addresses[i], sizeof word);
+        word += (uintptr_t)base;
+        memcpy(data + img->addresses[i], &word, sizeof word);
+    }
+    for (size_t i = 0; i < img->own_count; i++) {
+        const struct own_word *w = &img->own[i];
+        void **variable = node_libc_data(n, w->name);
+        char *value = w->copy ? *variable : (char *)variable + w->addend;
+        memcpy(data + w->at, &value, sizeof value);
+    }
+}
+
+bool node_image_map(const struct node_image *img, struct node *n, char **error)
+{
+    char *base = n->program;
+    if (!map_pages(img, n))
+        return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->name, strerror(errno),
+                        errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
+    fill_data(img, n, base);
+    n->file = img;
+    n->image = (struct nxc_image *)(base + img->object);
+    n->image_bytes = img->bytes;
+    uintptr_t left = (uintptr_t)n->image->left, main = (uintptr_t)n->image->main;
+    uintptr_t quiet = (uintptr_t)n->image->quiet;
+    if (left - (uintptr_t)base >= img->bytes || quiet - (uintptr_t)base >= img->bytes ||
+        main - (uintptr_t)base >= img->bytes)
+        return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
+                        img->elf->path);
+    n->left = n->image->left, n->quiet = n->image->quiet;
+    return true;
+}
+
+/* Asks addr2line for the source line of an address, "FILE:LINE"; false when it does not know. Is it in NX's library? path
+ * goes through the shell, so that names with a quote in them are not asked about. */
+static bool source_line(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
+{
+    char *command, answer[PATH_MAX + 20];
+    bool known = false;
+    if (!f->debug || strchr(f->path, '\'') != NULL ||
+        asprintf(&command, "addr2line -e '%s' 0x%llx 2>/dev/null", f->path, (unsigned long long)vaddr) < 0)
+        return false;
+    FILE *p = popen(command, "r");
+    free(command);
+    if (p == NULL)
+        return false;
+    if (fgets(answer, sizeof answer, p) != NULL) {
+        const char *slash = strrchr(answer, '/'), *name = slash ? slash + 1 : answer;
+        snprintf(buf, size, "%.*s", (int)strcspn(name, "\n "), name); /* " (discriminator 2)" is of no use */
+        *library = strstr(answer, "/nx_api/") != NULL;
+        known = strchr(buf, '?') == NULL && strchr(buf, ':') != NULL;
+    }
+    return pclose(p) == 0 && known;
+}
+
+size_t node_image_function(const struct node_image *img, size_t offset)
+{
+    const char *name;
+    const Elf64_Sym *s = elf_function_at(img->elf, offset, &name);
+    return s ? s->st_value : offset;
+}
+
+const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size)
+{
+    uint64_t vaddr = offset;
+    const char *name;
+    char line[200];
+    bool library;
+    if (vaddr >= img->bytes) {
+        snprintf(buf, size, "outside the program");
+        return buf;
+    }
+    const Elf64_Sym *s = elf_function_at(img->elf, vaddr, &name);
+    if (s == NULL)
+        snprintf(buf, size, "program+0x%llx", (unsigned long long)vaddr);
+    else if (source_line(img->elf, vaddr, line, sizeof line, &library))
+        snprintf(buf, size, "%s+0x%llx (%s)", name, (unsigned long long)(vaddr - s->st_value), line);
+    else
+        snprintf(buf, size, "%s+0x%llx", name, (unsigned long long)(vaddr - s->st_value));
+    return buf;
+}
+
+bool node_image_line(const struct node_image *img, size_t offset, char *buf, size_t size)
+{
+    bool library = false;
+    return offset < img->bytes && source_line(img->elf, offset, buf, size, &library) && !library;
+}

@@ -1,0 +1,290 @@
+/* libc.c - a node's part of the C library: what is made and freed with it, its ending, and its small state.
+ * Its surroundings are in libc_system.c. Functions named node_<name> serve the node program's <name>; they run on the
+ * node's stack. */
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "guest/heap.h"
+#include "guest/libc_parts.h"
+#include "node/node.h"
+
+struct node_libc *node_libc_new(struct node *n)
+{
+    struct node_libc *c = calloc(1, sizeof *c);
+    if (c == NULL)
+        abort();
+    streams_open(&c->streams, n);
+    initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
+    return c;
+}
+
+void *node_libc_data(struct node *n, const char *name)
+{
+    struct streams *s = &n->libc->streams;
+    if (strcmp(name, "stdin") == 0)
+        return &s->in;
+    if (strcmp(name, "stdout") == 0)
+        return &s->out;
+    if (strcmp(name, "environ") == 0)
+        return &n->envp;
+    return strcmp(name, "stderr") == 0 ? &s->err : NULL;
+}
+
+void node_libc_flush(struct node *n)
+{
+    streams_flush(&n->libc->streams);
+}
+
+void node_libc_free(struct node *n)
+{
+    streams_close(&n->libc->streams);
+    descriptors_close(&n->libc->descriptors);
+    free(n->libc->atexit);
+    folder_free(n->libc);
+    node_libc_free_environment(n->libc);
+    free(n->libc);
+    n->libc = NULL;
+}
+
+/* --- ending --- */
+
+int node_atexit(void (*f)(void))
+{
+    struct node_libc *c = node_self()->libc;
+    void (**more)(void) = realloc(c->atexit, (c->atexit_count + 1) * sizeof *more);
+    if (more == NULL)
+        return -1;
+    c->atexit = more;
+    c->atexit[c->atexit_count++] = f;
+    return 0;
+}
+
+/* A function that is run is off the list already, so that it may call exit() or atexit() itself. */
+static void run_atexit(struct node *n)
+{
+    struct node_libc *c = n->libc;
+    while (c->atexit_count > 0) {
+        node_leave(n);
+        c->atexit[--c->atexit_count]();
+        node_enter(n, "exit");
+    }
+}
+
+void node_libc_end(struct node *n)
+{
+    const void *block;
+    run_atexit(n);
+    node_libc_flush(n);
+    size_t bytes = node_heap_check(n->heap, &block);
+    if (block)
+        node_fail(n, "its heap is damaged: something was written before or behind the %zu bytes at %p", bytes,
+                  block);
+}
+
+_Noreturn void node_exit(int code)
+{
+    struct node *n = node_self();
+    node_enter(n, "exit");
+    node_libc_end(n);
+    node_end_here(n, NODE_EXITED, code);
+}
+
+_Noreturn void node__exit(int code)
+{
+    struct node *n = node_self();
+    node_enter(n, "_exit");
+    node_end_here(n, NODE_EXITED, code);
+}
+
+_Noreturn void node__Exit(int code)
+{
+    node__exit(code);
+}
+
+_Noreturn void node_abort(void)
+{
+    struct node *n = node_self();
+    node_libc_flush(n);
+    node_fail(n, "abort");
+}
+
+_Noreturn void node___assert_fail(const char *what, const char *file, unsigned line, const char *function)
+{
+    struct node *n = node_self();
+    node_libc_flush(n);
+    node_fail(n, "%s:%u: %s: assertion '%s' failed", file, line, function, what);
+}
+
+_Noreturn void node___stack_chk_fail(void)
+{
+    node_fail(node_self(), "a function that ends wrote past the end of an array on its stack");
+}
+
+int node_raise(int number)
+{
+    struct node *n = node_self();
+    node_libc_flush(n);
+    node_fail(n, "raise(%d)", number);
+}
+
+/* --- random numbers, strtok, locale --- */
+
+/* Every run gets the same: other numbers on each node, from its own generator (splitmix64). */
+int node_getentropy(void *buf, size_t bytes)
+{
+    uint64_t *state = &node_self()->libc->entropy;
+    if (*state == 0)
+        *state = (uint64_t)node_self()->id << 32;
+    for (size_t i = 0; i < bytes; i++) {
+        uint64_t z = *state += 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        ((unsigned char *)buf)[i] = (unsigned char)(z >> 56);
+    }
+    return 0;
+}
+
+/* rand and random share one state, as in glibc. */
+long node_random(void)
+{
+    int32_t r;
+    random_r(&node_self()->libc->random, &r);
+    return r;
+}
+
+void node_srandom(unsigned seed)
+{
+    srandom_r(seed, &node_self()->libc->random);
+}
+int node_rand(void)
+{
+    return (int)node_random();
+}
+void node_srand(unsigned seed)
+{
+    node_srandom(seed);
+}
+
+double node_drand48(void)
+{
+    double r;
+    drand48_r(&node_self()->libc->drand48, &r);
+    return r;
+}
+
+long node_lrand48(void)
+{
+    long r;
+    lrand48_r(&node_self()->libc->drand48, &r);
+    return r;
+}
+
+void node_srand48(long seed)
+{
+    srand48_r(seed, &node_self()->libc->drand48);
+}
+
+long node_mrand48(void)
+{
+    long r;
+    mrand48_r(&node_self()->libc->drand48, &r);
+    return r;
+}
+
+double node_erand48(unsigned short x[3])
+{
+    double r;
+    erand48_r(x, &node_self()->libc->drand48, &r);
+    return r;
+}
+
+long node_nrand48(unsigned short x[3])
+{
+    long r;
+    nrand48_r(x, &node_self()->libc->drand48, &r);
+    return r;
+}
+
+long node_jrand48(unsigned short x[3])
+{
+    long r;
+    jrand48_r(x, &node_self()->libc->drand48, &r);
+    return r;
+}
+
+/* As glibc's: the state before, which the generator keeps. */
+unsigned short *node_seed48(unsigned short x[3])
+{
+    struct drand48_data *d = &node_self()->libc->drand48;
+    seed48_r(x, d);
+    return d->__old_x;
+}
+
+void node_lcong48(unsigned short parameters[7])
+{
+    lcong48_r(parameters, &node_self()->libc->drand48);
+}
+
+/* The state is the program's own array from then on; the one before is returned. */
+char *node_initstate(unsigned seed, char *state, size_t bytes)
+{
+    struct random_data *r = &node_self()->libc->random;
+    char *before = (char *)(r->state - 1);
+    return initstate_r(seed, state, bytes, r) == 0 ? before : NULL;
+}
+
+char *node_setstate(char *state)
+{
+    struct random_data *r = &node_self()->libc->random;
+    char *before = (char *)(r->state - 1);
+    return setstate_r(state, r) == 0 ? before : NULL;
+}
+
+char *node_strtok(char *s, const char *delimiters)
+{
+    return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
+}
+
+/* There is one locale, "C"; asking for another gets it too. */
+static struct node_locale {
+    char name;
+} only = {'C'};
+
+struct node_locale *node_newlocale(int mask, const char *name, struct node_locale *base)
+{
+    (void)mask, (void)name, (void)base;
+    return &only;
+}
+
+struct node_locale *node_uselocale(struct node_locale *to)
+{
+    (void)to;
+    return &only;
+}
+
+void node_freelocale(struct node_locale *l)
+{
+    (void)l;
+}
+
+/* GNU's, and POSIX's, which headers call so. */
+char *node_strerror_r(int code, char *buf, size_t size)
+{
+    (void)buf, (void)size;
+    return node_strerror(code);
+}
+
+int node___xpg_strerror_r(int code, char *buf, size_t size)
+{
+    const char *text = node_strerror(code);
+    snprintf(buf, size, "%s", text);
+    return strlen(text) < size ? 0 : ERANGE;
+}
+
+char *node_strerror_l(int code, struct node_locale *l)
+{
+    (void)l;
+    return node_strerror(code);
+}

@@ -1,0 +1,298 @@
+/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, its environment, signals.
+ * The answers are the same on every computer, but for the environment, which is the user's. Functions named node_<name> serve
+ * the node program's <name>.
+ */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+#include "guest/libc_parts.h"
+#include "node/node.h"
+#include "node/system.h"
+
+/* --- names and numbers --- */
+
+/* "node3": a name without blanks, of which programs make names of files. */
+static void host_name(char *buf, size_t size)
+{
+    const struct node *n = node_self();
+    if (n->is_host)
+        snprintf(buf, size, "host");
+    else
+        snprintf(buf, size, "node%u", n->id);
+}
+
+int node_gethostname(char *buf, size_t size)
+{
+    char name[sizeof((struct utsname *)0)->nodename];
+    host_name(name, sizeof name);
+    if (size > 0)
+        snprintf(buf, size, "%s", name);
+    if (strlen(name) < size)
+        return 0;
+    errno = ENAMETOOLONG;
+    return -1;
+}
+
+/* None, which is no text. */
+int node_getdomainname(char *buf, size_t size)
+{
+    if (size > 0)
+        *buf = 0;
+    return 0;
+}
+
+long node_gethostid(void)
+{
+    return (long)node_self()->id + 1;
+}
+
+int node_uname(struct utsname *u)
+{
+    *u = (struct utsname){.sysname = "NX", .release = "1", .version = "touchstone", .machine = "i860"};
+    host_name(u->nodename, sizeof u->nodename);
+    return 0;
+}
+
+int node_getpid(void)
+{
+    return (int)node_self()->id + 1;
+}
+
+/* The one process of the system beside the program's. */
+int node_getppid(void)
+{
+    return 1;
+}
+
+int node_getpgrp(void)
+{
+    return node_getpid();
+}
+
+/* One user, in one group. */
+static int user_id(void)
+{
+    return 100;
+}
+uid_t node_getuid(void)
+{
+    return (uid_t)user_id();
+}
+uid_t node_geteuid(void)
+{
+    return (uid_t)user_id();
+}
+gid_t node_getgid(void)
+{
+    return (gid_t)user_id();
+}
+gid_t node_getegid(void)
+{
+    return (gid_t)user_id();
+}
+
+int node_nice(int by)
+{
+    (void)by; /* there is nobody to be nice to */
+    return 0;
+}
+
+/* The i860's. */
+int node_getpagesize(void)
+{
+    return 4096;
+}
+
+int node_getdtablesize(void)
+{
+    return NODE_DESCRIPTORS;
+}
+
+long node_sysconf(int name)
+{
+    switch (name) {
+    case _SC_CLK_TCK:
+        return sysconf(_SC_CLK_TCK); /* which the header promises; times() counts so */
+    case _SC_PAGESIZE:
+        return node_getpagesize();
+    case _SC_OPEN_MAX:
+        return NODE_DESCRIPTORS;
+    case _SC_NPROCESSORS_CONF:
+    case _SC_NPROCESSORS_ONLN:
+        return 1;
+    case _SC_PHYS_PAGES:
+    case _SC_AVPHYS_PAGES:
+        return (long)(node_memory_limit(node_self()) / (size_t)node_getpagesize());
+    default:
+        errno = EINVAL;
+        return -1;
+    }
+}
+
+/* --- the environment: as it was given, until the program changes it; then a list of its own --- */
+
+static char **find_variable(const struct node *n, const char *name, size_t len)
+{
+    char **e = n->envp;
+    while (e != NULL && *e != NULL && (strncmp(*e, name, len) != 0 || (*e)[len] != '='))
+        e++;
+    return e != NULL && *e != NULL ? e : NULL;
+}
+
+char *node_getenv(const char *name)
+{
+    size_t len = strlen(name);
+    char **e = find_variable(node_self(), name, len);
+    return e ? *e + len + 1 : NULL;
+}
+
+char *node_secure_getenv(const char *name)
+{
+    return node_getenv(name);
+}
+
+static size_t count_variables(const struct node *n)
+{
+    size_t count = 0;
+    while (n->envp != NULL && n->envp[count] != NULL)
+        count++;
+    return count;
+}
+
+/* Makes the list the program's own, with room for one more. */
+static bool own_environment(struct node *n)
+{
+    size_t count = count_variables(n);
+    char **list = calloc(count + 2, sizeof *list);
+    if (list == NULL)
+        return false;
+    if (count > 0)
+        memcpy(list, n->envp, count * sizeof *list);
+    free(n->libc->environment);
+    n->envp = n->libc->environment = list;
+    return true;
+}
+
+static int put_variable(struct node *n, char *text, size_t name_len)
+{
+    if (!own_environment(n)) {
+        errno = ENOMEM;
+        return -1;
+    }
+    char **e = find_variable(n, text, name_len);
+    if (e == NULL)
+        e = n->envp + count_variables(n);
+    *e = text;
+    return 0;
+}
+
+int node_unsetenv(const char *name)
+{
+    struct node *n = node_self();
+    size_t len = strlen(name);
+    if (!own_environment(n)) {
+        errno = ENOMEM;
+        return -1;
+    }
+    for (char **e; (e = find_variable(n, name, len)) != NULL;)
+        for (; *e != NULL; e++)
+            *e = e[1];
+    return 0;
+}
+
+int node_putenv(char *text)
+{
+    const char *equals = strchr(text, '=');
+    return equals ? put_variable(node_self(), text, (size_t)(equals - text)) : node_unsetenv(text);
+}
+
+/* Its texts last as long as the node. */
+int node_setenv(const char *name, const char *value, int replaces)
+{
+    struct node *n = node_self();
+    struct node_libc *c = n->libc;
+    if (!replaces && find_variable(n, name, strlen(name)) != NULL)
+        return 0;
+    char *text, **more = realloc(c->set, (c->set_count + 1) * sizeof *more);
+    if (more == NULL || asprintf(&text, "%s=%s", name, value) < 0)
+        abort();
+    c->set = more;
+    c->set[c->set_count++] = text;
+    return put_variable(n, text, strlen(name));
+}
+
+void node_libc_free_environment(struct node_libc *c)
+{
+    for (size_t i = 0; i < c->set_count; i++)
+        free(c->set[i]);
+    free(c->set);
+    free(c->environment);
+}
+
+/* The user's, as his environment says. */
+static const char *login(void)
+{
+    const char *name = node_getenv("LOGNAME");
+    if (name == NULL)
+        name = node_getenv("USER");
+    return name ? name : "nx";
+}
+
+char *node_getlogin(void)
+{
+    return (char *)(uintptr_t)login();
+}
+
+int node_getlogin_r(char *buf, size_t size)
+{
+    if (strlen(login()) >= size)
+        return ERANGE;
+    strcpy(buf, login());
+    return 0;
+}
+
+/* --- signals: none comes to a node's program but those that end it, so what is set is what was: the default --- */
+
+void (*node_signal(int number, void (*f)(int)))(int)
+{
+    (void)number, (void)f;
+    return SIG_DFL;
+}
+
+/* The same under -std=c90. */
+void (*node___sysv_signal(int number, void (*f)(int)))(int)
+{
+    return node_signal(number, f);
+}
+
+int node_sigaction(int number, const struct sigaction *to, struct sigaction *before)
+{
+    (void)number, (void)to;
+    if (before != NULL)
+        *before = (struct sigaction){.sa_handler = SIG_DFL};
+    return 0;
+}
+
+int node_sigprocmask(int how, const sigset_t *mask, sigset_t *before)
+{
+    (void)how, (void)mask;
+    if (before != NULL)
+        sigemptyset(before);
+    return 0;
+}
+
+int node_sigblock(int mask)
+{
+    (void)mask;
+    return 0;
+}
+
+int node_sigsetmask(int mask)
+{
+    (void)mask;
+    return 0;
+}

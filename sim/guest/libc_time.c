@@ -1,0 +1,184 @@
+/* libc_time.c - the C library's clocks, which are the node's virtual time.
+ *
+ * The calendar starts at a fixed moment when the program starts: results must not depend on the day they were
+ * made.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/times.h>
+#include <time.h>
+#include <unistd.h>
+#include "lp/engine.h"
+#include "guest/libc_parts.h"
+#include "node/node.h"
+#include "node/system.h"
+
+#define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
+
+/* The time when a clock call returns to the program, and what it is made of. */
+struct reading {
+    vtime now, idle, system;
+};
+
+static struct reading read_clock(const char *call)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    node_spend(n, n->sys->cfg->clock_call_ps);
+    struct reading r = {node_now(n), n->stats.idle, n->stats.system};
+    node_leave(n);
+    return r;
+}
+
+static vtime clock_call(const char *call)
+{
+    return read_clock(call).now;
+}
+
+time_t node_time(time_t *t)
+{
+    time_t now = EPOCH + (time_t)(clock_call("time") / VT_SECOND);
+    if (t != NULL)
+        *t = now;
+    return now;
+}
+
+/* Processor time: what the node did not spend waiting. */
+clock_t node_clock(void)
+{
+    struct reading r = read_clock("clock");
+    return (clock_t)((r.now - r.idle) / (VT_SECOND / CLOCKS_PER_SEC));
+}
+
+int node_gettimeofday(struct timeval *tv, void *zone)
+{
+    vtime now = clock_call("gettimeofday");
+    if (zone != NULL)
+        *(struct timezone *)zone = (struct timezone){0};
+    tv->tv_sec = EPOCH + (time_t)(now / VT_SECOND);
+    tv->tv_usec = (suseconds_t)(now % VT_SECOND / VT_MICROSECOND);
+    return 0;
+}
+
+/* All clocks are one: the calendar's, and those that count from the program's start. */
+int node_clock_gettime(clockid_t clock, struct timespec *ts)
+{
+    struct reading r = read_clock("clock_gettime");
+    bool own = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
+    vtime now = own ? r.now - r.idle : r.now;
+    ts->tv_sec = (time_t)(now / VT_SECOND) + (clock == CLOCK_REALTIME ? EPOCH : 0);
+    ts->tv_nsec = (long)(now % VT_SECOND / (VT_SECOND / 1000000000));
+    return 0;
+}
+
+/* Only the two times; the others are 0. */
+int node_getrusage(int who, struct rusage *use)
+{
+    struct reading r = read_clock("getrusage");
+    vtime user = r.now - r.idle - r.system;
+    (void)who;
+    *use = (struct rusage){
+        .ru_utime = {(time_t)(user / VT_SECOND), (suseconds_t)(user % VT_SECOND / VT_MICROSECOND)},
+        .ru_stime = {(time_t)(r.system / VT_SECOND), (suseconds_t)(r.system % VT_SECOND / VT_MICROSECOND)}};
+    return 0;
+}
+
+/* In ticks of sysconf(_SC_CLK_TCK), from the program's start. A program has no children. */
+clock_t node_times(struct tms *t)
+{
+    struct reading r = read_clock("times");
+    vtime tick = VT_SECOND / (vtime)sysconf(_SC_CLK_TCK);
+    if (t != NULL)
+        *t = (struct tms){.tms_utime = (clock_t)((r.now - r.idle - r.system) / tick),
+                          .tms_stime = (clock_t)(r.system / tick)};
+    return (clock_t)(r.now / tick);
+}
+
+/* No signal comes, as none does but those that end a program: it says what was left of the alarm before. */
+unsigned node_alarm(unsigned seconds)
+{
+    vtime *at = &node_self()->libc->alarm_at, now = clock_call("alarm");
+    vtime left = *at > now ? *at - now : 0;
+    *at = seconds > 0 ? now + seconds * VT_SECOND : 0;
+    return (unsigned)((left + VT_SECOND - 1) / VT_SECOND);
+}
+
+/* The host's, but for GNU's %s, which takes the time zone from the host. For free(). */
+static char *without_seconds(const char *format, const struct tm *tm)
+{
+    struct tm copy = *tm;
+    char seconds[24], *made = malloc(strlen(format) * sizeof seconds + 1), *to = made;
+    if (made == NULL)
+        abort();
+    snprintf(seconds, sizeof seconds, "%lld", (long long)timegm(&copy));
+    for (; *format; format++) {
+        if (format[0] == '%' && format[1] == 's')
+            to = stpcpy(to, seconds), format++;
+        else if (format[0] == '%' && format[1] != 0)
+            *to++ = *format++, *to++ = *format;
+        else
+            *to++ = *format;
+    }
+    *to = 0;
+    return made;
+}
+
+size_t node_strftime(char *buf, size_t room, const char *format, const struct tm *tm)
+{
+    char *plain = without_seconds(format, tm);
+    size_t len = strftime(buf, room, plain, tm);
+    free(plain);
+    return len;
+}
+
+/* The machine's time zone is UTC. */
+struct tm *node_localtime_r(const time_t *t, struct tm *tm)
+{
+    return gmtime_r(t, tm);
+}
+
+static bool is_over(struct node *n, void *until)
+{
+    return node_now(n) >= *(vtime *)until;
+}
+
+/* Messages are handled and handlers run meanwhile. */
+static void pause_for(const char *call, vtime t)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    vtime until = node_now(n) + t;
+    if (t > 0) {
+        node_wake(n, until);
+        node_wait(n, is_over, &until);
+    }
+    node_leave(n);
+}
+
+unsigned node_sleep(unsigned seconds)
+{
+    pause_for("sleep", seconds * VT_SECOND);
+    return 0;
+}
+
+int node_usleep(unsigned microseconds)
+{
+    pause_for("usleep", microseconds * VT_MICROSECOND);
+    return 0;
+}
+
+int node_nanosleep(const struct timespec *t, struct timespec *left)
+{
+    if (t->tv_sec < 0 || t->tv_nsec < 0 || t->tv_nsec >= 1000000000) {
+        errno = EINVAL;
+        return -1;
+    }
+    pause_for("nanosleep", (vtime)t->tv_sec * VT_SECOND + (vtime)t->tv_nsec * (VT_SECOND / 1000000000));
+    if (left != NULL)
+        *left = (struct timespec){0};
+    return 0;
+}

@@ -1,0 +1,38 @@
+/* long32.c - the C library for programs whose long has 32 bits (nxcc --long32). The loader binds a program's NAME to
+ * node_long32_NAME where there is one. Those that read or write by a format are in nx_api/calls/narrow.c.
+ */
+#include <time.h>
+#include "guest/libc_parts.h"
+#include "node/node.h"
+#include "nx_api/calls/narrow.h"
+
+FILE *nx_output(void)
+{
+    return node_self()->libc->streams.out;
+}
+
+FILE *nx_input(void)
+{
+    return node_self()->libc->streams.in;
+}
+
+int nx_scan_file(FILE *f, const char *format, va_list ap)
+{
+    return vfscanf(f, format, ap);
+}
+
+int nx_scan_text(const char *s, const char *format, va_list ap)
+{
+    return vsscanf(s, format, ap);
+}
+
+time_t node_time(time_t *t);
+
+/* time_t is such a program's long. */
+int node_long32_time(int *t)
+{
+    int now = (int)node_time(NULL);
+    if (t)
+        *t = now;
+    return now;
+}

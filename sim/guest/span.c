@@ -1,0 +1,262 @@
+/* span.c - see span.h. */
+#include "guest/span.h"
+#include <stdio.h>
+#include <sys/mman.h>
+#include "node/system.h"
+
+#ifndef MADV_GUARD_INSTALL
+#define MADV_GUARD_INSTALL 102
+#endif
+
+enum {
+    PAGE = 4096,
+    HEAD = 16 * PAGE,  /* of a span: the region's table, and room for other things to run into */
+    TABLE = 4 * PAGE,  /* of the head, in a region's first span */
+    GUARD = 16 * PAGE, /* behind programs and heaps */
+    LEAST_SHIFT = 20,  /* of a span */
+    COLOURS = 64,
+    LINE = 64,   /* stacks start at so many places of a page */
+    ENTRIES = 8, /* of the page tables, in a line */
+};
+
+_Static_assert(sizeof(struct node_region) + (NODE_REGION >> LEAST_SHIFT) * sizeof(struct node *) <= TABLE,
+               "a region's table does not fit");
+
+static size_t page_up(size_t bytes)
+{
+    return (bytes + PAGE - 1) / PAGE * PAGE;
+}
+
+/* --- guards --- */
+
+/* Mappings that this process may have, less what else it has. */
+static size_t most_mappings(const struct node_system *sys)
+{
+    enum { USUAL = 65530, OTHERS = 2000 };
+    size_t most = USUAL;
+    FILE *f = sys->most_mappings ? NULL : fopen("/proc/sys/vm/max_map_count", "r");
+    if (f) {
+        if (fscanf(f, "%zu", &most) != 1)
+            most = USUAL;
+        fclose(f);
+    }
+    most = sys->most_mappings ? sys->most_mappings : most;
+    return most > OTHERS ? most - OTHERS : 0;
+}
+
+/* Has the kernel guards that are no mappings? Tried on memory of no use. */
+static bool has_light_guards(void *page)
+{
+    return madvise(page, PAGE, MADV_GUARD_INSTALL) == 0;
+}
+
+/* A node's mappings are, with guards of both kinds: guard, stack, text, data; heap, guard. */
+static void choose_mappings(struct node_region *r, struct node_system *sys)
+{
+    size_t nodes = sys->count > sys->topo.positions ? sys->count : sys->topo.positions;
+    size_t most = most_mappings(sys);
+    r->light_guards = !sys->most_mappings && has_light_guards((char *)r + TABLE);
+    r->copies_text = nodes * (r->light_guards ? 2 : 6) > most;
+    r->guards = r->light_guards || nodes * 4 <= most ? NODE_GUARDS_ALL
+                : nodes * 2 <= most                  ? NODE_GUARDS_STACKS
+                                                     : NODE_GUARDS_NONE;
+    if (r->guards < sys->guards)
+        sys->guards = r->guards;
+}
+
+static bool guard(const struct node_region *r, char *from, char *to)
+{
+    if (from >= to)
+        return true;
+    return r->light_guards ? madvise(from, (size_t)(to - from), MADV_GUARD_INSTALL) == 0
+                           : mprotect(from, (size_t)(to - from), PROT_NONE) == 0;
+}
+
+/* --- regions --- */
+
+static uint32_t shift_for(size_t bytes)
+{
+    uint32_t shift = LEAST_SHIFT;
+    while ((size_t)1 << shift < bytes)
+        shift++;
+    return shift;
+}
+
+/* Memory that is zero and costs nothing until it is touched. */
+static void *fresh(void *where, size_t bytes, int flags)
+{
+    return mmap(where, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | flags, -1,
+                0);
+}
+
+/* At a multiple of its size, anywhere; NULL when there is no room. */
+static void *reserve_anywhere(void)
+{
+    char *wide = fresh(NULL, 2 * NODE_REGION, 0);
+    if (wide == MAP_FAILED)
+        return NULL;
+    char *region = (char *)(((uintptr_t)wide + NODE_REGION - 1) & ~(NODE_REGION - 1));
+    if (region > wide)
+        munmap(wide, (size_t)(region - wide));
+    munmap(region + NODE_REGION, (size_t)(wide + NODE_REGION - region));
+    return region;
+}
+
+/* At the first place between two that is free. NULL: there is none. */
+static void *reserve_between(uintptr_t from, uintptr_t to)
+{
+    for (uintptr_t at = from; at < to; at += NODE_REGION) {
+        void *region = fresh((void *)at, NODE_REGION, MAP_FIXED_NOREPLACE);
+        if (region == (void *)at)
+            return region;
+        if (region != MAP_FAILED)
+            munmap(region, NODE_REGION); /* an old kernel took it for a wish */
+    }
+    return NULL;
+}
+
+/* Where hosts have nothing of their own: so that programs find the same addresses in every run, whatever they do with them.
+ * (ThreadSanitizer has its tables there.) */
+#ifdef __SANITIZE_THREAD__
+static const uintptr_t FIRST_REGION = UINT64_C(1) << 36;
+#else
+static const uintptr_t FIRST_REGION = UINT64_C(1) << 45;
+#endif
+
+static void *reserve(struct node_system *sys)
+{
+    enum { TRIES = 1024 };
+    uintptr_t from = sys->last_region ? sys->last_region + NODE_REGION : FIRST_REGION;
+    void *region = reserve_between(from, from + TRIES * NODE_REGION);
+    if (!region)
+        return reserve_anywhere();
+    sys->last_region = (uintptr_t)region;
+    return region;
+}
+
+static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes, bool low)
+{
+    struct node_region *r = low ? reserve_between(NODE_REGION, UINT64_C(1) << 32) : reserve(sys);
+    if (!r)
+        return NULL;
+    r->shift = shift_for(span_bytes);
+    r->heap_bytes = heap_bytes;
+    r->heap_stride = heap_bytes + GUARD;
+    r->spans = (uint32_t)(NODE_REGION / (r->heap_stride + ((size_t)1 << r->shift)));
+    r->heaps_at = (uint64_t)r->spans << r->shift;
+    r->low = low;
+    choose_mappings(r, sys);
+    if (r->copies_text && mprotect(r, r->heaps_at, PROT_READ | PROT_WRITE | PROT_EXEC)) {
+        munmap(r, NODE_REGION);
+        return NULL;
+    }
+    r->next = sys->roomy;
+    return sys->roomy = r;
+}
+
+static struct node_region *roomy_region(struct node_system *sys, size_t span_bytes, size_t heap_bytes,
+                                        bool low)
+{
+    struct node_region *r = sys->roomy;
+    while (r && ((size_t)1 << r->shift < span_bytes || r->heap_bytes < heap_bytes || r->low != low))
+        r = r->next;
+    return r ? r : region_new(sys, span_bytes, heap_bytes, low);
+}
+
+static void unlink_region(struct node_system *sys, struct node_region *r)
+{
+    struct node_region **link = &sys->roomy;
+    while (*link != r)
+        link = &(*link)->next;
+    *link = r->next;
+}
+
+/* --- spans --- */
+
+/* A span and a heap that were another's before become as new. */
+static bool renew(const struct node_region *r, const struct node *n)
+{
+    size_t kept = n->span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
+    char *span = n->span + kept;
+    return fresh(span, bytes, MAP_FIXED) != MAP_FAILED &&
+           (!r->copies_text || mprotect(span, bytes, PROT_READ | PROT_WRITE | PROT_EXEC) == 0) &&
+           fresh(n->heap_start, r->heap_stride, MAP_FIXED) != MAP_FAILED;
+}
+
+/* Below the stack, behind the program, and behind the heap. */
+static bool make_guards(const struct node_region *r, const struct node *n, size_t program_bytes)
+{
+    char *head = n->span == (const char *)r ? n->span + TABLE : n->span;
+    char *end = n->program + program_bytes, *span_end = n->span + ((size_t)1 << r->shift);
+    char *heap_end = n->heap_start + r->heap_bytes;
+    if (r->guards == NODE_GUARDS_NONE)
+        return true;
+    if (r->light_guards)
+        span_end = end + GUARD < span_end ? end + GUARD : span_end; /* these cost for each page */
+    return guard(r, head, n->stack) && (r->guards == NODE_GUARDS_STACKS ||
+                                        (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
+}
+
+/* Else all nodes' frames would want the same few sets of the caches, and so would the entries of the page tables: the stack's
+ * top keeps off the program's start by some lines, as many as neighbours do not; and the program begins so many pages further
+ * on in the span, as far as there is room, that its entries lie in another line. */
+static void lay_out(struct node *n, size_t slot, size_t used_bytes)
+{
+    const struct node_region *r = n->region;
+    n->span = (char *)r + (slot << r->shift);
+    n->heap_start = (char *)r + r->heaps_at + slot * r->heap_stride;
+    size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
+    n->stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
+    n->program = n->stack + page_up(n->sys->cfg->stack_bytes) + PAGE;
+    n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE;
+}
+
+/* The address space that a heap gets: the node's memory, if that is not more than fits beside a span. */
+static size_t heap_room(const struct node *n, size_t span_bytes)
+{
+    size_t most = NODE_REGION - ((size_t)1 << shift_for(span_bytes)) - GUARD;
+    size_t wanted = page_up(node_memory_limit(n));
+    return wanted < most ? wanted : most;
+}
+
+bool span_take(struct node *n, size_t program_bytes, bool long32)
+{
+    struct node_system *sys = n->sys;
+    size_t bytes = HEAD + page_up(sys->cfg->stack_bytes) + 2 * PAGE + program_bytes;
+    size_t heap = heap_room(n, bytes);
+    struct node_region *r = long32 ? roomy_region(sys, bytes, heap, true) : NULL;
+    if (!r)
+        r = roomy_region(sys, bytes, heap, false);
+    if (!r)
+        return false;
+    size_t slot = r->fresh;
+    bool used = slot == r->spans;
+    if (used)
+        for (slot = 0; r->node[slot]; slot++)
+            ;
+    else
+        r->fresh++;
+    n->region = r;
+    r->node[slot] = n;
+    if (++r->used == r->spans)
+        unlink_region(sys, r);
+    lay_out(n, slot, bytes);
+    return (!used || renew(r, n)) && make_guards(r, n, program_bytes);
+}
+
+void span_release(struct node *n)
+{
+    struct node_region *r = n->region;
+    if (!r)
+        return;
+    if (r->used-- == r->spans) {
+        r->next = n->sys->roomy;
+        n->sys->roomy = r;
+    }
+    r->node[(size_t)(n->span - (char *)r) >> r->shift] = NULL;
+    n->region = NULL;
+    if (r->used)
+        return;
+    unlink_region(n->sys, r);
+    munmap(r, NODE_REGION);
+}

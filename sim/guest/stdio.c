@@ -1,0 +1,150 @@
+/* stdio.c - the stdio calls that name no stream, open or close one, or act on names of files. All others are
+ * the host's, working on the node's own FILEs. Functions named node_<name> serve the node program's <name>.
+ */
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "guest/file.h"
+#include "guest/libc_parts.h"
+#include "node/node.h"
+
+static struct streams *streams(void)
+{
+    return &node_self()->libc->streams;
+}
+
+/* --- standard output and input --- */
+
+int node_vprintf(const char *format, va_list ap)
+{
+    return vfprintf(streams()->out, format, ap);
+}
+
+int node_printf(const char *format, ...)
+{
+    va_list ap;
+    va_start(ap, format);
+    int r = vfprintf(streams()->out, format, ap);
+    va_end(ap);
+    return r;
+}
+
+int node_putchar(int c)
+{
+    return putc(c, streams()->out);
+}
+
+int node_puts(const char *s)
+{
+    FILE *out = streams()->out;
+    return fputs(s, out) == EOF || putc('\n', out) == EOF ? EOF : 1;
+}
+
+int node_putchar_unlocked(int c)
+{
+    return node_putchar(c);
+}
+
+int node_getchar_unlocked(void)
+{
+    return getc(streams()->in);
+}
+
+void node_perror(const char *s)
+{
+    int why = errno;
+    bool named = s != NULL && *s != 0;
+    fprintf(streams()->err, "%s%s%s\n", named ? s : "", named ? ": " : "", node_strerror(why));
+}
+
+int node_getchar(void)
+{
+    return getc(streams()->in);
+}
+
+char *node_gets(char *s)
+{
+    FILE *in = streams()->in;
+    size_t len = 0;
+    int c;
+    while ((c = getc(in)) != EOF && c != '\n')
+        s[len++] = (char)c;
+    s[len] = 0;
+    return c == EOF && (len == 0 || ferror(in)) ? NULL : s;
+}
+
+int node___isoc99_scanf(const char *format, ...)
+{
+    va_list ap;
+    va_start(ap, format);
+    int r = vfscanf(streams()->in, format, ap);
+    va_end(ap);
+    return r;
+}
+
+/* scanf before C99 differs in GNU's %as only. */
+int node_scanf(const char *format, ...)
+{
+    va_list ap;
+    va_start(ap, format);
+    int r = vfscanf(streams()->in, format, ap);
+    va_end(ap);
+    return r;
+}
+
+int node_vscanf(const char *format, va_list ap)
+{
+    return vfscanf(streams()->in, format, ap);
+}
+
+int node___isoc99_vscanf(const char *format, va_list ap)
+{
+    return vfscanf(streams()->in, format, ap);
+}
+
+/* --- streams --- */
+
+FILE *node_fopen(const char *path, const char *mode)
+{
+    return stream_fopen(streams(), node_self(), path, mode);
+}
+FILE *node_tmpfile(void)
+{
+    return stream_tmpfile(streams(), node_self());
+}
+int node_fclose(FILE *f)
+{
+    return stream_fclose(streams(), f);
+}
+
+FILE *node_freopen(const char *path, const char *mode, FILE *f)
+{
+    return stream_freopen(streams(), path, mode, f);
+}
+
+/* Files opened by name have no descriptors: EBADF. */
+int node_fileno(FILE *f)
+{
+    const struct streams *s = streams();
+    if (f == s->in || f == s->out || f == s->err)
+        return f == s->in ? 0 : f == s->out ? 1 : 2;
+    errno = EBADF;
+    return -1;
+}
+
+/* NULL flushes the node's streams, not the simulator's. */
+int node_fflush(FILE *f)
+{
+    if (f != NULL)
+        return fflush(f);
+    streams_flush(streams());
+    return 0;
+}
+
+/* --- names: open, unlink and the like are in descriptors.c --- */
+
+int node_remove(const char *path)
+{
+    return file_unlink(node_self(), path);
+}

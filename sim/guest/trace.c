@@ -1,0 +1,157 @@
+/* trace.c - see trace.h. */
+#include "guest/trace.h"
+#include <stdlib.h>
+#include <string.h>
+#include "guest/exports.h"
+#include "guest/image.h"
+
+enum { MOST_CALLS = 24 };
+
+static bool lies_in(uintptr_t address, const char *begin, size_t bytes)
+{
+    return address >= (uintptr_t)begin && address + 2 * sizeof(uintptr_t) <= (uintptr_t)begin + bytes;
+}
+
+/* A program may have stacks of its own making, in its data or heap. */
+bool trace_in_stack(const struct node *n, uintptr_t address)
+{
+    return lies_in(address, n->stack, n->stack_bytes) || lies_in(address, n->program, n->image_bytes) ||
+           lies_in(address, n->heap_start, n->heap_used);
+}
+
+int trace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most)
+{
+    int depth = 0;
+    while (depth < most && frame % sizeof frame == 0 && trace_in_stack(n, frame)) {
+        uintptr_t next = ((uintptr_t *)frame)[0];
+        returns[depth++] = ((uintptr_t *)frame)[1];
+        if (next <= frame)
+            break;
+        frame = next;
+    }
+    return depth;
+}
+
+bool trace_in_program(const struct node *n, uintptr_t address)
+{
+    return address - (uintptr_t)n->program < n->image_bytes;
+}
+
+void trace_print(FILE *f, const struct node *n, const char *how, uintptr_t address)
+{
+    char where[256];
+    if (trace_in_program(n, address))
+        fprintf(f, "\n  %s %s", how,
+                node_image_where(n->file, address - (uintptr_t)n->program, where, sizeof where));
+}
+
+void trace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
+{
+    uintptr_t returns[MOST_CALLS];
+    int depth = trace_walk(n, frame, returns, MOST_CALLS);
+    for (int i = 0; i < depth; i++)
+        trace_print(f, n, "called from", returns[i] - 1);
+}
+
+/* The word at an address relative to the next instruction, if that is in the program. */
+static uintptr_t word_at(const struct node *n, uintptr_t next)
+{
+    int32_t away;
+    uintptr_t word;
+    memcpy(&away, (void *)(next - sizeof away), sizeof away);
+    uintptr_t slot = next + (uintptr_t)(intptr_t)away;
+    if (!trace_in_program(n, slot) || !trace_in_program(n, slot + sizeof word - 1))
+        return 0;
+    memcpy(&word, (void *)slot, sizeof word);
+    return word;
+}
+
+/* Code that jumps where a word says, as the linker makes it: ENDBR64 perhaps, BND perhaps, JMP. */
+static uintptr_t stub_target(const struct node *n, uintptr_t at)
+{
+    static const unsigned char ENDBR64[] = {0xf3, 0x0f, 0x1e, 0xfa};
+    const unsigned char *code = (const unsigned char *)at;
+    if (!trace_in_program(n, at) || !trace_in_program(n, at + 16))
+        return 0;
+    if (memcmp(code, ENDBR64, sizeof ENDBR64) == 0)
+        code += sizeof ENDBR64;
+    if (*code == 0xf2)
+        code++;
+    return code[0] == 0xff && code[1] == 0x25 ? word_at(n, (uintptr_t)code + 6) : 0;
+}
+
+const char *trace_called(const struct node *n, uintptr_t returns)
+{
+    if (!trace_in_program(n, returns - 6) || !trace_in_program(n, returns))
+        return NULL;
+    const unsigned char *end = (const unsigned char *)returns;
+    uintptr_t target = 0;
+    if (end[-6] == 0xff && end[-5] == 0x15) { /* CALL, to where a word says */
+        target = word_at(n, returns);
+    } else if (end[-5] == 0xe8) {
+        int32_t away;
+        memcpy(&away, end - sizeof away, sizeof away);
+        target = stub_target(n, returns + (uintptr_t)(intptr_t)away);
+    }
+    return target ? node_export_name(target) : NULL;
+}
+
+/* --- lines --- */
+
+enum { MOST_LINES = 64 };
+
+struct trace_lines {
+    struct found {
+        const struct node_image *file;
+        uintptr_t offset;
+        char text[100]; /* "": not known, or the library's */
+    } found[MOST_LINES];
+    int count;
+};
+
+struct trace_lines *trace_lines_new(void)
+{
+    struct trace_lines *t = calloc(1, sizeof *t);
+    if (!t)
+        abort();
+    return t;
+}
+
+void trace_lines_free(struct trace_lines *t)
+{
+    free(t);
+}
+
+static const char *line_of(struct trace_lines *t, const struct node_image *file, uintptr_t offset)
+{
+    for (int i = 0; i < t->count; i++)
+        if (t->found[i].file == file && t->found[i].offset == offset)
+            return t->found[i].text;
+    if (t->count == MOST_LINES)
+        return "";
+    struct found *f = &t->found[t->count++];
+    *f = (struct found){.file = file, .offset = offset};
+    if (!node_image_line(file, offset, f->text, sizeof f->text))
+        f->text[0] = '\0';
+    return f->text;
+}
+
+const char *trace_line_at(struct trace_lines *t, const struct node *n, uintptr_t address)
+{
+    if (!trace_in_program(n, address - 1))
+        return NULL;
+    const char *text = line_of(t, n->file, address - 1 - (uintptr_t)n->program);
+    return *text ? text : NULL;
+}
+
+const char *trace_line(struct trace_lines *t, const struct node *n)
+{
+    uintptr_t returns[MOST_CALLS];
+    int depth = trace_walk(n, n->frame, returns, MOST_CALLS);
+    for (int i = 0; i < depth; i++) {
+        const char *text = trace_line_at(t, n, returns[i]);
+        if (text)
+            return text;
+    }
+    return NULL;
+}

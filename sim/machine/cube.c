@@ -1,0 +1,324 @@
+/* cube.c - see cube.h. */
+#include "machine/cube.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "config/cube_type.h"
+#include "lp/engine.h"
+#include "guest/image.h"
+#include "os/mailbox.h"
+#include "nx_api/include/nxerrno.h"
+
+enum { ALL = -1, MOST_NAME = 32 };
+
+struct program {
+    char *argv[2]; /* its path */
+    struct node_image *image;
+    struct program *next;
+};
+
+/* A node whose program has been succeeded by another. */
+struct former {
+    struct node *node;
+    struct former *next;
+};
+
+struct cube {
+    struct cube_options options;
+    struct node_system *sys;
+    bool there, asked_for; /* a cube; by getcube */
+    uint32_t largest;
+    char name[MOST_NAME];
+    struct program *programs;
+    struct former *former;
+};
+
+static void set_count(struct cube *c, uint32_t count)
+{
+    c->sys->count = count;
+    c->largest = count > c->largest ? count : c->largest;
+    proto_set_nodes(c->sys->proto, count);
+    if (c->sys->host)
+        c->sys->host->id = count;
+}
+
+void cube_new(struct node_system *sys, const struct cube_options *options)
+{
+    struct cube *c = calloc(1, sizeof *c);
+    sys->nodes = calloc(options->most, sizeof *sys->nodes);
+    if (!c || !sys->nodes)
+        abort();
+    c->sys = sys;
+    c->options = *options;
+    c->there = options->given;
+    sys->cube = c;
+    for (uint32_t i = 0; i < options->most; i++)
+        sys->nodes[i] = node_new_empty(sys, i);
+    set_count(c, options->given ? options->most : 0);
+}
+
+void cube_free(struct cube *c)
+{
+    if (!c)
+        return;
+    for (uint32_t i = 0; i < c->options.most; i++)
+        node_delete(c->sys->nodes[i]);
+    for (struct former *f = c->former, *next; f; f = next) {
+        next = f->next;
+        node_delete(f->node);
+        free(f);
+    }
+    for (struct program *p = c->programs, *next; p; p = next) {
+        next = p->next;
+        node_image_close(p->image);
+        free(p->argv[0]);
+        free(p);
+    }
+    free(c);
+}
+
+static bool is_time(struct node *host, void *until)
+{
+    return node_now(host) >= *(vtime *)until;
+}
+
+/* The host waits while others work; its handlers run meanwhile. */
+static void take_time(struct node *host, vtime t)
+{
+    node_order(host);
+    vtime until = node_now(host) + t;
+    node_wake(host, until);
+    node_wait(host, is_time, &until);
+    node_order(host);
+}
+
+/* --- the cube --- */
+
+uint32_t cube_most(const struct cube *c)
+{
+    return c->largest;
+}
+
+const char *cube_name(const struct cube *c)
+{
+    return c->there ? c->name : NULL;
+}
+
+static long no_cube(struct node *host)
+{
+    return node_error(host, EQNOPROC, "the host has no cube: getcube first, or touchstone run -n NODES");
+}
+
+static long check_name(struct node *host, const char *name)
+{
+    const struct cube *c = host->sys->cube;
+    if (!c->there)
+        return no_cube(host);
+    if (name && *name && strcmp(name, c->name) && c->asked_for)
+        return node_error(host, EINVAL, "there is no cube \"%s\": the host's is \"%s\"", name, c->name);
+    return 0;
+}
+
+long cube_get(struct node *host, const char *name, const char *type)
+{
+    struct cube *c = host->sys->cube;
+    struct cube_type t;
+    name = name ? name : "";
+    if (c->asked_for)
+        return node_error(host, EBUSY, "the host has a cube already, \"%s\": relcube first", c->name);
+    if (strlen(name) >= MOST_NAME)
+        return node_error(host, EINVAL, "the name \"%s\" has more than %d letters", name, MOST_NAME - 1);
+    char *wrong = cube_type_read(type, host->sys->cfg, c->options.most, &t);
+    if (wrong) {
+        node_error(host, EINVAL, "type \"%s\": %s", type, wrong);
+        free(wrong);
+        return -1;
+    }
+    if (t.nodes > c->options.most)
+        return node_error(host, ENOSPC, "type \"%s\" asks for %u nodes, and there are %u%s", type, t.nodes,
+                          c->options.most, c->options.given ? " (touchstone run -n)" : "");
+    take_time(host, host->sys->cfg->host.cube_ps);
+    c->there = c->asked_for = true;
+    strcpy(c->name, name);
+    set_count(c, t.nodes);
+    return 0;
+}
+
+long cube_attach(struct node *host, const char *name)
+{
+    if (check_name(host, name) < 0)
+        return -1;
+    take_time(host, host->sys->cfg->host.cube_ps);
+    return 0;
+}
+
+long cube_release(struct node *host, const char *name)
+{
+    struct cube *c = host->sys->cube;
+    if (check_name(host, name) < 0)
+        return -1;
+    cube_kill(host, ALL, true);
+    c->there = c->asked_for = false;
+    set_count(c, 0);
+    return 0;
+}
+
+/* --- its programs --- */
+
+static const char *base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* dir/name, where dir is that of the host program; malloc'd. */
+static char *beside_host(const struct cube *c, const char *name)
+{
+    int dir = (int)(base_name(c->options.host) - c->options.host);
+    char *path;
+    if (asprintf(&path, "%.*s%s", dir, c->options.host, name) < 0)
+        abort();
+    return path;
+}
+
+/* The file that a host program means: the command line's node program if the last part of its name is the same, so that
+ * paths of another computer do; then the path from the host program's folder, the file of that name there, and the path
+ * from here. NULL: none. */
+static char *find_program(const struct cube *c, const char *path)
+{
+    const char *given = c->options.program;
+    if (given && !strcmp(base_name(given), base_name(path)))
+        return strdup(given);
+    char *choice[] = {*path == '/' ? strdup(path) : beside_host(c, path), beside_host(c, base_name(path)),
+                      strdup(path)};
+    char *found = NULL;
+    for (int i = 0; i < 3; i++)
+        if (!found && access(choice[i], R_OK) == 0)
+            found = choice[i];
+        else
+            free(choice[i]);
+    return found;
+}
+
+static struct program *open_program(struct node *host, const char *path)
+{
+    struct cube *c = host->sys->cube;
+    char *error, *file = find_program(c, path);
+    if (!file) {
+        char *beside = beside_host(c, base_name(path));
+        node_error(host, ENOENT, "there is no program \"%s\": not from here, not %s, not on the command line",
+                   path, beside);
+        free(beside);
+        return NULL;
+    }
+    for (struct program *p = c->programs; p; p = p->next)
+        if (!strcmp(p->argv[0], file)) {
+            free(file);
+            return p;
+        }
+    struct node_image *image = node_image_open(file, &error);
+    if (!image) {
+        node_error(host, ENOEXEC, "%s", error);
+        free(error);
+        free(file);
+        return NULL;
+    }
+    struct program *p = calloc(1, sizeof *p);
+    if (!p)
+        abort();
+    *p = (struct program){{file, NULL}, image, c->programs};
+    return c->programs = p;
+}
+
+static long check_load(struct node *host, const char *path, long node, long pid)
+{
+    const struct node_system *s = host->sys;
+    if (!s->cube->there)
+        return no_cube(host);
+    if (!path)
+        return node_error(host, EQPBUF, "the program's name is a null pointer");
+    if (pid < 0)
+        return node_error(host, EQPID, "the process id %ld is negative", pid);
+    if (node != ALL && (node < 0 || node >= (long)s->count))
+        return node_error(host, EQNODE, "there is no node %ld (nodes are 0 to %u; -1 is all)", node,
+                          s->count - 1);
+    for (uint32_t i = 0; i < s->count; i++)
+        if ((node == ALL || node == (long)i) && s->nodes[i]->state != NODE_ENDED)
+            return node_error(host, EQUSEPID,
+                              "node %u runs a program, and has room for one: wait for its end (waitall), or "
+                              "killcube",
+                              i);
+    return 0;
+}
+
+static long load_one(struct node *host, struct program *p, uint32_t i, long pid)
+{
+    struct node_system *s = host->sys;
+    struct node *before = s->nodes[i];
+    char *error;
+    struct node *n = node_new(s, i, p->image, 1, p->argv, s->cube->options.envp, &error);
+    if (!n) {
+        node_error(host, EQMEM, "%s", error);
+        free(error);
+        return -1;
+    }
+    struct former *f = calloc(1, sizeof *f);
+    if (!f)
+        abort();
+    *f = (struct former){before, s->cube->former};
+    s->cube->former = f;
+    node_succeed(n, before, node_now(host));
+    n->pid = pid;
+    s->nodes[i] = n;
+    s->running++;
+    node_start(n, node_now(host));
+    return 0;
+}
+
+long cube_load(struct node *host, const char *path, long node, long pid)
+{
+    if (check_load(host, path, node, pid) < 0)
+        return -1;
+    struct program *p = open_program(host, path);
+    if (!p)
+        return -1;
+    const struct cfg_host *h = &host->sys->cfg->host;
+    take_time(host, h->load_ps + node_image_load_bytes(p->image) * h->link_ps_per_byte);
+    if (check_load(host, path, node, pid) < 0) /* a handler may have loaded something meanwhile */
+        return -1;
+    for (uint32_t i = 0; i < host->sys->count; i++)
+        if ((node == ALL || node == (long)i) && load_one(host, p, i, pid) < 0)
+            return -1;
+    return 0;
+}
+
+void cube_kill(struct node *caller, long node, bool flush)
+{
+    struct node_system *s = caller->sys;
+    if (caller->is_host)
+        take_time(caller, s->cfg->host.cube_ps);
+    for (uint32_t i = 0; i < s->count; i++) {
+        struct node *n = s->nodes[i];
+        if ((node != ALL && node != (long)i) || n == caller)
+            continue;
+        node_end_other(caller, n);
+        if (flush)
+            mailbox_empty(n, node_now(caller));
+    }
+}
+
+long cube_check_send(struct node *host, long node)
+{
+    const struct node_system *s = host->sys;
+    bool any = false;
+    if (!s->cube->there)
+        return no_cube(host);
+    for (uint32_t i = 0; i < s->count; i++)
+        any = any || ((node == ALL || node == (long)i) && s->nodes[i]->end != NODE_NOT_LOADED);
+    if (any || node == (long)s->count)
+        return 0;
+    if (node == ALL)
+        return node_error(host, EQNOPROC, "no node has a program: load one first");
+    return node_error(host, EQNOPROC, "node %ld has no program: load one first", node);
+}

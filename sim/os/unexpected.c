@@ -1,0 +1,208 @@
+/* unexpected.c - see unexpected.h. The whole ones are linked both ways: one in their midst may be wanted. Where they are many they can be
+ * found by type, too, so that a receive need not look through those of other types. */
+#include "os/unexpected.h"
+#include "kernel/prefetch.h"
+#include "kernel/queues.h"
+#include "node/system.h"
+
+void unexpected_begin(struct node *n)
+{
+    n->mailbox.whole = n->coming = NULL;
+    n->mailbox.whole_end = &n->mailbox.whole;
+    n->by_type = NULL;
+    n->whole_count = 0, n->whole_order = 0;
+}
+
+void unexpected_end(struct node *n)
+{
+    queues_free(n->by_type);
+}
+
+bool unexpected_selects(const struct node *n, const struct selector *select, const struct message *m)
+{
+    return mailbox_selects(select->type, m->type) &&
+           (select->node < 0 || select->node == (long)node_number(n->sys, m->source)) &&
+           (select->pid < 0 || select->pid == m->pid);
+}
+
+/* Are they found in the order in which they were sent? */
+static bool keep_order(const struct message *a, const struct message *b)
+{
+    return a->type == b->type && a->source == b->source && a->pid == b->pid;
+}
+
+/* --- the whole --- */
+
+/* So many are looked through one by one: no more than some lines of the cache. */
+enum { FEW_WHOLE = 32 };
+
+/* The types of those that are there. */
+static void begin_types(struct node *n)
+{
+    n->by_type = queues_new();
+    for (struct message *m = n->mailbox.whole; m; m = m->next)
+        queues_add(n->by_type, (uint32_t)m->type, ++n->whole_order, m);
+}
+
+static void link_whole(struct node *n, struct message **link, struct message *m)
+{
+    m->whole = true;
+    m->next = *link;
+    m->whole_link = link;
+    *link = m;
+    if (m->next)
+        m->next->whole_link = &m->next;
+    else
+        n->mailbox.whole_end = &m->next;
+}
+
+static void append_whole(struct node *n, struct message *m)
+{
+    link_whole(n, n->mailbox.whole_end, m);
+    if (n->by_type)
+        queues_add(n->by_type, (uint32_t)m->type, ++n->whole_order, m);
+    if (++n->whole_count > FEW_WHOLE && !n->by_type)
+        begin_types(n);
+}
+
+static void prepend_whole(struct node *n, struct message *m)
+{
+    link_whole(n, &n->mailbox.whole, m);
+    if (n->by_type)
+        queues_add(n->by_type, (uint32_t)m->type, -++n->whole_order, m);
+    n->whole_count++;
+}
+
+static void remove_whole(struct node *n, struct message *m)
+{
+    m->whole = false;
+    *m->whole_link = m->next;
+    if (m->next)
+        m->next->whole_link = m->whole_link;
+    else
+        n->mailbox.whole_end = m->whole_link;
+    if (n->by_type)
+        queues_remove(n->by_type, (uint32_t)m->type, m);
+    if (--n->whole_count == 0) {
+        queues_free(n->by_type);
+        n->by_type = NULL;
+    }
+}
+
+static struct message *first_of_type(const struct node *n, const struct selector *select)
+{
+    for (uint32_t i = 0;; i++) {
+        struct message *m = queues_at(n->by_type, (uint32_t)select->type, i);
+        if (!m || unexpected_selects(n, select, m))
+            return m;
+    }
+}
+
+static struct message *first_of(struct message *m, const struct node *n, const struct selector *select)
+{
+    while (m && !unexpected_selects(n, select, m))
+        m = m->next;
+    return m;
+}
+
+/* --- the coming --- */
+
+static struct message **end_of(struct message **list)
+{
+    while (*list)
+        list = &(*list)->next;
+    return list;
+}
+
+static void link_coming(struct message **link, struct message *m)
+{
+    m->next = *link;
+    *link = m;
+}
+
+static struct message *unlink_coming(struct message **link)
+{
+    struct message *m = *link;
+    *link = m->next;
+    return m;
+}
+
+/* The first from a link on that m comes before or behind. */
+static struct message **of_same_order(struct message **link, const struct message *m)
+{
+    while (*link && !keep_order(*link, m))
+        link = &(*link)->next;
+    return link;
+}
+
+/* --- */
+
+void unexpected_add(struct node *n, struct message *m)
+{
+    link_coming(end_of(&n->coming), m);
+}
+
+/* Whole are now those that m comes before or behind, m among them, up to the next that has not arrived. */
+void unexpected_has_arrived(struct node *n, const struct message *m)
+{
+    struct message **link = of_same_order(&n->coming, m);
+    while (*link && (*link)->arrived) {
+        append_whole(n, unlink_coming(link));
+        link = of_same_order(link, m);
+    }
+}
+
+struct message *unexpected_first(const struct node *n, const struct selector *select)
+{
+    bool one_type = n->by_type && select->type >= 0 && select->type <= INT32_MAX;
+    struct message *m = one_type ? first_of_type(n, select) : first_of(n->mailbox.whole, n, select);
+    return m ? m : first_of(n->coming, n, select);
+}
+
+void unexpected_take(struct node *n, struct message *m)
+{
+    if (m->whole) {
+        prefetch_pair(m->next); /* often the next to be asked for */
+        remove_whole(n, m);
+        return;
+    }
+    struct message **link = &n->coming;
+    while (*link != m)
+        link = &(*link)->next;
+    unlink_coming(link);
+    unexpected_has_arrived(n, m); /* they need not wait for it any more */
+}
+
+/* m is the first to come, and before those that are whole and were sent behind it. */
+static void put_before_whole(struct node *n, struct message *m)
+{
+    struct message **behind = &m->next;
+    link_coming(&n->coming, m);
+    for (struct message *w = n->mailbox.whole, *next; w; w = next) {
+        next = w->next;
+        if (!keep_order(w, m))
+            continue;
+        remove_whole(n, w);
+        link_coming(behind, w);
+        behind = &w->next;
+    }
+}
+
+void unexpected_put_back(struct node *n, struct message *m)
+{
+    if (m->arrived)
+        prepend_whole(n, m);
+    else
+        put_before_whole(n, m);
+}
+
+void unexpected_inherit(struct node *n, struct node *before)
+{
+    n->coming = before->coming;
+    for (struct message *m = before->mailbox.whole, *next; m; m = next) {
+        next = m->next;
+        append_whole(n, m);
+    }
+    unexpected_end(before);
+    unexpected_begin(before);
+}
