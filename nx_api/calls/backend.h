@@ -18,10 +18,12 @@
 #ifdef NX_ON_MPI
 #include "nx_api/mpi/node.h"
 #else
-#include "lp/engine.h"
+#include "os/fail.h"
+#include "os/front.h"
+#include "os/gate.h"
 #include "os/handlers.h"
-#include "os/mailbox.h"
-#include "node/system.h"
+#include "os/longs.h"
+#include "os/match.h"
 #endif
 
 struct outgoing {

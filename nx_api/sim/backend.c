@@ -1,16 +1,20 @@
 /* backend.c - the simulator behind the calls: see nx_api/calls/backend.h. */
 #include "machine/cube.h"
 #include "nx_api/calls/call.h"
+#include "os/fail.h"
+#include "os/front.h"
+#include "os/gate.h"
+#include "os/match.h"
 
 void nx_about(struct node *n, long what)
 {
-    n->call_type = n->awaited = what;
-    n->call_has_type = n->awaits = true;
+    gate_about(n, what);
+    gate_awaits(n, what);
 }
 
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
 {
-    n->awaited = r ? (long)r->select.type : s->m ? (long)s->m->type : 0;
+    gate_awaits(n, r ? (long)r->select.type : s->m ? (long)s->m->type : 0);
 }
 
 void nx_spend_call(struct node *n)
@@ -26,7 +30,7 @@ void nx_spend_kernel(struct node *n)
 
 struct own_calls *nx_own_calls(struct node *n)
 {
-    return &n->beside->own;
+    return &n->cold->own;
 }
 
 uint32_t nx_message_ids(const struct node *n)
@@ -45,7 +49,7 @@ long nx_check_way(struct node *n, long node)
 
 static uint32_t place_of(const struct node *n, long node)
 {
-    return node == n->sys->count ? n->sys->host->place : (uint32_t)node;
+    return node == n->sys->count ? n->sys->host->lp.address : (uint32_t)node;
 }
 
 static struct message *last(struct message *m)
@@ -59,31 +63,31 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
 {
     n->stats.sent += receivers;
     n->stats.sent_bytes += receivers * m->bytes;
-    engine_send(n, m);
+    front_send(n, m);
 }
 
 /* What goes in one trip lies in the system's memory when the call ends: nobody need be told. With handlers about, it is
  * to be seen in order all the same: one that is due runs before the call ends. */
 bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
 {
-    return proto_one_trip(n->sys->proto, (word)o->type, (size_t)o->len) && !n->armed;
+    return proto_one_trip(n->sys->schedule.proto, (word)o->type, (size_t)o->len) && !n->armed;
 }
 
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
-    struct proto *p = n->sys->proto;
+    struct proto *p = n->sys->schedule.proto;
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
     word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
-    struct message *m = all ? proto_to_all(p, n->place, type, pid, o->buf, len)
-                            : proto_message(p, n->place, place_of(n, o->node), type, pid, o->buf, len);
+    struct message *m = all ? proto_to_all(p, n->lp.address, type, pid, o->buf, len)
+                            : proto_message(p, n->lp.address, place_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     if (s && (!m || nx_goes_at_once(n, o))) {
         s->done = true;
         s = NULL;
     }
     if (s)
-        mailbox_follow(last(m), s);
+        match_follow(last(m), s);
     if (m)
         hand_over(n, m, receivers);
 }
@@ -92,7 +96,7 @@ void nx_flush(struct node *n, long node, int64_t typesel)
 {
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (node == ALL_NODES || node == (long)i)
-            mailbox_flush(n->sys->nodes[i], typesel, node_now(n));
+            match_flush(n->sys->nodes[i], typesel, node_now(n));
     if (node == (long)n->sys->count)
-        mailbox_flush(n->sys->host, typesel, node_now(n));
+        match_flush(n->sys->host, typesel, node_now(n));
 }

@@ -4,6 +4,9 @@
 #include <string.h>
 #include "guest/libc_parts.h"
 #include "nx_api/sim/call.h"
+#include "node/self.h"
+#include "os/fail.h"
+#include "os/gate.h"
 
 char *node_strerror(int code)
 {

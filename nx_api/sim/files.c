@@ -6,6 +6,12 @@
 #include "cfs/cfs.h"
 #include "guest/libc_parts.h"
 #include "nx_api/sim/call.h"
+#include "guest/host_errno.h"
+#include "node/self.h"
+#include "os/fail.h"
+#include "os/front.h"
+#include "os/gate.h"
+#include "os/longs.h"
 
 /* --- errors --- */
 

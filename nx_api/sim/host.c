@@ -5,6 +5,9 @@
 #include "machine/cube.h"
 #include "nx_api/include/host.h"
 #include "nx_api/sim/call.h"
+#include "node/self.h"
+#include "os/fail.h"
+#include "os/longs.h"
 
 /* The caller, if it is the host program; NULL with the error. */
 static struct node *host(void)

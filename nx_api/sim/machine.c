@@ -1,5 +1,11 @@
 /* machine.c - what a program may know of its machine, its clocks, and the processor. */
 #include "nx_api/sim/call.h"
+#include "lp/clock.h"
+#include "node/self.h"
+#include "os/fail.h"
+#include "os/front.h"
+#include "os/gate.h"
+#include "os/longs.h"
 
 /* --- shape --- */
 
@@ -99,10 +105,10 @@ long nxs_led(word state)
 long nxs_masktrap(word state)
 {
     struct node *n = node_self();
-    long before = n->masked;
+    bool before;
     node_spend(n, n->sys->cfg->clock_call_ps);
     nx_spend_kernel(n);
-    n->masked = state != 0;
+    before = handlers_mask(n, state != 0);
     if (before && !n->masked)
         handlers_open(n);
     node_order(n);

@@ -2,6 +2,11 @@
 #include "nx_api/sim/call.h"
 #include <errno.h>
 #include "machine/cube.h"
+#include "node/self.h"
+#include "os/end.h"
+#include "os/fail.h"
+#include "os/gate.h"
+#include "os/longs.h"
 
 /* --- their numbers --- */
 
@@ -51,7 +56,7 @@ long nxs_killcube(word node, word pid)
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (i != n->id)
             node_end_other(n, n->sys->nodes[i]);
-    n->sys->stop = STOP_KILLED;
+    schedule_stop(&n->sys->schedule, STOP_KILLED, (struct instant){0});
     node_end_here(n, NODE_KILLED, 0);
 }
 
@@ -100,7 +105,7 @@ static struct node *first_ended(const struct node *n, word node)
     struct node *first = NULL;
     for (uint32_t i = 0; i < n->sys->count; i++) {
         struct node *other = n->sys->nodes[i];
-        if (is_meant(n, other, node) && other->state == NODE_ENDED &&
+        if (is_meant(n, other, node) && other->lp.state == LP_ENDED &&
             (!first || other->stats.ended_at < first->stats.ended_at))
             first = other;
     }
@@ -115,7 +120,7 @@ static bool one_has_ended(struct node *n, void *node)
 static bool all_have_ended(struct node *n, void *arg)
 {
     for (uint32_t i = 0; i < n->sys->count; i++)
-        if (is_meant(n, n->sys->nodes[i], *(word *)arg) && n->sys->nodes[i]->state != NODE_ENDED)
+        if (is_meant(n, n->sys->nodes[i], *(word *)arg) && n->sys->nodes[i]->lp.state != LP_ENDED)
             return false;
     return true;
 }

@@ -6,6 +6,8 @@
 #include "cfs/cfs.h"
 #include "guest/libc_parts.h"
 #include "nx_api/sim/call.h"
+#include "node/self.h"
+#include "os/longs.h"
 
 enum { OTHER_BLOCK = 8192 };
 static const int64_t OTHER_CAPACITY = INT64_C(2) << 30; /* of the host's: what it is must not change a run */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/parts.h"
+#include "os/fail.h"
 
 uint32_t cfs_services(const struct cfg_machine *cfg)
 {
@@ -13,8 +14,8 @@ uint32_t cfs_services(const struct cfg_machine *cfg)
 static void broken(void *ctx, const struct store_file *f, int error)
 {
     struct cfs *c = ctx;
-    node_system_fail(c->sys, STOP_FAILED, "/cfs/%s cannot be read or written here: %s", f->path,
-                     strerror(error));
+    node_system_fail(c->sys, STOP_FAILED, c->sys->schedule.present,
+                     "/cfs/%s cannot be read or written here: %s", f->path, strerror(error));
 }
 
 struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error)
@@ -30,11 +31,12 @@ struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error)
         return NULL;
     }
     c->first_place = sys->topo.positions;
-    c->directory = directory_new(sys->proto, sys->q, c->first_place + (uint32_t)c->cfg->io_nodes);
+    c->directory =
+        directory_new(sys->schedule.proto, sys->schedule.q, c->first_place + (uint32_t)c->cfg->io_nodes);
     c->io = calloc(c->cfg->io_nodes, sizeof *c->io);
     struct ionode_up up = {c, cfs_answer, cfs_room, broken};
     for (uint32_t i = 0; c->io && i < c->cfg->io_nodes; i++)
-        c->io[i] = ionode_new(c->cfg, sys->q, i, c->first_place + i, sys->count, &up);
+        c->io[i] = ionode_new(c->cfg, sys->schedule.q, i, c->first_place + i, sys->count, &up);
     c->fs = (struct node_fs){c, cfs_fs_open, cfs_fs_unlink, cfs_fs_rename, cfs_fs_stat};
     return c;
 }

@@ -16,6 +16,10 @@
 #include <string.h>
 #include "cfs/parts.h"
 #include "lp/engine.h"
+#include "os/charge.h"
+#include "os/fail.h"
+#include "os/front.h"
+#include "os/gate.h"
 
 enum { READ_REQUEST = 64 }; /* bytes: file, block, offset, length */
 
@@ -98,10 +102,10 @@ static void finish(struct cfs_op *op, vtime at)
     if (op->round)
         unison_spread(op->round, op->node->id, op->bytes, op->data, at);
     store_release(op->store);
-    if (op->node->state == NODE_ENDED)
+    if (op->node->lp.state == LP_ENDED)
         op_free(op);
     else
-        node_wake(op->node, at);
+        lp_wake(&op->node->lp, at);
 }
 
 void cfs_told(struct cfs_op *op, uint64_t bytes, const char *data, vtime at)
@@ -126,7 +130,7 @@ void cfs_wait(struct node *n, struct cfs_op *op)
 {
     node_order(n);
     if (op->done && !cfs_done(n, op))
-        node_wake(n, op->complete);
+        lp_wake(&n->lp, op->complete);
     node_wait(n, is_done, op);
 }
 
@@ -193,7 +197,7 @@ static void request_arrived(struct parcel *parcel, vtime at, vtime now)
 static vtime issue_time(const struct cfs_op *op)
 {
     const struct piece *p = &op->pieces[op->issued];
-    return post_send_time(op->cfs->sys->proto, request_kind(p), request_bytes(p));
+    return post_send_time(op->cfs->sys->schedule.proto, request_kind(p), request_bytes(p));
 }
 
 /* The next piece leaves its node at `at`. */
@@ -201,8 +205,8 @@ static void issue(struct cfs_op *op, vtime at)
 {
     struct piece *p = &op->pieces[op->issued++];
     p->parcel = (struct parcel){.ask = asks, .arrived = request_arrived};
-    post_send(op->cfs->sys->proto, op->node->id, place_of(p), request_kind(p), request_bytes(p), &p->parcel,
-              at);
+    post_send(op->cfs->sys->schedule.proto, op->node->id, place_of(p), request_kind(p), request_bytes(p),
+              &p->parcel, at);
 }
 
 /* At the node: a piece is read, or written. */
@@ -212,7 +216,7 @@ static void answer_arrived(struct parcel *parcel, vtime at, vtime now)
     (void)now;
     op->answered++;
     op->complete = vt_max(op->complete, at);
-    if (op->issued < op->count && op->node->state != NODE_ENDED)
+    if (op->issued < op->count && op->node->lp.state != LP_ENDED)
         issue(op, node_work(op->cfs->sys, op->node->id, PROTO_SEND, at, issue_time(op)));
     if (op->answered == op->issued)
         finish(op, op->complete);
@@ -224,10 +228,10 @@ void cfs_answer(void *ctx, struct io_request *r, vtime now)
     struct cfs *c = ctx;
     struct piece *p = (struct piece *)((char *)r - offsetof(struct piece, request));
     size_t bytes = POST_HEADER + (r->write ? 0 : r->piece.bytes);
-    vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->proto, POST_FORCED, bytes));
+    vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->schedule.proto, POST_FORCED, bytes));
     *(r->write ? &c->bytes_written : &c->bytes_read) += r->piece.bytes;
     p->parcel.arrived = answer_arrived;
-    post_send(c->sys->proto, place_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
+    post_send(c->sys->schedule.proto, place_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
 }
 
 /* Where the op lies is known: its pieces. */

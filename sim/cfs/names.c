@@ -5,6 +5,8 @@
 #include <string.h>
 #include "cfs/parts.h"
 #include "lp/engine.h"
+#include "os/front.h"
+#include "os/gate.h"
 
 /* A request on its way, with what it asks and what it gets. While it is, it has nothing in its program's memory, for the
  * program may be killed: ask() keeps a copy, and what it points to. */
@@ -70,7 +72,7 @@ static bool serve(struct dir_request *r, vtime now)
 {
     struct question *q = (struct question *)r;
     (void)now;
-    if (!q->file || q->node->state != NODE_ENDED)
+    if (!q->file || q->node->lp.state != LP_ENDED)
         q->error = q->work(q);
     return true;
 }
@@ -81,10 +83,10 @@ static void answered(struct dir_request *r, vtime at, vtime now)
     (void)now;
     q->answered = true;
     q->complete = at;
-    if (q->node->state == NODE_ENDED)
+    if (q->node->lp.state == LP_ENDED)
         drop(q); /* nobody asks any more */
     else
-        node_wake(q->node, at);
+        lp_wake(&q->node->lp, at);
 }
 
 static bool is_answered(struct node *n, void *arg)

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "cfs/parts.h"
 #include "lp/engine.h"
+#include "os/charge.h"
 
 /* A node of the round. */
 struct member {
@@ -137,9 +138,9 @@ static vtime send(struct round *r, uint32_t from, uint32_t to, vtime at)
     struct member *m = &r->member[to];
     m->round = r;
     m->parcel.arrived = arrived;
-    if (s->nodes[from]->state != NODE_ENDED)
-        at = node_work(s, from, PROTO_SEND, at, post_send_time(s->proto, POST_FORCED, bytes));
-    post_send(s->proto, from, to, POST_FORCED, bytes, &m->parcel, at);
+    if (s->nodes[from]->lp.state != LP_ENDED)
+        at = node_work(s, from, PROTO_SEND, at, post_send_time(s->schedule.proto, POST_FORCED, bytes));
+    post_send(s->schedule.proto, from, to, POST_FORCED, bytes, &m->parcel, at);
     return at;
 }
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "node/self.h"
 
 struct open_files *descriptors_open(struct node *n)
 {

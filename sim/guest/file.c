@@ -10,6 +10,9 @@
 #include "os/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
+#include "guest/host_errno.h"
+#include "os/front.h"
+#include "os/gate.h"
 
 /* --- files of this computer --- */
 
@@ -135,15 +138,14 @@ bool file_is_simulated(const char *path)
  * that node_leave() sets must be the one without that. */
 static bool enter(struct node *n, const char *call)
 {
-    bool masked = n->masked;
-    n->masked = true;
+    bool masked = handlers_mask(n, true);
     node_enter(n, call);
     return masked;
 }
 
 static void leave(struct node *n, bool masked)
 {
-    n->masked = masked;
+    handlers_mask(n, masked);
     if (!masked)
         handlers_open(n);
     int why = node_errno();

@@ -9,6 +9,8 @@
 #include "guest/file.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "guest/host_errno.h"
+#include "node/self.h"
 
 static char *joined(const char *folder, const char *path)
 {

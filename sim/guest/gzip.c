@@ -8,6 +8,7 @@
 #include "guest/heap.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "node/self.h"
 
 struct gz {
     FILE *file;

@@ -41,12 +41,12 @@ struct node_heap {
     uint64_t filled; /* bit b: bins[b] is not empty */
     struct block *bins[BINS];
     int (*room)(void *ctx, size_t bytes);
-    void (*grown)(void *ctx);
+    void (*grown)(void *ctx, size_t used);
     void *ctx;
 };
 
 struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx, size_t bytes),
-                                void (*grown)(void *ctx), void *ctx)
+                                void (*grown)(void *ctx, size_t used), void *ctx)
 {
     assert((uintptr_t)base % HEAD == 0 && limit <= UINT32_MAX / 2);
     struct node_heap *h = calloc(1, sizeof *h);
@@ -174,7 +174,7 @@ static bool raise_top(struct node_heap *h, char *end)
     if (bytes > h->limit || !h->room(h->ctx, bytes))
         return false;
     h->top = end;
-    h->grown(h->ctx);
+    h->grown(h->ctx, node_heap_used(h));
     return true;
 }
 
@@ -195,7 +195,7 @@ static void give_back(struct node_heap *h, struct block *b)
     if ((char *)b + size == h->top) {
         h->top = (char *)b;
         h->last = b->prev;
-        h->grown(h->ctx);
+        h->grown(h->ctx, node_heap_used(h));
     } else {
         set_size(h, b, size);
         put_in_bin(h, b);

@@ -9,9 +9,9 @@
 struct node_heap;
 
 /* A heap at base, at most limit bytes of address space (that is there already, and zero). room(ctx, bytes)
- * tells whether the heap may grow to that many bytes; grown(ctx) is called after it did or shrank. */
+ * tells whether the heap may grow to that many bytes; grown(ctx, used) is called after it did or shrank. */
 struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx, size_t bytes),
-                                void (*grown)(void *ctx), void *ctx);
+                                void (*grown)(void *ctx, size_t used), void *ctx);
 void node_heap_free(struct node_heap *h);                 /* the address space stays with the node's span */
 void *node_heap_alloc(struct node_heap *h, size_t bytes); /* 16-byte aligned; NULL when there is no room */
 /* NULL with p unchanged when there is no room or p is not a block of this heap. */

@@ -21,6 +21,7 @@
 #include "guest/libc.h"
 #include "node/node.h"
 #include "nx_api/nxcc/image.h"
+#include "node/self.h"
 
 #define PAGE ((uint64_t)4096)
 
@@ -346,7 +347,8 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
         main - (uintptr_t)base >= img->bytes)
         return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
                         img->elf->path);
-    n->left = n->image->left, n->quiet = n->image->quiet;
+    n->data = base + img->data_at;
+    lp_bind(&n->lp, n->image->left, n->image->quiet);
     return true;
 }
 

@@ -9,6 +9,10 @@
 #include "guest/heap.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "node/self.h"
+#include "os/end.h"
+#include "os/fail.h"
+#include "os/gate.h"
 
 struct node_libc *node_libc_new(struct node *n)
 {

@@ -1,11 +1,13 @@
 /* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS, and the report says
- * which of them a program called: node_system_note_absent.
- */
+ * which of them a program called. */
 #include <errno.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
-#include "node/node.h"
+#include "guest/host_errno.h"
 #include "node/system.h"
+#include "os/gate.h"
+#include "node/self.h"
 
 /* Does it fail by NULL, and not by -1? A stub does not know what its function returns. */
 static bool returns_pointer(const char *name)
@@ -23,11 +25,26 @@ static bool returns_pointer(const char *name)
     return false;
 }
 
+/* In the order of events. */
+static void note(struct node_system *sys, const char *function, const char *node)
+{
+    size_t i = 0;
+    while (i < sys->absent_count && strcmp(sys->absent[i].function, function) != 0)
+        i++;
+    if (i == sys->absent_count) {
+        sys->absent = reallocarray(sys->absent, i + 1, sizeof *sys->absent);
+        if (!sys->absent)
+            abort();
+        sys->absent[sys->absent_count++] = (struct node_absent){strdup(function), strdup(node), 0};
+    }
+    sys->absent[i].calls++;
+}
+
 static long absent(const char *name)
 {
     struct node *n = node_self();
     node_enter(n, "a function that nodes do not have");
-    node_system_note_absent(n->sys, name, n->name);
+    note(n->sys, name, n->name);
     node_leave(n);
     node_set_errno(ENOSYS);
     return returns_pointer(name) ? 0 : -1;

@@ -5,6 +5,8 @@
 #include <string.h>
 #include "guest/heap.h"
 #include "node/node.h"
+#include "node/self.h"
+#include "os/fail.h"
 
 void *node_malloc(size_t bytes);
 

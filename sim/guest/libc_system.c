@@ -12,6 +12,8 @@
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/system.h"
+#include "node/self.h"
+#include "os/memory.h"
 
 /* --- names and numbers --- */
 

@@ -16,6 +16,10 @@
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/system.h"
+#include "lp/clock.h"
+#include "node/self.h"
+#include "os/front.h"
+#include "os/gate.h"
 
 #define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
 
@@ -29,7 +33,7 @@ static struct reading read_clock(const char *call)
     struct node *n = node_self();
     node_enter(n, call);
     node_spend(n, n->sys->cfg->clock_call_ps);
-    struct reading r = {node_now(n), n->stats.idle, n->stats.system};
+    struct reading r = {node_now(n), n->stats.idle, n->times.system};
     node_leave(n);
     return r;
 }
@@ -153,7 +157,7 @@ static void pause_for(const char *call, vtime t)
     node_enter(n, call);
     vtime until = node_now(n) + t;
     if (t > 0) {
-        node_wake(n, until);
+        lp_wake(&n->lp, until);
         node_wait(n, is_over, &until);
     }
     node_leave(n);

@@ -9,6 +9,7 @@
 #include <wchar.h>
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "node/self.h"
 
 static struct streams *streams(void)
 {

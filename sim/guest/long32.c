@@ -5,6 +5,7 @@
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "nx_api/calls/narrow.h"
+#include "node/self.h"
 
 FILE *nx_output(void)
 {

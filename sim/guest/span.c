@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <sys/mman.h>
 #include "node/system.h"
+#include "node/self.h"
+#include "os/memory.h"
 
 #ifndef MADV_GUARD_INSTALL
 #define MADV_GUARD_INSTALL 102

@@ -8,6 +8,7 @@
 #include "guest/file.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "node/self.h"
 
 static struct streams *streams(void)
 {

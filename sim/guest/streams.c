@@ -10,6 +10,9 @@
 #include "node/node.h"
 #include "guest/streams.h"
 #include "node/system.h"
+#include "guest/host_errno.h"
+#include "node/self.h"
+#include "os/gate.h"
 
 /* --- what a FILE calls --- */
 
@@ -41,6 +44,15 @@ static ssize_t stream_read(void *cookie, char *buf, size_t size)
     return s->by_lines ? read_line(s->target, buf, size) : file_read(s->target, buf, size);
 }
 
+/* Hands bytes that the program wrote to its output (fd 1) or error output (fd 2) on. */
+static void write_out(struct node *n, int fd, const char *bytes, size_t len)
+{
+    FILE *const *out = n->sys->out;
+    if (fd == 2)
+        fflush(out[0]); /* both may be one file */
+    fwrite(bytes, 1, len, out[fd - 1]);
+}
+
 static ssize_t stream_write(void *cookie, const char *buf, size_t size)
 {
     struct stream *s = cookie;
@@ -55,7 +67,7 @@ static ssize_t stream_write(void *cookie, const char *buf, size_t size)
         return done < 0 ? 0 : done;
     }
     node_order(s->node);
-    node_output(s->node, s->fd, buf, size);
+    write_out(s->node, s->fd, buf, size);
     return (ssize_t)size;
 }
 

@@ -33,7 +33,7 @@ static const struct bound NOTHING = {VT_NEVER, UINT32_MAX};
 struct thread {
     struct workers *ws;
     pthread_t id;
-    struct work *runs; /* NULL: nothing */
+    struct task *runs; /* NULL: nothing */
 };
 
 struct workers {
@@ -46,10 +46,10 @@ struct workers {
 
     pthread_mutex_t lock;
     pthread_cond_t more, news; /* work waits; there is something to take, or work has got on */
-    struct work **waiting;     /* a heap, least (reached, place) first */
+    struct task **waiting;     /* a heap, least (reached, place) first */
     size_t waiting_count, waiting_room;
-    struct work *done;   /* linked by next */
-    struct work *helped; /* what the committing thread runs */
+    struct task *done;   /* linked by next */
+    struct task *helped; /* what the committing thread runs */
     uint32_t sleepers;   /* threads that wait for `more` */
     bool quit;
 
@@ -91,12 +91,12 @@ static bool before(struct bound a, struct bound b)
     return a.time != b.time ? a.time < b.time : a.place < b.place;
 }
 
-static struct bound bound_of(const struct work *w)
+static struct bound bound_of(const struct task *w)
 {
-    return (struct bound){atomic_load_explicit(&w->reached, memory_order_acquire), w->place};
+    return (struct bound){atomic_load_explicit(&w->lower_bound, memory_order_acquire), w->place};
 }
 
-static void lower(struct bound *b, const struct work *w)
+static void lower(struct bound *b, const struct task *w)
 {
     struct bound other = w ? bound_of(w) : NOTHING;
     if (before(other, *b))
@@ -110,11 +110,11 @@ static void note_waiting(struct workers *ws)
     atomic_store(&ws->waits, ws->waiting_count);
 }
 
-static void put(struct workers *ws, struct work *w)
+static void put(struct workers *ws, struct task *w)
 {
     if (ws->waiting_count == ws->waiting_room) {
         ws->waiting_room = ws->waiting_room ? 2 * ws->waiting_room : 64;
-        ws->waiting = realloc(ws->waiting, ws->waiting_room * sizeof(struct work *));
+        ws->waiting = realloc(ws->waiting, ws->waiting_room * sizeof(struct task *));
         if (!ws->waiting)
             abort();
     }
@@ -125,7 +125,7 @@ static void put(struct workers *ws, struct work *w)
     note_waiting(ws);
 }
 
-static void sink(struct workers *ws, size_t i, struct work *w)
+static void sink(struct workers *ws, size_t i, struct task *w)
 {
     for (size_t child; (child = 2 * i + 1) < ws->waiting_count; i = child) {
         if (child + 1 < ws->waiting_count &&
@@ -139,11 +139,11 @@ static void sink(struct workers *ws, size_t i, struct work *w)
 }
 
 /* The least of those waiting; NULL: none. */
-static struct work *take_least(struct workers *ws)
+static struct task *take_least(struct workers *ws)
 {
     if (ws->waiting_count == 0)
         return NULL;
-    struct work *w = ws->waiting[0], *last = ws->waiting[--ws->waiting_count];
+    struct task *w = ws->waiting[0], *last = ws->waiting[--ws->waiting_count];
     if (ws->waiting_count > 0)
         sink(ws, 0, last);
     note_waiting(ws);
@@ -160,13 +160,13 @@ static uint64_t random_number(struct workers *ws)
     return ws->shuffle;
 }
 
-static struct work *take_any(struct workers *ws)
+static struct task *take_any(struct workers *ws)
 {
-    struct work *aside[4];
+    struct task *aside[4];
     size_t n = ws->waiting_count ? random_number(ws) % (ws->waiting_count < 4 ? ws->waiting_count : 4) : 0;
     for (size_t i = 0; i < n; i++)
         aside[i] = take_least(ws);
-    struct work *w = take_least(ws);
+    struct task *w = take_least(ws);
     for (size_t i = 0; i < n; i++)
         put(ws, aside[i]);
     return w;
@@ -189,12 +189,12 @@ static void dawdle(struct workers *ws)
 
 /* --- running: with the lock --- */
 
-static struct work *next_work(struct workers *ws)
+static struct task *next_work(struct workers *ws)
 {
     return ws->shuffled ? take_any(ws) : take_least(ws);
 }
 
-static void has_run(struct workers *ws, struct work *w, bool done)
+static void has_run(struct workers *ws, struct task *w, bool done)
 {
     if (!done && !atomic_load(&w->dropped)) {
         put(ws, w);
@@ -227,7 +227,7 @@ static void wait_for_work(struct workers *ws)
     }
 }
 
-static void run_one(struct thread *t, void *own, struct work *w)
+static void run_one(struct thread *t, void *own, struct task *w)
 {
     struct workers *ws = t->ws;
     t->runs = w;
@@ -252,7 +252,7 @@ static void *work_on(void *arg)
     void *own = ws->calls.begin(ws->calls.ctx);
     pthread_mutex_lock(&ws->lock);
     while (!ws->quit) {
-        struct work *w = atomic_load(&ws->halt) ? NULL : next_work(ws);
+        struct task *w = atomic_load(&ws->halt) ? NULL : next_work(ws);
         if (w)
             run_one(t, own, w);
         else
@@ -271,9 +271,9 @@ static bool has_helped(struct workers *ws, vtime reached)
            (reached > ws->awaited && reached - ws->awaited > (1 + waits) * HELP_ON);
 }
 
-bool workers_pass(struct workers *ws, struct work *w, vtime reached)
+bool workers_report(struct workers *ws, struct task *w, vtime reached)
 {
-    atomic_store_explicit(&w->reached, reached, memory_order_release);
+    atomic_store_explicit(&w->lower_bound, reached, memory_order_release);
     if (atomic_load(&ws->listening)) {
         pthread_mutex_lock(&ws->lock);
         tell_committer(ws);
@@ -375,7 +375,7 @@ bool workers_worth(struct workers *ws, bool is_long)
 
 /* --- the committing thread --- */
 
-void workers_hand(struct workers *ws, struct work *w)
+void workers_submit(struct workers *ws, struct task *w)
 {
     atomic_store(&w->dropped, false);
     if (ws->out++ == 0) {
@@ -405,7 +405,7 @@ static void find_bound(struct workers *ws)
         lower(&b, ws->waiting[0]);
     for (unsigned i = 0; i < ws->count; i++)
         lower(&b, ws->threads[i].runs);
-    for (const struct work *w = ws->done; w; w = w->next)
+    for (const struct task *w = ws->done; w; w = w->next)
         lower(&b, w);
     lower(&b, ws->helped);
     ws->bound = b;
@@ -447,12 +447,12 @@ static void is_back(struct workers *ws)
     episode_ends(ws);
 }
 
-struct work *workers_take(struct workers *ws)
+struct task *workers_take(struct workers *ws)
 {
     if (!atomic_load_explicit(&ws->any_done, memory_order_acquire))
         return NULL;
     pthread_mutex_lock(&ws->lock);
-    struct work *w = ws->done;
+    struct task *w = ws->done;
     if (w)
         ws->done = w->next;
     atomic_store(&ws->any_done, ws->done != NULL);
@@ -466,7 +466,7 @@ struct work *workers_take(struct workers *ws)
 static bool help(struct workers *ws, vtime awaited)
 {
     pthread_mutex_lock(&ws->lock);
-    struct work *w = next_work(ws);
+    struct task *w = next_work(ws);
     ws->helped = w;
     pthread_mutex_unlock(&ws->lock);
     if (!w)
@@ -492,7 +492,7 @@ static bool has_news(struct workers *ws, vtime time, uint32_t place)
     if (atomic_load(&ws->any_done) || atomic_load(&ws->waits) > 0)
         return true;
     for (unsigned i = 0; i < ws->count; i++) {
-        const struct work *w = ws->threads[i].runs;
+        const struct task *w = ws->threads[i].runs;
         if (w && before(bound_of(w), (struct bound){time, place}))
             return false;
     }
@@ -542,7 +542,7 @@ void workers_advance(struct workers *ws, vtime time, uint32_t place)
 }
 
 /* With the lock: does a thread run it? */
-static bool is_running(const struct workers *ws, const struct work *w)
+static bool is_running(const struct workers *ws, const struct task *w)
 {
     for (unsigned i = 0; i < ws->count; i++)
         if (ws->threads[i].runs == w)
@@ -550,7 +550,7 @@ static bool is_running(const struct workers *ws, const struct work *w)
     return false;
 }
 
-static void unlist(struct workers *ws, struct work *w)
+static void unlist(struct workers *ws, struct task *w)
 {
     size_t i = 0;
     while (i < ws->waiting_count && ws->waiting[i] != w)
@@ -562,7 +562,7 @@ static void unlist(struct workers *ws, struct work *w)
             sink(ws, i, ws->waiting[i]);
         note_waiting(ws);
     }
-    struct work **link = &ws->done;
+    struct task **link = &ws->done;
     while (*link && *link != w)
         link = &(*link)->next;
     if (*link)
@@ -570,7 +570,7 @@ static void unlist(struct workers *ws, struct work *w)
     atomic_store(&ws->any_done, ws->done != NULL);
 }
 
-void workers_drop(struct workers *ws, struct work *w)
+void workers_drop(struct workers *ws, struct task *w)
 {
     atomic_store(&w->dropped, true);
     pthread_mutex_lock(&ws->lock);

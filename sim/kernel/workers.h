@@ -12,7 +12,7 @@
  * that has come the least far is run first, because it is what the others wait for. A committing thread that has to wait
  * runs work itself; that pauses when there is more need of events, which bring more work, than of getting on with it.
  *
- * All functions are the committing thread's, but for workers_pass(), which is the work's.
+ * All functions are the committing thread's, but for workers_report(), which is the work's.
  */
 #ifndef WORKERS_WORKERS_H
 #define WORKERS_WORKERS_H
@@ -24,20 +24,20 @@
 
 struct workers;
 
-struct work {
+struct task {
     /* set by the caller */
-    _Atomic vtime reached; /* its event comes no earlier */
-    uint32_t place;        /* and is at this place */
+    _Atomic vtime lower_bound; /* its event comes no earlier */
+    uint32_t place;            /* and is at this place */
     /* the workers' own */
     atomic_bool dropped;
     bool helped; /* runs on the committing thread */
-    struct work *next;
+    struct task *next;
 };
 
 struct workers_calls {
     void *ctx;
     void *(*begin)(void *ctx);                 /* a thread begins; returns what is its own */
-    bool (*run)(void *thread, struct work *w); /* goes on with w; true: it is done; false: it paused */
+    bool (*run)(void *thread, struct task *w); /* goes on with w; true: it is done; false: it paused */
     void (*end)(void *thread);                 /* before the thread ends */
 };
 
@@ -56,7 +56,7 @@ struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct wor
 void workers_free(struct workers *ws);
 
 /* w goes out. It stays where it is until taken back, or until workers_halt. */
-void workers_hand(struct workers *ws, struct work *w);
+void workers_submit(struct workers *ws, struct task *w);
 /* Is any work out? */
 bool workers_busy(const struct workers *ws);
 /* May an event at (time, place) be committed? */
@@ -65,12 +65,12 @@ bool workers_allow(struct workers *ws, vtime time, uint32_t place);
  * is out. */
 vtime workers_bound(const struct workers *ws);
 /* Work that is done, which is out no more; NULL: none at the moment. */
-struct work *workers_take(struct workers *ws);
+struct task *workers_take(struct workers *ws);
 /* An event at (time, place) is not allowed yet: runs work, or waits until there is work to take or the event may be
  * allowed. */
 void workers_advance(struct workers *ws, vtime time, uint32_t place);
 /* w, which is out, is not wanted any more: it is stopped and taken back. */
-void workers_drop(struct workers *ws, struct work *w);
+void workers_drop(struct workers *ws, struct task *w);
 /* Stops all: returns when nothing runs. Nothing is taken after it. */
 void workers_halt(struct workers *ws);
 struct workers_stats workers_stats(const struct workers *ws);
@@ -79,5 +79,5 @@ struct workers_stats workers_stats(const struct workers *ws);
 bool workers_worth(struct workers *ws, bool is_long);
 
 /* From inside w, wherever it can pause: it has come to `reached`. True: it should pause. */
-bool workers_pass(struct workers *ws, struct work *w, vtime reached);
+bool workers_report(struct workers *ws, struct task *w, vtime reached);
 #endif

@@ -1,164 +1,158 @@
-/* clock.c - see clock.h. Units are cumulative, so that rounding does not depend on how often they are looked
- * at. */
+/* clock.c - see clock.h. Units are cumulative: how often the clock is synchronised changes no rounding. */
 #include "lp/clock.h"
-#include "node/system.h"
-#include "nx_api/nxcc/image.h"
 
 #define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
 
-/* Looks come after a quarter of a millisecond of an i860, then each as much later as has passed, up to 8 ms. */
-#define FIRST_LOOK (10000 * UNITS_PER_CLOCK)
-#define LONGEST_LOOK (320000 * UNITS_PER_CLOCK)
+/* The first slice ends after a quarter of a millisecond of an i860, each further one after as much again as has passed, at
+ * most 8 ms. */
+#define FIRST_SLICE (10000 * UNITS_PER_CLOCK)
+#define LONGEST_SLICE (320000 * UNITS_PER_CLOCK)
 
-void clock_set(struct node *n, uint64_t hz)
+void clock_set(struct lp *lp, uint64_t hz)
 {
     uint64_t units_per_second = hz * UNITS_PER_CLOCK;
-    n->clock_hz = hz;
-    n->clock.unit_ps = VT_SECOND % units_per_second ? 0 : VT_SECOND / units_per_second;
+    lp->clock_hz = hz;
+    lp->clock.unit_ps = VT_SECOND % units_per_second ? 0 : VT_SECOND / units_per_second;
 }
 
-vtime clock_of_units_exactly(const struct node *n, uint64_t units)
+vtime clock_of_units_exactly(const struct lp *lp, uint64_t units)
 {
-    return (vtime)((unsigned __int128)units * VT_SECOND / (n->clock_hz * UNITS_PER_CLOCK));
+    return (vtime)((unsigned __int128)units * VT_SECOND / (lp->clock_hz * UNITS_PER_CLOCK));
 }
 
-uint64_t clock_units_in(const struct node *n, vtime t)
+uint64_t clock_units_in(const struct lp *lp, vtime t)
 {
-    if (n->clock.unit_ps)
-        return t / n->clock.unit_ps + (t % n->clock.unit_ps > 0);
-    uint64_t units_per_second = n->clock_hz * UNITS_PER_CLOCK;
+    if (lp->clock.unit_ps)
+        return t / lp->clock.unit_ps + (t % lp->clock.unit_ps > 0);
+    uint64_t units_per_second = lp->clock_hz * UNITS_PER_CLOCK;
     return (uint64_t)(((unsigned __int128)t * units_per_second + VT_SECOND - 1) / VT_SECOND);
 }
 
-vtime node_now(struct node *n)
-{
-    return clock_sync(n);
-}
-
-/* --- looks --- */
+/* --- compute segments and their slices --- */
 
 static uint64_t least(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
 
-void clock_give(struct node *n)
+void clock_begin_segment(struct lp *lp)
 {
-    uint64_t units = n->clock.units;
-    n->looks.quiet = 0;
-    n->looks.given_at = units;
-    n->looks.look = units + FIRST_LOOK;
+    uint64_t units = lp->clock.units;
+    lp->segment.lookahead = 0;
+    lp->segment.begun = units;
+    lp->segment.end = units + FIRST_SLICE;
 }
 
-uint64_t clock_promised(const struct node *n)
+uint64_t clock_lookahead_units(const struct lp *lp)
 {
-    return n->looks.quiet > n->clock.units ? n->looks.quiet - n->clock.units : 0;
+    return lp->segment.lookahead > lp->clock.units ? lp->segment.lookahead - lp->clock.units : 0;
 }
 
-void clock_promise(struct node *n, uint64_t units)
+void clock_set_lookahead(struct lp *lp, uint64_t units)
 {
-    uint64_t until = n->clock.units + units;
-    if (until > n->looks.quiet)
-        n->looks.quiet = until;
+    uint64_t until = lp->clock.units + units;
+    if (until > lp->segment.lookahead)
+        lp->segment.lookahead = until;
 }
 
-void clock_look(struct node *n, uintptr_t at)
+void clock_reach_boundary(struct lp *lp, uintptr_t at)
 {
-    struct node_looks *l = &n->looks;
-    if (l->look <= n->clock.units)
-        n->beside->looks[n->beside->look_count++ % NODE_LOOKS] = (struct node_look){n->clock.units, at};
-    while (l->look <= n->clock.units)
-        l->look += least(l->look - l->given_at, LONGEST_LOOK);
+    struct lp_segment *g = &lp->segment;
+    struct lp_cold *c = lp->cold;
+    if (g->end <= lp->clock.units)
+        c->places[c->count++ % LP_PLACES] = (struct lp_place){lp->clock.units, at};
+    while (g->end <= lp->clock.units)
+        g->end += least(g->end - g->begun, LONGEST_SLICE);
 }
 
-void clock_look_ahead(struct node *n)
+void clock_take_lookahead(struct lp *lp)
 {
-    if (*n->quiet < n->clock.given)
-        clock_promise(n, (uint64_t)(n->clock.given - *n->quiet));
+    if (*lp->lookahead < lp->clock.granted)
+        clock_set_lookahead(lp, (uint64_t)(lp->clock.granted - *lp->lookahead));
 }
 
-uintptr_t clock_looked_at(const struct node *n)
+uintptr_t clock_last_place(const struct lp *lp)
 {
-    const struct node_beside *b = n->beside;
-    for (uint32_t i = 0; i < b->look_count && i < NODE_LOOKS; i++) {
-        const struct node_look *look = &b->looks[(b->look_count - 1 - i) % NODE_LOOKS];
-        if (look->units <= n->clock.units)
-            return look->units >= n->looks.known_at ? look->at : 0;
+    const struct lp_cold *c = lp->cold;
+    for (uint32_t i = 0; i < c->count && i < LP_PLACES; i++) {
+        const struct lp_place *place = &c->places[(c->count - 1 - i) % LP_PLACES];
+        if (place->units <= lp->clock.units)
+            return place->units >= lp->segment.committed ? place->at : 0;
     }
     return 0;
 }
 
-/* When it will have spent so many, or had, if it only computes. */
-static vtime clock_at(const struct node *n, uint64_t units)
+/* When the program, which only computes, will have spent so many units, or had. */
+static vtime clock_at(const struct lp *lp, uint64_t units)
 {
-    return n->clock.now + clock_of_units(n, units) - clock_of_units(n, n->clock.units);
+    return lp->clock.now + clock_of_units(lp, units) - clock_of_units(lp, lp->clock.units);
 }
 
-vtime clock_when(const struct node *n, uint64_t units)
+vtime clock_when(const struct lp *lp, uint64_t units)
 {
-    return units > n->clock.units ? clock_at(n, units) : 0;
+    return units > lp->clock.units ? clock_at(lp, units) : 0;
 }
 
-vtime clock_quiet(const struct node *n)
+vtime clock_lookahead(const struct lp *lp)
 {
-    const struct node_clock *c = &n->clock;
-    uint64_t quiet = least(n->looks.quiet, n->looks.look);
-    return quiet > c->units ? clock_at(n, quiet) : c->now;
+    const struct lp_clock *c = &lp->clock;
+    uint64_t until = least(lp->segment.lookahead, lp->segment.end);
+    return until > c->units ? clock_at(lp, until) : c->now;
 }
 
-uint64_t clock_stretch(const struct node *n)
+uint64_t clock_segment_units(const struct lp *lp)
 {
-    return n->clock.units - n->looks.given_at;
+    return lp->clock.units - lp->segment.begun;
 }
 
-void clock_crash(struct node *n)
+void clock_crash(struct lp *lp)
 {
-    clock_stop(n);
-    clock_set_units(n, n->looks.look);
+    clock_stop(lp);
+    clock_set_units(lp, lp->segment.end);
 }
 
-/* Does not depend on how far the program had run ahead. */
-void clock_cut(struct node *n, vtime t)
+/* The result does not depend on how far the program had computed ahead. */
+void clock_roll_back(struct lp *lp, vtime t)
 {
-    clock_sync(n);
-    vtime computed = clock_of_units(n, n->clock.units);
-    clock_set_units(n, computed > t ? clock_units_in(n, computed - t) : 0);
+    clock_sync(lp);
+    vtime computed = clock_of_units(lp, lp->clock.units);
+    clock_set_units(lp, computed > t ? clock_units_in(lp, computed - t) : 0);
 }
 
-/* Where a unit is no whole number of picoseconds, it depends on how many have been spent. */
-static __attribute__((noinline)) uint64_t units_until_exactly(const struct node *n, vtime t)
+/* Where a unit is no whole number of picoseconds, what units take depends on how many have been spent. */
+static __attribute__((noinline)) uint64_t units_until_exactly(const struct lp *lp, vtime t)
 {
-    const struct node_clock *c = &n->clock;
-    uint64_t units = clock_units_in(n, t - c->now);
-    while (units > 0 && clock_at(n, c->units + units - 1) >= t)
+    const struct lp_clock *c = &lp->clock;
+    uint64_t units = clock_units_in(lp, t - c->now);
+    while (units > 0 && clock_at(lp, c->units + units - 1) >= t)
         units--;
-    while (clock_at(n, c->units + units) < t)
+    while (clock_at(lp, c->units + units) < t)
         units++;
     return units;
 }
 
-/* So many units it has to spend to come to t or behind it. */
-static inline uint64_t units_until(const struct node *n, vtime t)
+/* Units that the program has to spend to come to t or behind it. */
+static inline uint64_t units_until(const struct lp *lp, vtime t)
 {
-    const struct node_clock *c = &n->clock;
+    const struct lp_clock *c = &lp->clock;
     if (!c->unit_ps)
-        return units_until_exactly(n, t);
+        return units_until_exactly(lp, t);
     return (t - c->now + c->unit_ps - 1) / c->unit_ps;
 }
 
-void clock_allow(struct node *n, vtime deadline)
+void clock_allow(struct lp *lp, vtime deadline)
 {
-    struct node_clock *c = &n->clock;
-    uint64_t units = n->looks.look - c->units;
-    if (n->sys->longest_slice)
-        units = least(units, clock_units_in(n, n->sys->longest_slice));
+    struct lp_clock *c = &lp->clock;
+    uint64_t units = lp->segment.end - c->units;
+    if (lp->schedule->longest_slice)
+        units = least(units, clock_units_in(lp, lp->schedule->longest_slice));
     if (deadline <= c->now)
         units = 1;
     else if (deadline != VT_NEVER)
-        units = least(units, units_until(n, deadline));
-    /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
-    c->given = (int64_t)units - 1;
-    *n->left = c->given;
-    *n->quiet = NXC_NOT_QUIET;
-    clock_start(n);
+        units = least(units, units_until(lp, deadline));
+    /* A poll finds *budget negative once more than `granted` units are spent: one less than may pass. */
+    c->granted = (int64_t)units - 1;
+    *lp->budget = c->granted;
+    *lp->lookahead = NXC_NOT_QUIET;
+    c->runs = true;
 }

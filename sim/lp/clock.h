@@ -1,97 +1,122 @@
-/* clock.h - a node's processor clock: cost units counted by the program, and the rest of its time.
+/* clock.h - a node's processor clock: the cost units that its program counts, and the rest of its time.
  *
- * While a program computes it is looked at now and then: the first check at or past certain numbers of units since it
- * got control calls nxc_preempt. Looks come at the same checks in every run, whatever else stops the program. */
-#ifndef NODE_CLOCK_H
-#define NODE_CLOCK_H
-#include "node/node.h"
+ * A computing program comes to a slice boundary now and then: the first poll at or past certain numbers of units since it got
+ * control calls nxc_preempt. Slice boundaries are at the same polls in every run, whatever else stops the program. */
+#ifndef LP_CLOCK_H
+#define LP_CLOCK_H
+#include "lp/lp.h"
 #include "nx_api/nxcc/image.h"
 
 /* The node's processor has so many clocks a second. */
-void clock_set(struct node *n, uint64_t hz);
+void clock_set(struct lp *lp, uint64_t hz);
 /* Virtual time of so many cost units. */
-vtime clock_of_units_exactly(const struct node *n, uint64_t units);
-static inline vtime clock_of_units(const struct node *n, uint64_t units)
+vtime clock_of_units_exactly(const struct lp *lp, uint64_t units);
+static inline vtime clock_of_units(const struct lp *lp, uint64_t units)
 {
-    return n->clock.unit_ps ? units * n->clock.unit_ps : clock_of_units_exactly(n, units);
+    return lp->clock.unit_ps ? units * lp->clock.unit_ps : clock_of_units_exactly(lp, units);
 }
 
-/* The program has spent so many units. */
-static inline void clock_set_units(struct node *n, uint64_t units)
+/* The program has spent so many units in all. */
+static inline void clock_set_units(struct lp *lp, uint64_t units)
 {
-    struct node_clock *c = &n->clock;
-    c->now += clock_of_units(n, units) - clock_of_units(n, c->units);
+    struct lp_clock *c = &lp->clock;
+    c->now += clock_of_units(lp, units) - clock_of_units(lp, c->units);
     c->units = units;
 }
 
-/* Take up what the program has spent since the last time; returns the time. */
-static inline vtime clock_sync(struct node *n)
+/* Synchronises the clock with what the program has spent; returns the time. */
+static inline vtime clock_sync(struct lp *lp)
 {
-    struct node_clock *c = &n->clock;
+    struct lp_clock *c = &lp->clock;
     if (c->runs) {
-        clock_set_units(n, c->units + (uint64_t)(c->given - *n->left));
-        c->given = *n->left;
+        clock_set_units(lp, c->units + (uint64_t)(c->granted - *lp->budget));
+        c->granted = *lp->budget;
     }
     return c->now;
 }
 
-/* The program has control, with what it may yet spend: it may have spent some whenever the time is asked for. */
-static inline void clock_start(struct node *n)
+/* The program is in a call: it spends nothing until clock_allow. */
+static inline vtime clock_stop(struct lp *lp)
 {
-    n->clock.runs = true;
-}
-
-/* The program is in a call: it spends nothing until clock_start. */
-static inline vtime clock_stop(struct node *n)
-{
-    clock_sync(n);
-    n->clock.runs = false;
-    return n->clock.now;
+    clock_sync(lp);
+    lp->clock.runs = false;
+    return lp->clock.now;
 }
 
 /* Time goes on without the program: wait, system. Call after clock_sync. */
-static inline void clock_advance(struct node *n, vtime by)
+static inline void clock_advance(struct lp *lp, vtime by)
 {
-    n->clock.now += by;
+    lp->clock.now += by;
 }
 
-/* The same until t >= clock_sync(n). */
-static inline void clock_advance_to(struct node *n, vtime t)
+/* The same until t >= clock_sync(lp). */
+static inline void clock_advance_to(struct lp *lp, vtime t)
 {
-    clock_advance(n, t - clock_sync(n));
+    clock_advance(lp, t - clock_sync(lp));
 }
 
-/* The program gets control: the looks begin anew. Call after clock_sync. */
-void clock_give(struct node *n);
-/* It got control when it had spent so many units, and all that has happened before is known. */
-static inline void clock_given_in_turn(struct node *n, uint64_t units)
+/* The system takes t from the computing program: its commit time is so much later. */
+static inline void clock_steal(struct lp *lp, vtime t)
 {
-    n->looks.known_at = units;
+    lp->clock.stolen += t;
 }
-/* Starts the program's clock: it may spend until `deadline` (VT_NEVER: any time), or the next look: the first check at or past it calls
- * nxc_preempt. Call after clock_sync. */
-void clock_allow(struct node *n, vtime deadline);
-/* In nxc_preempt, after clock_sync: notes a look that is due, and where in the program it is. */
-void clock_look(struct node *n, uintptr_t at);
-/* And what the program says of its next call. */
-void clock_look_ahead(struct node *n);
-/* Where the program, which only computes, was at the last look before now; 0: there has been none since it got control, or too
+
+/* What has been stolen becomes part of the clock's time; returns how much. Call after clock_sync. */
+static inline vtime clock_add_stolen(struct lp *lp)
+{
+    vtime stolen = lp->clock.stolen;
+    lp->clock.now += stolen;
+    lp->clock.stolen = 0;
+    return stolen;
+}
+
+/* What has been stolen is another's loss: the program has ended. */
+static inline void clock_drop_stolen(struct lp *lp)
+{
+    lp->clock.stolen = 0;
+}
+
+/* The program gets control: slices begin anew. Call after clock_sync. */
+void clock_begin_segment(struct lp *lp);
+/* The program got control when it had spent so many units, and all earlier events were committed. */
+static inline void clock_note_committed(struct lp *lp, uint64_t units)
+{
+    lp->segment.committed = units;
+}
+/* Starts the program's clock: it may spend until `deadline` (VT_NEVER: any time), or the next slice boundary: the first poll at or
+ * past it calls nxc_preempt. Call after clock_sync. */
+void clock_allow(struct lp *lp, vtime deadline);
+/* In nxc_preempt, after clock_sync: notes a slice boundary that is reached, and where in the program the poll is. */
+void clock_reach_boundary(struct lp *lp, uintptr_t at);
+/* And the lookahead that the program has stated. */
+void clock_take_lookahead(struct lp *lp);
+/* Where the program, which only computes, was at the last slice boundary before now; 0: none since it got control, or too
  * many since then. */
-uintptr_t clock_looked_at(const struct node *n);
-/* The program makes no call, and is not looked at, before this time, which is not before its clock's. */
-vtime clock_quiet(const struct node *n);
-/* Units that it has yet to spend before its next call; and that is what it has: handlers have run meanwhile. */
-uint64_t clock_promised(const struct node *n);
-void clock_promise(struct node *n, uint64_t units);
-/* When it will have spent so many units, if it only computes; 0: it has. */
-vtime clock_when(const struct node *n, uint64_t units);
+uintptr_t clock_last_place(const struct lp *lp);
+/* The program makes no call, and comes to no slice boundary, before this time, which is not before its clock's. */
+vtime clock_lookahead(const struct lp *lp);
+/* Units that the program has yet to spend before its next call; and sets that, after handlers have run. */
+uint64_t clock_lookahead_units(const struct lp *lp);
+void clock_set_lookahead(struct lp *lp, uint64_t units);
+/* When the program will have spent so many units, if it only computes; 0: it has. */
+vtime clock_when(const struct lp *lp, uint64_t units);
 /* The least units that take t. */
-uint64_t clock_units_in(const struct node *n, vtime t);
+uint64_t clock_units_in(const struct lp *lp, vtime t);
 /* Units spent since the program got control. */
-uint64_t clock_stretch(const struct node *n);
-/* The program has crashed while it computed, some time after its last look: how far it had come nobody knows, and it counts as
- * having computed up to its next look, which is the same however it was stopped before. */
-void clock_crash(struct node *n);
+uint64_t clock_segment_units(const struct lp *lp);
+/* The program has crashed while it computed, some time after its last slice boundary. How far it had come is unknown. It counts as
+ * having computed up to its next slice boundary, which is the same however it was stopped before. */
+void clock_crash(struct lp *lp);
 /* Take back so much computing, or all there is. */
-void clock_cut(struct node *n, vtime t);
+void clock_roll_back(struct lp *lp, vtime t);
+/* The clock stands at another time: that of a node asked whether it may resume. */
+static inline void clock_set_time(struct lp *lp, vtime t)
+{
+    lp->clock.now = t;
+}
+/* Back to a moment of before: after a deferred call that is rolled back. */
+static inline void clock_return_to(struct lp *lp, uint64_t units, vtime t)
+{
+    lp->clock.units = units, lp->clock.now = t;
+}
 #endif

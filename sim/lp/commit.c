@@ -1,55 +1,74 @@
-/* commit.c - the fast engine's loop: events are committed in order, by the calling thread; see turns.h. */
-#include <stddef.h>
-#include "kernel/workers.h"
-#include "node/system.h"
+/* commit.c - the fast engine's loop: the coordinator commits events in the total order, one at a time. */
+#include "lp/commit.h"
 #include "lp/dispatch.h"
+#include "lp/engine.h"
+#include "lp/offload.h"
+#include "lp/upcalls.h"
 
 const char ENGINE_NAME[] = "fast";
 
-static struct node *node_of(struct work *w)
+/* The earliest event, of the queue or a node's poll time: its time, VT_NEVER if there is none, and address. */
+static vtime next_event(const struct schedule *s, uint32_t *address)
 {
-    return (struct node *)((char *)w - offsetof(struct node, ahead.work));
+    vtime time = evq_next(s->q);
+    *address = evq_next_place(s->q);
+    if (!commit_poll_is_before(s, time, *address))
+        return time;
+    *address = mintree_place(&s->polls);
+    return mintree_least(&s->polls);
 }
 
-/* The earliest event, if nothing that is out may come before it; else something is done about that. False: there is none,
- * and nothing out. */
-static bool commit_event(struct node_system *s)
+/* Commits the earliest event. False: there is none. */
+static bool commit_next(struct schedule *s)
+{
+    if (mintree_least(&s->polls) != VT_NEVER &&
+        commit_poll_is_before(s, evq_next(s->q), evq_next_place(s->q))) {
+        struct lp *lp = up_lp_at(s, mintree_place(&s->polls));
+        if (!offload_paused(lp))
+            lp_go_on_from_poll(lp);
+        return true;
+    }
+    s->reached = schedule_reached(s);
+    return evq_step(s->q, &s->present);
+}
+
+/* Commits the earliest event, unless a task that is out may cause an earlier one: then helps with that. False: there is neither. */
+static bool commit_or_help(struct schedule *s)
 {
     bool out = s->workers && workers_busy(s->workers);
     if (!out && s->max_time == VT_NEVER)
-        return node_step(s);
-    for (struct work *w; out && (w = workers_take(s->workers));)
-        node_catch(node_of(w));
-    uint32_t place;
-    vtime next = node_next(s, &place);
-    if (out && !workers_allow(s->workers, next, place)) {
+        return commit_next(s);
+    for (struct task *t; out && (t = workers_take(s->workers));)
+        offload_take_back(t);
+    uint32_t address;
+    vtime next = next_event(s, &address);
+    if (out && !workers_allow(s->workers, next, address)) {
         s->unseen += 64; /* it may have taken long */
-        workers_advance(s->workers, next, place);
+        workers_advance(s->workers, next, address);
         return true;
     }
     if (next == VT_NEVER)
         return out && workers_busy(s->workers);
     if (next > s->max_time)
-        node_system_end_at_limit(s);
-    return next <= s->max_time && node_step(s);
+        up_end_at_limit(s);
+    return next <= s->max_time && commit_next(s);
 }
 
 /* Flattened: after a switch to a program and back no processor foresees where a function returns to. */
-__attribute__((flatten)) static void commit_events(struct node_system *s)
+__attribute__((flatten)) static void commit_events(struct schedule *s)
 {
     enum { LOOK_EVERY = 1024 };
-    for (uint64_t i = 0; !s->stop && commit_event(s); i++)
+    for (uint64_t i = 0; !s->stop && commit_or_help(s); i++)
         if (i % LOOK_EVERY == 0 || s->unseen > LOOK_EVERY)
             s->look(s->look_ctx);
 }
 
-/* The machine has been stopped: programs that were let off come as far as the others. */
-static void catch_up(struct node_system *s)
+/* The machine has been stopped: programs paused at polls come as far as the others. */
+static void catch_up(struct schedule *s)
 {
-    for (uint32_t i = 0; s->stop && i < s->count; i++)
-        node_catch_up(s->nodes[i], s->stop_at.time);
-    if (s->stop && s->host)
-        node_catch_up(s->host, s->stop_at.time);
+    for (uint32_t i = 0; s->stop && i < s->polls.room; i++)
+        if (s->polls.time[i] != VT_NEVER)
+            lp_catch_up(up_lp_at(s, i), s->stop_at.time);
 }
 
 static void *thread_begins(void *ctx)
@@ -58,13 +77,13 @@ static void *thread_begins(void *ctx)
     return t->begin();
 }
 
-static bool thread_runs(void *own, struct work *w)
+static bool thread_runs(void *own, struct task *t)
 {
     (void)own;
-    return node_run_ahead(node_of(w));
+    return offload_run(t);
 }
 
-struct workers_stats engine_run(struct node_system *s, const struct engine_threads *threads)
+struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads)
 {
     const struct workers_calls calls = {(void *)threads, thread_begins, thread_runs, threads->end};
     struct workers_stats stats = {0};

@@ -1,490 +1,334 @@
-/* turns.c - see turns.h. */
+/* dispatch.c - see dispatch.h. */
 #include "lp/dispatch.h"
 #include <errno.h>
-#include <stddef.h>
-#include "kernel/prefetch.h"
-#include "kernel/fiber.h"
-#include "os/charge.h"
+#include "lp/block.h"
 #include "lp/clock.h"
-#include "os/handlers.h"
-#include "guest/isolate.h"
-#include "os/mailbox.h"
-#include "os/deferred.h"
-#include "node/system.h"
-#include "nx_api/nxcc/image.h"
+#include "lp/commit.h"
+#include "lp/engine.h"
+#include "lp/lookahead.h"
+#include "lp/offload.h"
+#include "lp/prefetch_coming.h"
+#include "lp/upcalls.h"
 
 static void go_on(void *ctx, void *arg, vtime now);
 static void wake(void *ctx, void *arg, vtime now);
 
-/* Up to the node's turn now, that included. */
-static struct instant up_to(const struct node *n, vtime now)
+/* Up to the node's moment at `now`, which is included. */
+static struct instant up_to(const struct lp *lp, vtime now)
 {
-    return (struct instant){now, n->place + 1};
+    return (struct instant){now, lp->address + 1};
 }
 
-void turn_put(struct node *n, vtime t)
+void lp_schedule(struct lp *lp, vtime t)
 {
-    evq_put_late(n->sys->q, t, n->place, go_on, n, NULL);
+    evq_put_late(lp->schedule->q, t, lp->address, go_on, lp, NULL);
 }
 
-void turn_at_check(struct node *n, vtime check, vtime t)
+void lp_pause_at_poll(struct lp *lp, vtime poll_time, vtime t)
 {
-    n->stopped = true;
-    n->ahead.check = check;
-    mintree_set(&n->sys->checks, n->place, vt_max(check, t));
+    lp->paused_at_poll = true;
+    lp->ahead.poll_time = poll_time;
+    mintree_set(&lp->schedule->polls, lp->address, vt_max(poll_time, t));
 }
 
-static void leave_check(struct node *n)
+void lp_leave_poll(struct lp *lp)
 {
-    n->stopped = false;
-    mintree_set(&n->sys->checks, n->place, VT_NEVER);
+    lp->paused_at_poll = false;
+    mintree_set(&lp->schedule->polls, lp->address, VT_NEVER);
 }
 
-/* The node whose turn comes so many events after the next; NULL: unknown, or something else happens then. */
-static struct node *coming(const struct node_system *s, unsigned after)
+struct lp *lp_coming(const struct schedule *s, unsigned after)
 {
     evq_fire *fire;
-    struct node *n = evq_coming(s->q, after, &fire);
-    return fire == go_on || fire == wake ? n : NULL;
+    struct lp *lp = evq_coming(s->q, after, &fire);
+    return fire == go_on || fire == wake ? lp : NULL;
 }
 
-/* --- loading ahead (inlined: see prefetch.h) --- */
-
-static inline __attribute__((always_inline)) void load(const void *from, const void *end)
+/* The commit time of a program that is not offloaded, as far as is known. */
+static vtime commit_time(struct lp *lp)
 {
-    for (const char *p = from; p < (const char *)end; p += CACHE_LINE)
-        __builtin_prefetch(p, 1);
+    return clock_sync(lp) + lp->clock.stolen;
 }
 
-/* What every program wants of its node behind the first block. */
-static inline __attribute__((always_inline)) void load_node(const struct node *n)
+/* --- the program's side --- */
+
+/* Is the machine to stop, or the node at the limit of time? Then the coordinator wants to know; and now and then in any case,
+ * for limits of host time and signals. */
+static bool must_stop(struct lp *lp, vtime now)
 {
-    enum { CALLS = 2 };
-    __builtin_prefetch((const char *)n + CACHE_BLOCK, 1);
-    load(n->calls, &n->calls[CALLS]);
-    load(&n->fiber.self, &n->ahead.work);
+    enum { MOST_UNSEEN = 4096 };
+    struct schedule *s = lp->schedule;
+    return s->stop || now > s->max_time || ++s->unseen > MOST_UNSEEN;
 }
 
-static uint32_t ids_in_use(const struct node *n)
+bool lp_is_next(struct lp *lp, vtime now)
 {
-    return n->mailbox.ids.used < IDS_BLOCK ? n->mailbox.ids.used : IDS_BLOCK;
+    const struct schedule *s = lp->schedule;
+    return evq_late_is_first(s->q, now, lp->address) && !commit_poll_is_before(s, now, lp->address) &&
+           (!s->workers || workers_allow(s->workers, now, lp->address));
 }
 
-/* The first ids are in use, most often. */
-static inline __attribute__((always_inline)) void load_receives(const struct node *n)
+bool lp_must_yield(struct lp *lp, vtime now)
 {
-    for (uint32_t i = 0; i < ids_in_use(n); i++)
-        prefetch_pair(&n->mailbox.ids.first->ids[i]);
-    prefetch_pair(n->receive.m);
-    __builtin_prefetch(n->stats.waits.list, 1);
+    if (lp->ahead.until)
+        return !lp->clock.runs || now >= lp->ahead.until;
+    return lp->offloaded || lp->clock.stolen || !lp_is_next(lp, now) || must_stop(lp, now);
 }
 
-static inline __attribute__((always_inline)) void load_messages(const struct node *n)
+void lp_prepare_yield(struct lp *lp, vtime now)
 {
-    for (uint32_t i = 0; i < ids_in_use(n); i++)
-        prefetch_pair(n->mailbox.ids.first->ids[i].receive.m);
+    if (lp->offloaded)
+        lp->ahead.arrived = now; /* for offload_take_back */
+    else if (lp->clock.runs && lp->ahead.interruptible)
+        lp_pause_at_poll(lp, now, lp_lookahead(lp));
+    else
+        lp_schedule(lp, now);
 }
 
-/* Of the stack: from a program's call to the switch, some functions. Beside its counter lie its other small variables, and
- * where it has its calls' addresses. */
-static inline __attribute__((always_inline)) void load_program(const struct node *n)
+void lp_commit(struct lp *lp, vtime now)
 {
-    enum { LINE = CACHE_LINE, STACK = 7 * LINE, BESIDE = 2 * LINE };
-    load((const char *)n->left - BESIDE, (const char *)n->left + BESIDE + LINE);
-    const char *innermost = fiber_innermost(&n->fiber);
-    load(innermost, innermost + STACK);
+    if (!lp->ahead.until && !lp_is_passed(lp, now))
+        schedule_commit(lp->schedule, now, lp->address);
 }
 
-/* Looks up a page of a program: four at a time take hardly longer than one. That of its counter has its entry in the same
- * line of the page tables. */
-static inline __attribute__((always_inline)) void load_page(const struct node *n)
+void lp_drain(struct lp *lp)
 {
-    if (n && !n->loose && fiber_innermost(&n->fiber))
-        __builtin_prefetch(fiber_innermost(&n->fiber), 1);
-}
-
-/* With thousands of nodes, none of what a node needs is in the caches when its turn comes. Loading begins some events ahead:
- * the node first, then what it points to. */
-static inline __attribute__((always_inline)) void warm_coming(const struct node_system *s)
-{
-    enum { FIRST = 10, TOGETHER = 4, PAGES = 4, SECOND = 4, THIRD = 2 };
-    const struct node *n = coming(s, FIRST);
-    if (n)
-        load_node(n);
-    for (unsigned i = 0; s->switches % TOGETHER == 0 && i < TOGETHER; i++)
-        load_page(coming(s, PAGES + i));
-    n = coming(s, SECOND);
-    if (n && !n->loose)
-        load_receives(n);
-    n = coming(s, THIRD);
-    if (n && n->state != NODE_ENDED && !n->loose && fiber_innermost(&n->fiber)) {
-        load_messages(n);
-        load_program(n);
-    }
-}
-
-/* --- */
-
-/* Lets the program run on this thread until it yields. */
-static void run(struct node *n)
-{
-    isolate_run(n);
-    errno = n->saved_errno;
-    fiber_resume(&n->fiber);
-    if (n->crash)
-        n->sys->keep_crash(n);
-    clock_sync(n);
-    n->saved_errno = errno;
-}
-
-/* A program has crashed, in a call, or computing: told at the time of its clock, which messages may put off as they do a call. */
-static void crash(struct node *n)
-{
-    n->pending.open = false;
-    if (!n->call)
-        clock_crash(n);
-    turn_put(n, node_now(n));
-}
-
-bool turn_may_rest(const struct node *n, vtime now)
-{
-    return !n->armed && !n->is_host && !n->loose && !n->clock.stolen && !n->sys->stop &&
-           now <= n->sys->max_time && !turn_is_passed(n, now);
-}
-
-/* The turn of a program that is not loose, as far as is known. */
-static vtime turn_of(struct node *n)
-{
-    return clock_sync(n) + n->clock.stolen;
-}
-
-void turn_settle(struct node *n, struct instant before)
-{
-    pending_make_until(n, before);
-    if (!n->rests || n->pending.count || !instant_before(turn_of(n), n->place, before))
+    if (!up_has_deferred(lp))
         return;
-    n->rests = false;
-    clock_advance(n, n->clock.stolen);
-    n->clock.stolen = 0;
-    account_block(n, clock_sync(n));
+    lp->drains = true;
+    lp_schedule(lp, up_last_deferred(lp));
+    lp_yield(lp);
 }
 
-/* Will what the program waits for be there at its turn? */
-static bool will_be_ready(struct node *n)
+bool lp_may_block_lazily(const struct lp *lp, vtime now)
 {
-    n->clock.now += n->clock.stolen;
-    bool ready = n->wait.ready(n, n->wait.arg);
-    n->clock.now -= n->clock.stolen;
+    const struct schedule *s = lp->schedule;
+    return !lp->offloaded && !lp->clock.stolen && !s->stop && now <= s->max_time && !lp_is_passed(lp, now);
+}
+
+/* --- deferred calls, and blocking without an event --- */
+
+void lp_apply_deferred(struct lp *lp, struct instant before)
+{
+    up_commit_deferred(lp, before);
+    if (!lp->lazily_blocked || up_has_deferred(lp) || !instant_before(commit_time(lp), lp->address, before))
+        return;
+    lp->lazily_blocked = false;
+    clock_add_stolen(lp);
+    lp_block(lp, clock_sync(lp));
+}
+
+/* Will what the program waits for be there at its commit time? */
+static bool will_be_ready(struct lp *lp)
+{
+    vtime now = lp->clock.now, then = now + lp->clock.stolen;
+    clock_set_time(lp, then);
+    bool ready = up_may_resume(lp, then);
+    clock_set_time(lp, now);
     return ready;
 }
 
-/* A program that rests goes on at its turn, if what it waits for is there. What it has to do in turn before is looked at
- * first: messages may put that off, and its turn with it. */
-static void rouse(struct node *n)
+/* A lazily blocked program goes on at its commit time, if what it waits for is there. What is deferred before that and has an
+ * event is committed first: messages may put that off, and the commit time with it. */
+static void unblock_lazily(struct lp *lp)
 {
-    if (!n->rests || n->pending.told || !will_be_ready(n))
+    if (!lp->lazily_blocked || lp->scheduled_at || !will_be_ready(lp))
         return;
-    n->rests = false;
-    turn_put(n, turn_of(n));
+    lp->lazily_blocked = false;
+    lp_schedule(lp, commit_time(lp));
 }
 
-void engine_touch(struct node *n)
+static void commit_deferred(void *ctx, void *arg, vtime now)
 {
-    if (!n->stopped && !n->pending.count && !n->rests)
-        return;
-    struct instant at = turn_reached(n->sys);
-    if (n->stopped)
-        node_catch_up(n, at.time + (n->place < at.place));
-    turn_settle(n, at);
-}
-
-void engine_look(struct node *n, vtime t)
-{
-    turn_settle(n, turn_reached(n->sys));
-    rouse(n);
-    vtime turn = n->loose ? n->sys->present.time + n->clock.stolen : turn_of(n);
-    if (n->state == NODE_BLOCKED || turn < t)
-        node_wake(n, t);
-    /* else the turn of the program, which has been stopped, will not come before */
-}
-
-static void in_turn(void *ctx, void *arg, vtime now)
-{
-    struct node *n = ctx;
+    struct lp *lp = ctx;
     (void)arg;
-    pending_make_until(n, up_to(n, now));
-    if (n->pending.told != now)
+    up_commit_deferred(lp, up_to(lp, now));
+    if (lp->scheduled_at != now)
         return;
-    n->pending.told = 0;
-    turn_tell(n);
-    rouse(n);
+    lp->scheduled_at = 0;
+    lp_schedule_deferred(lp);
+    unblock_lazily(lp);
 }
 
-void turn_tell(struct node *n)
+void lp_schedule_deferred(struct lp *lp)
 {
-    struct message *sends;
-    vtime turn = pending_turn(n, &sends);
-    if (turn == VT_NEVER || (n->pending.told && n->pending.told <= turn))
+    void *sends = NULL;
+    vtime t = up_next_deferred(lp, &sends);
+    if (t == VT_NEVER || (lp->scheduled_at && lp->scheduled_at <= t))
         return;
-    n->pending.told = turn;
-    evq_put_late(n->sys->q, turn, n->place, in_turn, n, sends);
+    lp->scheduled_at = t;
+    evq_put_late(lp->schedule->q, t, lp->address, commit_deferred, lp, sends);
 }
 
-/* Has the program, which waits, anything to do now? */
-static bool may_go_on(struct node *n, vtime now)
+/* --- running programs --- */
+
+void lp_run(struct lp *lp)
 {
-    return handlers_due(n, now) || n->wait.ready(n, n->wait.arg);
+    up_program_resumes(lp);
+    errno = lp->saved_errno;
+    fiber_resume(&lp->fiber);
+    lp->crashed = up_program_returns(lp);
+    clock_sync(lp);
+    lp->saved_errno = errno;
 }
 
-static void run_warm(struct node *n)
+void lp_crash(struct lp *lp)
 {
-    n->state = NODE_COMPUTING;
-    n->sys->unseen = 0;
-    run(n);
-    if (n->crash)
-        crash(n);
-    else if (n->loose)
-        workers_hand(n->sys->workers, &n->ahead.work);
+    if (lp->clock.runs)
+        clock_crash(lp);
+    lp_schedule(lp, clock_sync(lp));
 }
 
-static void run_on(struct node *n)
+static void run_here(struct lp *lp)
 {
-    n->sys->switches++;
-    warm_coming(n->sys);
-    run_warm(n);
+    lp->state = LP_COMPUTING;
+    lp->schedule->unseen = 0;
+    lp_run(lp);
+    if (lp->crashed)
+        lp_crash(lp);
+    else if (lp->offloaded)
+        workers_submit(lp->schedule->workers, &lp->ahead.task);
 }
 
-static void resume(struct node *n, vtime now)
+static void run_on(struct lp *lp)
 {
-    clock_advance_to(n, now);
-    run_on(n);
+    lp->schedule->switches++;
+    prefetch_coming(lp->schedule);
+    run_here(lp);
 }
 
-bool node_run_ahead(struct node *n)
+static void resume(struct lp *lp, vtime now)
 {
-    n->ahead.paused = false;
-    load(n, (const char *)n + CACHE_BLOCK);
-    load_node(n);
-    load_program(n);
-    run(n);
-    return n->crash || !n->ahead.paused;
+    clock_advance_to(lp, now);
+    run_on(lp);
 }
 
-void node_catch(struct node *n)
+/* A computing node has come to its call. */
+static void arrive(struct lp *lp, vtime now)
 {
-    n->loose = false;
-    n->ahead.up_to = 0;
-    if (n->crash)
-        crash(n);
+    const struct schedule *s = lp->schedule;
+    clock_advance_to(lp, now);
+    if (!up_may_resume(lp, now) && lp_is_next(lp, now) && !s->stop && now <= s->max_time)
+        lp_block(lp, now);
     else
-        node_yield_turn(n, n->ahead.arrived);
+        resume(lp, now);
 }
 
-/* Is a node's check to come before time and place? */
-static bool check_is_before(const struct node_system *s, vtime time, uint32_t place)
-{
-    vtime check = mintree_least(&s->checks);
-    return check < time || (check == time && check != VT_NEVER && mintree_place(&s->checks) < place);
-}
-
-bool turn_is_first(struct node *n, vtime now)
-{
-    const struct node_system *s = n->sys;
-    return evq_late_is_first(s->q, now, n->place) && !check_is_before(s, now, n->place) &&
-           (!s->workers || workers_allow(s->workers, now, n->place));
-}
-
-/* A computing node has come to a call or check. */
-static void arrive(struct node *n, vtime now)
-{
-    clock_advance_to(n, now);
-    if (n->wait.ready && turn_is_first(n, now) && !n->sys->stop && now <= n->sys->max_time &&
-        !may_go_on(n, now))
-        account_block(n, now);
-    else
-        resume(n, now);
-}
-
-/* It is the turn of a node that computes ahead: of its call or check. */
+/* The commit time of a node that computes ahead: of its call, or its crash. */
 static void go_on(void *ctx, void *arg, vtime now)
 {
-    struct node *n = ctx;
+    struct lp *lp = ctx;
     (void)arg;
-    if (n->state == NODE_ENDED)
+    if (lp->state == LP_ENDED)
         return; /* killed meanwhile */
-    pending_make_until(n, up_to(n, now));
-    vtime turn = !n->pending.drains ? turn_of(n) : n->pending.count ? pending_last(n) : now;
-    if (turn > now) {
-        turn_put(n, turn);
-    } else if (n->crash) {
-        n->clock.stolen = 0;
-        clock_advance_to(n, now);
-        n->sys->crashed(n);
-    } else if (n->pending.drains) {
-        n->pending.drains = false;
-        run_on(n);
+    up_commit_deferred(lp, up_to(lp, now));
+    vtime t = !lp->drains ? commit_time(lp) : up_has_deferred(lp) ? up_last_deferred(lp) : now;
+    if (t > now) {
+        lp_schedule(lp, t);
+    } else if (lp->crashed) {
+        clock_drop_stolen(lp);
+        clock_advance_to(lp, now);
+        up_report_crash(lp);
+    } else if (lp->drains) {
+        lp->drains = false;
+        run_on(lp);
     } else {
-        n->clock.stolen = 0;
-        arrive(n, now);
+        clock_drop_stolen(lp);
+        arrive(lp, now);
     }
 }
 
-/* The turn of a node's check. */
-static void check(struct node *n)
+void lp_go_on_from_poll(struct lp *lp)
 {
-    leave_check(n);
-    if (n->clock.stolen) {
-        go_on(n, NULL, n->ahead.check);
-        return;
-    }
-    run_warm(n);
-}
-
-void node_catch_up(struct node *n, vtime t)
-{
-    if (!n->stopped)
-        return;
-    if (n->ahead.check < t && !n->clock.stolen) {
-        struct node *caller = isolate_keep(n->sys);
-        n->ahead.up_to = t;
-        check(n);
-        n->ahead.up_to = 0;
-        isolate_back_to(n->sys, caller);
-    }
-    if (n->stopped)
-        turn_at_check(n, n->ahead.check, 0);
-}
-
-/* --- programs that have stopped at checks, on any thread --- */
-
-/* A thread is worth what takes half as long as the longest time between looks: some microseconds of ours. */
-#define WORTH_LENDING (UINT64_C(160000) * NXC_UNITS_PER_CLOCK)
-
-/* Does it compute so many units at least before it makes a call, or anything reaches it, if no check comes before `bound`? */
-static bool may_lend(const struct node *n, vtime bound, uint64_t units)
-{
-    const struct node_system *s = n->sys;
-    vtime then = n->ahead.check + clock_of_units(n, units);
-    return s->checks.time[n->place] >= then && !n->clock.stolen && !n->in_handler &&
-           proto_horizon(s->proto, n->place, bound) >= then;
-}
-
-static void lend(struct node *n, vtime bound)
-{
-    const struct node_system *s = n->sys;
-    n->ahead.up_to = vt_min(s->checks.time[n->place], proto_horizon(s->proto, n->place, bound));
-    leave_check(n);
-    n->loose = true;
-    n->ahead.work.place = n->place;
-    atomic_store_explicit(&n->ahead.work.reached, n->ahead.check, memory_order_relaxed);
-    workers_hand(s->workers, &n->ahead.work);
-}
-
-/* The next that has so many units to compute at least, from a place on, which becomes the one behind it. NULL: there is none. */
-static struct node *next_to_lend(const struct node_system *s, uint32_t *place, vtime bound, uint64_t units)
-{
-    while (*place < s->checks.room) {
-        uint32_t at = (*place)++;
-        struct node *n = s->checks.time[at] != VT_NEVER ? node_at(s, at) : NULL;
-        if (n && may_lend(n, bound, units))
-            return n;
-    }
-    return NULL;
-}
-
-/* Are there two? One alone finds nothing to run beside. */
-static bool is_worth_lending(const struct node_system *s, vtime bound)
-{
-    uint32_t place = 0;
-    return next_to_lend(s, &place, bound, WORTH_LENDING) && next_to_lend(s, &place, bound, WORTH_LENDING);
-}
-
-/* The next check is n's. If it has far to compute until there, others may have, too: they all go on at once. */
-static bool lend_all(struct node *n)
-{
-    struct node_system *s = n->sys;
-    if (!s->workers)
-        return false;
-    vtime bound = mintree_least(&s->checks);
-    bool worth = may_lend(n, bound, WORTH_LENDING) && is_worth_lending(s, bound), any = false;
-    if (!workers_worth(s->workers, worth))
-        return false;
-    uint32_t place = 0;
-    while ((n = next_to_lend(s, &place, bound, worth ? WORTH_LENDING : 1)))
-        lend(n, bound), any = true;
-    return any;
-}
-
-vtime node_next(const struct node_system *s, uint32_t *place)
-{
-    vtime time = evq_next(s->q);
-    *place = evq_next_place(s->q);
-    if (!check_is_before(s, time, *place))
-        return time;
-    *place = mintree_place(&s->checks);
-    return mintree_least(&s->checks);
-}
-
-bool node_step(struct node_system *s)
-{
-    if (mintree_least(&s->checks) != VT_NEVER && check_is_before(s, evq_next(s->q), evq_next_place(s->q))) {
-        struct node *n = node_at(s, mintree_place(&s->checks));
-        if (!lend_all(n))
-            check(n);
-        return true;
-    }
-    s->reached = turn_reached(s);
-    return evq_step(s->q, &s->present);
+    lp_leave_poll(lp);
+    if (lp->clock.stolen)
+        go_on(lp, NULL, lp->ahead.poll_time);
+    else
+        run_here(lp);
 }
 
 static void wake(void *ctx, void *arg, vtime now)
 {
-    struct node *n = ctx;
+    struct lp *lp = ctx;
     (void)arg;
-    turn_settle(n, turn_reached(n->sys));
-    rouse(n);
-    if (n->state == NODE_BLOCKED && account_unblock(n, now))
-        run_on(n);
+    lp_apply_deferred(lp, schedule_reached(lp->schedule));
+    unblock_lazily(lp);
+    if (lp->state == LP_BLOCKED && lp_unblock(lp, now))
+        run_on(lp);
 }
 
-void node_wake(struct node *n, vtime t)
+/* --- what happens to a node --- */
+
+void lp_catch_up(struct lp *lp, vtime t)
 {
-    evq_put_late(n->sys->q, t, n->place, wake, n, NULL);
+    if (!lp->paused_at_poll)
+        return;
+    if (lp->ahead.poll_time < t && !lp->clock.stolen) {
+        void *outer = up_nest(lp->schedule);
+        lp->ahead.until = t;
+        lp_go_on_from_poll(lp);
+        lp->ahead.until = 0;
+        up_unnest(lp->schedule, outer);
+    }
+    if (lp->paused_at_poll)
+        lp_pause_at_poll(lp, lp->ahead.poll_time, 0);
 }
 
-void node_start(struct node *n, vtime t)
+void lp_synchronise(struct lp *lp)
 {
-    turn_put(n, t);
+    if (!lp->paused_at_poll && !up_has_deferred(lp) && !lp->lazily_blocked)
+        return;
+    struct instant at = schedule_reached(lp->schedule);
+    if (lp->paused_at_poll)
+        lp_catch_up(lp, at.time + (lp->address < at.place));
+    lp_apply_deferred(lp, at);
 }
 
-void node_cut(struct node *n, struct instant at)
+void lp_notify(struct lp *lp, vtime t)
 {
-    if (n->loose && n->sys->workers)
-        workers_drop(n->sys->workers, &n->ahead.work);
-    n->loose = false;
-    n->ahead.up_to = 0;
-    turn_settle(n, instant_later(at, turn_reached(n->sys)));
-    n->rests = false;
-    pending_take_back(n);
-    node_catch_up(n, at.time);
-    leave_check(n);
-    vtime turn = node_now(n) + n->clock.stolen;
-    if (n->state == NODE_BLOCKED)
-        account_cut(n, at.time);
-    else if (turn > at.time)
-        clock_cut(n, turn - at.time);
-    n->cut_short = n->state == NODE_COMPUTING;
-    n->clock.stolen = 0;
+    lp_apply_deferred(lp, schedule_reached(lp->schedule));
+    unblock_lazily(lp);
+    vtime commits = lp->offloaded ? lp->schedule->present.time + lp->clock.stolen : commit_time(lp);
+    if (lp->state == LP_BLOCKED || commits < t)
+        lp_wake(lp, t);
+    /* else the node, which has an event, asks at its commit time, not before t */
 }
 
-void engine_settle(struct node *n, struct instant end)
+void lp_wake(struct lp *lp, vtime t)
 {
-    turn_settle(n, instant_later(end, turn_reached(n->sys)));
-    if (n->state != NODE_ENDED)
-        pending_take_back(n);
+    evq_put_late(lp->schedule->q, t, lp->address, wake, lp, NULL);
 }
 
-void engine_forget(struct node *n)
+void lp_start(struct lp *lp, vtime t)
 {
-    pending_unmake(n);
+    lp_schedule(lp, t);
+}
+
+bool lp_roll_back(struct lp *lp, struct instant at)
+{
+    offload_drop(lp);
+    lp_apply_deferred(lp, instant_later(at, schedule_reached(lp->schedule)));
+    lp->lazily_blocked = false;
+    up_roll_back_deferred(lp);
+    lp_catch_up(lp, at.time);
+    lp_leave_poll(lp);
+    vtime commits = clock_sync(lp) + lp->clock.stolen;
+    if (lp->state == LP_BLOCKED)
+        up_wait_ends(lp, at.time);
+    else if (commits > at.time)
+        clock_roll_back(lp, commits - at.time);
+    clock_drop_stolen(lp);
+    return lp->state == LP_COMPUTING;
+}
+
+void lp_forget(struct lp *lp)
+{
+    up_drop_deferred(lp);
+}
+
+void engine_settle(struct lp *lp, struct instant end)
+{
+    lp_apply_deferred(lp, instant_later(end, schedule_reached(lp->schedule)));
+    if (lp->state != LP_ENDED)
+        up_roll_back_deferred(lp);
 }

@@ -9,6 +9,7 @@
 #include "kernel/fiber.h"
 #include "guest/image.h"
 #include "guest/trace.h"
+#include "node/self.h"
 
 struct crash_guard {
     struct node_crash crash; /* the last, until it is kept */

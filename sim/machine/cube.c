@@ -7,8 +7,12 @@
 #include "config/cube_type.h"
 #include "lp/engine.h"
 #include "guest/image.h"
-#include "os/mailbox.h"
 #include "nx_api/include/nxerrno.h"
+#include "machine/assemble.h"
+#include "os/end.h"
+#include "os/fail.h"
+#include "os/gate.h"
+#include "os/match.h"
 
 enum { ALL = -1, MOST_NAME = 32 };
 
@@ -38,7 +42,7 @@ static void set_count(struct cube *c, uint32_t count)
 {
     c->sys->count = count;
     c->largest = count > c->largest ? count : c->largest;
-    proto_set_nodes(c->sys->proto, count);
+    proto_set_nodes(c->sys->schedule.proto, count);
     if (c->sys->host)
         c->sys->host->id = count;
 }
@@ -88,7 +92,7 @@ static void take_time(struct node *host, vtime t)
 {
     node_order(host);
     vtime until = node_now(host) + t;
-    node_wake(host, until);
+    lp_wake(&host->lp, until);
     node_wait(host, is_time, &until);
     node_order(host);
 }
@@ -244,7 +248,7 @@ static long check_load(struct node *host, const char *path, long node, long pid)
         return node_error(host, EQNODE, "there is no node %ld (nodes are 0 to %u; -1 is all)", node,
                           s->count - 1);
     for (uint32_t i = 0; i < s->count; i++)
-        if ((node == ALL || node == (long)i) && s->nodes[i]->state != NODE_ENDED)
+        if ((node == ALL || node == (long)i) && s->nodes[i]->lp.state != LP_ENDED)
             return node_error(host, EQUSEPID,
                               "node %u runs a program, and has room for one: wait for its end (waitall), or "
                               "killcube",
@@ -272,7 +276,7 @@ static long load_one(struct node *host, struct program *p, uint32_t i, long pid)
     n->pid = pid;
     s->nodes[i] = n;
     s->running++;
-    node_start(n, node_now(host));
+    lp_start(&n->lp, node_now(host));
     return 0;
 }
 
@@ -304,7 +308,7 @@ void cube_kill(struct node *caller, long node, bool flush)
             continue;
         node_end_other(caller, n);
         if (flush)
-            mailbox_empty(n, node_now(caller));
+            match_empty(n, node_now(caller));
     }
 }
 

@@ -6,12 +6,17 @@
 #include <time.h>
 #include "cfs/cfs.h"
 #include "machine/crash.h"
-#include "machine/places.h"
+#include "machine/endpoints.h"
 #include "lp/clock.h"
 #include "machine/cube.h"
 #include "lp/engine.h"
 #include "guest/image.h"
 #include "guest/trace.h"
+#include "machine/assemble.h"
+#include "node/self.h"
+#include "os/end.h"
+#include "os/fail.h"
+#include "os/gate.h"
 
 static double wall_clock(void)
 {
@@ -97,7 +102,7 @@ static bool make_host(struct machine *m, char **error)
     if (!s->host)
         return false;
     s->running = 1;
-    node_start(s->host, 0);
+    lp_start(&s->host->lp, 0);
     return true;
 }
 
@@ -115,7 +120,7 @@ static bool make_nodes(struct machine *m, char **error)
         s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);
         if (!s->nodes[i])
             return false;
-        node_start(s->nodes[i], 0);
+        lp_start(&s->nodes[i]->lp, 0);
     }
     return true;
 }
@@ -130,17 +135,18 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     struct node_system *s = &m->sys;
     s->cfg = options->cfg;
     s->count = s->running = nodes_of(options);
-    s->max_time = options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
-    s->longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
+    s->schedule.max_time =
+        options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
+    s->schedule.longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
     s->history = options->history;
     s->guards = NODE_GUARDS_ALL;
     s->isolate = options->isolate;
     s->out[0] = options->out, s->out[1] = options->err;
-    s->q = evq_new();
+    s->schedule.q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error))
         goto fail;
-    struct proto_nodes up = places_calls(s);
-    s->proto = proto_new(s->cfg, &s->topo, s->q, &up);
+    struct proto_nodes up = endpoints_calls(s);
+    s->schedule.proto = proto_new(s->cfg, &s->topo, s->schedule.q, &up);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;
     m->start_s = wall_clock() - begin;
@@ -160,12 +166,12 @@ void machine_free(struct machine *m)
         node_delete(m->sys.nodes[i]);
     cube_free(m->sys.cube);
     arena_free(&m->sys.made);
-    arena_free(&m->sys.made_beside);
+    arena_free(&m->sys.made_cold);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
-    proto_free(m->sys.proto);
-    evq_free(m->sys.q);
-    mintree_free(&m->sys.checks);
+    proto_free(m->sys.schedule.proto);
+    evq_free(m->sys.schedule.q);
+    mintree_free(&m->sys.schedule.polls);
     if (m->image)
         node_image_close(m->image);
     for (size_t i = 0; i < m->sys.host_file_count; i++)
@@ -212,22 +218,19 @@ static void look_outside(void *ctx)
         if (sigismember(&pending, ENDING[i]))
             m->signal = ENDING[i];
     if (m->signal)
-        node_system_fail(&m->sys, STOP_INTERRUPTED, m->signal == SIGINT ? "interrupted" : "stopped by SIG%s",
-                         sigabbrev_np(m->signal));
+        node_system_fail(&m->sys, STOP_INTERRUPTED, (struct instant){0},
+                         m->signal == SIGINT ? "interrupted" : "stopped by SIG%s", sigabbrev_np(m->signal));
     if (m->options.max_wall_s > 0 && wall_clock() - m->begin > m->options.max_wall_s)
-        node_system_fail(&m->sys, STOP_WALL_TIME, "wall time limit of %g s reached", m->options.max_wall_s);
+        node_system_fail(&m->sys, STOP_WALL_TIME, (struct instant){0}, "wall time limit of %g s reached",
+                         m->options.max_wall_s);
 }
 
 /* At the crash's place in the order of events. */
 static void show_crash(struct node *n)
 {
-    n->state = NODE_ENDED;
-    n->end = NODE_CRASHED;
-    n->cut_short = !n->call;
-    n->stats.ended_at = node_now(n);
-    n->sys->stop_at = (struct instant){n->stats.ended_at, n->place};
+    node_end_crashed(n);
     char *report = crash_report(n);
-    node_system_fail(n->sys, STOP_FAILED, "%s", report);
+    node_system_fail(n->sys, STOP_FAILED, (struct instant){n->stats.ended_at, n->lp.address}, "%s", report);
     free(report);
 }
 
@@ -246,10 +249,11 @@ static void run_events(struct machine *m)
     struct node_system *s = &m->sys;
     struct crash_guard *guard = crash_watch();
     crash_catch();
-    s->keep_crash = crash_keep, s->crashed = show_crash, s->look = look_outside, s->look_ctx = m;
-    m->workers =
-        engine_run(s, &(struct engine_threads){s->isolate ? 1 : m->options.workers, m->options.shuffle,
-                                               thread_begins, thread_ends, guard});
+    s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = trace_print_calls;
+    s->schedule.look = look_outside, s->schedule.look_ctx = m;
+    m->workers = engine_run(&s->schedule,
+                            &(struct engine_threads){s->isolate ? 1 : m->options.workers, m->options.shuffle,
+                                                     thread_begins, thread_ends, guard});
     crash_ignore();
     crash_unwatch(guard);
 }
@@ -259,9 +263,9 @@ static void run_events(struct machine *m)
 static const char *line_of(const struct node *n, struct trace_lines *lines)
 {
     if (n->call)
-        return n->state == NODE_BLOCKED || n->call_since == VT_NEVER ? trace_line(lines, n) : NULL;
-    if (n->sys->stop == STOP_VIRTUAL_TIME)
-        return trace_line_at(lines, n, clock_looked_at(n));
+        return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? trace_line(lines, n) : NULL;
+    if (n->sys->schedule.stop == STOP_VIRTUAL_TIME)
+        return trace_line_at(lines, n, clock_last_place(&n->lp));
     return n->at_poll ? trace_line(lines, n) : NULL;
 }
 
@@ -270,7 +274,7 @@ static void describe_waiting(FILE *f, const struct node *n, struct trace_lines *
     fprintf(f, "\n  %s: ", n->name);
     if (n->end == NODE_NOT_LOADED)
         fprintf(f, "no program");
-    else if (n->state == NODE_ENDED)
+    else if (n->lp.state == LP_ENDED)
         fprintf(f, "ended at %.9f s", vt_seconds(n->stats.ended_at));
     else if (!n->call)
         fprintf(f, "computing");
@@ -280,7 +284,7 @@ static void describe_waiting(FILE *f, const struct node *n, struct trace_lines *
         fprintf(f, "%s(%ld) since %.9f s", n->call, n->call_type, vt_seconds(n->call_since));
     else
         fprintf(f, "%s since %.9f s", n->call, vt_seconds(n->call_since));
-    const char *line = n->state == NODE_ENDED ? NULL : line_of(n, lines);
+    const char *line = n->lp.state == LP_ENDED ? NULL : line_of(n, lines);
     if (line)
         fprintf(f, " (%s)", line);
 }
@@ -319,7 +323,8 @@ static void judge(struct machine *m)
 {
     struct node_system *s = &m->sys;
     const struct node *bad = bad_exit(m);
-    bool limit = s->stop == STOP_VIRTUAL_TIME || s->stop == STOP_WALL_TIME || s->stop == STOP_INTERRUPTED;
+    enum stop stop = s->schedule.stop;
+    bool limit = stop == STOP_VIRTUAL_TIME || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED;
     m->outcome = MACHINE_ENDED;
     if (s->failure) {
         m->outcome = MACHINE_FAILED;
@@ -332,9 +337,9 @@ static void judge(struct machine *m)
             abort();
         m->message = s->running ? describe(m, first) : strdup(first);
         free(first);
-    } else if (s->running && s->host && s->host->state == NODE_ENDED) {
+    } else if (s->running && s->host && s->host->lp.state == LP_ENDED) {
         m->message = describe(m, "the host program has ended; what still waits on its nodes is killed");
-    } else if (s->running && s->stop != STOP_KILLED) {
+    } else if (s->running && stop != STOP_KILLED) {
         m->outcome = MACHINE_DEADLOCK;
         m->message = describe(m, "deadlock: every program waits, and no message is under way");
     }
@@ -345,30 +350,21 @@ uint32_t machine_nodes(const struct machine *m)
     return m->sys.cube ? cube_most(m->sys.cube) : m->sys.count;
 }
 
-static bool stops_at_a_time(const struct node_system *s)
+static bool stops_at_a_time(const struct schedule *s)
 {
     return s->stop == STOP_FAILED || s->stop == STOP_VIRTUAL_TIME;
 }
 
 /* What comes before has happened. */
-static struct instant end_of(const struct node_system *s)
+static struct instant end_of(const struct schedule *s)
 {
     return stops_at_a_time(s) ? s->stop_at : s->stop ? s->present : (struct instant){VT_NEVER, 0};
 }
 
-/* One that computes when another fails, or comes to the limit of time, may have run ahead. */
 static void note_end(struct machine *m, struct node *n)
 {
-    struct instant end = end_of(&m->sys);
-    engine_settle(n, end);
-    if (n->state == NODE_COMPUTING && stops_at_a_time(&m->sys)) {
-        node_stop(n, end);
-        n->stats.ended_at = end.time;
-        if (n->call && !instant_before(n->call_since, n->place, end))
-            n->call = NULL; /* it has not come so far */
-    } else if (n->state != NODE_ENDED) {
-        n->stats.ended_at = node_now(n);
-    }
+    const struct schedule *s = &m->sys.schedule;
+    node_settle(n, end_of(s), stops_at_a_time(s));
     m->end = vt_max(m->end, n->stats.ended_at);
 }
 

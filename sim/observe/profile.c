@@ -101,7 +101,8 @@ static void name_functions(struct profile *p, struct names *names)
 static int64_t ordinary_units(const struct node *n, int64_t units)
 {
     uint64_t hz = n->sys->cfg->clock_hz;
-    return n->clock_hz == hz ? units : (int64_t)((__int128)units * (__int128)hz / (__int128)n->clock_hz);
+    return n->lp.clock_hz == hz ? units
+                                : (int64_t)((__int128)units * (__int128)hz / (__int128)n->lp.clock_hz);
 }
 
 /* Returns the sum of all. */
@@ -143,7 +144,7 @@ static void collect_functions(struct profile *p, const struct machine *m)
     name_functions(p, &names);
     for (uint32_t k = 0; k < m->sys.count; k++) {
         const struct node *n = m->sys.nodes[k];
-        int64_t units = ordinary_units(n, (int64_t)n->clock.units);
+        int64_t units = ordinary_units(n, (int64_t)n->lp.clock.units);
         if (n->cut_short)
             cut.units[class_of(n)] += units;
         else
@@ -185,12 +186,12 @@ static void add_times(struct profile *p, const struct node *n)
     enum profile_class c = class_of(n);
     struct profile_times *t = &p->times[c];
     t->nodes++;
-    t->computing += clock_of_units(n, n->clock.units);
-    t->system += n->stats.system;
+    t->computing += clock_of_units(&n->lp, n->lp.clock.units);
+    t->system += n->times.system;
     t->idle += n->stats.idle;
-    t->beside += n->stats.beside;
+    t->beside += n->stats.overlapped;
     for (int i = 0; i < NODE_TASKS; i++)
-        t->tasks[i] += n->stats.tasks[i];
+        t->tasks[i] += n->times.tasks[i];
     for (size_t i = 0; i < n->stats.waits.count; i++) {
         const struct node_wait *w = &n->stats.waits.list[i];
         struct profile_idle *idle = idle_in(p, w->call);

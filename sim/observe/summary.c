@@ -4,11 +4,13 @@
 #include "cfs/cfs.h"
 #include "lp/clock.h"
 #include "observe/json_file.h"
+#include "node/self.h"
+#include "os/memory.h"
 
 /* What the program itself has computed, by its cost units. */
 static vtime busy(const struct node *n)
 {
-    return clock_of_units(n, n->clock.units);
+    return clock_of_units(&n->lp, n->lp.clock.units);
 }
 
 /* --- for people --- */
@@ -40,7 +42,7 @@ static void print_host(const struct machine *m, FILE *f)
     const struct node *n = m->sys.host;
     if (n)
         fprintf(f, "host           busy %.6f s  idle %.6f s  system %.6f s\n", vt_seconds(busy(n)),
-                vt_seconds(n->stats.idle), vt_seconds(n->stats.system));
+                vt_seconds(n->stats.idle), vt_seconds(n->times.system));
 }
 
 static void print_class(const struct machine *m, FILE *f, const char *name, bool armed)
@@ -54,7 +56,7 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
             continue;
         add(&b, vt_seconds(busy(n)));
         add(&i, vt_seconds(n->stats.idle));
-        add(&s, vt_seconds(n->stats.system));
+        add(&s, vt_seconds(n->times.system));
     }
     if (b.count == 0)
         return;
@@ -144,8 +146,8 @@ void summary_print(const struct machine *m, FILE *f)
     print_threads(&m->workers, f);
     fprintf(
         f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
-        m->sys.messages, m->sys.bytes, wire_waits(proto_wire(m->sys.proto)),
-        vt_seconds(wire_waited(proto_wire(m->sys.proto))));
+        m->sys.messages, m->sys.bytes, wire_waits(proto_wire(m->sys.schedule.proto)),
+        vt_seconds(wire_waited(proto_wire(m->sys.schedule.proto))));
     print_host(m, f);
     print_class(m, f, "with handlers", true);
     print_class(m, f, "others", false);
@@ -192,10 +194,11 @@ static json_t *node_json(const struct node *n)
     return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
                      (double)(int64_t)n->stats.away / (double)VT_SECOND, "ended_s",
                      vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
-                     vt_seconds(n->stats.idle), "system_s", vt_seconds(n->stats.system), "beside_s",
-                     vt_seconds(n->stats.beside), "waits", waits_json(n), "tasks", json_tasks(n->stats.tasks),
-                     "memory_peak_bytes", (json_int_t)n->stats.memory_peak, "exit_code", n->exit_code,
-                     "messages_sent", (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
+                     vt_seconds(n->stats.idle), "system_s", vt_seconds(n->times.system), "beside_s",
+                     vt_seconds(n->stats.overlapped), "waits", waits_json(n), "tasks",
+                     json_tasks(n->times.tasks), "memory_peak_bytes", (json_int_t)n->stats.memory_peak,
+                     "exit_code", n->exit_code, "messages_sent", (json_int_t)n->stats.sent, "handlers",
+                     (json_int_t)n->stats.handlers);
 }
 
 static json_t *files_json(const struct cfs *c)

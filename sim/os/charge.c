@@ -1,14 +1,14 @@
-/* account.c - see account.h. */
+/* charge.c - see charge.h. */
 #include "os/charge.h"
 #include "lp/clock.h"
 #include "lp/engine.h"
-#include "os/handlers.h"
 #include "node/system.h"
+#include "os/handlers.h"
 
 static void add(struct node *n, enum node_task task, vtime t)
 {
-    n->stats.tasks[task] += t;
-    n->stats.system += t;
+    n->times.tasks[task] += t;
+    n->times.system += t;
 }
 
 void node_account(struct node *n, enum node_task task, vtime t)
@@ -17,9 +17,10 @@ void node_account(struct node *n, enum node_task task, vtime t)
     handlers_share_used(n, t);
 }
 
-void node_spend(struct node *n, vtime t)
+void charge_undo(struct node *n, enum node_task task, vtime t)
 {
-    node_spend_on(n, NODE_CALL, t);
+    n->times.tasks[task] -= t;
+    n->times.system -= t;
 }
 
 vtime node_system_time(const struct node *n, vtime t)
@@ -32,18 +33,17 @@ vtime node_system_time(const struct node *n, vtime t)
 /* The system has the processor for t, beside or instead of the program. */
 static void steal(struct node *n, enum node_task task, vtime t)
 {
-    if (n->state == NODE_ENDED)
+    if (n->lp.state == LP_ENDED)
         return; /* nobody's time any more */
-    engine_touch(n);
-    if (n->state == NODE_COMPUTING)
-        n->clock.stolen += t;
+    lp_synchronise(&n->lp);
+    if (n->lp.state == LP_COMPUTING)
+        clock_steal(&n->lp, t);
     add(n, task, t);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
 {
-    struct node_system *sys = ctx;
-    struct node *n = node_at(sys, node);
+    struct node *n = node_at(ctx, node);
     t = node_system_time(n, t);
     n->sys_free = vt_max(at, n->sys_free) + t;
     steal(n, task == PROTO_SEND ? NODE_SENDING : NODE_RECEIVING, t);
@@ -52,40 +52,43 @@ vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime 
 
 void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
 {
-    struct node_system *sys = ctx;
-    struct node *n = node_at(sys, node);
+    struct node *n = node_at(ctx, node);
     steal(n, task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, node_system_time(n, t));
 }
 
 /* --- waiting --- */
 
-void account_block(struct node *n, vtime now)
+void charge_wait_begins(struct node *n)
 {
-    n->state = NODE_BLOCKED;
-    n->blocked.since = now;
-    n->blocked.busy = n->stats.system;
-    n->share_until = 0;
+    n->waits_system = n->times.system;
 }
 
-void account_cut(struct node *n, vtime t)
+void charge_wait_ends(struct node *n, vtime t)
 {
-    vtime waited = t - n->blocked.since, busy = n->stats.system - n->blocked.busy;
-    vtime beside = busy > waited ? busy - waited : 0, idle = waited - (busy - beside);
-    if (beside)
-        n->stats.system -= beside, n->stats.beside += beside;
+    vtime waited = t - n->lp.blocked_since, busy = n->times.system - n->waits_system;
+    vtime overlapped = busy > waited ? busy - waited : 0, idle = waited - (busy - overlapped);
+    if (overlapped)
+        n->times.system -= overlapped, n->stats.overlapped += overlapped;
     n->stats.idle += idle;
     if (idle)
         waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
 }
 
-bool account_unblock(struct node *n, vtime now)
+/* --- sums --- */
+
+vtime charge_sum(const struct node *n)
 {
-    n->clock.now = now; /* which ready() may ask for */
-    if (!handlers_due(n, now) && !n->wait.ready(n, n->wait.arg)) {
-        n->clock.now = n->blocked.since;
-        return false;
-    }
-    account_cut(n, now);
-    n->state = NODE_COMPUTING;
-    return true;
+    return clock_of_units(&n->lp, n->lp.clock.units) + n->stats.idle + n->times.system;
+}
+
+bool charge_adds_up(const struct node *n)
+{
+    const struct node_stats *s = &n->stats;
+    vtime tasks = 0, waits = 0;
+    for (int i = 0; i < NODE_TASKS; i++)
+        tasks += n->times.tasks[i];
+    for (size_t i = 0; i < s->waits.count; i++)
+        waits += s->waits.list[i].idle;
+    return charge_sum(n) == s->ended_at - s->away + n->lp.clock.stolen &&
+           tasks == n->times.system + s->overlapped && waits == s->idle;
 }

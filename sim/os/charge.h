@@ -1,17 +1,25 @@
-/* account.h - where a node's time goes: to its operating system, and to waiting. */
-#ifndef NODE_ACCOUNT_H
-#define NODE_ACCOUNT_H
+/* charge.h - where a node's time goes: to its operating system, and to waiting. */
+#ifndef OS_CHARGE_H
+#define OS_CHARGE_H
+#include "net/proto.h"
 #include "node/node.h"
 
-/* What takes an ordinary node's system t takes this one's so long; and it has. */
+/* What takes an ordinary node's system t takes this one's so long; and charges that to a task. */
 vtime node_system_time(const struct node *n, vtime t);
 void node_account(struct node *n, enum node_task task, vtime t);
+/* A charge that is taken back: the call is rolled back. */
+void charge_undo(struct node *n, enum node_task task, vtime t);
 
-/* The program, in a call, waits from now on. */
-void account_block(struct node *n, vtime now);
-/* At a later moment: if a handler is due, or what the program waits for is there (node.wait), it waits no longer: time goes
- * on to now. False: it still waits, and nothing has changed, however often that is asked. */
-bool account_unblock(struct node *n, vtime now);
-/* It has waited until t, when it is ended. */
-void account_cut(struct node *n, vtime t);
+/* The program begins to wait; it has waited until t. */
+void charge_wait_begins(struct node *n);
+void charge_wait_ends(struct node *n, vtime t);
+
+/* All that a node's program has spent so far: computing, idle and system. */
+vtime charge_sum(const struct node *n);
+/* Do the sums of struct node_times and node_stats agree, for a node that has ended? */
+bool charge_adds_up(const struct node *n);
+
+/* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
+vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);
+void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t);
 #endif

@@ -1,65 +1,69 @@
-/* pending.c - see pending.h. */
+/* deferred.c - see deferred.h. */
 #include "os/deferred.h"
 #include <assert.h>
 #include <stddef.h>
 #include "lp/clock.h"
-#include "os/charge.h"
-#include "os/mailbox.h"
-#include "node/system.h"
 #include "lp/dispatch.h"
+#include "lp/lookahead.h"
+#include "node/system.h"
+#include "os/charge.h"
+#include "os/match.h"
+#include "os/memory.h"
 #include "os/unexpected.h"
+#include "os/gate.h"
 
-#define TIME_MASK ((UINT64_C(1) << PENDING_TIME_BITS) - 1)
+#define TIME_MASK ((UINT64_C(1) << DEFERRED_TIME_BITS) - 1)
 
 static uint32_t index_of(const struct node *n, uint32_t i)
 {
-    return (n->pending.first + i) % PENDING_MOST;
+    return (n->deferred.first + i) % DEFERRED_MOST;
 }
 
-static struct pending_call *nth(const struct node *n, uint32_t i)
+static struct deferred_call *nth(const struct node *n, uint32_t i)
 {
-    return (struct pending_call *)&n->calls[index_of(n, i)];
+    return (struct deferred_call *)&n->calls[index_of(n, i)];
 }
 
-static struct pending_call *last(const struct node *n)
+static struct deferred_call *last(const struct node *n)
 {
-    assert(n->pending.count);
-    return nth(n, n->pending.count - 1);
+    assert(n->deferred.count);
+    return nth(n, n->deferred.count - 1);
 }
 
-static struct pending_call *open_call(const struct node *n)
+static struct deferred_call *open_call(const struct node *n)
 {
-    assert(n->pending.open);
+    assert(n->deferred.open);
     return last(n);
 }
 
-static vtime time_of(const struct node *n, vtime turn)
+static vtime time_of(const struct node *n, vtime noted)
 {
-    return turn + n->pending.late + n->clock.stolen;
+    return noted + n->deferred.shift + n->lp.clock.stolen;
 }
 
-bool pending_room(const struct node *n)
+bool deferred_has_room(const struct node *n)
 {
-    return n->pending.count < PENDING_MOST && (n->call_since | n->clock.units) >> PENDING_TIME_BITS == 0;
+    return n->deferred.count < DEFERRED_MOST &&
+           (n->call_since | n->lp.clock.units) >> DEFERRED_TIME_BITS == 0;
 }
 
-void pending_begin(struct node *n)
+void deferred_begin(struct node *n)
 {
-    struct node_pending *p = &n->pending;
+    struct deferred *p = &n->deferred;
     if (p->count == 0)
-        p->first = 0, p->late = 0, p->turn = clock_sync(n); /* the same few lines of memory again */
+        p->first = 0, p->shift = 0, p->commits = node_now(n); /* the same few lines of memory again */
     uint32_t i = index_of(n, p->count++);
     p->open = true;
-    n->calls[i] = (struct pending_call){.turn = (clock_sync(n) - p->late) & TIME_MASK,
-                                        .units = n->clock.units & TIME_MASK,
-                                        .has_memory = n->heap_moved,
-                                        .name = n->call};
+    n->calls[i] = (struct deferred_call){.commits = (node_now(n) - p->shift) & TIME_MASK,
+                                         .units = n->lp.clock.units & TIME_MASK,
+                                         .has_memory = n->heap_moved,
+                                         .name = n->call};
     if (n->heap_moved)
-        n->beside->calls.memory[i] = node_memory_now(n);
+        n->cold->calls.memory[i] = node_memory_now(n);
     n->heap_moved = false;
 }
 
-/* Nothing comes to the node before the turn of what has waited: its program knows what is in its buffers then. */
+/* Nothing reaches the node before the call that has waited is committed: its program knows what is in its buffers then. */
 static void know_buffers(struct node *n)
 {
     n->buffered_known = n->buffered - n->taken;
@@ -67,99 +71,99 @@ static void know_buffers(struct node *n)
 
 static struct message *message_of(const struct node *n, uint32_t i)
 {
-    const struct pending_call *c = nth(n, i);
-    return c->beside ? n->beside->calls.message[index_of(n, i)] : c->message;
+    const struct deferred_call *c = nth(n, i);
+    return c->cold ? n->cold->calls.message[index_of(n, i)] : c->message;
 }
 
-/* When the i-th is done with what it hands over. */
+/* When the i-th call has handed over what it has to, as noted. */
 static vtime handed_over(const struct node *n, uint32_t i)
 {
-    const struct pending_call *c = nth(n, i);
-    return c->turn + c->spent + (c->has_message ? mailbox_send_time(n, message_of(n, i)) : 0);
+    const struct deferred_call *c = nth(n, i);
+    return c->commits + c->spent + (c->has_message ? match_send_time(n, message_of(n, i)) : 0);
 }
 
-void pending_go_on(struct node *n)
+void deferred_resume_caller(struct node *n)
 {
-    struct node_pending *p = &n->pending;
-    if (p->count == 0) { /* it has had its turn */
-        pending_begin(n);
+    struct deferred *p = &n->deferred;
+    if (p->count == 0) { /* it is committed */
+        deferred_begin(n);
         p->begun = n->call_since;
     }
     p->open = true;
-    struct pending_call *c = open_call(n);
-    c->goes_on = true;
-    n->beside->calls.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
-    assert(handed_over(n, p->count - 1) == clock_sync(n) - p->late);
+    struct deferred_call *c = open_call(n);
+    c->resumes_caller = true;
+    n->cold->calls.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    assert(handed_over(n, p->count - 1) == node_now(n) - p->shift);
     know_buffers(n);
 }
 
 static void account(struct node *n, enum node_task task, vtime t)
 {
-    n->clock.now += t;
+    clock_advance(&n->lp, t);
     node_account(n, task, t);
 }
 
-void pending_spend(struct node *n, vtime t)
+void deferred_spend(struct node *n, vtime t)
 {
-    struct pending_call *c = open_call(n);
-    assert(!c->goes_on);
+    struct deferred_call *c = open_call(n);
+    assert(!c->resumes_caller);
     c->spent += t;
     account(n, NODE_CALL, t);
 }
 
-static void put_beside(struct node *n, struct message *m)
+static void put_cold(struct node *n, struct message *m)
 {
-    n->beside->calls.message[index_of(n, n->pending.count - 1)] = m;
-    last(n)->beside = true;
+    n->cold->calls.message[index_of(n, n->deferred.count - 1)] = m;
+    last(n)->cold = true;
 }
 
-static void post(struct node *n, struct receive *r)
+void deferred_post(struct node *n, struct receive *r)
 {
-    struct pending_call *c = open_call(n);
-    assert(!c->posts && !c->selected && !c->goes_on);
+    struct deferred_call *c = open_call(n);
+    assert(!c->posts && !c->selected && !c->resumes_caller);
     if (c->has_message)
-        put_beside(n, c->message);
+        put_cold(n, c->message);
     c->receive = r;
     c->posts = true;
     const struct message *m = unexpected_first(n, &r->select);
-    if (n->pending.selects ||
-        (m && !m->arrived)) { /* one before may select it, or another be the first then */
-        pending_may_select(n);
+    if (n->deferred.selects || (m && !m->arrived)) {
+        deferred_may_select(n); /* a receive before may select it, or another message be the first then */
     } else if (m) {
-        mailbox_post_at(n, r, 0);
+        match_post(n, r, 0);
         c->posts = false, c->selected = true;
     }
 }
 
-void pending_may_select(struct node *n)
+void deferred_may_select(struct node *n)
 {
-    for (uint32_t i = 0; i < n->pending.count; i++) {
-        struct pending_call *c = nth(n, i);
-        c->in_turn |= c->posts;
-        n->pending.selects |= c->posts;
+    for (uint32_t i = 0; i < n->deferred.count; i++) {
+        struct deferred_call *c = nth(n, i);
+        c->needs_event |= c->posts;
+        n->deferred.selects |= c->posts;
     }
-    turn_tell(n);
+    lp_schedule_deferred(&n->lp);
 }
 
-static void send(struct node *n, struct message *m)
+void deferred_send(struct node *n, struct message *m)
 {
-    struct pending_call *c = open_call(n);
-    assert(!c->has_message && !m->next && !c->goes_on);
-    c->sends = !n->pending.told && node_is_alone(n, time_of(n, c->turn)); /* what is told comes before */
-    c->in_turn = !c->sends;
-    vtime sending = mailbox_send_time(n, m);
-    n->clock.now += sending;
+    struct deferred_call *c = open_call(n);
+    assert(!c->has_message && !m->next && !c->resumes_caller);
+    c->sends =
+        !n->lp.scheduled_at && lp_is_alone(&n->lp, time_of(n, c->commits)); /* what is told comes before */
+    c->needs_event = !c->sends;
+    vtime sending = match_send_time(n, m);
+    clock_advance(&n->lp, sending);
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
-        proto_send(n->sys->proto, m, clock_sync(n));
+        proto_send(n->sys->schedule.proto, m, node_now(n));
     }
     c->has_message = true;
     if (c->posts || c->selected)
-        put_beside(n, m);
+        put_cold(n, m);
     else
         c->message = m;
-    if (c->in_turn)
-        turn_tell(n);
+    if (c->needs_event)
+        lp_schedule_deferred(&n->lp);
 }
 
 static size_t buffered(const struct message *m)
@@ -167,69 +171,35 @@ static size_t buffered(const struct message *m)
     return m->buffered ? m->bytes : 0;
 }
 
-static void receive(struct node *n, struct message *m)
+void deferred_received(struct node *n, struct message *m)
 {
-    struct pending_call *c = open_call(n);
-    assert(c->goes_on && !c->posts && (!c->has_message || c->beside));
-    c->plain = !c->takes && !m->buffered && proto_message_is_plain(m);
-    m->next = c->takes ? c->taken : NULL;
-    c->taken = m;
-    c->selected = false, c->takes = true;
-    account(n, NODE_COPYING, node_system_time(n, mailbox_copying(n, m)));
+    struct deferred_call *c = open_call(n);
+    assert(c->resumes_caller && !c->posts && (!c->has_message || c->cold));
+    c->inline_message = !c->consumes_message && !m->buffered && proto_message_is_plain(m);
+    m->next = c->consumes_message ? c->consumed : NULL;
+    c->consumed = m;
+    c->selected = false, c->consumes_message = true;
+    account(n, NODE_COPYING, node_system_time(n, match_copying(n, m)));
     n->taken += buffered(m);
     know_buffers(n);
 }
 
-/* --- calls made now, or pending --- */
-
-void engine_post(struct node *n, struct receive *r)
+vtime deferred_next(const struct node *n, struct message **sends)
 {
-    if (n->pending.open)
-        post(n, r);
-    else
-        mailbox_post_at(n, r, node_now(n));
-}
-
-void engine_send(struct node *n, struct message *first)
-{
-    if (n->pending.open)
-        send(n, first);
-    else
-        clock_advance_to(n, mailbox_send(n, first, node_now(n)));
-}
-
-void engine_received(struct node *n, struct message *m)
-{
-    if (n->pending.open) {
-        receive(n, m);
-    } else {
-        node_spend_on(n, NODE_COPYING, mailbox_copying(n, m));
-        mailbox_done_with(n, m, node_now(n));
-    }
-}
-
-void engine_kept(struct node *n)
-{
-    if (n->pending.count)
-        pending_may_select(n);
-}
-
-vtime pending_turn(const struct node *n, struct message **sends)
-{
-    for (uint32_t i = 0; i < n->pending.count; i++) {
-        const struct pending_call *c = nth(n, i);
-        if (!c->in_turn)
+    for (uint32_t i = 0; i < n->deferred.count; i++) {
+        const struct deferred_call *c = nth(n, i);
+        if (!c->needs_event)
             continue;
         *sends = c->has_message ? message_of(n, i) : NULL;
-        return time_of(n, c->turn);
+        return time_of(n, c->commits);
     }
     return VT_NEVER;
 }
 
-vtime pending_last(const struct node *n)
+vtime deferred_last(const struct node *n)
 {
-    const struct pending_call *c = last(n);
-    return time_of(n, c->goes_on ? handed_over(n, n->pending.count - 1) : c->turn);
+    const struct deferred_call *c = last(n);
+    return time_of(n, c->resumes_caller ? handed_over(n, n->deferred.count - 1) : c->commits);
 }
 
 /* --- making them --- */
@@ -237,80 +207,78 @@ vtime pending_last(const struct node *n)
 /* What has been stolen puts off the first, which begins now, and with it all that the program has done after it. */
 static void put_off(struct node *n, vtime now)
 {
-    vtime late = n->clock.stolen, begun = now - late;
-    n->clock.stolen = 0;
-    n->clock.now += late;
-    n->pending.late += late;
-    n->pending.turn += late;
+    vtime late = clock_add_stolen(&n->lp), begun = now - late;
+    n->deferred.shift += late;
+    n->deferred.commits += late;
     if (n->call_since >= begun && n->call_since != VT_NEVER)
         n->call_since += late;
 }
 
-static void take(struct node *n, const struct pending_call *c, vtime now)
+static void take(struct node *n, const struct deferred_call *c, vtime now)
 {
-    if (c->plain) {
-        proto_message_free_plain(n->sys->proto, c->taken);
+    if (c->inline_message) {
+        proto_message_free_plain(n->sys->schedule.proto, c->consumed);
         return;
     }
-    for (const struct message *m = c->taken; m; m = m->next)
-        now += node_system_time(n, mailbox_copying(n, m));
-    for (struct message *m = c->taken, *next; m; m = next) {
+    for (const struct message *m = c->consumed; m; m = m->next)
+        now += node_system_time(n, match_copying(n, m));
+    for (struct message *m = c->consumed, *next; m; m = next) {
         next = m->next;
         n->taken -= buffered(m);
-        mailbox_done_with(n, m, now);
+        match_done_with(n, m, now);
     }
 }
 
 /* Its turn: what it hands over. */
-static void begin(struct node *n, struct pending_call *c, vtime now)
+static void begin(struct node *n, struct deferred_call *c, vtime now)
 {
-    n->pending.begun = now;
+    n->deferred.begun = now;
     if (c->has_memory)
-        node_memory_was(n, n->beside->calls.memory[index_of(n, 0)]);
+        node_memory_was(n, n->cold->calls.memory[index_of(n, 0)]);
     if (c->posts)
-        mailbox_post_at(n, c->receive, now + c->spent);
+        match_post(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends)
-        mailbox_send(n, message_of(n, 0), now + c->spent);
+        match_send(n, message_of(n, 0), now + c->spent);
 }
 
 static void pop(struct node *n)
 {
-    struct node_pending *p = &n->pending;
+    struct deferred *p = &n->deferred;
     p->first = (uint16_t)index_of(n, 1);
     p->count--;
     p->begun = VT_NEVER;
     if (p->count)
-        p->turn = nth(n, 0)->turn + p->late;
+        p->commits = nth(n, 0)->commits + p->shift;
     else
         p->selects = false;
 }
 
-static void make(struct node *n, struct pending_call *c, vtime now)
+static void make(struct node *n, struct deferred_call *c, vtime now)
 {
-    struct node_pending *p = &n->pending;
+    struct deferred *p = &n->deferred;
     if (p->begun == VT_NEVER) {
-        vtime done = c->goes_on ? handed_over(n, 0) : 0;
+        vtime done = c->resumes_caller ? handed_over(n, 0) : 0;
         begin(n, c, now);
-        if (c->goes_on) {
-            p->turn = done + p->late;
-            c->turn = done & TIME_MASK, c->spent = 0;
-            c->posts = c->selected = c->in_turn = c->has_message = c->sends = false;
+        if (c->resumes_caller) {
+            p->commits = done + p->shift;
+            c->commits = done & TIME_MASK, c->spent = 0;
+            c->posts = c->selected = c->needs_event = c->has_message = c->sends = false;
             return;
         }
-    } else if (c->takes) {
+    } else if (c->consumes_message) {
         take(n, c, now);
     }
-    clock_given_in_turn(n, c->units);
+    clock_note_committed(&n->lp, c->units);
     pop(n);
 }
 
-void pending_make(struct node *n, struct instant at)
+void deferred_commit(struct node *n, struct instant at)
 {
-    while (n->pending.count) {
-        vtime now = n->pending.turn + n->clock.stolen;
-        if (!instant_before(now, n->place, at))
+    while (n->deferred.count) {
+        vtime now = n->deferred.commits + n->lp.clock.stolen;
+        if (!instant_before(now, n->lp.address, at))
             return;
-        if (n->clock.stolen)
+        if (n->lp.clock.stolen)
             put_off(n, now);
         make(n, nth(n, 0), now);
     }
@@ -318,23 +286,17 @@ void pending_make(struct node *n, struct instant at)
 
 /* --- taking them back --- */
 
-static void unaccount(struct node *n, enum node_task task, vtime t)
+static void put_back(struct node *n, const struct deferred_call *c)
 {
-    n->stats.tasks[task] -= t;
-    n->stats.system -= t;
-}
-
-static void put_back(struct node *n, const struct pending_call *c)
-{
-    for (struct message *m = c->taken, *next; m; m = next) {
+    for (struct message *m = c->consumed, *next; m; m = next) {
         next = m->next;
-        unaccount(n, NODE_COPYING, node_system_time(n, mailbox_copying(n, m)));
+        charge_undo(n, NODE_COPYING, node_system_time(n, match_copying(n, m)));
         n->taken -= buffered(m);
-        mailbox_put_back(n, m);
+        match_put_back(n, m);
     }
 }
 
-static void unsend(struct node *n, const struct pending_call *c, struct message *m)
+static void unsend(struct node *n, const struct deferred_call *c, struct message *m)
 {
     n->stats.sent--, n->stats.sent_bytes -= m->bytes;
     if (m->followed)
@@ -343,44 +305,44 @@ static void unsend(struct node *n, const struct pending_call *c, struct message 
         proto_message_free(m);
         return;
     }
-    unaccount(n, NODE_SENDING, mailbox_send_time(n, m));
+    charge_undo(n, NODE_SENDING, match_send_time(n, m));
     proto_take_back(m);
 }
 
 /* The last. */
 static void unmake(struct node *n)
 {
-    struct pending_call *c = last(n);
-    if (c->takes)
+    struct deferred_call *c = last(n);
+    if (c->consumes_message)
         put_back(n, c);
     if (c->has_message)
-        unsend(n, c, message_of(n, n->pending.count - 1));
+        unsend(n, c, message_of(n, n->deferred.count - 1));
     if (c->selected && c->receive->m)
         mailbox_withdraw(n, c->receive);
-    unaccount(n, NODE_CALL, c->spent);
+    charge_undo(n, NODE_CALL, c->spent);
 }
 
-void pending_unmake(struct node *n)
+void deferred_undo(struct node *n)
 {
-    struct node_pending *p = &n->pending;
+    struct deferred *p = &n->deferred;
     for (; p->count; p->count--)
         unmake(n);
     p->selects = false;
     p->begun = VT_NEVER;
 }
 
-void pending_take_back(struct node *n)
+void deferred_roll_back(struct node *n)
 {
-    struct node_pending *p = &n->pending;
+    struct deferred *p = &n->deferred;
     assert(!p->open);
     if (p->count == 0)
         return;
-    const struct pending_call *c = nth(n, 0);
-    n->clock.units = c->units, n->clock.now = p->turn;
+    const struct deferred_call *c = nth(n, 0);
+    clock_return_to(&n->lp, c->units, p->commits);
     n->at_poll = false;
     uint32_t i = index_of(n, 0);
     n->call = p->begun == VT_NEVER ? NULL : c->name; /* else it has not come so far */
     n->call_since = p->begun;
-    n->call_type = n->beside->calls.type[i], n->call_has_type = c->has_type;
-    pending_unmake(n);
+    n->call_type = n->cold->calls.type[i], n->call_has_type = c->has_type;
+    deferred_undo(n);
 }

@@ -4,8 +4,11 @@
 #include <stdlib.h>
 #include "lp/clock.h"
 #include "lp/engine.h"
-#include "os/mailbox.h"
+#include "os/match.h"
 #include "node/system.h"
+#include "os/fail.h"
+#include "os/front.h"
+#include "os/gate.h"
 
 /* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
 struct due {
@@ -43,7 +46,7 @@ void handlers_free(struct mailbox *b)
 
 void handlers_add(struct node *n, vtime at, struct receive *r, struct send *s)
 {
-    engine_touch(n);
+    lp_synchronise(&n->lp);
     struct mailbox *b = &n->mailbox;
     struct due *d = calloc(1, sizeof *d);
     if (!d)
@@ -52,7 +55,7 @@ void handlers_add(struct node *n, vtime at, struct receive *r, struct send *s)
     if (b->last_due)
         d->next = b->last_due->next, b->last_due->next = d;
     b->last_due = d;
-    node_wake(n, at);
+    lp_wake(&n->lp, at);
 }
 
 void mailbox_post_handler(struct node *n, const struct receive *what)
@@ -85,7 +88,7 @@ bool handlers_armed(const struct node *n)
 vtime handlers_next_due(const struct node *n)
 {
     const struct due *first = first_due(&n->mailbox);
-    return first ? vt_max(first->at, clock_when(n, n->share_until)) : VT_NEVER;
+    return first ? vt_max(first->at, clock_when(&n->lp, n->share_until)) : VT_NEVER;
 }
 
 bool handlers_due(const struct node *n, vtime now)
@@ -98,7 +101,7 @@ bool handlers_due(const struct node *n, vtime now)
 void handlers_open(struct node *n)
 {
     n->opened.at = node_now(n);
-    n->opened.units = n->clock.units;
+    n->opened.units = n->lp.clock.units;
 }
 
 /* By how much a handler is late that was due at a time: none if its program has done nothing since handlers were let run, else
@@ -106,7 +109,7 @@ void handlers_open(struct node *n)
 static vtime delay(struct node *n, vtime due)
 {
     vtime now = node_now(n), from = vt_max(due, n->opened.at);
-    return n->clock.units == n->opened.units || from > now ? 0 : now - from;
+    return n->lp.clock.units == n->opened.units || from > now ? 0 : now - from;
 }
 
 /* The first that is due. */
@@ -151,12 +154,24 @@ static void run_within(struct node *n)
     n->awaited = awaited, n->awaits = awaits, n->hands_over = hands_over;
 }
 
+bool handlers_mask(struct node *n, bool masked)
+{
+    bool before = n->masked;
+    n->masked = masked;
+    return before;
+}
+
+void handlers_need_no_share(struct node *n)
+{
+    n->share_until = 0;
+}
+
 void handlers_share_used(struct node *n, vtime t)
 {
-    uint64_t left = n->share_until > n->clock.units ? n->share_until - n->clock.units : 0, used;
+    uint64_t left = n->share_until > n->lp.clock.units ? n->share_until - n->lp.clock.units : 0, used;
     if (!left || n->in_handler)
         return;
-    used = clock_units_in(n, t);
+    used = clock_units_in(&n->lp, t);
     n->share_until -= used < left ? used : left;
 }
 
@@ -168,8 +183,8 @@ static void interrupt(struct node *n)
     run_within(n);
     vtime stood = node_now(n) - begun;
     n->stats.stood += stood;
-    n->share_until = (n->share_until > n->clock.units ? n->share_until : n->clock.units) +
-                     clock_units_in(n, stood / (1000 - share) * share);
+    n->share_until = (n->share_until > n->lp.clock.units ? n->share_until : n->lp.clock.units) +
+                     clock_units_in(&n->lp, stood / (1000 - share) * share);
 }
 
 bool handlers_run(struct node *n, bool waits)
@@ -178,7 +193,7 @@ bool handlers_run(struct node *n, bool waits)
         return false;
     if (waits)
         run_within(n);
-    else if (n->share_until <= n->clock.units)
+    else if (n->share_until <= n->lp.clock.units)
         interrupt(n);
     else
         return false;

@@ -26,6 +26,10 @@ bool handlers_due(const struct node *n, vtime now);
 bool handlers_run(struct node *n, bool waits);
 /* Runs the first if it was due at time t, until which it was held back. */
 bool handlers_run_held(struct node *n, vtime t);
+/* Masks them, or lets them run; were they masked before? */
+bool handlers_mask(struct node *n, bool masked);
+/* The program waits: it needs no share of its processor. */
+void handlers_need_no_share(struct node *n);
 /* The program, or a handler, has been in the system for t on its own account. */
 void handlers_share_used(struct node *n, vtime t);
 /* They are no longer held back, by the program or by another that ran. */

@@ -1,279 +1,31 @@
-/* mailbox.c - see mailbox.h. */
-#include "os/mailbox.h"
-#include <inttypes.h>
-#include <stdlib.h>
+/* mailbox.c - what NX's calls do with a node's messages: nx_api/calls/mailbox.h, on the simulator. */
+#include "nx_api/calls/mailbox.h"
 #include <string.h>
 #include "kernel/prefetch.h"
-#include "os/charge.h"
-#include "lp/clock.h"
-#include "lp/engine.h"
-#include "os/handlers.h"
 #include "node/system.h"
-#include "os/unexpected.h"
 #include "nx_api/calls/mailbox_ids.h"
 #include "nx_api/include/nxerrno.h"
-
-void mailbox_begin(struct node *n, struct id_block *ids)
-{
-    struct mailbox *b = &n->mailbox;
-    *b = (struct mailbox){0};
-    ids_begin(&b->ids, ids);
-    b->posted_end = &b->posted;
-    unexpected_begin(n);
-}
-
-/* Those that the program did not make on its stack, or with an id. */
-static void free_posted(struct mailbox *b)
-{
-    for (struct receive *r = b->posted, *next; r; r = next) {
-        next = r->next;
-        if (r->handler)
-            free(r);
-    }
-}
-
-static void free_messages(struct message *list)
-{
-    for (struct message *m = list, *next; m; m = next) {
-        next = m->next;
-        proto_message_free(m);
-    }
-}
-
-void mailbox_end(struct node *n)
-{
-    struct mailbox *b = &n->mailbox;
-    free_messages(b->whole);
-    free_messages(n->coming);
-    unexpected_end(n);
-    handlers_free(b);
-    free_posted(b);
-    ids_end(&b->ids); /* receives posted are in there */
-}
+#include "os/end.h"
+#include "os/front.h"
+#include "os/gate.h"
+#include "os/longs.h"
+#include "os/match.h"
+#include "os/unexpected.h"
+#include "os/fail.h"
 
 struct mailbox_ids *mailbox_ids(const struct node *n)
 {
     return (struct mailbox_ids *)&n->mailbox.ids;
 }
 
-/* --- queues --- */
-
-static void post(struct mailbox *b, struct receive *r)
-{
-    r->next = NULL;
-    *b->posted_end = r;
-    b->posted_end = &r->next;
-}
-
-static void unpost(struct mailbox *b, struct receive **link)
-{
-    struct receive *r = *link;
-    *link = r->next;
-    if (b->posted_end == &r->next)
-        b->posted_end = link;
-}
-
-/* --- system buffers --- */
-
-static void buffer(struct node *n, struct message *m)
-{
-    m->buffered = true;
-    n->buffered += m->bytes;
-    node_memory_changed(n);
-}
-
-static bool room_for(struct node *n, const struct message *m)
-{
-    return node_memory_used(n) + m->bytes <= node_memory_limit(n);
-}
-
-/* Buffers have been given back: grant what waits for them, in the order asked. */
-static void grant_waiting(struct node *n, vtime now)
-{
-    for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
-        if (!m->is_long || m->granted)
-            continue;
-        if (!room_for(n, m))
-            return;
-        n->mailbox.waiting--;
-        buffer(n, m);
-        proto_grant(m->proto, m, now);
-    }
-}
-
-static void unbuffer(struct node *n, struct message *m, vtime now)
-{
-    if (!m->buffered)
-        return;
-    m->buffered = false;
-    n->buffered -= m->bytes;
-    grant_waiting(n, now);
-}
-
-/* --- what the protocol tells --- */
-
-static void give(struct receive *r, struct message *m)
-{
-    r->m = m;
-    r->complete = m->arrived ? m->complete : VT_NEVER;
-    m->receive = r;
-}
-
-bool mailbox_envelope(void *ctx, struct message *m, vtime now)
-{
-    struct node *n = node_at(ctx, m->to);
-    struct mailbox *b = &n->mailbox;
-    (void)now;
-    if (m->unwanted)
-        return true;
-    engine_touch(n);
-    for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
-        if (!unexpected_selects(n, &(*link)->select, m))
-            continue;
-        give(*link, m);
-        unpost(b, link);
-        return true;
-    }
-    if (m->forced)
-        return false;
-    unexpected_add(n, m);
-    engine_kept(n);
-    if (m->is_long && !room_for(n, m)) {
-        b->waiting++;
-        return false;
-    }
-    buffer(n, m);
-    return true;
-}
-
-static uint64_t mix(uint64_t h, uint64_t x)
-{
-    h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
-    return h ^ (h >> 29);
-}
-
-void node_system_digest(struct node_system *sys, const struct message *m, vtime now)
-{
-    sys->digest = mix(mix(sys->digest, now), (uint64_t)m->from << 32 | m->to);
-    sys->digest = mix(mix(sys->digest, (uint64_t)m->type), m->bytes);
-    if (sys->history)
-        fprintf(sys->history, "%" PRIu64 " %u %u %d %zu\n", now, m->from, m->to, m->type, m->bytes);
-}
-
-void mailbox_arrived(void *ctx, struct message *m, vtime now)
-{
-    struct node_system *sys = ctx;
-    struct node *n = node_at(sys, m->to);
-    struct receive *r = m->receive;
-    if (r)
-        r->complete = m->complete;
-    else if (!m->unwanted)
-        unexpected_has_arrived(n, m);
-    sys->messages++;
-    sys->bytes += m->bytes;
-    node_system_digest(sys, m, now);
-    if (m->unwanted)
-        proto_message_free(m);
-    else if (r && r->handler)
-        handlers_add(n, m->complete, r, NULL);
-    else
-        engine_look(n, m->complete);
-}
-
-void mailbox_sent(void *ctx, struct message *m, vtime now)
-{
-    struct node *n = node_at(ctx, m->from);
-    struct send *s = m->send;
-    m->followed = false;
-    s->m = NULL;
-    s->done = true;
-    if (s->handler)
-        handlers_add(n, now, NULL, s);
-    else
-        engine_look(n, now);
-}
-
-void mailbox_follow(struct message *m, struct send *s)
-{
-    m->send = s;
-    m->followed = true;
-    s->m = m;
-}
-
-void mailbox_drop(struct receive *r)
-{
-    if (r->m && r->m->arrived)
-        proto_message_free(r->m);
-}
-
-void mailbox_unfollow(struct send *s)
-{
-    if (s->m)
-        s->m->followed = false;
-}
-
-/* --- sending --- */
-
-vtime mailbox_send_time(const struct node *n, const struct message *m)
-{
-    return node_system_time(n, proto_send_time(n->sys->proto, m->type, m->bytes));
-}
-
-vtime mailbox_send(struct node *n, struct message *first, vtime now)
-{
-    vtime begun = now;
-    for (struct message *m = first, *next; m; m = next) {
-        next = m->next;
-        now += mailbox_send_time(n, m);
-        proto_send(n->sys->proto, m, now);
-    }
-    node_account(n, NODE_SENDING, now - begun);
-    return now;
-}
-
-/* --- receiving --- */
-
-void mailbox_post_at(struct node *n, struct receive *r, vtime now)
-{
-    struct message *m = unexpected_first(n, &r->select);
-    if (!m) {
-        post(&n->mailbox, r);
-        return;
-    }
-    unexpected_take(n, m);
-    give(r, m);
-    if (m->is_long && !m->granted) {
-        n->mailbox.waiting--;
-        proto_grant(m->proto, m, now);
-    }
-    if (m->arrived && r->handler)
-        handlers_add(n, vt_max(m->complete, now), r, NULL);
-}
-
 void mailbox_post(struct node *n, struct receive *r)
 {
-    engine_post(n, r);
-}
-
-void mailbox_put_back(struct node *n, struct message *m)
-{
-    m->receive = NULL;
-    unexpected_put_back(n, m);
+    front_post(n, r);
 }
 
 void mailbox_withdraw(struct node *n, struct receive *r)
 {
-    struct mailbox *b = &n->mailbox;
-    for (struct receive **link = &b->posted; *link; link = &(*link)->next)
-        if (*link == r) {
-            unpost(b, link);
-            return;
-        }
-    struct message *m = r->m;
-    r->m = NULL;
-    if (!m->buffered)
-        buffer(n, m);
-    mailbox_put_back(n, m);
+    match_withdraw(n, r);
 }
 
 bool mailbox_complete(struct node *n, const struct receive *r)
@@ -282,17 +34,6 @@ bool mailbox_complete(struct node *n, const struct receive *r)
         return false;
     prefetch_pair(r->m); /* it is asked for soon, and nobody has looked at it for long */
     return true;
-}
-
-vtime mailbox_copying(const struct node *n, const struct message *m)
-{
-    return m->buffered && !m->too_long ? m->bytes * n->sys->cfg->copy_ps_per_byte : 0;
-}
-
-void mailbox_done_with(struct node *n, struct message *m, vtime now)
-{
-    unbuffer(n, m, now);
-    proto_message_free(m);
 }
 
 void mailbox_tell(struct node *n, const struct message *m, long info[])
@@ -318,11 +59,9 @@ long mailbox_take(struct node *n, struct receive *r)
         mailbox_tell(n, m, r->info);
     r->m = NULL;
     m->receive = NULL;
-    engine_received(n, m);
+    front_received(n, m);
     return result;
 }
-
-/* --- looking, and throwing away --- */
 
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
@@ -330,106 +69,14 @@ const struct message *mailbox_probe(struct node *n, const struct selector *selec
     return m && m->whole && m->complete <= node_now(n) ? m : NULL;
 }
 
-/* A message that has left the queue is not wanted any more. */
-static void throw_away(struct node *n, struct message *m, vtime now)
+void mailbox_drop(struct receive *r)
 {
-    m->unwanted = true;
-    if (m->is_long && !m->granted) {
-        n->mailbox.waiting--;
-        proto_grant(m->proto, m, now);
-    }
-    unbuffer(n, m, now);
-    if (m->arrived)
-        proto_message_free(m);
+    if (r->m && r->m->arrived)
+        proto_message_free(r->m);
 }
 
-static void throw_away_all(struct node *n, struct message *list, int64_t typesel, vtime now)
+void mailbox_unfollow(struct send *s)
 {
-    for (struct message *m = list, *next; m; m = next) {
-        next = m->next;
-        if (!mailbox_selects(typesel, m->type))
-            continue;
-        unexpected_take(n, m);
-        throw_away(n, m, now);
-    }
-}
-
-void mailbox_flush(struct node *n, int64_t typesel, vtime now)
-{
-    throw_away_all(n, n->mailbox.whole, typesel, now);
-    throw_away_all(n, n->coming, typesel, now);
-}
-
-/* --- when a program is gone --- */
-
-/* Nobody asks any more when m's buffer is free. */
-static void drop_send(struct message *m)
-{
-    struct send *s = m->followed ? m->send : NULL;
-    m->followed = false;
-    if (s)
-        s->m = NULL;
-    if (s && s->handler)
-        free(s);
-}
-
-/* Nobody receives m, which one of the program's receives has selected, and which has not arrived. */
-static void drop_receive(struct message *m)
-{
-    struct receive *r = m->receive;
-    m->receive = NULL;
-    m->unwanted = true;
-    r->m = NULL;
-    if (r->handler)
-        free(r);
-}
-
-void mailbox_abandon(struct node *n)
-{
-    struct mailbox *b = &n->mailbox;
-    for (struct message *m = proto_from(n->sys->proto, n->place); m; m = proto_next_from(m))
-        drop_send(m);
-    for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
-        if (m->receive)
-            drop_receive(m);
-    handlers_free(b);
-    free_posted(b);
-    b->posted = NULL, b->posted_end = &b->posted;
-}
-
-static void throw_away_list(struct node *n, struct message **list, vtime now)
-{
-    while (*list) {
-        struct message *m = *list;
-        unexpected_take(n, m);
-        throw_away(n, m, now);
-    }
-}
-
-void mailbox_empty(struct node *n, vtime now)
-{
-    throw_away_list(n, &n->coming, now);
-    throw_away_list(n, &n->mailbox.whole, now);
-    for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
-        m->unwanted = m->unwanted || !m->serves;
-}
-
-void mailbox_inherit(struct node *n, struct node *before)
-{
-    unexpected_inherit(n, before);
-    n->mailbox.waiting = before->mailbox.waiting;
-    n->buffered = before->buffered;
-    node_memory_changed(n);
-}
-
-/* --- questions --- */
-
-bool mailbox_may_grant(const struct node *n)
-{
-    return n->mailbox.waiting > 0;
-}
-
-bool mailbox_ignores(const struct node *n)
-{
-    return n->mailbox.ids.ignored > 0;
+    if (s->m)
+        s->m->followed = false;
 }

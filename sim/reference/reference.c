@@ -1,133 +1,143 @@
 /* reference.c - the rules of time, in their plainest form. Everything that touchstone reports of a run is, by definition, what
- * this file makes of it. The fast engine (sim/node) has to give the same, and `make prove` looks for a program where it does not.
+ * this file makes of it. The fast engine (sim/lp) has to give the same, and `make prove` looks for a program where it does not.
  *
- * 1. Events happen one at a time, in one order: by time; at one time by place (nodes' numbers), at one place as kernel/evq.h has it.
+ * 1. Events happen one at a time, in one order: by time; at one time by address (nodes' numbers), at one address as kernel/evq.h has it.
  *    What happens may put further events into the queue, at the same time or later.
  * 2. A program computes until it comes to a call, or to the first poll at or after the time of the next event. Polls are the
  *    places where nxcc lets a program look at its clock: function entries and loops. Nothing can happen before the next event: so
  *    the program may compute up to there, and has to stop then. (It stops at the first poll of all if a handler waits.)
- * 3. Wherever it has stopped, its turn is a late event at the time of its clock: it goes on after all that happens before, and
+ * 3. Wherever it has stopped, its commit time is a late event at the time of its clock: it goes on after all that happens before, and
  *    after all else that happens to its node at that time.
- * 4. When the operating system needs the processor for a message, the program is put off by as long: its turn, when it has come,
- *    is put into the queue again, so much later. That is repeated until the turn comes and nothing has put it off.
- * 5. A call is made in its turn, at once and as a whole. The time it takes is added to the clock, and the program goes on from there.
- * 6. A handler that is due by the program's time runs when its turn has come at a poll, when it enters a call, and while it waits in
+ * 4. When the operating system needs the processor for a message, the program is put off by as long: its commit time, when
+ *    it has come, is put into the queue again, so much later. That is repeated until nothing has put it off.
+ * 5. A call is committed at its commit time, at once and as a whole. The time it takes is added to the clock, and the program goes on from there.
+ * 6. A handler that is due by the program's time runs at the commit time of a poll, when it enters a call, and while it waits in
  *    one; not while another runs, nor while they are masked. Between two of them the program has its share (os/handlers.h).
- * 7. A call that waits does so until what it waits for is there: that is looked at in its turn, and then whenever something comes
+ * 7. A call that waits does so until what it waits for is there: that is asked at its commit time, and then whenever something comes
  *    to the node.
- * 8. A program that crashes while it computes is known to have done so at its next look (lp/clock.h): the poll at which it had
+ * 8. A program that crashes while it computes is known to have done so at its next slice boundary (lp/clock.h): the poll at which it had
  *    last stopped depends on what else happened.
  */
 #include <errno.h>
-#include "kernel/evq.h"
-#include "kernel/fiber.h"
-#include "os/charge.h"
-#include "lp/clock.h"
+#include "lp/block.h"
 #include "lp/engine.h"
-#include "os/handlers.h"
-#include "guest/isolate.h"
-#include "os/mailbox.h"
+#include "lp/upcalls.h"
 #include "node/system.h"
-#include "guest/trace.h"
+#include "os/charge.h"
+#include "os/front.h"
+#include "os/gate.h"
+#include "os/handlers.h"
+#include "os/match.h"
+#include "os/memory.h"
 
 const char ENGINE_NAME[] = "reference";
 
-/* --- turns: rules 3 and 4 --- */
+/* --- commit times: rules 3 and 4 --- */
 
-static void turn_comes(void *ctx, void *arg, vtime now);
+static void go_on(void *ctx, void *arg, vtime now);
 
-static void put_turn(struct node *n)
+static void put_commit(struct lp *lp)
 {
-    evq_put_late(n->sys->q, node_now(n), n->place, turn_comes, n, NULL);
+    evq_put_late(lp->schedule->q, clock_sync(lp), lp->address, go_on, lp, NULL);
 }
 
 /* The program goes on, until it switches back here: node_order, node_wait, its end or crash. */
-static void run(struct node *n)
+static void run(struct lp *lp)
 {
-    isolate_run(n);
-    n->state = NODE_COMPUTING;
-    errno = n->saved_errno;
-    fiber_resume(&n->fiber);
-    n->saved_errno = errno;
-    clock_sync(n);
-    if (!n->crash)
+    up_program_resumes(lp);
+    lp->state = LP_COMPUTING;
+    errno = lp->saved_errno;
+    fiber_resume(&lp->fiber);
+    lp->saved_errno = errno;
+    clock_sync(lp);
+    lp->crashed = up_program_returns(lp);
+    if (!lp->crashed)
         return;
-    n->sys->keep_crash(n);
-    if (!n->call)
-        clock_crash(n);
-    put_turn(n);
+    if (lp->clock.runs)
+        clock_crash(lp);
+    put_commit(lp);
 }
 
-static void turn_comes(void *ctx, void *arg, vtime now)
+static void go_on(void *ctx, void *arg, vtime now)
 {
-    struct node *n = ctx;
+    struct lp *lp = ctx;
     (void)arg, (void)now;
-    if (n->state == NODE_ENDED)
+    if (lp->state == LP_ENDED)
         return;
-    if (n->clock.stolen) {
-        clock_advance(n, n->clock.stolen);
-        n->clock.stolen = 0;
-        put_turn(n);
-    } else if (n->crash) {
-        n->sys->crashed(n);
+    if (lp->clock.stolen) {
+        clock_add_stolen(lp);
+        put_commit(lp);
+    } else if (lp->crashed) {
+        up_report_crash(lp);
     } else {
-        run(n);
+        run(lp);
     }
 }
 
-void node_start(struct node *n, vtime t)
+void lp_start(struct lp *lp, vtime t)
 {
-    clock_advance_to(n, t);
-    put_turn(n);
+    clock_advance_to(lp, t);
+    put_commit(lp);
 }
 
 /* --- computing: rules 2, 3 and 6 --- */
 
-/* Up to the next event or the limit of time, or at once if a handler waits, which a call has held back; and no longer than to the next look. */
-static void compute_on(struct node *n)
+/* Up to the next event or the limit of time, or at once if a handler waits, which a call has held back; and no longer than to the
+ * next slice boundary. */
+static void compute_on(struct lp *lp)
 {
-    vtime due = handlers_armed(n) ? handlers_next_due(n) : VT_NEVER, end = n->sys->max_time;
-    vtime next = vt_min(evq_next(n->sys->q), end == VT_NEVER ? VT_NEVER : end + 1);
-    clock_allow(n, vt_min(next, due));
+    vtime due = up_is_interruptible(lp) ? up_next_interrupt(lp) : VT_NEVER, end = lp->schedule->max_time;
+    vtime next = vt_min(evq_next(lp->schedule->q), end == VT_NEVER ? VT_NEVER : end + 1);
+    clock_allow(lp, vt_min(next, due));
 }
 
 void node_order(struct node *n)
 {
-    clock_sync(n);
-    put_turn(n);
+    put_commit(&n->lp);
     n->frame = (uintptr_t)__builtin_frame_address(0);
-    fiber_yield(&n->fiber);
+    fiber_yield(&n->lp.fiber);
     if (!n->call)
-        compute_on(n);
+        compute_on(&n->lp);
 }
 
-/* A poll has found the program's time used up. */
+static void begin_segment(struct node *n)
+{
+    node_memory_settle(n);
+    clock_begin_segment(&n->lp);
+    clock_note_committed(&n->lp, n->lp.clock.units);
+}
+
+/* In nxc_preempt, of which it is given the frame: where in the program the poll is. */
+static uintptr_t poll_of(const void *frame)
+{
+    const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* nxc_enter's */
+    return enter[1];
+}
+
+/* A poll has found the program's budget spent. */
 void node_nxc_preempt(void);
 void node_nxc_preempt(void)
 {
     struct node *n = node_self();
-    clock_sync(n);
-    clock_look(n, trace_caller(__builtin_frame_address(0)));
+    clock_sync(&n->lp);
+    clock_reach_boundary(&n->lp, poll_of(__builtin_frame_address(0)));
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
     node_order(n);
     bool any = false;
     for (; handlers_run(n, false); any = true)
         node_order(n);
-    if (any) {
-        node_memory_settle(n);
-        clock_give(n);
-        clock_given_in_turn(n, n->clock.units);
-    }
+    if (any)
+        begin_segment(n);
     n->at_poll = false;
-    compute_on(n);
+    compute_on(&n->lp);
 }
 
 /* --- calls: rules 5, 6 and 7 --- */
 
 static void enter(struct node *n, const char *call)
 {
-    clock_stop(n);
+    clock_stop(&n->lp);
     n->call = call;
     n->call_has_type = n->awaits = false;
     n->call_since = VT_NEVER; /* it has not come so far */
@@ -153,35 +163,33 @@ void node_enter_early(struct node *n, const char *call)
 void node_leave(struct node *n)
 {
     n->call = NULL;
-    clock_sync(n);
-    node_memory_settle(n);
-    clock_give(n);
-    clock_given_in_turn(n, n->clock.units);
-    compute_on(n);
+    clock_sync(&n->lp);
+    begin_segment(n);
+    compute_on(&n->lp);
 }
 
 void node_spend_on(struct node *n, enum node_task task, vtime t)
 {
     t = node_system_time(n, t);
-    clock_sync(n);
-    clock_advance(n, t);
+    clock_sync(&n->lp);
+    clock_advance(&n->lp, t);
     node_account(n, task, t);
 }
 
-void engine_post(struct node *n, struct receive *r)
+void front_post(struct node *n, struct receive *r)
 {
-    mailbox_post_at(n, r, node_now(n));
+    match_post(n, r, node_now(n));
 }
 
-void engine_send(struct node *n, struct message *first)
+void front_send(struct node *n, struct message *first)
 {
-    clock_advance_to(n, mailbox_send(n, first, node_now(n)));
+    clock_advance_to(&n->lp, match_send(n, first, node_now(n)));
 }
 
-void engine_received(struct node *n, struct message *m)
+void front_received(struct node *n, struct message *m)
 {
-    node_spend_on(n, NODE_COPYING, mailbox_copying(n, m));
-    mailbox_done_with(n, m, node_now(n));
+    node_spend_on(n, NODE_COPYING, match_copying(n, m));
+    match_done_with(n, m, node_now(n));
 }
 
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
@@ -195,66 +203,66 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
             return;
         n->wait.ready = ready, n->wait.arg = arg;
         n->frame = (uintptr_t)__builtin_frame_address(0);
-        account_block(n, node_now(n));
-        fiber_yield(&n->fiber);
+        lp_block(&n->lp, node_now(n));
+        fiber_yield(&n->lp.fiber);
     }
 }
 
 static void look(void *ctx, void *arg, vtime now)
 {
-    struct node *n = ctx;
+    struct lp *lp = ctx;
     (void)arg;
-    if (n->state == NODE_BLOCKED && account_unblock(n, now))
-        run(n);
+    if (lp->state == LP_BLOCKED && lp_unblock(lp, now))
+        run(lp);
 }
 
-void node_wake(struct node *n, vtime t)
+void lp_wake(struct lp *lp, vtime t)
 {
-    evq_put_late(n->sys->q, t, n->place, look, n, NULL);
+    evq_put_late(lp->schedule->q, t, lp->address, look, lp, NULL);
 }
 
-void engine_look(struct node *n, vtime t)
+void lp_notify(struct lp *lp, vtime t)
 {
-    node_wake(n, t);
+    lp_wake(lp, t);
 }
 
 /* --- ends --- */
 
-void node_cut(struct node *n, struct instant at)
+bool lp_roll_back(struct lp *lp, struct instant at)
 {
-    vtime turn = node_now(n) + n->clock.stolen;
-    if (n->state == NODE_BLOCKED)
-        account_cut(n, at.time);
-    else if (turn > at.time)
-        clock_cut(n, turn - at.time);
-    n->cut_short = n->state == NODE_COMPUTING;
-    n->clock.stolen = 0;
+    vtime commits = clock_sync(lp) + lp->clock.stolen;
+    if (lp->state == LP_BLOCKED)
+        up_wait_ends(lp, at.time);
+    else if (commits > at.time)
+        clock_roll_back(lp, commits - at.time);
+    clock_drop_stolen(lp);
+    return lp->state == LP_COMPUTING;
 }
 
 /* Nothing has been done ahead of its time, so that nothing is to be made up for, or undone. */
-void engine_touch(struct node *n)
+void lp_synchronise(struct lp *lp)
+{
+    (void)lp;
+}
+
+void front_message_kept(struct node *n)
 {
     (void)n;
 }
 
-void engine_kept(struct node *n)
+void lp_forget(struct lp *lp)
 {
-    (void)n;
+    (void)lp;
 }
 
-void engine_forget(struct node *n)
+void engine_settle(struct lp *lp, struct instant end)
 {
-    (void)n;
-}
-
-void engine_settle(struct node *n, struct instant end)
-{
-    (void)n, (void)end;
+    (void)lp, (void)end;
 }
 
 /* --- events: rule 1 --- */
 
-struct workers_stats engine_run(struct node_system *s, const struct engine_threads *threads)
+struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads)
 {
     enum { LOOK_EVERY = 256 };
     (void)threads;
@@ -262,7 +270,7 @@ struct workers_stats engine_run(struct node_system *s, const struct engine_threa
         if (i % LOOK_EVERY == 0)
             s->look(s->look_ctx);
         if (evq_next(s->q) > s->max_time)
-            node_system_end_at_limit(s);
+            up_end_at_limit(s);
         else
             evq_step(s->q, &s->present);
     }

@@ -135,8 +135,8 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
 static inline void nodes_run(struct nodes *x)
 {
     for (uint32_t i = 0; i < x->sys.count; i++)
-        node_start(x->node[i], 0);
-    while (!x->sys.stop && evq_step(x->sys.q, &x->sys.present))
+        lp_start(&x->node[i]->lp, 0);
+    while (!x->sys.stop && evq_step(x->sys.schedule.q, &x->sys.present))
         ;
     fflush(x->sys.out[0]);
     fflush(x->sys.out[1]);
@@ -147,7 +147,7 @@ static inline void nodes_free(struct nodes *x)
     for (uint32_t i = 0; i < x->sys.count; i++)
         node_delete(x->node[i]);
     node_image_close(x->image);
-    evq_free(x->sys.q);
+    evq_free(x->sys.schedule.q);
     for (int i = 0; i < 2; i++) {
         fclose(x->sys.out[i]);
         free(x->text[i]);

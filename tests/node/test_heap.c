@@ -25,10 +25,9 @@ static int room(void *ctx, size_t bytes)
     return bytes <= x->allowed;
 }
 
-static void grown(void *ctx)
+static void grown(void *ctx, size_t used)
 {
     struct fixture *x = ctx;
-    size_t used = node_heap_used(x->heap);
     x->peak = used > x->peak ? used : x->peak;
 }
 

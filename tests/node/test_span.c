@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include "guest/span.h"
 #include "node/system.h"
+#include "node/self.h"
 
 enum { NODES = 3, PROGRAM = 100 << 10 };
 

@@ -1,5 +1,5 @@
 /* waits.c - see waits.h. */
-#include "lp/waits.h"
+#include "node/waits.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* isolate.c - see isolate.h. */
-#include "guest/isolate.h"
+#include "os/isolate.h"
 #include <stdlib.h>
 #include <sys/mman.h>
-#include "guest/image.h"
+#include "node/self.h"
 
 static void protect(char *from, size_t bytes, int how)
 {
@@ -13,7 +13,7 @@ static void protect(char *from, size_t bytes, int how)
 static void set_writable(const struct node *n, bool writable)
 {
     int how = writable ? PROT_READ | PROT_WRITE : PROT_READ;
-    char *data = n->program + node_image_data_at(n->file);
+    char *data = n->data;
     if (n->region->copies_text) { /* code and data have no mappings of their own */
         protect(n->stack, (size_t)(n->program + n->image_bytes - n->stack), how | PROT_EXEC);
     } else {

@@ -1,8 +1,12 @@
-/* places.c - see places.h. Places are nodes, services, or the host (topo.h); a message between a node and a service is known
+/* endpoints.c - see endpoints.h. Places are nodes, services, or the host (topo.h); a message between a node and a service is known
  * by m->serves, in both directions. */
-#include "machine/places.h"
+#include "machine/endpoints.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"
+#include "os/charge.h"
+#include "os/history.h"
+#include "os/match.h"
+#include "os/charge.h"
 
 static bool is_service(const struct node_system *sys, uint32_t place)
 {
@@ -27,20 +31,20 @@ static void move(void *ctx, uint32_t place, enum proto_task task, vtime at, vtim
 
 static bool envelope(void *ctx, struct message *m, vtime now)
 {
-    return m->serves ? post_envelope(m, now) : mailbox_envelope(ctx, m, now);
+    return m->serves ? post_envelope(m, now) : match_envelope(ctx, m, now);
 }
 
 static void arrived(void *ctx, struct message *m, vtime now)
 {
     if (!m->serves) {
-        mailbox_arrived(ctx, m, now);
+        match_arrived(ctx, m, now);
         return;
     }
-    node_system_digest(ctx, m, now);
+    history_add(ctx, m, now);
     post_arrived(m, now);
 }
 
-struct proto_nodes places_calls(struct node_system *sys)
+struct proto_nodes endpoints_calls(struct node_system *sys)
 {
-    return (struct proto_nodes){sys, work, move, envelope, mailbox_sent, arrived};
+    return (struct proto_nodes){sys, work, move, envelope, match_sent, arrived};
 }

@@ -1,0 +1,23 @@
+/* block.c - see block.h. */
+#include "lp/block.h"
+#include "lp/clock.h"
+#include "lp/upcalls.h"
+
+void lp_block(struct lp *lp, vtime now)
+{
+    lp->state = LP_BLOCKED;
+    lp->blocked_since = now;
+    up_wait_begins(lp);
+}
+
+bool lp_unblock(struct lp *lp, vtime now)
+{
+    clock_set_time(lp, now); /* which up_may_resume may ask for */
+    if (!up_may_resume(lp, now)) {
+        clock_set_time(lp, lp->blocked_since);
+        return false;
+    }
+    up_wait_ends(lp, now);
+    lp->state = LP_COMPUTING;
+    return true;
+}

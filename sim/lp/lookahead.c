@@ -1,0 +1,43 @@
+/* lookahead.c - see lookahead.h. */
+#include "lp/lookahead.h"
+#include "lp/clock.h"
+#include "lp/upcalls.h"
+
+static vtime horizon(const struct lp *lp)
+{
+    const struct schedule *s = lp->schedule;
+    vtime next = vt_min(evq_next(s->q), mintree_least(&s->polls));
+    if (s->workers)
+        next = vt_min(next, workers_bound(s->workers));
+    return proto_horizon(s->proto, lp->address, next);
+}
+
+bool lp_is_alone(const struct lp *lp, vtime t)
+{
+    return horizon(lp) > t;
+}
+
+vtime lp_end_of_time(const struct lp *lp)
+{
+    vtime limit = lp->schedule->max_time;
+    return limit == VT_NEVER ? VT_NEVER : limit + 1;
+}
+
+vtime lp_deadline(struct lp *lp)
+{
+    vtime end = lp_end_of_time(lp);
+    lp->ahead.interruptible = up_is_interruptible(lp);
+    if (!lp->ahead.interruptible)
+        return end;
+    if (lp->ahead.until)
+        return lp->ahead.until;
+    return vt_min(end, vt_min(up_next_interrupt(lp), horizon(lp)));
+}
+
+/* (System time that was stolen from a program in its own call puts it off at the poll.) */
+vtime lp_lookahead(const struct lp *lp)
+{
+    if (up_in_handler(lp) || lp->clock.stolen)
+        return 0;
+    return vt_min(clock_lookahead(lp), vt_min(lp_end_of_time(lp), up_next_interrupt(lp)));
+}

@@ -1,0 +1,121 @@
+/* lp.h - a node as a logical process: what has a clock of its own and changes only by its events (Chandy & Misra 1979).
+ *
+ * Read this file first. The rules of time are sim/reference/reference.c, 270 lines without a trick; sim/lp does the same faster.
+ *
+ * A program computes ahead of the machine. Its computing up to its next call, a compute segment, is executed at once; the call
+ * is committed at its commit time, when the machine has committed all that comes before in the total order. A program that
+ * handlers may interrupt computes up to its horizon only: the earliest time at which anything may reach it. There it pauses at a
+ * poll, and goes on when all others have come so far. Its lookahead, computing that is certain before its next call, tells how
+ * long nobody need wait for it.
+ *
+ * A node is in one of these states, and what happens to it has these effects (dispatch.c, block.c, offload.c):
+ *
+ *                     its commit time      its poll time    it is woken          system time taken     it is killed
+ *    computing        makes its call       -                -                    commit time later     is rolled back
+ *    paused at poll   -                    computes on      catches up           catches up, later     is rolled back
+ *    offloaded        -                    -                -                    added when back       its task is dropped
+ *    lazily blocked   blocked: no event    -                blocked, or ready:   commit time later     is rolled back
+ *                                                           a commit time
+ *    blocked          -                    -                resumes if ready     idle time is less     idle until then
+ *    ended            -                    -                -                    nobody's              -
+ *
+ *    computing       the program has control on the coordinator, or an event at its commit time is in the queue
+ *    paused at poll  schedule.polls has the time at which it goes on
+ *    offloaded       a worker runs its task up to its next call; only that worker may touch clock (but for stolen), memory,
+ *                    C library and errno of the program. The coordinator has all else: mailbox, statistics, state
+ *    lazily blocked  it will block at its commit time, as far as is known; no event is queued for that
+ *    blocked         it waits in a call for a message, a handler or a time
+ *
+ * Calls are committed on the coordinator only, in the total order; so are library calls that show something to the outside.
+ *
+ * System time. A message takes a computing node's processor for a while. That time is noted as stolen, and the node's commit
+ * time or poll time is so much later. The horizon is never later than such a moment, so that slices change nothing.
+ *
+ * Commit times without an event (lazily blocked, deferred calls, polls) count as come when the machine has reached a later moment.
+ * Where events follow each other in no time, the machine may come back to a smaller address at the same time; so the latest
+ * moment counts, schedule_reached. A commit time before it is put into the queue as an event (lp_is_passed). Polls need no
+ * such care: a program always computes something before a poll. */
+#ifndef LP_LP_H
+#define LP_LP_H
+#include "kernel/fiber.h"
+#include "lp/schedule.h"
+
+enum lp_state { LP_COMPUTING, LP_BLOCKED, LP_ENDED };
+
+struct lp_clock {
+    vtime now;        /* at the last synchronisation */
+    uint64_t units;   /* cost units spent up to it */
+    int64_t granted;  /* what *budget was set to then */
+    vtime stolen;     /* system time not yet added to `now` */
+    uint64_t unit_ps; /* of a cost unit; 0: no whole number. clock_set */
+    bool runs;        /* the program computes, not in a call: it may have spent some */
+};
+
+/* In cost units of the clock; clock.h. */
+struct lp_segment {
+    uint64_t lookahead;  /* the program makes no call before; less than clock.units: it may at any time */
+    uint64_t begun, end; /* when the program got control; the next slice boundary */
+    uint64_t committed;  /* when it last got control with all earlier events committed */
+};
+
+/* Where a program was at a slice boundary. */
+struct lp_place {
+    uint64_t units;
+    uintptr_t at; /* behind the poll */
+};
+enum { LP_PLACES = 16 };
+
+/* The latest places, a ring. Away from struct lp, which every message needs. */
+struct lp_cold {
+    struct lp_place places[LP_PLACES];
+    uint32_t count; /* of all */
+};
+
+/* A program that computes ahead, on any thread: offload.c. */
+struct lp_ahead {
+    bool paused;        /* its task ended at a poll, and is to be gone on with */
+    bool interruptible; /* by a handler: it computes up to its horizon only */
+    vtime until;        /* not 0: it catches up, or is offloaded, until this time only */
+    struct task task;
+    vtime poll_time;     /* paused at a poll: the clock's time */
+    vtime arrived;       /* offloaded, and at its next call: its time; or of the poll at `until` */
+    uint64_t last;       /* set of calls: the last */
+    uint64_t long_after; /* set of calls: those behind which the program computed for long the last time */
+};
+
+struct lp {
+    struct lp_clock clock;
+    struct schedule *schedule;
+    uint32_t address; /* on the network: the node's number, except for the host's */
+    enum lp_state state : 8;
+    bool offloaded, paused_at_poll, lazily_blocked;
+    /* Up to here a message needs it: node/node.h. */
+    bool drains;         /* it goes on when no deferred call is left, whatever its time */
+    bool crashed;        /* to be reported at its commit time */
+    vtime scheduled_at;  /* the queue has an event for its deferred calls then; 0: none */
+    vtime blocked_since; /* VT_NEVER: not blocked since its call began */
+    int64_t *
+        budget; /* in its program: units that it may spend before the next poll gives control back. NULL: no program */
+    int64_t *lookahead; /* in its program: what *budget is at its next call, at most */
+    struct lp_segment segment;
+    int saved_errno;
+    uint64_t clock_hz;
+    struct lp_cold *cold;
+    struct fiber fiber;
+    struct lp_ahead ahead;
+};
+
+/* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as long. */
+void lp_begin(struct lp *lp, struct schedule *s, uint32_t address, struct lp_cold *cold);
+/* The words through which its program and its clock share the count (nx_api/nxcc/image.h). */
+void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead);
+/* It has no program any more. */
+void lp_unbind(struct lp *lp);
+/* The program has ended, or there is none. */
+void lp_end(struct lp *lp);
+/* Has the machine reached a moment later than the node's at t? */
+static inline bool lp_is_passed(const struct lp *lp, vtime t)
+{
+    return instant_before(t, lp->address, schedule_reached(lp->schedule));
+}
+#endif

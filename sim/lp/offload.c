@@ -1,0 +1,172 @@
+/* offload.c - see offload.h. */
+#include "lp/offload.h"
+#include <stddef.h>
+#include "lp/clock.h"
+#include "lp/dispatch.h"
+#include "lp/lookahead.h"
+#include "lp/upcalls.h"
+
+/* In cost units. A segment is worth a thread of its own when it takes a few microseconds of host time; a paused program is when it
+ * takes half as long as the longest slice. */
+#define LONG_SEGMENT (UINT64_C(80000) * NXC_UNITS_PER_CLOCK)
+#define LONG_WAY (UINT64_C(160000) * NXC_UNITS_PER_CLOCK)
+
+static struct lp *lp_of(struct task *t)
+{
+    return (struct lp *)((char *)t - offsetof(struct lp, ahead.task));
+}
+
+static void offload(struct lp *lp, vtime lower_bound)
+{
+    lp->offloaded = true;
+    lp->ahead.task.place = lp->address;
+    atomic_store_explicit(&lp->ahead.task.lower_bound, lower_bound, memory_order_relaxed);
+}
+
+/* --- segments that are probably long: those behind the same call as a long one before --- */
+
+/* A set of one call, or few: by the place of its name in a page, the same in every run. */
+static uint64_t set_of(const char *call)
+{
+    return UINT64_C(1) << ((uintptr_t)call % 4096 / 8 % 64);
+}
+
+/* (Segments that could not be offloaded do not count.) */
+void offload_note_segment(struct lp *lp, const char *call)
+{
+    struct lp_ahead *a = &lp->ahead;
+    if (!lp->schedule->workers)
+        return;
+    if (!a->interruptible && clock_segment_units(lp) >= LONG_SEGMENT)
+        a->long_after |= a->last;
+    else if (!a->interruptible)
+        a->long_after &= ~a->last;
+    a->last = set_of(call);
+}
+
+bool offload_is_long_next(const struct lp *lp)
+{
+    return lp->schedule->workers && (lp->ahead.long_after & lp->ahead.last);
+}
+
+/* Is the program one that any thread may run until its next call? */
+static bool may_offload(const struct lp *lp, bool is_long)
+{
+    const struct schedule *s = lp->schedule;
+    return s->workers && !lp->ahead.interruptible && !up_in_handler(lp) && workers_worth(s->workers, is_long);
+}
+
+/* What comes next may be on another thread. */
+static void offload_here(struct lp *lp)
+{
+    lp->ahead.paused = true;
+    offload(lp, clock_sync(lp));
+    lp_yield(lp);
+}
+
+void offload_at_leave(struct lp *lp)
+{
+    if (!up_has_deferred(lp) && may_offload(lp, offload_is_long_next(lp)))
+        offload_here(lp);
+}
+
+bool offload_at_poll(struct lp *lp, vtime now)
+{
+    if (lp->offloaded) {
+        lp->ahead.paused = workers_report(lp->schedule->workers, &lp->ahead.task, now);
+        if (lp->ahead.paused)
+            lp_yield(lp);
+        return true;
+    }
+    if (!may_offload(lp, clock_segment_units(lp) >= LONG_SEGMENT / 2))
+        return false;
+    lp_drain(lp);
+    offload_here(lp);
+    return true;
+}
+
+/* --- tasks --- */
+
+bool offload_run(struct task *t)
+{
+    struct lp *lp = lp_of(t);
+    lp->ahead.paused = false;
+    up_prefetch_node(lp);
+    up_prefetch_program(lp);
+    lp_run(lp);
+    return lp->crashed || !lp->ahead.paused;
+}
+
+void offload_take_back(struct task *t)
+{
+    struct lp *lp = lp_of(t);
+    lp->offloaded = false;
+    lp->ahead.until = 0;
+    if (lp->crashed)
+        lp_crash(lp);
+    else
+        lp_prepare_yield(lp, lp->ahead.arrived);
+}
+
+void offload_drop(struct lp *lp)
+{
+    if (lp->offloaded && lp->schedule->workers)
+        workers_drop(lp->schedule->workers, &lp->ahead.task);
+    lp->offloaded = false;
+    lp->ahead.until = 0;
+}
+
+/* --- programs paused at polls --- */
+
+/* Does the program compute so many units at least before it makes a call, or anything reaches it, if no poll time comes before
+ * `bound`? */
+static bool has_so_far(const struct lp *lp, vtime bound, uint64_t units)
+{
+    const struct schedule *s = lp->schedule;
+    vtime then = lp->ahead.poll_time + clock_of_units(lp, units);
+    return s->polls.time[lp->address] >= then && !lp->clock.stolen &&
+           proto_horizon(s->proto, lp->address, bound) >= then;
+}
+
+static void offload_one(struct lp *lp, vtime bound)
+{
+    const struct schedule *s = lp->schedule;
+    lp->ahead.until = vt_min(s->polls.time[lp->address], proto_horizon(s->proto, lp->address, bound));
+    lp_leave_poll(lp);
+    offload(lp, lp->ahead.poll_time);
+    workers_submit(s->workers, &lp->ahead.task);
+}
+
+/* The next that has so many units to compute at least, from an address on, which becomes the one behind it. NULL: none. */
+static struct lp *next_with(struct schedule *s, uint32_t *address, vtime bound, uint64_t units)
+{
+    while (*address < s->polls.room) {
+        uint32_t at = (*address)++;
+        struct lp *lp = s->polls.time[at] != VT_NEVER ? up_lp_at(s, at) : NULL;
+        if (lp && has_so_far(lp, bound, units))
+            return lp;
+    }
+    return NULL;
+}
+
+/* Are there two? One alone finds nothing to run beside. */
+static bool are_two_long(struct schedule *s, vtime bound)
+{
+    uint32_t address = 0;
+    return next_with(s, &address, bound, LONG_WAY) && next_with(s, &address, bound, LONG_WAY);
+}
+
+bool offload_paused(struct lp *lp)
+{
+    struct schedule *s = lp->schedule;
+    if (!s->workers)
+        return false;
+    vtime bound = mintree_least(&s->polls);
+    bool worth = has_so_far(lp, bound, LONG_WAY) && are_two_long(s, bound), any = false;
+    if (!workers_worth(s->workers, worth))
+        return false;
+    uint32_t address = 0;
+    while ((lp = next_with(s, &address, bound, worth ? LONG_WAY : 1)))
+        offload_one(lp, bound), any = true;
+    return any;
+}

@@ -1,0 +1,57 @@
+/* schedule.h - what all logical processes of one machine share: the events to come, and how far the machine has come.
+ *
+ * The next event is the earliest of two: of the queue, and of the polls, which are the times at which nodes paused at a poll go
+ * on. It is committed when no task that is offloaded may still cause an earlier one. */
+#ifndef LP_SCHEDULE_H
+#define LP_SCHEDULE_H
+#include "kernel/evq.h"
+#include "kernel/mintree.h"
+#include "kernel/prefetch.h"
+#include "kernel/workers.h"
+#include "net/proto.h"
+
+/* Why the machine stops before its programs have ended. */
+enum stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
+
+struct schedule {
+    struct evq *q;
+    struct mintree polls;   /* by address: when a node paused at a poll goes on; lp/dispatch.c */
+    struct instant present; /* the moment committed last: an event's, or a call's that needed none */
+    struct instant reached; /* the latest moment committed before `present`: lp.h */
+    struct proto *proto;
+    struct workers *workers; /* NULL: one thread */
+
+    enum stop stop;
+    struct instant stop_at; /* STOP_FAILED: the failed program's moment; STOP_VIRTUAL_TIME: the limit */
+    uint32_t switches;      /* to programs, modulo 2^32 */
+    uint32_t unseen;        /* calls since look() was called last */
+
+    /* Threads read what follows all the time: apart from what the coordinator writes. */
+    char apart[CACHE_LINE];
+    vtime max_time;          /* VT_NEVER: none */
+    vtime longest_slice;     /* not 0: computing is stopped at least so often, for tests; changes no result */
+    void (*look)(void *ctx); /* at host time and signals, which may stop the machine */
+    void *look_ctx;
+};
+
+/* The latest moment that the machine has reached. Where events follow each other in no time, the machine may come back from an
+ * address to a smaller one at the same time; so this is not always `present`. */
+static inline struct instant schedule_reached(const struct schedule *s)
+{
+    return instant_later(s->present, s->reached);
+}
+
+/* Commits the moment (time, address) without an event. */
+static inline void schedule_commit(struct schedule *s, vtime time, uint32_t address)
+{
+    s->reached = schedule_reached(s);
+    s->present = (struct instant){time, address};
+}
+
+/* Stops the machine: the next event is not committed any more. */
+static inline void schedule_stop(struct schedule *s, enum stop why, struct instant at)
+{
+    s->stop = why;
+    s->stop_at = at;
+}
+#endif

@@ -1,0 +1,70 @@
+/* end.c - see end.h. */
+#include "os/end.h"
+#include <assert.h>
+#include "lp/engine.h"
+#include "os/charge.h"
+#include "os/gate.h"
+#include "os/match.h"
+
+static void has_ended(struct node *n, enum node_end how, int code, vtime at)
+{
+    n->end = how;
+    n->exit_code = code;
+    lp_end(&n->lp);
+    n->stats.ended_at = at;
+    n->sys->running--;
+    if (n->sys->cube)
+        match_abandon(n); /* another program may come */
+    if (!n->sys->await_ends)
+        return;
+    for (uint32_t i = 0; i < n->sys->count; i++)
+        if (n->sys->nodes[i]->awaits_end)
+            lp_wake(&n->sys->nodes[i]->lp, at);
+    if (n->sys->host && n->sys->host->awaits_end)
+        lp_wake(&n->sys->host->lp, at);
+}
+
+_Noreturn void node_end_here(struct node *n, enum node_end how, int code)
+{
+    if (!n->sys->schedule.stop)
+        node_order(n);
+    has_ended(n, how, code, node_now(n));
+    assert(charge_adds_up(n));
+    fiber_finish(&n->lp.fiber);
+}
+
+void node_stop(struct node *n, struct instant at)
+{
+    n->cut_short = lp_roll_back(&n->lp, at);
+    n->stats.away = at.time - charge_sum(n);
+}
+
+void node_end_other(struct node *n, struct node *victim)
+{
+    vtime now = node_now(n);
+    if (victim->lp.state == LP_ENDED)
+        return;
+    node_stop(victim, (struct instant){now, n->lp.address});
+    has_ended(victim, NODE_KILLED, 0, now);
+}
+
+void node_end_crashed(struct node *n)
+{
+    lp_end(&n->lp);
+    n->end = NODE_CRASHED;
+    n->cut_short = !n->call;
+    n->stats.ended_at = node_now(n);
+}
+
+void node_settle(struct node *n, struct instant end, bool at_a_time)
+{
+    engine_settle(&n->lp, end);
+    if (n->lp.state == LP_COMPUTING && at_a_time) {
+        node_stop(n, end);
+        n->stats.ended_at = end.time;
+        if (n->call && !instant_before(n->call_since, n->lp.address, end))
+            n->call = NULL; /* it has not come so far */
+    } else if (n->lp.state != LP_ENDED) {
+        n->stats.ended_at = node_now(n);
+    }
+}

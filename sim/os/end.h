@@ -1,0 +1,17 @@
+/* end.h - how programs end: by themselves, by others, or because the machine stops. */
+#ifndef OS_END_H
+#define OS_END_H
+#include "node/system.h"
+
+/* Ends the program from inside one of its calls; never returns. */
+_Noreturn void node_end_here(struct node *n, enum node_end how, int code);
+/* The program has not come further, when another one ends it, or the machine stops. */
+void node_stop(struct node *n, struct instant at);
+/* Ends another node's program, at the time of the caller. */
+void node_end_other(struct node *n, struct node *victim);
+/* Its program has crashed, at its clock's time, which is committed. */
+void node_end_crashed(struct node *n);
+/* The machine has stopped at a moment, after which nothing has happened: the node's books are those of then. at_a_time: stopped by a
+ * moment of virtual time; a node that computes may have been ahead of it. */
+void node_settle(struct node *n, struct instant end, bool at_a_time);
+#endif

@@ -1,0 +1,67 @@
+/* memory.c - see memory.h. */
+#include "os/memory.h"
+#include "node/system.h"
+
+size_t node_memory_limit(const struct node *n)
+{
+    return n->is_host ? n->sys->cfg->host.memory_bytes
+                      : n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
+}
+
+/* Without heap and messages. */
+static size_t memory_fixed(const struct node *n)
+{
+    return n->heap ? n->image_bytes + n->sys->cfg->stack_bytes : 0; /* none: no program */
+}
+
+size_t node_memory_used(const struct node *n)
+{
+    return memory_fixed(n) + n->heap_known + n->buffered;
+}
+
+void node_memory_changed(struct node *n)
+{
+    size_t used = node_memory_used(n);
+    if (used > n->stats.memory_peak)
+        n->stats.memory_peak = used;
+}
+
+struct node_memory node_memory_now(const struct node *n)
+{
+    return (struct node_memory){n->heap_used, n->peak_ahead};
+}
+
+void node_memory_was(struct node *n, struct node_memory m)
+{
+    if (m.heap == n->heap_known && m.peak <= n->stats.memory_peak)
+        return;
+    n->heap_known = m.heap;
+    if (m.peak > n->stats.memory_peak)
+        n->stats.memory_peak = m.peak;
+    node_memory_changed(n);
+}
+
+void node_memory_settle(struct node *n)
+{
+    if (n->heap_moved)
+        node_memory_was(n, node_memory_now(n));
+    n->heap_moved = false;
+    if (!n->hands_over)
+        n->buffered_known = n->buffered;
+}
+
+int memory_has_room(void *ctx, size_t bytes)
+{
+    const struct node *n = ctx;
+    return memory_fixed(n) + bytes + n->buffered_known <= node_memory_limit(n);
+}
+
+void memory_heap_is(void *ctx, size_t used)
+{
+    struct node *n = ctx;
+    n->heap_used = used;
+    n->heap_moved = true;
+    size_t all = memory_fixed(n) + used + n->buffered_known;
+    if (all > n->peak_ahead)
+        n->peak_ahead = all;
+}
