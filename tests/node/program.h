@@ -14,9 +14,10 @@
 #include <string.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "lp/engine.h"
 #include "guest/image.h"
 #include "guest/libc.h"
+#include "lp/engine.h"
+#include "machine/assemble.h"
 #include "node/system.h"
 
 #define LINKED_AS_BY_NXCC                                                                                    \
@@ -113,13 +114,12 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
                                   .stack_bytes = 512 << 10,
                                   .message_ids = 10,
                                   .clock_call_ps = VT_MICROSECOND};
-    x->sys = (struct node_system){.cfg = &x->cfg,
-                                  .q = evq_new(),
-                                  .nodes = x->node,
-                                  .count = count,
-                                  .running = count,
-                                  .max_time = VT_NEVER,
-                                  .longest_slice = VT_SECOND};
+    x->sys =
+        (struct node_system){.cfg = &x->cfg,
+                             .schedule = {.q = evq_new(), .max_time = VT_NEVER, .longest_slice = VT_SECOND},
+                             .nodes = x->node,
+                             .count = count,
+                             .running = count};
     for (int i = 0; i < 2; i++)
         x->sys.out[i] = open_memstream(&x->text[i], &x->length[i]);
     x->image = node_image_open(path, &error);
@@ -136,7 +136,7 @@ static inline void nodes_run(struct nodes *x)
 {
     for (uint32_t i = 0; i < x->sys.count; i++)
         lp_start(&x->node[i]->lp, 0);
-    while (!x->sys.stop && evq_step(x->sys.schedule.q, &x->sys.present))
+    while (!x->sys.schedule.stop && evq_step(x->sys.schedule.q, &x->sys.schedule.present))
         ;
     fflush(x->sys.out[0]);
     fflush(x->sys.out[1]);
