@@ -1,7 +1,8 @@
-/* workers.c - see workers.h. One lock guards everything but `reached` and the flags that are looked at without it;
- * the committing thread remembers the bound it found last, which can only have risen since (but for what it hands out
+/* workers.c - see workers.h. One lock guards everything but tasks' lower bounds and the flags that are looked at without it;
+ * the coordinator remembers the bound it found last, which can only have risen since (but for what it submits
  * itself), so that it takes the lock seldom. */
 #include "kernel/workers.h"
+#include <assert.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,16 +12,16 @@
 enum {
     SPINS = 3000,       /* looks before a thread that has nothing to do sleeps: tens of microseconds */
     EPISODES = 32,      /* judged together: workers_worth */
-    INLINE_FIRST = 64,  /* pieces, when they were not worth it; twice as many the next time */
+    INLINE_FIRST = 64,  /* tasks, when they were not worth it; twice as many the next time */
     INLINE_MOST = 2048, /* at most */
-    MOST_PASSES = 1000, /* of work that the committing thread runs, until it looks elsewhere */
+    MOST_PASSES = 1000, /* of work that the coordinator runs, until it looks elsewhere */
     PATIENCE_MS = 20,   /* so long it waits at a time */
     SHUFFLED_DELAY_US = 20
 };
 
-/* The committing thread, which helps with work until it may commit an event, goes on for so long, and again for each piece that
- * waits: while the threads have enough to do there is no hurry, and work that is gone on with elsewhere or later finds
- * nothing of its own in the caches. 8 us of ours. */
+/* A coordinator that may not commit its event goes on with the task it helps with for so long, and again for each task that
+ * waits: while the threads have enough to do there is no hurry, and a task that is gone on with elsewhere or later finds
+ * nothing of its own in the caches. 8 us of host time. */
 #define HELP_ON (8 * VT_MILLISECOND)
 
 struct bound {
@@ -45,20 +46,20 @@ struct workers {
     bool shuffled;
 
     pthread_mutex_t lock;
-    pthread_cond_t more, news; /* work waits; there is something to take, or work has got on */
-    struct task **waiting;     /* a heap, least (reached, place) first */
+    pthread_cond_t more, news; /* a task waits; there is one to take back, or one has got on */
+    struct task **waiting;     /* a heap, least (lower bound, place) first */
     size_t waiting_count, waiting_room;
     struct task *done;   /* linked by next */
-    struct task *helped; /* what the committing thread runs */
+    struct task *helped; /* what the coordinator runs */
     uint32_t sleepers;   /* threads that wait for `more` */
     bool quit;
 
     /* looked at without the lock */
     atomic_size_t waits;                   /* waiting_count */
-    atomic_bool any_done, halt, listening; /* listening: the committing thread waits for `news` */
+    atomic_bool any_done, halt, listening; /* listening: the coordinator waits for `news` */
     atomic_uint asleep;                    /* sleepers */
 
-    /* the committing thread's own, apart from what the others look at all the time */
+    /* the coordinator's own, apart from what the others look at all the time */
     char apart[CACHE_LINE];
     struct bound bound; /* as last found */
     size_t out;
@@ -67,7 +68,7 @@ struct workers {
     struct workers_stats stats;      /* away and away_s: under the lock */
     double episode_at, episode_gain; /* when it began, and what had been gained before */
     double took, gained;             /* by episodes */
-    unsigned episodes, skip, skips;  /* pieces; how many the next time */
+    unsigned episodes, skip, skips;  /* tasks; how many the next time */
 };
 
 static double seconds(void)
@@ -103,7 +104,7 @@ static void lower(struct bound *b, const struct task *w)
         *b = other;
 }
 
-/* --- the heap of waiting work --- */
+/* --- the heap of waiting tasks --- */
 
 static void note_waiting(struct workers *ws)
 {
@@ -189,7 +190,7 @@ static void dawdle(struct workers *ws)
 
 /* --- running: with the lock --- */
 
-static struct task *next_work(struct workers *ws)
+static struct task *next_task(struct workers *ws)
 {
     return ws->shuffled ? take_any(ws) : take_least(ws);
 }
@@ -205,7 +206,7 @@ static void has_run(struct workers *ws, struct task *w, bool done)
     atomic_store(&ws->any_done, true);
 }
 
-static void tell_committer(struct workers *ws)
+static void tell_coordinator(struct workers *ws)
 {
     if (atomic_load(&ws->listening))
         pthread_cond_signal(&ws->news);
@@ -213,8 +214,8 @@ static void tell_committer(struct workers *ws)
 
 /* --- the threads --- */
 
-/* With the lock: until there is work, or no more is to be done. Looks without the lock for a while. */
-static void wait_for_work(struct workers *ws)
+/* With the lock: until a task waits, or there will be none. Looks without the lock for a while. */
+static void wait_for_task(struct workers *ws)
 {
     pthread_mutex_unlock(&ws->lock);
     for (int i = 0; i < SPINS && (atomic_load(&ws->waits) == 0 || atomic_load(&ws->halt)); i++)
@@ -242,48 +243,49 @@ static void run_one(struct thread *t, void *own, struct task *w)
     ws->stats.away++;
     ws->stats.away_s += took;
     has_run(ws, w, done);
-    tell_committer(ws);
+    tell_coordinator(ws);
 }
 
-static void *work_on(void *arg)
+static void *run_tasks(void *arg)
 {
     struct thread *t = arg;
     struct workers *ws = t->ws;
     void *own = ws->calls.begin(ws->calls.ctx);
     pthread_mutex_lock(&ws->lock);
     while (!ws->quit) {
-        struct task *w = atomic_load(&ws->halt) ? NULL : next_work(ws);
+        struct task *w = atomic_load(&ws->halt) ? NULL : next_task(ws);
         if (w)
             run_one(t, own, w);
         else
-            wait_for_work(ws);
+            wait_for_task(ws);
     }
     pthread_mutex_unlock(&ws->lock);
     ws->calls.end(own);
     return NULL;
 }
 
-/* Has the committing thread helped with work, which has come so far, for long enough? */
-static bool has_helped(struct workers *ws, vtime reached)
+/* Has the coordinator helped for long enough with a task that has come so far? */
+static bool has_helped(struct workers *ws, vtime lower_bound)
 {
     size_t waits = atomic_load_explicit(&ws->waits, memory_order_relaxed);
     return ++ws->passes > MOST_PASSES ||
-           (reached > ws->awaited && reached - ws->awaited > (1 + waits) * HELP_ON);
+           (lower_bound > ws->awaited && lower_bound - ws->awaited > (1 + waits) * HELP_ON);
 }
 
-bool workers_report(struct workers *ws, struct task *w, vtime reached)
+bool workers_report(struct workers *ws, struct task *w, vtime lower_bound)
 {
-    atomic_store_explicit(&w->lower_bound, reached, memory_order_release);
+    assert(lower_bound >= atomic_load_explicit(&w->lower_bound, memory_order_relaxed));
+    atomic_store_explicit(&w->lower_bound, lower_bound, memory_order_release);
     if (atomic_load(&ws->listening)) {
         pthread_mutex_lock(&ws->lock);
-        tell_committer(ws);
+        tell_coordinator(ws);
         pthread_mutex_unlock(&ws->lock);
     }
     if (atomic_load(&ws->halt) || atomic_load(&w->dropped))
         return true;
     if (ws->shuffled)
         return chance(ws, 4);
-    return w->helped && has_helped(ws, reached);
+    return w->helped && has_helped(ws, lower_bound);
 }
 
 /* --- making and ending --- */
@@ -302,7 +304,7 @@ struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct wor
     pthread_cond_init(&ws->news, NULL);
     for (; ws->count < threads; ws->count++) {
         ws->threads[ws->count].ws = ws;
-        if (pthread_create(&ws->threads[ws->count].id, NULL, work_on, &ws->threads[ws->count]) != 0)
+        if (pthread_create(&ws->threads[ws->count].id, NULL, run_tasks, &ws->threads[ws->count]) != 0)
             break;
     }
     if (ws->count > 0)
@@ -331,8 +333,8 @@ void workers_free(struct workers *ws)
 
 /* --- is it worth while? --- */
 
-/* An episode begins when the first piece goes out and ends when none is out. What was gained is the time that the
- * threads computed, less the time that the committing thread waited for them. */
+/* An episode begins when the first task goes out and ends when none is out. What was gained is the time that the
+ * threads computed, less the time that the coordinator waited for them. */
 static double gain(struct workers *ws)
 {
     pthread_mutex_lock(&ws->lock);
@@ -373,7 +375,7 @@ bool workers_worth(struct workers *ws, bool is_long)
     return false;
 }
 
-/* --- the committing thread --- */
+/* --- the coordinator --- */
 
 void workers_submit(struct workers *ws, struct task *w)
 {
@@ -382,11 +384,11 @@ void workers_submit(struct workers *ws, struct task *w)
         ws->episode_at = seconds();
         ws->episode_gain = gain(ws);
     }
-    ws->stats.handed++;
+    ws->stats.submitted++;
     lower(&ws->bound, w);
     pthread_mutex_lock(&ws->lock);
     put(ws, w);
-    /* To wake a thread takes as long as a short piece: not for one that this thread may have to run at once. */
+    /* To wake a thread takes as long as a short task: not for one that this thread may have to run at once. */
     if (ws->sleepers > 0 && (ws->waiting_count > 1 || ws->shuffled))
         pthread_cond_signal(&ws->more);
     pthread_mutex_unlock(&ws->lock);
@@ -427,7 +429,7 @@ bool workers_allow(struct workers *ws, vtime time, uint32_t place)
         if (!allowed(ws, time, place))
             return false;
     }
-    /* This thread goes on, and so leaves waiting work to others. */
+    /* This thread goes on, and so leaves waiting tasks to others. */
     if (atomic_load_explicit(&ws->asleep, memory_order_relaxed) > 0 &&
         atomic_load_explicit(&ws->waits, memory_order_relaxed) > 0)
         pthread_cond_signal(&ws->more);
@@ -462,11 +464,11 @@ struct task *workers_take(struct workers *ws)
     return w;
 }
 
-/* Runs the work that waits and has come the least far. False: none waits. */
+/* Runs the waiting task with the least lower bound. False: none waits. */
 static bool help(struct workers *ws, vtime awaited)
 {
     pthread_mutex_lock(&ws->lock);
-    struct task *w = next_work(ws);
+    struct task *w = next_task(ws);
     ws->helped = w;
     pthread_mutex_unlock(&ws->lock);
     if (!w)
@@ -486,7 +488,7 @@ static bool help(struct workers *ws, vtime awaited)
     return true;
 }
 
-/* Something to take, or the event is allowed, or work to help with. */
+/* Is there a task to take back, or to help with, or is the event allowed? */
 static bool has_news(struct workers *ws, vtime time, uint32_t place)
 {
     if (atomic_load(&ws->any_done) || atomic_load(&ws->waits) > 0)

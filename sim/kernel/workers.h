@@ -1,21 +1,20 @@
-/* workers.h - threads that run work ahead of the one thread that commits events.
+/* workers.h - threads that run tasks ahead of the coordinator, the one thread that commits events.
  *
- * A piece of work is a stretch of computing that began at some time and ends with an event at a later one, not known
- * before. Until then it only tells how far it has come (reached). So an event may be committed when no work that is
- * out, waiting for a thread, running, or done and not taken back yet, could still make an earlier one:
+ * A task is computing that began at some time and ends with an event at a later one, not known before. Until then its lower bound
+ * tells: the event is not earlier. A task is out from its submission until it is taken back: it waits for a thread, runs, or is done.
  *
- *     hand ---> waiting ---> running ---> done ---> take          commit an event at (time, place) only
- *                  ^            |                                 if it is not after (reached, place)
- *                  +-- paused --+                                 of any work that is out
+ *     submit ---> waiting ---> running ---> done ---> take        commit an event at (time, place) only
+ *                    ^            |                               if it is not after (lower bound, place)
+ *                    +-- paused --+                               of any task that is out
  *
- * Which thread runs what, and when, changes no result: the rule above makes the order of events the same. The work
- * that has come the least far is run first, because it is what the others wait for. A committing thread that has to wait
- * runs work itself; that pauses when there is more need of events, which bring more work, than of getting on with it.
+ * Which thread runs what, and when, changes no result: the rule above makes the order of events the same. The task
+ * with the least lower bound is run first, because the others wait for it. A coordinator that has to wait
+ * runs a task itself (help first); that pauses when there is more need of events, which bring more tasks, than of getting on with it.
  *
- * All functions are the committing thread's, but for workers_report(), which is the work's.
+ * All functions are the coordinator's, but for workers_report(), which is the task's.
  */
-#ifndef WORKERS_WORKERS_H
-#define WORKERS_WORKERS_H
+#ifndef KERNEL_WORKERS_H
+#define KERNEL_WORKERS_H
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,54 +29,54 @@ struct task {
     uint32_t place;            /* and is at this place */
     /* the workers' own */
     atomic_bool dropped;
-    bool helped; /* runs on the committing thread */
+    bool helped; /* runs on the coordinator */
     struct task *next;
 };
 
 struct workers_calls {
     void *ctx;
     void *(*begin)(void *ctx);                 /* a thread begins; returns what is its own */
-    bool (*run)(void *thread, struct task *w); /* goes on with w; true: it is done; false: it paused */
+    bool (*run)(void *thread, struct task *w); /* goes on with w; true: it is done; false: it has paused */
     void (*end)(void *thread);                 /* before the thread ends */
 };
 
-/* How the work went, for those who tune it. It differs from run to run. */
+/* How the tasks went, for those who tune that. The figures differ from run to run. */
 struct workers_stats {
-    uint64_t handed, away, helped; /* pieces handed out, runs on the threads, runs on the committing one */
-    uint64_t waits;                /* times that the committing one had nothing to do */
+    uint64_t submitted, away, helped; /* tasks; runs on the threads, runs on the coordinator */
+    uint64_t waits;                /* times that the coordinator had nothing to do */
     double away_s, helped_s, waited_s;
 };
 
-/* threads: at least 1, beside the committing one. shuffle: not 0: hand out and pause at random, by this seed, to test
- * that it does not matter. here: what begin() would return, for the committing thread. NULL: no threads to be had. */
+/* threads: at least 1, beside the coordinator. shuffle: not 0: submit and pause at random, by this seed, to test
+ * that it does not matter. here: what begin() would return, for the coordinator. NULL: no threads to be had. */
 struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct workers_calls *calls,
                             void *here);
 /* Ends the threads; nothing may be running (workers_halt). */
 void workers_free(struct workers *ws);
 
-/* w goes out. It stays where it is until taken back, or until workers_halt. */
+/* w is out from now on. Its memory stays where it is until w is taken back, or until workers_halt. */
 void workers_submit(struct workers *ws, struct task *w);
-/* Is any work out? */
+/* Is any task out? */
 bool workers_busy(const struct workers *ws);
 /* May an event at (time, place) be committed? */
 bool workers_allow(struct workers *ws, vtime time, uint32_t place);
-/* Nothing that is out makes an event before this time. Never later than it could be, perhaps earlier. VT_NEVER: nothing
+/* No task that is out makes an event before this time. It may be earlier than the tasks' lower bounds, never later. VT_NEVER: none
  * is out. */
 vtime workers_bound(const struct workers *ws);
-/* Work that is done, which is out no more; NULL: none at the moment. */
+/* Takes back a task that is done; NULL: none at the moment. */
 struct task *workers_take(struct workers *ws);
-/* An event at (time, place) is not allowed yet: runs work, or waits until there is work to take or the event may be
+/* An event at (time, place) is not allowed yet: runs a task, or waits until there is one to take back or the event may be
  * allowed. */
 void workers_advance(struct workers *ws, vtime time, uint32_t place);
-/* w, which is out, is not wanted any more: it is stopped and taken back. */
+/* Stops w, which is out and not wanted any more, and takes it back. */
 void workers_drop(struct workers *ws, struct task *w);
 /* Stops all: returns when nothing runs. Nothing is taken after it. */
 void workers_halt(struct workers *ws);
 struct workers_stats workers_stats(const struct workers *ws);
-/* Is it worth while to hand out work? Only what will take a while, is_long, and not if lately the committing thread had nothing else to
+/* Is it worth while to submit a task? Only if it will take a while, is_long, and not if lately the coordinator had nothing else to
  * do meanwhile. */
 bool workers_worth(struct workers *ws, bool is_long);
 
-/* From inside w, wherever it can pause: it has come to `reached`. True: it should pause. */
-bool workers_report(struct workers *ws, struct task *w, vtime reached);
+/* From inside w, wherever it can pause: its lower bound is this from now on, no less than before. True: it should pause. */
+bool workers_report(struct workers *ws, struct task *w, vtime lower_bound);
 #endif

@@ -4,6 +4,7 @@
  * control calls nxc_preempt. Slice boundaries are at the same polls in every run, whatever else stops the program. */
 #ifndef LP_CLOCK_H
 #define LP_CLOCK_H
+#include "kernel/slow_assert.h"
 #include "lp/lp.h"
 #include "nx_api/nxcc/image.h"
 
@@ -46,13 +47,17 @@ static inline vtime clock_stop(struct lp *lp)
 /* Time goes on without the program: wait, system. Call after clock_sync. */
 static inline void clock_advance(struct lp *lp, vtime by)
 {
+    slow_assert(!lp->clock.runs || lp->clock.granted == *lp->budget); /* synchronised */
+    slow_assert(lp->clock.now + by >= lp->clock.now);
     lp->clock.now += by;
 }
 
 /* The same until t >= clock_sync(lp). */
 static inline void clock_advance_to(struct lp *lp, vtime t)
 {
-    clock_advance(lp, t - clock_sync(lp));
+    vtime now = clock_sync(lp);
+    assert(t >= now); /* a clock never goes back */
+    clock_advance(lp, t - now);
 }
 
 /* The system takes t from the computing program: its commit time is so much later. */

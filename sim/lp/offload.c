@@ -1,5 +1,6 @@
 /* offload.c - see offload.h. */
 #include "lp/offload.h"
+#include <assert.h>
 #include <stddef.h>
 #include "lp/clock.h"
 #include "lp/dispatch.h"
@@ -100,6 +101,7 @@ bool offload_run(struct task *t)
 void offload_take_back(struct task *t)
 {
     struct lp *lp = lp_of(t);
+    assert(lp->crashed || lp->ahead.arrived >= t->lower_bound);
     lp->offloaded = false;
     lp->ahead.until = 0;
     if (lp->crashed)

@@ -106,7 +106,7 @@ static void print_files(const struct machine *m, FILE *f)
 /* On the wall time's line, because it is as little the same each time. */
 static void print_threads(const struct workers_stats *s, FILE *f)
 {
-    if (s->handed)
+    if (s->submitted)
         fprintf(f,
                 "; %" PRIu64 " stretches on other threads took %.3f s, %" PRIu64
                 " helped with %.3f s, %.3f s waited",

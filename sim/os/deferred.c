@@ -329,6 +329,7 @@ void deferred_undo(struct node *n)
         unmake(n);
     p->selects = false;
     p->begun = VT_NEVER;
+    assert(n->taken == 0); /* what they had received is unexpected again */
 }
 
 void deferred_roll_back(struct node *n)
