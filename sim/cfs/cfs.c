@@ -30,7 +30,7 @@ struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error)
         return NULL;
     }
     c->first_place = sys->topo.positions;
-    c->directory = directory_new(sys->proto, sys->q, c->first_place + (uint32_t)c->cfg->io_nodes);
+    c->directory = directory_new(sys->protocol, sys->q, c->first_place + (uint32_t)c->cfg->io_nodes);
     c->io = calloc(c->cfg->io_nodes, sizeof *c->io);
     struct ionode_up up = {c, cfs_answer, cfs_room, broken};
     for (uint32_t i = 0; c->io && i < c->cfg->io_nodes; i++)

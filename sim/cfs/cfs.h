@@ -29,7 +29,7 @@ void cfs_free(struct cfs *c);
 uint32_t cfs_services(const struct cfg_machine *cfg);
 const struct node_fs *cfs_fs(struct cfs *c);
 
-/* As proto_nodes.work, for the places of I/O nodes and directory. */
+/* As protocol_nodes.work, for the places of I/O nodes and directory. */
 vtime cfs_work(struct cfs *c, uint32_t place, vtime at, vtime t);
 
 /* The file of f if it is of this file system, else NULL. */

@@ -180,7 +180,7 @@ void cfs_room(void *ctx, struct io_request *r, vtime now)
 {
     struct piece *p = (struct piece *)((char *)r - offsetof(struct piece, request));
     (void)ctx;
-    proto_grant(p->asking->proto, p->asking, now);
+    protocol_clear_to_send(p->asking->protocol, p->asking, now);
 }
 
 static void request_arrived(struct parcel *parcel, vtime at, vtime now)
@@ -193,7 +193,7 @@ static void request_arrived(struct parcel *parcel, vtime at, vtime now)
 static vtime issue_time(const struct cfs_op *op)
 {
     const struct piece *p = &op->pieces[op->issued];
-    return post_send_time(op->cfs->sys->proto, request_kind(p), request_bytes(p));
+    return post_send_time(op->cfs->sys->protocol, request_kind(p), request_bytes(p));
 }
 
 /* The next piece leaves its node at `at`. */
@@ -201,8 +201,8 @@ static void issue(struct cfs_op *op, vtime at)
 {
     struct piece *p = &op->pieces[op->issued++];
     p->parcel = (struct parcel){.ask = asks, .arrived = request_arrived};
-    post_send(op->cfs->sys->proto, op->node->id, place_of(p), request_kind(p), request_bytes(p), &p->parcel,
-              at);
+    post_send(op->cfs->sys->protocol, op->node->id, place_of(p), request_kind(p), request_bytes(p),
+              &p->parcel, at);
 }
 
 /* At the node: a piece is read, or written. */
@@ -213,7 +213,7 @@ static void answer_arrived(struct parcel *parcel, vtime at, vtime now)
     op->answered++;
     op->complete = vt_max(op->complete, at);
     if (op->issued < op->count && op->node->state != NODE_ENDED)
-        issue(op, node_work(op->cfs->sys, op->node->id, PROTO_SEND, at, issue_time(op)));
+        issue(op, node_work(op->cfs->sys, op->node->id, PROTOCOL_SEND, at, issue_time(op)));
     if (op->answered == op->issued)
         finish(op, op->complete);
 }
@@ -224,10 +224,10 @@ void cfs_answer(void *ctx, struct io_request *r, vtime now)
     struct cfs *c = ctx;
     struct piece *p = (struct piece *)((char *)r - offsetof(struct piece, request));
     size_t bytes = POST_HEADER + (r->write ? 0 : r->piece.bytes);
-    vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->proto, POST_FORCED, bytes));
+    vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->protocol, POST_FORCED, bytes));
     *(r->write ? &c->bytes_written : &c->bytes_read) += r->piece.bytes;
     p->parcel.arrived = answer_arrived;
-    post_send(c->sys->proto, place_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
+    post_send(c->sys->protocol, place_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
 }
 
 /* Where the op lies is known: its pieces. */
@@ -277,7 +277,7 @@ static void go_later(struct cfs_op *op, vtime at)
 {
     cut(op);
     for (uint32_t first = window(op); op->issued < first;)
-        issue(op, node_work(op->cfs->sys, op->node->id, PROTO_SEND, at, issue_time(op)));
+        issue(op, node_work(op->cfs->sys, op->node->id, PROTOCOL_SEND, at, issue_time(op)));
     if (op->count == 0)
         finish(op, at);
 }

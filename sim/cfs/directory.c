@@ -5,19 +5,19 @@
 enum { LETTER = 96 }; /* bytes of a request or answer: a name and some numbers, short enough to go at once */
 
 struct directory {
-    struct proto *proto;
+    struct protocol *protocol;
     struct evq *q;
     uint32_t place;
     vtime free_at;
     uint64_t served;
 };
 
-struct directory *directory_new(struct proto *p, struct evq *q, uint32_t place)
+struct directory *directory_new(struct protocol *p, struct evq *q, uint32_t place)
 {
     struct directory *d = calloc(1, sizeof *d);
     if (!d)
         abort();
-    d->proto = p, d->q = q, d->place = place;
+    d->protocol = p, d->q = q, d->place = place;
     return d;
 }
 
@@ -39,9 +39,9 @@ static void answer_comes(struct parcel *p, vtime at, vtime now)
 
 void directory_answer(struct directory *d, struct dir_request *r, vtime now)
 {
-    vtime ready = directory_work(d, now, post_send_time(d->proto, POST_FORCED, LETTER));
+    vtime ready = directory_work(d, now, post_send_time(d->protocol, POST_FORCED, LETTER));
     r->parcel.arrived = answer_comes;
-    post_send(d->proto, d->place, r->node, POST_FORCED, LETTER, &r->parcel, ready);
+    post_send(d->protocol, d->place, r->node, POST_FORCED, LETTER, &r->parcel, ready);
 }
 
 static void serve(void *ctx, void *arg, vtime now)
@@ -63,7 +63,7 @@ static void request_comes(struct parcel *p, vtime at, vtime now)
 
 vtime directory_ask_time(const struct directory *d)
 {
-    return post_send_time(d->proto, POST_FORCED, LETTER);
+    return post_send_time(d->protocol, POST_FORCED, LETTER);
 }
 
 void directory_ask(struct directory *d, struct dir_request *r, vtime at)
@@ -71,7 +71,7 @@ void directory_ask(struct directory *d, struct dir_request *r, vtime at)
     r->directory = d;
     r->next = NULL;
     r->parcel = (struct parcel){.arrived = request_comes};
-    post_send(d->proto, r->node, d->place, POST_FORCED, LETTER, &r->parcel, at);
+    post_send(d->protocol, r->node, d->place, POST_FORCED, LETTER, &r->parcel, at);
 }
 
 uint64_t directory_served(const struct directory *d)

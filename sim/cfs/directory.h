@@ -22,7 +22,7 @@ struct dir_request {
 };
 
 /* place: where it is, and where its events happen. */
-struct directory *directory_new(struct proto *p, struct evq *q, uint32_t place);
+struct directory *directory_new(struct protocol *p, struct evq *q, uint32_t place);
 void directory_free(struct directory *d);
 
 /* Processor time of a node that asks, before the message leaves. */
@@ -31,7 +31,7 @@ vtime directory_ask_time(const struct directory *d);
 void directory_ask(struct directory *d, struct dir_request *r, vtime at);
 void directory_answer(struct directory *d, struct dir_request *r, vtime now);
 
-/* Its processor: as proto_nodes.work. */
+/* Its processor: as protocol_nodes.work. */
 vtime directory_work(struct directory *d, vtime at, vtime t);
 uint64_t directory_served(const struct directory *d);
 #endif

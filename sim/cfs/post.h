@@ -2,15 +2,15 @@
  *
  * A parcel is the start of a struct that both ends know. Messages carry its address, not its contents; their lengths
  * and times are those of the contents. Two kinds:
- *   asking    as a long message: asks, is granted room, then sends (proto.h). Up to short_limit bytes: at once.
+ *   asking    as a long message: asks, is granted room, then sends (protocol.h). Up to short_limit bytes: at once.
  *   forced    at once at any length: the receiver waits for it and has room.
  */
 #ifndef CFS_POST_H
 #define CFS_POST_H
-#include "net/proto.h"
+#include "net/protocol.h"
 
 struct parcel {
-    /* It asks for room in m's receiver: true, or false and proto_grant(m) later. NULL: there is always room. */
+    /* It asks for room in m's receiver: true, or false and protocol_clear_to_send(m) later. NULL: there is always room. */
     bool (*ask)(struct parcel *p, struct message *m, vtime now);
     /* It is in the receiver's memory from `at` on, at >= now. */
     void (*arrived)(struct parcel *p, vtime at, vtime now);
@@ -21,9 +21,9 @@ enum post_kind { POST_ASKING, POST_FORCED };
 enum { POST_HEADER = 32 }; /* bytes of a message beside the file's */
 
 /* Processor time of the sender before a message of that kind and length leaves. */
-vtime post_send_time(const struct proto *p, enum post_kind kind, size_t bytes);
+vtime post_send_time(const struct protocol *p, enum post_kind kind, size_t bytes);
 /* Sends it at `at`, when the sender's processor is done with it. */
-void post_send(struct proto *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
+void post_send(struct protocol *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
                struct parcel *parcel, vtime at);
 
 /* For the protocol's upward calls: of messages whose `service` is set. post_arrived frees m. */

@@ -139,8 +139,8 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error))
         goto fail;
-    struct proto_nodes up = places_calls(s);
-    s->proto = proto_new(s->cfg, &s->topo, s->q, &up);
+    struct protocol_nodes up = places_calls(s);
+    s->protocol = protocol_new(s->cfg, &s->topo, s->q, &up);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;
     m->start_s = wall_clock() - begin;
@@ -163,7 +163,7 @@ void machine_free(struct machine *m)
     pool_free(&m->sys.made_beside);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
-    proto_free(m->sys.proto);
+    protocol_free(m->sys.protocol);
     evq_free(m->sys.q);
     bounds_free(&m->sys.checks);
     if (m->image)

@@ -39,7 +39,7 @@ static vtime horizon(const struct node *n)
     vtime next = vt_min(evq_next(s->q), bounds_least(&s->checks));
     if (s->workers)
         next = vt_min(next, workers_bound(s->workers));
-    return proto_horizon(s->proto, n->place, next);
+    return protocol_horizon(s->protocol, n->place, next);
 }
 
 bool node_is_alone(const struct node *n, vtime t)

@@ -36,7 +36,7 @@ static void free_messages(struct message *list)
 {
     for (struct message *m = list, *next; m; m = next) {
         next = m->next;
-        proto_message_free(m);
+        protocol_message_free(m);
     }
 }
 
@@ -91,13 +91,13 @@ static bool room_for(struct node *n, const struct message *m)
 static void grant_waiting(struct node *n, vtime now)
 {
     for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
-        if (!m->is_long || m->granted)
+        if (!m->is_long || m->cleared)
             continue;
         if (!room_for(n, m))
             return;
         n->mailbox.waiting--;
         buffer(n, m);
-        proto_grant(m->proto, m, now);
+        protocol_clear_to_send(m->protocol, m, now);
     }
 }
 
@@ -173,7 +173,7 @@ void mailbox_arrived(void *ctx, struct message *m, vtime now)
     sys->bytes += m->bytes;
     node_system_digest(sys, m, now);
     if (m->unwanted)
-        proto_message_free(m);
+        protocol_message_free(m);
     else if (r && r->handler)
         handlers_add(n, m->complete, r, NULL);
     else
@@ -203,7 +203,7 @@ void mailbox_follow(struct message *m, struct send *s)
 void mailbox_drop(struct receive *r)
 {
     if (r->m && r->m->arrived)
-        proto_message_free(r->m);
+        protocol_message_free(r->m);
 }
 
 void mailbox_unfollow(struct send *s)
@@ -216,7 +216,7 @@ void mailbox_unfollow(struct send *s)
 
 vtime mailbox_send_time(const struct node *n, const struct message *m)
 {
-    return node_system_time(n, proto_send_time(n->sys->proto, m->type, m->bytes));
+    return node_system_time(n, protocol_send_time(n->sys->protocol, m->type, m->bytes));
 }
 
 vtime mailbox_send(struct node *n, struct message *first, vtime now)
@@ -225,7 +225,7 @@ vtime mailbox_send(struct node *n, struct message *first, vtime now)
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
         now += mailbox_send_time(n, m);
-        proto_send(n->sys->proto, m, now);
+        protocol_send(n->sys->protocol, m, now);
     }
     node_account(n, NODE_SENDING, now - begun);
     return now;
@@ -242,9 +242,9 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now)
     }
     unexpected_take(n, m);
     give(r, m);
-    if (m->is_long && !m->granted) {
+    if (m->is_long && !m->cleared) {
         n->mailbox.waiting--;
-        proto_grant(m->proto, m, now);
+        protocol_clear_to_send(m->protocol, m, now);
     }
     if (m->arrived && r->handler)
         handlers_add(n, vt_max(m->complete, now), r, NULL);
@@ -292,7 +292,7 @@ vtime mailbox_copying(const struct node *n, const struct message *m)
 void mailbox_done_with(struct node *n, struct message *m, vtime now)
 {
     unbuffer(n, m, now);
-    proto_message_free(m);
+    protocol_message_free(m);
 }
 
 void mailbox_tell(struct node *n, const struct message *m, long info[])
@@ -334,13 +334,13 @@ const struct message *mailbox_probe(struct node *n, const struct selector *selec
 static void throw_away(struct node *n, struct message *m, vtime now)
 {
     m->unwanted = true;
-    if (m->is_long && !m->granted) {
+    if (m->is_long && !m->cleared) {
         n->mailbox.waiting--;
-        proto_grant(m->proto, m, now);
+        protocol_clear_to_send(m->protocol, m, now);
     }
     unbuffer(n, m, now);
     if (m->arrived)
-        proto_message_free(m);
+        protocol_message_free(m);
 }
 
 static void throw_away_all(struct node *n, struct message *list, int64_t typesel, vtime now)
@@ -387,9 +387,9 @@ static void drop_receive(struct message *m)
 void mailbox_abandon(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
-    for (struct message *m = proto_from(n->sys->proto, n->place); m; m = proto_next_from(m))
+    for (struct message *m = protocol_from(n->sys->protocol, n->place); m; m = protocol_next_from(m))
         drop_send(m);
-    for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
+    for (struct message *m = protocol_to(n->sys->protocol, n->place); m; m = protocol_next_to(m))
         if (m->receive)
             drop_receive(m);
     handlers_free(b);
@@ -410,7 +410,7 @@ void mailbox_empty(struct node *n, vtime now)
 {
     throw_away_list(n, &n->coming, now);
     throw_away_list(n, &n->mailbox.whole, now);
-    for (struct message *m = proto_to(n->sys->proto, n->place); m; m = proto_next_to(m))
+    for (struct message *m = protocol_to(n->sys->protocol, n->place); m; m = protocol_next_to(m))
         m->unwanted = m->unwanted || !m->serves;
 }
 

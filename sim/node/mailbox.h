@@ -10,7 +10,7 @@
  */
 #ifndef NODE_MAILBOX_H
 #define NODE_MAILBOX_H
-#include "net/proto.h"
+#include "net/protocol.h"
 #include "node/node.h"
 #include "nx_api/calls/mailbox.h"
 

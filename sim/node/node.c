@@ -376,7 +376,7 @@ static void strip(struct node *n)
         return;
     n->stripped = true;
     engine_forget(n);
-    if (n->sys->proto)
+    if (n->sys->protocol)
         mailbox_abandon(n); /* what its messages under way would tell */
     mailbox_end(n);
     waits_free(&n->stats.waits);

@@ -151,7 +151,7 @@ static void send(struct node *n, struct message *m)
     n->clock.now += sending;
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
-        proto_send(n->sys->proto, m, clock_sync(n));
+        protocol_send(n->sys->protocol, m, clock_sync(n));
     }
     c->has_message = true;
     if (c->posts || c->selected)
@@ -171,7 +171,7 @@ static void receive(struct node *n, struct message *m)
 {
     struct pending_call *c = open_call(n);
     assert(c->goes_on && !c->posts && (!c->has_message || c->beside));
-    c->plain = !c->takes && !m->buffered && proto_message_is_plain(m);
+    c->plain = !c->takes && !m->buffered && protocol_message_is_plain(m);
     m->next = c->takes ? c->taken : NULL;
     c->taken = m;
     c->selected = false, c->takes = true;
@@ -249,7 +249,7 @@ static void put_off(struct node *n, vtime now)
 static void take(struct node *n, const struct pending_call *c, vtime now)
 {
     if (c->plain) {
-        proto_message_free_plain(n->sys->proto, c->taken);
+        protocol_message_free_plain(n->sys->protocol, c->taken);
         return;
     }
     for (const struct message *m = c->taken; m; m = m->next)
@@ -340,11 +340,11 @@ static void unsend(struct node *n, const struct pending_call *c, struct message 
     if (m->followed)
         mailbox_unfollow(m->send);
     if (!c->sends) {
-        proto_message_free(m);
+        protocol_message_free(m);
         return;
     }
     unaccount(n, NODE_SENDING, mailbox_send_time(n, m));
-    proto_take_back(m);
+    protocol_take_back(m);
 }
 
 /* The last. */

@@ -8,7 +8,7 @@
  *     machine            ...... irecv, csend .................. crecv ......
  *
  * Messages are sent in the call's turn, without switching to the program; or at once, with the time when it is, if nothing
- * can reach the node before (proto_horizon). A receive that selects a message which waits has
+ * can reach the node before (protocol_horizon). A receive that selects a message which waits has
  * it at once; others are posted in passing, before anything comes to the node after their turn (pending_make_until). If a message comes before that they may select, they are posted in their turn, too.
  *
  * When messages take the processor meanwhile, the calls whose turn is still to come are put off by that, and with them all that

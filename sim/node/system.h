@@ -6,7 +6,7 @@
 #include "kernel/cache.h"
 #include "kernel/evq.h"
 #include "kernel/pool.h"
-#include "net/proto.h"
+#include "net/protocol.h"
 #include "node/file.h"
 #include "node/node.h"
 
@@ -25,7 +25,7 @@ struct node_system {
     struct bounds checks;   /* beside it: computing nodes' next checks for messages: cpu.h */
     struct instant present; /* the event that happens now, or was the last, or a turn in passing */
     struct instant reached; /* the latest of those before: turns.h */
-    struct proto *proto;
+    struct protocol *protocol;
     struct topo topo;
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
@@ -112,9 +112,9 @@ struct node *node_new_host(struct node_system *sys, uint32_t place, const struct
  * messages that wait. Time is t. */
 void node_succeed(struct node *n, struct node *before, vtime t);
 
-/* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
-vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);
-void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t);
+/* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
+vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
+void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime t);
 bool mailbox_envelope(void *ctx, struct message *m, vtime now);
 void mailbox_sent(void *ctx, struct message *m, vtime now);
 void mailbox_arrived(void *ctx, struct message *m, vtime now);

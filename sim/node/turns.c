@@ -366,13 +366,13 @@ static bool may_lend(const struct node *n, vtime bound, uint64_t units)
     const struct node_system *s = n->sys;
     vtime then = n->ahead.check + clock_of_units(n, units);
     return s->checks.time[n->place] >= then && !n->clock.stolen && !n->in_handler &&
-           proto_horizon(s->proto, n->place, bound) >= then;
+           protocol_horizon(s->protocol, n->place, bound) >= then;
 }
 
 static void lend(struct node *n, vtime bound)
 {
     const struct node_system *s = n->sys;
-    n->ahead.up_to = vt_min(s->checks.time[n->place], proto_horizon(s->proto, n->place, bound));
+    n->ahead.up_to = vt_min(s->checks.time[n->place], protocol_horizon(s->protocol, n->place, bound));
     leave_check(n);
     n->loose = true;
     n->ahead.work.place = n->place;

@@ -2,7 +2,7 @@
  *
  * Computing runs ahead: a program's stretch between two calls is executed at once, and its next call becomes
  * an event at the time it ends. A node with an armed, unmasked handler runs only up to the horizon, the
- * earliest time at which anything may reach it (proto_horizon), and stops at the first check at or past it.
+ * earliest time at which anything may reach it (protocol_horizon), and stops at the first check at or past it.
  *
  * Where it has stopped there is not an event, but a bound in node_system.checks: the time before which the program makes no
  * call. Often that is far ahead, because the program has said so (nx_api/nxcc/image.h: quiet). Until then nobody waits for

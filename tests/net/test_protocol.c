@@ -1,18 +1,18 @@
-/* The protocol: one trip or three, the published times of the iPSC/860, order of envelopes, waiting for room. */
+/* The protocol: eager or rendezvous, the iPSC/860's published times, order of envelopes, waiting for room. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "net/proto.h"
+#include "net/protocol.h"
 
 enum { NODES = 8, HOST = NODES, US = 1000000 };
 
 /* Nodes that do nothing but note what happens. */
 struct fake {
     struct evq *q;
-    struct proto *proto;
+    struct protocol *protocol;
     vtime free_at[NODES + 1];
     bool room;
     struct message *seen[16], *kept;
@@ -20,14 +20,14 @@ struct fake {
     vtime complete[16];
 };
 
-static vtime work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
+static vtime work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     struct fake *f = ctx;
     (void)task;
     return f->free_at[node] = vt_max(f->free_at[node], at) + t;
 }
 
-static void move(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
+static void move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     (void)ctx, (void)node, (void)task, (void)at, (void)t;
 }
@@ -71,9 +71,9 @@ static void begin(struct fake *f, bool room)
 {
     struct topo topo;
     *f = (struct fake){.q = evq_new(), .room = room};
-    struct proto_nodes nodes = {f, work, move, envelope, sent, arrived};
+    struct protocol_nodes nodes = {f, work, move, envelope, sent, arrived};
     assert_true(topo_hypercube(&topo, NODES, 3));
-    f->proto = proto_new(&IPSC, &topo, f->q, &nodes);
+    f->protocol = protocol_new(&IPSC, &topo, f->q, &nodes);
 }
 
 static void run(struct fake *f)
@@ -85,8 +85,8 @@ static void run(struct fake *f)
 static void end(struct fake *f)
 {
     for (int i = 0; i < f->seen_count; i++)
-        proto_message_free(f->seen[i]);
-    proto_free(f->proto);
+        protocol_message_free(f->seen[i]);
+    protocol_free(f->protocol);
     evq_free(f->q);
 }
 
@@ -98,19 +98,19 @@ static void begin_with_host(struct fake *f)
     cfg = IPSC;
     cfg.host.link_ps = 500 * US, cfg.host.link_ps_per_byte = US;
     *f = (struct fake){.q = evq_new(), .room = true};
-    struct proto_nodes nodes = {f, work, move, envelope, sent, arrived};
+    struct protocol_nodes nodes = {f, work, move, envelope, sent, arrived};
     assert_true(topo_hypercube(&topo, NODES, 3));
     topo_add_host(&topo);
     assert_int_equal(topo_host(&topo), HOST);
-    f->proto = proto_new(&cfg, &topo, f->q, &nodes);
+    f->protocol = protocol_new(&cfg, &topo, f->q, &nodes);
 }
 
 /* Sends from node 0 as a call at time 0 would; returns the message. */
 static struct message *send(struct fake *f, uint32_t to, int32_t type, size_t bytes, vtime at)
 {
     static char data[10000];
-    struct message *m = proto_message(f->proto, 0, to, type, 0, data, bytes);
-    proto_send(f->proto, m, at + proto_send_time(f->proto, type, bytes));
+    struct message *m = protocol_message(f->protocol, 0, to, type, 0, data, bytes);
+    protocol_send(f->protocol, m, at + protocol_send_time(f->protocol, type, bytes));
     return m;
 }
 
@@ -144,7 +144,7 @@ static void long_messages_take_147_us_and_0_39_a_byte_and_30_a_hop(void **state)
 static void forced_messages_skip_the_asking(void **state)
 {
     (void)state;
-    assert_int_equal(one_way(1, PROTO_FORCED | 5, 1000), (45 + 10 + 50) * US + 1000 * 390000);
+    assert_int_equal(one_way(1, PROTOCOL_FORCED | 5, 1000), (45 + 10 + 50) * US + 1000 * 390000);
 }
 
 static void a_long_message_without_room_waits_for_its_grant(void **state)
@@ -156,8 +156,8 @@ static void a_long_message_without_room_waits_for_its_grant(void **state)
     run(&f);
     assert_int_equal(f.seen_count, 1);
     assert_int_equal(f.arrived_count, 0);
-    assert_int_equal(proto_under_way(f.proto), 1);
-    proto_grant(f.proto, m, 5000 * (vtime)US);
+    assert_int_equal(protocol_under_way(f.protocol), 1);
+    protocol_clear_to_send(f.protocol, m, 5000 * (vtime)US);
     run(&f);
     assert_int_equal(f.complete[0], (5000 + 10 + 35 + 10 + 35) * (vtime)US + 1000 * 390000);
     end(&f);
@@ -168,11 +168,11 @@ static void a_forced_message_without_a_receive_is_dropped(void **state)
     struct fake f;
     (void)state;
     begin(&f, false);
-    send(&f, 1, PROTO_FORCED | 5, 1000, 0);
+    send(&f, 1, PROTOCOL_FORCED | 5, 1000, 0);
     run(&f);
     assert_int_equal(f.seen_count, 1);
     assert_int_equal(f.arrived_count, 0);
-    assert_int_equal(proto_under_way(f.proto), 0);
+    assert_int_equal(protocol_under_way(f.protocol), 0);
     f.seen_count = 0; /* freed by the protocol */
     end(&f);
 }
@@ -199,14 +199,14 @@ static vtime to_all(uint32_t root, int32_t type, size_t bytes)
     vtime last = 0, at = 0;
     bool reached[NODES] = {false};
     begin(&f, true);
-    for (struct message *m = proto_to_all(f.proto, root, type, 0, NULL, bytes), *next; m; m = next) {
+    for (struct message *m = protocol_to_all(f.protocol, root, type, 0, NULL, bytes), *next; m; m = next) {
         next = m->next;
-        at += proto_send_time(f.proto, type, bytes);
-        proto_send(f.proto, m, at);
+        at += protocol_send_time(f.protocol, type, bytes);
+        protocol_send(f.protocol, m, at);
     }
     run(&f);
     assert_int_equal(f.arrived_count, NODES - 1);
-    assert_int_equal(proto_under_way(f.proto), 0);
+    assert_int_equal(protocol_under_way(f.protocol), 0);
     for (int i = 0; i < f.seen_count; i++) {
         assert_int_equal(f.seen[i]->source, root);
         assert_int_not_equal(f.seen[i]->to, root);
@@ -224,7 +224,7 @@ static void a_message_to_all_takes_as_many_steps_as_the_cube_has_dimensions(void
     (void)state;
     for (uint32_t root = 0; root < NODES; root++) {
         assert_int_equal(to_all(root, 5, 0), 3 * 75 * US);
-        assert_int_equal(to_all(root, PROTO_FORCED | 5, 0), 3 * 75 * US);
+        assert_int_equal(to_all(root, PROTOCOL_FORCED | 5, 0), 3 * 75 * US);
     }
     assert_in_range(to_all(5, 5, 1000), 3 * (177 + 390) * (vtime)US, 3 * (177 + 390 + 80) * (vtime)US);
 }
@@ -234,9 +234,9 @@ static void a_later_message_does_not_overtake_one_to_all(void **state)
     struct fake f;
     (void)state;
     begin(&f, true);
-    for (struct message *m = proto_to_all(f.proto, 0, 5, 0, NULL, 100), *next; m; m = next) {
+    for (struct message *m = protocol_to_all(f.protocol, 0, 5, 0, NULL, 100), *next; m; m = next) {
         next = m->next;
-        proto_send(f.proto, m, 0);
+        protocol_send(f.protocol, m, 0);
     }
     struct message *direct = send(&f, 7, 5, 0, 1); /* node 7 gets the one before it by way of 4 and 6 */
     run(&f);
@@ -255,7 +255,7 @@ static void nothing_reaches_a_node_before_its_horizon(void **state)
     vtime horizon = 0;
     while (evq_next(f.q) != VT_NEVER) {
         vtime now = evq_next(f.q);
-        horizon = proto_horizon(f.proto, 1, now);
+        horizon = protocol_horizon(f.protocol, 1, now);
         assert_true(horizon >= now);
         vtime busy = f.free_at[1];
         assert_true(evq_step(f.q, &(struct instant){0}));
@@ -264,7 +264,7 @@ static void nothing_reaches_a_node_before_its_horizon(void **state)
         seen = f.seen_count;
     }
     assert_int_equal(f.arrived_count, 2);
-    assert_int_equal(proto_horizon(f.proto, 1, VT_NEVER), VT_NEVER);
+    assert_int_equal(protocol_horizon(f.protocol, 1, VT_NEVER), VT_NEVER);
     end(&f);
 }
 
@@ -273,8 +273,8 @@ static vtime from_to_with_host(uint32_t from, uint32_t to, size_t bytes)
     static char data[10000];
     struct fake f;
     begin_with_host(&f);
-    proto_send(f.proto, proto_message(f.proto, from, to, 5, 0, data, bytes),
-               proto_send_time(f.proto, 5, bytes));
+    protocol_send(f.protocol, protocol_message(f.protocol, from, to, 5, 0, data, bytes),
+                  protocol_send_time(f.protocol, 5, bytes));
     run(&f);
     assert_int_equal(f.arrived_count, 1);
     vtime t = f.complete[0];
@@ -298,9 +298,9 @@ static void what_the_host_sends_to_all_goes_to_node_0_and_on_from_there(void **s
     bool got[NODES] = {false};
     (void)state;
     begin_with_host(&f);
-    struct message *m = proto_to_all(f.proto, HOST, 5, 0, "x", 1);
+    struct message *m = protocol_to_all(f.protocol, HOST, 5, 0, "x", 1);
     assert_null(m->next);
-    proto_send(f.proto, m, 0);
+    protocol_send(f.protocol, m, 0);
     run(&f);
     assert_int_equal(f.arrived_count, NODES);
     for (int i = 0; i < NODES; i++) {
@@ -316,10 +316,10 @@ static void to_all_is_to_the_nodes_of_the_cube_that_there_is(void **state)
     struct fake f;
     (void)state;
     begin_with_host(&f);
-    proto_set_nodes(f.proto, 4);
-    for (struct message *m = proto_to_all(f.proto, 3, 5, 0, "x", 1), *next; m; m = next) {
+    protocol_set_nodes(f.protocol, 4);
+    for (struct message *m = protocol_to_all(f.protocol, 3, 5, 0, "x", 1), *next; m; m = next) {
         next = m->next;
-        proto_send(f.proto, m, 0);
+        protocol_send(f.protocol, m, 0);
     }
     run(&f);
     assert_int_equal(f.arrived_count, 3); /* not the host, not nodes 4 to 7 */
@@ -331,14 +331,14 @@ static void messages_under_way_are_found_from_both_ends(void **state)
     struct fake f;
     (void)state;
     begin_with_host(&f);
-    struct message *m = proto_message(f.proto, HOST, 1, 5, 0, "x", 1);
-    assert_null(proto_to(f.proto, 1));
-    proto_send(f.proto, m, 0);
-    assert_ptr_equal(proto_to(f.proto, 1), m);
-    assert_ptr_equal(proto_from(f.proto, HOST), m);
+    struct message *m = protocol_message(f.protocol, HOST, 1, 5, 0, "x", 1);
+    assert_null(protocol_to(f.protocol, 1));
+    protocol_send(f.protocol, m, 0);
+    assert_ptr_equal(protocol_to(f.protocol, 1), m);
+    assert_ptr_equal(protocol_from(f.protocol, HOST), m);
     run(&f);
-    assert_null(proto_to(f.proto, 1));
-    assert_null(proto_from(f.proto, HOST));
+    assert_null(protocol_to(f.protocol, 1));
+    assert_null(protocol_from(f.protocol, HOST));
     end(&f);
 }
 

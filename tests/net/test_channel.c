@@ -4,26 +4,26 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "net/wire.h"
+#include "net/channel.h"
 
 struct trip {
-    struct wire_transit transit;
+    struct channel_transit transit;
     vtime started, done;
 };
 
-static void on_started(void *ctx, struct wire_transit *t, vtime now)
+static void on_started(void *ctx, struct channel_transit *t, vtime now)
 {
     (void)ctx;
     ((struct trip *)t)->started = now;
 }
 
-static void on_done(void *ctx, struct wire_transit *t, vtime now)
+static void on_done(void *ctx, struct channel_transit *t, vtime now)
 {
     (void)ctx;
     ((struct trip *)t)->done = now;
 }
 
-static const struct wire_calls calls = {NULL, on_started, on_done};
+static const struct channel_calls calls = {NULL, on_started, on_done};
 
 /* Sends trips of 100 each at time 0, in order, over a cube of 8 nodes, and lets them finish. */
 static void send(struct trip *trips, int count)
@@ -31,14 +31,14 @@ static void send(struct trip *trips, int count)
     struct topo topo;
     struct evq *q = evq_new();
     assert_true(topo_hypercube(&topo, 8, 3));
-    struct wire *w = wire_new(&topo, q, &calls);
+    struct channels *w = channel_new(&topo, q, &calls);
     for (int i = 0; i < count; i++) {
         trips[i].transit.duration = 100;
-        wire_send(w, &trips[i].transit, 0);
+        channel_send(w, &trips[i].transit, 0);
     }
     while (evq_step(q, &(struct instant){0}))
         ;
-    wire_free(w);
+    channel_free(w);
     evq_free(q);
 }
 
@@ -118,14 +118,14 @@ static void a_wait_without_an_end_counts_until_the_latest_event(void **state)
     struct topo topo;
     (void)state;
     assert_true(topo_hypercube(&topo, 8, 3));
-    struct wire *w = wire_new(&topo, q, &calls);
+    struct channels *w = channel_new(&topo, q, &calls);
     for (int i = 0; i < 2; i++) {
         t[i].transit.duration = 100;
-        wire_send(w, &t[i].transit, (vtime)(50 + i));
+        channel_send(w, &t[i].transit, (vtime)(50 + i));
     }
-    assert_int_equal(wire_waits(w), 1);
-    assert_int_equal(wire_waited(w), 0);
-    wire_free(w);
+    assert_int_equal(channel_waits(w), 1);
+    assert_int_equal(channel_waited(w), 0);
+    channel_free(w);
     evq_free(q);
 }
 
