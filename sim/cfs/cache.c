@@ -1,7 +1,8 @@
-/* cache.c - see cache.h. The hash only finds blocks; no order comes from it. */
+/* cache.c - see cache.h. The hash table finds blocks; nothing that is simulated depends on its order. */
 #include "cfs/cache.h"
 #include <assert.h>
 #include <stdlib.h>
+#include "kernel/xalloc.h"
 
 struct cache {
     struct cache_block *blocks;
@@ -13,6 +14,7 @@ struct cache {
 
 static void put_idle(struct cache *c, struct cache_block *b)
 {
+    assert(!b->idle && b->holds == 0 && !b->waiting);
     b->idle = true;
     b->newer = NULL, b->older = c->newest;
     if (c->newest)
@@ -39,13 +41,12 @@ static void take_idle(struct cache *c, struct cache_block *b)
 
 struct cache *cache_new(uint64_t blocks)
 {
-    struct cache *c = calloc(1, sizeof *c);
+    struct cache *c = xcalloc(1, sizeof *c);
     uint64_t size = 1;
     while (size < 2 * blocks)
         size *= 2;
-    if (!c || !(c->blocks = calloc(blocks, sizeof *c->blocks)) ||
-        !(c->table = calloc(size, sizeof *c->table)))
-        abort();
+    c->blocks = xcalloc(blocks, sizeof *c->blocks);
+    c->table = xcalloc(size, sizeof *c->table);
     c->mask = size - 1;
     for (uint64_t i = 0; i < blocks; i++)
         put_idle(c, &c->blocks[i]);

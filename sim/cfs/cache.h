@@ -1,10 +1,10 @@
 /* cache.h - the block cache of an I/O node.
  *
- *             take                 disk                      write
- *   (idle) ---------> RESERVED  READING ------> CLEAN (idle) ------> DIRTY ------> WRITING ------> CLEAN (idle)
- *                                                                            disk
- * A block that is idle (CLEAN, or never used, and not held) may be taken for another; the one idle for longest goes
- * first. All others stay.
+ *            take                disk                    write                  disk
+ *   (idle) --------> RESERVED  READING -----> CLEAN (idle) -----> DIRTY --> WRITING -----> CLEAN (idle)
+ *
+ * An idle block (CLEAN or never used, and not held) may be taken for other data; the block that has been idle
+ * for longest is taken first. All other blocks stay.
  */
 #ifndef CFS_CACHE_H
 #define CFS_CACHE_H
@@ -20,7 +20,7 @@ struct cache_block {
     uint32_t file;
     uint64_t number;
     enum cache_state state;
-    uint32_t holds;                            /* writes on their way to it */
+    uint32_t holds;                            /* writes whose data are on their way to the block */
     bool dirty_again;                          /* written while READING or WRITING */
     struct io_request *waiting, **waiting_end; /* while READING */
     struct cache_block *older, *newer;         /* idle */
@@ -30,11 +30,13 @@ struct cache_block {
 
 struct cache *cache_new(uint64_t blocks);
 void cache_free(struct cache *c);
-/* NULL: not there. */
+/* Returns the block with that number of that file. NULL: it is not in the cache. */
 struct cache_block *cache_find(struct cache *c, uint32_t file, uint64_t number);
-/* The block idle for longest becomes this one, RESERVED. NULL: none is idle. It must not be there already. */
+/* The block that has been idle for longest becomes this one, RESERVED. NULL: none is idle. The block must not
+ * be in the cache already. */
 struct cache_block *cache_take(struct cache *c, uint32_t file, uint64_t number);
-/* To be called after a change of state or holds, and on use: keeps the idle list, used last is taken last. */
+/* Keeps the list of idle blocks, on which the block used last is taken last: call it after a change of state
+ * or holds, and on use. */
 void cache_touch(struct cache *c, struct cache_block *b);
 uint64_t cache_idle(const struct cache *c);
 #endif

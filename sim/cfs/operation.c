@@ -1,20 +1,23 @@
-/* client.c - reads and writes as a node makes them.
+/* operation.c - see operation.h.
  *
- *   op     a call: a stretch of a file. Modes 1 and 2: first asks the directory where it lies.
- *   piece  what of it lies in one block: a request to the block's I/O node, and its answer.
+ *   op     a call: a range of a file. In modes 1 and 2 the directory is asked first where the range begins.
+ *   piece  the part of the range that lies in one block: a request to the block's I/O node, and its answer.
  *
- * At most cfg.window_blocks pieces per disk are under way; each answer lets the next one leave. The first leave from
- * the call, the others from the interrupts of the answers, at the cost of the node's processor (node_work).
+ * At most cfg.window_blocks pieces per disk are under way; each answer lets the next one leave. The first
+ * pieces leave from the call, the others from the interrupts of the answers, at the cost of the node's
+ * processor (node_work).
  *
- *   read piece    node -- request, forced ---------> I/O node      write piece   node -- data, asking --> I/O node
- *                      <---- data, forced ----------                                  <-- done, forced ---
+ *   read piece    node -- request, forced --> I/O node      write piece    node -- data, asking --> I/O node
+ *                      <--- data, forced ---                                    <-- done, forced ---
  */
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cfs/parts.h"
+#include "cfs/cfs_state.h"
+#include "cfs/operation.h"
+#include "kernel/xalloc.h"
 #include "node/engine.h"
 
 enum { READ_REQUEST = 64 }; /* bytes: file, block, offset, length */
@@ -60,18 +63,14 @@ static void op_free(struct cfs_op *op)
 static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec *parts, int count)
 {
     struct cfs *c = f->cfs;
-    struct cfs_op *op = calloc(1, sizeof *op);
-    if (!op)
-        abort();
+    struct cfs_op *op = xcalloc(1, sizeof *op);
     *op = (struct cfs_op){.cfs = c, .node = f->base.node, .store = f->store, .write = write};
     op->shared = f->mode != MODE_OWN && f->mode != MODE_ASYNC;
     op->part_count = count;
-    op->parts = malloc((size_t)count * sizeof *parts + 1);
+    op->parts = xmalloc((size_t)count * sizeof *parts + 1);
     for (int i = 0; i < count; i++)
         op->bytes += parts[i].iov_len;
-    op->data = malloc(op->bytes + 1);
-    if (!op->parts || !op->data)
-        abort();
+    op->data = xmalloc(op->bytes + 1);
     memcpy(op->parts, parts, (size_t)count * sizeof *parts);
     char *to = op->data;
     for (int i = 0; write && i < count; to += parts[i++].iov_len)
@@ -90,9 +89,10 @@ void cfs_free_ops(struct cfs *c)
         op_free(c->ops);
 }
 
-/* All pieces are answered. An op of a program that has ended meanwhile has nobody to end it. */
+/* All pieces are answered. If the program has ended meanwhile, nobody else ends the op. */
 static void finish(struct cfs_op *op, vtime at)
 {
+    assert(!op->done && op->answered == op->issued);
     op->done = true;
     op->complete = at;
     if (op->round)
@@ -161,9 +161,9 @@ static struct ionode *ionode_of(const struct piece *p)
     return p->op->cfs->io[p->request.piece.disk % p->op->cfs->cfg->io_nodes];
 }
 
-static uint32_t place_of(const struct piece *p)
+static uint32_t address_of(const struct piece *p)
 {
-    return p->op->cfs->first_place + (uint32_t)(p->request.piece.disk % p->op->cfs->cfg->io_nodes);
+    return p->op->cfs->first_address + (uint32_t)(p->request.piece.disk % p->op->cfs->cfg->io_nodes);
 }
 
 /* At the I/O node: a write asks for room. */
@@ -199,9 +199,10 @@ static vtime issue_time(const struct cfs_op *op)
 /* The next piece leaves its node at `at`. */
 static void issue(struct cfs_op *op, vtime at)
 {
+    assert(op->issued < op->count);
     struct piece *p = &op->pieces[op->issued++];
     p->parcel = (struct parcel){.ask = asks, .arrived = request_arrived};
-    post_send(op->cfs->sys->protocol, op->node->id, place_of(p), request_kind(p), request_bytes(p),
+    post_send(op->cfs->sys->protocol, op->node->id, address_of(p), request_kind(p), request_bytes(p),
               &p->parcel, at);
 }
 
@@ -211,6 +212,7 @@ static void answer_arrived(struct parcel *parcel, vtime at, vtime now)
     struct cfs_op *op = ((struct piece *)parcel)->op;
     (void)now;
     op->answered++;
+    assert(op->answered <= op->issued);
     op->complete = vt_max(op->complete, at);
     if (op->issued < op->count && op->node->state != NODE_ENDED)
         issue(op, node_work(op->cfs->sys, op->node->id, PROTOCOL_SEND, at, issue_time(op)));
@@ -227,19 +229,17 @@ void cfs_answer(void *ctx, struct io_request *r, vtime now)
     vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->protocol, POST_FORCED, bytes));
     *(r->write ? &c->bytes_written : &c->bytes_read) += r->piece.bytes;
     p->parcel.arrived = answer_arrived;
-    post_send(c->sys->protocol, place_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
+    post_send(c->sys->protocol, address_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
 }
 
-/* Where the op lies is known: its pieces. */
+/* The op's range is known: makes the pieces. */
 static void cut(struct cfs_op *op)
 {
     const struct store_file *f = op->store;
     uint32_t block = (uint32_t)op->cfs->cfg->block_bytes;
     uint64_t first = op->at / block, end = (op->at + op->bytes + block - 1) / block, done = 0;
     op->count = op->bytes ? (uint32_t)(end - first) : 0;
-    op->pieces = calloc(op->count + 1, sizeof *op->pieces);
-    if (!op->pieces)
-        abort();
+    op->pieces = xcalloc(op->count + 1, sizeof *op->pieces);
     for (uint32_t i = 0; i < op->count; i++) {
         struct piece *p = &op->pieces[i];
         p->op = op;
@@ -260,7 +260,7 @@ static uint32_t window(const struct cfs_op *op)
     return op->count < most ? op->count : (uint32_t)most;
 }
 
-/* From the call. */
+/* The first pieces leave, from the call. */
 static void go(struct cfs_op *op)
 {
     cut(op);
@@ -272,7 +272,7 @@ static void go(struct cfs_op *op)
         finish(op, node_now(op->node));
 }
 
-/* From an interrupt, at `at` or when the processor is free. */
+/* The first pieces leave, from an interrupt, at `at` or when the processor is free. */
 static void go_later(struct cfs_op *op, vtime at)
 {
     cut(op);
@@ -289,7 +289,7 @@ static struct modes_group *group_of(const struct cfs_op *op, int mode)
     return &op->store->modes.group[mode];
 }
 
-static void take_place(struct cfs_op *op, int mode)
+static void take_position(struct cfs_op *op, int mode)
 {
     struct modes_group *g = group_of(op, mode);
     if (!op->write)
@@ -300,11 +300,11 @@ static void take_place(struct cfs_op *op, int mode)
 static bool serve_first_come(struct dir_request *r, vtime now)
 {
     (void)now;
-    take_place((struct cfs_op *)r, MODE_FIRST_COME);
+    take_position((struct cfs_op *)r, MODE_FIRST_COME);
     return true;
 }
 
-/* The first that waits of the node whose turn it is, taken off the list. */
+/* Takes the first waiting call of the node whose turn it is off the list. NULL: there is none. */
 static struct dir_request *whose_turn(struct store_file *f)
 {
     struct dir_request **link = &f->waiting;
@@ -327,7 +327,7 @@ static bool serve_ordered(struct dir_request *r, vtime now)
     r->next = NULL;
     *end = r;
     while ((r = whose_turn(f))) {
-        take_place((struct cfs_op *)r, MODE_ORDERED);
+        take_position((struct cfs_op *)r, MODE_ORDERED);
         modes_next_turn(&f->modes.group[MODE_ORDERED], nodes);
         directory_answer(r->directory, r, now);
     }
@@ -340,7 +340,7 @@ static void pointer_comes(struct dir_request *r, vtime at, vtime now)
     go_later((struct cfs_op *)r, at);
 }
 
-static void ask_place(struct cfs_op *op, int mode)
+static void ask_position(struct cfs_op *op, int mode)
 {
     struct cfs *c = op->cfs;
     op->pointer = (struct dir_request){.node = op->node->id,
@@ -353,19 +353,19 @@ static void ask_place(struct cfs_op *op, int mode)
 
 /* --- starting --- */
 
-/* Mode 3: the node knows its place. */
-static void place_record(struct cfs_file *f, struct cfs_op *op)
+/* Mode 3: the node itself knows where its record is. */
+static void position_record(struct cfs_file *f, struct cfs_op *op)
 {
     uint64_t others;
     struct node *n = op->node;
     if (!modes_record(cfs_group(f), f->round++, n->id, n->sys->count, op->bytes, &op->at, &others))
         node_fail(n, "%s: in I/O mode 3 all nodes give the same length: %lu bytes here, %lu elsewhere (%s)",
-                  n->call, op->bytes, others, cfs_name(f));
+                  n->call, op->bytes, others, f->store->path);
     if (!op->write)
         op->bytes = cfs_readable(op->store, op->at, op->bytes);
 }
 
-static void place_own(struct cfs_file *f, struct cfs_op *op)
+static void position_own(struct cfs_file *f, struct cfs_op *op)
 {
     if (op->write && (f->flags & O_APPEND))
         f->at = f->store->size;
@@ -375,7 +375,7 @@ static void place_own(struct cfs_file *f, struct cfs_op *op)
     f->at += op->bytes;
 }
 
-/* Mode 4: the first node's call is as in mode 0, the others' wait for it. */
+/* Mode 4: the first node's call is as in mode 0, the others' calls wait for its result. */
 static void start_unison(struct cfs_file *f, struct cfs_op *op)
 {
     struct node *n = op->node;
@@ -384,14 +384,14 @@ static void start_unison(struct cfs_file *f, struct cfs_op *op)
     bool first;
     struct round *r = unison_join(f, &call, &first, &other);
     if (!r)
-        node_fail(
-            n,
-            "%s: in I/O mode 4 all nodes give the same calls: a %s of %lu bytes at %lu here, a %s of %lu at %lu elsewhere (%s)",
-            n->call, call.write ? "write" : "read", call.asked, call.at, other.write ? "write" : "read",
-            other.asked, other.at, cfs_name(f));
+        node_fail(n,
+                  "%s: in I/O mode 4 all nodes give the same calls: a %s of %lu bytes at %lu here, "
+                  "a %s of %lu at %lu elsewhere (%s)",
+                  n->call, call.write ? "write" : "read", call.asked, call.at, other.write ? "write" : "read",
+                  other.asked, other.at, f->store->path);
     if (first) {
         op->round = r;
-        place_own(f, op);
+        position_own(f, op);
         *unison_pointer(r) = f->at;
         go(op);
     } else {
@@ -400,11 +400,11 @@ static void start_unison(struct cfs_file *f, struct cfs_op *op)
     }
 }
 
-/* Modes in which a call depends on the other nodes'. False: it is another. */
+/* Modes in which a call depends on the other nodes' calls. Returns false in other modes. */
 static bool start_shared(struct cfs_file *f, struct cfs_op *op)
 {
     if (f->mode == MODE_FIRST_COME || f->mode == MODE_ORDERED)
-        ask_place(op, f->mode);
+        ask_position(op, f->mode);
     else if (f->mode == MODE_UNISON)
         start_unison(f, op);
     else
@@ -412,8 +412,8 @@ static bool start_shared(struct cfs_file *f, struct cfs_op *op)
     return true;
 }
 
-/* No pointer has to do with it. */
-static void place_at(struct cfs_op *op, uint64_t at)
+/* The call names an offset: no pointer is used. */
+static void position_at(struct cfs_op *op, uint64_t at)
 {
     if (!op->write)
         op->bytes = cfs_readable(op->store, at, op->bytes);
@@ -435,11 +435,11 @@ struct cfs_op *cfs_start(struct cfs_file *f, bool write, int64_t at, const struc
     if (at < 0 && start_shared(f, op))
         return op;
     if (at >= 0)
-        place_at(op, (uint64_t)at);
+        position_at(op, (uint64_t)at);
     else if (f->mode == MODE_RECORDS)
-        place_record(f, op);
+        position_record(f, op);
     else
-        place_own(f, op);
+        position_own(f, op);
     go(op);
     return op;
 }

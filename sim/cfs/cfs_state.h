@@ -1,6 +1,7 @@
-/* parts.h - struct cfs, for the files of this folder that run it: cfs.c, client.c, names.c. */
-#ifndef CFS_PARTS_H
-#define CFS_PARTS_H
+/* cfs_state.h - the state of the file system and of an open file. For the files of this folder only: cfs.c,
+ * cfs_file.c, operation.c, directory_calls.c, unison.c. */
+#ifndef CFS_CFS_STATE_H
+#define CFS_CFS_STATE_H
 #include "cfs/cfs.h"
 #include "cfs/directory.h"
 #include "cfs/ionode.h"
@@ -11,12 +12,12 @@ struct cfs {
     struct node_system *sys;
     const struct cfg_cfs *cfg;
     struct store *store;
-    struct ionode **io; /* at place first_place + i */
+    struct ionode **io; /* at address first_address + i */
     struct directory *directory;
-    uint32_t first_place;
+    uint32_t first_address;
     struct node_fs fs;
     struct cfs_op *ops;         /* all under way or not ended yet */
-    struct question *questions; /* all under way: names.c */
+    struct question *questions; /* all under way: directory_calls.c */
     struct round *rounds;       /* of mode 4, not over: unison.c */
     uint64_t bytes_read, bytes_written;
 };
@@ -43,26 +44,11 @@ static inline struct modes_group *cfs_group(const struct cfs_file *f)
     return &f->store->modes.group[f->mode];
 }
 
-extern const struct node_file_class CFS_FILE; /* cfs.c */
-
-/* What is there of `bytes` bytes at `at`. */
+/* Of `bytes` bytes at `at`, how many the file has. */
 static inline uint64_t cfs_readable(const struct store_file *f, uint64_t at, uint64_t bytes)
 {
     uint64_t left = f->size > at ? f->size - at : 0;
     return bytes < left ? bytes : left;
 }
 
-/* client.c */
-void cfs_answer(void *ctx, struct io_request *r, vtime now); /* ionode_up */
-void cfs_room(void *ctx, struct io_request *r, vtime now);
-void cfs_free_ops(struct cfs *c);
-
-/* names.c: node_fs */
-void cfs_free_questions(struct cfs *c);
-struct node_file *cfs_fs_open(void *ctx, struct node *n, const char *path, int flags, mode_t permissions);
-int cfs_fs_unlink(void *ctx, struct node *n, const char *path);
-int cfs_fs_rename(void *ctx, struct node *n, const char *from, const char *to);
-int cfs_fs_stat(void *ctx, struct node *n, const char *path, struct stat *st);
-int cfs_fstat(struct node_file *f, struct stat *st);
-int cfs_truncate(struct node_file *f, int64_t size);
 #endif

@@ -1,13 +1,15 @@
-/* names.c - what nodes ask the directory process: opening and names, sizes, modes. Each call sends a request, waits
- * for its turn there, and gets an answer. */
+/* directory_calls.c - see directory_calls.h. Each call sends a request to the directory, waits for its turn
+ * there, and gets an answer. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cfs/parts.h"
+#include "cfs/cfs_state.h"
+#include "cfs/directory_calls.h"
+#include "kernel/xalloc.h"
 #include "node/engine.h"
 
-/* A request on its way, with what it asks and what it gets. While it is, it has nothing in its program's memory, for the
- * program may be killed: ask() keeps a copy, and what it points to. */
+/* A request to the directory, and its answer. A request under way refers to nothing in its program's memory,
+ * for the program may be killed: ask() makes a copy of the request and of all that it points to. */
 struct question {
     struct dir_request request; /* first */
     struct cfs *cfs;
@@ -18,9 +20,9 @@ struct question {
     mode_t permissions;
     struct store_file *store;
     struct stat st;
-    struct cfs_file *file; /* of the program's, NULL: the request is about a name */
+    struct cfs_file *file; /* an open one of the program's; NULL: the request is about a name */
     uint64_t number;
-    const uint32_t *disks; /* so many */
+    const uint32_t *disks; /* `number` of them */
     int error;
     bool answered;
     vtime complete;
@@ -29,16 +31,12 @@ struct question {
 
 static struct question *keep(const struct question *q)
 {
-    struct question *kept = malloc(sizeof *kept);
-    if (!kept)
-        abort();
+    struct question *kept = xmalloc(sizeof *kept);
     *kept = *q;
-    if ((q->path && !(kept->path = strdup(q->path))) || (q->to && !(kept->to = strdup(q->to))))
-        abort();
+    kept->path = q->path ? xstrdup(q->path) : NULL;
+    kept->to = q->to ? xstrdup(q->to) : NULL;
     if (q->disks) {
-        uint32_t *disks = calloc(q->number + 1, sizeof *disks);
-        if (!disks)
-            abort();
+        uint32_t *disks = xcalloc(q->number + 1, sizeof *disks);
         kept->disks = memcpy(disks, q->disks, q->number * sizeof *disks);
     }
     struct cfs *c = q->cfs;
@@ -65,7 +63,7 @@ void cfs_free_questions(struct cfs *c)
         drop(c->questions);
 }
 
-/* The files that a program had open are closed at its end. */
+/* A program's files are closed at its end: a request about one of them is then void. */
 static bool serve(struct dir_request *r, vtime now)
 {
     struct question *q = (struct question *)r;
@@ -82,7 +80,7 @@ static void answered(struct dir_request *r, vtime at, vtime now)
     q->answered = true;
     q->complete = at;
     if (q->node->state == NODE_ENDED)
-        drop(q); /* nobody asks any more */
+        drop(q); /* nobody waits for the answer */
     else
         node_wake(q->node, at);
 }
@@ -93,7 +91,7 @@ static bool is_answered(struct node *n, void *arg)
     return q->answered && q->complete <= node_now(n);
 }
 
-/* 0, or -1 with errno. */
+/* Returns 0, or -1 with errno set. */
 static int ask(struct cfs *c, struct node *n, struct question *q, vtime takes)
 {
     q->cfs = c;
@@ -117,19 +115,15 @@ static int do_open(struct question *q)
     return store_open(q->cfs->store, q->path, q->flags, q->permissions, &q->store);
 }
 
-struct node_file *cfs_fs_open(void *ctx, struct node *n, const char *path, int flags, mode_t permissions)
+struct store_file *cfs_ask_open(struct cfs *c, struct node *n, const char *path, int flags,
+                                mode_t permissions)
 {
-    struct cfs *c = ctx;
     struct question q = {.work = do_open, .path = path, .flags = flags, .permissions = permissions};
     if (ask(c, n, &q, c->cfg->open_ps))
         return NULL;
     if (!q.store->volumes)
         q.store->volume_count = (uint32_t)c->cfg->disks;
-    struct cfs_file *f = calloc(1, sizeof *f);
-    if (!f)
-        abort();
-    *f = (struct cfs_file){.base = {&CFS_FILE, n}, .cfs = c, .store = q.store, .flags = flags};
-    return &f->base;
+    return q.store;
 }
 
 static int do_unlink(struct question *q)
@@ -137,7 +131,7 @@ static int do_unlink(struct question *q)
     return store_unlink(q->cfs->store, q->path);
 }
 
-int cfs_fs_unlink(void *ctx, struct node *n, const char *path)
+int cfs_unlink(void *ctx, struct node *n, const char *path)
 {
     struct cfs *c = ctx;
     return ask(c, n, &(struct question){.work = do_unlink, .path = path}, c->cfg->open_ps);
@@ -148,13 +142,14 @@ static int do_rename(struct question *q)
     return store_rename(q->cfs->store, q->path, q->to);
 }
 
-int cfs_fs_rename(void *ctx, struct node *n, const char *from, const char *to)
+int cfs_rename(void *ctx, struct node *n, const char *from, const char *to)
 {
     struct cfs *c = ctx;
     return ask(c, n, &(struct question){.work = do_rename, .path = from, .to = to}, c->cfg->open_ps);
 }
 
-/* What of a file's state is the simulated machine's: not when and where this computer keeps it. */
+/* Reduces a file's state to what the simulated machine knows: not when and where this computer keeps the
+ * file. */
 static int own_stat(const struct cfs *c, struct stat *st, int error)
 {
     if (error)
@@ -172,7 +167,7 @@ static int do_stat(struct question *q)
     return own_stat(q->cfs, &q->st, store_stat(q->cfs->store, q->path, &q->st));
 }
 
-int cfs_fs_stat(void *ctx, struct node *n, const char *path, struct stat *st)
+int cfs_stat_path(void *ctx, struct node *n, const char *path, struct stat *st)
 {
     struct cfs *c = ctx;
     struct question q = {.work = do_stat, .path = path};
@@ -238,9 +233,7 @@ static int do_restrict(struct question *q)
         return 0;
     if (f->size > 0 || count == 0)
         return EINVAL;
-    uint32_t *volumes = malloc(count * sizeof *volumes);
-    if (!volumes)
-        abort();
+    uint32_t *volumes = xmalloc(count * sizeof *volumes);
     for (uint32_t i = 0; i < count; i++)
         volumes[i] = q->disks[i];
     free(f->volumes);
@@ -291,7 +284,7 @@ static int do_seek(struct question *q)
     return set_pointer(q->file, q->number);
 }
 
-/* A pointer that the node keeps itself takes a call only; sizes and shared pointers are the directory's. */
+/* Only the directory knows sizes and shared pointers; a node's own pointer needs no message. */
 int64_t cfs_seek(struct cfs_file *f, int64_t offset, int whence)
 {
     struct node *n = f->base.node;
