@@ -27,8 +27,7 @@ struct cfs;
  * Returns NULL with *error set (malloc'd) if the folder cannot be used. */
 struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error);
 void cfs_free(struct cfs *c);
-/* The addresses that the file system needs on the network: I/O nodes and directory; 0: the machine has none.
- */
+/* How many addresses the file system needs: for I/O nodes and directory. 0: the machine has none. */
 uint32_t cfs_services(const struct cfg_machine *cfg);
 const struct node_fs *cfs_fs(struct cfs *c);
 

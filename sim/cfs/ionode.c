@@ -250,8 +250,8 @@ static void remember(struct ionode *io, const struct io_request *r)
     (*last)[r->node] = r->piece.block + 1;
 }
 
-/* Is the block part of the file, and not in the cache, and is there an idle block for it? Then reserves it.
- */
+/* Reserves a block for reading if it is part of the file, is not in the cache, and there is an idle one for
+ * it. */
 static bool reserve_row(struct ionode *io, const struct io_request *r, uint64_t block)
 {
     if (block * io->cfg->block_bytes >= r->file->size || cache_find(io->cache, r->file_id, block))

@@ -2,7 +2,7 @@
  *
  *   read    request -> processor -> in the cache?  yes -----------------> copied out (processor) -> answered
  *                                                  no -> disk, read-ahead -^
- *   write   request to send -> a cache block is reserved, or awaited -> data -> processor -> DIRTY -> answered
+ *   write   request to send -> a cache block is reserved, or awaited -> data -> processor -> DIRTY, answered
  *                                                                         later, in clusters: disk
  *
  * Requests that find no idle cache block wait in a queue, first come first served, until the disk has cleaned

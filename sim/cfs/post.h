@@ -2,8 +2,8 @@
  *
  * A parcel is the start of a struct that both ends know. A message carries the pointer to it; the message's
  * length and times are those of the contents. Two kinds:
- *   asking    as a long message (protocol.h): a request to send comes first. Up to short_limit bytes: at once.
- *   forced    at once at any length: the receiver waits for it and has room.
+ *   asking    as a long message (protocol.h): a request to send comes first. Up to short_limit bytes: eager.
+ *   forced    eager at any length: the receiver waits for it and has room.
  */
 #ifndef CFS_POST_H
 #define CFS_POST_H

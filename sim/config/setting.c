@@ -1,5 +1,5 @@
-/* set.c - see set.h. */
-#include "config/set.h"
+/* setting.c - see setting.h. */
+#include "config/setting.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +22,8 @@ static bool no_such_group(struct cfg_reader *r, const char *setting, const char 
     return cfg_fail(r, NULL, NULL, "%s: there is no group %s; there are: %s", setting, group, list);
 }
 
-/* short_us_per_byte for short_ns_per_byte and the other way round, into other; false if the key has no unit. */
+/* short_us_per_byte for short_ns_per_byte and the other way round, into other; false if the key has no unit.
+ */
 static bool in_the_other_unit(const char *key, char other[MAX_PATH])
 {
     snprintf(other, MAX_PATH, "%s", key);

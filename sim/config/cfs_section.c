@@ -1,5 +1,6 @@
-/* cfs.c - see cfs.h. Disks are told in the units of their makers: milliseconds, megabytes (10^6) a second. */
-#include "config/cfs.h"
+/* cfs_section.c - see cfs_section.h. Disks have the units of their makers: milliseconds, megabytes (10^6) a
+ * second. */
+#include "config/cfs_section.h"
 #include <math.h>
 
 enum { KB = 1024, MOST_IO_NODES = 1024, MOST_DISKS = 4096, MOST_BLOCKS = 1 << 20 };

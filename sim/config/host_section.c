@@ -1,5 +1,5 @@
-/* host.c - see host.h. */
-#include "config/host.h"
+/* host_section.c - see host_section.h. */
+#include "config/host_section.h"
 #include <math.h>
 
 enum { MB = 1024 * 1024, MOST_MB = 512 };

@@ -1,6 +1,5 @@
-/* home.c - where the machine files are: the same binary runs from the build tree and from an installed
- * prefix. */
-#include "config/config.h"
+/* touchstone_home.c - see touchstone_home.h. */
+#include "config/touchstone_home.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -9,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* machines/cpu and not just machines/: a stray folder of that name above us is not ours. */
+/* machines/cpu and not just machines/: a folder above may happen to have that name. */
 static bool holds_machines(const char *dir)
 {
     char path[PATH_MAX];

@@ -1,4 +1,4 @@
-/* test_set.c - settings beside a machine file: they take the place of its values, and are held to the same. */
+/* test_setting.c - settings given besides a machine file replace its values, and have the same ranges. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
