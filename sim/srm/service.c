@@ -1,5 +1,5 @@
-/* service.c - see service.h. One thread, on libevent: a listening socket, clients, running programs, signals. A client
- * makes one request and gets its answer; the answer to waitcube takes as long as the program. */
+/* service.c - see service.h. One thread, on libevent: a listening socket, clients, running programs, signals.
+ * A client makes one request and gets its answer; the answer to waitcube takes as long as the program. */
 #include "srm/service.h"
 #include <event2/bufferevent.h>
 #include <event2/event.h>
@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "srm/cubes.h"
 #include "srm/frame.h"
 #include "srm/job.h"
@@ -23,8 +24,8 @@ struct client {
     struct service *service;
     struct bufferevent *link;
     char owner[CUBE_TEXT];
-    struct job *awaited; /* waitcube; NULL: nothing */
-    off_t at;            /* what of its output has been sent on */
+    struct job *awaited; /* by waitcube; NULL: none */
+    off_t at;            /* so much of its output has been sent */
     bool answered;       /* to be closed when all is written */
     struct client *next, **where;
 };
@@ -71,18 +72,15 @@ static void say(struct client *c, enum frame_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 static void say(struct client *c, enum frame_kind kind, const char *format, ...)
 {
-    char *text;
     va_list list;
     va_start(list, format);
-    int n = vasprintf(&text, format, list);
+    char *text = xvasprintf(format, list);
     va_end(list);
-    if (n < 0)
-        abort();
-    frame_put(bufferevent_get_output(c->link), kind, text, (uint32_t)n);
+    frame_put(bufferevent_get_output(c->link), kind, text, (uint32_t)strlen(text));
     free(text);
 }
 
-/* The last of an answer. */
+/* Ends the answer with the client's exit status. */
 static void end(struct client *c, int status)
 {
     unsigned char byte = (unsigned char)status;
@@ -99,7 +97,7 @@ static void refuse(struct client *c, const struct request *r, char *error)
     end(c, 1);
 }
 
-/* Sends on what the program awaited has said, as much as the client takes or, at the end of all waiting, all. */
+/* Sends the output of the awaited program to the client: as much as the client takes, or all. */
 static void pump(struct client *c, bool all)
 {
     struct evbuffer *out = bufferevent_get_output(c->link);
@@ -153,7 +151,7 @@ static void kill_job(struct service *s, struct cube_entry *e)
         job_reaped(e->job, status);
 }
 
-/* Those who wait for it learn that there is nothing more to wait for. */
+/* Ends the job of a cube, if there is one, and the answers to the clients that wait for it. */
 static void drop_job(struct service *s, struct cube_entry *e)
 {
     if (!e->job)
@@ -181,23 +179,21 @@ static void on_child(evutil_socket_t signal, short what, void *arg)
     }
 }
 
-/* touchstone run on the shape of the cube, and what the user wants to run. NULL-ended; the first `own` are malloc'd. */
+/* The command that runs the user's program on a cube, ended by NULL; its first *own words are malloc'd. */
 static char **command_of(const struct service *s, const struct cube_entry *e, const struct request *r,
                          int *own)
 {
-    char **argv = calloc((size_t)r->argc + 12, sizeof *argv);
+    char **argv = xcalloc((size_t)r->argc + 12, sizeof *argv);
     char number[2][64];
     int n = 0;
-    if (!argv)
-        abort();
     snprintf(number[0], sizeof number[0], "%u", e->piece.nodes);
     const char *first[] = {s->options.runner, "run", "-m", s->options.machine_path, "-n", number[0]};
     for (size_t i = 0; i < sizeof first / sizeof *first; i++)
-        argv[n++] = strdup(first[i]);
+        argv[n++] = xstrdup(first[i]);
     for (int side = 0; side < 2 && !s->cubes.share.cube; side++) {
         snprintf(number[1], sizeof number[1], "--set=topology.%s=%u", side ? "columns" : "rows",
                  side ? e->piece.columns : e->piece.rows);
-        argv[n++] = strdup(number[1]);
+        argv[n++] = xstrdup(number[1]);
     }
     *own = n;
     memcpy(argv + n, r->argv, (size_t)r->argc * sizeof *argv);
@@ -208,12 +204,10 @@ static void start_job(struct client *c, const struct request *r, struct cube_ent
 {
     struct service *s = c->service;
     const struct job_events events = {s, on_line, on_output};
-    char *error, *words = strdup(r->argv[0]);
+    char *error, *words = xstrdup(r->argv[0]);
     int own;
     for (int i = 1; i < r->argc; i++) {
-        char *more;
-        if (asprintf(&more, "%s %s", words, r->argv[i]) < 0)
-            abort();
+        char *more = xasprintf("%s %s", words, r->argv[i]);
         free(words);
         words = more;
     }
@@ -264,7 +258,7 @@ static void cubeinfo(struct client *c, const struct request *r)
 {
     char *text;
     size_t size;
-    FILE *f = open_memstream(&text, &size);
+    FILE *f = xchecked(open_memstream(&text, &size));
     cubes_print(&c->service->cubes, r->session, f);
     fclose(f);
     say(c, FRAME_OUT, "%s", text);
@@ -284,16 +278,13 @@ static void attachcube(struct client *c, const struct request *r)
 static void load(struct client *c, const struct request *r)
 {
     struct cube_entry *e = find(c, r);
-    char *error;
     if (!e)
         return;
     if (e->job && job_pid(e->job)) {
-        if (asprintf(&error, "%s runs %s: waitcube waits for its end, killcube ends it", e->name,
-                     e->program) < 0)
-            abort();
-        refuse(c, r, error);
+        refuse(c, r,
+               xasprintf("%s runs %s: waitcube waits for its end, killcube ends it", e->name, e->program));
     } else if (r->argc == 0) {
-        refuse(c, r, strdup("which program?"));
+        refuse(c, r, xstrdup("which program?"));
     } else {
         start_job(c, r, e);
     }
@@ -302,13 +293,10 @@ static void load(struct client *c, const struct request *r)
 static void waitcube(struct client *c, const struct request *r)
 {
     struct cube_entry *e = find(c, r);
-    char *error;
     if (!e)
         return;
     if (!e->job) {
-        if (asprintf(&error, "nothing has been loaded on %s", e->name) < 0)
-            abort();
-        refuse(c, r, error);
+        refuse(c, r, xasprintf("nothing has been loaded on %s", e->name));
         return;
     }
     c->awaited = e->job;
@@ -349,7 +337,7 @@ static void serve(struct client *c, const struct request *r)
             COMMANDS[i].serve(c, r);
             return;
         }
-    refuse(c, r, strdup("the service does not know this command: is it of another version?"));
+    refuse(c, r, xstrdup("the service does not know this command: is it of another version?"));
 }
 
 /* --- clients --- */
@@ -362,7 +350,7 @@ static void on_request(struct bufferevent *b, void *arg)
     uint32_t length;
     struct request r;
     if (c->answered || c->awaited)
-        return; /* one request a client; what else it says is not looked at */
+        return; /* one request a client; the rest is ignored */
     int taken = frame_take(bufferevent_get_input(b), &kind, &bytes, &length);
     if (taken == 0)
         return;
@@ -396,7 +384,7 @@ static void on_gone(struct bufferevent *b, short what, void *arg)
     client_free(arg);
 }
 
-/* Who is at the other end: only the service's own user, and root. */
+/* Is the client the service's own user, or root? Writes the user's name. */
 static bool is_allowed(evutil_socket_t fd, char owner[CUBE_TEXT])
 {
     struct ucred who;
@@ -421,14 +409,10 @@ static void on_client(struct evconnlistener *listener, evutil_socket_t fd, struc
         close(fd);
         return;
     }
-    struct client *c = calloc(1, sizeof *c);
-    if (!c)
-        abort();
+    struct client *c = xcalloc(1, sizeof *c);
     *c = (struct client){.service = s, .next = s->clients, .where = &s->clients};
     memcpy(c->owner, owner, sizeof owner);
-    c->link = bufferevent_socket_new(s->base, fd, BEV_OPT_CLOSE_ON_FREE);
-    if (!c->link)
-        abort();
+    c->link = xchecked(bufferevent_socket_new(s->base, fd, BEV_OPT_CLOSE_ON_FREE));
     if (c->next)
         c->next->where = &c->next;
     s->clients = c;
@@ -437,7 +421,7 @@ static void on_client(struct evconnlistener *listener, evutil_socket_t fd, struc
     bufferevent_enable(c->link, EV_READ | EV_WRITE);
 }
 
-/* --- its life --- */
+/* --- start and end --- */
 
 static void on_stop(evutil_socket_t signal, short what, void *arg)
 {
@@ -461,20 +445,18 @@ static void close_all(struct service *s)
 
 void service_run(const struct service_options *options)
 {
-    struct service s = {.options = *options, .base = event_base_new()};
+    struct service s = {.options = *options, .base = xchecked(event_base_new())};
     signal(SIGPIPE, SIG_IGN);
-    if (!s.base)
-        abort();
     cubes_open(&s.cubes, options->machine);
-    struct evconnlistener *listener = evconnlistener_new(
-        s.base, on_client, &s, LEV_OPT_CLOSE_ON_FREE | LEV_OPT_CLOSE_ON_EXEC, 0, options->socket);
+    struct evconnlistener *listener = xchecked(evconnlistener_new(
+        s.base, on_client, &s, LEV_OPT_CLOSE_ON_FREE | LEV_OPT_CLOSE_ON_EXEC, 0, options->socket));
     struct event *events[] = {
         evsignal_new(s.base, SIGCHLD, on_child, &s), evsignal_new(s.base, SIGINT, on_stop, &s),
         evsignal_new(s.base, SIGTERM, on_stop, &s), evsignal_new(s.base, SIGHUP, on_stop, &s)};
     enum { EVENTS = sizeof events / sizeof *events };
     for (int i = 0; i < EVENTS; i++)
-        if (!listener || !events[i] || event_add(events[i], NULL))
-            abort();
+        if (event_add(xchecked(events[i]), NULL))
+            xexhausted();
     note(&s, "%s, %u nodes: ready", options->machine->name, share_all(&s.cubes.share));
     event_base_dispatch(s.base);
     close_all(&s);

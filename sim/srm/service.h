@@ -8,10 +8,11 @@ struct service_options {
     const struct cfg_machine *machine;
     const char *machine_path; /* for touchstone run -m, from any folder */
     const char *runner;       /* this binary */
-    int socket;               /* listening; the service's from now on */
+    int socket;               /* listening; service_run closes it */
     FILE *log;
 };
 
-/* Serves until SIGINT or SIGTERM; kills what runs then. Clients that go away do it no harm. */
+/* Serves until SIGINT, SIGTERM or SIGHUP; then kills the programs that run. Clients may go away at any time.
+ */
 void service_run(const struct service_options *options);
 #endif

@@ -2,6 +2,7 @@
 #include "srm/share.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "net/topo.h"
 
 void share_open(struct share *s, const struct cfg_machine *m)
@@ -9,9 +10,7 @@ void share_open(struct share *s, const struct cfg_machine *m)
     s->cube = m->topology == CFG_HYPERCUBE;
     s->rows = s->cube ? 1 : m->rows;
     s->columns = s->cube ? UINT32_C(1) << m->dimension : m->columns;
-    s->holder = calloc(share_all(s), 1);
-    if (!s->holder)
-        abort();
+    s->holder = xcalloc(share_all(s), 1);
 }
 
 void share_close(struct share *s)
@@ -48,7 +47,7 @@ static bool subcube_is_free(const struct share *s, uint32_t first, uint32_t node
     return first + nodes <= s->columns && is_free(s, &(struct share_piece){nodes, 0, first, 1, nodes});
 }
 
-/* The first free aligned subcube of so many nodes whose other half is not free: it is no part of a larger one. */
+/* Finds the first free aligned subcube of so many nodes that is no half of a larger free one. */
 static bool find_subcube(const struct share *s, uint32_t nodes, uint32_t *first)
 {
     for (*first = 0; *first < s->columns; *first += nodes)
@@ -68,7 +67,7 @@ static bool place_cube(const struct share *s, struct share_piece *p)
 
 /* --- mesh --- */
 
-/* The first place, row by row, where a rectangle is free. */
+/* Finds the first position, row by row, at which a rectangle is free. */
 static bool place_rectangle(const struct share *s, struct share_piece *p)
 {
     for (p->row = 0; p->row + p->rows <= s->rows; p->row++)
@@ -127,9 +126,7 @@ static uint32_t largest_cube(const struct share *s)
 /* Row by row, columns as heights of free nodes above: the largest rectangle that ends in this row. */
 static uint32_t largest_rectangle(const struct share *s)
 {
-    uint32_t *height = calloc(s->columns, sizeof *height), most = 0;
-    if (!height)
-        abort();
+    uint32_t *height = xcalloc(s->columns, sizeof *height), most = 0;
     for (uint32_t r = 0; r < s->rows; r++) {
         for (uint32_t c = 0; c < s->columns; c++)
             height[c] = s->holder[r * s->columns + c] ? 0 : height[c] + 1;

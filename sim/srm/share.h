@@ -1,10 +1,10 @@
 /* share.h - the nodes of a machine, and which cube holds each: shared out as the System Resource Manager did.
  *
- * Hypercube: aligned subcubes of 2^k nodes. As with buddies: the smallest free aligned subcube that is large enough, of
- * those the one with the lowest nodes, is halved until it fits; the lower half is taken. All aligned subcubes of a size
- * are alike: e-cube distances within them do not depend on where they lie, so neither does any virtual time.
- * Mesh: rectangles, first fit, row by row. A number of nodes is given the rectangle that touchstone run gives it, never
- * another of that size: distances in it would be others.
+ * Hypercube: aligned subcubes of 2^k nodes. As with buddies: the smallest free aligned subcube that is large
+ * enough, of those the one with the lowest nodes, is halved until it fits; the lower half is taken. All
+ * aligned subcubes of a size are alike: e-cube distances within a subcube, and so all virtual times, do not
+ * depend on where it lies. Mesh: rectangles, first fit, row by row. A number of nodes gets the rectangle that
+ * touchstone run gives it, never another of that size, in which distances would differ.
  */
 #ifndef SRM_SHARE_H
 #define SRM_SHARE_H
@@ -13,26 +13,26 @@
 struct share {
     bool cube;
     uint32_t rows, columns; /* of the machine; a hypercube is one row */
-    uint8_t *holder;        /* of each node: 0 nobody */
+    uint8_t *holder;        /* of each node; 0: the node is free */
 };
 
 /* What a cube holds. */
 struct share_piece {
     uint32_t nodes;                      /* of programs */
-    uint32_t row, column, rows, columns; /* hypercube: one row, column the first node */
+    uint32_t row, column, rows, columns; /* hypercube: one row; column is the first node */
 };
 
 void share_open(struct share *s, const struct cfg_machine *m);
 void share_close(struct share *s);
 
-/* Takes nodes for a holder, 1 to 255. False: they are not free, or there are not so many. */
+/* Takes nodes for a holder, 1 to 255. Returns false if they are not free, or there are not so many. */
 bool share_take(struct share *s, const struct cube_type *type, uint8_t holder, struct share_piece *piece);
 void share_give_back(struct share *s, uint8_t holder);
 
 uint32_t share_all(const struct share *s);
 uint32_t share_free(const struct share *s);
-/* The largest that could be taken now: nodes of a subcube; of a mesh any rectangle. */
+/* The nodes of the largest subcube, or of a mesh the largest rectangle, that could be taken now. */
 uint32_t share_largest(const struct share *s);
-/* Would it fit if all nodes were free? */
+/* Could the cube be taken if all nodes were free? */
 bool share_possible(const struct share *s, const struct cube_type *type);
 #endif
