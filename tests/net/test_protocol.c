@@ -1,9 +1,12 @@
 /* The protocol: eager or rendezvous, the iPSC/860's published times, order of envelopes, waiting for room. */
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <cmocka.h>
 #include "net/protocol.h"
 
@@ -141,13 +144,13 @@ static void long_messages_take_147_us_and_0_39_a_byte_and_30_a_hop(void **state)
     assert_int_equal(one_way(7, 5, 10000), (147 + 90) * US + 10000 * 390000ull);
 }
 
-static void forced_messages_skip_the_asking(void **state)
+static void forced_messages_need_no_request_to_send(void **state)
 {
     (void)state;
     assert_int_equal(one_way(1, PROTOCOL_FORCED | 5, 1000), (45 + 10 + 50) * US + 1000 * 390000);
 }
 
-static void a_long_message_without_room_waits_for_its_grant(void **state)
+static void a_long_message_without_room_waits_for_a_clear_to_send(void **state)
 {
     struct fake f;
     (void)state;
@@ -342,13 +345,55 @@ static void messages_under_way_are_found_from_both_ends(void **state)
     end(&f);
 }
 
+/* Does f end the process, as a failed assert() does? Tried in a child. */
+static bool ends_the_process(void (*f)(struct fake *f, struct message *m), struct fake *fake,
+                             struct message *m)
+{
+    int status;
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        signal(SIGABRT, SIG_DFL);
+        close(STDERR_FILENO);
+        f(fake, m);
+        _exit(0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return WIFSIGNALED(status) || WEXITSTATUS(status) != 0;
+}
+
+static void free_twice(struct fake *f, struct message *m)
+{
+    (void)f;
+    protocol_message_free(m);
+    protocol_message_free(m);
+}
+
+static void clear_twice(struct fake *f, struct message *m)
+{
+    protocol_clear_to_send(f->protocol, m, US);
+    protocol_clear_to_send(f->protocol, m, US);
+}
+
+static void a_message_is_cleared_once_and_freed_once(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f, false);
+    struct message *m = send(&f, 1, 5, 1000, 0);
+    run(&f);
+    assert_true(ends_the_process(clear_twice, &f, m));
+    assert_true(ends_the_process(free_twice, &f, m));
+    end(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(short_messages_take_65_us_and_0_425_a_byte_and_10_a_hop),
         cmocka_unit_test(long_messages_take_147_us_and_0_39_a_byte_and_30_a_hop),
-        cmocka_unit_test(forced_messages_skip_the_asking),
-        cmocka_unit_test(a_long_message_without_room_waits_for_its_grant),
+        cmocka_unit_test(forced_messages_need_no_request_to_send),
+        cmocka_unit_test(a_long_message_without_room_waits_for_a_clear_to_send),
         cmocka_unit_test(a_forced_message_without_a_receive_is_dropped),
         cmocka_unit_test(envelopes_between_two_nodes_are_seen_in_the_order_sent),
         cmocka_unit_test(a_message_to_all_takes_as_many_steps_as_the_cube_has_dimensions),
@@ -358,6 +403,7 @@ int main(void)
         cmocka_unit_test(what_the_host_sends_to_all_goes_to_node_0_and_on_from_there),
         cmocka_unit_test(to_all_is_to_the_nodes_of_the_cube_that_there_is),
         cmocka_unit_test(messages_under_way_are_found_from_both_ends),
+        cmocka_unit_test(a_message_is_cleared_once_and_freed_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
