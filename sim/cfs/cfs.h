@@ -5,7 +5,7 @@
  *     |                     operation.c  reads and writes: pieces of a call, some of them under way at a time
  *     |                     directory_calls.c  opening, names, sizes, pointers: questions to the directory
  *     | messages            post.c       over the machine's network, at addresses behind the nodes' (topo.h)
- *   I/O nodes               ionode.c     processor, cache.c, disk.c; which disk has what: stripe.h
+ *   I/O nodes               ionode.c     processor, block_cache.c, disk.c; which disk has what: stripe.h
  *   directory               directory.c  one processor; shared pointers: modes.c, unison.c
  *     |
  *   bytes                   store.c      a folder of this computer

@@ -38,9 +38,9 @@ static void answer_comes(struct parcel *p, vtime at, vtime now)
 
 void directory_answer(struct directory *d, struct dir_request *r, vtime now)
 {
-    vtime ready = directory_work(d, now, post_send_time(d->protocol, POST_FORCED, LETTER));
+    vtime ready = directory_work(d, now, post_send_time(d->protocol, POST_EAGER, LETTER));
     r->parcel.arrived = answer_comes;
-    post_send(d->protocol, d->address, r->node, POST_FORCED, LETTER, &r->parcel, ready);
+    post_send(d->protocol, d->address, r->node, POST_EAGER, LETTER, &r->parcel, ready);
 }
 
 static void serve(void *ctx, void *arg, vtime now)
@@ -62,7 +62,7 @@ static void request_comes(struct parcel *p, vtime at, vtime now)
 
 vtime directory_ask_time(const struct directory *d)
 {
-    return post_send_time(d->protocol, POST_FORCED, LETTER);
+    return post_send_time(d->protocol, POST_EAGER, LETTER);
 }
 
 void directory_ask(struct directory *d, struct dir_request *r, vtime at)
@@ -70,7 +70,7 @@ void directory_ask(struct directory *d, struct dir_request *r, vtime at)
     r->directory = d;
     r->next = NULL;
     r->parcel = (struct parcel){.arrived = request_comes};
-    post_send(d->protocol, r->node, d->address, POST_FORCED, LETTER, &r->parcel, at);
+    post_send(d->protocol, r->node, d->address, POST_EAGER, LETTER, &r->parcel, at);
 }
 
 uint64_t directory_served(const struct directory *d)

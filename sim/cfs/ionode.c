@@ -2,7 +2,7 @@
 #include "cfs/ionode.h"
 #include <assert.h>
 #include <stdlib.h>
-#include "cfs/cache.h"
+#include "cfs/block_cache.h"
 #include "kernel/xalloc.h"
 
 struct io_disk {

@@ -7,8 +7,8 @@
  * pieces leave from the call, the others from the interrupts of the answers, at the cost of the node's
  * processor (node_work).
  *
- *   read piece    node -- request, forced --> I/O node      write piece    node -- data, asking --> I/O node
- *                      <--- data, forced ---                                    <-- done, forced ---
+ *   read piece   node -- request, eager --> I/O node     write piece   node -- data, rendezvous --> I/O node
+ *                     <--- data, eager ---                                  <----- done, eager ----
  */
 #include <assert.h>
 #include <errno.h>
@@ -26,7 +26,7 @@ struct piece {
     struct parcel parcel; /* first */
     struct io_request request;
     struct cfs_op *op;
-    struct message *asking; /* a write that waits for room */
+    struct message *request_to_send; /* of a write that waits for room */
 };
 
 struct cfs_op {
@@ -153,7 +153,7 @@ static size_t request_bytes(const struct piece *p)
 
 static enum post_kind request_kind(const struct piece *p)
 {
-    return p->op->write ? POST_ASKING : POST_FORCED;
+    return p->op->write ? POST_RENDEZVOUS : POST_EAGER;
 }
 
 static struct ionode *ionode_of(const struct piece *p)
@@ -166,13 +166,13 @@ static uint32_t address_of(const struct piece *p)
     return p->op->cfs->first_address + (uint32_t)(p->request.piece.disk % p->op->cfs->cfg->io_nodes);
 }
 
-/* At the I/O node: a write asks for room. */
-static bool asks(struct parcel *parcel, struct message *m, vtime now)
+/* At the I/O node: is there room for the data of a write? */
+static bool has_room(struct parcel *parcel, struct message *m, vtime now)
 {
     struct piece *p = (struct piece *)parcel;
     if (ionode_reserve(ionode_of(p), &p->request, now))
         return true;
-    p->asking = m;
+    p->request_to_send = m;
     return false;
 }
 
@@ -180,7 +180,7 @@ void cfs_room(void *ctx, struct io_request *r, vtime now)
 {
     struct piece *p = (struct piece *)((char *)r - offsetof(struct piece, request));
     (void)ctx;
-    protocol_clear_to_send(p->asking->protocol, p->asking, now);
+    protocol_clear_to_send(p->request_to_send->protocol, p->request_to_send, now);
 }
 
 static void request_arrived(struct parcel *parcel, vtime at, vtime now)
@@ -201,7 +201,7 @@ static void issue(struct cfs_op *op, vtime at)
 {
     assert(op->issued < op->count);
     struct piece *p = &op->pieces[op->issued++];
-    p->parcel = (struct parcel){.ask = asks, .arrived = request_arrived};
+    p->parcel = (struct parcel){.has_room = has_room, .arrived = request_arrived};
     post_send(op->cfs->sys->protocol, op->node->id, address_of(p), request_kind(p), request_bytes(p),
               &p->parcel, at);
 }
@@ -226,10 +226,10 @@ void cfs_answer(void *ctx, struct io_request *r, vtime now)
     struct cfs *c = ctx;
     struct piece *p = (struct piece *)((char *)r - offsetof(struct piece, request));
     size_t bytes = POST_HEADER + (r->write ? 0 : r->piece.bytes);
-    vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->protocol, POST_FORCED, bytes));
+    vtime at = ionode_work(ionode_of(p), now, post_send_time(c->sys->protocol, POST_EAGER, bytes));
     *(r->write ? &c->bytes_written : &c->bytes_read) += r->piece.bytes;
     p->parcel.arrived = answer_arrived;
-    post_send(c->sys->protocol, address_of(p), p->op->node->id, POST_FORCED, bytes, &p->parcel, at);
+    post_send(c->sys->protocol, address_of(p), p->op->node->id, POST_EAGER, bytes, &p->parcel, at);
 }
 
 /* The op's range is known: makes the pieces. */

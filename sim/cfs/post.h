@@ -2,8 +2,8 @@
  *
  * A parcel is the start of a struct that both ends know. A message carries the pointer to it; the message's
  * length and times are those of the contents. Two kinds:
- *   asking    as a long message (protocol.h): a request to send comes first. Up to short_limit bytes: eager.
- *   forced    eager at any length: the receiver waits for it and has room.
+ *   rendezvous  as a long message (protocol.h): a request to send comes first. Eager if short.
+ *   eager       at any length: the receiver waits for it and has room.
  */
 #ifndef CFS_POST_H
 #define CFS_POST_H
@@ -12,14 +12,14 @@
 struct parcel {
     /* The parcel asks for room in m's receiver. Returns true; or false, and calls protocol_clear_to_send(m)
      * later. NULL: there is always room. */
-    bool (*ask)(struct parcel *p, struct message *m, vtime now);
+    bool (*has_room)(struct parcel *p, struct message *m, vtime now);
     /* The parcel is in the receiver's memory from `at` on, at >= now. */
     void (*arrived)(struct parcel *p, vtime at, vtime now);
 };
 
-enum post_kind { POST_ASKING, POST_FORCED };
+enum post_kind { POST_RENDEZVOUS, POST_EAGER };
 
-enum { POST_HEADER = 32 }; /* bytes of a message beside the file's */
+enum { POST_HEADER = 32 }; /* bytes of a message besides the file's */
 
 /* Processor time of the sender before a message of that kind and length leaves. */
 vtime post_send_time(const struct protocol *p, enum post_kind kind, size_t bytes);

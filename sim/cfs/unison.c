@@ -139,8 +139,8 @@ static vtime send(struct round *r, uint32_t from, uint32_t to, vtime at)
     m->round = r;
     m->parcel.arrived = arrived;
     if (s->nodes[from]->state != NODE_ENDED)
-        at = node_work(s, from, PROTOCOL_SEND, at, post_send_time(s->protocol, POST_FORCED, bytes));
-    post_send(s->protocol, from, to, POST_FORCED, bytes, &m->parcel, at);
+        at = node_work(s, from, PROTOCOL_SEND, at, post_send_time(s->protocol, POST_EAGER, bytes));
+    post_send(s->protocol, from, to, POST_EAGER, bytes, &m->parcel, at);
     return at;
 }
 

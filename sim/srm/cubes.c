@@ -9,7 +9,7 @@
 void cubes_open(struct cubes *c, const struct cfg_machine *machine)
 {
     *c = (struct cubes){.machine = machine};
-    share_open(&c->share, machine);
+    allocation_open(&c->allocation, machine);
 }
 
 void cubes_close(struct cubes *c)
@@ -17,7 +17,7 @@ void cubes_close(struct cubes *c)
     for (size_t i = 0; i < c->attached_count; i++)
         free(c->attached[i].session);
     free(c->attached);
-    share_close(&c->share);
+    allocation_close(&c->allocation);
 }
 
 static uint8_t number_of(const struct cubes *c, const struct cube_entry *e)
@@ -27,10 +27,10 @@ static uint8_t number_of(const struct cubes *c, const struct cube_entry *e)
 
 const char *cubes_nodes(const struct cubes *c, const struct cube_entry *e, char *buf, size_t size)
 {
-    const struct share_piece *p = &e->piece;
-    if (c->share.cube && p->nodes == 1)
+    const struct allocation_piece *p = &e->piece;
+    if (c->allocation.cube && p->nodes == 1)
         snprintf(buf, size, "node %u", p->column);
-    else if (c->share.cube)
+    else if (c->allocation.cube)
         snprintf(buf, size, "nodes %u to %u", p->column, p->column + p->nodes - 1);
     else
         snprintf(buf, size, "%u x %u nodes at row %u, column %u", p->rows, p->columns, p->row, p->column);
@@ -69,8 +69,8 @@ static char *not_free(const struct cubes *c, const struct cube_type *t)
     size_t size;
     FILE *f = xchecked(open_memstream(&s, &size));
     fprintf(f, "%u nodes are asked for; %u of %u are free, the largest %s of them %u:", t->nodes,
-            share_free(&c->share), share_all(&c->share), c->share.cube ? "cube" : "rectangle",
-            share_largest(&c->share));
+            allocation_free(&c->allocation), allocation_all(&c->allocation),
+            c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation));
     print_holders(c, f);
     fclose(f);
     return s;
@@ -99,19 +99,20 @@ struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type
         e++;
     if (e == end)
         return *error = no_entry(c), NULL;
-    char *wrong = strlen(type) < CUBE_TEXT ? cube_type_read(type, c->machine, share_all(&c->share), &t)
-                                           : xasprintf("it is too long");
+    char *wrong = strlen(type) < CUBE_TEXT
+                      ? cube_type_read(type, c->machine, allocation_all(&c->allocation), &t)
+                      : xasprintf("it is too long");
     if (wrong)
         return *error = xasprintf("type \"%s\": %s", type, wrong), free(wrong), NULL;
-    if (!*type && !c->share.cube)
-        t.rows = c->share.rows, t.columns = c->share.columns;
-    if (!share_possible(&c->share, &t))
-        return *error =
-                   xasprintf("type \"%s\": %s has no %u nodes so, it is a %s of %u", type, c->machine->name,
-                             t.nodes, c->share.cube ? "hypercube" : "mesh", share_all(&c->share)),
+    if (!*type && !c->allocation.cube)
+        t.rows = c->allocation.rows, t.columns = c->allocation.columns;
+    if (!allocation_possible(&c->allocation, &t))
+        return *error = xasprintf("type \"%s\": %s has no %u nodes so, it is a %s of %u", type,
+                                  c->machine->name, t.nodes, c->allocation.cube ? "hypercube" : "mesh",
+                                  allocation_all(&c->allocation)),
                NULL;
     *e = (struct cube_entry){.since = time(NULL)};
-    if (!share_take(&c->share, &t, number_of(c, e), &e->piece))
+    if (!allocation_take(&c->allocation, &t, number_of(c, e), &e->piece))
         return *error = not_free(c, &t), NULL;
     e->used = true;
     snprintf(e->name, sizeof e->name, "%s", name);
@@ -150,7 +151,7 @@ void cubes_attach(struct cubes *c, struct cube_entry *e, const char *session)
 
 void cubes_release(struct cubes *c, struct cube_entry *e)
 {
-    share_give_back(&c->share, number_of(c, e));
+    allocation_give_back(&c->allocation, number_of(c, e));
     for (size_t i = c->attached_count; i-- > 0;)
         if (c->attached[i].cube == number_of(c, e))
             detach(c, i);
@@ -223,6 +224,6 @@ void cubes_print(const struct cubes *c, const char *session, FILE *f)
         if (c->list[i].used)
             print_cube(c, &c->list[i], a && a->cube == i + 1, f);
     fprintf(f, "%s: %d of %d cubes; %u of %u nodes free, the largest %s %u\n", c->machine->name, count,
-            CUBES_MOST, share_free(&c->share), share_all(&c->share), c->share.cube ? "cube" : "rectangle",
-            share_largest(&c->share));
+            CUBES_MOST, allocation_free(&c->allocation), allocation_all(&c->allocation),
+            c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation));
 }

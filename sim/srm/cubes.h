@@ -9,7 +9,7 @@
 #define SRM_CUBES_H
 #include <stdio.h>
 #include <time.h>
-#include "srm/share.h"
+#include "srm/allocation.h"
 
 enum { CUBES_MOST = 10, CUBE_TEXT = 32 };
 
@@ -18,7 +18,7 @@ struct job;
 struct cube_entry {
     bool used;
     char name[CUBE_TEXT], type[CUBE_TEXT], owner[CUBE_TEXT];
-    struct share_piece piece;
+    struct allocation_piece piece;
     time_t since;
     char *program;   /* its command line, for people; NULL: nothing has been loaded */
     struct job *job; /* its run */
@@ -31,7 +31,7 @@ struct attachment {
 
 struct cubes {
     const struct cfg_machine *machine;
-    struct share share;
+    struct allocation allocation;
     struct cube_entry list[CUBES_MOST];
     struct attachment *attached;
     size_t attached_count;

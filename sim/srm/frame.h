@@ -1,7 +1,8 @@
 /* frame.h - the service's socket carries frames both ways: a kind, a length and so many bytes.
  *
- *     client    FRAME_REQUEST   strings, each ended by 0: struct request in this order, then the program and its arguments
- *     service   FRAME_OUT, FRAME_ERR   bytes for the client's standard output and error output, any number of them
+ *     client    FRAME_REQUEST   strings, each ended by 0: struct request in this order, then the program and
+ *                               its arguments
+ *     service   FRAME_OUT, FRAME_ERR   bytes for the client's standard output and error output
  *               FRAME_END       one byte: the client's exit status; the last
  */
 #ifndef SRM_FRAME_H

@@ -188,7 +188,7 @@ static void envelopes_between_two_nodes_are_seen_in_the_order_sent(void **state)
     begin(&f, true);
     sent_in_order[0] = send(&f, 1, 5, 100, 0);  /* 42.5 us on the wire */
     sent_in_order[1] = send(&f, 1, 5, 100, 1);  /* waits for it */
-    sent_in_order[2] = send(&f, 1, 5, 5000, 2); /* its asking uses no channel and comes first */
+    sent_in_order[2] = send(&f, 1, 5, 5000, 2); /* its request to send uses no channel, and comes first */
     run(&f);
     assert_int_equal(f.seen_count, 3);
     for (int i = 0; i < 3; i++)

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "cfs/cache.h"
+#include "cfs/block_cache.h"
 
 static struct cache_block *clean(struct cache *c, uint64_t number)
 {

@@ -1,6 +1,6 @@
-/* service.h - the resident service that shares out a machine's nodes, and runs programs on them. */
-#ifndef SRM_SERVICE_H
-#define SRM_SERVICE_H
+/* cube_service.h - the resident service that shares out a machine's nodes, and runs programs on them. */
+#ifndef SRM_CUBE_SERVICE_H
+#define SRM_CUBE_SERVICE_H
 #include <stdio.h>
 #include "config/config.h"
 

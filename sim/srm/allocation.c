@@ -1,37 +1,37 @@
-/* share.c - see share.h. */
-#include "srm/share.h"
+/* allocation.c - see allocation.h. */
+#include "srm/allocation.h"
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "net/topo.h"
 
-void share_open(struct share *s, const struct cfg_machine *m)
+void allocation_open(struct allocation *s, const struct cfg_machine *m)
 {
     s->cube = m->topology == CFG_HYPERCUBE;
     s->rows = s->cube ? 1 : m->rows;
     s->columns = s->cube ? UINT32_C(1) << m->dimension : m->columns;
-    s->holder = xcalloc(share_all(s), 1);
+    s->holder = xcalloc(allocation_all(s), 1);
 }
 
-void share_close(struct share *s)
+void allocation_close(struct allocation *s)
 {
     free(s->holder);
 }
 
-uint32_t share_all(const struct share *s)
+uint32_t allocation_all(const struct allocation *s)
 {
     return s->rows * s->columns;
 }
 
-uint32_t share_free(const struct share *s)
+uint32_t allocation_free(const struct allocation *s)
 {
     uint32_t n = 0;
-    for (uint32_t i = 0; i < share_all(s); i++)
+    for (uint32_t i = 0; i < allocation_all(s); i++)
         n += s->holder[i] == 0;
     return n;
 }
 
-static bool is_free(const struct share *s, const struct share_piece *p)
+static bool is_free(const struct allocation *s, const struct allocation_piece *p)
 {
     for (uint32_t r = p->row; r < p->row + p->rows; r++)
         for (uint32_t c = p->column; c < p->column + p->columns; c++)
@@ -42,13 +42,13 @@ static bool is_free(const struct share *s, const struct share_piece *p)
 
 /* --- hypercube --- */
 
-static bool subcube_is_free(const struct share *s, uint32_t first, uint32_t nodes)
+static bool subcube_is_free(const struct allocation *s, uint32_t first, uint32_t nodes)
 {
-    return first + nodes <= s->columns && is_free(s, &(struct share_piece){nodes, 0, first, 1, nodes});
+    return first + nodes <= s->columns && is_free(s, &(struct allocation_piece){nodes, 0, first, 1, nodes});
 }
 
 /* Finds the first free aligned subcube of so many nodes that is no half of a larger free one. */
-static bool find_subcube(const struct share *s, uint32_t nodes, uint32_t *first)
+static bool find_subcube(const struct allocation *s, uint32_t nodes, uint32_t *first)
 {
     for (*first = 0; *first < s->columns; *first += nodes)
         if (subcube_is_free(s, *first, nodes) && !subcube_is_free(s, *first & ~nodes, 2 * nodes))
@@ -56,7 +56,7 @@ static bool find_subcube(const struct share *s, uint32_t nodes, uint32_t *first)
     return false;
 }
 
-static bool place_cube(const struct share *s, struct share_piece *p)
+static bool place_cube(const struct allocation *s, struct allocation_piece *p)
 {
     p->rows = 1, p->columns = p->nodes;
     for (uint32_t nodes = p->nodes; nodes <= s->columns; nodes *= 2)
@@ -68,7 +68,7 @@ static bool place_cube(const struct share *s, struct share_piece *p)
 /* --- mesh --- */
 
 /* Finds the first position, row by row, at which a rectangle is free. */
-static bool place_rectangle(const struct share *s, struct share_piece *p)
+static bool place_rectangle(const struct allocation *s, struct allocation_piece *p)
 {
     for (p->row = 0; p->row + p->rows <= s->rows; p->row++)
         for (p->column = 0; p->column + p->columns <= s->columns; p->column++)
@@ -77,7 +77,7 @@ static bool place_rectangle(const struct share *s, struct share_piece *p)
     return false;
 }
 
-static bool shape(const struct share *s, const struct cube_type *t, struct share_piece *p)
+static bool shape(const struct allocation *s, const struct cube_type *t, struct allocation_piece *p)
 {
     struct topo topo;
     p->nodes = t->nodes;
@@ -91,15 +91,16 @@ static bool shape(const struct share *s, const struct cube_type *t, struct share
 
 /* --- both --- */
 
-bool share_possible(const struct share *s, const struct cube_type *type)
+bool allocation_possible(const struct allocation *s, const struct cube_type *type)
 {
-    struct share_piece p = {0};
+    struct allocation_piece p = {0};
     return shape(s, type, &p);
 }
 
-bool share_take(struct share *s, const struct cube_type *type, uint8_t holder, struct share_piece *piece)
+bool allocation_take(struct allocation *s, const struct cube_type *type, uint8_t holder,
+                     struct allocation_piece *piece)
 {
-    struct share_piece p = {0};
+    struct allocation_piece p = {0};
     if (!shape(s, type, &p) || !(s->cube ? place_cube(s, &p) : place_rectangle(s, &p)))
         return false;
     for (uint32_t r = p.row; r < p.row + p.rows; r++)
@@ -108,23 +109,23 @@ bool share_take(struct share *s, const struct cube_type *type, uint8_t holder, s
     return true;
 }
 
-void share_give_back(struct share *s, uint8_t holder)
+void allocation_give_back(struct allocation *s, uint8_t holder)
 {
-    for (uint32_t i = 0; i < share_all(s); i++)
+    for (uint32_t i = 0; i < allocation_all(s); i++)
         if (s->holder[i] == holder)
             s->holder[i] = 0;
 }
 
-static uint32_t largest_cube(const struct share *s)
+static uint32_t largest_cube(const struct allocation *s)
 {
-    struct share_piece p = {.nodes = s->columns};
+    struct allocation_piece p = {.nodes = s->columns};
     while (p.nodes && !place_cube(s, &p))
         p.nodes /= 2;
     return p.nodes;
 }
 
 /* Row by row, columns as heights of free nodes above: the largest rectangle that ends in this row. */
-static uint32_t largest_rectangle(const struct share *s)
+static uint32_t largest_rectangle(const struct allocation *s)
 {
     uint32_t *height = xcalloc(s->columns, sizeof *height), most = 0;
     for (uint32_t r = 0; r < s->rows; r++) {
@@ -142,7 +143,7 @@ static uint32_t largest_rectangle(const struct share *s)
     return most;
 }
 
-uint32_t share_largest(const struct share *s)
+uint32_t allocation_largest(const struct allocation *s)
 {
     return s->cube ? largest_cube(s) : largest_rectangle(s);
 }

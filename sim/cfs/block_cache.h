@@ -1,4 +1,4 @@
-/* cache.h - the block cache of an I/O node.
+/* block_cache.h - the block cache of an I/O node.
  *
  *            take                disk                    write                  disk
  *   (idle) --------> RESERVED  READING -----> CLEAN (idle) -----> DIRTY --> WRITING -----> CLEAN (idle)
@@ -6,8 +6,8 @@
  * An idle block (CLEAN or never used, and not held) may be taken for other data; the block that has been idle
  * for longest is taken first. All other blocks stay.
  */
-#ifndef CFS_CACHE_H
-#define CFS_CACHE_H
+#ifndef CFS_BLOCK_CACHE_H
+#define CFS_BLOCK_CACHE_H
 #include <stdbool.h>
 #include <stdint.h>
 

@@ -1,5 +1,6 @@
-/* cache.c - see cache.h. The hash table finds blocks; nothing that is simulated depends on its order. */
-#include "cfs/cache.h"
+/* block_cache.c - see block_cache.h. The hash table finds blocks; nothing that is simulated depends on its
+ * order. */
+#include "cfs/block_cache.h"
 #include <assert.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"

@@ -14,10 +14,10 @@ static const struct cfg_machine MESH = {
     .name = "mesh", .topology = CFG_MESH, .rows = 4, .columns = 6, .memory_bytes = 16 << 20};
 
 /* The first node of what `holder` gets, or -1. */
-static int take(struct share *s, uint32_t nodes, uint8_t holder)
+static int take(struct allocation *s, uint32_t nodes, uint8_t holder)
 {
-    struct share_piece p;
-    if (!share_take(s, &(struct cube_type){.nodes = nodes}, holder, &p))
+    struct allocation_piece p;
+    if (!allocation_take(s, &(struct cube_type){.nodes = nodes}, holder, &p))
         return -1;
     assert_int_equal(p.nodes, nodes);
     return (int)(p.row * s->columns + p.column);
@@ -25,82 +25,84 @@ static int take(struct share *s, uint32_t nodes, uint8_t holder)
 
 static void cubes_are_aligned_and_do_not_overlap(void **state)
 {
-    struct share s;
+    struct allocation s;
     (void)state;
-    share_open(&s, &CUBE);
+    allocation_open(&s, &CUBE);
     srand(1);
     bool held[256] = {0};
     for (int i = 0; i < 2000; i++) {
         uint8_t holder = (uint8_t)(1 + rand() % 20);
-        uint32_t nodes = UINT32_C(1) << rand() % 6, before = share_free(&s);
-        struct share_piece p;
+        uint32_t nodes = UINT32_C(1) << rand() % 6, before = allocation_free(&s);
+        struct allocation_piece p;
         if (held[holder]) {
-            share_give_back(&s, holder);
+            allocation_give_back(&s, holder);
             held[holder] = false;
-            assert_true(share_free(&s) > before);
-        } else if (share_take(&s, &(struct cube_type){.nodes = nodes}, holder, &p)) {
+            assert_true(allocation_free(&s) > before);
+        } else if (allocation_take(&s, &(struct cube_type){.nodes = nodes}, holder, &p)) {
             held[holder] = true;
             assert_int_equal(p.column % nodes, 0);
-            assert_int_equal(before - share_free(&s), nodes); /* all of it was free */
+            assert_int_equal(before - allocation_free(&s), nodes); /* all of it was free */
             for (uint32_t k = 0; k < nodes; k++)
                 assert_int_equal(s.holder[p.column + k], holder);
         } else {
-            assert_true(share_largest(&s) < nodes); /* refused only if there is none */
+            assert_true(allocation_largest(&s) < nodes); /* refused only if there is none */
         }
     }
-    share_close(&s);
+    allocation_close(&s);
 }
 
 static void the_smallest_hole_is_taken(void **state)
 {
-    struct share s;
+    struct allocation s;
     (void)state;
-    share_open(&s, &CUBE);
+    allocation_open(&s, &CUBE);
     assert_int_equal(take(&s, 16, 1), 0);
     assert_int_equal(take(&s, 4, 2), 16);
     assert_int_equal(take(&s, 8, 3), 24); /* 16 to 23 is broken into */
-    share_give_back(&s, 1);
+    allocation_give_back(&s, 1);
     assert_int_equal(take(&s, 4, 4), 20); /* not from the 16 that are whole */
     assert_int_equal(take(&s, 16, 5), 0);
-    share_close(&s);
+    allocation_close(&s);
 }
 
 static void nodes_that_are_free_but_apart_are_no_cube(void **state)
 {
-    struct share s;
+    struct allocation s;
     (void)state;
-    share_open(&s, &CUBE);
+    allocation_open(&s, &CUBE);
     for (uint8_t i = 0; i < 8; i++)
         assert_int_equal(take(&s, 4, (uint8_t)(i + 1)), 4 * i);
     for (uint8_t i = 0; i < 8; i += 2)
-        share_give_back(&s, (uint8_t)(i + 1));
-    assert_int_equal(share_free(&s), 16);
-    assert_int_equal(share_largest(&s), 4);
+        allocation_give_back(&s, (uint8_t)(i + 1));
+    assert_int_equal(allocation_free(&s), 16);
+    assert_int_equal(allocation_largest(&s), 4);
     assert_int_equal(take(&s, 8, 20), -1);
-    share_give_back(&s, 2); /* buddies are one again */
-    assert_int_equal(share_largest(&s), 8);
+    allocation_give_back(&s, 2); /* buddies are one again */
+    assert_int_equal(allocation_largest(&s), 8);
     assert_int_equal(take(&s, 8, 20), 0);
-    share_close(&s);
+    allocation_close(&s);
 }
 
 static void a_mesh_gives_rectangles_first_fit(void **state)
 {
-    struct share s;
-    struct share_piece p;
+    struct allocation s;
+    struct allocation_piece p;
     (void)state;
-    share_open(&s, &MESH);
-    assert_true(share_take(&s, &(struct cube_type){6, 2, 3}, 1, &p));
+    allocation_open(&s, &MESH);
+    assert_true(allocation_take(&s, &(struct cube_type){6, 2, 3}, 1, &p));
     assert_true(p.row == 0 && p.column == 0 && p.rows == 2 && p.columns == 3);
-    assert_true(share_take(&s, &(struct cube_type){.nodes = 4}, 2, &p)); /* 2 x 2, as touchstone run -n 4 */
+    assert_true(
+        allocation_take(&s, &(struct cube_type){.nodes = 4}, 2, &p)); /* 2 x 2, as touchstone run -n 4 */
     assert_true(p.row == 0 && p.column == 3 && p.rows == 2 && p.columns == 2);
-    assert_true(share_take(&s, &(struct cube_type){8, 4, 2}, 3, &p) == false); /* one column of 4 is left */
-    assert_true(share_take(&s, &(struct cube_type){6, 2, 3}, 3, &p));
+    assert_true(allocation_take(&s, &(struct cube_type){8, 4, 2}, 3, &p) ==
+                false); /* one column of 4 is left */
+    assert_true(allocation_take(&s, &(struct cube_type){6, 2, 3}, 3, &p));
     assert_true(p.row == 2 && p.column == 0);
-    assert_int_equal(share_free(&s), 24 - 16);
-    assert_int_equal(share_largest(&s), 6); /* rows 2 and 3, columns 3 to 5 */
-    assert_true(share_possible(&s, &(struct cube_type){24, 4, 6}));
-    assert_false(share_possible(&s, &(struct cube_type){24, 6, 4}));
-    share_close(&s);
+    assert_int_equal(allocation_free(&s), 24 - 16);
+    assert_int_equal(allocation_largest(&s), 6); /* rows 2 and 3, columns 3 to 5 */
+    assert_true(allocation_possible(&s, &(struct cube_type){24, 4, 6}));
+    assert_false(allocation_possible(&s, &(struct cube_type){24, 6, 4}));
+    allocation_close(&s);
 }
 
 static struct cube_entry *get(struct cubes *c, const char *name, const char *type, char **error)

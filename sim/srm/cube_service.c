@@ -1,6 +1,7 @@
-/* service.c - see service.h. One thread, on libevent: a listening socket, clients, running programs, signals.
- * A client makes one request and gets its answer; the answer to waitcube takes as long as the program. */
-#include "srm/service.h"
+/* cube_service.c - see cube_service.h. One thread, on libevent: a listening socket, clients, running
+ * programs, signals. A client makes one request and gets its answer; the answer to waitcube takes as long as
+ * the program. */
+#include "srm/cube_service.h"
 #include <event2/bufferevent.h>
 #include <event2/event.h>
 #include <event2/listener.h>
@@ -190,7 +191,7 @@ static char **command_of(const struct service *s, const struct cube_entry *e, co
     const char *first[] = {s->options.runner, "run", "-m", s->options.machine_path, "-n", number[0]};
     for (size_t i = 0; i < sizeof first / sizeof *first; i++)
         argv[n++] = xstrdup(first[i]);
-    for (int side = 0; side < 2 && !s->cubes.share.cube; side++) {
+    for (int side = 0; side < 2 && !s->cubes.allocation.cube; side++) {
         snprintf(number[1], sizeof number[1], "--set=topology.%s=%u", side ? "columns" : "rows",
                  side ? e->piece.columns : e->piece.rows);
         argv[n++] = xstrdup(number[1]);
@@ -457,7 +458,7 @@ void service_run(const struct service_options *options)
     for (int i = 0; i < EVENTS; i++)
         if (event_add(xchecked(events[i]), NULL))
             xexhausted();
-    note(&s, "%s, %u nodes: ready", options->machine->name, share_all(&s.cubes.share));
+    note(&s, "%s, %u nodes: ready", options->machine->name, allocation_all(&s.cubes.allocation));
     event_base_dispatch(s.base);
     close_all(&s);
     for (int i = 0; i < EVENTS; i++)
