@@ -70,17 +70,17 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
  * to be seen in order all the same: one that is due runs before the call ends. */
 bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
 {
-    return proto_one_trip(n->sys->schedule.proto, (word)o->type, (size_t)o->len) && !n->armed;
+    return protocol_is_eager(n->sys->schedule.protocol, (word)o->type, (size_t)o->len) && !n->armed;
 }
 
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
-    struct proto *p = n->sys->schedule.proto;
+    struct protocol *p = n->sys->schedule.protocol;
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
     word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
-    struct message *m = all ? proto_to_all(p, n->lp.address, type, pid, o->buf, len)
-                            : proto_message(p, n->lp.address, place_of(n, o->node), type, pid, o->buf, len);
+    struct message *m = all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
+                            : protocol_message(p, n->lp.address, place_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     if (s && (!m || nx_goes_at_once(n, o))) {
         s->done = true;

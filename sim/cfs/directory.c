@@ -1,23 +1,22 @@
 /* directory.c - see directory.h. */
 #include "cfs/directory.h"
 #include <stdlib.h>
+#include "kernel/xalloc.h"
 
 enum { LETTER = 96 }; /* bytes of a request or answer: a name and some numbers, short enough to go at once */
 
 struct directory {
-    struct proto *proto;
+    struct protocol *protocol;
     struct evq *q;
-    uint32_t place;
+    uint32_t address;
     vtime free_at;
     uint64_t served;
 };
 
-struct directory *directory_new(struct proto *p, struct evq *q, uint32_t place)
+struct directory *directory_new(struct protocol *p, struct evq *q, uint32_t address)
 {
-    struct directory *d = calloc(1, sizeof *d);
-    if (!d)
-        abort();
-    d->proto = p, d->q = q, d->place = place;
+    struct directory *d = xcalloc(1, sizeof *d);
+    d->protocol = p, d->q = q, d->address = address;
     return d;
 }
 
@@ -39,9 +38,9 @@ static void answer_comes(struct parcel *p, vtime at, vtime now)
 
 void directory_answer(struct directory *d, struct dir_request *r, vtime now)
 {
-    vtime ready = directory_work(d, now, post_send_time(d->proto, POST_FORCED, LETTER));
+    vtime ready = directory_work(d, now, post_send_time(d->protocol, POST_EAGER, LETTER));
     r->parcel.arrived = answer_comes;
-    post_send(d->proto, d->place, r->node, POST_FORCED, LETTER, &r->parcel, ready);
+    post_send(d->protocol, d->address, r->node, POST_EAGER, LETTER, &r->parcel, ready);
 }
 
 static void serve(void *ctx, void *arg, vtime now)
@@ -57,13 +56,13 @@ static void request_comes(struct parcel *p, vtime at, vtime now)
 {
     struct dir_request *r = (struct dir_request *)p;
     (void)now;
-    evq_put(r->directory->q, directory_work(r->directory, at, r->takes), r->directory->place, serve,
+    evq_put(r->directory->q, directory_work(r->directory, at, r->takes), r->directory->address, serve,
             r->directory, r);
 }
 
 vtime directory_ask_time(const struct directory *d)
 {
-    return post_send_time(d->proto, POST_FORCED, LETTER);
+    return post_send_time(d->protocol, POST_EAGER, LETTER);
 }
 
 void directory_ask(struct directory *d, struct dir_request *r, vtime at)
@@ -71,7 +70,7 @@ void directory_ask(struct directory *d, struct dir_request *r, vtime at)
     r->directory = d;
     r->next = NULL;
     r->parcel = (struct parcel){.arrived = request_comes};
-    post_send(d->proto, r->node, d->place, POST_FORCED, LETTER, &r->parcel, at);
+    post_send(d->protocol, r->node, d->address, POST_EAGER, LETTER, &r->parcel, at);
 }
 
 uint64_t directory_served(const struct directory *d)

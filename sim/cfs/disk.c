@@ -1,26 +1,26 @@
 /* disk.c - see disk.h. */
 #include "cfs/disk.h"
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include "kernel/xalloc.h"
 
 struct disk {
     const struct cfg_cfs *cfg;
     struct evq *q;
-    uint32_t place;
+    uint32_t address;
     struct disk_access *first, *last; /* waiting */
-    struct disk_access *now;          /* being served, NULL: idle */
+    struct disk_access *now;          /* being served; NULL: the disk is idle */
     bool moved;                       /* the head is at a cylinder of a file */
     uint32_t file;
     uint64_t cylinder;
     struct disk_stats stats;
 };
 
-struct disk *disk_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t place)
+struct disk *disk_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t address)
 {
-    struct disk *d = calloc(1, sizeof *d);
-    if (!d)
-        abort();
-    d->cfg = cfg, d->q = q, d->place = place;
+    struct disk *d = xcalloc(1, sizeof *d);
+    d->cfg = cfg, d->q = q, d->address = address;
     return d;
 }
 
@@ -29,7 +29,7 @@ void disk_free(struct disk *d)
     free(d);
 }
 
-/* To a cylinder of a file, where the head then is. */
+/* The time in which the head moves to a cylinder of a file. */
 static vtime seek_time(const struct disk *d, uint32_t file, uint64_t cylinder)
 {
     const struct cfg_cfs *c = d->cfg;
@@ -53,7 +53,7 @@ static vtime service_time(struct disk *d, const struct disk_access *a)
 
 static void finish(void *ctx, void *arg, vtime now);
 
-/* Serve the first that is still wanted. */
+/* Starts the first access in the queue that is still wanted. */
 static void serve(struct disk *d, vtime now)
 {
     while (!d->now && d->first) {
@@ -71,7 +71,7 @@ static void serve(struct disk *d, vtime now)
         d->stats.busy += t;
         d->stats.accesses++;
         d->stats.rows += a->rows;
-        evq_put(d->q, now + t, d->place, finish, d, a);
+        evq_put(d->q, now + t, d->address, finish, d, a);
     }
 }
 
@@ -79,6 +79,7 @@ static void finish(void *ctx, void *arg, vtime now)
 {
     struct disk *d = ctx;
     struct disk_access *a = arg;
+    assert(d->now == a);
     d->now = NULL;
     a->done(a->ctx, a, now);
     serve(d, now);

@@ -1,7 +1,9 @@
 /* ionode.c - see ionode.h. */
 #include "cfs/ionode.h"
+#include <assert.h>
 #include <stdlib.h>
-#include "cfs/cache.h"
+#include "cfs/block_cache.h"
+#include "kernel/xalloc.h"
 
 struct io_disk {
     struct disk *disk;
@@ -12,14 +14,14 @@ struct io_disk {
 struct ionode {
     const struct cfg_cfs *cfg;
     struct evq *q;
-    uint32_t index, place, nodes;
+    uint32_t index, address, nodes;
     struct ionode_up up;
     vtime free_at; /* processor */
     struct cache *cache;
     struct io_disk *disks;
     uint32_t disk_count;
-    struct transfer *transfers;                /* all that disks are to do */
-    struct io_request *stalled, **stalled_end; /* no idle cache block */
+    struct transfer *transfers;                /* queued at the disks, or under way */
+    struct io_request *stalled, **stalled_end; /* wait for an idle cache block */
     struct ionode_stats stats;
 };
 
@@ -33,7 +35,7 @@ struct transfer {
     struct transfer *next, **link; /* the I/O node's */
 };
 
-/* --- making --- */
+/* --- making and freeing --- */
 
 static void transfer_free(struct transfer *t)
 {
@@ -43,19 +45,18 @@ static void transfer_free(struct transfer *t)
     free(t);
 }
 
-struct ionode *ionode_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t index, uint32_t place,
+struct ionode *ionode_new(const struct cfg_cfs *cfg, struct evq *q, uint32_t index, uint32_t address,
                           uint32_t nodes, const struct ionode_up *up)
 {
-    struct ionode *io = calloc(1, sizeof *io);
+    struct ionode *io = xcalloc(1, sizeof *io);
     uint32_t disks = (uint32_t)((cfg->disks - index + cfg->io_nodes - 1) / cfg->io_nodes);
-    if (!io || !(io->disks = calloc(disks, sizeof *io->disks)))
-        abort();
-    io->cfg = cfg, io->q = q, io->index = index, io->place = place, io->nodes = nodes, io->up = *up;
+    io->disks = xcalloc(disks, sizeof *io->disks);
+    io->cfg = cfg, io->q = q, io->index = index, io->address = address, io->nodes = nodes, io->up = *up;
     io->cache = cache_new(cfg->cache_blocks);
     io->stalled_end = &io->stalled;
     io->disk_count = disks;
     for (uint32_t i = 0; i < disks; i++)
-        io->disks[i].disk = disk_new(cfg, q, place);
+        io->disks[i].disk = disk_new(cfg, q, address);
     return io;
 }
 
@@ -70,7 +71,7 @@ void ionode_free(struct ionode *io)
         disk_free(io->disks[i].disk);
     }
     free(io->disks);
-    while (io->transfers) /* the machine stops meanwhile */
+    while (io->transfers) /* if the machine stops while disks are busy */
         transfer_free(io->transfers);
     cache_free(io->cache);
     free(io);
@@ -115,7 +116,7 @@ static void copied_out(void *ctx, void *arg, vtime now)
 static void answer_read(struct ionode *io, struct io_request *r, vtime now)
 {
     vtime ready = ionode_work(io, now, r->piece.bytes * io->cfg->copy_ps_per_byte);
-    evq_put(io->q, ready, io->place, copied_out, io, r);
+    evq_put(io->q, ready, io->address, copied_out, io, r);
 }
 
 /* --- disk --- */
@@ -130,8 +131,9 @@ static struct cache_block *nth(const struct transfer *t, uint64_t k)
 }
 
 /* A block has come from or gone to disk: it is clean, unless it was written meanwhile. */
-static void settle(struct transfer *t, struct cache_block *b, vtime now)
+static void block_transferred(struct transfer *t, struct cache_block *b, vtime now)
 {
+    assert(b->state == CACHE_READING || b->state == CACHE_WRITING);
     struct io_request *r = b->waiting;
     b->waiting = NULL, b->waiting_end = &b->waiting;
     b->state = b->dirty_again ? CACHE_DIRTY : CACHE_CLEAN;
@@ -151,7 +153,7 @@ static void transferred(void *ctx, struct disk_access *a, vtime now)
     struct ionode *io = t->io;
     uint64_t rows = a->rows;
     for (uint64_t k = 0; k < rows; k++)
-        settle(t, nth(t, k), now);
+        block_transferred(t, nth(t, k), now);
     transfer_free(t);
     if (rows > 0)
         serve_stalled(io, now);
@@ -160,9 +162,7 @@ static void transferred(void *ctx, struct disk_access *a, vtime now)
 static struct transfer *transfer_new(struct ionode *io, struct io_disk *d, uint32_t file, uint64_t block,
                                      uint32_t stride)
 {
-    struct transfer *t = calloc(1, sizeof *t);
-    if (!t)
-        abort();
+    struct transfer *t = xcalloc(1, sizeof *t);
     *t = (struct transfer){.io = io, .disk = d, .block = block, .stride = stride};
     t->next = io->transfers, t->link = &io->transfers;
     if (t->next)
@@ -173,7 +173,7 @@ static struct transfer *transfer_new(struct ionode *io, struct io_disk *d, uint3
     return t;
 }
 
-/* A row more, before the first or behind the last. */
+/* Adds a row, before the first or behind the last. */
 static void extend(struct transfer *t, bool before)
 {
     t->block -= before ? t->stride : 0;
@@ -196,7 +196,8 @@ static bool is_dirty(const struct cache_block *b)
     return b && b->state == CACHE_DIRTY;
 }
 
-/* A write's turn has come: the dirty blocks around it go with it. Not wanted if it went with another. */
+/* The disk is about to start a write: the dirty blocks around it are written with it. Returns false if the
+ * block has been written with another. */
 static bool gather(void *ctx, struct disk_access *a)
 {
     struct transfer *t = ctx;
@@ -222,7 +223,7 @@ static void put_write(struct ionode *io, struct io_disk *d, const struct cache_b
 
 /* --- reading --- */
 
-/* Does the request go on where its node, or any, read before on that disk? */
+/* Does the request continue what its node, or any node, has read on that disk? */
 static bool sequential(struct ionode *io, const struct io_request *r)
 {
     const struct io_disk *d = disk_of(io, r);
@@ -239,19 +240,18 @@ static void remember(struct ionode *io, const struct io_request *r)
     struct io_disk *d = disk_of(io, r);
     if (r->file_id >= d->files) {
         uint32_t files = r->file_id + 16;
-        d->last = realloc(d->last, files * sizeof *d->last);
-        if (!d->last)
-            abort();
+        d->last = xreallocarray(d->last, files, sizeof *d->last);
         for (; d->files < files; d->files++)
             d->last[d->files] = NULL;
     }
     uint64_t **last = &d->last[r->file_id];
-    if (!*last && !(*last = calloc(io->nodes, sizeof **last)))
-        abort();
+    if (!*last)
+        *last = xcalloc(io->nodes, sizeof **last);
     (*last)[r->node] = r->piece.block + 1;
 }
 
-/* A row of the file that is not there, and finds room? */
+/* Reserves a block for reading if it is part of the file, is not in the cache, and there is an idle one for
+ * it. */
 static bool reserve_row(struct ionode *io, const struct io_request *r, uint64_t block)
 {
     if (block * io->cfg->block_bytes >= r->file->size || cache_find(io->cache, r->file_id, block))
@@ -262,7 +262,8 @@ static bool reserve_row(struct ionode *io, const struct io_request *r, uint64_t 
     return b;
 }
 
-/* Brings a block, RESERVED, from disk, and what is missing around it of its group of `group` rows. */
+/* Brings a RESERVED block from disk, and those blocks of its group of `group` rows that are missing next to
+ * it. */
 static void fetch(struct ionode *io, struct io_request *r, struct cache_block *b, uint64_t group, vtime now)
 {
     struct io_disk *d = disk_of(io, r);
@@ -276,13 +277,13 @@ static void fetch(struct ionode *io, struct io_request *r, struct cache_block *b
     disk_put(d->disk, &t->access, now);
 }
 
-/* False: no idle block. */
+/* Returns false if there is no idle block. */
 static bool read_block(struct ionode *io, struct io_request *r, vtime now)
 {
     struct cache_block *b = block_of(io, r);
     if (b && b->state == CACHE_RESERVED) {
-        append(&b->waiting_end,
-               r); /* a write's data are on their way: what it will not cover is read first */
+        /* The data of a write are on their way: the rest of the block is read first. */
+        append(&b->waiting_end, r);
         fetch(io, r, b, 1, now);
     } else if (b && b->state != CACHE_READING) {
         io->stats.hits++;
@@ -331,9 +332,10 @@ static void take_data(struct ionode *io, struct io_request *r, vtime now)
                             r->piece.bytes);
     if (error)
         io->up.broken(io->up.ctx, r->file, error);
+    assert(b->holds > 0);
     b->holds--;
     if (b->state == CACHE_RESERVED && part) {
-        b->dirty_again = true; /* the rest of it is read first */
+        b->dirty_again = true; /* the rest of the block is read first */
         fetch(io, r, b, 1, now);
     } else if (b->state == CACHE_RESERVED || b->state == CACHE_CLEAN) {
         b->state = CACHE_DIRTY;
@@ -347,7 +349,7 @@ static void take_data(struct ionode *io, struct io_request *r, vtime now)
 
 /* --- requests --- */
 
-/* False: it has to wait for an idle block. */
+/* Returns false if the request has to wait for an idle block. */
 static bool admit(struct ionode *io, struct io_request *r, vtime now)
 {
     if (!r->write)
@@ -369,7 +371,7 @@ static void serve_stalled(struct ionode *io, vtime now)
     while (io->stalled) {
         struct io_request *r = io->stalled, *next = r->next;
         bool asked = !r->here;
-        /* off the list first: serving it may come back here */
+        /* off the list first: admit() may call this function */
         io->stalled = next;
         if (!next)
             io->stalled_end = &io->stalled;
@@ -394,7 +396,7 @@ bool ionode_reserve(struct ionode *io, struct io_request *r, vtime now)
     return false;
 }
 
-static void looked_at(void *ctx, void *arg, vtime now)
+static void admit_or_stall(void *ctx, void *arg, vtime now)
 {
     struct ionode *io = ctx;
     struct io_request *r = arg;
@@ -412,7 +414,7 @@ void ionode_request(struct ionode *io, struct io_request *r, vtime at)
     io->stats.writes += r->write;
     vtime copy = r->write ? r->piece.bytes * io->cfg->copy_ps_per_byte : 0;
     vtime ready = ionode_work(io, at, io->cfg->request_ps + copy);
-    evq_put(io->q, ready, io->place, looked_at, io, r);
+    evq_put(io->q, ready, io->address, admit_or_stall, io, r);
 }
 
 const struct ionode_stats *ionode_stats(const struct ionode *io)

@@ -1,6 +1,8 @@
 /* modes.c - see modes.h. */
 #include "cfs/modes.h"
+#include <assert.h>
 #include <stdlib.h>
+#include "kernel/xalloc.h"
 
 void modes_free(struct modes *m)
 {
@@ -20,6 +22,7 @@ void modes_join(struct modes *m, int mode, uint64_t at)
 
 void modes_leave(struct modes *m, int mode)
 {
+    assert(m->group[mode].members > 0);
     m->group[mode].members--;
 }
 
@@ -35,16 +38,12 @@ void modes_next_turn(struct modes_group *g, uint32_t nodes)
     g->turn = (g->turn + 1) % nodes;
 }
 
-/* The round, made if it is not there; rounds are reached one after the other. */
+/* The round of that number. Rounds are reached one after the other, and made when they are. */
 static struct modes_round *the_round(struct modes_group *g, uint64_t round, uint32_t nodes)
 {
     while (g->round_count <= round) {
-        if ((g->round_count & (g->round_count + 1)) == 0) {
-            void *more = realloc(g->rounds, (2 * g->round_count + 1) * sizeof *g->rounds);
-            if (!more)
-                abort();
-            g->rounds = more;
-        }
+        if ((g->round_count & (g->round_count + 1)) == 0)
+            g->rounds = xreallocarray(g->rounds, 2 * g->round_count + 1, sizeof *g->rounds);
         const struct modes_round *last = g->round_count ? &g->rounds[g->round_count - 1] : NULL;
         g->rounds[g->round_count++] =
             (struct modes_round){.start = last ? last->start + last->bytes * nodes : g->at};

@@ -3,12 +3,13 @@
  *   0  each node its own pointer
  *   1  one pointer for all; whoever asks first is served first
  *   2  one pointer for all; nodes are served in order 0, 1, ... n-1, 0, ...; lengths as they like
- *   3  as 2, but in a round all nodes give the same length: each knows its place without asking
+ *   3  as 2, but in a round all nodes give the same length: each knows its position without asking
  *   4  each node its own, which all move alike: one call serves all (unison.h)
  *   5  as 0
  *
- * One group of nodes shares a pointer in each mode of a file: it starts where its first member's own pointer was, and
- * ends when its last member leaves. Pure arithmetic; who is told when is directory.c's and client.c's business.
+ * One group of nodes shares a pointer in each mode of a file: it starts where its first member's own pointer
+ * was, and ends when its last member leaves. Pure arithmetic; directory.c and operation.c take care of
+ * messages and time.
  */
 #ifndef CFS_MODES_H
 #define CFS_MODES_H
@@ -43,17 +44,17 @@ void modes_free(struct modes *m);
 void modes_join(struct modes *m, int mode, uint64_t at);
 void modes_leave(struct modes *m, int mode);
 
-/* Modes 1 and 2: the place of a call of `bytes`; the pointer goes on. */
+/* Modes 1 and 2: the position of a call of `bytes`; the pointer advances. */
 uint64_t modes_take(struct modes_group *g, uint64_t bytes);
 /* Mode 2: node's turn is over; the next one's begins. */
 void modes_next_turn(struct modes_group *g, uint32_t nodes);
 
-/* Mode 3: the place of node's call of `bytes` in the round (its own count of calls since it joined). False: others gave
- * *expected bytes in that round. */
+/* Mode 3: the position of node's call of `bytes` in the round (its own count of calls since it joined).
+ * Returns false if other nodes gave *expected bytes in that round. */
 bool modes_record(struct modes_group *g, uint64_t round, uint32_t node, uint32_t nodes, uint64_t bytes,
                   uint64_t *at, uint64_t *expected);
-/* Mode 3: where a round starts as far as is known, the earlier ones over; and setting it before it has begun (false if
- * it has begun elsewhere). */
+/* Mode 3: where a round starts, as far as the earlier rounds have been called; and setting the start of a
+ * round before it has begun (returns false if it has begun at another position). */
 uint64_t modes_round_start(struct modes_group *g, uint64_t round, uint32_t nodes);
 bool modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start);
 #endif

@@ -2,38 +2,38 @@
 #include "cfs/post.h"
 
 /* Message types: of those reserved (nx.h), with and without the forcing bit. */
-#define ASKING_TYPE INT32_C(1000000001)
-#define FORCED_TYPE (INT32_C(2000000000) | PROTO_FORCED)
+#define RENDEZVOUS_TYPE INT32_C(1000000001)
+#define EAGER_TYPE (INT32_C(2000000000) | PROTOCOL_FORCED)
 
 static int32_t type_of(enum post_kind kind)
 {
-    return kind == POST_FORCED ? FORCED_TYPE : ASKING_TYPE;
+    return kind == POST_EAGER ? EAGER_TYPE : RENDEZVOUS_TYPE;
 }
 
-vtime post_send_time(const struct proto *p, enum post_kind kind, size_t bytes)
+vtime post_send_time(const struct protocol *p, enum post_kind kind, size_t bytes)
 {
-    return proto_send_time(p, type_of(kind), bytes);
+    return protocol_send_time(p, type_of(kind), bytes);
 }
 
-void post_send(struct proto *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
+void post_send(struct protocol *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
                struct parcel *parcel, vtime at)
 {
-    struct message *m = proto_message(p, from, to, type_of(kind), 0, NULL, bytes);
+    struct message *m = protocol_message(p, from, to, type_of(kind), 0, NULL, bytes);
     m->service = parcel;
     m->serves = true;
-    proto_send(p, m, at);
+    protocol_send(p, m, at);
 }
 
 bool post_envelope(struct message *m, vtime now)
 {
     struct parcel *p = m->service;
-    return !m->is_long || !p->ask || p->ask(p, m, now);
+    return !m->is_long || !p->has_room || p->has_room(p, m, now);
 }
 
 void post_arrived(struct message *m, vtime now)
 {
     struct parcel *p = m->service;
     vtime at = m->complete;
-    proto_message_free(m);
+    protocol_message_free(m);
     p->arrived(p, at, now);
 }

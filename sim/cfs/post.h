@@ -1,32 +1,33 @@
 /* post.h - parcels: what travels between a program's node and a service, and back, as NX messages do.
  *
- * A parcel is the start of a struct that both ends know. Messages carry its address, not its contents; their lengths
- * and times are those of the contents. Two kinds:
- *   asking    as a long message: asks, is granted room, then sends (proto.h). Up to short_limit bytes: at once.
- *   forced    at once at any length: the receiver waits for it and has room.
+ * A parcel is the start of a struct that both ends know. A message carries the pointer to it; the message's
+ * length and times are those of the contents. Two kinds:
+ *   rendezvous  as a long message (protocol.h): a request to send comes first. Eager if short.
+ *   eager       at any length: the receiver waits for it and has room.
  */
 #ifndef CFS_POST_H
 #define CFS_POST_H
-#include "net/proto.h"
+#include "net/protocol.h"
 
 struct parcel {
-    /* It asks for room in m's receiver: true, or false and proto_grant(m) later. NULL: there is always room. */
-    bool (*ask)(struct parcel *p, struct message *m, vtime now);
-    /* It is in the receiver's memory from `at` on, at >= now. */
+    /* The parcel asks for room in m's receiver. Returns true; or false, and calls protocol_clear_to_send(m)
+     * later. NULL: there is always room. */
+    bool (*has_room)(struct parcel *p, struct message *m, vtime now);
+    /* The parcel is in the receiver's memory from `at` on, at >= now. */
     void (*arrived)(struct parcel *p, vtime at, vtime now);
 };
 
-enum post_kind { POST_ASKING, POST_FORCED };
+enum post_kind { POST_RENDEZVOUS, POST_EAGER };
 
-enum { POST_HEADER = 32 }; /* bytes of a message beside the file's */
+enum { POST_HEADER = 32 }; /* bytes of a message besides the file's */
 
 /* Processor time of the sender before a message of that kind and length leaves. */
-vtime post_send_time(const struct proto *p, enum post_kind kind, size_t bytes);
-/* Sends it at `at`, when the sender's processor is done with it. */
-void post_send(struct proto *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
+vtime post_send_time(const struct protocol *p, enum post_kind kind, size_t bytes);
+/* Sends the parcel at `at`, when the sender's processor is done with it. */
+void post_send(struct protocol *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
                struct parcel *parcel, vtime at);
 
-/* For the protocol's upward calls: of messages whose `service` is set. post_arrived frees m. */
+/* As protocol_nodes.envelope and arrived, for messages whose `service` is set. post_arrived frees m. */
 bool post_envelope(struct message *m, vtime now);
 void post_arrived(struct message *m, vtime now);
 #endif

@@ -1,5 +1,6 @@
 /* store.c - see store.h. */
 #include "cfs/store.h"
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -8,10 +9,11 @@
 #include <string.h>
 #include <unistd.h>
 #include "files/scratch.h"
+#include "kernel/xalloc.h"
 
 struct store {
     char *dir;              /* NULL: the temporary one is not made yet */
-    struct scratch scratch; /* that, and else nothing */
+    struct scratch scratch; /* the temporary one */
     bool temporary;
     struct store_file *files;
     uint32_t ids;
@@ -19,17 +21,14 @@ struct store {
 
 struct store *store_new(const char *dir, char **error)
 {
-    struct store *s = calloc(1, sizeof *s);
-    if (!s)
-        abort();
+    struct store *s = xcalloc(1, sizeof *s);
     s->temporary = !dir;
     if (!dir)
         return s;
     struct stat st;
-    s->dir = strdup(dir);
+    s->dir = xstrdup(dir);
     if ((mkdir(dir, 0777) && errno != EEXIST) || stat(dir, &st) || !S_ISDIR(st.st_mode)) {
-        if (asprintf(error, "--cfs %s: %s", dir, strerror(errno == EEXIST ? ENOTDIR : errno)) < 0)
-            abort();
+        *error = xasprintf("--cfs %s: %s", dir, strerror(errno == EEXIST ? ENOTDIR : errno));
         store_free(s);
         return NULL;
     }
@@ -56,7 +55,7 @@ void store_free(struct store *s)
 
 /* --- paths --- */
 
-/* "/cfs//a/./b", or "/pfs//a/./b" -> "a/b". False: it leads out of /cfs, or is too long. */
+/* "/cfs//a/./b", or "/pfs//a/./b" -> "a/b". Returns false if the path leads out of /cfs, or is too long. */
 static bool within(const char *path, char *buf, size_t size)
 {
     char *end = buf;
@@ -83,8 +82,8 @@ static bool have_dir(struct store *s)
     if (s->dir)
         return true;
     s->scratch = scratch_new("touchstone-cfs");
-    if (s->scratch.path && !(s->dir = strdup(s->scratch.path)))
-        abort();
+    if (s->scratch.path)
+        s->dir = xstrdup(s->scratch.path);
     return s->dir;
 }
 
@@ -115,7 +114,7 @@ static struct store_file *find(struct store *s, const char *name)
 
 /* --- opening --- */
 
-/* A file without users has its host file opened. */
+/* Opens the host's file of a file that has no users. */
 static int open_host(struct store *s, struct store_file *f, int flags, mode_t permissions)
 {
     char path[PATH_MAX];
@@ -143,9 +142,8 @@ static int open_host(struct store *s, struct store_file *f, int flags, mode_t pe
 
 static struct store_file *add(struct store *s, const char *name)
 {
-    struct store_file *f = calloc(1, sizeof *f);
-    if (!f || !(f->path = strdup(name)))
-        abort();
+    struct store_file *f = xcalloc(1, sizeof *f);
+    f->path = xstrdup(name);
     f->id = s->ids++;
     f->next = s->files;
     s->files = f;
@@ -193,6 +191,7 @@ void store_hold(struct store_file *f)
 
 void store_release(struct store_file *f)
 {
+    assert(f->users > 0);
     if (--f->users == 0)
         close(f->host);
 }
@@ -233,7 +232,7 @@ int store_rename(struct store *s, const char *from, const char *to)
         old->gone = true;
     if (f) {
         free(f->path);
-        f->path = strdup(new_name);
+        f->path = xstrdup(new_name);
     }
     return 0;
 }

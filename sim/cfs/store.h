@@ -1,8 +1,9 @@
-/* store.h - the bytes of /cfs: plain files in a folder of this computer, one for each file of the file system.
+/* store.h - the bytes of /cfs: plain files in a folder of this computer, one for each file of the file
+ * system.
  *
- * A store keeps a struct store_file for each file opened in this run, under its path within /cfs. The file system
- * reads and writes bytes here at the moment its I/O nodes do, and nowhere else: so what a program finds depends on
- * virtual time alone. Folders are made as files need them.
+ * A store keeps a struct store_file for each file opened in this run, under its path within /cfs. The file
+ * system reads and writes bytes here at the moment its I/O nodes do, and nowhere else: so what a program
+ * finds depends on virtual time alone. Folders are made as files need them.
  */
 #ifndef CFS_STORE_H
 #define CFS_STORE_H
@@ -16,7 +17,7 @@ struct store;
 struct dir_request;
 
 struct store_file {
-    uint32_t id; /* another one after O_TRUNC: what caches hold of the old file is not its own any more */
+    uint32_t id; /* changes with O_TRUNC: caches may hold blocks of the old file */
     char *path;  /* within /cfs, as "a/b" */
     uint64_t size;
     uint32_t users; /* open files and calls under way; while there are any, host is open */
@@ -27,16 +28,17 @@ struct store_file {
     uint32_t volume_count;
     struct modes modes;
     struct dir_request
-        *waiting; /* mode 2: calls whose turn has not come, in the order they came; client.c's */
+        *waiting; /* mode 2: calls whose turn has not come, in the order they came: operation.c */
     struct store_file *next;
 };
 
-/* dir: made if missing. NULL: a temporary folder, made when needed and removed by store_free(). NULL with *error set
- * (malloc'd) when it cannot be. */
+/* The folder dir is made if missing. dir NULL: a temporary folder, made when needed and removed by
+ * store_free(). Returns NULL with *error set (malloc'd) if the folder cannot be used. */
 struct store *store_new(const char *dir, char **error);
 void store_free(struct store *s);
 
-/* All functions: 0, or what errno would be. Paths are whole, "/cfs/..."; ".." is not allowed in them. */
+/* All functions return 0, or an error number (errno.h). Paths are whole, "/cfs/..."; ".." is not allowed in
+ * them. */
 int store_open(struct store *s, const char *path, int flags, mode_t permissions, struct store_file **file);
 int store_unlink(struct store *s, const char *path);
 int store_rename(struct store *s, const char *from, const char *to);

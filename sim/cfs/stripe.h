@@ -1,4 +1,5 @@
-/* stripe.h - how a stretch of a file falls into blocks on disks: block b is on the file's disk b mod n, in row b / n.
+/* stripe.h - how a range of a file is divided into blocks on disks: block b is on the file's disk b mod n, in
+ * row b / n.
  *
  *   block   0    1    2    3    4    5    6      of a file on disks 0, 1, 2
  *   disk    0    1    2    0    1    2    0
@@ -14,7 +15,7 @@ struct stripe {
     uint32_t offset, bytes; /* within the block */
 };
 
-/* The first piece of a stretch of `left` bytes at `at`. volumes: the file's disks in order; NULL: 0, 1, ... */
+/* The first piece of a range of `left` bytes at `at`. volumes: the file's disks in order; NULL: 0, 1, ... */
 static inline struct stripe stripe_first(const uint32_t *volumes, uint32_t volume_count, uint32_t block_bytes,
                                          uint64_t at, uint64_t left)
 {

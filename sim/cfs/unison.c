@@ -1,16 +1,19 @@
 /* unison.c - see unison.h. */
 #include "cfs/unison.h"
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cfs/parts.h"
+#include "cfs/cfs_state.h"
+#include "cfs/operation.h"
+#include "kernel/xalloc.h"
 #include "lp/engine.h"
 #include "os/charge.h"
 
 /* A node of the round. */
 struct member {
-    struct parcel parcel; /* the message that tells it; first */
+    struct parcel parcel; /* first: the message with the news */
     struct round *round;
-    struct cfs_op *op; /* waits for the news */
+    struct cfs_op *op; /* waits for the news; NULL: has not called yet, or is over */
     bool told;
     vtime at; /* told: from then on */
 };
@@ -21,10 +24,10 @@ struct round {
     uint32_t generation; /* of the file's group */
     uint64_t number;
     struct round_call call;
-    uint64_t behind; /* the pointer after it */
+    uint64_t behind; /* the pointer after the round */
     uint64_t bytes;  /* moved */
     char *data;      /* of a read */
-    uint32_t first;  /* the node whose call it is */
+    uint32_t first;  /* the node that reads or writes */
     uint32_t nodes, joined, told;
     struct member *member;
     struct round *next, **link; /* cfs.rounds */
@@ -40,7 +43,7 @@ static void drop(struct round *r)
     free(r);
 }
 
-/* All have made their calls, and all know: nobody looks at it any more. */
+/* Frees the round if all nodes have made their calls, and all have the news. */
 static void drop_if_over(struct round *r)
 {
     if (r->joined == r->nodes && r->told == r->nodes)
@@ -64,15 +67,11 @@ static struct round *find(const struct cfs_file *f)
 static struct round *begin(const struct cfs_file *f, const struct round_call *call)
 {
     struct cfs *c = f->cfs;
-    struct round *r = calloc(1, sizeof *r);
-    if (!r)
-        abort();
+    struct round *r = xcalloc(1, sizeof *r);
     *r = (struct round){.cfs = c, .store = f->store, .generation = f->generation, .number = f->round};
     r->call = *call;
     r->nodes = c->sys->count;
-    r->member = calloc(r->nodes, sizeof *r->member);
-    if (!r->member)
-        abort();
+    r->member = xcalloc(r->nodes, sizeof *r->member);
     r->next = c->rounds, r->link = &c->rounds;
     if (r->next)
         r->next->link = &r->next;
@@ -106,11 +105,12 @@ uint64_t *unison_pointer(struct round *r)
 
 /* --- the news --- */
 
-static void pass_on(struct round *r, uint32_t node, vtime at);
+static void forward(struct round *r, uint32_t node, vtime at);
 
 static void tell(struct round *r, uint32_t node, vtime at)
 {
     struct member *m = &r->member[node];
+    assert(!m->told && r->told < r->nodes);
     m->told = true;
     m->at = at;
     r->told++;
@@ -125,12 +125,13 @@ static void arrived(struct parcel *parcel, vtime at, vtime now)
     struct round *r = m->round;
     uint32_t node = (uint32_t)(m - r->member);
     (void)now;
-    pass_on(r, node, at);
+    forward(r, node, at);
     tell(r, node, at);
     drop_if_over(r);
 }
 
-/* One message. A node whose program has ended passes it on all the same, without time of a program. */
+/* Sends one message. A node whose program has ended forwards the news all the same, without time of a
+ * program. */
 static vtime send(struct round *r, uint32_t from, uint32_t to, vtime at)
 {
     struct node_system *s = r->cfs->sys;
@@ -139,12 +140,12 @@ static vtime send(struct round *r, uint32_t from, uint32_t to, vtime at)
     m->round = r;
     m->parcel.arrived = arrived;
     if (s->nodes[from]->lp.state != LP_ENDED)
-        at = node_work(s, from, PROTO_SEND, at, post_send_time(s->schedule.proto, POST_FORCED, bytes));
-    post_send(s->schedule.proto, from, to, POST_FORCED, bytes, &m->parcel, at);
+        at = node_work(s, from, PROTOCOL_SEND, at, post_send_time(s->schedule.protocol, POST_EAGER, bytes));
+    post_send(s->schedule.protocol, from, to, POST_EAGER, bytes, &m->parcel, at);
     return at;
 }
 
-static void pass_on(struct round *r, uint32_t node, vtime at)
+static void forward(struct round *r, uint32_t node, vtime at)
 {
     uint32_t rank = (node + r->nodes - r->first) % r->nodes, step = 1;
     while (step < r->nodes)
@@ -159,12 +160,10 @@ void unison_spread(struct round *r, uint32_t node, uint64_t bytes, const char *d
     r->first = node;
     r->bytes = bytes;
     if (!r->call.write) {
-        r->data = malloc(bytes + 1);
-        if (!r->data)
-            abort();
+        r->data = xmalloc(bytes + 1);
         memcpy(r->data, data, bytes);
     }
-    pass_on(r, node, at);
+    forward(r, node, at);
     tell(r, node, at);
     drop_if_over(r);
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/cli.h"
-#include "srm/service.h"
+#include "srm/cube_service.h"
 #include "srm/socket.h"
 
 static const char HELP[] =

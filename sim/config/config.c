@@ -1,9 +1,10 @@
-/* config.c - a machine file's keys, their places in struct cfg_machine, and the ranges they are held to. */
+/* config.c - a machine file's keys, their fields in struct cfg_machine, and their ranges. */
 #include "config/config.h"
-#include "config/cfs.h"
-#include "config/host.h"
+#include "config/cfs_section.h"
+#include "config/host_section.h"
 #include "config/reader.h"
-#include "config/set.h"
+#include "config/setting.h"
+#include "kernel/xalloc.h"
 
 #include <dirent.h>
 #include <limits.h>
@@ -15,34 +16,34 @@
 
 enum { MAX_DIMENSION = 16, MAX_SIDE = 4096, MAX_NODES = 1 << MAX_DIMENSION, KB = 1024, MB = 1024 * 1024 };
 
-/* A time in the file: its group's key without unit, and where it goes. */
+/* A time in the file: its key without the unit, and its field. */
 struct time_key {
     const char *name;
     const char *tail;                         /* what follows the unit: "" or "_per_byte" */
     size_t offset;                            /* of a uint64_t of picoseconds in struct cfg_machine */
-    enum { NEEDED, ZERO, AS_ANOTHER } absent; /* what it is where the file does not give it */
-    size_t another;                           /* offset of the one it is then as, which stands before it */
+    enum { NEEDED, ZERO, AS_ANOTHER } absent; /* its value where the file does not give it */
+    size_t another;                           /* AS_ANOTHER: the offset of that field, which is read before */
 };
-#define PLACE(member) offsetof(struct cfg_machine, member)
+#define FIELD(member) offsetof(struct cfg_machine, member)
 #define TIME(name, member)                                                                                   \
     {                                                                                                        \
-        name, "", PLACE(member), NEEDED, 0                                                                   \
+        name, "", FIELD(member), NEEDED, 0                                                                   \
     }
 #define TIME_OR_NONE(name, member)                                                                           \
     {                                                                                                        \
-        name, "", PLACE(member), ZERO, 0                                                                     \
+        name, "", FIELD(member), ZERO, 0                                                                     \
     }
 #define TIME_OR_AS(name, member, other)                                                                      \
     {                                                                                                        \
-        name, "", PLACE(member), AS_ANOTHER, PLACE(other)                                                    \
+        name, "", FIELD(member), AS_ANOTHER, FIELD(other)                                                    \
     }
 #define RATE(name, member)                                                                                   \
     {                                                                                                        \
-        name, "_per_byte", PLACE(member), NEEDED, 0                                                          \
+        name, "_per_byte", FIELD(member), NEEDED, 0                                                          \
     }
 #define RATE_OR_NONE(name, member)                                                                           \
     {                                                                                                        \
-        name, "_per_byte", PLACE(member), ZERO, 0                                                            \
+        name, "_per_byte", FIELD(member), ZERO, 0                                                            \
     }
 
 static const struct time_key net_times[] = {
@@ -71,7 +72,7 @@ static const struct time_key system_times[] = {
 };
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-static uint64_t *place(struct cfg_machine *m, size_t offset)
+static uint64_t *field(struct cfg_machine *m, size_t offset)
 {
     return (uint64_t *)(void *)((char *)m + offset);
 }
@@ -97,9 +98,9 @@ static bool read_times(struct cfg_reader *r, config_setting_t *group, const stru
         bool given = config_setting_get_member(group, names[2 * i]) ||
                      config_setting_get_member(group, names[2 * i + 1]);
         if (given || keys[i].absent == NEEDED)
-            ok = cfg_time(r, group, keys[i].name, keys[i].tail, place(m, keys[i].offset));
+            ok = cfg_time(r, group, keys[i].name, keys[i].tail, field(m, keys[i].offset));
         else if (keys[i].absent == AS_ANOTHER)
-            *place(m, keys[i].offset) = *place(m, keys[i].another);
+            *field(m, keys[i].offset) = *field(m, keys[i].another);
     }
     return ok;
 }
@@ -143,13 +144,12 @@ static bool read_cpu(struct cfg_reader *r, config_setting_t *node, struct cfg_ma
     if (!cfg_text(r, node, "cpu", &cpu))
         return false;
     int dir = slash && cpu[0] != '/' ? (int)(slash - r->path) + 1 : 0;
-    if (asprintf(&m->cpu, "%.*s%s", dir, r->path, cpu) < 0)
-        abort();
+    m->cpu = xasprintf("%.*s%s", dir, r->path, cpu);
     return access(m->cpu, R_OK) == 0 ||
            cfg_fail(r, config_setting_get_member(node, "cpu"), "cpu", "%s cannot be read: %m", m->cpu);
 }
 
-/* Some nodes' other clock: both keys, or none. */
+/* Reads the clock of the fast nodes: both keys, or none. */
 static bool read_fast_nodes(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)
 {
     double clock_mhz;
@@ -209,10 +209,8 @@ static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "name", &name) ||
         !cfg_text(r, r->root, "description", &description))
         return false;
-    m->name = strdup(name);
-    m->description = strdup(description);
-    if (!m->name || !m->description)
-        abort();
+    m->name = xstrdup(name);
+    m->description = xstrdup(description);
     return read_topology(r, m) && read_node(r, m) && cfg_group(r, r->root, "net", &net) &&
            read_times(r, net, net_times, COUNT(net_times), "short_limit", 0, MB, &m->short_limit, m) &&
            cfg_group(r, r->root, "system", &system) &&
@@ -232,11 +230,9 @@ static char *no_such_machine(const char *name, const char *dir)
 {
     char *text = NULL;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
+    FILE *out = xchecked(open_memstream(&text, &size));
     struct dirent **found = NULL;
     int n = scandir(dir, &found, is_machine, alphasort);
-    if (!out)
-        abort();
     fprintf(out, "no machine \"%s\" in %s; there %s", name, dir, n > 0 ? "are:" : "are none");
     for (int i = 0; i < n; i++) {
         fprintf(out, "%s %.*s", i ? "," : "", (int)strlen(found[i]->d_name) - 4, found[i]->d_name);
@@ -248,18 +244,18 @@ static char *no_such_machine(const char *name, const char *dir)
     return text;
 }
 
-/* Puts the settings into what was read, and keeps their texts, which error messages refer to. */
+/* Applies the settings to what was read, and keeps their texts, which error messages refer to. */
 static bool apply(struct cfg_reader *r, const char *const set[], struct cfg_machine *m)
 {
     size_t count = 0;
     while (set && set[count])
         count++;
-    m->set = calloc(count + 1, sizeof *m->set);
-    if (!m->set)
-        abort();
-    for (size_t i = 0; i < count; i++)
-        if (!(m->set[i] = strdup(set[i])) || !cfg_set(r, m->set[i]))
+    m->set = xcalloc(count + 1, sizeof *m->set);
+    for (size_t i = 0; i < count; i++) {
+        m->set[i] = xstrdup(set[i]);
+        if (!cfg_set(r, m->set[i]))
             return false;
+    }
     return true;
 }
 
@@ -272,9 +268,8 @@ struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char 
 {
     size_t n = strlen(name);
     bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
-    struct cfg_machine *m = calloc(1, sizeof *m);
-    if (!m || (is_path ? asprintf(&m->path, "%s", name) : asprintf(&m->path, "%s/%s.cfg", dir, name)) < 0)
-        abort();
+    struct cfg_machine *m = xcalloc(1, sizeof *m);
+    m->path = is_path ? xstrdup(name) : xasprintf("%s/%s.cfg", dir, name);
     if (!is_path && access(m->path, F_OK) != 0) {
         *error = no_such_machine(name, dir);
         cfg_free(m);

@@ -1,23 +1,10 @@
 /* cube_type.c - see cube_type.h. */
 #include "config/cube_type.h"
 #include <ctype.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 
-__attribute__((format(printf, 1, 2))) static char *wrong(const char *format, ...)
-{
-    char *text;
-    va_list list;
-    va_start(list, format);
-    if (vasprintf(&text, format, list) < 0)
-        abort();
-    va_end(list);
-    return text;
-}
-
-/* A whole number of at most 7 digits; false: none is there. */
+/* Reads a whole number of at most 7 digits. Returns false if there is none. */
 static bool number(const char **at, uint32_t *value)
 {
     int digits = 0;
@@ -31,17 +18,17 @@ static char *read_size(const char **at, const struct cfg_machine *m, struct cube
     bool dimension = **at == 'd', cube = m->topology == CFG_HYPERCUBE;
     *at += dimension;
     if (!number(at, &t->nodes) || (dimension && t->nodes > 30) || (!dimension && t->nodes == 0))
-        return wrong("it begins with a number of nodes (16), or d and a dimension (d4)%s",
-                     cube ? "" : ", or rows and columns (4x8)");
+        return xasprintf("it begins with a number of nodes (16), or d and a dimension (d4)%s",
+                         cube ? "" : ", or rows and columns (4x8)");
     if (dimension)
         t->nodes = UINT32_C(1) << t->nodes;
     if (**at == 'x' && !dimension && isdigit((unsigned char)(*at)[1])) {
         if (cube)
-            return wrong("rows and columns are for a mesh, and %s is a hypercube", m->name);
+            return xasprintf("rows and columns are for a mesh, and %s is a hypercube", m->name);
         t->rows = t->nodes;
         ++*at;
         if (!number(at, &t->columns) || t->columns == 0)
-            return wrong("rows and columns are numbers from 1 up");
+            return xasprintf("rows and columns are numbers from 1 up");
         t->nodes = t->rows * t->columns;
     }
     if (cube)
@@ -55,9 +42,9 @@ static char *read_memory(const char **at, const struct cfg_machine *m)
     uint32_t mb;
     ++*at;
     if (!number(at, &mb))
-        return wrong("m is followed by megabytes (4m16)");
+        return xasprintf("m is followed by megabytes (4m16)");
     if (mb > m->memory_bytes >> 20)
-        return wrong("the nodes of %s have %u MB", m->name, (unsigned)(m->memory_bytes >> 20));
+        return xasprintf("the nodes of %s have %u MB", m->name, (unsigned)(m->memory_bytes >> 20));
     return NULL;
 }
 
@@ -74,7 +61,7 @@ char *cube_type_read(const char *text, const struct cfg_machine *m, uint32_t all
         else if (!strncmp(at, "rx", 2))
             at += 2;
         else
-            error = wrong("'%s' is no kind of node: all are i860s (rx), and m is their memory (m16)", at);
+            error = xasprintf("'%s' is no kind of node: all are i860s (rx), and m is their memory (m16)", at);
     }
     return error;
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/whole.h"
+#include "kernel/xalloc.h"
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
@@ -20,42 +21,39 @@ bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
 
-    /* The root group has no line of its own; a value that did not come from the file has its setting's text. */
+    /* The root group has no line of its own; a value that did not come from the file has its setting's text.
+     */
     const char *set = at ? config_setting_get_hook(at) : NULL;
     if (at && !set && config_setting_source_line(at) > 0)
         snprintf(where, sizeof where, ":%u", (unsigned)config_setting_source_line(at));
     const char *file = set                                    ? set
                        : at && config_setting_source_file(at) ? config_setting_source_file(at)
                                                               : r->path;
-    if (asprintf(&r->error, "%s%s: %s%s%s", file, where, key ? key : "", key ? ": " : "", text) < 0)
-        abort();
+    r->error = xasprintf("%s%s: %s%s%s", file, where, key ? key : "", key ? ": " : "", text);
     return false;
 }
 
-/* So large is no file that somebody writes for us. */
+/* No file that a person writes is as large. */
 enum { MOST_BYTES = 4 << 20 };
 
-/* What a file includes is looked for beside it. */
+/* The folder in which the files are that a file includes: its own. */
 static char *folder_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
-    char *folder = slash ? strndup(path, slash > path ? (size_t)(slash - path) : 1) : strdup(".");
-    if (!folder)
-        abort();
-    return folder;
+    return slash ? xstrndup(path, slash > path ? (size_t)(slash - path) : 1) : xstrdup(".");
 }
 
 static char *read_all(struct cfg_reader *r, const char *path, int depth);
 
-/* The file that a line beginning so includes: libconfig reads it again, and could not say what is wrong with it. */
+/* Checks the file that a line includes, if it includes one. libconfig reads the file later, and its errors
+ * would not say what is wrong with the file. */
 static bool check_include(struct cfg_reader *r, const char *path, const char *line, int depth)
 {
     line += strspn(line, " \t");
     if (strncmp(line, "@include", 8) != 0 || !(line = strchr(line, '"')))
         return true;
-    char *folder = folder_of(path), *name = strndup(line + 1, strcspn(line + 1, "\"\n")), *included;
-    if (!name || asprintf(&included, "%s%s%s", *name == '/' ? "" : folder, *name == '/' ? "" : "/", name) < 0)
-        abort();
+    char *folder = folder_of(path), *name = xstrndup(line + 1, strcspn(line + 1, "\"\n"));
+    char *included = *name == '/' ? xstrdup(name) : xasprintf("%s/%s", folder, name);
     char *text = read_all(r, included, depth + 1);
     free(text);
     free(included);
@@ -64,16 +62,17 @@ static bool check_include(struct cfg_reader *r, const char *path, const char *li
     return text;
 }
 
-/* The text of a file, malloc'd, if it and all that it includes are text that somebody may have written; else NULL. */
+/* The text of a file, malloc'd. NULL with r's error set if the file, or one that it includes, is no text
+ * file. */
 static char *read_all(struct cfg_reader *r, const char *path, int depth)
 {
-    enum { DEEPEST = 10 }; /* libconfig's */
+    enum { DEEPEST = 10 }; /* libconfig's own limit */
     const char *why;
     int at;
     char *text = whole_text(path, MOST_BYTES, &why, &at);
-    if (!text && (at ? asprintf(&r->error, "%s:%d: %s", path, at, why)
-                     : asprintf(&r->error, "%s: cannot be read: %s", path, why)) < 0)
-        abort();
+    if (!text)
+        r->error =
+            at ? xasprintf("%s:%d: %s", path, at, why) : xasprintf("%s: cannot be read: %s", path, why);
     for (const char *line = text; depth < DEEPEST && line && *line;
          line += strcspn(line, "\n"), line += *line == '\n')
         if (!check_include(r, path, line, depth)) {
@@ -97,9 +96,8 @@ bool cfg_open(struct cfg_reader *r, const char *path)
     free(text);
     if (!read) {
         const char *file = config_error_file(&r->lib); /* the one included, or NULL */
-        if (asprintf(&r->error, "%s:%d: %s (settings are written: key = value;)", file ? file : path,
-                     config_error_line(&r->lib), config_error_text(&r->lib)) < 0)
-            abort();
+        r->error = xasprintf("%s:%d: %s (settings are written: key = value;)", file ? file : path,
+                             config_error_line(&r->lib), config_error_text(&r->lib));
         return false;
     }
     r->root = config_root_setting(&r->lib);

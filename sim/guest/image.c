@@ -10,7 +10,6 @@
  * streams.
  */
 #include <errno.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +19,7 @@
 #include "guest/image.h"
 #include "guest/libc.h"
 #include "node/node.h"
+#include "guest/source_line.h"
 #include "nx_api/nxcc/image.h"
 #include "node/self.h"
 
@@ -352,26 +352,19 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     return true;
 }
 
-/* Asks addr2line for the source line of an address, "FILE:LINE"; false when it does not know. Is it in NX's library? path
- * goes through the shell, so that names with a quote in them are not asked about. */
-static bool source_line(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
+/* Writes the source line of an address, "FILE:LINE" without the file's folder; false if it is not known. *library: is the
+ * line in NX's library? */
+static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
 {
-    char *command, answer[PATH_MAX + 20];
-    bool known = false;
-    if (!f->debug || strchr(f->path, '\'') != NULL ||
-        asprintf(&command, "addr2line -e '%s' 0x%llx 2>/dev/null", f->path, (unsigned long long)vaddr) < 0)
+    int line;
+    char *path = f->debug ? source_line(f->bytes, f->size, vaddr, &line) : NULL;
+    if (!path)
         return false;
-    FILE *p = popen(command, "r");
-    free(command);
-    if (p == NULL)
-        return false;
-    if (fgets(answer, sizeof answer, p) != NULL) {
-        const char *slash = strrchr(answer, '/'), *name = slash ? slash + 1 : answer;
-        snprintf(buf, size, "%.*s", (int)strcspn(name, "\n "), name); /* " (discriminator 2)" is of no use */
-        *library = strstr(answer, "/nx_api/") != NULL;
-        known = strchr(buf, '?') == NULL && strchr(buf, ':') != NULL;
-    }
-    return pclose(p) == 0 && known;
+    const char *slash = strrchr(path, '/');
+    snprintf(buf, size, "%s:%d", slash ? slash + 1 : path, line);
+    *library = strstr(path, "/nx_api/") != NULL;
+    free(path);
+    return true;
 }
 
 size_t node_image_function(const struct node_image *img, size_t offset)
@@ -394,7 +387,7 @@ const char *node_image_where(const struct node_image *img, size_t offset, char *
     const Elf64_Sym *s = elf_function_at(img->elf, vaddr, &name);
     if (s == NULL)
         snprintf(buf, size, "program+0x%llx", (unsigned long long)vaddr);
-    else if (source_line(img->elf, vaddr, line, sizeof line, &library))
+    else if (line_of(img->elf, vaddr, line, sizeof line, &library))
         snprintf(buf, size, "%s+0x%llx (%s)", name, (unsigned long long)(vaddr - s->st_value), line);
     else
         snprintf(buf, size, "%s+0x%llx", name, (unsigned long long)(vaddr - s->st_value));
@@ -404,5 +397,5 @@ const char *node_image_where(const struct node_image *img, size_t offset, char *
 bool node_image_line(const struct node_image *img, size_t offset, char *buf, size_t size)
 {
     bool library = false;
-    return offset < img->bytes && source_line(img->elf, offset, buf, size, &library) && !library;
+    return offset < img->bytes && line_of(img->elf, offset, buf, size, &library) && !library;
 }

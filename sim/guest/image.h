@@ -34,7 +34,7 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error);
 size_t node_image_function(const struct node_image *img, size_t offset);
 
 /* Name of the function at an offset from the program's start, e.g. "pack+0x1c"; with "file:line" when the program was
- * built with -g and addr2line is there. Writes at most size bytes; returns buf. */
+ * built with -g. Writes at most size bytes; returns buf. */
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size);
 /* "FILE:LINE" of an offset; false when it is not known, or in NX's library. */
 bool node_image_line(const struct node_image *img, size_t offset, char *buf, size_t size);

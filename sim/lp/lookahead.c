@@ -9,7 +9,7 @@ static vtime horizon(const struct lp *lp)
     vtime next = vt_min(evq_next(s->q), mintree_least(&s->polls));
     if (s->workers)
         next = vt_min(next, workers_bound(s->workers));
-    return proto_horizon(s->proto, lp->address, next);
+    return protocol_horizon(s->protocol, lp->address, next);
 }
 
 bool lp_is_alone(const struct lp *lp, vtime t)

@@ -127,13 +127,13 @@ static bool has_so_far(const struct lp *lp, vtime bound, uint64_t units)
     const struct schedule *s = lp->schedule;
     vtime then = lp->ahead.poll_time + clock_of_units(lp, units);
     return s->polls.time[lp->address] >= then && !lp->clock.stolen &&
-           proto_horizon(s->proto, lp->address, bound) >= then;
+           protocol_horizon(s->protocol, lp->address, bound) >= then;
 }
 
 static void offload_one(struct lp *lp, vtime bound)
 {
     const struct schedule *s = lp->schedule;
-    lp->ahead.until = vt_min(s->polls.time[lp->address], proto_horizon(s->proto, lp->address, bound));
+    lp->ahead.until = vt_min(s->polls.time[lp->address], protocol_horizon(s->protocol, lp->address, bound));
     lp_leave_poll(lp);
     offload(lp, lp->ahead.poll_time);
     workers_submit(s->workers, &lp->ahead.task);

@@ -8,7 +8,7 @@
 #include "kernel/mintree.h"
 #include "kernel/prefetch.h"
 #include "kernel/workers.h"
-#include "net/proto.h"
+#include "net/protocol.h"
 
 /* Why the machine stops before its programs have ended. */
 enum stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
@@ -18,7 +18,7 @@ struct schedule {
     struct mintree polls;   /* by address: when a node paused at a poll goes on; lp/dispatch.c */
     struct instant present; /* the moment committed last: an event's, or a call's that needed none */
     struct instant reached; /* the latest moment committed before `present`: lp.h */
-    struct proto *proto;
+    struct protocol *protocol;
     struct workers *workers; /* NULL: one thread */
 
     enum stop stop;

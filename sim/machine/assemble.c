@@ -129,7 +129,7 @@ static void strip(struct node *n)
         return;
     n->stripped = true;
     lp_forget(&n->lp);
-    if (n->sys->schedule.proto)
+    if (n->sys->schedule.protocol)
         match_abandon(n); /* what its messages under way would tell */
     match_end(n);
     waits_free(&n->stats.waits);

@@ -42,7 +42,7 @@ static void set_count(struct cube *c, uint32_t count)
 {
     c->sys->count = count;
     c->largest = count > c->largest ? count : c->largest;
-    proto_set_nodes(c->sys->schedule.proto, count);
+    protocol_set_nodes(c->sys->schedule.protocol, count);
     if (c->sys->host)
         c->sys->host->id = count;
 }

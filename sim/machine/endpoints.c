@@ -13,14 +13,14 @@ static bool is_service(const struct node_system *sys, uint32_t place)
     return place >= sys->topo.positions && !topo_is_host(&sys->topo, place);
 }
 
-static vtime work(void *ctx, uint32_t place, enum proto_task task, vtime at, vtime t)
+static vtime work(void *ctx, uint32_t place, enum protocol_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
     return is_service(sys, place) ? cfs_work(sys->cfs, place, at, t) : node_work(ctx, place, task, at, t);
 }
 
 /* A service's processor is no program's: moving bytes is work like any other. */
-static void move(void *ctx, uint32_t place, enum proto_task task, vtime at, vtime t)
+static void move(void *ctx, uint32_t place, enum protocol_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
     if (is_service(sys, place))
@@ -44,7 +44,7 @@ static void arrived(void *ctx, struct message *m, vtime now)
     post_arrived(m, now);
 }
 
-struct proto_nodes endpoints_calls(struct node_system *sys)
+struct protocol_nodes endpoints_calls(struct node_system *sys)
 {
-    return (struct proto_nodes){sys, work, move, envelope, match_sent, arrived};
+    return (struct protocol_nodes){sys, work, move, envelope, match_sent, arrived};
 }

@@ -4,5 +4,5 @@
 #include "node/system.h"
 
 /* The protocol's upward calls for a machine with nodes and, if sys->cfs is set, a file system. */
-struct proto_nodes endpoints_calls(struct node_system *sys);
+struct protocol_nodes endpoints_calls(struct node_system *sys);
 #endif

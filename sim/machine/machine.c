@@ -145,8 +145,8 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->schedule.q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error))
         goto fail;
-    struct proto_nodes up = endpoints_calls(s);
-    s->schedule.proto = proto_new(s->cfg, &s->topo, s->schedule.q, &up);
+    struct protocol_nodes up = endpoints_calls(s);
+    s->schedule.protocol = protocol_new(s->cfg, &s->topo, s->schedule.q, &up);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;
     m->start_s = wall_clock() - begin;
@@ -169,7 +169,7 @@ void machine_free(struct machine *m)
     arena_free(&m->sys.made_cold);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
-    proto_free(m->sys.schedule.proto);
+    protocol_free(m->sys.schedule.protocol);
     evq_free(m->sys.schedule.q);
     mintree_free(&m->sys.schedule.polls);
     if (m->image)

@@ -1,5 +1,5 @@
-/* topo.c - see topo.h. Channel numbers: the links of node i first, then all ports in, then all ports out, then what
- * each service has. */
+/* topo.c - see topo.h. Channel numbers: the links of node i first, then all ports in, then all ports out,
+ * then what each service has. */
 #include "net/topo.h"
 #include <assert.h>
 
@@ -13,7 +13,7 @@ static uint32_t links(const struct topo *t)
 
 static void count_channels(struct topo *t)
 {
-    t->places = t->positions;
+    t->addresses = t->positions;
     t->channels = t->positions * (links(t) + 2);
 }
 
@@ -51,7 +51,7 @@ void topo_add_services(struct topo *t, uint32_t n)
     assert(t->services == 0);
     uint32_t routers = t->rows ? (n + t->rows - 1) / t->rows * t->rows : n;
     t->services = n;
-    t->places = t->positions + n;
+    t->addresses = t->positions + n;
     t->channels += routers * (t->rows ? MESH_SERVICE : CUBE_SERVICE);
 }
 
@@ -59,7 +59,7 @@ void topo_add_host(struct topo *t)
 {
     assert(!t->rows && !t->host);
     t->host = true;
-    t->places++;
+    t->addresses++;
     t->channels += CUBE_SERVICE;
 }
 
@@ -69,29 +69,29 @@ struct spot {
     uint32_t x, y;
 };
 
-static struct spot spot_of(const struct topo *t, uint32_t place)
+static struct spot spot_of(const struct topo *t, uint32_t address)
 {
-    if (place < t->positions) {
-        uint32_t y = (uint32_t)(place * t->a_column >> 40); /* place / columns: both are less than 2^20 */
-        return (struct spot){place - y * t->columns, y};
+    if (address < t->positions) {
+        uint32_t y = (uint32_t)(address * t->a_column >> 40); /* address / columns: both are less than 2^20 */
+        return (struct spot){address - y * t->columns, y};
     }
-    uint32_t i = place - t->positions;
+    uint32_t i = address - t->positions;
     return (struct spot){t->columns + i / t->rows, i % t->rows};
 }
 
-static uint32_t place_of(const struct topo *t, struct spot s)
+static uint32_t address_of(const struct topo *t, struct spot s)
 {
     return s.x < t->columns ? s.y * t->columns + s.x : t->positions + (s.x - t->columns) * t->rows + s.y;
 }
 
-/* The node of a hypercube at which a place enters and leaves the cube. */
-static uint32_t cube_node(const struct topo *t, uint32_t place)
+/* The node of a hypercube at which an address enters and leaves the cube. */
+static uint32_t cube_node(const struct topo *t, uint32_t address)
 {
-    if (place < t->positions)
-        return place;
-    if (topo_is_host(t, place))
+    if (address < t->positions)
+        return address;
+    if (topo_is_host(t, address))
         return 0;
-    return (uint32_t)((uint64_t)(place - t->positions) * t->positions / t->services);
+    return (uint32_t)((uint64_t)(address - t->positions) * t->positions / t->services);
 }
 
 static uint32_t distance(uint32_t a, uint32_t b)
@@ -108,25 +108,25 @@ uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to)
     return distance(a.x, b.x) + distance(a.y, b.y);
 }
 
-/* --- channels: those of a kind side by side, for neighbours do the same at the same time --- */
+/* --- channels: those of a kind lie side by side, as neighbours use the same kind at the same time --- */
 
-/* First channel of a service's (or an empty router's) own. */
-static uint32_t service_channels(const struct topo *t, uint32_t place)
+/* The first channel that belongs to a service, or to an empty router. */
+static uint32_t service_channels(const struct topo *t, uint32_t address)
 {
-    return t->positions * (links(t) + 2) + (place - t->positions) * (t->rows ? MESH_SERVICE : CUBE_SERVICE);
+    return t->positions * (links(t) + 2) + (address - t->positions) * (t->rows ? MESH_SERVICE : CUBE_SERVICE);
 }
 
-/* The port into (0) or out of (1) the network. A hypercube's service has its channel for port. */
-static uint32_t port(const struct topo *t, uint32_t place, uint32_t out)
+/* The port into (out = 0) or out of (out = 1) the network. A hypercube's service has its channel for port. */
+static uint32_t port(const struct topo *t, uint32_t address, uint32_t out)
 {
-    if (place >= t->positions)
-        return service_channels(t, place) + (t->rows ? MESH_LINKS : 0) + out;
-    return t->positions * (links(t) + out) + place;
+    if (address >= t->positions)
+        return service_channels(t, address) + (t->rows ? MESH_LINKS : 0) + out;
+    return t->positions * (links(t) + out) + address;
 }
 
-static uint32_t mesh_link(const struct topo *t, uint32_t place, uint32_t way)
+static uint32_t mesh_link(const struct topo *t, uint32_t address, uint32_t way)
 {
-    return place < t->positions ? way * t->positions + place : service_channels(t, place) + way;
+    return address < t->positions ? way * t->positions + address : service_channels(t, address) + way;
 }
 
 void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32_t to)
@@ -161,7 +161,7 @@ static uint32_t step_mesh(const struct topo *t, struct topo_walk *w)
         w->at += south ? t->columns : -t->columns;
     }
     if (from >= t->positions || w->x >= t->columns) /* not within the rectangle */
-        w->at = place_of(t, (struct spot){w->x, w->y});
+        w->at = address_of(t, (struct spot){w->x, w->y});
     return mesh_link(t, from, way);
 }
 

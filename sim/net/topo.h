@@ -4,20 +4,20 @@
  * column; nodes are numbered row by row. Channels are directed (full duplex); each node also has one port
  * into and one out of the network, which are the first and the last channel of every route.
  *
- * Services (I/O nodes, the directory of their file system) hang on the same network, at places of their own, numbered
- * from `positions` up:
- *   mesh        columns added at the right edge of the rectangle, filled downward, then outward: places of a larger
- *               mesh, with the same routes.
+ * Services (I/O nodes, the directory of their file system) hang on the same network, at addresses of their
+ * own, numbered from `positions` up:
+ *   mesh        columns added at the right edge of the rectangle, filled downward, then outward: addresses
+ *               of a larger mesh, with the same routes.
  *                   0  1  2 | 9  12
  *                   3  4  5 | 10 13      3 x 3 nodes, 5 services: 9 to 13
  *                   6  7  8 | 11 .
- *   hypercube   each on a channel (one each way) of its own from a node, spread evenly: service i of n on node
- *               i * positions / n. A route to it is that node's, then its channel.
- * In both, every route takes classes of channels in one order (in, e-cube dimensions or row then column, out), so that
- * there is no cycle of channels waiting for each other.
+ *   hypercube   each on a channel (one each way) of its own from a node, spread evenly: service i of n on
+ *               node i * positions / n. A route to it is that node's, then its channel.
+ * In both, every route takes classes of channels in one order (in, e-cube dimensions or row then column,
+ * out), so that there is no cycle of channels waiting for each other.
  */
-#ifndef TOPO_TOPO_H
-#define TOPO_TOPO_H
+#ifndef NET_TOPO_H
+#define NET_TOPO_H
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -27,42 +27,43 @@ struct topo {
     uint32_t rows, columns; /* mesh: the rectangle; hypercube: 0 */
     uint64_t a_column;      /* 2^40 / columns, rounded up */
     uint32_t positions;     /* nodes of the whole cube or rectangle, >= nodes */
-    uint32_t services;      /* places positions .. positions + services - 1 */
-    bool host;       /* the last place is the host's: on a channel (one each way) of its own from node 0 */
-    uint32_t places; /* numbers in use for nodes, services and host: 0 .. places - 1 */
+    uint32_t services;      /* at the addresses positions .. positions + services - 1 */
+    bool host; /* the last address is the host's: on a channel (one each way) of its own from node 0 */
+    uint32_t addresses; /* in use for nodes, services and host: 0 .. addresses - 1 */
     uint32_t channels;
 };
 
-/* The smallest cube of at most max_dimension with n nodes (more if n is no power of two). False: too many. */
+/* Makes the smallest cube with n nodes or more. Returns false if n is 0, or the cube needs more than
+ * max_dimension. */
 bool topo_hypercube(struct topo *t, uint32_t n, uint32_t max_dimension);
-/* The rectangle of least area, then least girth, that holds n nodes and fits in rows x columns. False: none.
- */
+/* Makes the rectangle of least area, then least girth, that holds n nodes and fits in rows x columns. Returns
+ * false if there is none. */
 bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns);
 
 /* Adds n services to a shape that has none. */
 void topo_add_services(struct topo *t, uint32_t n);
 
-/* Adds the host to a hypercube, after its services; its place is topo_host(). */
+/* Adds the host to a hypercube, after its services; its address is topo_host(). */
 void topo_add_host(struct topo *t);
 static inline uint32_t topo_host(const struct topo *t)
 {
-    return t->places - 1;
+    return t->addresses - 1;
 }
-static inline bool topo_is_host(const struct topo *t, uint32_t place)
+static inline bool topo_is_host(const struct topo *t, uint32_t address)
 {
-    return t->host && place == topo_host(t);
+    return t->host && address == topo_host(t);
 }
 
-/* Hops between two places, ports not counted. */
+/* Hops between two addresses, ports not counted. */
 uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);
 
-/* A route under way: the channels from one place to another, one at a time. */
+/* A route under way: the channels from one address to another, one at a time. */
 struct topo_walk {
     uint32_t at, to;
-    uint32_t x, y, to_x, to_y; /* of the two in a mesh */
+    uint32_t x, y, to_x, to_y; /* in a mesh */
     bool entered, left;
 };
 void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32_t to);
-/* The next channel of the route; false when it is complete. */
+/* Sets *channel to the next channel of the route; returns false when the route is complete. */
 bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel);
 #endif

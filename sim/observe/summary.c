@@ -146,8 +146,8 @@ void summary_print(const struct machine *m, FILE *f)
     print_threads(&m->workers, f);
     fprintf(
         f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
-        m->sys.messages, m->sys.bytes, wire_waits(proto_wire(m->sys.schedule.proto)),
-        vt_seconds(wire_waited(proto_wire(m->sys.schedule.proto))));
+        m->sys.messages, m->sys.bytes, channel_waits(protocol_channels(m->sys.schedule.protocol)),
+        vt_seconds(channel_waited(protocol_channels(m->sys.schedule.protocol))));
     print_host(m, f);
     print_class(m, f, "with handlers", true);
     print_class(m, f, "others", false);

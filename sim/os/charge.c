@@ -41,19 +41,19 @@ static void steal(struct node *n, enum node_task task, vtime t)
     add(n, task, t);
 }
 
-vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t)
+vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     struct node *n = node_at(ctx, node);
     t = node_system_time(n, t);
     n->sys_free = vt_max(at, n->sys_free) + t;
-    steal(n, task == PROTO_SEND ? NODE_SENDING : NODE_RECEIVING, t);
+    steal(n, task == PROTOCOL_SEND ? NODE_SENDING : NODE_RECEIVING, t);
     return n->sys_free;
 }
 
-void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t)
+void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime t)
 {
     struct node *n = node_at(ctx, node);
-    steal(n, task == PROTO_SEND ? NODE_FEEDING : NODE_EMPTYING, node_system_time(n, t));
+    steal(n, task == PROTOCOL_SEND ? NODE_FEEDING : NODE_EMPTYING, node_system_time(n, t));
 }
 
 /* --- waiting --- */

@@ -1,7 +1,7 @@
 /* charge.h - where a node's time goes: to its operating system, and to waiting. */
 #ifndef OS_CHARGE_H
 #define OS_CHARGE_H
-#include "net/proto.h"
+#include "net/protocol.h"
 #include "node/node.h"
 
 /* What takes an ordinary node's system t takes this one's so long; and charges that to a task. */
@@ -19,7 +19,7 @@ vtime charge_sum(const struct node *n);
 /* Do the sums of struct node_times and node_stats agree, for a node that has ended? */
 bool charge_adds_up(const struct node *n);
 
-/* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
-vtime node_work(void *ctx, uint32_t node, enum proto_task task, vtime at, vtime t);
-void node_move(void *ctx, uint32_t node, enum proto_task task, vtime t);
+/* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
+vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
+void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime t);
 #endif

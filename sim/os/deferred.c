@@ -155,7 +155,7 @@ void deferred_send(struct node *n, struct message *m)
     clock_advance(&n->lp, sending);
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
-        proto_send(n->sys->schedule.proto, m, node_now(n));
+        protocol_send(n->sys->schedule.protocol, m, node_now(n));
     }
     c->has_message = true;
     if (c->posts || c->selected)
@@ -175,7 +175,7 @@ void deferred_received(struct node *n, struct message *m)
 {
     struct deferred_call *c = open_call(n);
     assert(c->resumes_caller && !c->posts && (!c->has_message || c->cold));
-    c->inline_message = !c->consumes_message && !m->buffered && proto_message_is_plain(m);
+    c->inline_message = !c->consumes_message && !m->buffered && protocol_message_is_plain(m);
     m->next = c->consumes_message ? c->consumed : NULL;
     c->consumed = m;
     c->selected = false, c->consumes_message = true;
@@ -217,7 +217,7 @@ static void put_off(struct node *n, vtime now)
 static void take(struct node *n, const struct deferred_call *c, vtime now)
 {
     if (c->inline_message) {
-        proto_message_free_plain(n->sys->schedule.proto, c->consumed);
+        protocol_message_free_plain(n->sys->schedule.protocol, c->consumed);
         return;
     }
     for (const struct message *m = c->consumed; m; m = m->next)
@@ -302,11 +302,11 @@ static void unsend(struct node *n, const struct deferred_call *c, struct message
     if (m->followed)
         mailbox_unfollow(m->send);
     if (!c->sends) {
-        proto_message_free(m);
+        protocol_message_free(m);
         return;
     }
     charge_undo(n, NODE_SENDING, match_send_time(n, m));
-    proto_take_back(m);
+    protocol_take_back(m);
 }
 
 /* The last. */

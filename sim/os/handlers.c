@@ -38,7 +38,7 @@ void handlers_free(struct mailbox *b)
     while (b->last_due) {
         struct due d = take_due(b);
         if (d.receive && d.receive->m)
-            proto_message_free(d.receive->m);
+            protocol_message_free(d.receive->m);
         free(d.receive);
         free(d.send);
     }

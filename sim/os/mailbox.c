@@ -72,7 +72,7 @@ const struct message *mailbox_probe(struct node *n, const struct selector *selec
 void mailbox_drop(struct receive *r)
 {
     if (r->m && r->m->arrived)
-        proto_message_free(r->m);
+        protocol_message_free(r->m);
 }
 
 void mailbox_unfollow(struct send *s)

@@ -33,7 +33,7 @@ static void free_messages(struct message *list)
 {
     for (struct message *m = list, *next; m; m = next) {
         next = m->next;
-        proto_message_free(m);
+        protocol_message_free(m);
     }
 }
 
@@ -83,13 +83,13 @@ static bool room_for(struct node *n, const struct message *m)
 static void grant_waiting(struct node *n, vtime now)
 {
     for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
-        if (!m->is_long || m->granted)
+        if (!m->is_long || m->cleared)
             continue;
         if (!room_for(n, m))
             return;
         n->mailbox.waiting--;
         buffer(n, m);
-        proto_grant(m->proto, m, now);
+        protocol_clear_to_send(m->protocol, m, now);
     }
 }
 
@@ -151,7 +151,7 @@ void match_arrived(void *ctx, struct message *m, vtime now)
     sys->bytes += m->bytes;
     history_add(sys, m, now);
     if (m->unwanted)
-        proto_message_free(m);
+        protocol_message_free(m);
     else if (r && r->handler)
         handlers_add(n, m->complete, r, NULL);
     else
@@ -182,7 +182,7 @@ void match_follow(struct message *m, struct send *s)
 
 vtime match_send_time(const struct node *n, const struct message *m)
 {
-    return node_system_time(n, proto_send_time(n->sys->schedule.proto, m->type, m->bytes));
+    return node_system_time(n, protocol_send_time(n->sys->schedule.protocol, m->type, m->bytes));
 }
 
 vtime match_send(struct node *n, struct message *first, vtime now)
@@ -191,7 +191,7 @@ vtime match_send(struct node *n, struct message *first, vtime now)
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
         now += match_send_time(n, m);
-        proto_send(n->sys->schedule.proto, m, now);
+        protocol_send(n->sys->schedule.protocol, m, now);
     }
     node_account(n, NODE_SENDING, now - begun);
     return now;
@@ -208,9 +208,9 @@ void match_post(struct node *n, struct receive *r, vtime now)
     }
     unexpected_take(n, m);
     give(r, m);
-    if (m->is_long && !m->granted) {
+    if (m->is_long && !m->cleared) {
         n->mailbox.waiting--;
-        proto_grant(m->proto, m, now);
+        protocol_clear_to_send(m->protocol, m, now);
     }
     if (m->arrived && r->handler)
         handlers_add(n, vt_max(m->complete, now), r, NULL);
@@ -245,20 +245,20 @@ vtime match_copying(const struct node *n, const struct message *m)
 void match_done_with(struct node *n, struct message *m, vtime now)
 {
     unbuffer(n, m, now);
-    proto_message_free(m);
+    protocol_message_free(m);
 }
 
 /* A message that has left the queue is not wanted any more. */
 static void throw_away(struct node *n, struct message *m, vtime now)
 {
     m->unwanted = true;
-    if (m->is_long && !m->granted) {
+    if (m->is_long && !m->cleared) {
         n->mailbox.waiting--;
-        proto_grant(m->proto, m, now);
+        protocol_clear_to_send(m->protocol, m, now);
     }
     unbuffer(n, m, now);
     if (m->arrived)
-        proto_message_free(m);
+        protocol_message_free(m);
 }
 
 static void throw_away_all(struct node *n, struct message *list, int64_t typesel, vtime now)
@@ -305,9 +305,9 @@ static void drop_receive(struct message *m)
 void match_abandon(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
-    for (struct message *m = proto_from(n->sys->schedule.proto, n->lp.address); m; m = proto_next_from(m))
+    for (struct message *m = protocol_from(n->sys->schedule.protocol, n->lp.address); m; m = protocol_next_from(m))
         drop_send(m);
-    for (struct message *m = proto_to(n->sys->schedule.proto, n->lp.address); m; m = proto_next_to(m))
+    for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m; m = protocol_next_to(m))
         if (m->receive)
             drop_receive(m);
     handlers_free(b);
@@ -328,7 +328,7 @@ void match_empty(struct node *n, vtime now)
 {
     throw_away_list(n, &n->coming, now);
     throw_away_list(n, &n->mailbox.whole, now);
-    for (struct message *m = proto_to(n->sys->schedule.proto, n->lp.address); m; m = proto_next_to(m))
+    for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m; m = protocol_next_to(m))
         m->unwanted = m->unwanted || !m->serves;
 }
 

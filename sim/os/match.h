@@ -8,7 +8,7 @@
  * (message.complete). Functions are told at what time they happen; whether a call is deferred is asked in front.c. */
 #ifndef OS_MATCH_H
 #define OS_MATCH_H
-#include "net/proto.h"
+#include "net/protocol.h"
 #include "node/node.h"
 
 /* With room for its first ids, for as long as there is the node. */
@@ -45,7 +45,7 @@ void match_follow(struct message *m, struct send *s);
 /* Has the node ids that the program has told it to look after? */
 bool match_ignores(const struct node *n);
 
-/* --- for the protocol: struct proto_nodes with ctx = the node_system --- */
+/* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
 bool match_envelope(void *ctx, struct message *m, vtime now);
 void match_sent(void *ctx, struct message *m, vtime now);
 void match_arrived(void *ctx, struct message *m, vtime now);

@@ -29,6 +29,8 @@
 #include "os/handlers.h"
 #include "os/match.h"
 #include "os/memory.h"
+#include "lp/clock.h"
+#include "node/self.h"
 
 const char ENGINE_NAME[] = "reference";
 

@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "srm/socket.h"
 
-/* Passes a frame on. True for the last. */
-static bool pass_on(enum frame_kind kind, const char *bytes, uint32_t length, int *status)
+/* Writes a frame's bytes where they belong. Returns true after the last frame. */
+static bool write_frame(enum frame_kind kind, const char *bytes, uint32_t length, int *status)
 {
     if (kind == FRAME_END && length == 1) {
         *status = (unsigned char)bytes[0];
@@ -19,20 +20,18 @@ static bool pass_on(enum frame_kind kind, const char *bytes, uint32_t length, in
     return false;
 }
 
-/* The answer's status; -1: it breaks off. */
+/* Returns the status of the answer; -1 if the answer breaks off. */
 static int read_answer(int fd)
 {
-    struct evbuffer *in = evbuffer_new();
+    struct evbuffer *in = xchecked(evbuffer_new());
     enum frame_kind kind;
     char *bytes;
     uint32_t length;
     int status = -1, taken = 0;
     bool last = false;
-    if (!in)
-        abort();
     while (!last && taken >= 0 && evbuffer_read(in, fd, -1) > 0)
         while (!last && (taken = frame_take(in, &kind, &bytes, &length)) > 0) {
-            last = pass_on(kind, bytes, length, &status);
+            last = write_frame(kind, bytes, length, &status);
             free(bytes);
         }
     evbuffer_free(in);
@@ -45,9 +44,7 @@ int client_ask(const char *path, const struct request *r, char **error)
     *error = socket_connect(path, &fd);
     if (*error)
         return -1;
-    struct evbuffer *out = evbuffer_new();
-    if (!out)
-        abort();
+    struct evbuffer *out = xchecked(evbuffer_new());
     request_put(out, r);
     bool sent = true;
     while (sent && evbuffer_get_length(out) > 0)
@@ -57,6 +54,6 @@ int client_ask(const char *path, const struct request *r, char **error)
         status = read_answer(fd);
     close(fd);
     if (status < 0)
-        *error = strdup("the service has gone away: touchstone srm starts one; its cubes are gone too");
+        *error = xstrdup("the service has gone away: touchstone srm starts one; its cubes are gone too");
     return status;
 }

@@ -1,26 +1,15 @@
 /* cubes.c - see cubes.h. */
 #include "srm/cubes.h"
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "srm/job.h"
-
-__attribute__((format(printf, 1, 2))) static char *text(const char *format, ...)
-{
-    char *s;
-    va_list list;
-    va_start(list, format);
-    if (vasprintf(&s, format, list) < 0)
-        abort();
-    va_end(list);
-    return s;
-}
 
 void cubes_open(struct cubes *c, const struct cfg_machine *machine)
 {
     *c = (struct cubes){.machine = machine};
-    share_open(&c->share, machine);
+    allocation_open(&c->allocation, machine);
 }
 
 void cubes_close(struct cubes *c)
@@ -28,7 +17,7 @@ void cubes_close(struct cubes *c)
     for (size_t i = 0; i < c->attached_count; i++)
         free(c->attached[i].session);
     free(c->attached);
-    share_close(&c->share);
+    allocation_close(&c->allocation);
 }
 
 static uint8_t number_of(const struct cubes *c, const struct cube_entry *e)
@@ -38,29 +27,29 @@ static uint8_t number_of(const struct cubes *c, const struct cube_entry *e)
 
 const char *cubes_nodes(const struct cubes *c, const struct cube_entry *e, char *buf, size_t size)
 {
-    const struct share_piece *p = &e->piece;
-    if (c->share.cube && p->nodes == 1)
+    const struct allocation_piece *p = &e->piece;
+    if (c->allocation.cube && p->nodes == 1)
         snprintf(buf, size, "node %u", p->column);
-    else if (c->share.cube)
+    else if (c->allocation.cube)
         snprintf(buf, size, "nodes %u to %u", p->column, p->column + p->nodes - 1);
     else
         snprintf(buf, size, "%u x %u nodes at row %u, column %u", p->rows, p->columns, p->row, p->column);
     return buf;
 }
 
-/* --- getting one --- */
+/* --- getting a cube --- */
 
 static char *check_name(struct cubes *c, const char *name)
 {
     if (!*name || strlen(name) >= CUBE_TEXT)
-        return text("the name of a cube has 1 to %d characters, not \"%s\"", CUBE_TEXT - 1, name);
+        return xasprintf("the name of a cube has 1 to %d characters, not \"%s\"", CUBE_TEXT - 1, name);
     for (const char *at = name; *at; at++)
         if (!isgraph((unsigned char)*at))
-            return text("the name of a cube has no blanks: \"%s\"", name);
+            return xasprintf("the name of a cube has no blanks: \"%s\"", name);
     for (int i = 0; i < CUBES_MOST; i++)
         if (c->list[i].used && !strcmp(c->list[i].name, name))
-            return text("there is a cube \"%s\" already, of %s: getcube -c gives another name", name,
-                        c->list[i].owner);
+            return xasprintf("there is a cube \"%s\" already, of %s: getcube -c gives another name", name,
+                             c->list[i].owner);
     return NULL;
 }
 
@@ -73,15 +62,15 @@ static void print_holders(const struct cubes *c, FILE *f)
                     cubes_nodes(c, &c->list[i], nodes, sizeof nodes));
 }
 
-/* Who has the nodes that there are too few of. */
+/* An error that says who has the nodes. */
 static char *not_free(const struct cubes *c, const struct cube_type *t)
 {
     char *s;
     size_t size;
-    FILE *f = open_memstream(&s, &size);
+    FILE *f = xchecked(open_memstream(&s, &size));
     fprintf(f, "%u nodes are asked for; %u of %u are free, the largest %s of them %u:", t->nodes,
-            share_free(&c->share), share_all(&c->share), c->share.cube ? "cube" : "rectangle",
-            share_largest(&c->share));
+            allocation_free(&c->allocation), allocation_all(&c->allocation),
+            c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation));
     print_holders(c, f);
     fclose(f);
     return s;
@@ -91,7 +80,7 @@ static char *no_entry(const struct cubes *c)
 {
     char *s;
     size_t size;
-    FILE *f = open_memstream(&s, &size);
+    FILE *f = xchecked(open_memstream(&s, &size));
     fprintf(f,
             "there are %d cubes, which is all that the machine allows; relcube gives one back:", CUBES_MOST);
     print_holders(c, f);
@@ -110,18 +99,20 @@ struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type
         e++;
     if (e == end)
         return *error = no_entry(c), NULL;
-    char *wrong = strlen(type) < CUBE_TEXT ? cube_type_read(type, c->machine, share_all(&c->share), &t)
-                                           : text("it is too long");
+    char *wrong = strlen(type) < CUBE_TEXT
+                      ? cube_type_read(type, c->machine, allocation_all(&c->allocation), &t)
+                      : xasprintf("it is too long");
     if (wrong)
-        return *error = text("type \"%s\": %s", type, wrong), free(wrong), NULL;
-    if (!*type && !c->share.cube)
-        t.rows = c->share.rows, t.columns = c->share.columns;
-    if (!share_possible(&c->share, &t))
-        return *error = text("type \"%s\": %s has no %u nodes so, it is a %s of %u", type, c->machine->name,
-                             t.nodes, c->share.cube ? "hypercube" : "mesh", share_all(&c->share)),
+        return *error = xasprintf("type \"%s\": %s", type, wrong), free(wrong), NULL;
+    if (!*type && !c->allocation.cube)
+        t.rows = c->allocation.rows, t.columns = c->allocation.columns;
+    if (!allocation_possible(&c->allocation, &t))
+        return *error = xasprintf("type \"%s\": %s has no %u nodes so, it is a %s of %u", type,
+                                  c->machine->name, t.nodes, c->allocation.cube ? "hypercube" : "mesh",
+                                  allocation_all(&c->allocation)),
                NULL;
     *e = (struct cube_entry){.since = time(NULL)};
-    if (!share_take(&c->share, &t, number_of(c, e), &e->piece))
+    if (!allocation_take(&c->allocation, &t, number_of(c, e), &e->piece))
         return *error = not_free(c, &t), NULL;
     e->used = true;
     snprintf(e->name, sizeof e->name, "%s", name);
@@ -131,7 +122,7 @@ struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type
     return e;
 }
 
-/* --- having it --- */
+/* --- sessions, and giving back --- */
 
 static void detach(struct cubes *c, size_t i)
 {
@@ -151,18 +142,16 @@ void cubes_attach(struct cubes *c, struct cube_entry *e, const char *session)
 {
     struct attachment *a = attachment_of(c, session);
     if (!a) {
-        c->attached = realloc(c->attached, (c->attached_count + 1) * sizeof *c->attached);
-        if (!c->attached)
-            abort();
+        c->attached = xreallocarray(c->attached, c->attached_count + 1, sizeof *c->attached);
         a = &c->attached[c->attached_count++];
-        a->session = strdup(session);
+        a->session = xstrdup(session);
     }
     a->cube = number_of(c, e);
 }
 
 void cubes_release(struct cubes *c, struct cube_entry *e)
 {
-    share_give_back(&c->share, number_of(c, e));
+    allocation_give_back(&c->allocation, number_of(c, e));
     for (size_t i = c->attached_count; i-- > 0;)
         if (c->attached[i].cube == number_of(c, e))
             detach(c, i);
@@ -187,11 +176,11 @@ struct cube_entry *cubes_find(struct cubes *c, const char *name, const char *ses
     if (!*name && count == 1)
         return only;
     if (count == 0)
-        *error = text("there is no cube: getcube -t 16 gets one of 16 nodes");
+        *error = xasprintf("there is no cube: getcube -t 16 gets one of 16 nodes");
     else if (*name)
-        *error = text("there is no cube \"%s\": cubeinfo lists those there are", name);
+        *error = xasprintf("there is no cube \"%s\": cubeinfo lists those there are", name);
     else
-        *error = text(
+        *error = xasprintf(
             "which cube? There are %d, and this terminal is attached to none: -c NAME, or attachcube -c NAME",
             count);
     return NULL;
@@ -235,6 +224,6 @@ void cubes_print(const struct cubes *c, const char *session, FILE *f)
         if (c->list[i].used)
             print_cube(c, &c->list[i], a && a->cube == i + 1, f);
     fprintf(f, "%s: %d of %d cubes; %u of %u nodes free, the largest %s %u\n", c->machine->name, count,
-            CUBES_MOST, share_free(&c->share), share_all(&c->share), c->share.cube ? "cube" : "rectangle",
-            share_largest(&c->share));
+            CUBES_MOST, allocation_free(&c->allocation), allocation_all(&c->allocation),
+            c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation));
 }

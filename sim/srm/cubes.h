@@ -1,13 +1,15 @@
-/* cubes.h - the cubes of a machine: who has which nodes, what is loaded on them, and which terminal works with which.
+/* cubes.h - the cubes of a machine: who has which nodes, what is loaded on them, and which terminal works
+ * with which.
  *
- * At most CUBES_MOST at once, as the real machine allowed. Names are unique. A terminal (session) is attached to the cube
- * it got last, or names in attachcube; commands without a name mean that one. Errors are text for the user, malloc'd.
+ * There are at most CUBES_MOST cubes at once, as the real machine allowed. Names are unique. A terminal
+ * (session) is attached to the cube that it got last or named in attachcube; commands without a name mean
+ * that cube. Errors are text for the user, malloc'd.
  */
 #ifndef SRM_CUBES_H
 #define SRM_CUBES_H
 #include <stdio.h>
 #include <time.h>
-#include "srm/share.h"
+#include "srm/allocation.h"
 
 enum { CUBES_MOST = 10, CUBE_TEXT = 32 };
 
@@ -16,9 +18,9 @@ struct job;
 struct cube_entry {
     bool used;
     char name[CUBE_TEXT], type[CUBE_TEXT], owner[CUBE_TEXT];
-    struct share_piece piece;
+    struct allocation_piece piece;
     time_t since;
-    char *program;   /* for people; NULL: nothing has been loaded */
+    char *program;   /* its command line, for people; NULL: nothing has been loaded */
     struct job *job; /* its run */
 };
 
@@ -29,7 +31,7 @@ struct attachment {
 
 struct cubes {
     const struct cfg_machine *machine;
-    struct share share;
+    struct allocation allocation;
     struct cube_entry list[CUBES_MOST];
     struct attachment *attached;
     size_t attached_count;
@@ -39,12 +41,13 @@ void cubes_open(struct cubes *c, const struct cfg_machine *machine);
 /* Every cube must have been released. */
 void cubes_close(struct cubes *c);
 
-/* A new cube, attached to the session. NULL with *error. */
+/* Makes a new cube, attached to the session. NULL with *error set if that is impossible. */
 struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type, const char *owner,
                              const char *session, char **error);
-/* Its nodes are free again. The caller has seen to its job. */
+/* Frees the nodes of a cube. The caller has freed its job. */
 void cubes_release(struct cubes *c, struct cube_entry *e);
-/* By name; "": the one attached, or the only one there is. NULL with *error. */
+/* Finds a cube by its name; "": the cube attached to the session, or the only one there is. NULL with *error
+ * set if there is none. */
 struct cube_entry *cubes_find(struct cubes *c, const char *name, const char *session, char **error);
 void cubes_attach(struct cubes *c, struct cube_entry *e, const char *session);
 

@@ -2,6 +2,7 @@
 #include "srm/frame.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 
 void frame_head(unsigned char head[FRAME_HEAD], enum frame_kind kind, uint32_t length)
 {
@@ -29,9 +30,7 @@ int frame_take(struct evbuffer *b, enum frame_kind *kind, char **bytes, uint32_t
         return -1;
     if (evbuffer_get_length(b) < FRAME_HEAD + *length)
         return 0;
-    *bytes = malloc(*length + 1);
-    if (!*bytes)
-        abort();
+    *bytes = xmalloc(*length + 1);
     evbuffer_drain(b, FRAME_HEAD);
     evbuffer_remove(b, *bytes, *length);
     (*bytes)[*length] = 0;
@@ -41,9 +40,7 @@ int frame_take(struct evbuffer *b, enum frame_kind *kind, char **bytes, uint32_t
 void request_put(struct evbuffer *b, const struct request *r)
 {
     const char *strings[REQUEST_STRINGS] = {r->command, r->folder, r->session, r->cube, r->type};
-    struct evbuffer *all = evbuffer_new();
-    if (!all)
-        abort();
+    struct evbuffer *all = xchecked(evbuffer_new());
     for (int i = 0; i < REQUEST_STRINGS; i++)
         evbuffer_add(all, strings[i], strlen(strings[i]) + 1);
     for (int i = 0; i < r->argc; i++)
@@ -67,9 +64,7 @@ bool request_read(struct request *r, char *bytes, uint32_t length)
     for (int i = 0; i < REQUEST_STRINGS; i++, at += strlen(at) + 1)
         strings[i] = at;
     *r = (struct request){strings[0], strings[1], strings[2], strings[3], strings[4], 0, NULL};
-    r->argv = calloc((size_t)(words - REQUEST_STRINGS) + 1, sizeof *r->argv);
-    if (!r->argv)
-        abort();
+    r->argv = xcalloc((size_t)(words - REQUEST_STRINGS) + 1, sizeof *r->argv);
     for (; at < end; at += strlen(at) + 1)
         r->argv[r->argc++] = at;
     return true;

@@ -1,7 +1,8 @@
-/* frame.h - what goes over the service's socket, both ways: frames of a kind, a length and so many bytes.
+/* frame.h - the service's socket carries frames both ways: a kind, a length and so many bytes.
  *
- *     client    FRAME_REQUEST   strings, each ended by 0: struct request in this order, then the program and its arguments
- *     service   FRAME_OUT, FRAME_ERR   bytes for the client's standard output and error output, any number of them
+ *     client    FRAME_REQUEST   strings, each ended by 0: struct request in this order, then the program and
+ *                               its arguments
+ *     service   FRAME_OUT, FRAME_ERR   bytes for the client's standard output and error output
  *               FRAME_END       one byte: the client's exit status; the last
  */
 #ifndef SRM_FRAME_H
@@ -15,9 +16,9 @@ enum { FRAME_HEAD = 5, FRAME_MOST = 1 << 20 };
 
 struct request {
     const char *command; /* "getcube" */
-    const char *folder;  /* the client's current one */
-    const char *session; /* of its terminal: cubes are attached to it */
-    const char *cube;    /* its name, "": the one attached */
+    const char *folder;  /* the current folder of the client */
+    const char *session; /* of the client's terminal, to which cubes are attached */
+    const char *cube;    /* its name; "": the cube attached to the session */
     const char *type;    /* getcube */
     int argc;            /* load: words for touchstone run */
     char **argv;
@@ -26,11 +27,12 @@ enum { REQUEST_STRINGS = 5 };
 
 void frame_head(unsigned char head[FRAME_HEAD], enum frame_kind kind, uint32_t length);
 void frame_put(struct evbuffer *b, enum frame_kind kind, const void *bytes, uint32_t length);
-/* Takes a whole frame out of the buffer; *bytes is malloc'd, with a 0 after its end. 1 done, 0 more has to come, -1 what
- * came is no frame. */
+/* Takes a whole frame out of the buffer; *bytes is malloc'd, with a 0 after its end. Returns 1 if there was
+ * one, 0 if more bytes have to come, -1 if the bytes are no frame. */
 int frame_take(struct evbuffer *b, enum frame_kind *kind, char **bytes, uint32_t *length);
 
 void request_put(struct evbuffer *b, const struct request *r);
-/* Points into bytes; argv is malloc'd. False: it is no request. */
+/* Reads a request; its strings point into bytes, argv is malloc'd. Returns false if the bytes are no request.
+ */
 bool request_read(struct request *r, char *bytes, uint32_t length);
 #endif

@@ -12,19 +12,20 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "srm/frame.h"
 
 struct stream {
     struct job *job;
     enum frame_kind kind;
-    struct bufferevent *from; /* NULL: at its end */
-    struct evbuffer *line;    /* not ended yet */
+    struct bufferevent *from; /* NULL: all has been read */
+    struct evbuffer *line;    /* the beginning of a line that has not ended */
 };
 
 struct job {
     struct job_events events;
     pid_t pid; /* 0: reaped */
-    int spool; /* its output */
+    int spool; /* a file with its output */
     off_t size;
     struct stream stream[2];
     int status;
@@ -33,16 +34,14 @@ struct job {
 
 /* --- its output --- */
 
-/* The next line, or as much of one as is too long; NULL: none yet. */
+/* The next line, or the beginning of a line that is too long. NULL: there is no whole line yet. */
 static char *next_line(struct evbuffer *b)
 {
     enum { LONGEST = 4096 };
     char *line = evbuffer_readln(b, NULL, EVBUFFER_EOL_LF);
     if (line || evbuffer_get_length(b) < LONGEST)
         return line;
-    line = calloc(LONGEST + 1, 1);
-    if (!line)
-        abort();
+    line = xcalloc(LONGEST + 1, 1);
     evbuffer_remove(b, line, LONGEST);
     return line;
 }
@@ -71,7 +70,7 @@ static void on_data(struct bufferevent *b, void *arg)
     s->job->events.grown(s->job->events.ctx, s->job);
 }
 
-static void look_whether_ended(struct job *j)
+static void tell_if_ended(struct job *j)
 {
     if (job_has_ended(j))
         j->events.grown(j->events.ctx, j);
@@ -83,21 +82,20 @@ static void on_end(struct bufferevent *b, short what, void *arg)
     (void)what;
     bufferevent_free(b);
     s->from = NULL;
-    look_whether_ended(s->job);
+    tell_if_ended(s->job);
 }
 
 static void open_stream(struct stream *s, struct job *j, struct event_base *base, int fd,
                         enum frame_kind kind)
 {
     evutil_make_socket_nonblocking(fd);
-    *s = (struct stream){j, kind, bufferevent_socket_new(base, fd, BEV_OPT_CLOSE_ON_FREE), evbuffer_new()};
-    if (!s->from || !s->line)
-        abort();
+    struct bufferevent *from = xchecked(bufferevent_socket_new(base, fd, BEV_OPT_CLOSE_ON_FREE));
+    *s = (struct stream){j, kind, from, xchecked(evbuffer_new())};
     bufferevent_setcb(s->from, on_data, NULL, on_end, s);
     bufferevent_enable(s->from, EV_READ);
 }
 
-/* --- its life --- */
+/* --- start and end --- */
 
 /* In the child, between fork and exec. */
 static void become(char *const argv[], const char *folder, int out, int err, pid_t parent)
@@ -141,14 +139,11 @@ struct job *job_start(struct event_base *base, char *const argv[], const char *f
         close(out[0]);
         close(err[0]);
         close(spool);
-        if (asprintf(error, "a process cannot be started: %s", strerror(why)) < 0)
-            abort();
+        *error = xasprintf("a process cannot be started: %s", strerror(why));
         return NULL;
     }
-    setpgid(pid, pid); /* whichever of the two is first */
-    struct job *j = calloc(1, sizeof *j);
-    if (!j)
-        abort();
+    setpgid(pid, pid); /* parent and child both do so: either may be first */
+    struct job *j = xcalloc(1, sizeof *j);
     *j = (struct job){.events = *events, .pid = pid, .spool = spool, .since = time(NULL)};
     open_stream(&j->stream[0], j, base, out[0], FRAME_OUT);
     open_stream(&j->stream[1], j, base, err[0], FRAME_ERR);
@@ -186,7 +181,7 @@ void job_reaped(struct job *j, int status)
 {
     j->pid = 0;
     j->status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-    look_whether_ended(j);
+    tell_if_ended(j);
 }
 
 bool job_has_ended(const struct job *j)

@@ -2,7 +2,6 @@
 #include "srm/socket.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,26 +10,16 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 
-__attribute__((format(printf, 1, 2))) static char *text(const char *format, ...)
-{
-    char *s;
-    va_list list;
-    va_start(list, format);
-    if (vasprintf(&s, format, list) < 0)
-        abort();
-    va_end(list);
-    return s;
-}
-
-/* A folder in /tmp is anybody's to make: it must be ours, and closed to others. */
+/* Anybody can make a folder in /tmp: it must belong to this user, and be closed to others. */
 static char *own_folder(const char *path)
 {
     struct stat st;
     if (mkdir(path, 0700) && errno != EEXIST)
-        return text("%s cannot be made: %m", path);
+        return xasprintf("%s cannot be made: %m", path);
     if (lstat(path, &st) || !S_ISDIR(st.st_mode) || st.st_uid != getuid() || st.st_mode & 077)
-        return text(
+        return xasprintf(
             "%s is not a folder of yours that is closed to others (mode 0700): remove it, or give --socket",
             path);
     return NULL;
@@ -52,7 +41,7 @@ char *socket_path(const char *given, char path[SOCKET_PATH])
     }
     if (error || (n > 0 && n < SOCKET_PATH))
         return error;
-    return text("the path of a socket has 1 to %d characters", SOCKET_PATH - 1);
+    return xasprintf("the path of a socket has 1 to %d characters", SOCKET_PATH - 1);
 }
 
 static struct sockaddr_un address(const char *path)
@@ -62,20 +51,20 @@ static struct sockaddr_un address(const char *path)
     return a;
 }
 
-/* Locks PATH.lock, which whoever holds it has its process number in. */
+/* Locks PATH.lock, in which its holder has written its process number. */
 static char *take_lock(const char *path, int *lock)
 {
     char name[SOCKET_PATH + 8], number[16] = "";
     snprintf(name, sizeof name, "%s.lock", path);
     *lock = open(name, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (*lock < 0)
-        return text("%s cannot be opened: %m", name);
+        return xasprintf("%s cannot be opened: %m", name);
     if (flock(*lock, LOCK_EX | LOCK_NB) == 0)
         return NULL;
     ssize_t n = pread(*lock, number, sizeof number - 1, 0);
     close(*lock);
-    return text("a service runs at %s already%s%.*s: stop it, or give another --socket", path,
-                n > 0 ? ", process " : "", n > 0 ? (int)strcspn(number, "\n") : 0, number);
+    return xasprintf("a service runs at %s already%s%.*s: stop it, or give another --socket", path,
+                     n > 0 ? ", process " : "", n > 0 ? (int)strcspn(number, "\n") : 0, number);
 }
 
 char *socket_listen(const char *path, int *fd, int *lock)
@@ -87,7 +76,7 @@ char *socket_listen(const char *path, int *fd, int *lock)
         return error;
     if (lstat(path, &st) == 0 && !S_ISSOCK(st.st_mode)) {
         close(*lock);
-        return text("%s is there, and is no socket: give another --socket", path);
+        return xasprintf("%s is there, and is no socket: give another --socket", path);
     }
     unlink(path);
     mode_t before = umask(0177);
@@ -96,7 +85,7 @@ char *socket_listen(const char *path, int *fd, int *lock)
     umask(before);
     if (bound)
         return NULL;
-    error = text("%s cannot be listened at: %m", path);
+    error = xasprintf("%s cannot be listened at: %m", path);
     close(*fd);
     close(*lock);
     return error;
@@ -122,7 +111,8 @@ char *socket_connect(const char *path, int *fd)
     *fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (*fd >= 0 && connect(*fd, (struct sockaddr *)&a, sizeof a) == 0)
         return NULL;
-    char *error = text("no service answers at %s (%m): touchstone srm --machine ipsc860 -d starts one", path);
+    char *error =
+        xasprintf("no service answers at %s (%m): touchstone srm --machine ipsc860 -d starts one", path);
     close(*fd);
     return error;
 }

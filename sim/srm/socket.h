@@ -1,8 +1,8 @@
-/* socket.h - where the service listens: a unix socket that only its user may reach, and a lock beside it that tells a
- * service that runs from one that has died.
+/* socket.h - where the service listens: a unix socket that only its user may reach, and a lock file by which
+ * a service that runs is told from one that has died.
  *
  *     PATH         the socket, mode 0600
- *     PATH.lock    held locked as long as the service lives; has its process number in it
+ *     PATH.lock    held locked as long as the service lives; contains its process number
  */
 #ifndef SRM_SOCKET_H
 #define SRM_SOCKET_H
@@ -10,15 +10,16 @@
 
 enum { SOCKET_PATH = 108 }; /* as long as an address may be */
 
-/* given, else $TOUCHSTONE_SRM, else $XDG_RUNTIME_DIR/touchstone-srm, else /tmp/touchstone-UID/srm. NULL, or what is
- * wrong, malloc'd. */
+/* Writes the socket's path: given, else $TOUCHSTONE_SRM, else $XDG_RUNTIME_DIR/touchstone-srm, else
+ * /tmp/touchstone-UID/srm. Returns NULL, or what is wrong (malloc'd). */
 char *socket_path(const char *given, char path[SOCKET_PATH]);
 
-/* Listens: the descriptors of socket and lock. What a dead service has left is replaced. NULL, or what is wrong. */
+/* Listens, and sets the descriptors of socket and lock. Replaces what a dead service has left. Returns NULL,
+ * or what is wrong (malloc'd). */
 char *socket_listen(const char *path, int *fd, int *lock);
-/* Writes the caller's process number into the lock: it is the one that serves. */
+/* Writes the process number of the caller, which is the service, into the lock. */
 void socket_owner(int lock);
 void socket_remove(const char *path);
-/* NULL, or what is wrong. */
+/* Returns NULL, or what is wrong (malloc'd). */
 char *socket_connect(const char *path, int *fd);
 #endif

@@ -12,7 +12,7 @@ static void one_pointer_goes_on_by_each_call(void **state)
     struct modes_group *g = &m.group[MODE_FIRST_COME];
     (void)state;
     modes_join(&m, MODE_FIRST_COME, 100);
-    modes_join(&m, MODE_FIRST_COME, 555); /* the first member's place holds */
+    modes_join(&m, MODE_FIRST_COME, 555); /* the first member's position holds */
     assert_int_equal(modes_take(g, 10), 100);
     assert_int_equal(modes_take(g, 5), 110);
     assert_int_equal(modes_take(g, 0), 115);

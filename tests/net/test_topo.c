@@ -125,7 +125,7 @@ static void services_leave_the_nodes_routes_as_they_are(void **state)
     for (int s = 0; s < 2; s++) {
         with[s] = plain[s];
         topo_add_services(&with[s], 11);
-        assert_int_equal(with[s].places, 16 + 11);
+        assert_int_equal(with[s].addresses, 16 + 11);
         for (uint32_t i = 0; i < 256; i++) {
             int n = channels_of(&plain[s], i / 16, i % 16, a);
             assert_int_equal(channels_of(&with[s], i / 16, i % 16, b), n);
@@ -163,14 +163,14 @@ static void services_of_a_hypercube_hang_on_nodes_spread_evenly(void **state)
     }
 }
 
-/* The order of channels of which each route takes some, one after the other, has no cycle: Kahn's algorithm takes
- * away channels that no other comes before, until none is left. */
+/* The order of channels of which each route takes some, one after the other, has no cycle: Kahn's algorithm
+ * takes away channels that no other comes before, until none is left. */
 static void no_cycle(const struct topo *t)
 {
     uint32_t n = t->channels, *before = calloc(n, sizeof *before), left = n, c[128];
     char *follows = calloc((size_t)n * n, 1), *gone = calloc(n, 1);
-    for (uint32_t a = 0; a < t->places; a++)
-        for (uint32_t b = 0; b < t->places; b++)
+    for (uint32_t a = 0; a < t->addresses; a++)
+        for (uint32_t b = 0; b < t->addresses; b++)
             for (int i = 1, m = channels_of(t, a, b, c); i < m; i++)
                 if (!follows[(size_t)c[i - 1] * n + c[i]]) {
                     follows[(size_t)c[i - 1] * n + c[i]] = 1;
@@ -215,8 +215,8 @@ static void every_route_ends_where_it_should(void **state)
     for (int mesh = 0; mesh < 2; mesh++) {
         assert_true(mesh ? topo_mesh(&t, 13, 16, 33) : topo_hypercube(&t, 13, 7));
         topo_add_services(&t, 33);
-        for (uint32_t a = 0; a < t.places; a++)
-            for (uint32_t b = 0; b < t.places; b++) {
+        for (uint32_t a = 0; a < t.addresses; a++)
+            for (uint32_t b = 0; b < t.addresses; b++) {
                 uint32_t ends = mesh ? 2 : 2 - (a >= t.positions) - (b >= t.positions);
                 assert_int_equal(channels_of(&t, a, b, c), topo_hops(&t, a, b) + ends);
             }

@@ -1,0 +1,174 @@
+/* channel.c - see channel.h. */
+#include "net/channel.h"
+#include <assert.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+
+struct channel {
+    struct channel_transit
+        *last; /* of the waiting ones, which are a ring: its next is the first. NULL: none waits */
+    const struct channel_transit *holder; /* NULL: the channel is free */
+    uint32_t next;                        /* the holder's channel after this one, if it has come so far */
+};
+
+struct channels {
+    struct topo topo;
+    struct evq *q;
+    struct channel_calls calls;
+    struct channel *channels;
+    vtime waited; /* in all, less the beginnings of waits that have no end yet */
+    vtime latest; /* when a transit last began or ended to wait */
+    uint64_t waits, waiting;
+};
+
+struct channels *channel_new(const struct topo *topo, struct evq *q, const struct channel_calls *calls)
+{
+    struct channels *net = xcalloc(1, sizeof *net);
+    net->topo = *topo, net->q = q, net->calls = *calls;
+    net->channels = xcalloc(topo->channels, sizeof *net->channels);
+    return net;
+}
+
+void channel_free(struct channels *net)
+{
+    if (!net)
+        return;
+    free(net->channels);
+    free(net);
+}
+
+static void queue(struct channel *c, struct channel_transit *t)
+{
+    t->next = t;
+    if (c->last)
+        t->next = c->last->next, c->last->next = t;
+    c->last = t;
+}
+
+/* Takes the first of the waiting transits off the queue; there must be one. */
+static struct channel_transit *unqueue(struct channel *c)
+{
+    struct channel_transit *first = c->last->next;
+    c->last->next = first->next;
+    if (c->last == first)
+        c->last = NULL;
+    return first;
+}
+
+static void begin_wait(struct channels *net, struct channel *c, struct channel_transit *t, vtime now)
+{
+    assert(now >= net->latest);
+    net->waits++, net->waiting++;
+    net->waited -= now;
+    net->latest = now;
+    queue(c, t);
+}
+
+static struct channel_transit *end_wait(struct channels *net, struct channel *c, vtime now)
+{
+    assert(net->waiting > 0 && now >= net->latest);
+    net->waiting--;
+    net->waited += now;
+    net->latest = now;
+    return unqueue(c);
+}
+
+/* Does the transit give back the channels between nodes before it is done? */
+static bool gives_early(const struct channel_transit *t)
+{
+    return t->holds && t->holds < t->duration;
+}
+
+static void give_links_early(void *ctx, void *arg, vtime now);
+static void finish(void *ctx, void *arg, vtime now);
+
+/* Appends a channel to those of the transit. */
+static struct channel *append(struct channels *net, struct channel_transit *t, uint32_t channel,
+                              bool is_first)
+{
+    struct channel *c = &net->channels[channel];
+    if (is_first)
+        t->first = channel;
+    else
+        net->channels[t->last].next = channel;
+    t->last = channel;
+    return c;
+}
+
+/* Takes channels from there on until the route is complete, or a channel is another's. */
+static void advance(struct channels *net, struct channel_transit *t, struct topo_walk walk, vtime now)
+{
+    bool is_first = !walk.entered;
+    for (uint32_t channel; topo_step(&net->topo, &walk, &channel); is_first = false) {
+        struct channel *c = append(net, t, channel, is_first);
+        if (c->holder) {
+            t->walk = walk;
+            begin_wait(net, c, t, now);
+            return;
+        }
+        c->holder = t;
+    }
+    if (gives_early(t))
+        evq_put(net->q, now + t->holds, t->to, give_links_early, net, t);
+    evq_put(net->q, now + t->duration, t->to, finish, net, t);
+    net->calls.started(net->calls.ctx, t, now);
+}
+
+/* Gives t's channel to the first transit that waits for it, which goes on along its route. */
+static void give(struct channels *net, struct channel *c, const struct channel_transit *t, vtime now)
+{
+    assert(c->holder == t);
+    c->holder = NULL;
+    if (!c->last)
+        return;
+    struct channel_transit *next = end_wait(net, c, now);
+    c->holder = next;
+    advance(net, next, next->walk, now);
+}
+
+/* Gives back the channels between nodes, in order, from the one after the port in. */
+static void give_links(struct channels *net, const struct channel_transit *t, uint32_t from, vtime now)
+{
+    const struct channel *end = &net->channels[t->last];
+    for (struct channel *c = &net->channels[from]; c != end;) {
+        uint32_t next = c->next;
+        give(net, c, t, now);
+        c = &net->channels[next];
+    }
+}
+
+static void give_links_early(void *ctx, void *arg, vtime now)
+{
+    struct channels *net = ctx;
+    struct channel_transit *t = arg;
+    give_links(net, t, net->channels[t->first].next, now);
+}
+
+static void finish(void *ctx, void *arg, vtime now)
+{
+    struct channels *net = ctx;
+    struct channel_transit *t = arg;
+    uint32_t inner = net->channels[t->first].next;
+    give(net, &net->channels[t->first], t, now);
+    if (!gives_early(t))
+        give_links(net, t, inner, now);
+    give(net, &net->channels[t->last], t, now);
+    net->calls.done(net->calls.ctx, t, now);
+}
+
+void channel_send(struct channels *net, struct channel_transit *t, vtime now)
+{
+    struct topo_walk walk;
+    topo_begin(&net->topo, &walk, t->from, t->to);
+    advance(net, t, walk, now);
+}
+
+vtime channel_waited(const struct channels *net)
+{
+    return net->waited + net->waiting * net->latest;
+}
+
+uint64_t channel_waits(const struct channels *net)
+{
+    return net->waits;
+}

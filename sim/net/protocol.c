@@ -1,0 +1,302 @@
+/* protocol.c - see protocol.h. Each function below is one arrow's end in its drawing. */
+#include <assert.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+#include "net/protocol_parts.h"
+
+static void started(void *ctx, struct channel_transit *t, vtime now);
+static void done(void *ctx, struct channel_transit *t, vtime now);
+
+struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
+                              const struct protocol_nodes *nodes)
+{
+    struct protocol *p = xcalloc(1, sizeof *p);
+    p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
+    p->least_milli = cfg->fast_every && cfg_fast_system_milli(cfg) < 1000 ? cfg_fast_system_milli(cfg) : 1000;
+    for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
+        p->messages[i].bytes = sizeof(struct message) + PROTOCOL_IN_MESSAGE[i];
+    p->trips.bytes = sizeof(struct trip);
+    p->channels = channel_new(topo, q, &(struct channel_calls){p, started, done});
+    p->endpoints = xcalloc(topo->addresses, sizeof *p->endpoints);
+    return p;
+}
+
+void protocol_free(struct protocol *p)
+{
+    if (!p)
+        return;
+    for (uint32_t i = 0; i < p->topo.addresses; i++)
+        while (p->endpoints[i].in)
+            protocol_message_free(p->endpoints[i].in->m);
+    assert(p->under_way == 0);
+    channel_free(p->channels);
+    free(p->endpoints);
+    for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
+        arena_free(&p->messages[i]);
+    arena_free(&p->trips);
+    free(p);
+}
+
+vtime protocol_send_time(const struct protocol *p, int32_t type, size_t bytes)
+{
+    if (bytes <= p->cfg->short_limit)
+        return p->cfg->short_send_ps;
+    return type & PROTOCOL_FORCED ? p->cfg->forced_send_ps : p->cfg->ask_send_ps;
+}
+
+/* A list of so many messages is not searched: something may come at any moment. */
+enum { MANY = 256 };
+
+vtime protocol_horizon(const struct protocol *p, uint32_t node, vtime next)
+{
+    /* A message that is not under way yet is sent at `next` at the earliest, and takes processor time of its
+     * sender. */
+    if (next == VT_NEVER)
+        return VT_NEVER;
+    vtime horizon = next + protocol_least_send_time(p);
+    unsigned many = 0;
+    for (const struct trip *t = p->endpoints[node].in; t && ++many < MANY; t = t->next_in)
+        horizon = vt_min(horizon, vt_max(t->at_receiver.at, next + t->at_receiver.after));
+    for (const struct trip *t = p->endpoints[node].out; t && ++many < MANY; t = t->next_out)
+        horizon = vt_min(horizon, vt_max(t->at_sender.at, next + t->at_sender.after));
+    return many < MANY ? horizon : next;
+}
+
+void protocol_set_nodes(struct protocol *p, uint32_t n)
+{
+    p->topo.nodes = n;
+}
+
+/* --- sending --- */
+
+static void request_arrives(void *ctx, void *arg, vtime now);
+static void inject(void *ctx, void *arg, vtime now);
+
+void protocol_send(struct protocol *p, struct message *m, vtime when)
+{
+    if (!m->trip)
+        protocol_begin_trip(p, m);
+    struct trip *t = m->trip;
+    const struct evq_sender sender = {t->source, t->order};
+    t->followed = m->followed;
+    if (!t->link_in)
+        protocol_link(p, t);
+    if (m->is_long) {
+        vtime latency = protocol_latency(p, m);
+        t->at_sender = protocol_at(when + 2 * latency);
+        t->at_receiver = protocol_at(when + latency);
+        evq_put_sent(p->q, when + latency, m->to, sender, request_arrives, p, m);
+    } else {
+        t->at_sender = t->pio || t->followed ? protocol_at(when) : PROTOCOL_NOTHING;
+        t->at_receiver = protocol_at(when);
+        evq_put_sent(p->q, when, m->from, sender, inject, p, t);
+    }
+}
+
+void protocol_take_back(struct message *m)
+{
+    m->trip->taken_back = true;
+    protocol_envelope_seen(m->protocol, m->trip); /* later envelopes do not wait for it */
+    protocol_unlink_out(m->trip);
+}
+
+/* The receiver of m forwards it along the tree, from `when` on; returns when the receiver has done so. */
+static vtime forward(struct protocol *p, struct message *m, vtime when)
+{
+    for (struct message *o = m->trip->forward, *next; o; o = next) {
+        next = o->next;
+        when = p->nodes.work(p->nodes.ctx, o->from, PROTOCOL_SEND, when,
+                             protocol_send_time(p, o->type, o->bytes));
+        protocol_send(p, o, when);
+    }
+    m->trip->forward = NULL;
+    return when;
+}
+
+/* --- envelopes, handled in the order sent --- */
+
+static void handle_envelope(struct protocol *p, struct message *m, vtime now);
+
+/* Is a message under way between the same programs that was sent earlier, and whose envelope has not come? */
+static bool must_wait(const struct protocol *p, const struct message *m)
+{
+    return protocol_first_coming(p, m->trip->source, m->to) != m->trip;
+}
+
+/* The message next in order, if its envelope has come and waited for the one just handled. NULL: none. */
+static struct message *released(const struct protocol *p, uint32_t source, uint32_t to)
+{
+    const struct trip *first = protocol_first_coming(p, source, to);
+    return first && first->waits ? first->m : NULL;
+}
+
+/* An envelope has come: the receiver handles it unless an earlier one is still to come, and then those that
+ * waited for it. */
+static void envelope_comes(struct protocol *p, struct message *m, vtime now)
+{
+    if (must_wait(p, m)) {
+        m->trip->waits = true;
+        m->trip->at_receiver = protocol_after(0);
+        return;
+    }
+    uint32_t source = m->source, to = m->to;
+    do {
+        handle_envelope(p, m, now);
+        m = released(p, source, to);
+    } while (m);
+}
+
+static void whole_message(struct protocol *p, struct message *m, vtime now);
+
+static void handle_envelope(struct protocol *p, struct message *m, vtime now)
+{
+    protocol_envelope_seen(p, m->trip);
+    if (!m->is_long) {
+        whole_message(p, m, now);
+        return;
+    }
+    vtime answered = p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, p->cfg->ask_receive_ps);
+    m->trip->at_receiver = m->trip->at_sender = protocol_after(protocol_latency(p, m));
+    if (p->nodes.envelope(p->nodes.ctx, m, now))
+        protocol_clear_to_send(p, m, answered);
+}
+
+static void request_arrives(void *ctx, void *arg, vtime now)
+{
+    struct message *m = arg;
+    if (m->trip->taken_back)
+        protocol_message_free(m);
+    else
+        envelope_comes(ctx, m, now);
+}
+
+/* --- the second and third trip --- */
+
+static void clear_to_send_arrives(void *ctx, void *arg, vtime now)
+{
+    struct protocol *p = ctx;
+    struct message *m = arg;
+    vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTOCOL_SEND, now, p->cfg->grant_receive_ps);
+    m->trip->at_sender = protocol_at(ready);
+    m->trip->at_receiver = protocol_at(ready + protocol_latency(p, m));
+    evq_put(p->q, ready, m->from, inject, p, m->trip);
+}
+
+void protocol_clear_to_send(struct protocol *p, struct message *m, vtime when)
+{
+    assert(m->is_long && !m->cleared);
+    m->cleared = true;
+    vtime arrives = when + protocol_latency(p, m);
+    m->trip->at_sender = protocol_at(arrives);
+    m->trip->at_receiver = protocol_at(arrives + protocol_least(p, p->cfg->grant_receive_ps));
+    evq_put(p->q, arrives, m->from, clear_to_send_arrives, p, m);
+}
+
+static void sent(struct protocol *p, struct trip *t, vtime now)
+{
+    protocol_unlink_out(t);
+    if (t->followed && t->m->followed)
+        p->nodes.sent(p->nodes.ctx, t->m, now);
+}
+
+/* The sender's processor moves the message into the channel. */
+static void pio_send(struct protocol *p, const struct trip *t, vtime now)
+{
+    vtime takes = t->m->bytes * p->cfg->send_ps_per_byte;
+    p->nodes.pio(p->nodes.ctx, t->transit.from, PROTOCOL_SEND, now, takes);
+}
+
+/* The message, or its data, enter the network. */
+static void inject(void *ctx, void *arg, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = arg;
+    if (t->taken_back) {
+        protocol_message_free(t->m);
+        return;
+    }
+    if (t->pio)
+        pio_send(p, t, now);
+    vtime duration = t->transit.duration;
+    /* Once the message has left, a handler of the sender may be due. The message may have to wait for
+     * channels first. */
+    t->at_sender = (struct protocol_bound){.at = now + duration, .after = duration};
+    t->at_receiver = protocol_after(t->pio ? protocol_latency(p, t->m) : duration);
+    if (!t->is_long)
+        sent(p, t, now); /* the operating system has a copy: the caller's buffer is free */
+    channel_send(p->channels, &t->transit, now);
+}
+
+static struct trip *trip_of(struct channel_transit *t)
+{
+    return (struct trip *)((char *)t - offsetof(struct trip, transit));
+}
+
+/* The first byte has come: the receiver's processor moves the message out of the channel. */
+static void pio_receive(void *ctx, void *arg, vtime now)
+{
+    struct protocol *p = ctx;
+    struct message *m = arg;
+    p->nodes.pio(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
+    m->trip->at_receiver = protocol_at(now + m->bytes * p->cfg->long_ps_per_byte);
+}
+
+static void started(void *ctx, struct channel_transit *transit, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = trip_of(transit);
+    t->at_sender = protocol_at(now + transit->duration);
+    if (!t->pio) {
+        t->at_receiver = protocol_at(now + transit->duration);
+        return;
+    }
+    vtime first_byte = now + protocol_latency(p, t->m);
+    t->at_receiver = protocol_at(first_byte);
+    evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
+}
+
+/* --- arrival --- */
+
+static void complete(struct protocol *p, struct message *m, vtime now, vtime system)
+{
+    m->complete = forward(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, system));
+    m->arrived = true;
+    protocol_end_trip(p, m);
+    p->nodes.arrived(p->nodes.ctx, m, now);
+}
+
+static void whole_message(struct protocol *p, struct message *m, vtime now)
+{
+    vtime system = m->bytes <= p->cfg->short_limit ? p->cfg->short_receive_ps : p->cfg->forced_receive_ps;
+    if (p->nodes.envelope(p->nodes.ctx, m, now)) {
+        complete(p, m, now, system);
+    } else {
+        assert(m->forced);
+        forward(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, system));
+        protocol_message_free(m);
+    }
+}
+
+static void done(void *ctx, struct channel_transit *transit, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = trip_of(transit);
+    struct message *m = t->m;
+    if (!t->is_long) {
+        envelope_comes(p, m, now);
+        return;
+    }
+    sent(p, t, now);
+    complete(p, m, now, p->cfg->long_receive_ps);
+}
+
+uint64_t protocol_under_way(const struct protocol *p)
+{
+    return p->under_way;
+}
+
+const struct channels *protocol_channels(const struct protocol *p)
+{
+    return p->channels;
+}

@@ -1,0 +1,112 @@
+/* protocol_parts.h - what the files of the protocol share: protocol.c (the trips), protocol_message.c
+ * (messages, and the lists of those under way), protocol_tree.c (messages to all nodes). For these files
+ * only. */
+#ifndef NET_PROTOCOL_PARTS_H
+#define NET_PROTOCOL_PARTS_H
+#include <stddef.h>
+#include "kernel/arena.h"
+#include "net/protocol.h"
+
+/* A lower bound on when a message next affects a node: not before `at`, nor before the machine's next event
+ * plus `after`. Lets a node with an armed handler compute on until then. */
+struct protocol_bound {
+    vtime at, after;
+};
+
+/* The part of a message that exists only under way. The messages of a tree are under way from their making,
+ * others from when they are sent; all until they have arrived. */
+struct trip {
+    struct message *m;
+    struct trip *next_in, **link_in;   /* to the receiver */
+    struct trip *next_out, **link_out; /* being sent by the sender */
+    uint64_t order;                    /* the message's, as source */
+    uint32_t source;
+    bool waits : 1;          /* its envelope has come before an earlier one's */
+    bool envelope : 1;       /* the receiver has handled the envelope, or nobody waits for it */
+    bool taken_back : 1;     /* the sender has ended before the message left */
+    bool is_long : 1;        /* the message is */
+    bool pio : 1;            /* programmed I/O at both ends, where the machine has no DMA */
+    bool followed : 1;       /* the message was so when it was sent */
+    struct message *forward; /* the messages that the receiver is to send on */
+
+    struct protocol_bound at_sender, at_receiver;
+    struct channel_transit transit;
+};
+_Static_assert(offsetof(struct trip, transit.next) == 128,
+               "a trip that waits for no channel takes two lines");
+
+/* So many bytes lie in the message itself at most: hardly any, or as many as the machines' short messages
+ * have. */
+enum protocol_size { PROTOCOL_FEW, PROTOCOL_SHORT, PROTOCOL_SIZES };
+static const size_t PROTOCOL_IN_MESSAGE[PROTOCOL_SIZES] = {32, 160};
+_Static_assert(sizeof(struct message) == 96 && offsetof(struct message, send) == 64,
+               "a message with few bytes takes two lines of the cache");
+
+/* What lives at one address: the messages on their way to it and those being sent by it. */
+struct protocol_endpoint {
+    struct trip *in, *out;
+    uint64_t made;        /* messages, by the endpoint */
+    uint32_t coming;      /* the length of `in` */
+    struct queues *flows; /* those of `in` whose envelope has not come, by source; NULL: there are few */
+};
+
+struct protocol {
+    const struct cfg_machine *cfg;
+    struct topo topo;
+    struct evq *q;
+    struct channels *channels;
+    struct protocol_nodes nodes;
+    struct protocol_endpoint *endpoints;
+    struct arena messages[PROTOCOL_SIZES], trips;
+    uint64_t under_way;
+    /* The quickest node's system takes so many thousandths of the time that an ordinary node's takes. */
+    uint64_t least_milli;
+};
+
+/* The least time that any node's system takes for work that takes an ordinary node's system the time t. */
+static inline vtime protocol_least(const struct protocol *p, vtime t)
+{
+    return p->least_milli == 1000 ? t : t * p->least_milli / 1000;
+}
+
+/* The least time in which any node's system sends anything. */
+static inline vtime protocol_least_send_time(const struct protocol *p)
+{
+    const struct cfg_machine *c = p->cfg;
+    return protocol_least(p, vt_min(c->short_send_ps, vt_min(c->forced_send_ps, c->ask_send_ps)));
+}
+
+static const struct protocol_bound PROTOCOL_NOTHING = {.at = VT_NEVER};
+
+static inline struct protocol_bound protocol_at(vtime t)
+{
+    return (struct protocol_bound){.at = t};
+}
+
+static inline struct protocol_bound protocol_after(vtime t)
+{
+    return (struct protocol_bound){.after = t};
+}
+
+/* Time of a few bytes, or of a long message's first byte, over the hops. */
+vtime protocol_latency(const struct protocol *p, const struct message *m);
+
+/* A copy of bytes, for messages to share; NULL if data is NULL, as for messages whose bytes nobody reads. */
+void *protocol_payload(const void *data, size_t bytes);
+/* A message whose data are of protocol_payload, which has one more user then, or NULL. */
+struct message *protocol_message_sharing(struct protocol *p, uint32_t from, uint32_t to, int32_t type,
+                                         int32_t pid, void *payload, size_t bytes);
+/* The message's trip begins; once linked, the trip is on its way to the receiver and being sent by the
+ * sender. */
+void protocol_begin_trip(struct protocol *p, struct message *m);
+void protocol_link(struct protocol *p, struct trip *t);
+/* The receiver has handled the envelope, or nobody waits for it. */
+void protocol_envelope_seen(struct protocol *p, struct trip *t);
+/* Of the messages on their way from the program at source, the first whose envelope has not come. NULL: there
+ * is none. */
+struct trip *protocol_first_coming(const struct protocol *p, uint32_t source, uint32_t to);
+/* The message has left. */
+void protocol_unlink_out(struct trip *t);
+/* The message has arrived, or is freed: the trip is over. */
+void protocol_end_trip(struct protocol *p, struct message *m);
+#endif
