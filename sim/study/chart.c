@@ -205,8 +205,8 @@ static bool write_all(const struct record_points *points, const struct picture *
     return any;
 }
 
-bool chart_write(const struct record_points *points, const struct picture *p, const char *dir, FILE *script,
-                 char **error)
+static bool write_script(const struct record_points *points, const struct picture *p, const char *dir,
+                         FILE *script, char **error)
 {
     struct chart_data d;
     bool ok = chart_data_take(points, p, &d, error) && write_all(points, p, &d, dir, script, error);
@@ -236,7 +236,7 @@ bool chart_draw(const struct record_points *points, const struct picture *p, con
     if (!script)
         *error = text_of("%s cannot be written: %m", path);
     else
-        ok = chart_write(points, p, dir, script, error);
+        ok = write_script(points, p, dir, script, error);
     if (script)
         fclose(script);
     ok = ok && run_gnuplot(path, error);
@@ -253,11 +253,6 @@ static bool all_numbers(const json_t *values)
     json_t *value;
     json_array_foreach(values, i, value) if (!json_is_number(value)) return false;
     return json_array_size(values) > 0;
-}
-
-bool chart_is_numeric(const struct record_points *points, const char *axis)
-{
-    return all_numbers(json_object_get(json_object_get(points->header, "axes"), axis));
 }
 
 /* Do the values span so much that equal factors should be equally far apart? */

@@ -9,12 +9,6 @@
 bool chart_draw(const struct record_points *points, const struct picture *picture, const char *dir,
                 char **error);
 
-/* Are the axis's values all numbers? False also where there is no such axis. */
-bool chart_is_numeric(const struct record_points *points, const char *axis);
-/* The script alone. */
-bool chart_write(const struct record_points *points, const struct picture *picture, const char *dir,
-                 FILE *script, char **error);
-
 /* The pictures of a study that names none, against nodes or its first axis of numbers: time, speed-up, speed per node,
  * idle time; one line for each value of the next axis, one panel for each of the one after. Into list, at most
  * CHART_STANDARD; the number. Texts belong to points. */

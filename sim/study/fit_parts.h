@@ -71,7 +71,6 @@ void fit_text(const struct fit_parameter *p, double place, char text[32]);
 double fit_place(const struct fit_parameter *p, double value);
 /* For fit_least(): x are the places of those searched. Leaves computed. arg: a struct fit. */
 bool fit_try(void *arg, const double x[], double residuals[]);
-double fit_residual(const struct fit_measurement *m, double computed);
 
 /* --- what came of it --- */
 

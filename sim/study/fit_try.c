@@ -27,7 +27,7 @@ void fit_text(const struct fit_parameter *p, double place, char text[32])
     snprintf(text, 32, "%.6g", fit_value(p, place));
 }
 
-double fit_residual(const struct fit_measurement *m, double computed)
+static double residual_of(const struct fit_measurement *m, double computed)
 {
     return (computed - m->value) / m->scale;
 }
@@ -185,7 +185,7 @@ bool fit_try(void *arg, const double x[], double residuals[])
     if (!run(f, place))
         return false;
     for (size_t i = 0; i < f->measurements; i++)
-        residuals[i] = fit_residual(&f->measurement[i], f->computed[i]);
+        residuals[i] = residual_of(&f->measurement[i], f->computed[i]);
     f->evaluations++;
     tell(f, place, fit_rms(residuals, f->measurements));
     return true;

@@ -19,7 +19,6 @@ struct place {
 
 struct journal {
     int fd;
-    bool read_only;
     char *path;
     FILE *notes;
     uint64_t read_to; /* all before is lines with their ends */
@@ -233,21 +232,20 @@ static bool is_empty(const struct journal *j)
     return got <= 0 || !memchr(text, '\n', (size_t)got);
 }
 
-static struct journal *open_at(const char *dir, bool read_only, FILE *notes, char **error)
+struct journal *journal_open(const char *dir, FILE *notes, char **error)
 {
     struct journal *j = calloc(1, sizeof *j);
     if (!j || !(j->buffer = malloc(FIRST_BUFFER)))
         abort();
     j->buffer_size = FIRST_BUFFER;
-    j->read_only = read_only;
     j->notes = notes;
     j->path = text_of("%s/journal", dir);
-    j->fd = open(j->path, read_only ? O_RDONLY | O_CLOEXEC : O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    j->fd = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     grow(j);
     bool ok = j->fd >= 0;
     if (!ok)
         *error = text_of("%s cannot be opened: %m", j->path);
-    else if (is_empty(j) && !read_only)
+    else if (is_empty(j))
         ok = begin(j, dir, error);
     else if ((ok = check_head(j, error)))
         journal_refresh(j);
@@ -257,24 +255,14 @@ static struct journal *open_at(const char *dir, bool read_only, FILE *notes, cha
     return NULL;
 }
 
-struct journal *journal_open(const char *dir, FILE *notes, char **error)
-{
-    return open_at(dir, false, notes, error);
-}
-
-struct journal *journal_open_to_read(const char *dir, FILE *notes, char **error)
-{
-    return open_at(dir, true, notes, error);
-}
-
 void journal_close(struct journal *j)
 {
     if (!j)
         return;
-    if (j->fd >= 0 && !j->read_only)
+    if (j->fd >= 0) {
         fdatasync(j->fd);
-    if (j->fd >= 0)
         close(j->fd);
+    }
     spill_free(j->places, j->capacity * sizeof *j->places);
     free(j->buffer);
     free(j->path);

@@ -14,8 +14,6 @@
 
 /* Opens DIR/journal, makes it if need be, and reads it; damage is said on notes. NULL with *error malloc'd. */
 struct journal *journal_open(const char *dir, FILE *notes, char **error);
-/* The same, to read only: *error also if there is none. */
-struct journal *journal_open_to_read(const char *dir, FILE *notes, char **error);
 void journal_close(struct journal *j);
 
 /* Takes note of what others have added. */

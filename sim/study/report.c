@@ -33,7 +33,8 @@ static void accuracy_row(FILE *out, const char *what, const struct result_errors
             e->worst_pct, e->worst_table, e->worst->row->nodes, e->worst->row->nodes == 1 ? "" : "s");
 }
 
-void report_accuracy(const struct results *r, FILE *out)
+/* How exact the tables are, between two marks: README.md has a copy (bench/paper/copy-accuracy). */
+static void write_accuracy(const struct results *r, FILE *out)
 {
     fputs("<!-- accuracy: written by make report -->\n"
           "| total time | runs | mean error | worst error |\n|---|---|---|---|\n",
@@ -227,7 +228,7 @@ static bool write_to(FILE *out, const struct tables_options *o, struct results *
         "# Tables of Bajaj & Lin, ours beside the paper's\n\nWritten by `make report` (`touchstone tables --ties "
         "--report FILE`) from one run of all rows; do not edit.\n\n## How exact\n\n",
         out);
-    report_accuracy(r, out);
+    write_accuracy(r, out);
     for (size_t t = 0; t < r->table_count; t++)
         write_table(out, &r->tables[t]);
     fputs(COLUMNS, out);

@@ -7,7 +7,4 @@
 /* Writes it to path, whole or not at all. Runs the rows with the largest errors once more, measured, to say where their
  * time goes. False with *error set. Nothing in it depends on the computer or the day. */
 bool report_write(const struct tables_options *o, struct results *r, const char *path, char **error);
-
-/* The part of it that says how exact the tables are, between two marks; the README has it too. */
-void report_accuracy(const struct results *r, FILE *out);
 #endif

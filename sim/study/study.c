@@ -151,16 +151,6 @@ void study_close(struct study *s)
     free(s);
 }
 
-const struct spec *study_spec(const struct study *s)
-{
-    return s->spec;
-}
-
-size_t study_count(const struct study *s)
-{
-    return s->count;
-}
-
 struct study_counts study_counts(const struct study *s)
 {
     return s->counts;

@@ -44,8 +44,6 @@ enum study_end {
 
 struct study *study_open(const struct study_options *options, char **error); /* NULL with *error */
 void study_close(struct study *s);
-const struct spec *study_spec(const struct study *s);
-size_t study_count(const struct study *s); /* of points, without those left out */
 
 /* STUDY_DONE also if points failed. */
 enum study_end study_run(struct study *s, char **error);
