@@ -6,9 +6,9 @@
 #include <sys/stat.h>
 
 #include "cli/cli.h"
-#include "study/chart.h"
-#include "study/folder.h"
-#include "study/spec.h"
+#include "lab/chart/chart.h"
+#include "files/folder_make.h"
+#include "lab/study/spec.h"
 #include "study/text.h"
 
 static const char HELP[] =

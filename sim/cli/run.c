@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/cli.h"
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 #include "machine/machine.h"
 #include "observe/profile.h"
 #include "observe/summary.h"

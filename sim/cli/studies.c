@@ -1,7 +1,7 @@
 /* studies.c - see studies.h. */
 #include "cli/studies.h"
 #include "config/config.h"
-#include "study/kept.h"
+#include "lab/jobs/result_cache.h"
 
 #include <stdio.h>
 #include <stdlib.h>

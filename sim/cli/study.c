@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cli/studies.h"
-#include "study/together.h"
+#include "lab/jobs/session.h"
 
 static const char HELP[] =
     "usage: touchstone study FILE [-o DIR] [-j JOBS] [options]\n"

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "files/whole.h"
+#include "files/text_file.h"
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 

@@ -1,7 +1,7 @@
 /* json_file.c - see json_file.h. */
 #include "observe/json_file.h"
 #include <stdio.h>
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 
 char *json_file_write(json_t *root, const char *path)
 {

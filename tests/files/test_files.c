@@ -12,9 +12,9 @@
 #include <time.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 #include "files/scratch.h"
-#include "files/whole.h"
+#include "files/text_file.h"
 
 static int enter(void **state)
 {

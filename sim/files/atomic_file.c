@@ -1,0 +1,86 @@
+/* atomic_file.c - see atomic_file.h. */
+#include "files/atomic_file.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static void forget(struct result_file *f)
+{
+    free(f->path);
+    free(f->unfinished);
+}
+
+static bool fail(struct result_file *f, int why, char **error)
+{
+    if (asprintf(error, "%s cannot be written: %s", strcmp(f->path, "-") ? f->path : "standard output",
+                 strerror(why)) < 0)
+        abort();
+    if (f->unfinished)
+        unlink(f->unfinished);
+    forget(f);
+    return false;
+}
+
+static char *copy(const char *format, const char *text)
+{
+    char *all;
+    if (asprintf(&all, format, text) < 0)
+        abort();
+    return all;
+}
+
+static bool is_written_through(const char *path)
+{
+    struct stat st;
+    return lstat(path, &st) == 0 && !S_ISREG(st.st_mode);
+}
+
+/* A file of our own; its name is not made of our number: other computers have that one, too. */
+static FILE *begin_unfinished(struct result_file *f)
+{
+    f->unfinished = copy("%s.XXXXXX", f->path);
+    mode_t without = umask(0);
+    umask(without);
+    int fd = mkostemp(f->unfinished, O_CLOEXEC);
+    if (fd >= 0)
+        fchmod(fd, 0666 & ~without);
+    return fd >= 0 ? fdopen(fd, "w") : NULL;
+}
+
+bool result_file_begin(struct result_file *f, const char *path, char **error)
+{
+    *f = (struct result_file){.path = copy("%s", path)};
+    if (!strcmp(path, "-"))
+        f->out = stdout;
+    else
+        f->out = is_written_through(path) ? fopen(path, "we") : begin_unfinished(f);
+    return f->out || fail(f, errno, error);
+}
+
+static bool close_all(struct result_file *f)
+{
+    bool written = !ferror(f->out);
+    if (f->out == stdout)
+        return fflush(f->out) == 0 && written;
+    return fclose(f->out) == 0 && written;
+}
+
+bool result_file_end(struct result_file *f, char **error)
+{
+    errno = 0;
+    if (!close_all(f) || (f->unfinished && rename(f->unfinished, f->path) != 0))
+        return fail(f, errno ? errno : EIO, error);
+    forget(f);
+    return true;
+}
+
+void result_file_drop(struct result_file *f)
+{
+    close_all(f);
+    if (f->unfinished)
+        unlink(f->unfinished);
+    forget(f);
+}

@@ -1,0 +1,170 @@
+/* chart_data.c - from results to what a picture draws: in one pass over the points; see chart_parts.h.
+ *
+ * At a place is the figure of the point there; or of several points, which differ in the axis `best`, that axis's value
+ * at the one with the least figure.
+ */
+#include "lab/chart/chart_parts.h"
+#include "lab/jobs/outcome.h"
+#include "study/text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct taker {
+    const struct picture *picture;
+    struct chart_data *data;
+    double *least; /* the figure behind what is drawn */
+    json_t *fixed; /* axes without a place: their first value */
+};
+
+/* A value as it is written; malloc'd. */
+static char *label_of(const json_t *value)
+{
+    if (json_is_string(value))
+        return text_of("%s", json_string_value(value));
+    return json_is_integer(value) ? text_of("%lld", json_integer_value(value))
+                                  : text_of("%.12g", json_number_value(value));
+}
+
+static void *room(size_t count, size_t size)
+{
+    void *p = calloc(count + 1, size);
+    if (!p)
+        abort();
+    return p;
+}
+
+static void take_axis(const json_t *values, const char *name, struct chart_axis *a)
+{
+    size_t count = *name ? json_array_size(values) : 1;
+    *a = (struct chart_axis){.name = name, .count = count, .numeric = *name, .place = json_object()};
+    a->label = room(count, sizeof *a->label);
+    a->position = room(count, sizeof *a->position);
+    for (size_t i = 0; i < count; i++) {
+        const json_t *value = json_array_get(values, i);
+        a->label[i] = *name ? label_of(value) : text_of("%s", "");
+        a->numeric &= json_is_number(value);
+        if (json_object_set_new(a->place, a->label[i], json_integer((json_int_t)i)) != 0)
+            abort();
+    }
+    for (size_t i = 0; i < count; i++)
+        a->position[i] = a->numeric ? json_number_value(json_array_get(values, i)) : (double)(i + 1);
+}
+
+/* Which value of the axis the point has; count: none of them. */
+static size_t place_in(const struct chart_axis *a, const json_t *point)
+{
+    if (!*a->name)
+        return 0;
+    char *label = label_of(json_object_get(point, a->name));
+    json_t *place = json_object_get(a->place, label);
+    free(label);
+    return place ? (size_t)json_integer_value(place) : a->count;
+}
+
+static bool is_beside(const struct taker *t, const json_t *point)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach(t->fixed, name,
+                        value) if (!json_equal(json_object_get(point, name), value)) return true;
+    return false;
+}
+
+static bool take_point(void *arg, const json_t *point, char **error)
+{
+    struct taker *t = arg;
+    struct chart_data *d = t->data;
+    double figure = figure_of(point, t->picture->figure);
+    size_t panel = place_in(&d->panels, point), line = place_in(&d->lines, point), x = place_in(&d->x, point),
+           best = place_in(&d->best, point);
+    (void)error;
+    if (isnan(figure) || panel == d->panels.count || line == d->lines.count || x == d->x.count ||
+        best == d->best.count || is_beside(t, point))
+        return true;
+    size_t cell = (panel * d->lines.count + line) * d->x.count + x;
+    if (!(figure >= t->least[cell])) {
+        t->least[cell] = figure;
+        d->drawn[cell] = *d->best.name ? d->best.position[best] : figure;
+    }
+    return true;
+}
+
+static bool take_axes(const struct record_points *points, const struct picture *p, struct chart_data *d,
+                      char **error)
+{
+    json_t *axes = json_object_get(points->header, "axes");
+    const char *const names[] = {p->x, p->lines, p->panels, p->best};
+    struct chart_axis *const places[] = {&d->x, &d->lines, &d->panels, &d->best};
+    for (int i = 0; i < 4; i++)
+        if (*names[i] && json_array_size(json_object_get(axes, names[i])) == 0) {
+            *error = text_of("there is no axis %s", names[i]);
+            return false;
+        }
+    for (int i = 0; i < 4; i++)
+        take_axis(json_object_get(axes, names[i]), names[i], places[i]);
+    if (d->panels.count <= CHART_MAX_PANELS && d->lines.count <= CHART_MAX_LINES &&
+        d->panels.count * d->lines.count * d->x.count <= CHART_MAX_CELLS)
+        return true;
+    *error = text_of("%zu panels of %zu lines with %zu values are too many: %d panels, %d lines are allowed",
+                     d->panels.count, d->lines.count, d->x.count, CHART_MAX_PANELS, CHART_MAX_LINES);
+    return false;
+}
+
+/* Axes of several values without a place. */
+static json_t *fix_rest(const struct record_points *points, const struct picture *p, struct chart_data *d)
+{
+    json_t *fixed = json_object(), *values;
+    const char *name;
+    d->fixed = text_of("%s", "");
+    json_object_foreach(json_object_get(points->header, "axes"), name, values)
+    {
+        if (json_array_size(values) < 2 || !strcmp(name, p->x) || !strcmp(name, p->lines) ||
+            !strcmp(name, p->panels) || !strcmp(name, p->best))
+            continue;
+        json_object_set(fixed, name, json_array_get(values, 0));
+        char *label = label_of(json_array_get(values, 0));
+        char *longer = text_of("%s%s%s %s", d->fixed, *d->fixed ? ", " : "", name, label);
+        free(label);
+        free(d->fixed);
+        d->fixed = longer;
+    }
+    return fixed;
+}
+
+bool chart_data_take(const struct record_points *points, const struct picture *p, struct chart_data *d,
+                     char **error)
+{
+    *d = (struct chart_data){0};
+    if (!take_axes(points, p, d, error))
+        return false;
+    size_t cells = d->panels.count * d->lines.count * d->x.count;
+    struct taker t = {p, d, room(cells, sizeof *t.least), fix_rest(points, p, d)};
+    d->drawn = room(cells, sizeof *d->drawn);
+    for (size_t i = 0; i < cells; i++)
+        t.least[i] = d->drawn[i] = NAN;
+    bool ok = points->each(points->arg, take_point, &t, error);
+    json_decref(t.fixed);
+    free(t.least);
+    return ok;
+}
+
+static void free_axis(struct chart_axis *a)
+{
+    for (size_t i = 0; a->label && i < a->count; i++)
+        free(a->label[i]);
+    free(a->label);
+    free(a->position);
+    json_decref(a->place);
+}
+
+void chart_data_free(struct chart_data *d)
+{
+    free_axis(&d->x);
+    free_axis(&d->lines);
+    free_axis(&d->panels);
+    free_axis(&d->best);
+    free(d->drawn);
+    free(d->fixed);
+}

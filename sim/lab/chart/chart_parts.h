@@ -1,0 +1,34 @@
+/* chart_parts.h - what a picture draws: chart_data.c takes it from results, chart.c writes it as a gnuplot script. */
+#ifndef LAB_CHART_CHART_PARTS_H
+#define LAB_CHART_CHART_PARTS_H
+#include "lab/chart/chart.h"
+
+#include <stddef.h>
+
+/* An axis in a picture: its values in order; where it is not used, one without a name. */
+struct chart_axis {
+    const char *name;
+    size_t count;
+    char **label;     /* of each value */
+    double *position; /* where it is drawn: numbers where they are, texts at 1, 2, 3 ... */
+    json_t *place;    /* label: which */
+    bool numeric;
+};
+
+struct chart_data {
+    struct chart_axis x, lines, panels, best;
+    double *drawn; /* for each panel, line and x; NAN where there is nothing */
+    char *fixed;   /* "disks 2, clock 40": axes without a place; "" */
+};
+
+enum { CHART_MAX_PANELS = 64, CHART_MAX_LINES = 64, CHART_MAX_CELLS = 10000000 };
+
+bool chart_data_take(const struct record_points *points, const struct picture *p, struct chart_data *d,
+                     char **error);
+void chart_data_free(struct chart_data *d);
+
+static inline double chart_at(const struct chart_data *d, size_t panel, size_t line, size_t x)
+{
+    return d->drawn[(panel * d->lines.count + line) * d->x.count + x];
+}
+#endif

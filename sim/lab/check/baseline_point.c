@@ -1,0 +1,237 @@
+/* baseline_point.c - a point as a baseline has it: its figures, and where its nodes' time went; see baseline.h. */
+#include "lab/check/baseline.h"
+#include "lab/jobs/outcome.h"
+#include "study/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void set(json_t *object, const char *key, json_t *value)
+{
+    if (json_object_set_new(object, key, value) != 0)
+        abort();
+}
+
+/* The number that its 15 digits in a file say, so that what was written and what is run compare as equal. */
+static double as_written(double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.15g", value);
+    return strtod(text, NULL);
+}
+
+/* Adds to the number of that key, which begins at 0; times that are nought are left out. */
+static void add(json_t *to, const char *key, double seconds)
+{
+    double sum = json_number_value(json_object_get(to, key)) + seconds;
+    if (sum != 0)
+        set(to, key, json_real(as_written(sum)));
+}
+
+/* --- figures --------------------------------------------------------------------------------------------- */
+
+static bool begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* The means of classes are in `where`; the others say what was run, not what came of it. */
+static bool is_kept(const char *key)
+{
+    static const char *const no[] = {"program",    "machine", "nodes",   "arguments", "settings",
+                                     "host_files", "outcome", "failure", "profile"};
+    for (size_t i = 0; i < sizeof no / sizeof *no; i++)
+        if (strcmp(key, no[i]) == 0)
+            return false;
+    return !strstr(key, "wall_time") && !begins(key, "handlers.") && !begins(key, "others.");
+}
+
+/* As it will be read from the file; NULL for what is no figure. */
+static json_t *figure(const json_t *value)
+{
+    if (json_is_real(value))
+        return json_real(as_written(json_real_value(value)));
+    if (json_is_array(value)) {
+        json_t *list = json_array();
+        for (size_t i = 0; i < json_array_size(value); i++)
+            if (json_array_append_new(list, figure(json_array_get(value, i))) != 0)
+                return json_decref(list), NULL;
+        return list;
+    }
+    return json_is_integer(value) || json_is_string(value) ? json_copy((json_t *)value) : NULL;
+}
+
+/* Programs without files of the machine's have nothing to say of them. */
+static bool is_unused(const char *key, const json_t *value)
+{
+    return begins(key, "files.") && json_is_number(value) && json_number_value(value) == 0;
+}
+
+/* time_s is one of the two under another name, where the program prints none of its own (study.h). */
+static bool is_twice(const json_t *figures)
+{
+    double time = figure_of(figures, "time_s");
+    return time == figure_of(figures, "total_s") || time == figure_of(figures, "virtual_time_s");
+}
+
+static json_t *figures_kept(const json_t *figures, const json_t *axes)
+{
+    json_t *kept = json_object(), *value, *copy;
+    const char *key;
+    json_object_foreach((json_t *)figures, key, value) if (!json_object_get(axes, key) && is_kept(key) &&
+                                                           !is_unused(key, value) && (copy = figure(value)))
+        set(kept, key, copy);
+    if (is_twice(figures))
+        json_object_del(kept, "time_s");
+    return kept;
+}
+
+/* --- where the time went: by a profile ------------------------------------------------------------------- */
+
+/* As it stays when lines are added above it, or the program is compiled in another folder. */
+static char *function_name(const json_t *function)
+{
+    const char *name = json_string_value(json_object_get(function, "function")),
+               *file = json_string_value(json_object_get(function, "file")),
+               *called = json_string_value(json_object_get(function, "called"));
+    const char *slash = file ? strrchr(file, '/') : NULL;
+    file = slash ? slash + 1 : file;
+    return text_of("%s%s%s%s%s%s", called ? called : "", called ? " called by " : "", name ? name : "?",
+                   file && *file ? " (" : "", file ? file : "", file && *file ? ")" : "");
+}
+
+static json_t *functions_of(const json_t *profile, const char *class)
+{
+    json_t *to = json_object(), *function;
+    size_t i;
+    json_array_foreach(json_object_get(profile, "functions"), i, function)
+    {
+        char *name = function_name(function);
+        add(to, name, figure_of(json_object_get(function, class), "seconds"));
+        free(name);
+    }
+    return to;
+}
+
+/* "copying" for copying_s */
+static json_t *tasks_of(const json_t *class)
+{
+    json_t *to = json_object(), *seconds;
+    const char *key;
+    json_object_foreach(json_object_get(class, "tasks"), key, seconds)
+    {
+        size_t length = strlen(key);
+        char *task = text_of("%.*s", (int)(length > 2 ? length - 2 : length), key);
+        add(to, task, json_number_value(seconds));
+        free(task);
+    }
+    return to;
+}
+
+static json_t *waits_of(const json_t *class)
+{
+    json_t *to = json_object(), *wait;
+    size_t i;
+    json_array_foreach(json_object_get(class, "waits"), i, wait)
+    {
+        const char *call = json_string_value(json_object_get(wait, "call"));
+        add(to, call ? call : "other", figure_of(wait, "idle_s"));
+    }
+    return to;
+}
+
+static json_t *where_of_profile(const json_t *profile)
+{
+    json_t *where = json_object(), *class;
+    const char *name;
+    json_object_foreach(json_object_get(profile, "classes"), name, class)
+    {
+        json_t *to = json_object();
+        set(to, "nodes", json_incref(json_object_get(class, "nodes")));
+        set(to, "functions", functions_of(profile, name));
+        set(to, "system", tasks_of(class));
+        set(to, "idle", waits_of(class));
+        add(to, "ended", json_number_value(json_object_get(class, "rest_s")));
+        set(where, name, to);
+    }
+    return where;
+}
+
+/* --- the same, without one ------------------------------------------------------------------------------- */
+
+/* From the means of its nodes. `waits.KIND_s` are parts of idle. */
+static json_t *where_of_class(const json_t *figures, const char *prefix, double nodes)
+{
+    json_t *to = json_object(), *functions = json_object(), *system = json_object(), *idle = json_object();
+    json_t *value;
+    const char *key;
+    set(to, "nodes", json_integer((json_int_t)nodes));
+    json_object_foreach((json_t *)figures, key, value)
+    {
+        double seconds = nodes * json_number_value(value);
+        if (!begins(key, prefix))
+            continue;
+        const char *time = key + strlen(prefix);
+        if (strcmp(time, "busy_s") == 0)
+            add(functions, "all of the program", seconds);
+        else if (strcmp(time, "system_s") == 0)
+            add(system, "all tasks", seconds);
+        else if (begins(time, "waits.")) {
+            char *wait = text_of("%.*s", (int)(strlen(time) - strlen("waits._s")), time + strlen("waits."));
+            add(idle, wait, seconds);
+            free(wait);
+        }
+    }
+    set(to, "functions", functions);
+    set(to, "system", system);
+    set(to, "idle", idle);
+    return to;
+}
+
+static json_t *where_of_figures(const json_t *figures)
+{
+    static const char *const classes[][2] = {{"others", "others."}, {"with_handlers", "handlers."}};
+    json_t *where = json_object();
+    for (size_t i = 0; i < 2; i++) {
+        char *key = text_of("%snodes", classes[i][1]);
+        double nodes = figure_of(figures, key);
+        if (nodes > 0)
+            set(where, classes[i][0], where_of_class(figures, classes[i][1], nodes));
+        free(key);
+    }
+    return where;
+}
+
+json_t *baseline_point(const json_t *point, const json_t *axes)
+{
+    json_t *kept = json_object(), *profile = json_object_get(point, "profile");
+    json_t *where = json_is_object(profile) ? where_of_profile(profile) : where_of_figures(point);
+    set(kept, "figures", figures_kept(point, axes));
+    if (json_object_size(where))
+        set(kept, "where", where);
+    else
+        json_decref(where);
+    return kept;
+}
+
+char *baseline_name(const json_t *point, const json_t *axes)
+{
+    char *name = text_of("%s", "");
+    const char *axis;
+    json_t *values;
+    json_object_foreach((json_t *)axes, axis, values)
+    {
+        const json_t *value = json_object_get(point, axis);
+        char *longer = json_is_string(value)
+                           ? text_of("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value))
+                           : text_of("%s%s%s %.15g", name, *name ? ", " : "", axis, json_number_value(value));
+        free(name);
+        name = longer;
+    }
+    if (*name)
+        return name;
+    free(name);
+    return text_of("the run");
+}

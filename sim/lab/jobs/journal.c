@@ -1,0 +1,270 @@
+/* journal.c - see journal.h. The table is open addressing by key, at most half full. */
+#include "lab/jobs/journal.h"
+#include "lab/jobs/scratch_memory.h"
+#include "study/text.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct place {
+    struct digest key;
+    uint64_t offset; /* of the line, plus 1; 0: this place is free */
+    uint32_t size;   /* without its newline */
+    uint32_t state;
+};
+
+struct journal {
+    int fd;
+    char *path;
+    FILE *notes;
+    uint64_t read_to; /* all before is lines with their ends */
+    size_t line;      /* how many */
+    struct place *places;
+    size_t capacity, count;
+    char *buffer; /* for reading: a line must fit */
+    size_t buffer_size;
+};
+
+enum { FIRST_CAPACITY = 1 << 10, FIRST_BUFFER = 1 << 16, FORGOTTEN = 0 /* as a state */ };
+
+/* --- the table ------------------------------------------------------------------------------------------- */
+
+static struct place *place_of(struct place *places, size_t capacity, struct digest key)
+{
+    size_t i = key.low & (capacity - 1);
+    while (places[i].offset && !digest_equal(places[i].key, key))
+        i = (i + 1) & (capacity - 1);
+    return &places[i];
+}
+
+static void grow(struct journal *j)
+{
+    size_t capacity = j->capacity ? 2 * j->capacity : FIRST_CAPACITY;
+    struct place *places = spill_new(capacity * sizeof *places);
+    for (size_t i = 0; i < j->capacity; i++)
+        if (j->places[i].offset)
+            *place_of(places, capacity, j->places[i].key) = j->places[i];
+    spill_free(j->places, j->capacity * sizeof *places);
+    j->places = places;
+    j->capacity = capacity;
+}
+
+static void note(struct journal *j, struct digest key, enum line_state state, uint64_t offset, size_t size)
+{
+    if (2 * (j->count + 1) > j->capacity)
+        grow(j);
+    struct place *p = place_of(j->places, j->capacity, key);
+    j->count += !p->offset;
+    *p = (struct place){key, offset + 1, (uint32_t)size, state};
+}
+
+/* --- reading --------------------------------------------------------------------------------------------- */
+
+static void take_line(struct journal *j, const char *line, size_t size)
+{
+    struct digest key;
+    enum line_state state;
+    j->line++;
+    if (!line_check(line, size, &key, &state))
+        fprintf(j->notes, "%s:%zu: this line is damaged: its point counts as not run\n", j->path, j->line);
+    else if (state != LINE_HEAD)
+        note(j, key, state, j->read_to, size);
+    j->read_to += size + 1;
+}
+
+void journal_refresh(struct journal *j)
+{
+    for (;;) {
+        ssize_t got = pread(j->fd, j->buffer, j->buffer_size, (off_t)j->read_to);
+        size_t begin = 0, all = got > 0 ? (size_t)got : 0;
+        for (char *end; (end = memchr(j->buffer + begin, '\n', all - begin));
+             begin = (size_t)(end - j->buffer) + 1)
+            take_line(j, j->buffer + begin, (size_t)(end - j->buffer) - begin);
+        if (begin == 0 && all == j->buffer_size && (j->buffer = realloc(j->buffer, j->buffer_size *= 2)))
+            continue;
+        if (!j->buffer)
+            abort();
+        if (begin == 0)
+            return; /* nothing, or a line without its end */
+    }
+}
+
+void journal_forget_failed(struct journal *j)
+{
+    for (size_t i = 0; i < j->capacity; i++)
+        if (j->places[i].state == LINE_FAILED)
+            j->places[i].state = FORGOTTEN;
+}
+
+/* NULL: there is none. */
+static const struct place *find(const struct journal *j, struct digest key)
+{
+    const struct place *p = place_of(j->places, j->capacity, key);
+    return p->offset && p->state != FORGOTTEN ? p : NULL;
+}
+
+bool journal_find(const struct journal *j, struct digest key, enum line_state *state)
+{
+    const struct place *p = find(j, key);
+    if (p)
+        *state = (enum line_state)p->state;
+    return p;
+}
+
+json_t *journal_record(const struct journal *j, struct digest key)
+{
+    const struct place *p = find(j, key);
+    char *line = p ? malloc(p->size) : NULL;
+    json_t *record = NULL;
+    if (line && pread(j->fd, line, p->size, (off_t)p->offset - 1) == (ssize_t)p->size)
+        record = line_record(line, p->size);
+    free(line);
+    return record;
+}
+
+void journal_each(const struct journal *j, void (*visit)(void *arg, struct digest key, const json_t *record),
+                  void *arg)
+{
+    for (size_t i = 0; i < j->capacity; i++) {
+        json_t *record = j->places[i].offset ? journal_record(j, j->places[i].key) : NULL;
+        if (record)
+            visit(arg, j->places[i].key, record);
+        json_decref(record);
+    }
+}
+
+size_t journal_count(const struct journal *j)
+{
+    return j->count;
+}
+
+/* --- adding ---------------------------------------------------------------------------------------------- */
+
+static bool lock(struct journal *j, short type)
+{
+    struct flock all = {.l_type = type, .l_whence = SEEK_SET};
+    int done;
+    while ((done = fcntl(j->fd, F_OFD_SETLKW, &all)) != 0 && errno == EINTR)
+        ;
+    return done == 0;
+}
+
+/* The end of the lines; what is behind it, without an end of its own, is cut off. The file is locked. */
+static bool find_end(struct journal *j)
+{
+    struct stat st;
+    journal_refresh(j);
+    return fstat(j->fd, &st) == 0 &&
+           ((uint64_t)st.st_size == j->read_to || ftruncate(j->fd, (off_t)j->read_to) == 0);
+}
+
+static bool put(struct journal *j, const char *line, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        ssize_t n = pwrite(j->fd, line + done, size - done, (off_t)(j->read_to + done));
+        if (n < 0 && errno != EINTR)
+            return false;
+        done += n > 0 ? (size_t)n : 0;
+    }
+    return true;
+}
+
+bool journal_add(struct journal *j, struct digest key, enum line_state state, const json_t *record, bool safe,
+                 char **error)
+{
+    size_t size;
+    char *line = line_write(key, state, record, &size);
+    bool ok = lock(j, F_WRLCK);
+    if (ok) {
+        ok = find_end(j) && put(j, line, size) && (!safe || fdatasync(j->fd) == 0);
+        if (!ok) {
+            *error = text_of("%s cannot be written: %m", j->path);
+            if (ftruncate(j->fd, (off_t)j->read_to) != 0) /* no half line, if that can be */
+                fprintf(j->notes, "%s ends with a part of a line\n", j->path);
+        }
+        lock(j, F_UNLCK);
+        if (ok)
+            take_line(j, line, size - 1);
+    } else {
+        *error = text_of("%s cannot be locked: %m", j->path);
+    }
+    free(line);
+    return ok;
+}
+
+/* --- opening --------------------------------------------------------------------------------------------- */
+
+/* The first line says what the file is. */
+static bool check_head(struct journal *j, char **error)
+{
+    char line[256];
+    struct digest key;
+    enum line_state state = 0;
+    ssize_t got = pread(j->fd, line, sizeof line, 0);
+    char *end = got > 0 ? memchr(line, '\n', (size_t)got) : NULL;
+    if (end && line_check(line, (size_t)(end - line), &key, &state) && state == LINE_HEAD)
+        return true;
+    *error = text_of("%s:1: this is no journal of a study; remove it, or give another folder", j->path);
+    return false;
+}
+
+static bool begin(struct journal *j, const char *dir, char **error)
+{
+    json_t *head = json_pack("{s:i}", "journal of a touchstone study", 1);
+    bool ok = journal_add(j, (struct digest){0}, LINE_HEAD, head, true, error);
+    int folder = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+        fsync(folder); /* that the file is there at all */
+        close(folder);
+    }
+    json_decref(head);
+    return ok;
+}
+
+static bool is_empty(const struct journal *j)
+{
+    char text[4096];
+    ssize_t got = pread(j->fd, text, sizeof text, 0);
+    return got <= 0 || !memchr(text, '\n', (size_t)got);
+}
+
+struct journal *journal_open(const char *dir, FILE *notes, char **error)
+{
+    struct journal *j = calloc(1, sizeof *j);
+    if (!j || !(j->buffer = malloc(FIRST_BUFFER)))
+        abort();
+    j->buffer_size = FIRST_BUFFER;
+    j->notes = notes;
+    j->path = text_of("%s/journal", dir);
+    j->fd = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    grow(j);
+    bool ok = j->fd >= 0;
+    if (!ok)
+        *error = text_of("%s cannot be opened: %m", j->path);
+    else if (is_empty(j))
+        ok = begin(j, dir, error);
+    else if ((ok = check_head(j, error)))
+        journal_refresh(j);
+    if (ok)
+        return j;
+    journal_close(j);
+    return NULL;
+}
+
+void journal_close(struct journal *j)
+{
+    if (!j)
+        return;
+    if (j->fd >= 0) {
+        fdatasync(j->fd);
+        close(j->fd);
+    }
+    spill_free(j->places, j->capacity * sizeof *j->places);
+    free(j->buffer);
+    free(j->path);
+    free(j);
+}

@@ -1,0 +1,21 @@
+/* journal_line.h - a result as one line that tells whether it is whole: of journals, and of files in the cache.
+ *
+ *     CHECKSUM KEY STATE {"point": {...}, ...}
+ *
+ * The checksum is the CRC-32 of the rest of the line, in hexadecimal. KEY is the digest of the point's inputs.
+ */
+#ifndef LAB_JOBS_JOURNAL_LINE_H
+#define LAB_JOBS_JOURNAL_LINE_H
+#include "lab/jobs/digest.h"
+
+#include <jansson.h>
+
+enum line_state { LINE_HEAD = 'h', LINE_DONE = 'd', LINE_FAILED = 'f' };
+
+/* Malloc'd, with its newline; *size is its length. */
+char *line_write(struct digest key, enum line_state state, const json_t *record, size_t *size);
+/* Is this line, without its newline, whole? */
+bool line_check(const char *line, size_t size, struct digest *key, enum line_state *state);
+/* The record of a line that is whole; NULL: it is none. */
+json_t *line_record(const char *line, size_t size);
+#endif

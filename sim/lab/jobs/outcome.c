@@ -1,0 +1,100 @@
+/* outcome.c - reads what a run came to; see outcome.h. */
+#include "lab/jobs/outcome.h"
+#include "study/text.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A number as JSON, whole ones as integers; NULL if text is no number up to its end or a blank. */
+static json_t *number(const char *text, char **end)
+{
+    long long whole = strtoll(text, end, 10);
+    if (*end != text && (**end == '\0' || isspace((unsigned char)**end)))
+        return json_integer(whole);
+    double real = strtod(text, end);
+    if (*end == text || (**end && !isspace((unsigned char)**end)) || !isfinite(real))
+        return NULL;
+    return json_real(real);
+}
+
+/* "value" or "value value ...": NULL if anything else is among them. */
+static json_t *values(const char *text)
+{
+    json_t *list = json_array(), *value;
+    char *end;
+    for (;; text = end) {
+        text += strspn(text, " \t\r");
+        if (!*text)
+            break;
+        if (!(value = number(text, &end))) {
+            json_decref(list);
+            return NULL;
+        }
+        json_array_append_new(list, value);
+    }
+    value = json_array_size(list) == 1 ? json_incref(json_array_get(list, 0)) : json_incref(list);
+    json_decref(list);
+    return value;
+}
+
+static json_t *printed_figures(const char *out)
+{
+    json_t *figures = json_object();
+    char *text = strdup(out), *rest = text, *line;
+    if (!text || !figures)
+        abort();
+    while ((line = strsep(&rest, "\n"))) {
+        size_t key = strspn(line, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+        if (key == 0 || (line[key] != ' ' && line[key] != '\t'))
+            continue;
+        json_t *value = values(line + key + 1);
+        line[key] = '\0';
+        if (value && !(json_is_array(value) && json_array_size(value) == 0))
+            json_object_set_new(figures, line, value);
+        else
+            json_decref(value);
+    }
+    free(text);
+    return figures;
+}
+
+struct outcome outcome_read(const char *out, const char *json_path, const char *required)
+{
+    struct outcome o = {0};
+    json_error_t why;
+    o.printed = printed_figures(out);
+    o.run = json_load_file(json_path, 0, &why);
+    if (!json_is_object(o.run))
+        o.error = text_of("no figures from the simulator: %s", o.run ? "not a JSON object" : why.text);
+    else if (required && isnan(outcome_figure(&o, required)))
+        o.error = text_of("the program printed no line \"%s NUMBER\"", required);
+    if (o.error) {
+        json_decref(o.printed);
+        json_decref(o.run);
+        o.printed = o.run = NULL;
+    }
+    return o;
+}
+
+void outcome_clear(struct outcome *o)
+{
+    json_decref(o->printed);
+    json_decref(o->run);
+    free(o->error);
+    *o = (struct outcome){0};
+}
+
+double figure_of(const json_t *figures, const char *key)
+{
+    const json_t *value = json_object_get(figures, key);
+    return json_is_number(value) ? json_number_value(value) : NAN;
+}
+
+double outcome_figure(const struct outcome *o, const char *key)
+{
+    return figure_of(o->printed, key);
+}

@@ -1,0 +1,111 @@
+/* point_locks.c - see point_locks.h. The file's bytes as locks: 0 for the session, 1 for the report, from 2 on for points. Its text
+ * says whose the session is. */
+#include "lab/jobs/point_locks.h"
+#include "study/text.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { SESSION, REPORT, POINTS, TRIES = 100, MAX_TEXT = 512 };
+
+struct claims {
+    int fd;
+};
+
+/* Sets or takes back the lock on a byte, unless another process has it. */
+static bool lock(const struct claims *c, off_t byte, short type)
+{
+    struct flock one = {.l_type = type, .l_whence = SEEK_SET, .l_start = byte, .l_len = 1};
+    return fcntl(c->fd, F_OFD_SETLK, &one) == 0;
+}
+
+/* Two points whose digests agree in 62 bits would wait for each other, and no more. */
+static off_t byte_of(struct digest key)
+{
+    return POINTS + (off_t)(key.high >> 2);
+}
+
+static bool write_owner(const struct claims *c, const char *session)
+{
+    char host[128] = "", text[MAX_TEXT];
+    gethostname(host, sizeof host - 1);
+    int size = snprintf(text, sizeof text, "%s\nprocess %ld on %s\n", session, (long)getpid(), host);
+    return size < MAX_TEXT && ftruncate(c->fd, 0) == 0 && pwrite(c->fd, text, (size_t)size, 0) == size;
+}
+
+/* Is it our session's? who is said otherwise. */
+static bool is_ours(const struct claims *c, const char *session, char who[MAX_TEXT])
+{
+    char text[MAX_TEXT];
+    ssize_t size = pread(c->fd, text, sizeof text - 1, 0);
+    text[size > 0 ? size : 0] = '\0';
+    char *end = strchr(text, '\n');
+    snprintf(who, MAX_TEXT, "%.*s", end ? (int)strcspn(end + 1, "\n") : 0, end ? end + 1 : "");
+    if (end)
+        *end = '\0';
+    return *session && end && strcmp(text, session) == 0;
+}
+
+/* The first of a session has the lock alone for a moment, to write whose it is; then all share it. */
+static bool enter(const struct claims *c, const char *dir, const char *session, char **error)
+{
+    static const struct timespec moment = {.tv_nsec = 50000000};
+    char who[MAX_TEXT] = "";
+    for (int i = 0; i < TRIES; i++) {
+        if (lock(c, SESSION, F_WRLCK))
+            return (write_owner(c, session) && lock(c, SESSION, F_RDLCK)) ||
+                   (*error = text_of("%s/lock cannot be written: %m", dir), false);
+        if (lock(c, SESSION, F_RDLCK)) {
+            if (is_ours(c, session, who))
+                return true;
+            lock(c, SESSION, F_UNLCK);
+            break;
+        }
+        nanosleep(&moment, NULL);
+    }
+    *error = text_of("%s is in use by another study (%s); wait for its end, or give another folder with -o",
+                     dir, *who ? who : "starting");
+    return false;
+}
+
+struct claims *claims_enter(const char *dir, const char *session, char **error)
+{
+    struct claims *c = malloc(sizeof *c);
+    char *path = text_of("%s/lock", dir);
+    if (!c)
+        abort();
+    c->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (c->fd < 0)
+        *error = text_of("%s cannot be opened: %m", path);
+    free(path);
+    if (c->fd >= 0 && enter(c, dir, session, error))
+        return c;
+    claims_leave(c);
+    return NULL;
+}
+
+void claims_leave(struct claims *c)
+{
+    if (c && c->fd >= 0)
+        close(c->fd);
+    free(c);
+}
+
+bool claims_take(struct claims *c, struct digest key)
+{
+    return lock(c, byte_of(key), F_WRLCK);
+}
+
+void claims_release(struct claims *c, struct digest key)
+{
+    lock(c, byte_of(key), F_UNLCK);
+}
+
+bool claims_take_report(struct claims *c)
+{
+    return lock(c, REPORT, F_WRLCK);
+}

@@ -1,0 +1,37 @@
+/* session.c - see session.h. Open MPI's mpirun tells rank and number as OMPI_COMM_WORLD_*, and the job by PMIx; Slurm's
+ * srun has SLURM_* for a step of a job. A batch script itself, outside of srun, is alone: it has no step. */
+#include "lab/jobs/session.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static unsigned number(const char *name)
+{
+    const char *text = getenv(name);
+    return text ? (unsigned)strtoul(text, NULL, 10) : 0;
+}
+
+static const char *text(const char *name)
+{
+    const char *value = getenv(name);
+    return value ? value : "";
+}
+
+struct together together_find(void)
+{
+    struct together t = {.count = 1};
+    if (number("OMPI_COMM_WORLD_SIZE") > 1) {
+        t.rank = number("OMPI_COMM_WORLD_RANK");
+        t.count = number("OMPI_COMM_WORLD_SIZE");
+        snprintf(t.session, sizeof t.session, "mpirun %.60s %.60s", text("PMIX_NAMESPACE"),
+                 text("OMPI_MCA_orte_hnp_uri"));
+        t.session[strcspn(t.session, "\n")] = '\0';
+    } else if (number("SLURM_STEP_NUM_TASKS") > 1 && *text("SLURM_STEP_ID") && *text("SLURM_PROCID")) {
+        t.rank = number("SLURM_PROCID");
+        t.count = number("SLURM_STEP_NUM_TASKS");
+        snprintf(t.session, sizeof t.session, "srun %.60s.%.60s", text("SLURM_JOB_ID"),
+                 text("SLURM_STEP_ID"));
+    }
+    return t;
+}

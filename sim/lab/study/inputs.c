@@ -1,0 +1,290 @@
+/* inputs.c - see inputs.h. */
+#include "lab/study/inputs.h"
+#include "config/config.h"
+#include "net/topo.h"
+#include "study/text.h"
+
+#include <gnu/libc-version.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A machine with its settings, checked; points have few different ones, so that the latest are kept. */
+struct checked {
+    char *name; /* machine file and settings, a line each; NULL: none here */
+    struct digest digest;
+    char *machine;
+    bool cube;
+    uint32_t dimension, rows, columns;
+};
+enum { KEPT = 64 };
+
+struct inputs {
+    const struct spec *spec;
+    struct inputs_places places;
+    json_t *shared; /* what all points have in common */
+    struct checked kept[KEPT];
+    char *latest_path; /* the machine file that was looked at last */
+    struct digest latest;
+};
+
+static void set(json_t *object, const char *key, json_t *value)
+{
+    if (json_object_set_new(object, key, value) != 0)
+        abort();
+}
+
+static json_t *digest_json(struct digest d)
+{
+    char text[DIGEST_DIGITS + 1];
+    digest_write(d, text);
+    return json_string(text);
+}
+
+/* --- what all points share ------------------------------------------------------------------------------- */
+
+static bool add_file(json_t *to, const char *key, const char *path, const char *what, char **error)
+{
+    struct digest d;
+    if (!digest_file(path, &d)) {
+        *error = text_of("%s%s cannot be read: %m", what, path);
+        return false;
+    }
+    set(to, key, digest_json(d));
+    return true;
+}
+
+/* NAME from dir, unless it is absolute; malloc'd. */
+static char *from(const char *dir, const char *name)
+{
+    return *name == '/' ? text_of("%s", name) : text_of("%s/%s", dir, name);
+}
+
+static bool read_shared(struct inputs *in, char **error)
+{
+    json_t *files = json_object();
+    bool ok = true;
+    for (const char **name = in->spec->inputs; ok && *name; name++) {
+        char *path = from(in->places.dir, *name), *what = text_of("%s: inputs: ", in->spec->path);
+        ok = add_file(files, *name, path, what, error);
+        free(path);
+        free(what);
+    }
+    set(in->shared, "inputs", files);
+    set(in->shared, "libc", json_string(gnu_get_libc_version()));
+    set(in->shared, "profile", json_boolean(in->spec->profile));
+    return ok && add_file(in->shared, "touchstone", in->places.runner, "", error) &&
+           add_file(in->shared, "program", in->places.program, "", error);
+}
+
+struct inputs *inputs_open(const struct spec *s, const struct inputs_places *places, char **error)
+{
+    struct inputs *in = calloc(1, sizeof *in);
+    if (!in)
+        abort();
+    *in = (struct inputs){.spec = s, .places = *places, .shared = json_object()};
+    if (read_shared(in, error))
+        return in;
+    inputs_close(in);
+    return NULL;
+}
+
+static void forget(struct checked *c)
+{
+    free(c->name);
+    free(c->machine);
+    *c = (struct checked){0};
+}
+
+void inputs_close(struct inputs *in)
+{
+    if (!in)
+        return;
+    for (int i = 0; i < KEPT; i++)
+        forget(&in->kept[i]);
+    json_decref(in->shared);
+    free(in->latest_path);
+    free(in);
+}
+
+/* --- the machine ----------------------------------------------------------------------------------------- */
+
+char **inputs_settings(const struct inputs *in, const struct point *p)
+{
+    char **list = point_settings(in->spec, p);
+    for (const char *const *more = in->places.set; more && *more; more++)
+        words_add(&list, text_of("%s", *more));
+    return list;
+}
+
+char **inputs_arguments(const struct inputs *in, const struct point *p)
+{
+    char **list = point_arguments(in->spec, p);
+    for (const char *const *more = in->places.arguments; more && *more; more++)
+        words_add(&list, text_of("%s", *more));
+    return list;
+}
+
+/* The machine file's name as touchstone run takes it, from the study's folder. */
+static char *machine_name(const struct inputs *in, const char *name)
+{
+    size_t n = strlen(name);
+    bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
+    return is_path ? from(in->places.dir, name) : text_of("%s", name);
+}
+
+/* An error that is said of a setting's text, or of the machine, is said of their line in the study file. */
+static char *located(const struct inputs *in, const struct point *p, char **settings, char *error)
+{
+    const struct spec_axis *axis = spec_axis(in->spec, "machine");
+    config_setting_t *at = axis ? axis->at : config_setting_get_member(in->spec->reader.root, "machine");
+    const char *said = error;
+    for (size_t i = 0; settings && settings[i]; i++) {
+        const char *found = strstr(error, settings[i]);
+        if (found && found[strlen(settings[i])] == ':') {
+            at = point_setting_at(in->spec, p, i);
+            said = found;
+            break;
+        }
+    }
+    const char *file = at && config_setting_source_file(at) ? config_setting_source_file(at) : in->spec->path;
+    char *text =
+        at ? text_of("%s:%u: %s", file, (unsigned)config_setting_source_line(at), said) : text_of("%s", said);
+    free(error);
+    return text;
+}
+
+bool inputs_machine_file(const char *path, struct digest *d)
+{
+    struct cfg_reader r;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = cfg_open(&r, path) ? open_memstream(&text, &size) : NULL;
+    if (out) {
+        config_write(&r.lib, out);
+        fclose(out);
+        *d = digest_of(text, size);
+    }
+    free(text);
+    free(r.error);
+    cfg_close(&r);
+    return out;
+}
+
+/* The last one is kept. */
+static bool take_digest(struct inputs *in, const char *path, struct digest *d)
+{
+    if (!in->latest_path || strcmp(in->latest_path, path) != 0) {
+        if (!inputs_machine_file(path, &in->latest))
+            return false;
+        free(in->latest_path);
+        in->latest_path = text_of("%s", path);
+    }
+    *d = in->latest;
+    return true;
+}
+
+static bool check(struct inputs *in, const struct point *p, const char *machine, char **settings,
+                  struct checked *c, char **error)
+{
+    char *name = machine_name(in, machine);
+    struct cfg_machine *m = cfg_load_with(name, in->places.machines, (const char *const *)settings, error);
+    free(name);
+    if (!m || !take_digest(in, m->path, &c->digest)) {
+        *error = m ? text_of("%s cannot be read", m->path) : located(in, p, settings, *error);
+        cfg_free(m);
+        return false;
+    }
+    c->machine = text_of("%s", m->name);
+    c->cube = m->topology == CFG_HYPERCUBE;
+    c->dimension = m->dimension;
+    c->rows = m->rows;
+    c->columns = m->columns;
+    cfg_free(m);
+    return true;
+}
+
+/* Is there room for the nodes? */
+static bool fits(const struct inputs *in, const struct point *p, const struct checked *c, char **error)
+{
+    struct topo t;
+    uint32_t nodes = (uint32_t)point_nodes(in->spec, p);
+    if (c->cube ? topo_hypercube(&t, nodes, c->dimension) : topo_mesh(&t, nodes, c->rows, c->columns))
+        return true;
+    const struct spec_axis *axis = spec_axis(in->spec, "nodes");
+    config_setting_t *at = axis ? axis->at : config_setting_get_member(in->spec->reader.root, "nodes");
+    *error =
+        c->cube ? text_of("%s:%u: nodes: %s has no %u nodes: it is a hypercube of at most %u", in->spec->path,
+                          (unsigned)config_setting_source_line(at), c->machine, nodes, 1u << c->dimension)
+                : text_of("%s:%u: nodes: %s has no rectangle of %u nodes: it is a mesh of %u x %u",
+                          in->spec->path, (unsigned)config_setting_source_line(at), c->machine, nodes,
+                          c->rows, c->columns);
+    return false;
+}
+
+/* One line each: the machine and its settings. */
+static char *lines_of(const char *machine, char **settings)
+{
+    char *all = text_of("%s", machine);
+    for (char **one = settings; one && *one; one++) {
+        char *longer = text_of("%s\n%s", all, *one);
+        free(all);
+        all = longer;
+    }
+    return all;
+}
+
+/* The point's machine from those kept, or checked now; NULL with *error. */
+static struct checked *machine_of(struct inputs *in, const struct point *p, char **settings, char **error)
+{
+    const char *machine = point_machine(in->spec, p);
+    char *name = lines_of(machine, settings);
+    size_t hash = 0;
+    for (const char *c = name; *c; c++)
+        hash = hash * 31 + (unsigned char)*c;
+    struct checked *kept = &in->kept[hash % KEPT];
+    bool ok = kept->name && strcmp(kept->name, name) == 0;
+    if (!ok) {
+        forget(kept);
+        if ((ok = check(in, p, machine, settings, kept, error)))
+            kept->name = text_of("%s", name);
+    }
+    free(name);
+    return ok && fits(in, p, kept, error) ? kept : NULL;
+}
+
+/* Takes the list over. */
+static json_t *words_json(char **words)
+{
+    json_t *list = json_array();
+    for (char **word = words; word && *word; word++)
+        if (json_array_append_new(list, json_string(*word)) != 0)
+            abort();
+    words_free(words);
+    return list;
+}
+
+bool inputs_of(struct inputs *in, const struct point *p, struct digest *key, json_t **all, char **error)
+{
+    char **settings = inputs_settings(in, p);
+    const struct checked *machine = machine_of(in, p, settings, error);
+    if (!machine) {
+        words_free(settings);
+        return false;
+    }
+    json_t *own = json_copy(in->shared);
+    set(own, "nodes", json_integer((json_int_t)point_nodes(in->spec, p)));
+    set(own, "machine", digest_json(machine->digest));
+    set(own, "settings", words_json(settings));
+    set(own, "arguments", words_json(inputs_arguments(in, p)));
+    char *text = json_dumps(own, JSON_COMPACT | JSON_SORT_KEYS);
+    if (!text)
+        abort();
+    *key = digest_of(text, strlen(text));
+    free(text);
+    if (all)
+        *all = own;
+    else
+        json_decref(own);
+    return true;
+}

@@ -1,0 +1,191 @@
+/* study.c - opens a study: reads its file, finds and checks all its points, opens its folder; see study.h. */
+#include "files/folder_make.h"
+#include "lab/jobs/scratch_memory.h"
+#include "lab/study/study_parts.h"
+#include "study/text.h"
+
+#include <libgen.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* --- the points ------------------------------------------------------------------------------------------ */
+
+static int by_number(const void *a, const void *b)
+{
+    const struct work *x = a, *y = b;
+    return x->number < y->number ? -1 : x->number > y->number;
+}
+
+static int dearest_first(const void *a, const void *b)
+{
+    const struct work *x = a, *y = b;
+    if (x->cost != y->cost)
+        return x->cost < y->cost ? 1 : -1;
+    return by_number(a, b);
+}
+
+void study_sort(struct study *s, bool by_cost)
+{
+    qsort(s->work, s->count, sizeof *s->work, by_cost ? dearest_first : by_number);
+}
+
+/* As the study file says; or the number of nodes. */
+static double cost_of(const struct spec *s, const struct point *p)
+{
+    double cost = s->cost ? expr_number(s->cost, p->value) : (double)point_nodes(s, p);
+    return cost > 0 && isfinite(cost) ? cost : 1;
+}
+
+/* All points are made and checked before any is run. */
+static bool plan(struct study *s, char **error)
+{
+    struct point p;
+    s->work = spill_new(s->spec->product * sizeof *s->work);
+    for (size_t number = 0; number < s->spec->product; number++) {
+        enum point_is is = point_make(s->spec, number, &p, error);
+        struct work *w = &s->work[s->count];
+        if (is == POINT_WRONG)
+            return false;
+        if (is == POINT_LEFT_OUT)
+            continue;
+        if (!inputs_of(s->inputs, &p, &w->key, NULL, error))
+            return false;
+        w->number = number;
+        w->cost = cost_of(s->spec, &p);
+        s->count++;
+    }
+    if (!s->count)
+        *error = text_of("%s: only: no point is left", s->options.file);
+    return s->count;
+}
+
+/* --- the rest -------------------------------------------------------------------------------------------- */
+
+/* Where the study file is: programs and machine files that it names are looked for there, and runs are made there. */
+static bool find_dir(struct study *s, char **error)
+{
+    char *file = text_of("%s", s->options.file), real[PATH_MAX];
+    bool found = realpath(dirname(file), real);
+    if (found)
+        s->dir = text_of("%s", real);
+    else
+        *error = text_of("%s: %m", s->options.file);
+    free(file);
+    return found;
+}
+
+/* The study's program: beside its file, or among those that come with touchstone. */
+static bool find_program(struct study *s, char **error)
+{
+    const char *name = s->options.program ? s->options.program : s->spec->program;
+    char *beside = *name == '/' ? text_of("%s", name) : text_of("%s/%s", s->dir, name);
+    char *ours = text_of("%s/%s", s->options.programs, name);
+    if (access(beside, X_OK) == 0)
+        s->program = text_of("%s", beside);
+    else if (access(ours, X_OK) == 0)
+        s->program = text_of("%s", ours);
+    else
+        *error = text_of(
+            "%s:%u: program: there is neither %s nor %s", s->options.file,
+            (unsigned)config_setting_source_line(config_setting_get_member(s->spec->reader.root, "program")),
+            beside, ours);
+    free(beside);
+    free(ours);
+    return s->program;
+}
+
+static bool read_inputs(struct study *s, char **error)
+{
+    struct inputs_places places = {s->options.runner, s->program,          s->options.machines, s->dir,
+                                   s->options.set,    s->options.arguments};
+    return (s->inputs = inputs_open(s->spec, &places, error));
+}
+
+static bool open_folder(struct study *s, char **error)
+{
+    const struct study_options *o = &s->options;
+    if (!folder_make(o->dir)) {
+        *error = text_of("%s cannot be made: %m", o->dir);
+        return false;
+    }
+    if (!(s->claims = claims_enter(o->dir, o->session, error)) ||
+        !(s->journal = journal_open(o->dir, o->progress, error)) ||
+        !(s->scratch = folder_scratch("touchstone-study", error)).path)
+        return false;
+    if (o->retry_failed)
+        journal_forget_failed(s->journal);
+    return true;
+}
+
+struct study *study_open(const struct study_options *options, char **error)
+{
+    struct study *s = calloc(1, sizeof *s);
+    if (!s)
+        abort();
+    s->options = *options;
+    if (!s->options.session)
+        s->options.session = "";
+    if ((s->spec = spec_read(options->file, error)) && find_dir(s, error) && find_program(s, error) &&
+        read_inputs(s, error) && plan(s, error) && open_folder(s, error))
+        return s;
+    study_close(s);
+    return NULL;
+}
+
+void study_close(struct study *s)
+{
+    if (!s)
+        return;
+    journal_close(s->journal);
+    claims_leave(s->claims);
+    scratch_remove(&s->scratch);
+    if (s->work)
+        spill_free(s->work, s->spec->product * sizeof *s->work);
+    inputs_close(s->inputs);
+    free(s->program);
+    free(s->dir);
+    spec_free(s->spec);
+    free(s);
+}
+
+struct study_counts study_counts(const struct study *s)
+{
+    return s->counts;
+}
+
+/* Where the results came from. Of several processes each knows only of its own. */
+static void tell(const struct study *s)
+{
+    const struct study_options *o = &s->options;
+    const struct study_counts *c = &s->counts;
+    if (*o->session)
+        fprintf(o->out, "%zu of %zu points run by this process, %zu in %s/journal before", c->run, s->count,
+                c->before, o->dir);
+    else
+        fprintf(o->out, "%zu point%s run, %zu in %s/journal before", c->run, c->run == 1 ? "" : "s",
+                c->before, o->dir);
+    if (o->cache)
+        fprintf(o->out, ", %zu from the cache", c->cached);
+    fprintf(o->out, "; %zu of %zu points failed\n", c->failed, s->count);
+}
+
+enum study_end study_make(const struct study_options *options, int *signal, char **error)
+{
+    struct study *s = study_open(options, error);
+    enum study_end end = s ? study_run(s, error) : STUDY_ERROR;
+    *signal = s ? s->counts.signal : 0;
+    if (end == STUDY_STOPPED) {
+        size_t have = s->counts.run + s->counts.before + s->counts.cached;
+        fprintf(options->progress,
+                "stopped: %zu of %zu points are in %s/journal; the same command goes on from there\n", have,
+                s->count, options->dir);
+    } else if (end == STUDY_DONE && claims_take_report(s->claims)) {
+        tell(s);
+        end = study_report(s, error);
+    }
+    study_close(s);
+    return end;
+}

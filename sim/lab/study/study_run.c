@@ -1,0 +1,397 @@
+/* study_run.c - runs the points of a study that have no result yet; see study.h.
+ *
+ * The dearest first, each is claimed, looked for in the journal once more (another process may have run it), then in the
+ * cache, and then run. What others have claimed is looked at again until it has a result or its claim is gone.
+ */
+#include "lab/study/point_figures.h"
+#include "lab/jobs/result_cache.h"
+#include "lab/jobs/process_pool.h"
+#include "lab/jobs/progress.h"
+#include "lab/study/study_parts.h"
+#include "study/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+/* A point that is being run. */
+struct task {
+    bool used;
+    const struct work *work;
+    struct pool_job job;
+    json_t *inputs;
+    char *name, **argv, *json, *profile;
+};
+
+struct session {
+    struct study *study;
+    struct task *tasks; /* at_once of them */
+    size_t running;
+    size_t next; /* in the order of work */
+    bool others; /* in this pass, some were claimed by others */
+    size_t have; /* points with a result */
+    double begun_s, cost_left, cost_done;
+    struct progress progress;
+    char **env;
+    bool unnamed; /* it was said that a file is not among the inputs */
+    char *error;  /* the journal cannot be written: nothing more is run */
+};
+
+static double now_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* --- how it is getting on -------------------------------------------------------------------------------- */
+
+static struct progress_counts counts_of(const struct session *e)
+{
+    const struct study_counts *c = &e->study->counts;
+    double elapsed = now_s() - e->begun_s;
+    return (struct progress_counts){.all = e->study->count,
+                                    .done = e->have - c->failed,
+                                    .running = e->running,
+                                    .failed = c->failed,
+                                    .cached = c->cached,
+                                    .left_s = e->cost_left <= 0   ? 0
+                                              : e->cost_done <= 0 ? -1
+                                                                  : elapsed * e->cost_left / e->cost_done};
+}
+
+/* Looks at what all points have; what others have done since counts as done. */
+static void count(struct session *e)
+{
+    struct study *s = e->study;
+    double left = 0;
+    e->have = s->counts.failed = 0;
+    for (size_t i = 0; i < s->count; i++) {
+        enum line_state state;
+        bool has = journal_find(s->journal, s->work[i].key, &state);
+        e->have += has;
+        s->counts.failed += has && state == LINE_FAILED;
+        left += has ? 0 : s->work[i].cost;
+    }
+    if (e->cost_left > left)
+        e->cost_done += e->cost_left - left;
+    e->cost_left = left;
+}
+
+/* One more has a result. */
+static void count_one(struct session *e, const struct work *w, bool failed)
+{
+    e->have++;
+    e->study->counts.failed += failed;
+    e->cost_left -= w->cost;
+}
+
+/* --- a result -------------------------------------------------------------------------------------------- */
+
+static void set(json_t *object, const char *key, json_t *value)
+{
+    if (json_object_set_new(object, key, value) != 0)
+        abort();
+}
+
+static bool write_down(struct session *e, const struct work *w, enum line_state state, json_t *record,
+                       bool safe)
+{
+    struct point p;
+    char *error = NULL;
+    if (point_make(e->study->spec, w->number, &p, &error) == POINT_WANTED) /* as it was when it was planned */
+        set(record, "point", point_values(e->study->spec, &p));
+    free(error);
+    return journal_add(e->study->journal, w->key, state, record, safe, &e->error);
+}
+
+/* A program that reads or writes files of the host beside those named: nobody knows what its results depend on. */
+static bool depends_on_unnamed(struct session *e, const json_t *run)
+{
+    size_t i;
+    json_t *name;
+    json_array_foreach(json_object_get(run, "host_files"), i, name)
+    {
+        const char *file = json_string_value(name);
+        bool named = false;
+        for (const char **input = e->study->spec->inputs; !named && *input; input++)
+            named = strcmp(*input, file) == 0;
+        if (named)
+            continue;
+        progress_end(&e->progress);
+        if (!e->unnamed && e->study->options.cache)
+            fprintf(
+                e->progress.to,
+                "the program opens %s, which is not among the study's inputs: results are not kept in the cache\n",
+                file);
+        e->unnamed = true;
+        return true;
+    }
+    return false;
+}
+
+static json_t *record_of(struct outcome *o, const struct task *t)
+{
+    static const char *const places[] = {"program", "host_files",
+                                         "outcome"}; /* of this run, or the same for all */
+    json_t *figures = figures_of(o);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        json_object_del(figures, places[i]);
+    json_t *record = json_pack("{s:f, s:o}", "wall_time_s", t->job.wall_time_s, "figures", figures);
+    json_t *profile = t->profile ? json_load_file(t->profile, 0, NULL) : NULL;
+    if (profile)
+        set(record, "profile", profile);
+    return record;
+}
+
+static json_t *record_of_failure(const char *error, double wall_time_s)
+{
+    json_t *text = json_string(error);
+    if (!text) /* not UTF-8 */
+        text = json_string("failed, and said so in no text that can be kept");
+    return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", text);
+}
+
+/* What the task's run came to, into journal and cache. */
+static void settle(struct session *e, struct task *t)
+{
+    struct study *s = e->study;
+    struct outcome o = {0};
+    char *error = t->job.state == POOL_DONE ? NULL : text_of("%s", t->job.error);
+    if (!error) {
+        o = outcome_read(t->job.out, t->json, NULL);
+        error = o.error ? text_of("%s", o.error) : NULL;
+    }
+    bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run);
+    json_t *record = error ? record_of_failure(error, t->job.wall_time_s) : record_of(&o, t);
+    if (keep)
+        kept_add(s->options.cache, t->work->key, t->inputs, record, s->options.progress);
+    if (write_down(e, t->work, error ? LINE_FAILED : LINE_DONE, record, true)) {
+        s->counts.run++;
+        e->cost_done += t->work->cost;
+        count_one(e, t->work, error);
+        struct progress_counts counts = counts_of(e);
+        progress_ended(&e->progress, &counts, t->name, error, t->job.wall_time_s);
+    }
+    json_decref(record);
+    outcome_clear(&o);
+    free(error);
+}
+
+/* --- running --------------------------------------------------------------------------------------------- */
+
+/* Files of the simulated machine's are made where TMPDIR says, and so go with the scratch folder at the latest. Of our
+ * environment a run gets only what it needs: its results must not depend on the rest. */
+static char **environment(const struct study *s)
+{
+    static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
+                                         "ASAN_OPTIONS"};
+    char **env = NULL;
+    words_add(&env, text_of("TMPDIR=%s", s->scratch.path));
+    for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)
+        if (getenv(passed[i]))
+            words_add(&env, text_of("%s=%s", passed[i], getenv(passed[i])));
+    return env;
+}
+
+static void add_option(char ***argv, const char *option, char *value)
+{
+    words_add(argv, text_of("%s", option));
+    words_add(argv, value);
+}
+
+static void add_list(char ***argv, const char *option, char **list)
+{
+    for (char **word = list; word && *word; word++) {
+        if (option)
+            words_add(argv, text_of("%s", option));
+        words_add(argv, text_of("%s", *word));
+    }
+    words_free(list);
+}
+
+static void build_argv(const struct study *s, const struct point *p, struct task *t)
+{
+    const struct spec *spec = s->spec;
+    words_add(&t->argv, text_of("%s", s->options.runner));
+    words_add(&t->argv, text_of("run"));
+    words_add(&t->argv, text_of("-q"));
+    add_option(&t->argv, "-m", text_of("%s", point_machine(spec, p)));
+    add_option(&t->argv, "-n", text_of("%lu", point_nodes(spec, p)));
+    add_option(&t->argv, "--json", text_of("%s", t->json));
+    if (t->profile)
+        add_option(&t->argv, "--profile", text_of("%s", t->profile));
+    if (spec->max_virtual_s > 0)
+        add_option(&t->argv, "--max-virtual-time", text_of("%.15g", spec->max_virtual_s));
+    if (spec->max_wall_s > 0)
+        add_option(&t->argv, "--max-wall-time", text_of("%.15g", spec->max_wall_s));
+    add_list(&t->argv, "--set", inputs_settings(s->inputs, p));
+    words_add(&t->argv, text_of("%s", s->program));
+    add_list(&t->argv, NULL, inputs_arguments(s->inputs, p));
+}
+
+static void begin_task(struct session *e, struct task *t, const struct work *w, const struct point *p,
+                       json_t *inputs)
+{
+    const struct study *s = e->study;
+    *t = (struct task){.used = true, .work = w, .inputs = inputs, .name = point_name(s->spec, p)};
+    t->json = text_of("%s/%lu.json", s->scratch.path, w->number);
+    t->profile = s->spec->profile ? text_of("%s/%lu.profile", s->scratch.path, w->number) : NULL;
+    build_argv(s, p, t);
+    t->job = (struct pool_job){.name = t->name,
+                               .argv = t->argv,
+                               .dir = s->dir,
+                               .env = e->env,
+                               /* the run ends itself at the limit, and says more; if it can */
+                               .limit_s = s->spec->max_wall_s > 0 ? s->spec->max_wall_s + 2 : 0};
+    e->running++;
+}
+
+static void end_task(struct session *e, struct task *t)
+{
+    claims_release(e->study->claims, t->work->key);
+    unlink(t->json);
+    if (t->profile)
+        unlink(t->profile);
+    pool_clear(&t->job, 1);
+    json_decref(t->inputs);
+    words_free(t->argv);
+    free(t->name);
+    free(t->json);
+    free(t->profile);
+    *t = (struct task){0};
+    e->running--;
+}
+
+static void ended(void *arg, struct pool_job *job)
+{
+    struct session *e = arg;
+    struct task *t = e->tasks;
+    while (&t->job != job)
+        t++;
+    if (!job->stopped) /* else it is as if it had never been begun */
+        settle(e, t);
+    end_task(e, t);
+}
+
+/* --- which is next --------------------------------------------------------------------------------------- */
+
+static bool is_running(const struct session *e, struct digest key)
+{
+    for (size_t i = 0; i < e->study->options.at_once; i++)
+        if (e->tasks[i].used && digest_equal(e->tasks[i].work->key, key))
+            return true;
+    return false;
+}
+
+static struct task *free_task(const struct session *e)
+{
+    struct task *t = e->tasks;
+    while (t->used)
+        t++;
+    return t;
+}
+
+/* From the cache, if it is there. */
+static bool fetch(struct session *e, const struct work *w, const json_t *inputs)
+{
+    struct study *s = e->study;
+    json_t *record =
+        s->options.cache ? kept_find(s->options.cache, w->key, inputs, s->options.progress) : NULL;
+    if (!record)
+        return false;
+    set(record, "cached", json_true());
+    /* not safe: were it lost, it would be found in the cache again */
+    if (write_down(e, w, LINE_DONE, record, false)) {
+        s->counts.cached++;
+        count_one(e, w, false);
+    }
+    json_decref(record);
+    return true;
+}
+
+/* The point is claimed, and has no result. */
+static enum pool_next begin(struct session *e, const struct work *w, struct pool_job **job)
+{
+    struct study *s = e->study;
+    struct point p;
+    struct digest key;
+    json_t *inputs = NULL;
+    if (point_make(s->spec, w->number, &p, &e->error) != POINT_WANTED ||
+        !inputs_of(s->inputs, &p, &key, &inputs, &e->error))
+        return POOL_NO_MORE;
+    if (fetch(e, w, inputs)) {
+        claims_release(s->claims, w->key);
+        json_decref(inputs);
+        return POOL_AGAIN;
+    }
+    struct task *t = free_task(e);
+    begin_task(e, t, w, &p, inputs);
+    *job = &t->job;
+    return POOL_JOB;
+}
+
+static bool has_result(const struct study *s, const struct work *w)
+{
+    enum line_state state;
+    return journal_find(s->journal, w->key, &state);
+}
+
+static enum pool_next next(void *arg, struct pool_job **job)
+{
+    struct session *e = arg;
+    struct study *s = e->study;
+    while (!e->error && e->next < s->count) {
+        const struct work *w = &s->work[e->next++];
+        if (has_result(s, w))
+            continue;
+        if (is_running(e, w->key) || !claims_take(s->claims, w->key)) {
+            e->others = true;
+            continue;
+        }
+        journal_refresh(s->journal); /* its last claimer may have run it */
+        if (!has_result(s, w))
+            return begin(e, w, job);
+        claims_release(s->claims, w->key);
+    }
+    if (e->error || !e->others)
+        return POOL_NO_MORE;
+    e->next = 0;
+    e->others = false;
+    journal_refresh(s->journal);
+    return POOL_LATER;
+}
+
+static void second(void *arg)
+{
+    struct session *e = arg;
+    if (*e->study->options.session) {
+        journal_refresh(e->study->journal);
+        count(e);
+    }
+    struct progress_counts counts = counts_of(e);
+    progress_show(&e->progress, &counts);
+}
+
+enum study_end study_run(struct study *s, char **error)
+{
+    struct session e = {.study = s, .begun_s = now_s(), .progress = progress_to(s->options.progress)};
+    struct pool_source source = {next, ended, second, &e};
+    if (!(e.tasks = calloc(s->options.at_once, sizeof *e.tasks)))
+        abort();
+    e.env = environment(s);
+    study_estimate(s);
+    study_sort(s, true);
+    count(&e);
+    e.cost_done = 0;
+    s->counts.before = e.have;
+    struct pool_end end = pool_run_from(&source, s->options.at_once);
+    progress_end(&e.progress);
+    count(&e);
+    s->counts.signal = end.stopped;
+    words_free(e.env);
+    free(e.tasks);
+    *error = e.error;
+    return e.error ? STUDY_ERROR : end.stopped ? STUDY_STOPPED : STUDY_DONE;
+}

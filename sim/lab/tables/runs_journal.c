@@ -1,0 +1,118 @@
+/* runs_journal.c - see runs_journal.h. */
+#include "lab/tables/runs_journal.h"
+#include "lab/jobs/point_locks.h"
+#include "lab/study/inputs.h"
+#include "lab/jobs/journal.h"
+#include "study/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct runs_kept {
+    struct claims *claims;
+    struct journal *journal;
+    json_t *shared; /* what all runs depend on */
+    FILE *notes;
+};
+
+static void set(json_t *object, const char *key, json_t *value)
+{
+    if (json_object_set_new(object, key, value) != 0)
+        abort();
+}
+
+static bool add_digest(json_t *to, const char *key, bool (*take)(const char *, struct digest *),
+                       const char *path, char **error)
+{
+    char text[DIGEST_DIGITS + 1];
+    struct digest d;
+    if (!take(path, &d)) {
+        *error = text_of("%s cannot be read: %m", path);
+        return false;
+    }
+    digest_write(d, text);
+    set(to, key, json_string(text));
+    return true;
+}
+
+static bool read_shared(struct runs_kept *k, const struct tables_options *o, const struct paper *paper,
+                        char **error)
+{
+    char *program = text_of("%s/%s", o->programs, paper->program);
+    char *machine = strchr(paper->machine, '/') ? text_of("%s", paper->machine)
+                                                : text_of("%s/machines/%s.cfg", o->home, paper->machine);
+    bool ok = add_digest(k->shared, "touchstone", digest_file, o->runner, error) &&
+              add_digest(k->shared, "program", digest_file, program, error) &&
+              add_digest(k->shared, "machine", inputs_machine_file, machine, error);
+    free(program);
+    free(machine);
+    return ok;
+}
+
+struct runs_kept *runs_kept_open(const struct tables_options *o, const struct paper *paper, char **error)
+{
+    struct runs_kept *k = calloc(1, sizeof *k);
+    if (!k)
+        abort();
+    *k = (struct runs_kept){.shared = json_object(), .notes = o->progress};
+    if (read_shared(k, o, paper, error) && (k->claims = claims_enter(o->dir, "", error)) &&
+        (k->journal = journal_open(o->dir, o->progress, error)))
+        return k;
+    runs_kept_close(k);
+    return NULL;
+}
+
+void runs_kept_close(struct runs_kept *k)
+{
+    if (!k)
+        return;
+    journal_close(k->journal);
+    claims_leave(k->claims);
+    json_decref(k->shared);
+    free(k);
+}
+
+static struct digest key_of(const struct runs_kept *k, const struct run *run)
+{
+    json_t *inputs = json_copy(k->shared), *settings = json_array();
+    for (char *const *one = run->settings; *one; one++)
+        json_array_append_new(settings, json_string(*one));
+    set(inputs, "nodes", json_integer(run->nodes));
+    set(inputs, "arguments", json_string(run->arguments));
+    set(inputs, "extra", run->extra ? json_string(run->extra) : json_null());
+    set(inputs, "settings", settings);
+    char *text = json_dumps(inputs, JSON_COMPACT | JSON_SORT_KEYS);
+    if (!text)
+        abort();
+    struct digest key = digest_of(text, strlen(text));
+    free(text);
+    json_decref(inputs);
+    return key;
+}
+
+bool runs_kept_find(struct runs_kept *k, struct run *run)
+{
+    json_t *record = journal_record(k->journal, key_of(k, run));
+    json_t *printed = json_object_get(record, "printed"), *figures = json_object_get(record, "run");
+    bool found = printed && figures;
+    if (found)
+        run->outcome =
+            (struct outcome){.printed = json_incref(printed),
+                             .run = json_incref(figures),
+                             .wall_time_s = json_number_value(json_object_get(record, "wall_time_s"))};
+    json_decref(record);
+    return found;
+}
+
+void runs_kept_add(struct runs_kept *k, const struct run *run)
+{
+    char *error = NULL;
+    json_t *record = json_pack("{s:s, s:O, s:O, s:f}", "name", run->name, "printed", run->outcome.printed,
+                               "run", run->outcome.run, "wall_time_s", run->outcome.wall_time_s);
+    if (!record)
+        abort();
+    if (!journal_add(k->journal, key_of(k, run), LINE_DONE, record, true, &error))
+        fprintf(k->notes, "not kept: %s\n", error);
+    free(error);
+    json_decref(record);
+}
