@@ -1,5 +1,6 @@
 /* atomic_file.c - see atomic_file.h. */
 #include "files/atomic_file.h"
+#include "kernel/xalloc.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -15,21 +16,12 @@ static void forget(struct result_file *f)
 
 static bool fail(struct result_file *f, int why, char **error)
 {
-    if (asprintf(error, "%s cannot be written: %s", strcmp(f->path, "-") ? f->path : "standard output",
-                 strerror(why)) < 0)
-        abort();
+    *error = xasprintf("%s cannot be written: %s", strcmp(f->path, "-") ? f->path : "standard output",
+                       strerror(why));
     if (f->unfinished)
         unlink(f->unfinished);
     forget(f);
     return false;
-}
-
-static char *copy(const char *format, const char *text)
-{
-    char *all;
-    if (asprintf(&all, format, text) < 0)
-        abort();
-    return all;
 }
 
 static bool is_written_through(const char *path)
@@ -41,7 +33,7 @@ static bool is_written_through(const char *path)
 /* A file of our own; its name is not made of our number: other computers have that one, too. */
 static FILE *begin_unfinished(struct result_file *f)
 {
-    f->unfinished = copy("%s.XXXXXX", f->path);
+    f->unfinished = xasprintf("%s.XXXXXX", f->path);
     mode_t without = umask(0);
     umask(without);
     int fd = mkostemp(f->unfinished, O_CLOEXEC);
@@ -52,7 +44,7 @@ static FILE *begin_unfinished(struct result_file *f)
 
 bool result_file_begin(struct result_file *f, const char *path, char **error)
 {
-    *f = (struct result_file){.path = copy("%s", path)};
+    *f = (struct result_file){.path = xstrdup(path)};
     if (!strcmp(path, "-"))
         f->out = stdout;
     else

@@ -1,6 +1,6 @@
 /* folder_make.c - see folder_make.h. */
 #include "files/folder_make.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -30,6 +30,6 @@ struct scratch folder_scratch(const char *name, char **error)
     struct scratch s = scratch_new(name);
     const char *tmp = getenv("TMPDIR");
     if (!s.path)
-        *error = text_of("no folder can be made in %s: %m", tmp && *tmp ? tmp : "/tmp");
+        *error = xasprintf("no folder can be made in %s: %m", tmp && *tmp ? tmp : "/tmp");
     return s;
 }

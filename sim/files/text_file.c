@@ -1,5 +1,6 @@
 /* text_file.c - see text_file.h. */
 #include "files/text_file.h"
+#include "kernel/xalloc.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>
@@ -56,9 +57,7 @@ static ssize_t read_up_to(int fd, char *buf, size_t most)
 
 static char *read_text(int fd, size_t most, const char **why, int *line)
 {
-    char *text = malloc(most + 2);
-    if (!text)
-        abort();
+    char *text = xmalloc(most + 2);
     ssize_t bytes = read_up_to(fd, text, most + 1);
     *why = bytes < 0 ? strerror(errno) : (size_t)bytes > most ? "it is larger than such files are" : NULL;
     if (!*why) {

@@ -3,10 +3,10 @@
  * One panel for each value of the panels' axis, in it one line for each value of the lines' axis. A data block is a
  * line: $dPANEL_LINE.
  */
-#include "lab/chart/chart_parts.h"
 #include "files/folder_make.h"
+#include "kernel/xalloc.h"
+#include "lab/chart/chart_parts.h"
 #include "lab/jobs/process_pool.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -183,10 +183,8 @@ static void write_heading(const struct record_points *points, const struct pictu
 static bool write_all(const struct record_points *points, const struct picture *p, const struct chart_data *d,
                       const char *dir, FILE *script, char **error)
 {
-    struct panel *panel = calloc(d->panels.count, sizeof *panel);
+    struct panel *panel = xcalloc(d->panels.count, sizeof *panel);
     bool any = false;
-    if (!panel)
-        abort();
     for (size_t i = 0; i < d->panels.count; i++) {
         panel[i] = (struct panel){.low = INFINITY, .high = -INFINITY};
         for (size_t line = 0; line < d->lines.count; line++)
@@ -199,7 +197,7 @@ static bool write_all(const struct record_points *points, const struct picture *
         write_page(p, d, panel, false, dir, script);
         write_page(p, d, panel, true, dir, script);
     } else {
-        *error = text_of("no point has its figure, %s", p->figure);
+        *error = xasprintf("no point has its figure, %s", p->figure);
     }
     free(panel);
     return any;
@@ -220,7 +218,7 @@ static bool run_gnuplot(const char *script, char **error)
     struct pool_job job = {.name = "the picture", .argv = argv};
     bool drawn = pool_run(&job, 1, 1, NULL).all_done;
     if (!drawn)
-        *error = text_of("%s", job.error ? job.error : "gnuplot was stopped");
+        *error = xstrdup(job.error ? job.error : "gnuplot was stopped");
     pool_clear(&job, 1);
     return drawn;
 }
@@ -230,11 +228,11 @@ bool chart_draw(const struct record_points *points, const struct picture *p, con
     struct scratch scratch = folder_scratch("touchstone-picture", error);
     if (!scratch.path)
         return false;
-    char *path = text_of("%s/plot", scratch.path);
+    char *path = xasprintf("%s/plot", scratch.path);
     FILE *script = fopen(path, "we");
     bool ok = script;
     if (!script)
-        *error = text_of("%s cannot be written: %m", path);
+        *error = xasprintf("%s cannot be written: %m", path);
     else
         ok = write_script(points, p, dir, script, error);
     if (script)

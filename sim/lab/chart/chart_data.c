@@ -3,9 +3,10 @@
  * At a place is the figure of the point there; or of several points, which differ in the axis `best`, that axis's value
  * at the one with the least figure.
  */
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lab/chart/chart_parts.h"
 #include "lab/jobs/outcome.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,16 +23,14 @@ struct taker {
 static char *label_of(const json_t *value)
 {
     if (json_is_string(value))
-        return text_of("%s", json_string_value(value));
-    return json_is_integer(value) ? text_of("%lld", json_integer_value(value))
-                                  : text_of("%.12g", json_number_value(value));
+        return xstrdup(json_string_value(value));
+    return json_is_integer(value) ? xasprintf("%lld", json_integer_value(value))
+                                  : xasprintf("%.12g", json_number_value(value));
 }
 
 static void *room(size_t count, size_t size)
 {
-    void *p = calloc(count + 1, size);
-    if (!p)
-        abort();
+    void *p = xcalloc(count + 1, size);
     return p;
 }
 
@@ -43,10 +42,9 @@ static void take_axis(const json_t *values, const char *name, struct chart_axis 
     a->position = room(count, sizeof *a->position);
     for (size_t i = 0; i < count; i++) {
         const json_t *value = json_array_get(values, i);
-        a->label[i] = *name ? label_of(value) : text_of("%s", "");
+        a->label[i] = *name ? label_of(value) : xstrdup("");
         a->numeric &= json_is_number(value);
-        if (json_object_set_new(a->place, a->label[i], json_integer((json_int_t)i)) != 0)
-            abort();
+        json_set(a->place, a->label[i], json_integer((json_int_t)i));
     }
     for (size_t i = 0; i < count; i++)
         a->position[i] = a->numeric ? json_number_value(json_array_get(values, i)) : (double)(i + 1);
@@ -99,7 +97,7 @@ static bool take_axes(const struct record_points *points, const struct picture *
     struct chart_axis *const places[] = {&d->x, &d->lines, &d->panels, &d->best};
     for (int i = 0; i < 4; i++)
         if (*names[i] && json_array_size(json_object_get(axes, names[i])) == 0) {
-            *error = text_of("there is no axis %s", names[i]);
+            *error = xasprintf("there is no axis %s", names[i]);
             return false;
         }
     for (int i = 0; i < 4; i++)
@@ -107,8 +105,9 @@ static bool take_axes(const struct record_points *points, const struct picture *
     if (d->panels.count <= CHART_MAX_PANELS && d->lines.count <= CHART_MAX_LINES &&
         d->panels.count * d->lines.count * d->x.count <= CHART_MAX_CELLS)
         return true;
-    *error = text_of("%zu panels of %zu lines with %zu values are too many: %d panels, %d lines are allowed",
-                     d->panels.count, d->lines.count, d->x.count, CHART_MAX_PANELS, CHART_MAX_LINES);
+    *error =
+        xasprintf("%zu panels of %zu lines with %zu values are too many: %d panels, %d lines are allowed",
+                  d->panels.count, d->lines.count, d->x.count, CHART_MAX_PANELS, CHART_MAX_LINES);
     return false;
 }
 
@@ -117,15 +116,15 @@ static json_t *fix_rest(const struct record_points *points, const struct picture
 {
     json_t *fixed = json_object(), *values;
     const char *name;
-    d->fixed = text_of("%s", "");
+    d->fixed = xstrdup("");
     json_object_foreach(json_object_get(points->header, "axes"), name, values)
     {
         if (json_array_size(values) < 2 || !strcmp(name, p->x) || !strcmp(name, p->lines) ||
             !strcmp(name, p->panels) || !strcmp(name, p->best))
             continue;
-        json_object_set(fixed, name, json_array_get(values, 0));
+        json_set(fixed, name, json_incref(json_array_get(values, 0)));
         char *label = label_of(json_array_get(values, 0));
-        char *longer = text_of("%s%s%s %s", d->fixed, *d->fixed ? ", " : "", name, label);
+        char *longer = xasprintf("%s%s%s %s", d->fixed, *d->fixed ? ", " : "", name, label);
         free(label);
         free(d->fixed);
         d->fixed = longer;

@@ -4,9 +4,9 @@
  * that, and which line is least where. Nothing is said that the table does not show.
  */
 #include "lab/chart/findings.h"
-#include "lab/chart/chart_parts.h"
 #include "files/atomic_file.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
+#include "lab/chart/chart_parts.h"
 
 #include <math.h>
 #include <string.h>
@@ -271,7 +271,7 @@ bool findings_write(const struct record_points *points, const struct picture *li
                     const char *dir, char **error)
 {
     struct result_file d;
-    char *path = text_of("%s/findings.md", dir);
+    char *path = xasprintf("%s/findings.md", dir);
     bool begun = result_file_begin(&d, path, error);
     free(path);
     if (!begun)

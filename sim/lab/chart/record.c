@@ -1,7 +1,8 @@
 /* record.c - see record.h. */
 #include "lab/chart/record.h"
 #include "files/atomic_file.h"
-#include "study/text.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -16,9 +17,7 @@ struct json_writer {
 /* As jansson lays it out, but further in. */
 static void write_value(const json_t *value, const char *indent, FILE *out)
 {
-    char *text = json_dumps(value, JSON_INDENT(1) | JSON_REAL_PRECISION(15) | JSON_ENCODE_ANY);
-    if (!text)
-        abort();
+    char *text = xchecked(json_dumps(value, JSON_INDENT(1) | JSON_REAL_PRECISION(15) | JSON_ENCODE_ANY));
     for (const char *line = text; *line;) {
         size_t n = strcspn(line, "\n") + 1;
         n -= line[n - 1] == '\0';
@@ -36,7 +35,7 @@ static bool write_point(void *arg, const json_t *point, char **error)
     (void)error;
     fputs(w->count++ ? ",\n  " : "\n  ", w->out);
     write_value(point, "  ", w->out);
-    return !ferror(w->out) || (*error = text_of("cannot be written"), false);
+    return !ferror(w->out) || (*error = xasprintf("cannot be written"), false);
 }
 
 static bool write_json(const struct record_points *points, FILE *out, char **error)
@@ -87,10 +86,11 @@ static bool add_columns(void *arg, const json_t *point, char **error)
     const char *key;
     json_t *value;
     (void)error;
-    json_object_foreach(
-        (json_t *)point, key,
-        value) if (!json_is_array(value) && !json_is_object(value) &&
-                   !json_object_get(arg, key)) if (json_object_set_new(arg, key, json_null()) != 0) abort();
+    json_object_foreach((json_t *)point, key, value)
+    {
+        if (!json_is_array(value) && !json_is_object(value) && !json_object_get(arg, key))
+            json_set(arg, key, json_null());
+    }
     return true;
 }
 
@@ -138,7 +138,7 @@ static bool write_file(const struct record_points *points, const char *dir, cons
                        bool (*write)(const struct record_points *, FILE *, char **), char **error)
 {
     struct result_file d;
-    char *path = text_of("%s/%s", dir, name);
+    char *path = xasprintf("%s/%s", dir, name);
     bool begun = result_file_begin(&d, path, error);
     free(path);
     if (!begun)
@@ -174,11 +174,11 @@ bool record_read(const char *path, struct record_points *points, char **error)
     bool ok = json_is_array(list) && json_is_object(json_object_get(root, "axes")) &&
               json_is_string(json_object_get(root, "title"));
     if (!root && why.line < 0)
-        *error = text_of("%s", why.text);
+        *error = xstrdup(why.text);
     else if (!root)
-        *error = text_of("%s:%d: %s", path, why.line, why.text);
+        *error = xasprintf("%s:%d: %s", path, why.line, why.text);
     else if (!ok)
-        *error = text_of("%s: these are no results of touchstone study", path);
+        *error = xasprintf("%s: these are no results of touchstone study", path);
     *points = (struct record_points){each_of_list, list, root};
     if (ok)
         return true;

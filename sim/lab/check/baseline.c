@@ -1,7 +1,8 @@
 /* baseline.c - see baseline.h. */
 #include "lab/check/baseline.h"
 #include "files/atomic_file.h"
-#include "study/text.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,17 +10,11 @@
 
 static const char FORMAT[] = "touchstone baseline 1";
 
-static void set(json_t *object, const char *key, json_t *value)
-{
-    if (json_object_set_new(object, key, value) != 0)
-        abort();
-}
-
 json_t *baseline_new(void)
 {
     json_t *root = json_object();
-    set(root, "format", json_string(FORMAT));
-    set(root, "studies", json_object());
+    json_set(root, "format", json_string(FORMAT));
+    json_set(root, "studies", json_object());
     return root;
 }
 
@@ -48,17 +43,17 @@ static bool check(const json_t *root, const char *path, char **error)
     const char *format = json_string_value(json_object_get(root, "format")), *study, *name, *why;
     json_t *points, *point, *studies = json_object_get(root, "studies");
     if (!format || strcmp(format, FORMAT) != 0) {
-        *error = text_of("%s: this is no baseline: its \"format\" is not \"%s\"", path, FORMAT);
+        *error = xasprintf("%s: this is no baseline: its \"format\" is not \"%s\"", path, FORMAT);
         return false;
     }
     if (!json_is_object(studies)) {
-        *error = text_of("%s: there is no \"studies\"", path);
+        *error = xasprintf("%s: there is no \"studies\"", path);
         return false;
     }
     json_object_foreach(studies, study, points) json_object_foreach(points, name, point)
     {
         if ((why = wrong_point(point))) {
-            *error = text_of("%s: %s: point \"%s\" %s", path, study, name, why);
+            *error = xasprintf("%s: %s: point \"%s\" %s", path, study, name, why);
             return false;
         }
     }
@@ -70,8 +65,8 @@ json_t *baseline_read(const char *path, char **error)
     json_error_t why;
     json_t *root = json_load_file(path, 0, &why);
     if (!root) {
-        *error =
-            why.line > 0 ? text_of("%s:%d: %s", path, why.line, why.text) : text_of("%s: %s", path, why.text);
+        *error = why.line > 0 ? xasprintf("%s:%d: %s", path, why.line, why.text)
+                              : xasprintf("%s: %s", path, why.text);
         return NULL;
     }
     if (check(root, path, error))
@@ -94,7 +89,7 @@ json_t *baseline_study(json_t *baseline, const char *study)
 {
     json_t *studies = json_object_get(baseline, "studies");
     if (!json_object_get(studies, study))
-        set(studies, study, json_object());
+        json_set(studies, study, json_object());
     return json_object_get(studies, study);
 }
 

@@ -1,18 +1,13 @@
 /* baseline_point.c - a point as a baseline has it: its figures, and where its nodes' time went; see baseline.h. */
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lab/check/baseline.h"
 #include "lab/jobs/outcome.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void set(json_t *object, const char *key, json_t *value)
-{
-    if (json_object_set_new(object, key, value) != 0)
-        abort();
-}
 
 /* The number that its 15 digits in a file say, so that what was written and what is run compare as equal. */
 static double as_written(double value)
@@ -27,7 +22,7 @@ static void add(json_t *to, const char *key, double seconds)
 {
     double sum = json_number_value(json_object_get(to, key)) + seconds;
     if (sum != 0)
-        set(to, key, json_real(as_written(sum)));
+        json_set(to, key, json_real(as_written(sum)));
 }
 
 /* --- figures --------------------------------------------------------------------------------------------- */
@@ -82,7 +77,7 @@ static json_t *figures_kept(const json_t *figures, const json_t *axes)
     const char *key;
     json_object_foreach((json_t *)figures, key, value) if (!json_object_get(axes, key) && is_kept(key) &&
                                                            !is_unused(key, value) && (copy = figure(value)))
-        set(kept, key, copy);
+        json_set(kept, key, copy);
     if (is_twice(figures))
         json_object_del(kept, "time_s");
     return kept;
@@ -98,8 +93,8 @@ static char *function_name(const json_t *function)
                *called = json_string_value(json_object_get(function, "called"));
     const char *slash = file ? strrchr(file, '/') : NULL;
     file = slash ? slash + 1 : file;
-    return text_of("%s%s%s%s%s%s", called ? called : "", called ? " called by " : "", name ? name : "?",
-                   file && *file ? " (" : "", file ? file : "", file && *file ? ")" : "");
+    return xasprintf("%s%s%s%s%s%s", called ? called : "", called ? " called by " : "", name ? name : "?",
+                     file && *file ? " (" : "", file ? file : "", file && *file ? ")" : "");
 }
 
 static json_t *functions_of(const json_t *profile, const char *class)
@@ -123,7 +118,7 @@ static json_t *tasks_of(const json_t *class)
     json_object_foreach(json_object_get(class, "tasks"), key, seconds)
     {
         size_t length = strlen(key);
-        char *task = text_of("%.*s", (int)(length > 2 ? length - 2 : length), key);
+        char *task = xasprintf("%.*s", (int)(length > 2 ? length - 2 : length), key);
         add(to, task, json_number_value(seconds));
         free(task);
     }
@@ -149,12 +144,12 @@ static json_t *where_of_profile(const json_t *profile)
     json_object_foreach(json_object_get(profile, "classes"), name, class)
     {
         json_t *to = json_object();
-        set(to, "nodes", json_incref(json_object_get(class, "nodes")));
-        set(to, "functions", functions_of(profile, name));
-        set(to, "system", tasks_of(class));
-        set(to, "idle", waits_of(class));
+        json_set(to, "nodes", json_incref(json_object_get(class, "nodes")));
+        json_set(to, "functions", functions_of(profile, name));
+        json_set(to, "system", tasks_of(class));
+        json_set(to, "idle", waits_of(class));
         add(to, "ended", json_number_value(json_object_get(class, "rest_s")));
-        set(where, name, to);
+        json_set(where, name, to);
     }
     return where;
 }
@@ -167,7 +162,7 @@ static json_t *where_of_class(const json_t *figures, const char *prefix, double 
     json_t *to = json_object(), *functions = json_object(), *system = json_object(), *idle = json_object();
     json_t *value;
     const char *key;
-    set(to, "nodes", json_integer((json_int_t)nodes));
+    json_set(to, "nodes", json_integer((json_int_t)nodes));
     json_object_foreach((json_t *)figures, key, value)
     {
         double seconds = nodes * json_number_value(value);
@@ -179,14 +174,14 @@ static json_t *where_of_class(const json_t *figures, const char *prefix, double 
         else if (strcmp(time, "system_s") == 0)
             add(system, "all tasks", seconds);
         else if (begins(time, "waits.")) {
-            char *wait = text_of("%.*s", (int)(strlen(time) - strlen("waits._s")), time + strlen("waits."));
+            char *wait = xasprintf("%.*s", (int)(strlen(time) - strlen("waits._s")), time + strlen("waits."));
             add(idle, wait, seconds);
             free(wait);
         }
     }
-    set(to, "functions", functions);
-    set(to, "system", system);
-    set(to, "idle", idle);
+    json_set(to, "functions", functions);
+    json_set(to, "system", system);
+    json_set(to, "idle", idle);
     return to;
 }
 
@@ -195,10 +190,10 @@ static json_t *where_of_figures(const json_t *figures)
     static const char *const classes[][2] = {{"others", "others."}, {"with_handlers", "handlers."}};
     json_t *where = json_object();
     for (size_t i = 0; i < 2; i++) {
-        char *key = text_of("%snodes", classes[i][1]);
+        char *key = xasprintf("%snodes", classes[i][1]);
         double nodes = figure_of(figures, key);
         if (nodes > 0)
-            set(where, classes[i][0], where_of_class(figures, classes[i][1], nodes));
+            json_set(where, classes[i][0], where_of_class(figures, classes[i][1], nodes));
         free(key);
     }
     return where;
@@ -208,9 +203,9 @@ json_t *baseline_point(const json_t *point, const json_t *axes)
 {
     json_t *kept = json_object(), *profile = json_object_get(point, "profile");
     json_t *where = json_is_object(profile) ? where_of_profile(profile) : where_of_figures(point);
-    set(kept, "figures", figures_kept(point, axes));
+    json_set(kept, "figures", figures_kept(point, axes));
     if (json_object_size(where))
-        set(kept, "where", where);
+        json_set(kept, "where", where);
     else
         json_decref(where);
     return kept;
@@ -218,20 +213,21 @@ json_t *baseline_point(const json_t *point, const json_t *axes)
 
 char *baseline_name(const json_t *point, const json_t *axes)
 {
-    char *name = text_of("%s", "");
+    char *name = xstrdup("");
     const char *axis;
     json_t *values;
     json_object_foreach((json_t *)axes, axis, values)
     {
         const json_t *value = json_object_get(point, axis);
-        char *longer = json_is_string(value)
-                           ? text_of("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value))
-                           : text_of("%s%s%s %.15g", name, *name ? ", " : "", axis, json_number_value(value));
+        char *longer =
+            json_is_string(value)
+                ? xasprintf("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value))
+                : xasprintf("%s%s%s %.15g", name, *name ? ", " : "", axis, json_number_value(value));
         free(name);
         name = longer;
     }
     if (*name)
         return name;
     free(name);
-    return text_of("the run");
+    return xasprintf("the run");
 }

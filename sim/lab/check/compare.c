@@ -1,7 +1,7 @@
 /* compare.c - see compare.h. */
 #include "lab/check/compare.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,9 +101,7 @@ static void add_figure(struct compare_point *p, const char *name, double longer,
     f.verdict = judge(&f, longer, rules);
     if (f.change == 0) /* 1 and 1.0 */
         return;
-    p->figures = realloc(p->figures, (p->figure_count + 1) * sizeof *p->figures);
-    if (!p->figures)
-        abort();
+    p->figures = xrealloc(p->figures, (p->figure_count + 1) * sizeof *p->figures);
     p->figures[p->figure_count++] = f;
     if (f.verdict > p->verdict)
         p->verdict = f.verdict;
@@ -139,9 +137,7 @@ static void add_move(struct compare_point *p, enum compare_kind kind, const char
     struct compare_move move = {kind, class, name, json_number_value(before), json_number_value(after)};
     if (move.before_s == move.after_s)
         return;
-    p->moves = realloc(p->moves, (p->move_count + 1) * sizeof *p->moves);
-    if (!p->moves)
-        abort();
+    p->moves = xrealloc(p->moves, (p->move_count + 1) * sizeof *p->moves);
     p->moves[p->move_count++] = move;
 }
 
@@ -206,15 +202,13 @@ static void drop(struct compare_point *p)
 struct compare_point *compare_point(const char *study, const char *name, json_t *before, json_t *after,
                                     const char *failure, const struct compare_rules *rules)
 {
-    struct compare_point *p = calloc(1, sizeof *p);
-    if (!p)
-        abort();
-    p->study = text_of("%s", study);
-    p->name = text_of("%s", name);
+    struct compare_point *p = xcalloc(1, sizeof *p);
+    p->study = xstrdup(study);
+    p->name = xstrdup(name);
     p->before = json_incref(before);
     p->after = json_incref(after);
     if (failure) {
-        p->failure = text_of("%s", failure);
+        p->failure = xstrdup(failure);
         p->verdict = COMPARE_FAILED;
     } else if (!after) {
         p->verdict = COMPARE_MISSING;

@@ -1,9 +1,10 @@
 /* compare_gate.c - see compare_gate.h. */
 #include "lab/check/compare_gate.h"
+#include "files/atomic_file.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lab/check/baseline.h"
 #include "lab/check/compare_print.h"
-#include "files/atomic_file.h"
-#include "study/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -32,9 +33,7 @@ struct visit {
 
 static void keep(struct gate *g, struct compare_point *p)
 {
-    g->points = realloc(g->points, (g->count + 1) * sizeof *g->points);
-    if (!g->points)
-        abort();
+    g->points = xrealloc(g->points, (g->count + 1) * sizeof *g->points);
     g->points[g->count++] = p;
 }
 
@@ -48,9 +47,9 @@ static bool visit_point(void *arg, const json_t *flat, char **error)
     compare_rules_see(&v->gate->rules, point);
     keep(v->gate,
          compare_point(v->study, name, json_object_get(v->before, name), point, failure, &v->gate->rules));
-    json_object_set_new(v->seen, name, json_null());
+    json_set(v->seen, name, json_null());
     if (v->gate->update && point)
-        json_object_set(baseline_study(v->gate->update, v->study), name, point);
+        json_set(baseline_study(v->gate->update, v->study), name, json_incref(point));
     json_decref(point);
     free(name);
     return true;
@@ -87,19 +86,19 @@ static bool compare_study(struct gate *g, struct study *s, const char *name, cha
 static char *study_name(const char *file)
 {
     const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
-    return text_of("%.*s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)), name);
+    return xasprintf("%.*s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)), name);
 }
 
 static bool run_study(struct gate *g, const char *file, const char *name, char **error)
 {
     struct study_options o = g->options->study;
-    char *dir = text_of("%s/%s", g->options->dir, name);
+    char *dir = xasprintf("%s/%s", g->options->dir, name);
     o.file = file;
     o.dir = dir;
     struct study *s = study_open(&o, error);
     enum study_end end = s ? study_run(s, error) : STUDY_ERROR;
     if (end == STUDY_STOPPED)
-        *error = text_of("stopped by a signal; the same command goes on from here");
+        *error = xasprintf("stopped by a signal; the same command goes on from here");
     bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare_study(g, s, name, error);
     study_close(s);
     free(dir);
@@ -114,13 +113,13 @@ static bool is_known(const struct gate *g, const char *file, const char *name, c
         bool same = strcmp(its, name) == 0;
         free(its);
         if (same) {
-            *error = text_of("%s and %s would both be \"%s\" in the baseline", *other, file, name);
+            *error = xasprintf("%s and %s would both be \"%s\" in the baseline", *other, file, name);
             return false;
         }
     }
     if (g->update || baseline_find(g->baseline, name))
         return true;
-    *error = text_of("%s has no study \"%s\"; --update adds it", g->options->baseline, name);
+    *error = xasprintf("%s has no study \"%s\"; --update adds it", g->options->baseline, name);
     return false;
 }
 
@@ -186,7 +185,7 @@ static bool open_baseline(struct gate *g, char **error)
     if (g->options->update && access(path, F_OK) != 0)
         g->baseline = baseline_new();
     else if (access(path, F_OK) != 0)
-        *error = text_of("%s: %m; --update makes a baseline", path);
+        *error = xasprintf("%s: %m; --update makes a baseline", path);
     else
         g->baseline = baseline_read(path, error);
     if (g->baseline && g->options->update)
@@ -207,7 +206,7 @@ static bool check_rules(const struct gate *g, char **error)
 {
     const char *unused = compare_rules_unused(&g->rules);
     if (unused)
-        *error = text_of("--tolerance %s: no point has a figure of that name", unused);
+        *error = xasprintf("--tolerance %s: no point has a figure of that name", unused);
     return !unused;
 }
 
@@ -224,7 +223,7 @@ static enum gate_end finish(struct gate *g, char **error)
     if (!g->update)
         return failures(g, COMPARE_WORSE) ? GATE_WORSE : GATE_PASSED;
     if (failures(g, COMPARE_FAILED)) {
-        *error = text_of("%s is as it was: points failed", g->options->baseline);
+        *error = xasprintf("%s is as it was: points failed", g->options->baseline);
         return GATE_ERROR;
     }
     return baseline_write(g->update, g->options->baseline, error) ? GATE_PASSED : GATE_ERROR;

@@ -1,6 +1,6 @@
 /* compare_tolerance.c - reads how much a figure may differ; see compare.h. */
+#include "kernel/xalloc.h"
 #include "lab/check/compare.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,26 +24,24 @@ static bool read_one(const char *text, struct compare_tolerance *t, char **why)
     const char *equals = strchr(text, '='), *amount = equals ? equals + 1 : text;
     *t = (struct compare_tolerance){0};
     if (equals == text || !read_amount(amount, t)) {
-        *why = text_of("'%s' is none: 0.5%%, total_s=1%% and messages=10 are", text);
+        *why = xasprintf("'%s' is none: 0.5%%, total_s=1%% and messages=10 are", text);
         return false;
     }
     if (!equals && !t->relative && t->allowed != 0) {
-        *why = text_of("'%s' has no unit that all figures share: %s%%, or FIGURE=%s", text, text, text);
+        *why = xasprintf("'%s' has no unit that all figures share: %s%%, or FIGURE=%s", text, text, text);
         return false;
     }
     if (equals)
-        t->figure = text_of("%.*s", (int)(equals - text), text);
+        t->figure = xasprintf("%.*s", (int)(equals - text), text);
     return true;
 }
 
 bool compare_rules_add(struct compare_rules *rules, const char *text, char **why)
 {
-    char *copy = text_of("%s", text), *rest = copy, *one;
+    char *copy = xstrdup(text), *rest = copy, *one;
     bool good = true;
     while (good && (one = strsep(&rest, ","))) {
-        rules->tolerances = realloc(rules->tolerances, (rules->count + 1) * sizeof *rules->tolerances);
-        if (!rules->tolerances)
-            abort();
+        rules->tolerances = xrealloc(rules->tolerances, (rules->count + 1) * sizeof *rules->tolerances);
         if ((good = read_one(one, &rules->tolerances[rules->count], why)))
             rules->count++;
     }

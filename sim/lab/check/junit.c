@@ -1,6 +1,6 @@
 /* junit.c - comparisons as JUnit XML; see compare_print.h. */
+#include "kernel/xalloc.h"
 #include "lab/check/compare_print.h"
-#include "study/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -56,12 +56,10 @@ static char *told(const struct compare_point *p, void (*print)(const struct comp
 {
     char *text = NULL;
     size_t size;
-    FILE *f = open_memstream(&text, &size);
-    if (!f)
-        abort();
+    FILE *f = xchecked(open_memstream(&text, &size));
     print(p, f);
     if (fclose(f) != 0)
-        abort();
+        xexhausted();
     if (size && text[size - 1] == '\n')
         text[size - 1] = '\0';
     return text;
@@ -69,7 +67,7 @@ static char *told(const struct compare_point *p, void (*print)(const struct comp
 
 static void write_case(const struct compare_point *p, FILE *out)
 {
-    char *class = text_of("touchstone.%s", p->study), *all = told(p, compare_print);
+    char *class = xasprintf("touchstone.%s", p->study), *all = told(p, compare_print);
     fputs("    <testcase", out);
     write_attribute("classname", class, out);
     write_attribute("name", p->name, out);

@@ -1,6 +1,6 @@
 /* fit.c - conducts a fit: the start, which parameters have an influence, the search, what it determines; see fit.h. */
+#include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,9 +11,7 @@ static const double FAR = 0.1, NEAR = 0.01;
 
 static double *numbers(size_t count)
 {
-    double *d = calloc(count + 1, sizeof *d);
-    if (!d)
-        abort();
+    double *d = xcalloc(count + 1, sizeof *d);
     return d;
 }
 
@@ -57,7 +55,7 @@ static bool leave_out(struct fit *f)
     }
     free(slope);
     if (good && !f->count)
-        f->error = text_of("no parameter has an influence on any measured figure");
+        f->error = xasprintf("no parameter has an influence on any measured figure");
     return good && f->count;
 }
 

@@ -1,9 +1,9 @@
 /* fit_build.c - cost factors as parameters: the program is built anew for each value of them, by the command that the study
  * file gives. Equal bytes of a program are the same point, however often it was built. */
-#include "lab/fit/fit_parts.h"
 #include "files/folder_make.h"
+#include "kernel/xalloc.h"
+#include "lab/fit/fit_parts.h"
 #include "lab/jobs/process_pool.h"
-#include "study/text.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -11,13 +11,13 @@
 
 char *fit_filled(const char *text, const char *hole, const char *with)
 {
-    char *done = text_of("%s", "");
+    char *done = xstrdup("");
     for (const char *at; (at = strstr(text, hole)); text = at + strlen(hole)) {
-        char *longer = text_of("%s%.*s%s", done, (int)(at - text), text, with);
+        char *longer = xasprintf("%s%.*s%s", done, (int)(at - text), text, with);
         free(done);
         done = longer;
     }
-    char *all = text_of("%s%s", done, text);
+    char *all = xasprintf("%s%s", done, text);
     free(done);
     return all;
 }
@@ -25,20 +25,20 @@ char *fit_filled(const char *text, const char *hole, const char *with)
 /* The file of factors that nxcc reads; malloc'd. */
 static char *factors_of(const struct fit *f, const double place[])
 {
-    char *list = text_of("factors = (");
+    char *list = xasprintf("factors = (");
     const char *mark = "";
     for (size_t i = 0; i < f->parameters; i++) {
         char value[32];
         if (!f->parameter[i].factor)
             continue;
         fit_text(&f->parameter[i], place[i], value);
-        char *longer = text_of("%s%s\n    { file = \"%s\"; factor = %s%s; }", list, mark,
-                               f->parameter[i].factor, value, strpbrk(value, ".e") ? "" : ".0");
+        char *longer = xasprintf("%s%s\n    { file = \"%s\"; factor = %s%s; }", list, mark,
+                                 f->parameter[i].factor, value, strpbrk(value, ".e") ? "" : ".0");
         free(list);
         list = longer;
         mark = ",";
     }
-    char *all = text_of("%s\n);\n", list);
+    char *all = xasprintf("%s\n);\n", list);
     free(list);
     return all;
 }
@@ -56,15 +56,15 @@ static bool write_file(const char *path, const char *text)
 static bool command(struct fit *f, const char *factors)
 {
     const char *file = f->options->study.file, *slash = strrchr(file, '/');
-    char *dir = slash ? text_of("%.*s", (int)(slash - file + 1), file) : text_of(".");
+    char *dir = slash ? xasprintf("%.*s", (int)(slash - file + 1), file) : xasprintf(".");
     char *with = fit_filled(f->build, "{factors}", factors), *all = fit_filled(with, "{program}", f->program);
     char *const argv[] = {"/bin/sh", "-c", all, NULL};
     struct pool_job job = {.name = "build", .argv = argv, .dir = dir};
     struct pool_end end = pool_run(&job, 1, 1, NULL);
     bool good = end.all_done && job.state == POOL_DONE;
     if (!good)
-        f->error = end.stopped ? text_of("stopped by a signal; the same command goes on from here")
-                               : text_of("%s: build: %s", file, job.error ? job.error : "not run");
+        f->error = end.stopped ? xasprintf("stopped by a signal; the same command goes on from here")
+                               : xasprintf("%s: build: %s", file, job.error ? job.error : "not run");
     pool_clear(&job, 1);
     free(all);
     free(with);
@@ -77,7 +77,7 @@ static char *place_of(const struct fit *f, const char *name)
 {
     char real[PATH_MAX];
     const char *dir = f->options->study.dir;
-    return text_of("%s/%s", folder_make(dir) && realpath(dir, real) ? real : dir, name);
+    return xasprintf("%s/%s", folder_make(dir) && realpath(dir, real) ? real : dir, name);
 }
 
 bool fit_build(struct fit *f, const double place[])
@@ -94,7 +94,7 @@ bool fit_build(struct fit *f, const double place[])
         f->program = place_of(f, "program");
     bool good = write_file(factors, text);
     if (!good)
-        f->error = text_of("%s: %m", factors);
+        f->error = xasprintf("%s: %m", factors);
     good = good && command(f, factors);
     free(factors);
     free(f->built);

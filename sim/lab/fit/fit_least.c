@@ -1,5 +1,6 @@
 /* fit_least.c - see fit_least.h. */
 #include "lab/fit/fit_least.h"
+#include "kernel/xalloc.h"
 
 #include <math.h>
 #include <nlopt.h>
@@ -18,9 +19,7 @@ struct search {
 
 static double *numbers(size_t count)
 {
-    double *d = calloc(count + 1, sizeof *d);
-    if (!d)
-        abort();
+    double *d = xcalloc(count + 1, sizeof *d);
     return d;
 }
 
@@ -64,13 +63,11 @@ bool fit_least(const struct fit_problem *p, double x[], unsigned most)
 {
     unsigned n = (unsigned)p->numbers;
     struct search s = {.problem = p,
-                       .opt = nlopt_create(algorithm(n), n),
+                       .opt = xchecked(nlopt_create(algorithm(n), n)),
                        .residuals = numbers(p->residuals),
                        .best = numbers(n),
                        .best_rms = INFINITY};
     double least, *from = numbers(n);
-    if (!s.opt)
-        abort();
     memcpy(s.best, x, n * sizeof *x);
     memcpy(from, x, n * sizeof *x);
     nlopt_set_lower_bounds1(s.opt, 0);

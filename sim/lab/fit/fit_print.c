@@ -1,6 +1,6 @@
 /* fit_print.c - what came of a fit, for people. */
+#include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,11 +14,11 @@ static const char *unit(const struct fit *f)
 /* The names of those it goes with, with commas; malloc'd. */
 static char *names_with(const struct fit *f, const struct fit_number *n)
 {
-    char *names = text_of("%s", "");
+    char *names = xstrdup("");
     for (size_t i = 0; i < f->parameters; i++) {
         if (!n->with[i])
             continue;
-        char *longer = text_of("%s%s%s", names, *names ? ", " : "", f->parameter[i].name);
+        char *longer = xasprintf("%s%s%s", names, *names ? ", " : "", f->parameter[i].name);
         free(names);
         names = longer;
     }
@@ -29,16 +29,16 @@ char *fit_said(const struct fit *f, const struct fit_result *r, size_t i)
 {
     const struct fit_number *n = &r->number[i];
     if (n->standing == FIT_NO_INFLUENCE)
-        return text_of("not determined: no measured figure changes with it");
+        return xasprintf("not determined: no measured figure changes with it");
     if (n->standing == FIT_OPEN)
-        return text_of("not determined: the measurements leave it open");
+        return xasprintf("not determined: the measurements leave it open");
     if (n->standing == FIT_TOGETHER) {
-        char *names = names_with(f, n), *said = text_of("not determined: only together with %s", names);
+        char *names = names_with(f, n), *said = xasprintf("not determined: only together with %s", names);
         free(names);
         return said;
     }
     bool end = f->place[i] < 1e-4 || f->place[i] > 1 - 1e-4;
-    return text_of("%s", end ? "at the end of its range" : "");
+    return xstrdup(end ? "at the end of its range" : "");
 }
 
 static void print_parameters(const struct fit *f, const struct fit_result *r, FILE *out)

@@ -1,7 +1,7 @@
 /* fit_read.c - what a study file says of a fit: parameters, measurements; see fit.h. */
+#include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -80,7 +80,7 @@ static json_t *axes_of(const struct fit *f, const json_t *cells, const char *at,
         if (cell) {
             json_object_set(where, axis->name, cell);
         } else if (axis->count > 1) {
-            *error = text_of("%s: which %s?", at, axis->name);
+            *error = xasprintf("%s: which %s?", at, axis->name);
             json_decref(where);
             return NULL;
         }
@@ -90,16 +90,16 @@ static json_t *axes_of(const struct fit *f, const json_t *cells, const char *at,
 
 static char *name_of(const json_t *where, const char *figure)
 {
-    char *name = text_of("%s", "");
+    char *name = xstrdup("");
     const char *axis;
     json_t *value;
     json_object_foreach((json_t *)where, axis, value)
     {
-        char *longer = text_of("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value));
+        char *longer = xasprintf("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value));
         free(name);
         name = longer;
     }
-    char *all = text_of("%s%s%s", name, *name ? ": " : "", figure);
+    char *all = xasprintf("%s%s%s", name, *name ? ": " : "", figure);
     free(name);
     return all;
 }
@@ -109,22 +109,20 @@ static bool add(struct fit *f, const json_t *where, const char *figure, const ch
 {
     struct fit_measurement m = {0};
     if (!fit_number(text, &m.value, &m.half)) {
-        *error = text_of("%s: %s: '%s' is no number", at, figure, text);
+        *error = xasprintf("%s: %s: '%s' is no number", at, figure, text);
         return false;
     }
     if (!f->by_rounding && m.value == 0) {
         *error =
-            text_of("%s: %s is 0, and has no relative error: weights = \"rounding\" has one", at, figure);
+            xasprintf("%s: %s is 0, and has no relative error: weights = \"rounding\" has one", at, figure);
         return false;
     }
     m.scale = (f->by_rounding ? m.half : 0.01 * fabs(m.value)) / weight;
     m.name = name_of(where, figure);
-    m.figure = text_of("%s", figure);
+    m.figure = xstrdup(figure);
     m.where = json_incref((json_t *)where);
-    m.at = text_of("%s", at);
-    f->measurement = realloc(f->measurement, (f->measurements + 1) * sizeof m);
-    if (!f->measurement)
-        abort();
+    m.at = xstrdup(at);
+    f->measurement = xrealloc(f->measurement, (f->measurements + 1) * sizeof m);
     f->measurement[f->measurements++] = m;
     return true;
 }
@@ -137,7 +135,7 @@ static bool add_row(void *arg, const json_t *cells, const char *at, char **error
     json_t *cell;
     bool good = true;
     if (weight_text && (!fit_number(weight_text, &weight, &half) || weight <= 0)) {
-        *error = text_of("%s: weight: '%s' is no number above 0", at, weight_text);
+        *error = xasprintf("%s: weight: '%s' is no number above 0", at, weight_text);
         return false;
     }
     json_t *where = axes_of(f, cells, at, error);
@@ -155,12 +153,12 @@ static char *text_of_setting(const config_setting_t *s)
 {
     switch (config_setting_type(s)) {
     case CONFIG_TYPE_STRING:
-        return text_of("%s", config_setting_get_string(s));
+        return xstrdup(config_setting_get_string(s));
     case CONFIG_TYPE_INT:
     case CONFIG_TYPE_INT64:
-        return text_of("%lld", config_setting_get_int64(s));
+        return xasprintf("%lld", config_setting_get_int64(s));
     case CONFIG_TYPE_FLOAT:
-        return text_of("%.15g", config_setting_get_float(s));
+        return xasprintf("%.15g", config_setting_get_float(s));
     default:
         return NULL;
     }
@@ -169,7 +167,7 @@ static char *text_of_setting(const config_setting_t *s)
 static bool add_group(struct cfg_reader *r, config_setting_t *g, struct fit *f, char **error)
 {
     json_t *cells = json_object();
-    char *at = text_of("%s:%u", f->options->study.file, (unsigned)config_setting_source_line(g));
+    char *at = xasprintf("%s:%u", f->options->study.file, (unsigned)config_setting_source_line(g));
     bool good = config_setting_is_group(g) ||
                 cfg_fail(r, g, "measurements", "must hold groups: { nodes = 2; total_s = 0.015; }");
     for (unsigned i = 0; good && i < (unsigned)config_setting_length(g); i++) {
@@ -190,8 +188,7 @@ static bool add_group(struct cfg_reader *r, config_setting_t *g, struct fit *f, 
 static char *beside(const char *study, const char *name)
 {
     const char *slash = strrchr(study, '/');
-    return *name == '/' || !slash ? text_of("%s", name)
-                                  : text_of("%.*s/%s", (int)(slash - study), study, name);
+    return *name == '/' || !slash ? xstrdup(name) : xasprintf("%.*s/%s", (int)(slash - study), study, name);
 }
 
 static bool read_measurements(struct cfg_reader *r, config_setting_t *in, struct fit *f, char **error)

@@ -1,7 +1,7 @@
 /* fit_table.c - a table of measurements as comma-separated values: a line of names, then lines of cells. Cells may be in
  * double quotes, with quotes in them doubled. Empty lines and lines that begin with # are passed over. */
+#include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
-#include "study/text.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -59,7 +59,7 @@ static json_t *read_names(char *line, const char *at, char **error)
             const char *name = json_string_value(json_array_get(names, i));
             if (name && *name && (k == i || !json_equal(json_array_get(names, i), json_array_get(names, k))))
                 continue;
-            *error = text_of("%s: column %zu: a name is needed, and each only once", at, i + 1);
+            *error = xasprintf("%s: column %zu: a name is needed, and each only once", at, i + 1);
             json_decref(names);
             return NULL;
         }
@@ -77,7 +77,7 @@ static bool read_row(char *line, const json_t *names, const char *at, fit_row *r
     }
     bool good = i == json_array_size(names);
     if (!good)
-        *error = text_of("%s: %zu cells, and %zu names in the first line", at, i, json_array_size(names));
+        *error = xasprintf("%s: %zu cells, and %zu names in the first line", at, i, json_array_size(names));
     good = good && row(arg, cells, at, error);
     json_decref(cells);
     return good;
@@ -91,9 +91,9 @@ bool fit_table(const char *path, fit_row *row, void *arg, char **error)
     json_t *names = NULL;
     bool good = in;
     if (!in)
-        *error = text_of("%s: %m", path);
+        *error = xasprintf("%s: %m", path);
     while (good && getline(&line, &size, in) >= 0) {
-        char *text = bare(line), *at = text_of("%s:%zu", path, ++number);
+        char *text = bare(line), *at = xasprintf("%s:%zu", path, ++number);
         if (!*text || *text == '#')
             ;
         else if (!names)

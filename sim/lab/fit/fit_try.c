@@ -1,8 +1,8 @@
 /* fit_try.c - one evaluation of a fit: the study with certain values of the parameters, beside the measurements. What was
  * run before is in the study's journal and in the cache, so that a fit that is begun again comes to where it was. */
+#include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -72,9 +72,9 @@ static bool visit_point(void *arg, const json_t *point, char **error)
         if (!isnan(f->computed[i]))
             continue;
         if (!f->evaluations) {
-            *error = failure
-                         ? text_of("%s: %s failed: %s", m->at, m->name, failure)
-                         : text_of("%s: %s: the run has no such figure, or it is no number", m->at, m->name);
+            *error =
+                failure ? xasprintf("%s: %s failed: %s", m->at, m->name, failure)
+                        : xasprintf("%s: %s: the run has no such figure, or it is no number", m->at, m->name);
             return false;
         }
         f->computed[i] = m->value * (1 + FAILED);
@@ -84,14 +84,12 @@ static bool visit_point(void *arg, const json_t *point, char **error)
 
 static bool compare(struct fit *f, struct study *s)
 {
-    struct visit v = {f, calloc(f->measurements, sizeof *v.seen)};
-    if (!v.seen)
-        abort();
+    struct visit v = {f, xcalloc(f->measurements, sizeof *v.seen)};
     bool good = study_each(s, visit_point, &v, &f->error);
     for (size_t i = 0; good && i < f->measurements; i++)
         if (v.seen[i] != 1) {
-            f->error = text_of("%s: %s is %s", f->measurement[i].at, f->measurement[i].name,
-                               v.seen[i] ? "several points of the study" : "no point of the study");
+            f->error = xasprintf("%s: %s is %s", f->measurement[i].at, f->measurement[i].name,
+                                 v.seen[i] ? "several points of the study" : "no point of the study");
             good = false;
         }
     free(v.seen);
@@ -109,7 +107,7 @@ struct said {
 
 static void say(struct said *s, const struct fit *f, const double place[])
 {
-    *s = (struct said){.words = calloc(1, sizeof *s->words)};
+    *s = (struct said){.words = xcalloc(1, sizeof *s->words)};
     for (size_t i = 0; i < f->parameters; i++) {
         char value[32], *save;
         fit_text(&f->parameter[i], place[i], value);
@@ -119,9 +117,7 @@ static void say(struct said *s, const struct fit *f, const double place[])
             continue;
         char *text = s->text[s->texts++] = fit_filled(f->parameter[i].arguments, "{}", value);
         for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save)) {
-            s->words = realloc(s->words, (s->count + 2) * sizeof *s->words);
-            if (!s->words)
-                abort();
+            s->words = xrealloc(s->words, (s->count + 2) * sizeof *s->words);
             s->words[s->count++] = word;
             s->words[s->count] = NULL;
         }
@@ -150,7 +146,7 @@ static bool run(struct fit *f, const double place[])
     struct study *study = study_open(&o, &f->error);
     enum study_end end = study ? study_run(study, &f->error) : STUDY_ERROR;
     if (end == STUDY_STOPPED)
-        f->error = text_of("stopped by a signal; the same command goes on from here");
+        f->error = xasprintf("stopped by a signal; the same command goes on from here");
     bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare(f, study);
     if (good) {
         struct study_counts c = study_counts(study);

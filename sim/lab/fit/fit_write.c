@@ -1,8 +1,8 @@
 /* fit_write.c - writes what was fitted as a file of constants, in the form of bench/paper/fitted.cfg, and where it comes
  * from: study, data, date, method, and each row before and after. */
 #include "files/atomic_file.h"
+#include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -53,14 +53,14 @@ static void write_date(FILE *out)
 static char *as_given(const struct fit_parameter *p, const char *value)
 {
     if (p->factor)
-        return text_of("factor of %s: %s", p->factor, value);
+        return xasprintf("factor of %s: %s", p->factor, value);
     return fit_filled(p->set ? p->set : p->arguments, "{}", value);
 }
 
 /* Malloc'd. */
 static char *fitted_to(const struct fit *f)
 {
-    return text_of("%zu measurements in %s, %s", f->measurements, f->data, f->options->study.file);
+    return xasprintf("%zu measurements in %s, %s", f->measurements, f->data, f->options->study.file);
 }
 
 /* In the form that nxcc takes. */

@@ -1,7 +1,7 @@
 /* journal.c - see journal.h. The table is open addressing by key, at most half full. */
 #include "lab/jobs/journal.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
-#include "study/text.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -84,10 +84,10 @@ void journal_refresh(struct journal *j)
         for (char *end; (end = memchr(j->buffer + begin, '\n', all - begin));
              begin = (size_t)(end - j->buffer) + 1)
             take_line(j, j->buffer + begin, (size_t)(end - j->buffer) - begin);
-        if (begin == 0 && all == j->buffer_size && (j->buffer = realloc(j->buffer, j->buffer_size *= 2)))
+        if (begin == 0 && all == j->buffer_size) {
+            j->buffer = xrealloc(j->buffer, j->buffer_size *= 2);
             continue;
-        if (!j->buffer)
-            abort();
+        }
         if (begin == 0)
             return; /* nothing, or a line without its end */
     }
@@ -118,7 +118,7 @@ bool journal_find(const struct journal *j, struct digest key, enum line_state *s
 json_t *journal_record(const struct journal *j, struct digest key)
 {
     const struct place *p = find(j, key);
-    char *line = p ? malloc(p->size) : NULL;
+    char *line = p ? xmalloc(p->size) : NULL;
     json_t *record = NULL;
     if (line && pread(j->fd, line, p->size, (off_t)p->offset - 1) == (ssize_t)p->size)
         record = line_record(line, p->size);
@@ -182,7 +182,7 @@ bool journal_add(struct journal *j, struct digest key, enum line_state state, co
     if (ok) {
         ok = find_end(j) && put(j, line, size) && (!safe || fdatasync(j->fd) == 0);
         if (!ok) {
-            *error = text_of("%s cannot be written: %m", j->path);
+            *error = xasprintf("%s cannot be written: %m", j->path);
             if (ftruncate(j->fd, (off_t)j->read_to) != 0) /* no half line, if that can be */
                 fprintf(j->notes, "%s ends with a part of a line\n", j->path);
         }
@@ -190,7 +190,7 @@ bool journal_add(struct journal *j, struct digest key, enum line_state state, co
         if (ok)
             take_line(j, line, size - 1);
     } else {
-        *error = text_of("%s cannot be locked: %m", j->path);
+        *error = xasprintf("%s cannot be locked: %m", j->path);
     }
     free(line);
     return ok;
@@ -208,7 +208,7 @@ static bool check_head(struct journal *j, char **error)
     char *end = got > 0 ? memchr(line, '\n', (size_t)got) : NULL;
     if (end && line_check(line, (size_t)(end - line), &key, &state) && state == LINE_HEAD)
         return true;
-    *error = text_of("%s:1: this is no journal of a study; remove it, or give another folder", j->path);
+    *error = xasprintf("%s:1: this is no journal of a study; remove it, or give another folder", j->path);
     return false;
 }
 
@@ -234,17 +234,16 @@ static bool is_empty(const struct journal *j)
 
 struct journal *journal_open(const char *dir, FILE *notes, char **error)
 {
-    struct journal *j = calloc(1, sizeof *j);
-    if (!j || !(j->buffer = malloc(FIRST_BUFFER)))
-        abort();
+    struct journal *j = xcalloc(1, sizeof *j);
+    j->buffer = xmalloc(FIRST_BUFFER);
     j->buffer_size = FIRST_BUFFER;
     j->notes = notes;
-    j->path = text_of("%s/journal", dir);
+    j->path = xasprintf("%s/journal", dir);
     j->fd = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     grow(j);
     bool ok = j->fd >= 0;
     if (!ok)
-        *error = text_of("%s cannot be opened: %m", j->path);
+        *error = xasprintf("%s cannot be opened: %m", j->path);
     else if (is_empty(j))
         ok = begin(j, dir, error);
     else if ((ok = check_head(j, error)))

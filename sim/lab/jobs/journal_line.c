@@ -1,6 +1,6 @@
 /* journal_line.c - see journal_line.h. */
 #include "lab/jobs/journal_line.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,11 +17,9 @@ static void write_sum(const char *rest, size_t size, char sum[SUM + 1])
 char *line_write(struct digest key, enum line_state state, const json_t *record, size_t *size)
 {
     char digits[DIGEST_DIGITS + 1], sum[SUM + 1];
-    char *json = json_dumps(record, JSON_COMPACT);
-    if (!json)
-        abort();
+    char *json = xchecked(json_dumps(record, JSON_COMPACT));
     digest_write(key, digits);
-    char *line = text_of("%*s %s %c %s\n", SUM, "", digits, (char)state, json);
+    char *line = xasprintf("%*s %s %c %s\n", SUM, "", digits, (char)state, json);
     *size = strlen(line);
     write_sum(line + KEY_AT, *size - KEY_AT - 1, sum);
     memcpy(line, sum, SUM);

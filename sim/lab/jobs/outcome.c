@@ -1,6 +1,7 @@
 /* outcome.c - reads what a run came to; see outcome.h. */
 #include "lab/jobs/outcome.h"
-#include "study/text.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -44,9 +45,7 @@ static json_t *values(const char *text)
 static json_t *printed_figures(const char *out)
 {
     json_t *figures = json_object();
-    char *text = strdup(out), *rest = text, *line;
-    if (!text || !figures)
-        abort();
+    char *text = xstrdup(out), *rest = text, *line;
     while ((line = strsep(&rest, "\n"))) {
         size_t key = strspn(line, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
         if (key == 0 || (line[key] != ' ' && line[key] != '\t'))
@@ -54,7 +53,7 @@ static json_t *printed_figures(const char *out)
         json_t *value = values(line + key + 1);
         line[key] = '\0';
         if (value && !(json_is_array(value) && json_array_size(value) == 0))
-            json_object_set_new(figures, line, value);
+            json_set(figures, line, value);
         else
             json_decref(value);
     }
@@ -69,9 +68,9 @@ struct outcome outcome_read(const char *out, const char *json_path, const char *
     o.printed = printed_figures(out);
     o.run = json_load_file(json_path, 0, &why);
     if (!json_is_object(o.run))
-        o.error = text_of("no figures from the simulator: %s", o.run ? "not a JSON object" : why.text);
+        o.error = xasprintf("no figures from the simulator: %s", o.run ? "not a JSON object" : why.text);
     else if (required && isnan(outcome_figure(&o, required)))
-        o.error = text_of("the program printed no line \"%s NUMBER\"", required);
+        o.error = xasprintf("the program printed no line \"%s NUMBER\"", required);
     if (o.error) {
         json_decref(o.printed);
         json_decref(o.run);

@@ -1,7 +1,7 @@
 /* point_locks.c - see point_locks.h. The file's bytes as locks: 0 for the session, 1 for the report, from 2 on for points. Its text
  * says whose the session is. */
 #include "lab/jobs/point_locks.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -58,7 +58,7 @@ static bool enter(const struct claims *c, const char *dir, const char *session, 
     for (int i = 0; i < TRIES; i++) {
         if (lock(c, SESSION, F_WRLCK))
             return (write_owner(c, session) && lock(c, SESSION, F_RDLCK)) ||
-                   (*error = text_of("%s/lock cannot be written: %m", dir), false);
+                   (*error = xasprintf("%s/lock cannot be written: %m", dir), false);
         if (lock(c, SESSION, F_RDLCK)) {
             if (is_ours(c, session, who))
                 return true;
@@ -67,20 +67,18 @@ static bool enter(const struct claims *c, const char *dir, const char *session, 
         }
         nanosleep(&moment, NULL);
     }
-    *error = text_of("%s is in use by another study (%s); wait for its end, or give another folder with -o",
-                     dir, *who ? who : "starting");
+    *error = xasprintf("%s is in use by another study (%s); wait for its end, or give another folder with -o",
+                       dir, *who ? who : "starting");
     return false;
 }
 
 struct claims *claims_enter(const char *dir, const char *session, char **error)
 {
-    struct claims *c = malloc(sizeof *c);
-    char *path = text_of("%s/lock", dir);
-    if (!c)
-        abort();
+    struct claims *c = xmalloc(sizeof *c);
+    char *path = xasprintf("%s/lock", dir);
     c->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (c->fd < 0)
-        *error = text_of("%s cannot be opened: %m", path);
+        *error = xasprintf("%s cannot be opened: %m", path);
     free(path);
     if (c->fd >= 0 && enter(c, dir, session, error))
         return c;

@@ -1,6 +1,6 @@
 /* process_pool.c - a pool of child processes on libevent; see process_pool.h. */
 #include "lab/jobs/process_pool.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <errno.h>
 #include <event2/buffer.h>
@@ -76,10 +76,8 @@ static void on_data(struct bufferevent *b, void *arg)
 static void open_stream(struct stream *s, struct event_base *base, int fd, size_t max, bool end_matters)
 {
     evutil_make_socket_nonblocking(fd);
-    *s = (struct stream){bufferevent_socket_new(base, fd, BEV_OPT_CLOSE_ON_FREE), evbuffer_new(), max,
-                         end_matters};
-    if (!s->from || !s->kept)
-        abort();
+    *s = (struct stream){xchecked(bufferevent_socket_new(base, fd, BEV_OPT_CLOSE_ON_FREE)),
+                         xchecked(evbuffer_new()), max, end_matters};
     bufferevent_setcb(s->from, on_data, NULL, NULL, s);
     bufferevent_enable(s->from, EV_READ);
 }
@@ -87,15 +85,13 @@ static void open_stream(struct stream *s, struct event_base *base, int fd, size_
 /* Takes what is left in the pipe, without waiting for its end: a grandchild may hold it open. Malloc'd text. */
 static char *close_stream(struct stream *s)
 {
-    struct evbuffer *rest = evbuffer_new();
+    struct evbuffer *rest = xchecked(evbuffer_new());
     bufferevent_disable(s->from, EV_READ);
     keep(s, bufferevent_get_input(s->from));
-    while (rest && evbuffer_read(rest, bufferevent_getfd(s->from), -1) > 0)
+    while (evbuffer_read(rest, bufferevent_getfd(s->from), -1) > 0)
         keep(s, rest);
     size_t size = evbuffer_get_length(s->kept);
-    char *text = malloc(size + 1);
-    if (!rest || !text)
-        abort();
+    char *text = xmalloc(size + 1);
     evbuffer_remove(s->kept, text, size);
     text[size] = '\0';
     evbuffer_free(rest);
@@ -146,7 +142,7 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
     if (pipe2(out, O_CLOEXEC) == 0 && pipe2(err, O_CLOEXEC) == 0 && (pid = fork()) == 0)
         become(job, p->threads, out[1], err[1], self);
     if (pid < 0) {
-        char *error = text_of("cannot be started: %m");
+        char *error = xasprintf("cannot be started: %m");
         for (int i = 0; i < 2; i++) {
             close(out[i]);
             close(err[i]);
@@ -172,12 +168,13 @@ static char *describe_end(const struct child *c, int status, const char *err)
         size--;
     const char *sep = size ? ": " : "";
     if (c->late)
-        return text_of("killed after its limit of %g s of real time%s%.*s", c->job->limit_s, sep, size, err);
+        return xasprintf("killed after its limit of %g s of real time%s%.*s", c->job->limit_s, sep, size,
+                         err);
     if (WIFSIGNALED(status))
-        return text_of("killed by signal %d (%s)%s%.*s", WTERMSIG(status), strsignal(WTERMSIG(status)), sep,
-                       size, err);
+        return xasprintf("killed by signal %d (%s)%s%.*s", WTERMSIG(status), strsignal(WTERMSIG(status)), sep,
+                         size, err);
     if (WEXITSTATUS(status) != 0)
-        return text_of("exit status %d%s%.*s", WEXITSTATUS(status), sep, size, err);
+        return xasprintf("exit status %d%s%.*s", WEXITSTATUS(status), sep, size, err);
     return NULL;
 }
 
@@ -289,7 +286,7 @@ static void loop(struct pool *p)
     p->refill = event_new(p->base, -1, 0, on_refill, p);
     for (int i = 0; i < EVENTS; i++)
         if (!p->refill || !events[i] || event_add(events[i], i == EVENTS - 1 ? &second : NULL) != 0)
-            abort();
+            xexhausted();
     fill(p);
     while (p->running > 0 || !(p->no_more || p->stopped))
         event_base_loop(p->base, EVLOOP_ONCE);
@@ -302,12 +299,10 @@ struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once
 {
     struct pool p = {.source = source, .at_once = at_once};
     double begun_s = now_s();
-    p.base = event_base_new();
+    p.base = xchecked(event_base_new());
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     snprintf(p.threads, sizeof p.threads, "%ld", processors > at_once ? processors / at_once : 1);
-    p.children = calloc(at_once, sizeof *p.children);
-    if (!p.base || !p.children)
-        abort();
+    p.children = xcalloc(at_once, sizeof *p.children);
     loop(&p);
     free(p.children);
     event_base_free(p.base);
@@ -372,9 +367,7 @@ struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
 {
     struct list l = {.begun_s = now_s(), .watcher = watcher, .status.jobs = count};
     struct pool_source source = {next_of_list, ended_of_list, second_of_list, &l};
-    l.order = calloc(count + 1, sizeof *l.order);
-    if (!l.order)
-        abort();
+    l.order = xcalloc(count + 1, sizeof *l.order);
     for (size_t i = 0; i < count; i++) {
         l.order[i] = &jobs[i];
         l.weight_all += jobs[i].weight;

@@ -2,8 +2,9 @@
 #include "lab/jobs/result_cache.h"
 #include "files/atomic_file.h"
 #include "files/folder_make.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/journal_line.h"
-#include "study/text.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -14,13 +15,13 @@ char *kept_folder(void)
 {
     const char *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
     if (xdg && *xdg == '/')
-        return text_of("%s/touchstone", xdg);
-    return home && *home == '/' ? text_of("%s/.cache/touchstone", home) : NULL;
+        return xasprintf("%s/touchstone", xdg);
+    return home && *home == '/' ? xasprintf("%s/.cache/touchstone", home) : NULL;
 }
 
 static char *folder_of(const char *folder, const char digits[])
 {
-    return text_of("%s/%.2s", folder, digits);
+    return xasprintf("%s/%.2s", folder, digits);
 }
 
 /* All of the file, malloc'd; NULL: there is none, or errno. */
@@ -52,7 +53,7 @@ json_t *kept_find(const char *folder, struct digest key, const json_t *inputs, F
     char digits[DIGEST_DIGITS + 1];
     size_t size = 0;
     digest_write(key, digits);
-    char *dir = folder_of(folder, digits), *path = text_of("%s/%s", dir, digits),
+    char *dir = folder_of(folder, digits), *path = xasprintf("%s/%s", dir, digits),
          *text = read_all(path, &size);
     json_t *record = text ? read_record(text, size, key) : NULL;
     if (text && !record)
@@ -76,12 +77,11 @@ void kept_add(const char *folder, struct digest key, json_t *inputs, json_t *rec
     size_t size;
     digest_write(key, digits);
     json_t *both = json_copy(record);
-    if (json_object_set(both, "inputs", inputs) != 0)
-        abort();
+    json_set(both, "inputs", json_incref(inputs));
     char *line = line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, digits);
-    char *path = text_of("%s/%s", dir, digits);
+    char *path = xasprintf("%s/%s", dir, digits);
     if (!folder_make(dir)) {
-        error = text_of("%s cannot be made: %m", dir);
+        error = xasprintf("%s cannot be made: %m", dir);
     } else if (result_file_begin(&d, path, &error)) {
         fwrite(line, 1, size, d.out);
         result_file_end(&d, &error);

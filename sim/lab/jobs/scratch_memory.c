@@ -1,6 +1,6 @@
 /* scratch_memory.c - see scratch_memory.h. */
 #include "lab/jobs/scratch_memory.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 static int nameless_file(void)
 {
     const char *tmp = getenv("TMPDIR");
-    char *path = text_of("%s/touchstone.XXXXXX", tmp && *tmp ? tmp : "/tmp");
+    char *path = xasprintf("%s/touchstone.XXXXXX", tmp && *tmp ? tmp : "/tmp");
     int fd = mkostemp(path, O_CLOEXEC);
     if (fd >= 0)
         unlink(path);
@@ -30,7 +30,7 @@ void *spill_new(size_t bytes)
     if (fd >= 0)
         close(fd);
     if (p == MAP_FAILED)
-        abort();
+        xexhausted();
     return p;
 }
 

@@ -1,6 +1,6 @@
 /* expr.c - see expr.h. Read by recursive descent into a tree whose parts lie in one array. */
 #include "lab/study/expr.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -81,7 +81,7 @@ static short make(struct reader *r, struct part part)
 {
     if (r->e->count == MAX_PARTS) {
         free(part.text);
-        return fail(r, text_of("is too long: %d names, numbers and signs are allowed", MAX_PARTS));
+        return fail(r, xasprintf("is too long: %d names, numbers and signs are allowed", MAX_PARTS));
     }
     r->e->part[r->e->count] = part;
     return r->e->count++;
@@ -109,13 +109,13 @@ static char *list_of_names(const struct reader *r)
     char list[MAX_LIST] = "";
     for (size_t i = 0, used = 0; i < r->name_count && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", r->names[i].name);
-    return text_of("%s", list);
+    return xstrdup(list);
 }
 
 static short no_such_name(struct reader *r, const char *word)
 {
     char *list = list_of_names(r);
-    short failed = fail(r, text_of("there is no axis %s; there are: %s", word, list));
+    short failed = fail(r, xasprintf("there is no axis %s; there are: %s", word, list));
     free(list);
     return failed;
 }
@@ -128,8 +128,8 @@ static short need_number(struct reader *r, short at)
     const struct part *p = &r->e->part[at];
     if (p->kind == TEXT)
         return no_such_name(r, p->text);
-    return fail(
-        r, text_of("%s is no number or axis of numbers: only = and != are allowed", r->names[p->name].name));
+    return fail(r, xasprintf("%s is no number or axis of numbers: only = and != are allowed",
+                             r->names[p->name].name));
 }
 
 /* --- leaves ---------------------------------------------------------------------------------------------- */
@@ -151,12 +151,12 @@ static short arguments(struct reader *r, size_t function)
     struct part p = {.kind = FUNCTIONS[function].kind, .at = {-1, -1, -1}};
     for (int i = 0; i < FUNCTIONS[function].count; i++) {
         if (i && !take(r, ","))
-            return fail(r, text_of("%s needs %d values, with commas between", FUNCTIONS[function].name,
-                                   FUNCTIONS[function].count));
+            return fail(r, xasprintf("%s needs %d values, with commas between", FUNCTIONS[function].name,
+                                     FUNCTIONS[function].count));
         if ((p.at[i] = need_number(r, alternative(r))) < 0)
             return -1;
     }
-    return take(r, ")") ? make(r, p) : fail(r, text_of(") is missing at \"%s\"", r->at));
+    return take(r, ")") ? make(r, p) : fail(r, xasprintf(") is missing at \"%s\"", r->at));
 }
 
 static short name_of(const struct reader *r, const char *word)
@@ -187,15 +187,15 @@ static short word(struct reader *r)
     for (size_t i = 0; i < FUNCTION_COUNT; i++)
         if (strcmp(FUNCTIONS[i].name, text) == 0 && take(r, "("))
             return arguments(r, i);
-    return make(r, (struct part){.kind = TEXT, .text = text_of("%s", text), .is_text = true});
+    return make(r, (struct part){.kind = TEXT, .text = xstrdup(text), .is_text = true});
 }
 
 static short quoted(struct reader *r)
 {
     const char *end = strchr(r->at, '\'');
     if (!end)
-        return fail(r, text_of("' is missing after %s", r->at));
-    char *text = text_of("%.*s", (int)(end - r->at), r->at);
+        return fail(r, xasprintf("' is missing after %s", r->at));
+    char *text = xasprintf("%.*s", (int)(end - r->at), r->at);
     r->at = end + 1;
     return make(r, (struct part){.kind = TEXT, .text = text, .is_text = true});
 }
@@ -204,7 +204,7 @@ static short leaf(struct reader *r)
 {
     if (take(r, "(")) {
         short inner = alternative(r);
-        return inner < 0 || take(r, ")") ? inner : fail(r, text_of(") is missing at \"%s\"", r->at));
+        return inner < 0 || take(r, ")") ? inner : fail(r, xasprintf(") is missing at \"%s\"", r->at));
     }
     if (take(r, "'"))
         return quoted(r);
@@ -218,8 +218,8 @@ static short leaf(struct reader *r)
             return make(r, (struct part){.kind = NUMBER, .number = number});
         }
     }
-    return fail(r, *r->at ? text_of("\"%s\" is neither a number, a name nor '('", r->at)
-                          : text_of("something is missing at the end of \"%s\"", r->e->text));
+    return fail(r, *r->at ? xasprintf("\"%s\" is neither a number, a name nor '('", r->at)
+                          : xasprintf("something is missing at the end of \"%s\"", r->e->text));
 }
 
 /* --- signs, by how they bind ----------------------------------------------------------------------------- */
@@ -229,7 +229,7 @@ static short factor(struct reader *r)
     short inner;
     bool minus = take(r, "-"), not = !minus && take(r, "!");
     if (++r->depth > MAX_DEPTH)
-        return fail(r, text_of("is nested more than %d deep", MAX_DEPTH));
+        return fail(r, xasprintf("is nested more than %d deep", MAX_DEPTH));
     if (minus || not ) {
         if ((inner = need_number(r, factor(r))) >= 0)
             inner = make(r, (struct part){.kind = minus ? MINUS : NOT, .at = {inner}});
@@ -253,8 +253,8 @@ static short check_text(struct reader *r, short name, const char *text)
         if (used < sizeof list)
             used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", one);
     }
-    return fail(r,
-                text_of("%s is neither an axis nor a value of %s; its values are: %s", text, n->name, list));
+    return fail(
+        r, xasprintf("%s is neither an axis nor a value of %s; its values are: %s", text, n->name, list));
 }
 
 /* = and != with a text on one side at least. */
@@ -267,7 +267,7 @@ static short compare_texts(struct reader *r, enum kind kind, short left, short r
             continue;
         struct part *o = &r->e->part[other];
         if (o->kind == NUMBER) /* a value that happens to look like a number */
-            *o = (struct part){.kind = TEXT, .is_text = true, .text = text_of("%.15g", o->number)};
+            *o = (struct part){.kind = TEXT, .is_text = true, .text = xasprintf("%.15g", o->number)};
         if (!o->is_text)
             return need_number(r, name);
         if (o->kind == TEXT && check_text(r, name, o->text) < 0)
@@ -316,7 +316,7 @@ static short at_level(struct reader *r, int level)
         left = right < 0 ? -1 : join(r, kind, left, right);
         if (level == COMPARING && left >= 0 && take_sign(r, level, &kind))
             return fail(
-                r, text_of("compares twice at \"%s\": join comparisons by &&", r->at + strspn(r->at, " ")));
+                r, xasprintf("compares twice at \"%s\": join comparisons by &&", r->at + strspn(r->at, " ")));
     }
     return left;
 }
@@ -324,7 +324,7 @@ static short at_level(struct reader *r, int level)
 static short alternative(struct reader *r)
 {
     if (++r->depth > MAX_DEPTH)
-        return fail(r, text_of("is nested more than %d deep", MAX_DEPTH));
+        return fail(r, xasprintf("is nested more than %d deep", MAX_DEPTH));
     short all = at_level(r, 0);
     r->depth--;
     return all;
@@ -332,15 +332,13 @@ static short alternative(struct reader *r)
 
 struct expr *expr_read(const char *text, const struct expr_name names[], size_t count, char **why)
 {
-    struct expr *e = calloc(1, sizeof *e);
-    if (!e)
-        abort();
-    e->text = text_of("%s", text);
+    struct expr *e = xcalloc(1, sizeof *e);
+    e->text = xstrdup(text);
     struct reader r = {.e = e, .names = names, .name_count = count, .at = e->text};
     e->root = need_number(&r, alternative(&r));
     r.at += strspn(r.at, " \t\n");
     if (e->root >= 0 && *r.at)
-        e->root = fail(&r, text_of("\"%s\" is one too many in \"%s\"", r.at, text));
+        e->root = fail(&r, xasprintf("\"%s\" is one too many in \"%s\"", r.at, text));
     if (e->root >= 0)
         return e;
     *why = r.why;

@@ -1,8 +1,9 @@
 /* inputs.c - see inputs.h. */
 #include "lab/study/inputs.h"
 #include "config/config.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "net/topo.h"
-#include "study/text.h"
 
 #include <gnu/libc-version.h>
 #include <stdio.h>
@@ -28,12 +29,6 @@ struct inputs {
     struct digest latest;
 };
 
-static void set(json_t *object, const char *key, json_t *value)
-{
-    if (json_object_set_new(object, key, value) != 0)
-        abort();
-}
-
 static json_t *digest_json(struct digest d)
 {
     char text[DIGEST_DIGITS + 1];
@@ -47,17 +42,17 @@ static bool add_file(json_t *to, const char *key, const char *path, const char *
 {
     struct digest d;
     if (!digest_file(path, &d)) {
-        *error = text_of("%s%s cannot be read: %m", what, path);
+        *error = xasprintf("%s%s cannot be read: %m", what, path);
         return false;
     }
-    set(to, key, digest_json(d));
+    json_set(to, key, digest_json(d));
     return true;
 }
 
 /* NAME from dir, unless it is absolute; malloc'd. */
 static char *from(const char *dir, const char *name)
 {
-    return *name == '/' ? text_of("%s", name) : text_of("%s/%s", dir, name);
+    return *name == '/' ? xstrdup(name) : xasprintf("%s/%s", dir, name);
 }
 
 static bool read_shared(struct inputs *in, char **error)
@@ -65,23 +60,21 @@ static bool read_shared(struct inputs *in, char **error)
     json_t *files = json_object();
     bool ok = true;
     for (const char **name = in->spec->inputs; ok && *name; name++) {
-        char *path = from(in->places.dir, *name), *what = text_of("%s: inputs: ", in->spec->path);
+        char *path = from(in->places.dir, *name), *what = xasprintf("%s: inputs: ", in->spec->path);
         ok = add_file(files, *name, path, what, error);
         free(path);
         free(what);
     }
-    set(in->shared, "inputs", files);
-    set(in->shared, "libc", json_string(gnu_get_libc_version()));
-    set(in->shared, "profile", json_boolean(in->spec->profile));
+    json_set(in->shared, "inputs", files);
+    json_set(in->shared, "libc", json_string(gnu_get_libc_version()));
+    json_set(in->shared, "profile", json_boolean(in->spec->profile));
     return ok && add_file(in->shared, "touchstone", in->places.runner, "", error) &&
            add_file(in->shared, "program", in->places.program, "", error);
 }
 
 struct inputs *inputs_open(const struct spec *s, const struct inputs_places *places, char **error)
 {
-    struct inputs *in = calloc(1, sizeof *in);
-    if (!in)
-        abort();
+    struct inputs *in = xcalloc(1, sizeof *in);
     *in = (struct inputs){.spec = s, .places = *places, .shared = json_object()};
     if (read_shared(in, error))
         return in;
@@ -113,7 +106,7 @@ char **inputs_settings(const struct inputs *in, const struct point *p)
 {
     char **list = point_settings(in->spec, p);
     for (const char *const *more = in->places.set; more && *more; more++)
-        words_add(&list, text_of("%s", *more));
+        words_add(&list, xstrdup(*more));
     return list;
 }
 
@@ -121,7 +114,7 @@ char **inputs_arguments(const struct inputs *in, const struct point *p)
 {
     char **list = point_arguments(in->spec, p);
     for (const char *const *more = in->places.arguments; more && *more; more++)
-        words_add(&list, text_of("%s", *more));
+        words_add(&list, xstrdup(*more));
     return list;
 }
 
@@ -130,7 +123,7 @@ static char *machine_name(const struct inputs *in, const char *name)
 {
     size_t n = strlen(name);
     bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
-    return is_path ? from(in->places.dir, name) : text_of("%s", name);
+    return is_path ? from(in->places.dir, name) : xstrdup(name);
 }
 
 /* An error that is said of a setting's text, or of the machine, is said of their line in the study file. */
@@ -149,7 +142,7 @@ static char *located(const struct inputs *in, const struct point *p, char **sett
     }
     const char *file = at && config_setting_source_file(at) ? config_setting_source_file(at) : in->spec->path;
     char *text =
-        at ? text_of("%s:%u: %s", file, (unsigned)config_setting_source_line(at), said) : text_of("%s", said);
+        at ? xasprintf("%s:%u: %s", file, (unsigned)config_setting_source_line(at), said) : xstrdup(said);
     free(error);
     return text;
 }
@@ -178,7 +171,7 @@ static bool take_digest(struct inputs *in, const char *path, struct digest *d)
         if (!inputs_machine_file(path, &in->latest))
             return false;
         free(in->latest_path);
-        in->latest_path = text_of("%s", path);
+        in->latest_path = xstrdup(path);
     }
     *d = in->latest;
     return true;
@@ -191,11 +184,11 @@ static bool check(struct inputs *in, const struct point *p, const char *machine,
     struct cfg_machine *m = cfg_load_with(name, in->places.machines, (const char *const *)settings, error);
     free(name);
     if (!m || !take_digest(in, m->path, &c->digest)) {
-        *error = m ? text_of("%s cannot be read", m->path) : located(in, p, settings, *error);
+        *error = m ? xasprintf("%s cannot be read", m->path) : located(in, p, settings, *error);
         cfg_free(m);
         return false;
     }
-    c->machine = text_of("%s", m->name);
+    c->machine = xstrdup(m->name);
     c->cube = m->topology == CFG_HYPERCUBE;
     c->dimension = m->dimension;
     c->rows = m->rows;
@@ -213,21 +206,21 @@ static bool fits(const struct inputs *in, const struct point *p, const struct ch
         return true;
     const struct spec_axis *axis = spec_axis(in->spec, "nodes");
     config_setting_t *at = axis ? axis->at : config_setting_get_member(in->spec->reader.root, "nodes");
-    *error =
-        c->cube ? text_of("%s:%u: nodes: %s has no %u nodes: it is a hypercube of at most %u", in->spec->path,
-                          (unsigned)config_setting_source_line(at), c->machine, nodes, 1u << c->dimension)
-                : text_of("%s:%u: nodes: %s has no rectangle of %u nodes: it is a mesh of %u x %u",
-                          in->spec->path, (unsigned)config_setting_source_line(at), c->machine, nodes,
-                          c->rows, c->columns);
+    *error = c->cube ? xasprintf("%s:%u: nodes: %s has no %u nodes: it is a hypercube of at most %u",
+                                 in->spec->path, (unsigned)config_setting_source_line(at), c->machine, nodes,
+                                 1u << c->dimension)
+                     : xasprintf("%s:%u: nodes: %s has no rectangle of %u nodes: it is a mesh of %u x %u",
+                                 in->spec->path, (unsigned)config_setting_source_line(at), c->machine, nodes,
+                                 c->rows, c->columns);
     return false;
 }
 
 /* One line each: the machine and its settings. */
 static char *lines_of(const char *machine, char **settings)
 {
-    char *all = text_of("%s", machine);
+    char *all = xstrdup(machine);
     for (char **one = settings; one && *one; one++) {
-        char *longer = text_of("%s\n%s", all, *one);
+        char *longer = xasprintf("%s\n%s", all, *one);
         free(all);
         all = longer;
     }
@@ -247,7 +240,7 @@ static struct checked *machine_of(struct inputs *in, const struct point *p, char
     if (!ok) {
         forget(kept);
         if ((ok = check(in, p, machine, settings, kept, error)))
-            kept->name = text_of("%s", name);
+            kept->name = xstrdup(name);
     }
     free(name);
     return ok && fits(in, p, kept, error) ? kept : NULL;
@@ -258,8 +251,7 @@ static json_t *words_json(char **words)
 {
     json_t *list = json_array();
     for (char **word = words; word && *word; word++)
-        if (json_array_append_new(list, json_string(*word)) != 0)
-            abort();
+        json_append(list, json_string(*word));
     words_free(words);
     return list;
 }
@@ -273,13 +265,11 @@ bool inputs_of(struct inputs *in, const struct point *p, struct digest *key, jso
         return false;
     }
     json_t *own = json_copy(in->shared);
-    set(own, "nodes", json_integer((json_int_t)point_nodes(in->spec, p)));
-    set(own, "machine", digest_json(machine->digest));
-    set(own, "settings", words_json(settings));
-    set(own, "arguments", words_json(inputs_arguments(in, p)));
-    char *text = json_dumps(own, JSON_COMPACT | JSON_SORT_KEYS);
-    if (!text)
-        abort();
+    json_set(own, "nodes", json_integer((json_int_t)point_nodes(in->spec, p)));
+    json_set(own, "machine", digest_json(machine->digest));
+    json_set(own, "settings", words_json(settings));
+    json_set(own, "arguments", words_json(inputs_arguments(in, p)));
+    char *text = xchecked(json_dumps(own, JSON_COMPACT | JSON_SORT_KEYS));
     *key = digest_of(text, strlen(text));
     free(text);
     if (all)

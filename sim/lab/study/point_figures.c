@@ -1,5 +1,6 @@
 /* point_figures.c - see point_figures.h. */
 #include "lab/study/point_figures.h"
+#include "files/json_set.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -10,8 +11,8 @@ enum { MAX_KEY = 128, GLOBAL_TYPES = 1000000000 }; /* message types from here on
 
 static void set_first(json_t *to, const char *key, json_t *value)
 {
-    if (!json_object_get(to, key) && json_object_set(to, key, value) != 0)
-        abort();
+    if (!json_object_get(to, key))
+        json_set(to, key, json_incref(value));
 }
 
 /* Adds to the number of that key, which begins at 0. */
@@ -20,8 +21,7 @@ static void sum(json_t *to, const char *prefix, const char *key, double value)
     char name[2 * MAX_KEY];
     snprintf(name, sizeof name, "%s.%s", prefix, key);
     double before = json_number_value(json_object_get(to, name));
-    if (json_object_set_new(to, name, json_real(before + value)) != 0)
-        abort();
+    json_set(to, name, json_real(before + value));
 }
 
 static void sum_waits(json_t *to, const char *prefix, json_t *waits, double share)

@@ -1,6 +1,7 @@
 /* points.c - from numbers to values, and from values to what a run is given; see points.h. */
 #include "lab/study/points.h"
-#include "study/text.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,9 +14,7 @@ void words_add(char ***list, char *word)
     size_t n = 0;
     while (*list && (*list)[n])
         n++;
-    char **more = realloc(*list, (n + 2) * sizeof *more);
-    if (!more || !word)
-        abort();
+    char **more = xrealloc(*list, (n + 2) * sizeof *more);
     more[n] = word;
     more[n + 1] = NULL;
     *list = more;
@@ -31,13 +30,13 @@ void words_free(char **list)
 /* The text with the value's label for each {}; malloc'd. */
 static char *filled_in(const char *text, const char *label)
 {
-    char *done = text_of("%s", "");
+    char *done = xstrdup("");
     for (const char *hole; (hole = strstr(text, "{}")); text = hole + 2) {
-        char *longer = text_of("%s%.*s%s", done, (int)(hole - text), text, label);
+        char *longer = xasprintf("%s%.*s%s", done, (int)(hole - text), text, label);
         free(done);
         done = longer;
     }
-    char *all = text_of("%s%s", done, text);
+    char *all = xasprintf("%s%s", done, text);
     free(done);
     return all;
 }
@@ -72,9 +71,9 @@ static bool derive(const struct spec *s, struct point *p, size_t axis, char **er
     bool nodes = strcmp(a->name, "nodes") == 0;
     if (!isfinite(number) || (nodes && (number < 1 || number > SPEC_MAX_NODES || number != floor(number)))) {
         char *name = point_name(s, p);
-        *error = text_of("%s:%d: %s: \"%s\" is %g at %s: %s is needed", s->path,
-                         config_setting_source_line(a->at), a->name, expr_text(a->value), number, name,
-                         nodes ? "a whole number of nodes" : "a number");
+        *error = xasprintf("%s:%d: %s: \"%s\" is %g at %s: %s is needed", s->path,
+                           config_setting_source_line(a->at), a->name, expr_text(a->value), number, name,
+                           nodes ? "a whole number of nodes" : "a number");
         free(name);
         return false;
     }
@@ -109,9 +108,9 @@ enum point_is point_make(const struct spec *s, size_t number, struct point *p, c
 
 char *point_name(const struct spec *s, const struct point *p)
 {
-    char *name = text_of("%s", "");
+    char *name = xstrdup("");
     for (size_t i = 0; i < s->axis_count; i++) {
-        char *longer = text_of("%s%s%s %s", name, i ? ", " : "", s->axes[i].name, p->value[i].text);
+        char *longer = xasprintf("%s%s%s %s", name, i ? ", " : "", s->axes[i].name, p->value[i].text);
         free(name);
         name = longer;
     }
@@ -134,7 +133,7 @@ static void add_words(char ***list, const char *arguments, const char *label)
 {
     char *text = filled_in(arguments ? arguments : "", label), *save;
     for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save))
-        words_add(list, text_of("%s", word));
+        words_add(list, xstrdup(word));
     free(text);
 }
 
@@ -183,8 +182,6 @@ json_t *point_values(const struct spec *s, const struct point *p)
 {
     json_t *values = json_object();
     for (size_t i = 0; i < s->axis_count; i++)
-        if (json_object_set_new(values, s->axes[i].name,
-                                point_value_json(p->value[i].number, p->value[i].text)) != 0)
-            abort();
+        json_set(values, s->axes[i].name, point_value_json(p->value[i].number, p->value[i].text));
     return values;
 }

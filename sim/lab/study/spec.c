@@ -1,14 +1,13 @@
 /* spec.c - reads a study file; see spec.h. Axes are in spec_axes.c, pictures in spec_pictures.c. */
 #include "lab/study/spec.h"
+#include "kernel/xalloc.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 void *spec_zeroed(size_t count, size_t size)
 {
-    void *p = calloc(count + 1, size);
-    if (!p)
-        abort();
+    void *p = xcalloc(count + 1, size);
     return p;
 }
 

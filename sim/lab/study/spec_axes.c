@@ -1,6 +1,6 @@
 /* spec_axes.c - reads the axes of a study file: lists, ranges, cases, and those that follow from others; see spec.h. */
+#include "kernel/xalloc.h"
 #include "lab/study/spec.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -71,15 +71,15 @@ static bool read_plain(struct cfg_reader *r, config_setting_t *s, struct spec_va
     case CONFIG_TYPE_INT:
     case CONFIG_TYPE_INT64:
         value->number = (double)config_setting_get_int64(s);
-        value->label = text_of("%lld", config_setting_get_int64(s));
+        value->label = xasprintf("%lld", config_setting_get_int64(s));
         return true;
     case CONFIG_TYPE_FLOAT:
         value->number = config_setting_get_float(s);
-        value->label = text_of("%.12g", value->number);
+        value->label = xasprintf("%.12g", value->number);
         return true;
     case CONFIG_TYPE_STRING:
         value->number = NAN;
-        value->label = strdup(config_setting_get_string(s));
+        value->label = xstrdup(config_setting_get_string(s));
         return *value->label || cfg_fail(r, s, "values", "an empty text is no value");
     default:
         return cfg_fail(r, s, "values", "must hold numbers or texts; for more, give cases = ( { ... } );");
@@ -95,7 +95,7 @@ static bool read_case(struct cfg_reader *r, config_setting_t *g, struct spec_val
     if (!cfg_only(r, g, keys) || !cfg_text(r, g, "label", &label) || !read_set(r, g, &value->set) ||
         !spec_optional(r, g, "arguments", &value->arguments))
         return false;
-    value->label = strdup(label);
+    value->label = xstrdup(label);
     value->number = NAN;
     return true;
 }

@@ -1,8 +1,8 @@
 /* study.c - opens a study: reads its file, finds and checks all its points, opens its folder; see study.h. */
 #include "files/folder_make.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
 #include "lab/study/study_parts.h"
-#include "study/text.h"
 
 #include <libgen.h>
 #include <limits.h>
@@ -58,7 +58,7 @@ static bool plan(struct study *s, char **error)
         s->count++;
     }
     if (!s->count)
-        *error = text_of("%s: only: no point is left", s->options.file);
+        *error = xasprintf("%s: only: no point is left", s->options.file);
     return s->count;
 }
 
@@ -67,12 +67,12 @@ static bool plan(struct study *s, char **error)
 /* Where the study file is: programs and machine files that it names are looked for there, and runs are made there. */
 static bool find_dir(struct study *s, char **error)
 {
-    char *file = text_of("%s", s->options.file), real[PATH_MAX];
+    char *file = xstrdup(s->options.file), real[PATH_MAX];
     bool found = realpath(dirname(file), real);
     if (found)
-        s->dir = text_of("%s", real);
+        s->dir = xstrdup(real);
     else
-        *error = text_of("%s: %m", s->options.file);
+        *error = xasprintf("%s: %m", s->options.file);
     free(file);
     return found;
 }
@@ -81,14 +81,14 @@ static bool find_dir(struct study *s, char **error)
 static bool find_program(struct study *s, char **error)
 {
     const char *name = s->options.program ? s->options.program : s->spec->program;
-    char *beside = *name == '/' ? text_of("%s", name) : text_of("%s/%s", s->dir, name);
-    char *ours = text_of("%s/%s", s->options.programs, name);
+    char *beside = *name == '/' ? xstrdup(name) : xasprintf("%s/%s", s->dir, name);
+    char *ours = xasprintf("%s/%s", s->options.programs, name);
     if (access(beside, X_OK) == 0)
-        s->program = text_of("%s", beside);
+        s->program = xstrdup(beside);
     else if (access(ours, X_OK) == 0)
-        s->program = text_of("%s", ours);
+        s->program = xstrdup(ours);
     else
-        *error = text_of(
+        *error = xasprintf(
             "%s:%u: program: there is neither %s nor %s", s->options.file,
             (unsigned)config_setting_source_line(config_setting_get_member(s->spec->reader.root, "program")),
             beside, ours);
@@ -108,7 +108,7 @@ static bool open_folder(struct study *s, char **error)
 {
     const struct study_options *o = &s->options;
     if (!folder_make(o->dir)) {
-        *error = text_of("%s cannot be made: %m", o->dir);
+        *error = xasprintf("%s cannot be made: %m", o->dir);
         return false;
     }
     if (!(s->claims = claims_enter(o->dir, o->session, error)) ||
@@ -122,9 +122,7 @@ static bool open_folder(struct study *s, char **error)
 
 struct study *study_open(const struct study_options *options, char **error)
 {
-    struct study *s = calloc(1, sizeof *s);
-    if (!s)
-        abort();
+    struct study *s = xcalloc(1, sizeof *s);
     s->options = *options;
     if (!s->options.session)
         s->options.session = "";

@@ -1,4 +1,5 @@
 /* study_estimate.c - how long points may take, by what the journal has of them with other inputs; see study_parts.h. */
+#include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
 #include "lab/study/study_parts.h"
 
@@ -18,9 +19,7 @@ struct times {
 
 static struct digest digest_of_values(const json_t *values)
 {
-    char *text = json_dumps(values, JSON_COMPACT | JSON_SORT_KEYS);
-    if (!text)
-        abort();
+    char *text = xchecked(json_dumps(values, JSON_COMPACT | JSON_SORT_KEYS));
     struct digest d = digest_of(text, strlen(text));
     free(text);
     return d;

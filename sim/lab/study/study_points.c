@@ -1,17 +1,12 @@
 /* study_points.c - what the points of a study came to, read from its journal one at a time; see study.h. */
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
 #include "lab/study/study_parts.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void set(json_t *object, const char *key, json_t *value)
-{
-    if (json_object_set_new(object, key, value) != 0)
-        abort();
-}
 
 /* Work is in the order of numbers. */
 static int compare_number(const void *number, const void *work)
@@ -72,7 +67,7 @@ static void add_speed(const struct study *s, const struct point *p, json_t *flat
 {
     double own = time_of(flat);
     if (!isnan(own) && !json_object_get(flat, "time_s"))
-        set(flat, "time_s", json_real(own));
+        json_set(flat, "time_s", json_real(own));
     const struct spec_axis *nodes = spec_axis(s->spec, "nodes");
     if (!nodes || nodes->kind == SPEC_DERIVED)
         return;
@@ -81,9 +76,9 @@ static void add_speed(const struct study *s, const struct point *p, json_t *flat
     if (isnan(work))
         return;
     if (!json_object_get(flat, "speedup"))
-        set(flat, "speedup", json_real(work / time));
+        json_set(flat, "speedup", json_real(work / time));
     if (!json_object_get(flat, "speed_per_node"))
-        set(flat, "speed_per_node", json_real(work / time / p->value[axis].number));
+        json_set(flat, "speed_per_node", json_real(work / time / p->value[axis].number));
 }
 
 /* --- all ------------------------------------------------------------------------------------------------- */
@@ -93,13 +88,13 @@ static json_t *flat_point(const struct study *s, const struct point *p, const js
 {
     json_t *flat = point_values(s->spec, p), *failure = json_object_get(record, "failure"),
            *figures = json_object_get(record, "figures"), *profile = json_object_get(record, "profile");
-    set(flat, "failure", failure ? json_incref(failure) : json_null());
-    set(flat, "wall_time_s", json_incref(json_object_get(record, "wall_time_s")));
+    json_set(flat, "failure", failure ? json_incref(failure) : json_null());
+    json_set(flat, "wall_time_s", json_incref(json_object_get(record, "wall_time_s")));
     if (figures && json_object_update_missing(flat, figures) != 0)
-        abort();
+        xexhausted();
     add_speed(s, p, flat);
     if (profile)
-        set(flat, "profile", json_incref(profile));
+        json_set(flat, "profile", json_incref(profile));
     return flat;
 }
 
@@ -110,7 +105,7 @@ static bool visit_one(struct study *s, const struct work *w, study_visit *visit,
         point_make(s->spec, w->number, &p, error) == POINT_WANTED ? journal_record(s->journal, w->key) : NULL;
     if (!record) {
         char *name = point_name(s->spec, &p);
-        *error = text_of("%s: no result of %s; run the study again", s->options.dir, name);
+        *error = xasprintf("%s: no result of %s; run the study again", s->options.dir, name);
         free(name);
         return false;
     }
@@ -147,7 +142,7 @@ json_t *study_header(const struct study *s)
     json_t *axes = json_object();
     for (size_t i = 0; i < s->spec->axis_count; i++)
         if (s->spec->axes[i].kind != SPEC_DERIVED)
-            set(axes, s->spec->axes[i].name, axis_values(&s->spec->axes[i]));
+            json_set(axes, s->spec->axes[i].name, axis_values(&s->spec->axes[i]));
     return json_pack("{s:s, s:s, s:s, s:o}", "title", s->spec->title, "about", s->spec->about, "program",
                      s->spec->program, "axes", axes);
 }

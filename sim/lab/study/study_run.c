@@ -3,12 +3,13 @@
  * The dearest first, each is claimed, looked for in the journal once more (another process may have run it), then in the
  * cache, and then run. What others have claimed is looked at again until it has a result or its claim is gone.
  */
-#include "lab/study/point_figures.h"
-#include "lab/jobs/result_cache.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
+#include "lab/jobs/result_cache.h"
+#include "lab/study/point_figures.h"
 #include "lab/study/study_parts.h"
-#include "study/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -89,19 +90,13 @@ static void count_one(struct session *e, const struct work *w, bool failed)
 
 /* --- a result -------------------------------------------------------------------------------------------- */
 
-static void set(json_t *object, const char *key, json_t *value)
-{
-    if (json_object_set_new(object, key, value) != 0)
-        abort();
-}
-
 static bool write_down(struct session *e, const struct work *w, enum line_state state, json_t *record,
                        bool safe)
 {
     struct point p;
     char *error = NULL;
     if (point_make(e->study->spec, w->number, &p, &error) == POINT_WANTED) /* as it was when it was planned */
-        set(record, "point", point_values(e->study->spec, &p));
+        json_set(record, "point", point_values(e->study->spec, &p));
     free(error);
     return journal_add(e->study->journal, w->key, state, record, safe, &e->error);
 }
@@ -141,7 +136,7 @@ static json_t *record_of(struct outcome *o, const struct task *t)
     json_t *record = json_pack("{s:f, s:o}", "wall_time_s", t->job.wall_time_s, "figures", figures);
     json_t *profile = t->profile ? json_load_file(t->profile, 0, NULL) : NULL;
     if (profile)
-        set(record, "profile", profile);
+        json_set(record, "profile", profile);
     return record;
 }
 
@@ -158,10 +153,10 @@ static void settle(struct session *e, struct task *t)
 {
     struct study *s = e->study;
     struct outcome o = {0};
-    char *error = t->job.state == POOL_DONE ? NULL : text_of("%s", t->job.error);
+    char *error = t->job.state == POOL_DONE ? NULL : xstrdup(t->job.error);
     if (!error) {
         o = outcome_read(t->job.out, t->json, NULL);
-        error = o.error ? text_of("%s", o.error) : NULL;
+        error = o.error ? xstrdup(o.error) : NULL;
     }
     bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run);
     json_t *record = error ? record_of_failure(error, t->job.wall_time_s) : record_of(&o, t);
@@ -188,16 +183,16 @@ static char **environment(const struct study *s)
     static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
                                          "ASAN_OPTIONS"};
     char **env = NULL;
-    words_add(&env, text_of("TMPDIR=%s", s->scratch.path));
+    words_add(&env, xasprintf("TMPDIR=%s", s->scratch.path));
     for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)
         if (getenv(passed[i]))
-            words_add(&env, text_of("%s=%s", passed[i], getenv(passed[i])));
+            words_add(&env, xasprintf("%s=%s", passed[i], getenv(passed[i])));
     return env;
 }
 
 static void add_option(char ***argv, const char *option, char *value)
 {
-    words_add(argv, text_of("%s", option));
+    words_add(argv, xstrdup(option));
     words_add(argv, value);
 }
 
@@ -205,8 +200,8 @@ static void add_list(char ***argv, const char *option, char **list)
 {
     for (char **word = list; word && *word; word++) {
         if (option)
-            words_add(argv, text_of("%s", option));
-        words_add(argv, text_of("%s", *word));
+            words_add(argv, xstrdup(option));
+        words_add(argv, xstrdup(*word));
     }
     words_free(list);
 }
@@ -214,20 +209,20 @@ static void add_list(char ***argv, const char *option, char **list)
 static void build_argv(const struct study *s, const struct point *p, struct task *t)
 {
     const struct spec *spec = s->spec;
-    words_add(&t->argv, text_of("%s", s->options.runner));
-    words_add(&t->argv, text_of("run"));
-    words_add(&t->argv, text_of("-q"));
-    add_option(&t->argv, "-m", text_of("%s", point_machine(spec, p)));
-    add_option(&t->argv, "-n", text_of("%lu", point_nodes(spec, p)));
-    add_option(&t->argv, "--json", text_of("%s", t->json));
+    words_add(&t->argv, xstrdup(s->options.runner));
+    words_add(&t->argv, xasprintf("run"));
+    words_add(&t->argv, xasprintf("-q"));
+    add_option(&t->argv, "-m", xstrdup(point_machine(spec, p)));
+    add_option(&t->argv, "-n", xasprintf("%lu", point_nodes(spec, p)));
+    add_option(&t->argv, "--json", xstrdup(t->json));
     if (t->profile)
-        add_option(&t->argv, "--profile", text_of("%s", t->profile));
+        add_option(&t->argv, "--profile", xstrdup(t->profile));
     if (spec->max_virtual_s > 0)
-        add_option(&t->argv, "--max-virtual-time", text_of("%.15g", spec->max_virtual_s));
+        add_option(&t->argv, "--max-virtual-time", xasprintf("%.15g", spec->max_virtual_s));
     if (spec->max_wall_s > 0)
-        add_option(&t->argv, "--max-wall-time", text_of("%.15g", spec->max_wall_s));
+        add_option(&t->argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
     add_list(&t->argv, "--set", inputs_settings(s->inputs, p));
-    words_add(&t->argv, text_of("%s", s->program));
+    words_add(&t->argv, xstrdup(s->program));
     add_list(&t->argv, NULL, inputs_arguments(s->inputs, p));
 }
 
@@ -236,8 +231,8 @@ static void begin_task(struct session *e, struct task *t, const struct work *w, 
 {
     const struct study *s = e->study;
     *t = (struct task){.used = true, .work = w, .inputs = inputs, .name = point_name(s->spec, p)};
-    t->json = text_of("%s/%lu.json", s->scratch.path, w->number);
-    t->profile = s->spec->profile ? text_of("%s/%lu.profile", s->scratch.path, w->number) : NULL;
+    t->json = xasprintf("%s/%lu.json", s->scratch.path, w->number);
+    t->profile = s->spec->profile ? xasprintf("%s/%lu.profile", s->scratch.path, w->number) : NULL;
     build_argv(s, p, t);
     t->job = (struct pool_job){.name = t->name,
                                .argv = t->argv,
@@ -301,7 +296,7 @@ static bool fetch(struct session *e, const struct work *w, const json_t *inputs)
         s->options.cache ? kept_find(s->options.cache, w->key, inputs, s->options.progress) : NULL;
     if (!record)
         return false;
-    set(record, "cached", json_true());
+    json_set(record, "cached", json_true());
     /* not safe: were it lost, it would be found in the cache again */
     if (write_down(e, w, LINE_DONE, record, false)) {
         s->counts.cached++;
@@ -378,8 +373,7 @@ enum study_end study_run(struct study *s, char **error)
 {
     struct session e = {.study = s, .begun_s = now_s(), .progress = progress_to(s->options.progress)};
     struct pool_source source = {next, ended, second, &e};
-    if (!(e.tasks = calloc(s->options.at_once, sizeof *e.tasks)))
-        abort();
+    e.tasks = xcalloc(s->options.at_once, sizeof *e.tasks);
     e.env = environment(s);
     study_estimate(s);
     study_sort(s, true);

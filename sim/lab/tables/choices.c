@@ -1,7 +1,7 @@
 /* choices.c - see choices.h. */
 #include "lab/tables/choices.h"
 #include "files/atomic_file.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -57,11 +57,11 @@ static void change(struct results *v, const char *instead)
     bool machine = strncmp(instead, set, strlen(set)) == 0;
     for (size_t i = 0; i < v->run_count; i++) {
         struct run *run = &v->runs[i];
-        char *name = text_of("%s; %s", run->name, instead);
+        char *name = xasprintf("%s; %s", run->name, instead);
         free(run->name);
         run->name = name;
         if (machine)
-            run->settings[0] = text_of("%s", instead + strlen(set));
+            run->settings[0] = xstrdup(instead + strlen(set));
         else
             run->extra = instead;
     }
@@ -73,7 +73,7 @@ static bool write_instead(FILE *out, const struct tables_options *o, const struc
     struct results v = results_plan(r->paper, r->fitted, o->wanted);
     change(&v, instead);
     bool ok = runs_do(o, v.paper, v.runs, v.run_count, &v.wall_time_s, error);
-    char *code = text_of("`%s`", instead);
+    char *code = xasprintf("`%s`", instead);
     if (ok)
         line(out, what, code, &v);
     free(code);

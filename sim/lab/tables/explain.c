@@ -1,6 +1,6 @@
 /* explain.c - see explain.h. Reading and checking; showing is in explain_print.c. */
 #include "lab/tables/explain.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,9 +18,7 @@ static struct explain_line *line(struct explain_part *part, char *label)
             free(label);
             return &part->lines[i];
         }
-    part->lines = realloc(part->lines, (part->count + 1) * sizeof *part->lines);
-    if (!part->lines)
-        abort();
+    part->lines = xrealloc(part->lines, (part->count + 1) * sizeof *part->lines);
     part->lines[part->count] = (struct explain_line){.label = label};
     return &part->lines[part->count++];
 }
@@ -37,7 +35,7 @@ double explain_sum(const struct explain_part *part, enum explain_class c)
 
 static double of_class(const struct outcome *o, int c, const char *what)
 {
-    char *key = text_of("times_%s_%s", CLASSES[c], what);
+    char *key = xasprintf("times_%s_%s", CLASSES[c], what);
     double value = outcome_figure(o, key);
     free(key);
     return value;
@@ -63,7 +61,7 @@ static void read_activities(struct explain *e, const struct outcome *o)
     };
     for (size_t i = 0; i < sizeof ACTIVITIES / sizeof *ACTIVITIES; i++)
         for (int c = 0; c < EXPLAIN_CLASSES; c++)
-            line(&e->program, strdup(ACTIVITIES[i][1]))->s[c] = of_class(o, c, ACTIVITIES[i][0]);
+            line(&e->program, xstrdup(ACTIVITIES[i][1]))->s[c] = of_class(o, c, ACTIVITIES[i][0]);
 }
 
 static int by_layer(const void *a, const void *b)
@@ -75,9 +73,7 @@ static void read_layers(struct explain *e, const struct outcome *o)
 {
     const char *key;
     json_t *value;
-    e->layers = calloc(json_object_size(o->printed) + 1, sizeof *e->layers);
-    if (!e->layers)
-        abort();
+    e->layers = xcalloc(json_object_size(o->printed) + 1, sizeof *e->layers);
     json_object_foreach(o->printed, key, value)
     {
         struct explain_layer l;
@@ -106,10 +102,10 @@ static char *wait_label(const struct paper *p, json_t *wait)
     json_t *type = json_object_get(wait, "type");
     const char *name = type ? paper_message_name(p, (long)json_integer_value(type)) : NULL;
     if (name)
-        return text_of("idle: %s, %s", call, name);
+        return xasprintf("idle: %s, %s", call, name);
     if (type)
-        return text_of("idle: %s, type %lld", call, (long long)json_integer_value(type));
-    return text_of("idle: %s", call);
+        return xasprintf("idle: %s, type %lld", call, (long long)json_integer_value(type));
+    return xasprintf("idle: %s", call);
 }
 
 static void add_tasks(struct explain *e, int c, json_t *node)
@@ -125,8 +121,8 @@ static void add_tasks(struct explain *e, int c, json_t *node)
     };
     json_t *tasks = json_object_get(node, "tasks");
     for (size_t i = 0; i < sizeof TASKS / sizeof *TASKS; i++)
-        line(&e->processor, strdup(TASKS[i][1]))->s[c] += number(tasks, TASKS[i][0]);
-    line(&e->processor, strdup("less system beside it"))->s[c] -= number(node, "beside_s");
+        line(&e->processor, xstrdup(TASKS[i][1]))->s[c] += number(tasks, TASKS[i][0]);
+    line(&e->processor, xstrdup("less system beside it"))->s[c] -= number(node, "beside_s");
 }
 
 /* False if the node's figures do not add up to the time at which it ended. */
@@ -135,7 +131,7 @@ static bool add_node(struct explain *e, const struct paper *p, int c, json_t *no
     json_t *wait;
     size_t i;
     double sum = number(node, "busy_s");
-    line(&e->processor, strdup("computing"))->s[c] += number(node, "busy_s");
+    line(&e->processor, xstrdup("computing"))->s[c] += number(node, "busy_s");
     add_tasks(e, c, node);
     json_array_foreach(json_object_get(node, "waits"), i, wait)
     {
@@ -159,12 +155,12 @@ static char *check(const struct explain *e, int c, double ran_s, double ended_s)
 {
     double program = explain_sum(&e->program, c), processor = explain_sum(&e->processor, c);
     if (!same(program, ran_s, 1e-6))
-        return text_of("the %s' activities add up to %.6f s, not %.6f", CLASSES[c], program, ran_s);
+        return xasprintf("the %s' activities add up to %.6f s, not %.6f", CLASSES[c], program, ran_s);
     if (!same(ran_s, e->nodes[c] * e->total_s, 1e-3))
-        return text_of("the %s ran for %.6f s, but %u times the total time is %.6f s", CLASSES[c], ran_s,
-                       e->nodes[c], e->nodes[c] * e->total_s);
+        return xasprintf("the %s ran for %.6f s, but %u times the total time is %.6f s", CLASSES[c], ran_s,
+                         e->nodes[c], e->nodes[c] * e->total_s);
     if (!same(processor, ended_s, 1e-6))
-        return text_of("the %s' processors account for %.6f s, not %.6f", CLASSES[c], processor, ended_s);
+        return xasprintf("the %s' processors account for %.6f s, not %.6f", CLASSES[c], processor, ended_s);
     return NULL;
 }
 
@@ -180,12 +176,12 @@ static char *read_all(struct explain *e, const struct paper *p, const struct out
         int c = i % e->row->group ? EXPLAIN_SLAVES : EXPLAIN_HOSTS;
         e->nodes[c]++;
         if (!add_node(e, p, c, node, &ended_s[c]))
-            return text_of("the figures of node %zu do not add up to its time", i);
+            return xasprintf("the figures of node %zu do not add up to its time", i);
     }
     for (int c = 0; c < EXPLAIN_CLASSES; c++) {
         double ran_s = of_class(o, c, "ended_s") - of_class(o, c, "began_s");
         if (isnan(ran_s))
-            return text_of("the program printed no times_%s_...", CLASSES[c]);
+            return xasprintf("the program printed no times_%s_...", CLASSES[c]);
         char *error = check(e, c, ran_s, ended_s[c]);
         if (error)
             return error;
@@ -199,12 +195,10 @@ struct explain *explain_read(const struct paper *p, const struct paper_row *row,
 {
     const struct outcome *failed = timed->error ? timed : plain;
     if (failed->error) {
-        *error = strdup(failed->error);
+        *error = xstrdup(failed->error);
         return NULL;
     }
-    struct explain *e = calloc(1, sizeof *e);
-    if (!e)
-        abort();
+    struct explain *e = xcalloc(1, sizeof *e);
     e->row = row;
     e->table = table;
     e->total_s = outcome_figure(timed, "total_s");

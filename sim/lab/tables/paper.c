@@ -1,8 +1,8 @@
 /* paper.c - reads the paper's tables; see paper.h and the head of bench/paper/paper.cfg. */
 #include "lab/tables/paper.h"
 #include "config/reader.h"
+#include "kernel/xalloc.h"
 #include "lab/tables/paper_notes.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,9 +18,7 @@ struct recipe {
 
 static void *zeroed(size_t count, size_t size)
 {
-    void *p = calloc(count + 1, size);
-    if (!p)
-        abort();
+    void *p = xcalloc(count + 1, size);
     return p;
 }
 
@@ -86,7 +84,8 @@ static bool read_row(struct cfg_reader *r, config_setting_t *s, const struct rec
     row->nodes = (unsigned)nodes;
     row->group = recipe->group && recipe->group < row->nodes ? (unsigned)recipe->group : row->nodes;
     const char *several = row->nodes > row->group ? recipe->several_groups : "";
-    row->arguments = text_of("%s -group %u%s%s", recipe->arguments, row->group, *several ? " " : "", several);
+    row->arguments =
+        xasprintf("%s -group %u%s%s", recipe->arguments, row->group, *several ? " " : "", several);
     return words(row->arguments) <= PAPER_MAX_ARGS ||
            cfg_fail(r, s, "arguments", "more than %d words", PAPER_MAX_ARGS);
 }
@@ -108,7 +107,7 @@ static bool read_table(struct cfg_reader *r, config_setting_t *g, struct paper_t
     if (config_setting_lookup_string(g, "several_groups", &recipe.several_groups) != CONFIG_TRUE)
         recipe.several_groups = "";
     t->number = (unsigned)number;
-    t->title = strdup(title);
+    t->title = xstrdup(title);
     t->count = (size_t)config_setting_length(rows);
     t->rows = zeroed(t->count, sizeof *t->rows);
     for (unsigned i = 0; i < t->count; i++)
@@ -126,8 +125,8 @@ static bool read_paper(struct cfg_reader *r, struct paper *p)
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "machine", &machine) ||
         !cfg_text(r, r->root, "program", &program) || !cfg_list(r, r->root, "tables", &tables))
         return false;
-    p->machine = strdup(machine);
-    p->program = strdup(program);
+    p->machine = xstrdup(machine);
+    p->program = xstrdup(program);
     p->count = (size_t)config_setting_length(tables);
     p->tables = zeroed(p->count, sizeof *p->tables);
     for (unsigned i = 0; i < p->count; i++)

@@ -1,6 +1,7 @@
 /* paper_fitted.c - reads the fitted cost factors, which the tables must name beside their figures; see paper.h. */
-#include "lab/tables/paper.h"
 #include "config/reader.h"
+#include "kernel/xalloc.h"
+#include "lab/tables/paper.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,7 @@
 static char *optional_text(config_setting_t *g, const char *key)
 {
     const char *text;
-    return config_setting_lookup_string(g, key, &text) == CONFIG_TRUE ? strdup(text) : NULL;
+    return config_setting_lookup_string(g, key, &text) == CONFIG_TRUE ? xstrdup(text) : NULL;
 }
 
 static bool read_factor(struct cfg_reader *r, config_setting_t *g, struct paper_factor *f)
@@ -21,7 +22,7 @@ static bool read_factor(struct cfg_reader *r, config_setting_t *g, struct paper_
     if (!cfg_only(r, g, keys) || !cfg_number(r, g, "factor", 0, 1000, &f->factor) ||
         !cfg_text(r, g, "fitted_to", &fitted_to))
         return false;
-    f->fitted_to = strdup(fitted_to);
+    f->fitted_to = xstrdup(fitted_to);
     f->file = optional_text(g, "file");
     f->function = optional_text(g, "function");
     return f->file || f->function || cfg_fail(r, g, "file", "missing; file or function must be given");
@@ -37,14 +38,12 @@ static bool read_choice(struct cfg_reader *r, config_setting_t *s, const char *k
     if (count < 2)
         return cfg_fail(r, s, key,
                         "must hold lists of texts: ( what, fitted to, and what else it might be )");
-    c->what = strdup(config_setting_get_string_elem(s, 0));
-    c->fitted_to = strdup(config_setting_get_string_elem(s, 1));
+    c->what = xstrdup(config_setting_get_string_elem(s, 0));
+    c->fitted_to = xstrdup(config_setting_get_string_elem(s, 1));
     c->instead_count = count - 2;
-    c->instead = calloc(count - 1, sizeof *c->instead);
-    if (!c->instead)
-        abort();
+    c->instead = xcalloc(count - 1, sizeof *c->instead);
     for (unsigned i = 2; i < count; i++)
-        c->instead[i - 2] = strdup(config_setting_get_string_elem(s, i));
+        c->instead[i - 2] = xstrdup(config_setting_get_string_elem(s, i));
     return true;
 }
 
@@ -53,9 +52,7 @@ static bool read_choices(struct cfg_reader *r, const char *key, bool policy, str
 {
     config_setting_t *list = config_setting_get_member(r->root, key);
     unsigned count = list ? (unsigned)config_setting_length(list) : 0;
-    f->choices = realloc(f->choices, (f->choice_count + count + 1) * sizeof *f->choices);
-    if (!f->choices)
-        abort();
+    f->choices = xrealloc(f->choices, (f->choice_count + count + 1) * sizeof *f->choices);
     for (unsigned i = 0; i < count; i++) {
         struct paper_choice *c = &f->choices[f->choice_count];
         *c = (struct paper_choice){.policy = policy};
@@ -73,9 +70,7 @@ static bool read_factors(struct cfg_reader *r, struct paper_fitted *f)
     if (!cfg_only(r, r->root, keys) || !cfg_list(r, r->root, "factors", &list))
         return false;
     f->count = (size_t)config_setting_length(list);
-    f->factors = calloc(f->count + 1, sizeof *f->factors);
-    if (!f->factors)
-        abort();
+    f->factors = xcalloc(f->count + 1, sizeof *f->factors);
     for (unsigned i = 0; i < f->count; i++)
         if (!read_factor(r, config_setting_get_elem(list, i), &f->factors[i]))
             return false;
@@ -85,9 +80,7 @@ static bool read_factors(struct cfg_reader *r, struct paper_fitted *f)
 struct paper_fitted *paper_read_fitted(const char *path, char **error)
 {
     struct cfg_reader r;
-    struct paper_fitted *f = calloc(1, sizeof *f);
-    if (!f)
-        abort();
+    struct paper_fitted *f = xcalloc(1, sizeof *f);
     bool ok = cfg_open(&r, path) && read_factors(&r, f);
     cfg_close(&r);
     if (ok)

@@ -1,6 +1,7 @@
 /* paper_notes.c - what paper.cfg says about single rows, each named TABLE:NODES, and the names of the program's messages; see
  * the head of bench/paper/paper.cfg. All of it may be left out. */
 #include "lab/tables/paper_notes.h"
+#include "kernel/xalloc.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -93,7 +94,7 @@ static bool read_remarks(struct cfg_reader *r, struct paper *p)
         if (!row || (!text && !cfg_fail(r, s, "remarks", "must hold lists of two texts: ( row, remark )")))
             return false;
         free(row->remark);
-        row->remark = strdup(text);
+        row->remark = xstrdup(text);
     }
     return true;
 }
@@ -104,16 +105,14 @@ static bool read_messages(struct cfg_reader *r, struct paper *p)
     unsigned count;
     if (!optional_list(r, "messages", &list, &count))
         return false;
-    p->messages = calloc(count + 1, sizeof *p->messages);
-    if (!p->messages)
-        abort();
+    p->messages = xcalloc(count + 1, sizeof *p->messages);
     for (unsigned i = 0; i < count; i++) {
         config_setting_t *s = config_setting_get_elem(list, i);
         const char *name = config_setting_get_string_elem(s, 2);
         if (!config_setting_is_list(s) || !name)
             return cfg_fail(r, s, "messages", "must hold lists: ( first type, last type, name )");
         p->messages[p->message_count++] = (struct paper_message){
-            config_setting_get_int_elem(s, 0), config_setting_get_int_elem(s, 1), strdup(name)};
+            config_setting_get_int_elem(s, 0), config_setting_get_int_elem(s, 1), xstrdup(name)};
     }
     return true;
 }

@@ -1,6 +1,6 @@
 /* results_plan.c - which rows are which runs: rows with the same nodes and arguments are one. */
+#include "kernel/xalloc.h"
 #include "lab/tables/results.h"
-#include "study/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,9 +8,7 @@
 
 static void *zeroed(size_t count, size_t size)
 {
-    void *p = calloc(count + 1, size);
-    if (!p)
-        abort();
+    void *p = xcalloc(count + 1, size);
     return p;
 }
 
@@ -50,8 +48,8 @@ static void name_run(const struct results *r, struct run *run)
             if (r->tables[t].rows[i].run == run && used < sizeof list)
                 used += (size_t)snprintf(list + used, sizeof list - used, "%s%u", shared++ ? ", " : "",
                                          r->tables[t].table->number);
-    run->name =
-        text_of("table%s %s; %u node%s", shared > 1 ? "s" : "", list, run->nodes, run->nodes == 1 ? "" : "s");
+    run->name = xasprintf("table%s %s; %u node%s", shared > 1 ? "s" : "", list, run->nodes,
+                          run->nodes == 1 ? "" : "s");
 }
 
 struct results results_plan(const struct paper *paper, const struct paper_fitted *fitted,

@@ -1,9 +1,10 @@
 /* runs_journal.c - see runs_journal.h. */
 #include "lab/tables/runs_journal.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "lab/jobs/journal.h"
 #include "lab/jobs/point_locks.h"
 #include "lab/study/inputs.h"
-#include "lab/jobs/journal.h"
-#include "study/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,32 +16,26 @@ struct runs_kept {
     FILE *notes;
 };
 
-static void set(json_t *object, const char *key, json_t *value)
-{
-    if (json_object_set_new(object, key, value) != 0)
-        abort();
-}
-
 static bool add_digest(json_t *to, const char *key, bool (*take)(const char *, struct digest *),
                        const char *path, char **error)
 {
     char text[DIGEST_DIGITS + 1];
     struct digest d;
     if (!take(path, &d)) {
-        *error = text_of("%s cannot be read: %m", path);
+        *error = xasprintf("%s cannot be read: %m", path);
         return false;
     }
     digest_write(d, text);
-    set(to, key, json_string(text));
+    json_set(to, key, json_string(text));
     return true;
 }
 
 static bool read_shared(struct runs_kept *k, const struct tables_options *o, const struct paper *paper,
                         char **error)
 {
-    char *program = text_of("%s/%s", o->programs, paper->program);
-    char *machine = strchr(paper->machine, '/') ? text_of("%s", paper->machine)
-                                                : text_of("%s/machines/%s.cfg", o->home, paper->machine);
+    char *program = xasprintf("%s/%s", o->programs, paper->program);
+    char *machine = strchr(paper->machine, '/') ? xstrdup(paper->machine)
+                                                : xasprintf("%s/machines/%s.cfg", o->home, paper->machine);
     bool ok = add_digest(k->shared, "touchstone", digest_file, o->runner, error) &&
               add_digest(k->shared, "program", digest_file, program, error) &&
               add_digest(k->shared, "machine", inputs_machine_file, machine, error);
@@ -51,9 +46,7 @@ static bool read_shared(struct runs_kept *k, const struct tables_options *o, con
 
 struct runs_kept *runs_kept_open(const struct tables_options *o, const struct paper *paper, char **error)
 {
-    struct runs_kept *k = calloc(1, sizeof *k);
-    if (!k)
-        abort();
+    struct runs_kept *k = xcalloc(1, sizeof *k);
     *k = (struct runs_kept){.shared = json_object(), .notes = o->progress};
     if (read_shared(k, o, paper, error) && (k->claims = claims_enter(o->dir, "", error)) &&
         (k->journal = journal_open(o->dir, o->progress, error)))
@@ -77,13 +70,11 @@ static struct digest key_of(const struct runs_kept *k, const struct run *run)
     json_t *inputs = json_copy(k->shared), *settings = json_array();
     for (char *const *one = run->settings; *one; one++)
         json_array_append_new(settings, json_string(*one));
-    set(inputs, "nodes", json_integer(run->nodes));
-    set(inputs, "arguments", json_string(run->arguments));
-    set(inputs, "extra", run->extra ? json_string(run->extra) : json_null());
-    set(inputs, "settings", settings);
-    char *text = json_dumps(inputs, JSON_COMPACT | JSON_SORT_KEYS);
-    if (!text)
-        abort();
+    json_set(inputs, "nodes", json_integer(run->nodes));
+    json_set(inputs, "arguments", json_string(run->arguments));
+    json_set(inputs, "extra", run->extra ? json_string(run->extra) : json_null());
+    json_set(inputs, "settings", settings);
+    char *text = xchecked(json_dumps(inputs, JSON_COMPACT | JSON_SORT_KEYS));
     struct digest key = digest_of(text, strlen(text));
     free(text);
     json_decref(inputs);
@@ -107,10 +98,9 @@ bool runs_kept_find(struct runs_kept *k, struct run *run)
 void runs_kept_add(struct runs_kept *k, const struct run *run)
 {
     char *error = NULL;
-    json_t *record = json_pack("{s:s, s:O, s:O, s:f}", "name", run->name, "printed", run->outcome.printed,
-                               "run", run->outcome.run, "wall_time_s", run->outcome.wall_time_s);
-    if (!record)
-        abort();
+    json_t *record =
+        xchecked(json_pack("{s:s, s:O, s:O, s:f}", "name", run->name, "printed", run->outcome.printed, "run",
+                           run->outcome.run, "wall_time_s", run->outcome.wall_time_s));
     if (!journal_add(k->journal, key_of(k, run), LINE_DONE, record, true, &error))
         fprintf(k->notes, "not kept: %s\n", error);
     free(error);

@@ -1,11 +1,11 @@
 /* table_runs.c - see table_runs.h. */
 #include "lab/tables/table_runs.h"
 #include "files/folder_make.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
 #include "lab/tables/runs_journal.h"
 #include "lab/tables/tables.h"
-#include "study/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -30,11 +30,11 @@ static size_t add_words(char **argv, char *text, size_t most)
 static void build_command(struct command *c, const struct tables_options *o, const struct paper *paper,
                           const struct run *run, size_t i, const char *scratch)
 {
-    c->program = text_of("%s/%s", o->programs, paper->program);
-    c->nodes = text_of("%u", run->nodes);
-    c->json = text_of("%s/%zu.json", scratch, i);
-    c->arguments = text_of("%s", run->arguments);
-    c->extra = text_of("%s", run->extra ? run->extra : "");
+    c->program = xasprintf("%s/%s", o->programs, paper->program);
+    c->nodes = xasprintf("%u", run->nodes);
+    c->json = xasprintf("%s/%zu.json", scratch, i);
+    c->arguments = xstrdup(run->arguments);
+    c->extra = xstrdup(run->extra ? run->extra : "");
     char *const head[] = {(char *)o->runner, "run",    "-q",   "-m", paper->machine, "-n",
                           c->nodes,          "--json", c->json};
     size_t n = sizeof head / sizeof *head;
@@ -64,7 +64,7 @@ static void read_outcome(struct run *run, const struct pool_job *job, const char
     if (job->state == POOL_DONE)
         run->outcome = outcome_read(job->out, json, "total_s");
     else
-        run->outcome.error = strdup(job->error ? job->error : "not run");
+        run->outcome.error = xstrdup(job->error ? job->error : "not run");
     run->outcome.wall_time_s = job->wall_time_s;
 }
 
@@ -98,11 +98,9 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
                   const char *scratch, struct runs_kept *kept, double *wall_s)
 {
     struct doing d = {.runs = runs, .kept = kept};
-    d.commands = calloc(count + 1, sizeof *d.commands);
-    d.jobs = calloc(count + 1, sizeof *d.jobs);
-    d.which = calloc(count + 1, sizeof *d.which);
-    if (!d.commands || !d.jobs || !d.which)
-        abort();
+    d.commands = xcalloc(count + 1, sizeof *d.commands);
+    d.jobs = xcalloc(count + 1, sizeof *d.jobs);
+    d.which = xcalloc(count + 1, sizeof *d.which);
     for (size_t i = 0; i < count; i++) {
         build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
         if (kept && runs_kept_find(kept, &runs[i]))
@@ -136,8 +134,8 @@ bool runs_do(const struct tables_options *o, const struct paper *paper, struct r
         scratch = folder_scratch("touchstone-tables", error);
     bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, kept, wall_s);
     if (scratch.path && !ok)
-        *error = o->resume ? text_of("stopped; the same command goes on from %s/journal", o->dir)
-                           : text_of("stopped; nothing was written");
+        *error = o->resume ? xasprintf("stopped; the same command goes on from %s/journal", o->dir)
+                           : xasprintf("stopped; nothing was written");
     scratch_remove(&scratch);
     runs_kept_close(kept);
     return ok;

@@ -1,13 +1,13 @@
 /* tables.c - from the paper's rows to runs, through the pool, to results; see tables.h. */
 #include "lab/tables/tables.h"
 #include "files/atomic_file.h"
-#include "lab/tables/choices.h"
 #include "files/folder_make.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/process_pool.h"
+#include "lab/tables/choices.h"
 #include "lab/tables/explain.h"
-#include "lab/tables/tables_report.h"
 #include "lab/tables/results.h"
-#include "study/text.h"
+#include "lab/tables/tables_report.h"
 #include "lab/tables/tie_sensitivity.h"
 
 #include <errno.h>
@@ -20,7 +20,7 @@
 static bool write_json(const struct results *r, const char *dir, char **error)
 {
     struct result_file f;
-    char *path = text_of("%s/tables.json", dir);
+    char *path = xasprintf("%s/tables.json", dir);
     json_t *root = results_json(r);
     bool ok = result_file_begin(&f, path, error);
     if (ok) {
@@ -37,7 +37,7 @@ static bool draw(const struct tables_options *o, const struct results *r)
 {
     bool ok = true;
     for (size_t t = 0; t < r->table_count; t++) {
-        char *path = text_of("%s/plot.%ld", o->dir, (long)getpid());
+        char *path = xasprintf("%s/plot.%ld", o->dir, (long)getpid());
         FILE *script = fopen(path, "we");
         if (script) {
             results_plot(&r->tables[t], o->dir, script);
@@ -83,7 +83,7 @@ static enum tables_end end_journal(const struct tables_options *o, enum tables_e
 {
     static const char *const files[] = {"journal", "lock"};
     for (size_t i = 0; o->resume && end == TABLES_DONE && i < sizeof files / sizeof *files; i++) {
-        char *path = text_of("%s/%s", o->dir, files[i]);
+        char *path = xasprintf("%s/%s", o->dir, files[i]);
         unlink(path);
         free(path);
     }
@@ -93,9 +93,9 @@ static enum tables_end end_journal(const struct tables_options *o, enum tables_e
 static enum tables_end make(const struct tables_options *o, struct results *r, char **error)
 {
     if (!r->table_count)
-        *error = text_of("none of these tables is in paper.cfg");
+        *error = xasprintf("none of these tables is in paper.cfg");
     else if (!folder_make(o->dir))
-        *error = text_of("%s cannot be made: %s", o->dir, strerror(errno));
+        *error = xasprintf("%s cannot be made: %s", o->dir, strerror(errno));
     else if (runs_do(o, r->paper, r->runs, r->run_count, &r->wall_time_s, error) &&
              (!o->ties || ties_do(o, r, error)))
         return end_journal(o, write_down(o, r, error));
@@ -104,7 +104,7 @@ static enum tables_end make(const struct tables_options *o, struct results *r, c
 
 static struct paper *read_rows(const struct tables_options *o, char **error)
 {
-    char *path = text_of("%s/bench/paper/paper.cfg", o->home);
+    char *path = xasprintf("%s/bench/paper/paper.cfg", o->home);
     struct paper *paper = paper_read(path, error);
     free(path);
     return paper;
@@ -112,7 +112,7 @@ static struct paper *read_rows(const struct tables_options *o, char **error)
 
 enum tables_end tables_make(const struct tables_options *o, char **error)
 {
-    char *fitted_path = text_of("%s/bench/paper/fitted.cfg", o->home);
+    char *fitted_path = xasprintf("%s/bench/paper/fitted.cfg", o->home);
     enum tables_end end = TABLES_ERROR;
     struct paper *paper = read_rows(o, error);
     struct paper_fitted *fitted = paper ? paper_read_fitted(fitted_path, error) : NULL;
@@ -133,12 +133,12 @@ static struct explain *run_and_explain(const struct tables_options *o, const str
     double wall_s = 0;
     struct explain *e = NULL;
     struct run runs[] = {
-        {.nodes = row->nodes, .arguments = row->arguments, .weight = 1, .name = text_of("the row")},
+        {.nodes = row->nodes, .arguments = row->arguments, .weight = 1, .name = xasprintf("the row")},
         {.nodes = row->nodes,
          .arguments = row->arguments,
          .extra = "-times",
          .weight = 1,
-         .name = text_of("the row, measured")}};
+         .name = xasprintf("the row, measured")}};
     struct tables_options alone = *o;
     alone.resume = false;
     if (runs_do(&alone, paper, runs, 2, &wall_s, error))
@@ -158,7 +158,7 @@ enum tables_end tables_explain(const struct tables_options *o, const char *name,
     if (row && paper_row_name(name, &table, &nodes))
         e = run_and_explain(o, paper, row, table, error);
     else
-        *error = text_of("no row %s in the tables; rows are table:nodes, such as 1:128", name);
+        *error = xasprintf("no row %s in the tables; rows are table:nodes, such as 1:128", name);
     if (e)
         explain_print(e, o->out);
     explain_free(e);

@@ -1,8 +1,8 @@
 /* tables_report.c - see tables_report.h. */
-#include "files/atomic_file.h"
 #include "lab/tables/tables_report.h"
+#include "files/atomic_file.h"
+#include "kernel/xalloc.h"
 #include "lab/tables/explain.h"
-#include "study/text.h"
 
 #include <errno.h>
 #include <math.h>
@@ -41,7 +41,7 @@ static void write_accuracy(const struct results *r, FILE *out)
           out);
     for (size_t t = 0; t < r->table_count; t++) {
         struct result_errors e = results_table_errors(&r->tables[t]);
-        char *name = text_of("Table %u", r->tables[t].table->number);
+        char *name = xasprintf("Table %u", r->tables[t].table->number);
         accuracy_row(out, name, &e);
         free(name);
     }
@@ -209,7 +209,7 @@ static bool write_residuals(FILE *out, const struct tables_options *o, struct re
                                 .arguments = run->arguments,
                                 .extra = "-times",
                                 .weight = run->weight,
-                                .name = text_of("%s; measured", run->name)};
+                                .name = xasprintf("%s; measured", run->name)};
     }
     bool ok = runs_do(o, r->paper, timed, count, &r->wall_time_s, error);
     if (ok && count)

@@ -1,7 +1,7 @@
 /* tie_sensitivity.c - see tie_sensitivity.h. */
 #include "lab/tables/tie_sensitivity.h"
 #include "config/config.h"
-#include "study/text.h"
+#include "kernel/xalloc.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -33,9 +33,9 @@ static struct run variant(const struct run *run, const struct cfg_machine *m, un
     struct run v = {.nodes = run->nodes, .arguments = run->arguments, .weight = run->weight};
     for (size_t i = 0; i < PART_COUNT; i++) {
         uint64_t ps = *(const uint64_t *)((const char *)m + PARTS[i].offset);
-        v.settings[i] = text_of("%s=%.6f", PARTS[i].key, (double)ps / 1e3 * (1 + by));
+        v.settings[i] = xasprintf("%s=%.6f", PARTS[i].key, (double)ps / 1e3 * (1 + by));
     }
-    v.name = text_of("%s; latency %+.1f %%", run->name, 100 * by);
+    v.name = xasprintf("%s; latency %+.1f %%", run->name, 100 * by);
     return v;
 }
 
@@ -50,10 +50,8 @@ static void widen(struct run *run, double total_s)
 static bool do_with(const struct tables_options *o, struct results *r, const struct cfg_machine *m,
                     char **error)
 {
-    struct run *variants = calloc(r->run_count * TIES_RUNS + 1, sizeof *variants);
+    struct run *variants = xcalloc(r->run_count * TIES_RUNS + 1, sizeof *variants);
     size_t count = 0;
-    if (!variants)
-        abort();
     for (size_t i = 0; i < r->run_count; i++)
         for (unsigned k = 0; r->runs[i].ties && k < TIES_RUNS; k++)
             variants[count++] = variant(&r->runs[i], m, k);
@@ -74,7 +72,7 @@ static bool do_with(const struct tables_options *o, struct results *r, const str
 
 bool ties_do(const struct tables_options *o, struct results *r, char **error)
 {
-    char *dir = text_of("%s/machines", o->home);
+    char *dir = xasprintf("%s/machines", o->home);
     struct cfg_machine *m = cfg_load(r->paper->machine, dir, error);
     bool ok = m && do_with(o, r, m, error);
     cfg_free(m);
