@@ -1,5 +1,6 @@
 /* process_pool.c - a pool of child processes on libevent; see process_pool.h. */
 #include "lab/jobs/process_pool.h"
+#include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 
 #include <errno.h>
@@ -13,7 +14,6 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 /* One of a child's two outputs: our end of its pipe, and what is kept of what came. */
@@ -43,13 +43,6 @@ struct pool {
     bool no_more; /* jobs from the source */
     int stopped;  /* by that signal */
 };
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* --- a child's output --- */
 
@@ -154,7 +147,7 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
     close(out[1]);
     close(err[1]);
     job->state = POOL_RUNNING;
-    *c = (struct child){.job = job, .pid = pid, .started_s = now_s()};
+    *c = (struct child){.job = job, .pid = pid, .started_s = hostclock_s()};
     open_stream(&c->out, p->base, out[0], POOL_MAX_OUT, false);
     open_stream(&c->err, p->base, err[0], POOL_MAX_ERR, true);
     p->running++;
@@ -219,7 +212,7 @@ static void end_child(struct pool *p, struct child *c, int status)
     struct pool_job *job = c->job;
     job->out = close_stream(&c->out);
     char *err = close_stream(&c->err);
-    job->wall_time_s = now_s() - c->started_s;
+    job->wall_time_s = hostclock_s() - c->started_s;
     char *error = describe_end(c, status, err);
     job->stopped = error && (p->stopped || by_hand(status));
     c->pid = 0;
@@ -252,7 +245,7 @@ static void on_second(evutil_socket_t fd, short what, void *arg)
     (void)fd, (void)what;
     for (unsigned i = 0; i < p->at_once; i++) {
         struct child *c = &p->children[i];
-        if (c->pid && c->job->limit_s > 0 && now_s() - c->started_s > c->job->limit_s) {
+        if (c->pid && c->job->limit_s > 0 && hostclock_s() - c->started_s > c->job->limit_s) {
             c->late = true;
             kill(-c->pid, SIGKILL);
         }
@@ -298,7 +291,7 @@ static void loop(struct pool *p)
 struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once)
 {
     struct pool p = {.source = source, .at_once = at_once};
-    double begun_s = now_s();
+    double begun_s = hostclock_s();
     p.base = xchecked(event_base_new());
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     snprintf(p.threads, sizeof p.threads, "%ld", processors > at_once ? processors / at_once : 1);
@@ -306,7 +299,8 @@ struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once
     loop(&p);
     free(p.children);
     event_base_free(p.base);
-    return (struct pool_end){.all_done = !p.stopped, .stopped = p.stopped, .wall_time_s = now_s() - begun_s};
+    return (struct pool_end){
+        .all_done = !p.stopped, .stopped = p.stopped, .wall_time_s = hostclock_s() - begun_s};
 }
 
 /* --- a list of jobs --- */
@@ -322,7 +316,7 @@ struct list {
 static void tell(struct list *l, const struct pool_job *finished)
 {
     struct pool_status *s = &l->status;
-    s->elapsed_s = now_s() - l->begun_s;
+    s->elapsed_s = hostclock_s() - l->begun_s;
     double left = l->weight_all - l->weight_done;
     s->left_s = l->weight_done > 0 && left > 0 ? s->elapsed_s * left / l->weight_done : left > 0 ? -1 : 0;
     s->finished = finished;
@@ -365,7 +359,7 @@ static int longer_first(const void *a, const void *b)
 struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
                          const struct pool_watcher *watcher)
 {
-    struct list l = {.begun_s = now_s(), .watcher = watcher, .status.jobs = count};
+    struct list l = {.begun_s = hostclock_s(), .watcher = watcher, .status.jobs = count};
     struct pool_source source = {next_of_list, ended_of_list, second_of_list, &l};
     l.order = xcalloc(count + 1, sizeof *l.order);
     for (size_t i = 0; i < count; i++) {

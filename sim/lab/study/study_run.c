@@ -4,6 +4,7 @@
  * cache, and then run. What others have claimed is looked at again until it has a result or its claim is gone.
  */
 #include "files/json_set.h"
+#include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
@@ -13,7 +14,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 /* A point that is being run. */
@@ -39,19 +39,12 @@ struct session {
     char *error;  /* the journal cannot be written: nothing more is run */
 };
 
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* --- how it is getting on -------------------------------------------------------------------------------- */
 
 static struct progress_counts counts_of(const struct session *e)
 {
     const struct study_counts *c = &e->study->counts;
-    double elapsed = now_s() - e->begun_s;
+    double elapsed = hostclock_s() - e->begun_s;
     return (struct progress_counts){.all = e->study->count,
                                     .done = e->have - c->failed,
                                     .running = e->running,
@@ -371,7 +364,7 @@ static void second(void *arg)
 
 enum study_end study_run(struct study *s, char **error)
 {
-    struct session e = {.study = s, .begun_s = now_s(), .progress = progress_to(s->options.progress)};
+    struct session e = {.study = s, .begun_s = hostclock_s(), .progress = progress_to(s->options.progress)};
     struct pool_source source = {next, ended, second, &e};
     e.tasks = xcalloc(s->options.at_once, sizeof *e.tasks);
     e.env = environment(s);
