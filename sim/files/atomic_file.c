@@ -8,13 +8,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static void forget(struct result_file *f)
+static void forget(struct atomic_file *f)
 {
     free(f->path);
     free(f->unfinished);
 }
 
-static bool fail(struct result_file *f, int why, char **error)
+static bool fail(struct atomic_file *f, int why, char **error)
 {
     *error = xasprintf("%s cannot be written: %s", strcmp(f->path, "-") ? f->path : "standard output",
                        strerror(why));
@@ -31,7 +31,7 @@ static bool is_written_through(const char *path)
 }
 
 /* A file of our own; its name is not made of our number: other computers have that one, too. */
-static FILE *begin_unfinished(struct result_file *f)
+static FILE *begin_unfinished(struct atomic_file *f)
 {
     f->unfinished = xasprintf("%s.XXXXXX", f->path);
     mode_t without = umask(0);
@@ -42,9 +42,9 @@ static FILE *begin_unfinished(struct result_file *f)
     return fd >= 0 ? fdopen(fd, "w") : NULL;
 }
 
-bool result_file_begin(struct result_file *f, const char *path, char **error)
+bool atomic_file_begin(struct atomic_file *f, const char *path, char **error)
 {
-    *f = (struct result_file){.path = xstrdup(path)};
+    *f = (struct atomic_file){.path = xstrdup(path)};
     if (!strcmp(path, "-"))
         f->out = stdout;
     else
@@ -52,7 +52,7 @@ bool result_file_begin(struct result_file *f, const char *path, char **error)
     return f->out || fail(f, errno, error);
 }
 
-static bool close_all(struct result_file *f)
+static bool close_all(struct atomic_file *f)
 {
     bool written = !ferror(f->out);
     if (f->out == stdout)
@@ -60,7 +60,7 @@ static bool close_all(struct result_file *f)
     return fclose(f->out) == 0 && written;
 }
 
-bool result_file_end(struct result_file *f, char **error)
+bool atomic_file_end(struct atomic_file *f, char **error)
 {
     errno = 0;
     if (!close_all(f) || (f->unfinished && rename(f->unfinished, f->path) != 0))
@@ -69,7 +69,7 @@ bool result_file_end(struct result_file *f, char **error)
     return true;
 }
 
-void result_file_drop(struct result_file *f)
+void atomic_file_drop(struct atomic_file *f)
 {
     close_all(f);
     if (f->unfinished)

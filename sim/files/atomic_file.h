@@ -9,16 +9,16 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-struct result_file {
+struct atomic_file {
     FILE *out; /* write here */
     char *path;
     char *unfinished; /* NULL: it is written where it is */
 };
 
 /* Begins it. false with *error a malloc'd text for the user. */
-bool result_file_begin(struct result_file *f, const char *path, char **error);
+bool atomic_file_begin(struct atomic_file *f, const char *path, char **error);
 /* Ends it, and makes it there under its name if all was written. */
-bool result_file_end(struct result_file *f, char **error);
+bool atomic_file_end(struct atomic_file *f, char **error);
 /* Ends it; a file written under another name leaves no trace. */
-void result_file_drop(struct result_file *f);
+void atomic_file_drop(struct atomic_file *f);
 #endif

@@ -71,7 +71,7 @@ static char *read_text(int fd, size_t most, const char **why, int *line)
     return NULL;
 }
 
-char *whole_text(const char *path, size_t most, const char **why, int *line)
+char *text_file_read(const char *path, size_t most, const char **why, int *line)
 {
     struct stat st;
     *line = 0;

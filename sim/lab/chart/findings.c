@@ -270,9 +270,9 @@ static bool write_picture(const struct record_points *points, const struct pictu
 bool findings_write(const struct record_points *points, const struct picture *list, size_t count,
                     const char *dir, char **error)
 {
-    struct result_file d;
+    struct atomic_file d;
     char *path = xasprintf("%s/findings.md", dir);
-    bool begun = result_file_begin(&d, path, error);
+    bool begun = atomic_file_begin(&d, path, error);
     free(path);
     if (!begun)
         return false;
@@ -280,7 +280,7 @@ bool findings_write(const struct record_points *points, const struct picture *li
     for (size_t i = 0; ok && i < count; i++)
         ok = write_picture(points, &list[i], d.out, error);
     if (ok)
-        return result_file_end(&d, error);
-    result_file_drop(&d);
+        return atomic_file_end(&d, error);
+    atomic_file_drop(&d);
     return false;
 }

@@ -137,15 +137,15 @@ static bool write_csv(const struct record_points *points, FILE *out, char **erro
 static bool write_file(const struct record_points *points, const char *dir, const char *name,
                        bool (*write)(const struct record_points *, FILE *, char **), char **error)
 {
-    struct result_file d;
+    struct atomic_file d;
     char *path = xasprintf("%s/%s", dir, name);
-    bool begun = result_file_begin(&d, path, error);
+    bool begun = atomic_file_begin(&d, path, error);
     free(path);
     if (!begun)
         return false;
     if (write(points, d.out, error))
-        return result_file_end(&d, error);
-    result_file_drop(&d);
+        return atomic_file_end(&d, error);
+    atomic_file_drop(&d);
     return false;
 }
 

@@ -77,12 +77,12 @@ json_t *baseline_read(const char *path, char **error)
 
 bool baseline_write(const json_t *baseline, const char *path, char **error)
 {
-    struct result_file d;
-    if (!result_file_begin(&d, path, error))
+    struct atomic_file d;
+    if (!atomic_file_begin(&d, path, error))
         return false;
     json_dumpf(baseline, d.out, JSON_INDENT(1) | JSON_SORT_KEYS | JSON_REAL_PRECISION(15));
     fputc('\n', d.out);
-    return result_file_end(&d, error);
+    return atomic_file_end(&d, error);
 }
 
 json_t *baseline_study(json_t *baseline, const char *study)

@@ -168,13 +168,13 @@ static void print_counts(const struct gate *g, FILE *out)
 
 static bool write_junit(const struct gate *g, char **error)
 {
-    struct result_file d;
+    struct atomic_file d;
     if (!g->options->junit)
         return true;
-    if (!result_file_begin(&d, g->options->junit, error))
+    if (!atomic_file_begin(&d, g->options->junit, error))
         return false;
     junit_write(g->points, g->count, d.out);
-    return result_file_end(&d, error);
+    return atomic_file_end(&d, error);
 }
 
 /* --- the whole ------------------------------------------------------------------------------------------- */

@@ -173,9 +173,9 @@ static void write_all(const struct fit *f, const struct fit_result *r, FILE *out
 
 bool fit_write(const struct fit *f, const struct fit_result *r, char **error)
 {
-    struct result_file d;
-    if (!result_file_begin(&d, f->options->constants, error))
+    struct atomic_file d;
+    if (!atomic_file_begin(&d, f->options->constants, error))
         return false;
     write_all(f, r, d.out);
-    return result_file_end(&d, error);
+    return atomic_file_end(&d, error);
 }

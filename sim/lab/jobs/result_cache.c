@@ -73,7 +73,7 @@ json_t *kept_find(const char *folder, struct digest key, const json_t *inputs, F
 void kept_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
 {
     char digits[DIGEST_DIGITS + 1], *error = NULL;
-    struct result_file d;
+    struct atomic_file d;
     size_t size;
     digest_write(key, digits);
     json_t *both = json_copy(record);
@@ -82,9 +82,9 @@ void kept_add(const char *folder, struct digest key, json_t *inputs, json_t *rec
     char *path = xasprintf("%s/%s", dir, digits);
     if (!folder_make(dir)) {
         error = xasprintf("%s cannot be made: %m", dir);
-    } else if (result_file_begin(&d, path, &error)) {
+    } else if (atomic_file_begin(&d, path, &error)) {
         fwrite(line, 1, size, d.out);
-        result_file_end(&d, &error);
+        atomic_file_end(&d, &error);
     }
     if (error)
         fprintf(notes, "not kept for other studies: %s\n", error);

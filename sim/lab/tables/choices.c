@@ -94,8 +94,8 @@ static bool write_choice(FILE *out, const struct tables_options *o, const struct
 
 bool choices_write(const struct tables_options *o, const struct results *r, const char *path, char **error)
 {
-    struct result_file f;
-    bool ok = result_file_begin(&f, path, error);
+    struct atomic_file f;
+    bool ok = atomic_file_begin(&f, path, error);
     if (!ok)
         return false;
     fputs(HEAD, f.out);
@@ -103,7 +103,7 @@ bool choices_write(const struct tables_options *o, const struct results *r, cons
     for (size_t i = 0; ok && i < r->fitted->choice_count; i++)
         ok = write_choice(f.out, o, r, &r->fitted->choices[i], error);
     if (ok)
-        return result_file_end(&f, error);
-    result_file_drop(&f);
+        return atomic_file_end(&f, error);
+    atomic_file_drop(&f);
     return false;
 }

@@ -19,13 +19,13 @@
 
 static bool write_json(const struct results *r, const char *dir, char **error)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *path = xasprintf("%s/tables.json", dir);
     json_t *root = results_json(r);
-    bool ok = result_file_begin(&f, path, error);
+    bool ok = atomic_file_begin(&f, path, error);
     if (ok) {
         json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
-        ok = result_file_end(&f, error);
+        ok = atomic_file_end(&f, error);
     }
     json_decref(root);
     free(path);

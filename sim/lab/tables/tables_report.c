@@ -238,11 +238,11 @@ static bool write_to(FILE *out, const struct tables_options *o, struct results *
 
 bool report_write(const struct tables_options *o, struct results *r, const char *path, char **error)
 {
-    struct result_file f;
-    if (!result_file_begin(&f, path, error))
+    struct atomic_file f;
+    if (!atomic_file_begin(&f, path, error))
         return false;
     if (write_to(f.out, o, r, error))
-        return result_file_end(&f, error);
-    result_file_drop(&f);
+        return atomic_file_end(&f, error);
+    atomic_file_drop(&f);
     return false;
 }
