@@ -44,11 +44,11 @@ static struct place *place_of(struct place *places, size_t capacity, struct dige
 static void grow(struct journal *j)
 {
     size_t capacity = j->capacity ? 2 * j->capacity : FIRST_CAPACITY;
-    struct place *places = spill_new(capacity * sizeof *places);
+    struct place *places = scratch_memory_new(capacity * sizeof *places);
     for (size_t i = 0; i < j->capacity; i++)
         if (j->places[i].offset)
             *place_of(places, capacity, j->places[i].key) = j->places[i];
-    spill_free(j->places, j->capacity * sizeof *places);
+    scratch_memory_free(j->places, j->capacity * sizeof *places);
     j->places = places;
     j->capacity = capacity;
 }
@@ -262,7 +262,7 @@ void journal_close(struct journal *j)
         fdatasync(j->fd);
         close(j->fd);
     }
-    spill_free(j->places, j->capacity * sizeof *j->places);
+    scratch_memory_free(j->places, j->capacity * sizeof *j->places);
     free(j->buffer);
     free(j->path);
     free(j);

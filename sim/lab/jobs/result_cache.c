@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-char *kept_folder(void)
+char *result_cache_folder(void)
 {
     const char *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
     if (xdg && *xdg == '/')
@@ -48,7 +48,7 @@ static json_t *read_record(const char *text, size_t size, struct digest key)
     return line_record(text, size - 1);
 }
 
-json_t *kept_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes)
+json_t *result_cache_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes)
 {
     char digits[DIGEST_DIGITS + 1];
     size_t size = 0;
@@ -70,7 +70,7 @@ json_t *kept_find(const char *folder, struct digest key, const json_t *inputs, F
     return record;
 }
 
-void kept_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
+void result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
 {
     char digits[DIGEST_DIGITS + 1], *error = NULL;
     struct atomic_file d;

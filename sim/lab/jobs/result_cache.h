@@ -13,9 +13,9 @@
 #include <stdio.h>
 
 /* The folder where nothing else is said: $XDG_CACHE_HOME/touchstone, or ~/.cache/touchstone. Malloc'd; NULL: neither. */
-char *kept_folder(void);
+char *result_cache_folder(void);
 /* The record of a point with these inputs, the caller's; NULL: none. Damage is said on notes. */
-json_t *kept_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes);
+json_t *result_cache_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes);
 /* Keeps it; a failure is no more than that it is not kept, and said on notes. */
-void kept_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes);
+void result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes);
 #endif

@@ -20,7 +20,7 @@ static int nameless_file(void)
     return fd;
 }
 
-void *spill_new(size_t bytes)
+void *scratch_memory_new(size_t bytes)
 {
     int fd = nameless_file();
     /* With its room: where there is none, a touch would end the process. */
@@ -34,7 +34,7 @@ void *spill_new(size_t bytes)
     return p;
 }
 
-void spill_free(void *p, size_t bytes)
+void scratch_memory_free(void *p, size_t bytes)
 {
     if (p)
         munmap(p, bytes ? bytes : 1);

@@ -4,6 +4,6 @@
 #define LAB_JOBS_SCRATCH_MEMORY_H
 #include <stddef.h>
 
-void *spill_new(size_t bytes);
-void spill_free(void *p, size_t bytes);
+void *scratch_memory_new(size_t bytes);
+void scratch_memory_free(void *p, size_t bytes);
 #endif

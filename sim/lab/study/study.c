@@ -43,7 +43,7 @@ static double cost_of(const struct spec *s, const struct point *p)
 static bool plan(struct study *s, char **error)
 {
     struct point p;
-    s->work = spill_new(s->spec->product * sizeof *s->work);
+    s->work = scratch_memory_new(s->spec->product * sizeof *s->work);
     for (size_t number = 0; number < s->spec->product; number++) {
         enum point_is is = point_make(s->spec, number, &p, error);
         struct work *w = &s->work[s->count];
@@ -141,7 +141,7 @@ void study_close(struct study *s)
     claims_leave(s->claims);
     scratch_remove(&s->scratch);
     if (s->work)
-        spill_free(s->work, s->spec->product * sizeof *s->work);
+        scratch_memory_free(s->work, s->spec->product * sizeof *s->work);
     inputs_close(s->inputs);
     free(s->program);
     free(s->dir);

@@ -92,8 +92,8 @@ void study_estimate(struct study *s)
     struct times t = {.capacity = 16};
     while (t.capacity < 2 * others)
         t.capacity *= 2;
-    t.list = spill_new(t.capacity * sizeof *t.list);
+    t.list = scratch_memory_new(t.capacity * sizeof *t.list);
     journal_each(s->journal, note, &t);
     take(s, &t);
-    spill_free(t.list, t.capacity * sizeof *t.list);
+    scratch_memory_free(t.list, t.capacity * sizeof *t.list);
 }

@@ -154,7 +154,7 @@ static void settle(struct session *e, struct task *t)
     bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run);
     json_t *record = error ? record_of_failure(error, t->job.wall_time_s) : record_of(&o, t);
     if (keep)
-        kept_add(s->options.cache, t->work->key, t->inputs, record, s->options.progress);
+        result_cache_add(s->options.cache, t->work->key, t->inputs, record, s->options.progress);
     if (write_down(e, t->work, error ? LINE_FAILED : LINE_DONE, record, true)) {
         s->counts.run++;
         e->cost_done += t->work->cost;
@@ -286,7 +286,7 @@ static bool fetch(struct session *e, const struct work *w, const json_t *inputs)
 {
     struct study *s = e->study;
     json_t *record =
-        s->options.cache ? kept_find(s->options.cache, w->key, inputs, s->options.progress) : NULL;
+        s->options.cache ? result_cache_find(s->options.cache, w->key, inputs, s->options.progress) : NULL;
     if (!record)
         return false;
     json_set(record, "cached", json_true());
