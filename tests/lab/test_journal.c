@@ -231,8 +231,8 @@ static int child_claims(const char *session)
     pid_t child = fork();
     if (child == 0) {
         char *error = NULL;
-        struct claims *c = claims_enter(".", session, &error);
-        _exit(c ? claims_take(c, key_of(1)) : 2);
+        struct point_locks *c = point_locks_enter(".", session, &error);
+        _exit(c ? point_locks_take(c, key_of(1)) : 2);
     }
     assert_int_equal(waitpid(child, &status, 0), child);
     return WEXITSTATUS(status);
@@ -242,16 +242,16 @@ static void a_folder_has_one_session(void **state)
 {
     char *error = NULL;
     (void)state;
-    struct claims *c = claims_enter(".", "", &error);
+    struct point_locks *c = point_locks_enter(".", "", &error);
     assert_non_null(c);
     assert_int_equal(child_claims(""), 2);
-    claims_leave(c);
+    point_locks_leave(c);
     assert_int_equal(child_claims(""), 1);
-    c = claims_enter(".", "job 7", &error);
+    c = point_locks_enter(".", "job 7", &error);
     assert_non_null(c);
     assert_int_equal(child_claims("job 7"), 1);
     assert_int_equal(child_claims("job 8"), 2);
-    claims_leave(c);
+    point_locks_leave(c);
 }
 
 /* The child above died without a word, and its claim was gone with it. */
@@ -259,13 +259,13 @@ static void a_point_is_claimed_once(void **state)
 {
     char *error = NULL;
     (void)state;
-    struct claims *c = claims_enter(".", "job 7", &error);
-    assert_true(claims_take(c, key_of(1)));
+    struct point_locks *c = point_locks_enter(".", "job 7", &error);
+    assert_true(point_locks_take(c, key_of(1)));
     assert_int_equal(child_claims("job 7"), 0);
-    claims_release(c, key_of(1));
+    point_locks_release(c, key_of(1));
     assert_int_equal(child_claims("job 7"), 1);
-    assert_true(claims_take(c, key_of(1)));
-    claims_leave(c);
+    assert_true(point_locks_take(c, key_of(1)));
+    point_locks_leave(c);
 }
 
 /* Each test has a folder of its own. */

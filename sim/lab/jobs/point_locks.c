@@ -12,12 +12,12 @@
 
 enum { SESSION, REPORT, POINTS, TRIES = 100, MAX_TEXT = 512 };
 
-struct claims {
+struct point_locks {
     int fd;
 };
 
 /* Sets or takes back the lock on a byte, unless another process has it. */
-static bool lock(const struct claims *c, off_t byte, short type)
+static bool lock(const struct point_locks *c, off_t byte, short type)
 {
     struct flock one = {.l_type = type, .l_whence = SEEK_SET, .l_start = byte, .l_len = 1};
     return fcntl(c->fd, F_OFD_SETLK, &one) == 0;
@@ -29,7 +29,7 @@ static off_t byte_of(struct digest key)
     return POINTS + (off_t)(key.high >> 2);
 }
 
-static bool write_owner(const struct claims *c, const char *session)
+static bool write_owner(const struct point_locks *c, const char *session)
 {
     char host[128] = "", text[MAX_TEXT];
     gethostname(host, sizeof host - 1);
@@ -38,7 +38,7 @@ static bool write_owner(const struct claims *c, const char *session)
 }
 
 /* Is it our session's? who is said otherwise. */
-static bool is_ours(const struct claims *c, const char *session, char who[MAX_TEXT])
+static bool is_ours(const struct point_locks *c, const char *session, char who[MAX_TEXT])
 {
     char text[MAX_TEXT];
     ssize_t size = pread(c->fd, text, sizeof text - 1, 0);
@@ -51,7 +51,7 @@ static bool is_ours(const struct claims *c, const char *session, char who[MAX_TE
 }
 
 /* The first of a session has the lock alone for a moment, to write whose it is; then all share it. */
-static bool enter(const struct claims *c, const char *dir, const char *session, char **error)
+static bool enter(const struct point_locks *c, const char *dir, const char *session, char **error)
 {
     static const struct timespec moment = {.tv_nsec = 50000000};
     char who[MAX_TEXT] = "";
@@ -72,9 +72,9 @@ static bool enter(const struct claims *c, const char *dir, const char *session, 
     return false;
 }
 
-struct claims *claims_enter(const char *dir, const char *session, char **error)
+struct point_locks *point_locks_enter(const char *dir, const char *session, char **error)
 {
-    struct claims *c = xmalloc(sizeof *c);
+    struct point_locks *c = xmalloc(sizeof *c);
     char *path = xasprintf("%s/lock", dir);
     c->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (c->fd < 0)
@@ -82,28 +82,28 @@ struct claims *claims_enter(const char *dir, const char *session, char **error)
     free(path);
     if (c->fd >= 0 && enter(c, dir, session, error))
         return c;
-    claims_leave(c);
+    point_locks_leave(c);
     return NULL;
 }
 
-void claims_leave(struct claims *c)
+void point_locks_leave(struct point_locks *c)
 {
     if (c && c->fd >= 0)
         close(c->fd);
     free(c);
 }
 
-bool claims_take(struct claims *c, struct digest key)
+bool point_locks_take(struct point_locks *c, struct digest key)
 {
     return lock(c, byte_of(key), F_WRLCK);
 }
 
-void claims_release(struct claims *c, struct digest key)
+void point_locks_release(struct point_locks *c, struct digest key)
 {
     lock(c, byte_of(key), F_UNLCK);
 }
 
-bool claims_take_report(struct claims *c)
+bool point_locks_take_report(struct point_locks *c)
 {
     return lock(c, REPORT, F_WRLCK);
 }

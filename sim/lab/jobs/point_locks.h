@@ -10,12 +10,12 @@
 #include "lab/jobs/digest.h"
 
 /* Enters the session of that name, "" for a process by itself. NULL with *error malloc'd: another session is there. */
-struct claims *claims_enter(const char *dir, const char *session, char **error);
-void claims_leave(struct claims *c);
+struct point_locks *point_locks_enter(const char *dir, const char *session, char **error);
+void point_locks_leave(struct point_locks *c);
 
-/* True if nobody else has claimed the point; its claim ends with claims_release(), claims_leave() or our death. */
-bool claims_take(struct claims *c, struct digest key);
-void claims_release(struct claims *c, struct digest key);
+/* True if nobody else has claimed the point; its claim ends with point_locks_release(), point_locks_leave() or our death. */
+bool point_locks_take(struct point_locks *c, struct digest key);
+void point_locks_release(struct point_locks *c, struct digest key);
 /* The same for the writing of the results, of which one process is enough. */
-bool claims_take_report(struct claims *c);
+bool point_locks_take_report(struct point_locks *c);
 #endif

@@ -111,7 +111,7 @@ static bool open_folder(struct study *s, char **error)
         *error = xasprintf("%s cannot be made: %m", o->dir);
         return false;
     }
-    if (!(s->claims = claims_enter(o->dir, o->session, error)) ||
+    if (!(s->locks = point_locks_enter(o->dir, o->session, error)) ||
         !(s->journal = journal_open(o->dir, o->progress, error)) ||
         !(s->scratch = folder_scratch("touchstone-study", error)).path)
         return false;
@@ -138,7 +138,7 @@ void study_close(struct study *s)
     if (!s)
         return;
     journal_close(s->journal);
-    claims_leave(s->claims);
+    point_locks_leave(s->locks);
     scratch_remove(&s->scratch);
     if (s->work)
         scratch_memory_free(s->work, s->spec->product * sizeof *s->work);
@@ -180,7 +180,7 @@ enum study_end study_make(const struct study_options *options, int *signal, char
         fprintf(options->progress,
                 "stopped: %zu of %zu points are in %s/journal; the same command goes on from there\n", have,
                 s->count, options->dir);
-    } else if (end == STUDY_DONE && claims_take_report(s->claims)) {
+    } else if (end == STUDY_DONE && point_locks_take_report(s->locks)) {
         tell(s);
         end = study_report(s, error);
     }

@@ -25,7 +25,7 @@ struct study {
         *work; /* spec->product places, of which count are used; in the order of numbers or of costs */
     size_t count;
     struct scratch scratch; /* a folder for what runs leave */
-    struct claims *claims;
+    struct point_locks *locks;
     struct journal *journal;
     struct study_counts counts;
 };

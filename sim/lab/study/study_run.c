@@ -238,7 +238,7 @@ static void begin_task(struct session *e, struct task *t, const struct work *w, 
 
 static void end_task(struct session *e, struct task *t)
 {
-    claims_release(e->study->claims, t->work->key);
+    point_locks_release(e->study->locks, t->work->key);
     unlink(t->json);
     if (t->profile)
         unlink(t->profile);
@@ -310,7 +310,7 @@ static enum pool_next begin(struct session *e, const struct work *w, struct pool
         !inputs_of(s->inputs, &p, &key, &inputs, &e->error))
         return POOL_NO_MORE;
     if (fetch(e, w, inputs)) {
-        claims_release(s->claims, w->key);
+        point_locks_release(s->locks, w->key);
         json_decref(inputs);
         return POOL_AGAIN;
     }
@@ -334,14 +334,14 @@ static enum pool_next next(void *arg, struct pool_job **job)
         const struct work *w = &s->work[e->next++];
         if (has_result(s, w))
             continue;
-        if (is_running(e, w->key) || !claims_take(s->claims, w->key)) {
+        if (is_running(e, w->key) || !point_locks_take(s->locks, w->key)) {
             e->others = true;
             continue;
         }
         journal_refresh(s->journal); /* its last claimer may have run it */
         if (!has_result(s, w))
             return begin(e, w, job);
-        claims_release(s->claims, w->key);
+        point_locks_release(s->locks, w->key);
     }
     if (e->error || !e->others)
         return POOL_NO_MORE;

@@ -10,7 +10,7 @@
 #include <string.h>
 
 struct runs_kept {
-    struct claims *claims;
+    struct point_locks *locks;
     struct journal *journal;
     json_t *shared; /* what all runs depend on */
     FILE *notes;
@@ -48,7 +48,7 @@ struct runs_kept *runs_kept_open(const struct tables_options *o, const struct pa
 {
     struct runs_kept *k = xcalloc(1, sizeof *k);
     *k = (struct runs_kept){.shared = json_object(), .notes = o->progress};
-    if (read_shared(k, o, paper, error) && (k->claims = claims_enter(o->dir, "", error)) &&
+    if (read_shared(k, o, paper, error) && (k->locks = point_locks_enter(o->dir, "", error)) &&
         (k->journal = journal_open(o->dir, o->progress, error)))
         return k;
     runs_kept_close(k);
@@ -60,7 +60,7 @@ void runs_kept_close(struct runs_kept *k)
     if (!k)
         return;
     journal_close(k->journal);
-    claims_leave(k->claims);
+    point_locks_leave(k->locks);
     json_decref(k->shared);
     free(k);
 }
