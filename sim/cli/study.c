@@ -122,7 +122,7 @@ static FILE *silence(void)
 
 static int study(const struct arguments *a, struct study_options *o)
 {
-    struct together t = together_find();
+    struct session t = session_find();
     char *error = NULL;
     int signal = 0;
     o->session = t.session;

@@ -18,9 +18,9 @@ static const char *text(const char *name)
     return value ? value : "";
 }
 
-struct together together_find(void)
+struct session session_find(void)
 {
-    struct together t = {.count = 1};
+    struct session t = {.count = 1};
     if (number("OMPI_COMM_WORLD_SIZE") > 1) {
         t.rank = number("OMPI_COMM_WORLD_RANK");
         t.count = number("OMPI_COMM_WORLD_SIZE");

@@ -3,9 +3,9 @@
 #ifndef LAB_JOBS_SESSION_H
 #define LAB_JOBS_SESSION_H
 
-struct together {
+struct session {
     unsigned rank, count; /* 0 of 1: alone */
     char session[160];    /* the same for all of them, different for others; "": alone */
 };
-struct together together_find(void);
+struct session session_find(void);
 #endif

@@ -25,7 +25,7 @@ struct task {
     char *name, **argv, *json, *profile;
 };
 
-struct session {
+struct study_session {
     struct study *study;
     struct task *tasks; /* at_once of them */
     size_t running;
@@ -41,7 +41,7 @@ struct session {
 
 /* --- how it is getting on -------------------------------------------------------------------------------- */
 
-static struct progress_counts counts_of(const struct session *e)
+static struct progress_counts counts_of(const struct study_session *e)
 {
     const struct study_counts *c = &e->study->counts;
     double elapsed = hostclock_s() - e->begun_s;
@@ -56,7 +56,7 @@ static struct progress_counts counts_of(const struct session *e)
 }
 
 /* Looks at what all points have; what others have done since counts as done. */
-static void count(struct session *e)
+static void count(struct study_session *e)
 {
     struct study *s = e->study;
     double left = 0;
@@ -74,7 +74,7 @@ static void count(struct session *e)
 }
 
 /* One more has a result. */
-static void count_one(struct session *e, const struct work *w, bool failed)
+static void count_one(struct study_session *e, const struct work *w, bool failed)
 {
     e->have++;
     e->study->counts.failed += failed;
@@ -83,7 +83,7 @@ static void count_one(struct session *e, const struct work *w, bool failed)
 
 /* --- a result -------------------------------------------------------------------------------------------- */
 
-static bool write_down(struct session *e, const struct work *w, enum line_state state, json_t *record,
+static bool write_down(struct study_session *e, const struct work *w, enum line_state state, json_t *record,
                        bool safe)
 {
     struct point p;
@@ -95,7 +95,7 @@ static bool write_down(struct session *e, const struct work *w, enum line_state 
 }
 
 /* A program that reads or writes files of the host beside those named: nobody knows what its results depend on. */
-static bool depends_on_unnamed(struct session *e, const json_t *run)
+static bool depends_on_unnamed(struct study_session *e, const json_t *run)
 {
     size_t i;
     json_t *name;
@@ -142,7 +142,7 @@ static json_t *record_of_failure(const char *error, double wall_time_s)
 }
 
 /* What the task's run came to, into journal and cache. */
-static void settle(struct session *e, struct task *t)
+static void settle(struct study_session *e, struct task *t)
 {
     struct study *s = e->study;
     struct outcome o = {0};
@@ -219,7 +219,7 @@ static void build_argv(const struct study *s, const struct point *p, struct task
     add_list(&t->argv, NULL, inputs_arguments(s->inputs, p));
 }
 
-static void begin_task(struct session *e, struct task *t, const struct work *w, const struct point *p,
+static void begin_task(struct study_session *e, struct task *t, const struct work *w, const struct point *p,
                        json_t *inputs)
 {
     const struct study *s = e->study;
@@ -236,7 +236,7 @@ static void begin_task(struct session *e, struct task *t, const struct work *w, 
     e->running++;
 }
 
-static void end_task(struct session *e, struct task *t)
+static void end_task(struct study_session *e, struct task *t)
 {
     point_locks_release(e->study->locks, t->work->key);
     unlink(t->json);
@@ -254,7 +254,7 @@ static void end_task(struct session *e, struct task *t)
 
 static void ended(void *arg, struct pool_job *job)
 {
-    struct session *e = arg;
+    struct study_session *e = arg;
     struct task *t = e->tasks;
     while (&t->job != job)
         t++;
@@ -265,7 +265,7 @@ static void ended(void *arg, struct pool_job *job)
 
 /* --- which is next --------------------------------------------------------------------------------------- */
 
-static bool is_running(const struct session *e, struct digest key)
+static bool is_running(const struct study_session *e, struct digest key)
 {
     for (size_t i = 0; i < e->study->options.at_once; i++)
         if (e->tasks[i].used && digest_equal(e->tasks[i].work->key, key))
@@ -273,7 +273,7 @@ static bool is_running(const struct session *e, struct digest key)
     return false;
 }
 
-static struct task *free_task(const struct session *e)
+static struct task *free_task(const struct study_session *e)
 {
     struct task *t = e->tasks;
     while (t->used)
@@ -282,7 +282,7 @@ static struct task *free_task(const struct session *e)
 }
 
 /* From the cache, if it is there. */
-static bool fetch(struct session *e, const struct work *w, const json_t *inputs)
+static bool fetch(struct study_session *e, const struct work *w, const json_t *inputs)
 {
     struct study *s = e->study;
     json_t *record =
@@ -300,7 +300,7 @@ static bool fetch(struct session *e, const struct work *w, const json_t *inputs)
 }
 
 /* The point is claimed, and has no result. */
-static enum pool_next begin(struct session *e, const struct work *w, struct pool_job **job)
+static enum pool_next begin(struct study_session *e, const struct work *w, struct pool_job **job)
 {
     struct study *s = e->study;
     struct point p;
@@ -328,7 +328,7 @@ static bool has_result(const struct study *s, const struct work *w)
 
 static enum pool_next next(void *arg, struct pool_job **job)
 {
-    struct session *e = arg;
+    struct study_session *e = arg;
     struct study *s = e->study;
     while (!e->error && e->next < s->count) {
         const struct work *w = &s->work[e->next++];
@@ -353,7 +353,7 @@ static enum pool_next next(void *arg, struct pool_job **job)
 
 static void second(void *arg)
 {
-    struct session *e = arg;
+    struct study_session *e = arg;
     if (*e->study->options.session) {
         journal_refresh(e->study->journal);
         count(e);
@@ -364,7 +364,8 @@ static void second(void *arg)
 
 enum study_end study_run(struct study *s, char **error)
 {
-    struct session e = {.study = s, .begun_s = hostclock_s(), .progress = progress_to(s->options.progress)};
+    struct study_session e = {
+        .study = s, .begun_s = hostclock_s(), .progress = progress_to(s->options.progress)};
     struct pool_source source = {next, ended, second, &e};
     e.tasks = xcalloc(s->options.at_once, sizeof *e.tasks);
     e.env = environment(s);
