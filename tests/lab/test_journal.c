@@ -30,7 +30,7 @@ static struct journal *open_here(FILE *notes)
     return j;
 }
 
-static void add(struct journal *j, int i, enum line_state state, int value)
+static void add(struct journal *j, int i, enum journal_line_state state, int value)
 {
     char *error = NULL;
     json_t *record = json_pack("{s:i}", "value", value);
@@ -56,7 +56,7 @@ static size_t size_of_file(void)
 
 static void what_was_added_is_there_again(void **state)
 {
-    enum line_state how;
+    enum journal_line_state how;
     (void)state;
     struct journal *j = open_here(stderr);
     add(j, 1, LINE_DONE, 10);
@@ -190,7 +190,7 @@ static void writers_take_turns(void **state)
 
 static void failures_can_be_forgotten(void **state)
 {
-    enum line_state how;
+    enum journal_line_state how;
     (void)state;
     struct journal *j = open_here(stderr);
     add(j, 1, LINE_FAILED, 1);

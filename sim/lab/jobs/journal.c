@@ -53,7 +53,8 @@ static void grow(struct journal *j)
     j->capacity = capacity;
 }
 
-static void note(struct journal *j, struct digest key, enum line_state state, uint64_t offset, size_t size)
+static void note(struct journal *j, struct digest key, enum journal_line_state state, uint64_t offset,
+                 size_t size)
 {
     if (2 * (j->count + 1) > j->capacity)
         grow(j);
@@ -67,9 +68,9 @@ static void note(struct journal *j, struct digest key, enum line_state state, ui
 static void take_line(struct journal *j, const char *line, size_t size)
 {
     struct digest key;
-    enum line_state state;
+    enum journal_line_state state;
     j->line++;
-    if (!line_check(line, size, &key, &state))
+    if (!journal_line_check(line, size, &key, &state))
         fprintf(j->notes, "%s:%zu: this line is damaged: its point counts as not run\n", j->path, j->line);
     else if (state != LINE_HEAD)
         note(j, key, state, j->read_to, size);
@@ -107,11 +108,11 @@ static const struct place *find(const struct journal *j, struct digest key)
     return p->offset && p->state != FORGOTTEN ? p : NULL;
 }
 
-bool journal_find(const struct journal *j, struct digest key, enum line_state *state)
+bool journal_find(const struct journal *j, struct digest key, enum journal_line_state *state)
 {
     const struct place *p = find(j, key);
     if (p)
-        *state = (enum line_state)p->state;
+        *state = (enum journal_line_state)p->state;
     return p;
 }
 
@@ -121,7 +122,7 @@ json_t *journal_record(const struct journal *j, struct digest key)
     char *line = p ? xmalloc(p->size) : NULL;
     json_t *record = NULL;
     if (line && pread(j->fd, line, p->size, (off_t)p->offset - 1) == (ssize_t)p->size)
-        record = line_record(line, p->size);
+        record = journal_line_record(line, p->size);
     free(line);
     return record;
 }
@@ -173,11 +174,11 @@ static bool put(struct journal *j, const char *line, size_t size)
     return true;
 }
 
-bool journal_add(struct journal *j, struct digest key, enum line_state state, const json_t *record, bool safe,
-                 char **error)
+bool journal_add(struct journal *j, struct digest key, enum journal_line_state state, const json_t *record,
+                 bool safe, char **error)
 {
     size_t size;
-    char *line = line_write(key, state, record, &size);
+    char *line = journal_line_write(key, state, record, &size);
     bool ok = lock(j, F_WRLCK);
     if (ok) {
         ok = find_end(j) && put(j, line, size) && (!safe || fdatasync(j->fd) == 0);
@@ -203,10 +204,10 @@ static bool check_head(struct journal *j, char **error)
 {
     char line[256];
     struct digest key;
-    enum line_state state = 0;
+    enum journal_line_state state = 0;
     ssize_t got = pread(j->fd, line, sizeof line, 0);
     char *end = got > 0 ? memchr(line, '\n', (size_t)got) : NULL;
-    if (end && line_check(line, (size_t)(end - line), &key, &state) && state == LINE_HEAD)
+    if (end && journal_line_check(line, (size_t)(end - line), &key, &state) && state == LINE_HEAD)
         return true;
     *error = xasprintf("%s:1: this is no journal of a study; remove it, or give another folder", j->path);
     return false;

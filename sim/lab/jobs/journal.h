@@ -20,8 +20,8 @@ void journal_close(struct journal *j);
 void journal_refresh(struct journal *j);
 /* Adds a line, on the disk at once if `safe`; what is added without is lost at most when the computer stops. False with
  * *error malloc'd. */
-bool journal_add(struct journal *j, struct digest key, enum line_state state, const json_t *record, bool safe,
-                 char **error);
+bool journal_add(struct journal *j, struct digest key, enum journal_line_state state, const json_t *record,
+                 bool safe, char **error);
 
 /* Points that have failed so far count as not run. */
 void journal_forget_failed(struct journal *j);
@@ -33,7 +33,7 @@ void journal_each(const struct journal *j, void (*visit)(void *arg, struct diges
 size_t journal_count(const struct journal *j);
 
 /* How the point of that key ended, by its last line; false: there is none. */
-bool journal_find(const struct journal *j, struct digest key, enum line_state *state);
+bool journal_find(const struct journal *j, struct digest key, enum journal_line_state *state);
 /* That line's record, the caller's; NULL: there is none. */
 json_t *journal_record(const struct journal *j, struct digest key);
 #endif

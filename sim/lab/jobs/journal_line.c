@@ -14,7 +14,7 @@ static void write_sum(const char *rest, size_t size, char sum[SUM + 1])
     snprintf(sum, SUM + 1, "%08lx", crc32_z(0, (const unsigned char *)rest, size));
 }
 
-char *line_write(struct digest key, enum line_state state, const json_t *record, size_t *size)
+char *journal_line_write(struct digest key, enum journal_line_state state, const json_t *record, size_t *size)
 {
     char digits[DIGEST_DIGITS + 1], sum[SUM + 1];
     char *json = xchecked(json_dumps(record, JSON_COMPACT));
@@ -27,17 +27,17 @@ char *line_write(struct digest key, enum line_state state, const json_t *record,
     return line;
 }
 
-bool line_check(const char *line, size_t size, struct digest *key, enum line_state *state)
+bool journal_line_check(const char *line, size_t size, struct digest *key, enum journal_line_state *state)
 {
     char sum[SUM + 1];
     if (size <= RECORD_AT)
         return false;
     write_sum(line + KEY_AT, size - KEY_AT, sum);
-    *state = (enum line_state)line[STATE_AT];
+    *state = (enum journal_line_state)line[STATE_AT];
     return memcmp(line, sum, SUM) == 0 && line[SUM] == ' ' && digest_read(line + KEY_AT, key);
 }
 
-json_t *line_record(const char *line, size_t size)
+json_t *journal_line_record(const char *line, size_t size)
 {
     json_t *record = size > RECORD_AT ? json_loadb(line + RECORD_AT, size - RECORD_AT, 0, NULL) : NULL;
     if (json_is_object(record))

@@ -10,12 +10,13 @@
 
 #include <jansson.h>
 
-enum line_state { LINE_HEAD = 'h', LINE_DONE = 'd', LINE_FAILED = 'f' };
+enum journal_line_state { LINE_HEAD = 'h', LINE_DONE = 'd', LINE_FAILED = 'f' };
 
 /* Malloc'd, with its newline; *size is its length. */
-char *line_write(struct digest key, enum line_state state, const json_t *record, size_t *size);
+char *journal_line_write(struct digest key, enum journal_line_state state, const json_t *record,
+                         size_t *size);
 /* Is this line, without its newline, whole? */
-bool line_check(const char *line, size_t size, struct digest *key, enum line_state *state);
+bool journal_line_check(const char *line, size_t size, struct digest *key, enum journal_line_state *state);
 /* The record of a line that is whole; NULL: it is none. */
-json_t *line_record(const char *line, size_t size);
+json_t *journal_line_record(const char *line, size_t size);
 #endif

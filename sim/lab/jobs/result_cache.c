@@ -41,11 +41,11 @@ static char *read_all(const char *path, size_t *size)
 static json_t *read_record(const char *text, size_t size, struct digest key)
 {
     struct digest found;
-    enum line_state state;
-    if (!size || text[size - 1] != '\n' || !line_check(text, size - 1, &found, &state) ||
+    enum journal_line_state state;
+    if (!size || text[size - 1] != '\n' || !journal_line_check(text, size - 1, &found, &state) ||
         !digest_equal(found, key))
         return NULL;
-    return line_record(text, size - 1);
+    return journal_line_record(text, size - 1);
 }
 
 json_t *result_cache_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes)
@@ -78,7 +78,7 @@ void result_cache_add(const char *folder, struct digest key, json_t *inputs, jso
     digest_write(key, digits);
     json_t *both = json_copy(record);
     json_set(both, "inputs", json_incref(inputs));
-    char *line = line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, digits);
+    char *line = journal_line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, digits);
     char *path = xasprintf("%s/%s", dir, digits);
     if (!folder_make(dir)) {
         error = xasprintf("%s cannot be made: %m", dir);

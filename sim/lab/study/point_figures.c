@@ -112,7 +112,7 @@ static void add_memory(json_t *to, json_t *nodes)
     json_decref(bytes);
 }
 
-json_t *figures_of(const struct outcome *o)
+json_t *point_figures_of(const struct outcome *o)
 {
     json_t *figures = json_copy(o->printed), *nodes = json_object_get(o->run, "node");
     add_run(figures, o->run);

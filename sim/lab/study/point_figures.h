@@ -11,5 +11,5 @@
 #define LAB_STUDY_POINT_FIGURES_H
 #include "lab/jobs/outcome.h"
 
-json_t *figures_of(const struct outcome *o);
+json_t *point_figures_of(const struct outcome *o);
 #endif

@@ -62,7 +62,7 @@ static void count(struct study_session *e)
     double left = 0;
     e->have = s->counts.failed = 0;
     for (size_t i = 0; i < s->count; i++) {
-        enum line_state state;
+        enum journal_line_state state;
         bool has = journal_find(s->journal, s->work[i].key, &state);
         e->have += has;
         s->counts.failed += has && state == LINE_FAILED;
@@ -83,8 +83,8 @@ static void count_one(struct study_session *e, const struct work *w, bool failed
 
 /* --- a result -------------------------------------------------------------------------------------------- */
 
-static bool write_down(struct study_session *e, const struct work *w, enum line_state state, json_t *record,
-                       bool safe)
+static bool write_down(struct study_session *e, const struct work *w, enum journal_line_state state,
+                       json_t *record, bool safe)
 {
     struct point p;
     char *error = NULL;
@@ -123,7 +123,7 @@ static json_t *record_of(struct outcome *o, const struct task *t)
 {
     static const char *const places[] = {"program", "host_files",
                                          "outcome"}; /* of this run, or the same for all */
-    json_t *figures = figures_of(o);
+    json_t *figures = point_figures_of(o);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++)
         json_object_del(figures, places[i]);
     json_t *record = json_pack("{s:f, s:o}", "wall_time_s", t->job.wall_time_s, "figures", figures);
@@ -322,7 +322,7 @@ static enum pool_next begin(struct study_session *e, const struct work *w, struc
 
 static bool has_result(const struct study *s, const struct work *w)
 {
-    enum line_state state;
+    enum journal_line_state state;
     return journal_find(s->journal, w->key, &state);
 }
 

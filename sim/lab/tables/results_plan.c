@@ -82,7 +82,7 @@ void results_free(struct results *r)
 {
     for (size_t t = 0; t < r->table_count; t++)
         free(r->tables[t].rows);
-    runs_clear(r->runs, r->run_count);
+    table_runs_clear(r->runs, r->run_count);
     free(r->tables);
     free(r->runs);
 }

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct runs_kept {
+struct runs_journal {
     struct point_locks *locks;
     struct journal *journal;
     json_t *shared; /* what all runs depend on */
@@ -30,7 +30,7 @@ static bool add_digest(json_t *to, const char *key, bool (*take)(const char *, s
     return true;
 }
 
-static bool read_shared(struct runs_kept *k, const struct tables_options *o, const struct paper *paper,
+static bool read_shared(struct runs_journal *k, const struct tables_options *o, const struct paper *paper,
                         char **error)
 {
     char *program = xasprintf("%s/%s", o->programs, paper->program);
@@ -44,18 +44,19 @@ static bool read_shared(struct runs_kept *k, const struct tables_options *o, con
     return ok;
 }
 
-struct runs_kept *runs_kept_open(const struct tables_options *o, const struct paper *paper, char **error)
+struct runs_journal *runs_journal_open(const struct tables_options *o, const struct paper *paper,
+                                       char **error)
 {
-    struct runs_kept *k = xcalloc(1, sizeof *k);
-    *k = (struct runs_kept){.shared = json_object(), .notes = o->progress};
+    struct runs_journal *k = xcalloc(1, sizeof *k);
+    *k = (struct runs_journal){.shared = json_object(), .notes = o->progress};
     if (read_shared(k, o, paper, error) && (k->locks = point_locks_enter(o->dir, "", error)) &&
         (k->journal = journal_open(o->dir, o->progress, error)))
         return k;
-    runs_kept_close(k);
+    runs_journal_close(k);
     return NULL;
 }
 
-void runs_kept_close(struct runs_kept *k)
+void runs_journal_close(struct runs_journal *k)
 {
     if (!k)
         return;
@@ -65,7 +66,7 @@ void runs_kept_close(struct runs_kept *k)
     free(k);
 }
 
-static struct digest key_of(const struct runs_kept *k, const struct run *run)
+static struct digest key_of(const struct runs_journal *k, const struct run *run)
 {
     json_t *inputs = json_copy(k->shared), *settings = json_array();
     for (char *const *one = run->settings; *one; one++)
@@ -81,7 +82,7 @@ static struct digest key_of(const struct runs_kept *k, const struct run *run)
     return key;
 }
 
-bool runs_kept_find(struct runs_kept *k, struct run *run)
+bool runs_journal_find(struct runs_journal *k, struct run *run)
 {
     json_t *record = journal_record(k->journal, key_of(k, run));
     json_t *printed = json_object_get(record, "printed"), *figures = json_object_get(record, "run");
@@ -95,7 +96,7 @@ bool runs_kept_find(struct runs_kept *k, struct run *run)
     return found;
 }
 
-void runs_kept_add(struct runs_kept *k, const struct run *run)
+void runs_journal_add(struct runs_journal *k, const struct run *run)
 {
     char *error = NULL;
     json_t *record =

@@ -6,10 +6,11 @@
 #include "lab/tables/tables.h"
 
 /* NULL with *error malloc'd: another command is at work in DIR, or a file cannot be read. */
-struct runs_kept *runs_kept_open(const struct tables_options *o, const struct paper *paper, char **error);
-void runs_kept_close(struct runs_kept *k);
+struct runs_journal *runs_journal_open(const struct tables_options *o, const struct paper *paper,
+                                       char **error);
+void runs_journal_close(struct runs_journal *k);
 /* Sets the run's outcome if it is kept. */
-bool runs_kept_find(struct runs_kept *k, struct run *run);
+bool runs_journal_find(struct runs_journal *k, struct run *run);
 /* Keeps it; a failure is said, and costs no more than that. */
-void runs_kept_add(struct runs_kept *k, const struct run *run);
+void runs_journal_add(struct runs_journal *k, const struct run *run);
 #endif

@@ -76,7 +76,7 @@ struct doing {
     struct pool_job *jobs; /* of the runs that are not in the journal */
     size_t *which;         /* run each of them is */
     size_t count;
-    struct runs_kept *kept; /* NULL: nothing is kept */
+    struct runs_journal *kept; /* NULL: nothing is kept */
     struct progress progress;
     struct pool_watcher shown;
 };
@@ -89,13 +89,13 @@ static void changed(void *arg, const struct pool_status *status)
         size_t job = (size_t)(status->finished - d->jobs), i = d->which[job];
         read_outcome(&d->runs[i], status->finished, d->commands[i].json);
         if (d->kept && !d->runs[i].outcome.error)
-            runs_kept_add(d->kept, &d->runs[i]);
+            runs_journal_add(d->kept, &d->runs[i]);
     }
     d->shown.changed(d->shown.arg, status);
 }
 
 static bool do_in(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-                  const char *scratch, struct runs_kept *kept, double *wall_s)
+                  const char *scratch, struct runs_journal *kept, double *wall_s)
 {
     struct doing d = {.runs = runs, .kept = kept};
     d.commands = xcalloc(count + 1, sizeof *d.commands);
@@ -103,7 +103,7 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
     d.which = xcalloc(count + 1, sizeof *d.which);
     for (size_t i = 0; i < count; i++) {
         build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
-        if (kept && runs_kept_find(kept, &runs[i]))
+        if (kept && runs_journal_find(kept, &runs[i]))
             continue;
         d.jobs[d.count] =
             (struct pool_job){.name = runs[i].name, .argv = d.commands[i].argv, .weight = runs[i].weight};
@@ -125,10 +125,10 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
     return !end.stopped;
 }
 
-bool runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-             double *wall_s, char **error)
+bool table_runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
+                   double *wall_s, char **error)
 {
-    struct runs_kept *kept = o->resume ? runs_kept_open(o, paper, error) : NULL;
+    struct runs_journal *kept = o->resume ? runs_journal_open(o, paper, error) : NULL;
     struct scratch scratch = {NULL, -1};
     if (!o->resume || kept)
         scratch = folder_scratch("touchstone-tables", error);
@@ -137,11 +137,11 @@ bool runs_do(const struct tables_options *o, const struct paper *paper, struct r
         *error = o->resume ? xasprintf("stopped; the same command goes on from %s/journal", o->dir)
                            : xasprintf("stopped; nothing was written");
     scratch_remove(&scratch);
-    runs_kept_close(kept);
+    runs_journal_close(kept);
     return ok;
 }
 
-void runs_clear(struct run runs[], size_t count)
+void table_runs_clear(struct run runs[], size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         outcome_clear(&runs[i].outcome);

@@ -28,7 +28,7 @@ struct run {
 struct tables_options;
 
 /* Does all of them and sets their outcomes; false when a signal stopped it. Adds the real time taken to *wall_s. */
-bool runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-             double *wall_s, char **error);
-void runs_clear(struct run runs[], size_t count);
+bool table_runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
+                   double *wall_s, char **error);
+void table_runs_clear(struct run runs[], size_t count);
 #endif

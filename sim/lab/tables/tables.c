@@ -65,7 +65,7 @@ static enum tables_end write_down(const struct tables_options *o, struct results
     bool drawn = draw(o, r);
     fprintf(o->out, "%s/tables.json has all figures; the pictures are %s/table-N.png and .svg\n", o->dir,
             o->dir);
-    if (o->report && !report_write(o, r, o->report, error))
+    if (o->report && !tables_report_write(o, r, o->report, error))
         return TABLES_ERROR;
     if (o->report)
         fprintf(o->out, "%s is the report\n", o->report);
@@ -96,8 +96,8 @@ static enum tables_end make(const struct tables_options *o, struct results *r, c
         *error = xasprintf("none of these tables is in paper.cfg");
     else if (!folder_make(o->dir))
         *error = xasprintf("%s cannot be made: %s", o->dir, strerror(errno));
-    else if (runs_do(o, r->paper, r->runs, r->run_count, &r->wall_time_s, error) &&
-             (!o->ties || ties_do(o, r, error)))
+    else if (table_runs_do(o, r->paper, r->runs, r->run_count, &r->wall_time_s, error) &&
+             (!o->ties || tie_sensitivity_run(o, r, error)))
         return end_journal(o, write_down(o, r, error));
     return TABLES_ERROR;
 }
@@ -141,9 +141,9 @@ static struct explain *run_and_explain(const struct tables_options *o, const str
          .name = xasprintf("the row, measured")}};
     struct tables_options alone = *o;
     alone.resume = false;
-    if (runs_do(&alone, paper, runs, 2, &wall_s, error))
+    if (table_runs_do(&alone, paper, runs, 2, &wall_s, error))
         e = explain_read(paper, row, table, &runs[1].outcome, &runs[0].outcome, error);
-    runs_clear(runs, 2);
+    table_runs_clear(runs, 2);
     return e;
 }
 

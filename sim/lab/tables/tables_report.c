@@ -211,12 +211,12 @@ static bool write_residuals(FILE *out, const struct tables_options *o, struct re
                                 .weight = run->weight,
                                 .name = xasprintf("%s; measured", run->name)};
     }
-    bool ok = runs_do(o, r->paper, timed, count, &r->wall_time_s, error);
+    bool ok = table_runs_do(o, r->paper, timed, count, &r->wall_time_s, error);
     if (ok && count)
         fprintf(out, "\n## What remains: the %zu largest errors\n", count);
     for (size_t i = 0; ok && i < count; i++)
         write_residual(out, r, &list[i], &timed[i]);
-    runs_clear(timed, count);
+    table_runs_clear(timed, count);
     return ok;
 }
 
@@ -236,7 +236,7 @@ static bool write_to(FILE *out, const struct tables_options *o, struct results *
     return write_residuals(out, o, r, error);
 }
 
-bool report_write(const struct tables_options *o, struct results *r, const char *path, char **error)
+bool tables_report_write(const struct tables_options *o, struct results *r, const char *path, char **error)
 {
     struct atomic_file f;
     if (!atomic_file_begin(&f, path, error))

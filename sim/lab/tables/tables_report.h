@@ -6,5 +6,5 @@
 
 /* Writes it to path, whole or not at all. Runs the rows with the largest errors once more, measured, to say where their
  * time goes. False with *error set. Nothing in it depends on the computer or the day. */
-bool report_write(const struct tables_options *o, struct results *r, const char *path, char **error);
+bool tables_report_write(const struct tables_options *o, struct results *r, const char *path, char **error);
 #endif

@@ -29,7 +29,7 @@ _Static_assert((int)PART_COUNT <= (int)RUN_MAX_SETTINGS, "a run has room for its
 /* The run with the k-th of the changes. */
 static struct run variant(const struct run *run, const struct cfg_machine *m, unsigned k)
 {
-    double by = WIDEST * (2.0 * k / (TIES_RUNS - 1) - 1);
+    double by = WIDEST * (2.0 * k / (TIE_RUNS - 1) - 1);
     struct run v = {.nodes = run->nodes, .arguments = run->arguments, .weight = run->weight};
     for (size_t i = 0; i < PART_COUNT; i++) {
         uint64_t ps = *(const uint64_t *)((const char *)m + PARTS[i].offset);
@@ -50,27 +50,27 @@ static void widen(struct run *run, double total_s)
 static bool do_with(const struct tables_options *o, struct results *r, const struct cfg_machine *m,
                     char **error)
 {
-    struct run *variants = xcalloc(r->run_count * TIES_RUNS + 1, sizeof *variants);
+    struct run *variants = xcalloc(r->run_count * TIE_RUNS + 1, sizeof *variants);
     size_t count = 0;
     for (size_t i = 0; i < r->run_count; i++)
-        for (unsigned k = 0; r->runs[i].ties && k < TIES_RUNS; k++)
+        for (unsigned k = 0; r->runs[i].ties && k < TIE_RUNS; k++)
             variants[count++] = variant(&r->runs[i], m, k);
-    bool ok = runs_do(o, r->paper, variants, count, &r->wall_time_s, error);
+    bool ok = table_runs_do(o, r->paper, variants, count, &r->wall_time_s, error);
     for (size_t i = 0, v = 0; ok && i < r->run_count; i++) {
         struct run *run = &r->runs[i];
         if (!run->ties)
             continue;
         run->tie_least_s = run->tie_most_s = outcome_figure(&run->outcome, "total_s");
-        run->tie_runs = TIES_RUNS;
-        for (unsigned k = 0; k < TIES_RUNS; k++)
+        run->tie_runs = TIE_RUNS;
+        for (unsigned k = 0; k < TIE_RUNS; k++)
             widen(run, outcome_figure(&variants[v++].outcome, "total_s"));
     }
-    runs_clear(variants, count);
+    table_runs_clear(variants, count);
     free(variants);
     return ok;
 }
 
-bool ties_do(const struct tables_options *o, struct results *r, char **error)
+bool tie_sensitivity_run(const struct tables_options *o, struct results *r, char **error)
 {
     char *dir = xasprintf("%s/machines", o->home);
     struct cfg_machine *m = cfg_load(r->paper->machine, dir, error);

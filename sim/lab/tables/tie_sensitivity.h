@@ -4,9 +4,9 @@
 #include "lab/tables/results.h"
 #include "lab/tables/tables.h"
 
-enum { TIES_RUNS = 8 };
+enum { TIE_RUNS = 8 };
 
-/* Runs each run whose row is marked (paper.cfg: tie_rows) TIES_RUNS times more, with the latency of a
+/* Runs each run whose row is marked (paper.cfg: tie_rows) TIE_RUNS times more, with the latency of a
  * message (hops and the steps of the protocol) changed by -2 % to +2 %, evenly spaced, and sets its range, its own time included. False with *error set when it could not. */
-bool ties_do(const struct tables_options *o, struct results *r, char **error);
+bool tie_sensitivity_run(const struct tables_options *o, struct results *r, char **error);
 #endif
