@@ -125,7 +125,7 @@ static int study(const struct arguments *a, struct study_options *o)
     struct session t = session_find();
     char *error = NULL;
     int signal = 0;
-    o->session = t.session;
+    o->session = t.name;
     o->at_once = a->jobs ? a->jobs : t.count > 1 ? 1 : cli_processors();
     if (t.rank > 0)
         o->progress = silence();

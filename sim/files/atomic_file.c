@@ -30,7 +30,7 @@ static bool is_written_through(const char *path)
     return lstat(path, &st) == 0 && !S_ISREG(st.st_mode);
 }
 
-/* A file of our own; its name is not made of our number: other computers have that one, too. */
+/* The name is random, not made of the process id: processes of several computers may share the folder. */
 static FILE *begin_unfinished(struct atomic_file *f)
 {
     f->unfinished = xasprintf("%s.XXXXXX", f->path);

@@ -1,8 +1,9 @@
-/* atomic_file.h - a file that a run leaves: it is there whole or not at all, and never takes the place of what is not ours.
+/* atomic_file.h - a result file that appears complete or not at all. The name decides how the file is
+ * written:
  *
- *   "-"                                     standard output
- *   what is there and is no ordinary file   a pipe, a device, a link: written through
- *   any other name                          written under another name, then renamed
+ *   "-"                                        to standard output
+ *   an existing pipe, device or symbolic link   into what is there: it is never replaced
+ *   any other name                              under a temporary name beside it, then renamed
  */
 #ifndef FILES_ATOMIC_FILE_H
 #define FILES_ATOMIC_FILE_H
@@ -12,13 +13,14 @@
 struct atomic_file {
     FILE *out; /* write here */
     char *path;
-    char *unfinished; /* NULL: it is written where it is */
+    char *unfinished; /* the temporary name; NULL: written directly */
 };
 
-/* Begins it. false with *error a malloc'd text for the user. */
+/* Opens f->out for writing. False with *error, a malloc'd text for the user. */
 bool atomic_file_begin(struct atomic_file *f, const char *path, char **error);
-/* Ends it, and makes it there under its name if all was written. */
+/* Closes the file and, if all was written, gives it its name. False with *error malloc'd: nothing was left
+ * behind. */
 bool atomic_file_end(struct atomic_file *f, char **error);
-/* Ends it; a file written under another name leaves no trace. */
+/* Gives the file up: removes what was written under the temporary name. */
 void atomic_file_drop(struct atomic_file *f);
 #endif

@@ -1,5 +1,6 @@
-/* json_set.h - members of JSON objects. Neither function returns if it fails: it writes to standard error which member cannot be
- * set and ends the process with status 1. jansson fails for want of memory, and for a text that is not UTF-8. */
+/* json_set.h - members of JSON objects. Neither function returns if it fails: it writes to standard error
+ * which member cannot be set and ends the process with status 1. jansson fails for want of memory, and for a
+ * text that is not UTF-8. */
 #ifndef FILES_JSON_SET_H
 #define FILES_JSON_SET_H
 #include <jansson.h>

@@ -14,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* One that is younger may just be about to be locked. */
+/* A younger folder may have been made, but not locked yet. */
 enum { YOUNG_S = 60 };
 
 static int remove_one(const char *path, const struct stat *st, int kind, struct FTW *at)
@@ -28,7 +28,7 @@ static void remove_all(const char *path)
     nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS);
 }
 
-/* Its descriptor if nobody has it, -1 otherwise. */
+/* The locked folder's descriptor; -1 if another process has the lock. */
 static int lock(const char *path)
 {
     int fd = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -50,7 +50,7 @@ static void remove_if_left(const char *path)
     close(fd);
 }
 
-/* NAME-XXXXXX. */
+/* Is entry NAME-XXXXXX? */
 static bool is_named(const char *entry, const char *name)
 {
     size_t length = strlen(name);

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The length of a character of UTF-8 (RFC 3629), 0: it is none. */
+/* The length of the UTF-8 character at s (RFC 3629); 0 if there is none. */
 static size_t character(const unsigned char *s)
 {
     if (*s < 0x80)
@@ -24,7 +24,7 @@ static size_t character(const unsigned char *s)
     return too_long || beyond ? 0 : length;
 }
 
-/* 0, or the line of the first byte that is no text. */
+/* The line of the first byte that is not UTF-8 text; 0 if there is none. */
 static int line_without_text(const char *text, size_t bytes)
 {
     int line = 1;
@@ -38,7 +38,7 @@ static int line_without_text(const char *text, size_t bytes)
     return 0;
 }
 
-/* So many bytes at most; -1 with errno. */
+/* Reads at most so many bytes. Returns how many; -1 with errno. */
 static ssize_t read_up_to(int fd, char *buf, size_t most)
 {
     size_t done = 0;

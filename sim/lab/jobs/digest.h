@@ -1,5 +1,5 @@
-/* digest.h - what a point's inputs are called: the first 128 bits of their SHA-256. Equal digests mean equal bytes: two
- * different inputs of one digest have never been found, by anybody. */
+/* digest.h - the first 128 bits of a SHA-256: identifies a point's inputs. Equal digests are taken to mean
+ * equal bytes: finding two inputs of one digest would take some 2^64 attempts. */
 #ifndef LAB_JOBS_DIGEST_H
 #define LAB_JOBS_DIGEST_H
 #include <stdbool.h>
@@ -12,10 +12,10 @@ struct digest {
 enum { DIGEST_DIGITS = 32 };
 
 struct digest digest_of(const void *bytes, size_t size);
-/* Of a file's bytes; false with errno. */
+/* The digest of a file's bytes. False with errno. */
 bool digest_file(const char *path, struct digest *d);
 
-/* In hexadecimal, and back; text needs no end after the digits. */
+/* To and from hexadecimal digits; digest_read() does not need a 0 after them. */
 void digest_write(struct digest d, char text[DIGEST_DIGITS + 1]);
 bool digest_read(const char *text, struct digest *d);
 

@@ -1,4 +1,4 @@
-/* journal.c - see journal.h. The table is open addressing by key, at most half full. */
+/* journal.c - see journal.h. The table of points is a hash table with open addressing, at most half full. */
 #include "lab/jobs/journal.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
@@ -10,10 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-struct place {
+struct slot {
     struct digest key;
-    uint64_t offset; /* of the line, plus 1; 0: this place is free */
-    uint32_t size;   /* without its newline */
+    uint64_t offset; /* of the point's last line, plus 1; 0: this slot is free */
+    uint32_t size;   /* of the line without its newline */
     uint32_t state;
 };
 
@@ -21,35 +21,35 @@ struct journal {
     int fd;
     char *path;
     FILE *notes;
-    uint64_t read_to; /* all before is lines with their ends */
-    size_t line;      /* how many */
-    struct place *places;
+    uint64_t read_to; /* complete lines end here */
+    size_t line;      /* number of lines read */
+    struct slot *slots;
     size_t capacity, count;
-    char *buffer; /* for reading: a line must fit */
+    char *buffer; /* for reading; grows until a line fits */
     size_t buffer_size;
 };
 
 enum { FIRST_CAPACITY = 1 << 10, FIRST_BUFFER = 1 << 16, FORGOTTEN = 0 /* as a state */ };
 
-/* --- the table ------------------------------------------------------------------------------------------- */
+/* --- the table ------------------------------------------------------------------------------------------ */
 
-static struct place *place_of(struct place *places, size_t capacity, struct digest key)
+static struct slot *slot_of(struct slot *slots, size_t capacity, struct digest key)
 {
     size_t i = key.low & (capacity - 1);
-    while (places[i].offset && !digest_equal(places[i].key, key))
+    while (slots[i].offset && !digest_equal(slots[i].key, key))
         i = (i + 1) & (capacity - 1);
-    return &places[i];
+    return &slots[i];
 }
 
 static void grow(struct journal *j)
 {
     size_t capacity = j->capacity ? 2 * j->capacity : FIRST_CAPACITY;
-    struct place *places = scratch_memory_new(capacity * sizeof *places);
+    struct slot *slots = scratch_memory_new(capacity * sizeof *slots);
     for (size_t i = 0; i < j->capacity; i++)
-        if (j->places[i].offset)
-            *place_of(places, capacity, j->places[i].key) = j->places[i];
-    scratch_memory_free(j->places, j->capacity * sizeof *places);
-    j->places = places;
+        if (j->slots[i].offset)
+            *slot_of(slots, capacity, j->slots[i].key) = j->slots[i];
+    scratch_memory_free(j->slots, j->capacity * sizeof *slots);
+    j->slots = slots;
     j->capacity = capacity;
 }
 
@@ -58,12 +58,12 @@ static void note(struct journal *j, struct digest key, enum journal_line_state s
 {
     if (2 * (j->count + 1) > j->capacity)
         grow(j);
-    struct place *p = place_of(j->places, j->capacity, key);
+    struct slot *p = slot_of(j->slots, j->capacity, key);
     j->count += !p->offset;
-    *p = (struct place){key, offset + 1, (uint32_t)size, state};
+    *p = (struct slot){key, offset + 1, (uint32_t)size, state};
 }
 
-/* --- reading --------------------------------------------------------------------------------------------- */
+/* --- reading -------------------------------------------------------------------------------------------- */
 
 static void take_line(struct journal *j, const char *line, size_t size)
 {
@@ -90,27 +90,27 @@ void journal_refresh(struct journal *j)
             continue;
         }
         if (begin == 0)
-            return; /* nothing, or a line without its end */
+            return; /* nothing more, or a line that is not complete */
     }
 }
 
 void journal_forget_failed(struct journal *j)
 {
     for (size_t i = 0; i < j->capacity; i++)
-        if (j->places[i].state == LINE_FAILED)
-            j->places[i].state = FORGOTTEN;
+        if (j->slots[i].state == LINE_FAILED)
+            j->slots[i].state = FORGOTTEN;
 }
 
-/* NULL: there is none. */
-static const struct place *find(const struct journal *j, struct digest key)
+/* NULL if the point has no line, or its failure was forgotten. */
+static const struct slot *find(const struct journal *j, struct digest key)
 {
-    const struct place *p = place_of(j->places, j->capacity, key);
+    const struct slot *p = slot_of(j->slots, j->capacity, key);
     return p->offset && p->state != FORGOTTEN ? p : NULL;
 }
 
 bool journal_find(const struct journal *j, struct digest key, enum journal_line_state *state)
 {
-    const struct place *p = find(j, key);
+    const struct slot *p = find(j, key);
     if (p)
         *state = (enum journal_line_state)p->state;
     return p;
@@ -118,7 +118,7 @@ bool journal_find(const struct journal *j, struct digest key, enum journal_line_
 
 json_t *journal_record(const struct journal *j, struct digest key)
 {
-    const struct place *p = find(j, key);
+    const struct slot *p = find(j, key);
     char *line = p ? xmalloc(p->size) : NULL;
     json_t *record = NULL;
     if (line && pread(j->fd, line, p->size, (off_t)p->offset - 1) == (ssize_t)p->size)
@@ -131,9 +131,9 @@ void journal_each(const struct journal *j, void (*visit)(void *arg, struct diges
                   void *arg)
 {
     for (size_t i = 0; i < j->capacity; i++) {
-        json_t *record = j->places[i].offset ? journal_record(j, j->places[i].key) : NULL;
+        json_t *record = j->slots[i].offset ? journal_record(j, j->slots[i].key) : NULL;
         if (record)
-            visit(arg, j->places[i].key, record);
+            visit(arg, j->slots[i].key, record);
         json_decref(record);
     }
 }
@@ -143,7 +143,7 @@ size_t journal_count(const struct journal *j)
     return j->count;
 }
 
-/* --- adding ---------------------------------------------------------------------------------------------- */
+/* --- adding --------------------------------------------------------------------------------------------- */
 
 static bool lock(struct journal *j, short type)
 {
@@ -154,7 +154,8 @@ static bool lock(struct journal *j, short type)
     return done == 0;
 }
 
-/* The end of the lines; what is behind it, without an end of its own, is cut off. The file is locked. */
+/* Reads on to the end of the last complete line and cuts off what follows: a dead writer's part of a line.
+ * Call with the file locked. */
 static bool find_end(struct journal *j)
 {
     struct stat st;
@@ -184,7 +185,7 @@ bool journal_add(struct journal *j, struct digest key, enum journal_line_state s
         ok = find_end(j) && put(j, line, size) && (!safe || fdatasync(j->fd) == 0);
         if (!ok) {
             *error = xasprintf("%s cannot be written: %m", j->path);
-            if (ftruncate(j->fd, (off_t)j->read_to) != 0) /* no half line, if that can be */
+            if (ftruncate(j->fd, (off_t)j->read_to) != 0) /* leave no partial line */
                 fprintf(j->notes, "%s ends with a part of a line\n", j->path);
         }
         lock(j, F_UNLCK);
@@ -197,7 +198,7 @@ bool journal_add(struct journal *j, struct digest key, enum journal_line_state s
     return ok;
 }
 
-/* --- opening --------------------------------------------------------------------------------------------- */
+/* --- opening -------------------------------------------------------------------------------------------- */
 
 /* The first line says what the file is. */
 static bool check_head(struct journal *j, char **error)
@@ -219,7 +220,7 @@ static bool begin(struct journal *j, const char *dir, char **error)
     bool ok = journal_add(j, (struct digest){0}, LINE_HEAD, head, true, error);
     int folder = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
-        fsync(folder); /* that the file is there at all */
+        fsync(folder); /* makes the file's name durable */
         close(folder);
     }
     json_decref(head);
@@ -263,7 +264,7 @@ void journal_close(struct journal *j)
         fdatasync(j->fd);
         close(j->fd);
     }
-    scratch_memory_free(j->places, j->capacity * sizeof *j->places);
+    scratch_memory_free(j->slots, j->capacity * sizeof *j->slots);
     free(j->buffer);
     free(j->path);
     free(j);

@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A number as JSON, whole ones as integers; NULL if text is no number up to its end or a blank. */
+/* The number at text as JSON, a whole number as an integer. NULL unless the number ends at a blank or the
+ * text's end. */
 static json_t *number(const char *text, char **end)
 {
     long long whole = strtoll(text, end, 10);
@@ -22,7 +23,7 @@ static json_t *number(const char *text, char **end)
     return json_real(real);
 }
 
-/* "value" or "value value ...": NULL if anything else is among them. */
+/* "value" as a number, "value value ..." as a list of numbers; NULL if any value is not a number. */
 static json_t *values(const char *text)
 {
     json_t *list = json_array(), *value;

@@ -1,5 +1,5 @@
-/* point_locks.c - see point_locks.h. The file's bytes as locks: 0 for the session, 1 for the report, from 2 on for points. Its text
- * says whose the session is. */
+/* point_locks.c - see point_locks.h. The bytes of DIR/lock serve as locks: byte 0 for the session, 1 for the
+ * report, from 2 on for points. The file's text names the session and the process that began it. */
 #include "lab/jobs/point_locks.h"
 #include "kernel/xalloc.h"
 
@@ -16,14 +16,14 @@ struct point_locks {
     int fd;
 };
 
-/* Sets or takes back the lock on a byte, unless another process has it. */
+/* Sets or releases the lock on a byte. False if another process has it. */
 static bool lock(const struct point_locks *c, off_t byte, short type)
 {
     struct flock one = {.l_type = type, .l_whence = SEEK_SET, .l_start = byte, .l_len = 1};
     return fcntl(c->fd, F_OFD_SETLK, &one) == 0;
 }
 
-/* Two points whose digests agree in 62 bits would wait for each other, and no more. */
+/* Two points whose digests agree in 62 bits share a lock: one would only wait for the other. */
 static off_t byte_of(struct digest key)
 {
     return POINTS + (off_t)(key.high >> 2);
@@ -37,7 +37,7 @@ static bool write_owner(const struct point_locks *c, const char *session)
     return size < MAX_TEXT && ftruncate(c->fd, 0) == 0 && pwrite(c->fd, text, (size_t)size, 0) == size;
 }
 
-/* Is it our session's? who is said otherwise. */
+/* Does the folder belong to this session? Sets who to the process that began the folder's session. */
 static bool is_ours(const struct point_locks *c, const char *session, char who[MAX_TEXT])
 {
     char text[MAX_TEXT];
@@ -50,7 +50,8 @@ static bool is_ours(const struct point_locks *c, const char *session, char who[M
     return *session && end && strcmp(text, session) == 0;
 }
 
-/* The first of a session has the lock alone for a moment, to write whose it is; then all share it. */
+/* The first process of a session locks the byte exclusively while it writes the session's name; then all its
+ * processes share the lock. */
 static bool enter(const struct point_locks *c, const char *dir, const char *session, char **error)
 {
     static const struct timespec moment = {.tv_nsec = 50000000};

@@ -16,37 +16,37 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* One of a child's two outputs: our end of its pipe, and what is kept of what came. */
+/* One of a child's two outputs: the parent's end of the pipe, and the part of the output that is kept. */
 struct stream {
     struct bufferevent *from;
     struct evbuffer *kept;
     size_t max;
-    bool end_matters; /* keep the end, not the beginning, when there is more */
+    bool end_matters; /* of more than max bytes, keep the last, not the first */
 };
 
 struct child {
     struct pool_job *job;
-    pid_t pid; /* 0: this place is free */
+    pid_t pid; /* 0: this slot is free */
     struct stream out, err;
     double started_s;
-    bool late; /* killed for its limit */
+    bool late; /* killed at its time limit */
 };
 
 struct pool {
     struct event_base *base;
     const struct pool_source *source;
     struct event *refill;
-    struct child *children; /* at_once places */
+    struct child *children; /* at_once slots */
     unsigned at_once;
-    char threads[24]; /* that each child may compute with, so that all of them fill the processors */
+    char threads[24]; /* a child's share of the host's processors, as text */
     size_t running;
-    bool no_more; /* jobs from the source */
-    int stopped;  /* by that signal */
+    bool no_more; /* the source has no more jobs */
+    int stopped;  /* the signal that ended the pool; 0: none */
 };
 
 /* --- a child's output --- */
 
-/* Moves what has come in to what is kept: of standard output the beginning, of standard error the end. */
+/* Moves input to what is kept: the beginning of standard output, the end of standard error. */
 static void keep(struct stream *s, struct evbuffer *in)
 {
     size_t size = evbuffer_get_length(s->kept);
@@ -75,7 +75,8 @@ static void open_stream(struct stream *s, struct event_base *base, int fd, size_
     bufferevent_enable(s->from, EV_READ);
 }
 
-/* Takes what is left in the pipe, without waiting for its end: a grandchild may hold it open. Malloc'd text. */
+/* Returns what was kept, malloc'd. Reads what the pipe still holds but does not wait for its end: a
+ * grandchild may keep the pipe open. */
 static char *close_stream(struct stream *s)
 {
     struct evbuffer *rest = xchecked(evbuffer_new());
@@ -95,7 +96,8 @@ static char *close_stream(struct stream *s)
 
 /* --- a child's life --- */
 
-/* In the child, between fork and exec. It has a process group of its own: a terminal's Ctrl-C is for us to act on. */
+/* Runs in the child, between fork and exec. The child gets its own process group: a terminal's Ctrl-C is for
+ * the parent to handle. */
 static void become(const struct pool_job *job, const char *threads, int out, int err, pid_t parent)
 {
     extern char **environ;
@@ -107,7 +109,7 @@ static void become(const struct pool_job *job, const char *threads, int out, int
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setenv("TOUCHSTONE_WORKERS", threads, 0);
-    if (getppid() != parent) /* it died before the line above */
+    if (getppid() != parent) /* the parent died before prctl() */
         _exit(127);
     int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (in < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0)
@@ -121,7 +123,7 @@ static void become(const struct pool_job *job, const char *threads, int out, int
     _exit(127);
 }
 
-static void settle(struct pool *p, struct pool_job *job, char *error)
+static void finish(struct pool *p, struct pool_job *job, char *error)
 {
     job->state = error ? POOL_FAILED : POOL_DONE;
     job->error = error;
@@ -140,10 +142,10 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
             close(out[i]);
             close(err[i]);
         }
-        settle(p, job, error);
+        finish(p, job, error);
         return;
     }
-    setpgid(pid, pid); /* whoever of us two is first */
+    setpgid(pid, pid); /* the child does so, too: one of the two is first */
     close(out[1]);
     close(err[1]);
     job->state = POOL_RUNNING;
@@ -153,7 +155,7 @@ static void start(struct pool *p, struct child *c, struct pool_job *job)
     p->running++;
 }
 
-/* How it ended and its last words; NULL when it ended well. */
+/* How the child ended, and the end of its standard error; NULL if the child succeeded. */
 static char *describe_end(const struct child *c, int status, const char *err)
 {
     int size = (int)strlen(err);
@@ -177,7 +179,7 @@ static void fill_in(struct pool *p, double s)
     event_add(p->refill, &after);
 }
 
-static struct child *free_place(struct pool *p)
+static struct child *free_slot(struct pool *p)
 {
     for (unsigned i = 0; i < p->at_once; i++)
         if (!p->children[i].pid)
@@ -187,7 +189,7 @@ static struct child *free_place(struct pool *p)
 
 static void fill(struct pool *p)
 {
-    for (struct child *c; !p->stopped && !p->no_more && (c = free_place(p));) {
+    for (struct child *c; !p->stopped && !p->no_more && (c = free_slot(p));) {
         struct pool_job *job = NULL;
         enum pool_next next = p->source->next(p->source->arg, &job);
         if (next == POOL_JOB) {
@@ -201,7 +203,7 @@ static void fill(struct pool *p)
     }
 }
 
-/* Somebody who kills a child by a signal meant for people does not say that its run has failed. */
+/* SIGINT and SIGTERM come from people: the child was stopped, its run did not fail. */
 static bool by_hand(int status)
 {
     return WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM);
@@ -217,7 +219,7 @@ static void end_child(struct pool *p, struct child *c, int status)
     job->stopped = error && (p->stopped || by_hand(status));
     c->pid = 0;
     p->running--;
-    settle(p, job, error);
+    finish(p, job, error);
     free(err);
 }
 
@@ -226,7 +228,7 @@ static void on_child(evutil_socket_t signal, short what, void *arg)
     struct pool *p = arg;
     int status;
     (void)signal, (void)what;
-    /* Each by its own number: other children of this process are not ours to reap. */
+    /* One process id at a time: the pool must not reap other children of this process. */
     for (unsigned i = 0; i < p->at_once; i++)
         if (p->children[i].pid && waitpid(p->children[i].pid, &status, WNOHANG) == p->children[i].pid)
             end_child(p, &p->children[i], status);
@@ -353,7 +355,7 @@ static int longer_first(const void *a, const void *b)
     const struct pool_job *x = *(struct pool_job *const *)a, *y = *(struct pool_job *const *)b;
     if (x->weight != y->weight)
         return x->weight < y->weight ? 1 : -1;
-    return x < y ? -1 : x > y; /* equal ones in the caller's order */
+    return x < y ? -1 : x > y; /* jobs of equal weight in the caller's order */
 }
 
 struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,

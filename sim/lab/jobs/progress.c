@@ -1,4 +1,4 @@
-/* progress.c - how a pool is getting on; see progress.h. */
+/* progress.c - see progress.h. */
 #include "lab/jobs/progress.h"
 
 #include <unistd.h>

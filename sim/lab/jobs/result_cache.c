@@ -24,7 +24,7 @@ static char *folder_of(const char *folder, const char digits[])
     return xasprintf("%s/%.2s", folder, digits);
 }
 
-/* All of the file, malloc'd; NULL: there is none, or errno. */
+/* The file's bytes, malloc'd; NULL if the file cannot be read. */
 static char *read_all(const char *path, size_t *size)
 {
     struct stat st;

@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-/* A file that is gone when it is closed. */
+/* An unlinked file in TMPDIR or /tmp; -1 if none can be made. */
 static int nameless_file(void)
 {
     const char *tmp = getenv("TMPDIR");
@@ -23,7 +23,8 @@ static int nameless_file(void)
 void *scratch_memory_new(size_t bytes)
 {
     int fd = nameless_file();
-    /* With its room: where there is none, a touch would end the process. */
+    /* The file's blocks are allocated first: a write to a mapped page without room on the disk would end the
+     * process. */
     int how = fd >= 0 && posix_fallocate(fd, 0, bytes ? (off_t)bytes : 1) == 0 ? MAP_SHARED
                                                                                : MAP_PRIVATE | MAP_ANONYMOUS;
     void *p = mmap(NULL, bytes ? bytes : 1, PROT_READ | PROT_WRITE, how, how == MAP_SHARED ? fd : -1, 0);

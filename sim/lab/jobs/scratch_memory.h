@@ -1,5 +1,5 @@
-/* scratch_memory.h - zeroed memory for tables that grow with a study: it lies in a file without a name, so that the system can take
- * the pages back, and those never touched take no room anywhere. */
+/* scratch_memory.h - zeroed memory for tables that grow with a study. The memory is an unlinked temporary
+ * file, mapped: the system can write its pages out. Without room for the file it is ordinary memory. */
 #ifndef LAB_JOBS_SCRATCH_MEMORY_H
 #define LAB_JOBS_SCRATCH_MEMORY_H
 #include <stddef.h>

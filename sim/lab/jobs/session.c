@@ -1,5 +1,6 @@
-/* session.c - see session.h. Open MPI's mpirun tells rank and number as OMPI_COMM_WORLD_*, and the job by PMIx; Slurm's
- * srun has SLURM_* for a step of a job. A batch script itself, outside of srun, is alone: it has no step. */
+/* session.c - see session.h. Open MPI's mpirun sets OMPI_COMM_WORLD_RANK and _SIZE, and names the job by
+ * PMIx. Slurm's srun sets SLURM_STEP_* for a step of a job; a batch script outside srun has no step and is a
+ * single process. */
 #include "lab/jobs/session.h"
 
 #include <stdio.h>
@@ -24,14 +25,13 @@ struct session session_find(void)
     if (number("OMPI_COMM_WORLD_SIZE") > 1) {
         t.rank = number("OMPI_COMM_WORLD_RANK");
         t.count = number("OMPI_COMM_WORLD_SIZE");
-        snprintf(t.session, sizeof t.session, "mpirun %.60s %.60s", text("PMIX_NAMESPACE"),
+        snprintf(t.name, sizeof t.name, "mpirun %.60s %.60s", text("PMIX_NAMESPACE"),
                  text("OMPI_MCA_orte_hnp_uri"));
-        t.session[strcspn(t.session, "\n")] = '\0';
+        t.name[strcspn(t.name, "\n")] = '\0';
     } else if (number("SLURM_STEP_NUM_TASKS") > 1 && *text("SLURM_STEP_ID") && *text("SLURM_PROCID")) {
         t.rank = number("SLURM_PROCID");
         t.count = number("SLURM_STEP_NUM_TASKS");
-        snprintf(t.session, sizeof t.session, "srun %.60s.%.60s", text("SLURM_JOB_ID"),
-                 text("SLURM_STEP_ID"));
+        snprintf(t.name, sizeof t.name, "srun %.60s.%.60s", text("SLURM_JOB_ID"), text("SLURM_STEP_ID"));
     }
     return t;
 }

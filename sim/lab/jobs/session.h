@@ -1,11 +1,12 @@
-/* session.h - are we one of several processes that mpirun or srun started to do one thing together? It is asked of the
- * environment, so that nothing of theirs is needed to run without them. */
+/* session.h - is this process one of several that mpirun or srun started for one command? The environment
+ * tells, so that touchstone needs no library of either. */
 #ifndef LAB_JOBS_SESSION_H
 #define LAB_JOBS_SESSION_H
 
 struct session {
-    unsigned rank, count; /* 0 of 1: alone */
-    char session[160];    /* the same for all of them, different for others; "": alone */
+    unsigned rank, count; /* 0 and 1 for a single process */
+    char name
+        [160]; /* equal for the processes of one mpirun or srun, unique otherwise; "" for a single process */
 };
 struct session session_find(void);
 #endif
