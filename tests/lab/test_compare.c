@@ -10,6 +10,7 @@
 
 #include "lab/check/baseline.h"
 #include "lab/check/compare_print.h"
+#include "lab/check/junit.h"
 
 static json_t *json(const char *text)
 {

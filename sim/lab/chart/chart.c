@@ -1,7 +1,7 @@
 /* chart.c - see chart.h.
  *
- * One panel for each value of the panels' axis, in it one line for each value of the lines' axis. A data block is a
- * line: $dPANEL_LINE.
+ * The picture has a panel for each value of the panels' axis, and each panel a line for each value of the
+ * lines' axis. The gnuplot data block of a line is $dPANEL_LINE.
  */
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
@@ -12,13 +12,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a panel has. */
+/* What a panel shows. */
 struct panel {
-    bool line[CHART_MAX_LINES]; /* is there anything of it? */
-    double low, high;           /* of all that is drawn; high < low: nothing */
+    bool line[CHART_MAX_LINES]; /* whether the line has any point */
+    double low, high;           /* range of the values drawn; high < low: there are none */
 };
 
-/* A data block. */
+/* Writes a line's data block and adds the line to the panel. */
 static void write_line(const struct chart_data *d, size_t number, size_t line, struct panel *panel, FILE *out)
 {
     fprintf(out, "$d%zu_%zu << END\n", number, line);
@@ -34,7 +34,7 @@ static void write_line(const struct chart_data *d, size_t number, size_t line, s
     fputs("END\n", out);
 }
 
-/* Single quotes hold anything but themselves, which are doubled. */
+/* In gnuplot's single quotes only the single quote is special: it is doubled. */
 static void write_quoted(const char *text, FILE *out)
 {
     fputc('\'', out);
@@ -53,7 +53,7 @@ static void write_words(const char *before, const char *text, FILE *out)
     fputc('\n', out);
 }
 
-/* The values of an axis are its tics; of many, some. */
+/* The tics are the axis's values, or some of them if there are many. */
 static void write_tics(char which, const struct chart_axis *axis, bool log, FILE *out)
 {
     enum { MOST_TICS = 24 };
@@ -89,7 +89,7 @@ static void write_frame(const struct picture *p, const struct chart_data *d, FIL
         write_tics('y', &d->best, p->log_y && d->best.numeric, out);
 }
 
-/* Tics of a logarithmic axis, near enough to read values by. */
+/* Writes the tics of a logarithmic axis, close enough to read values by. */
 static void write_log_tics(double low, double high, FILE *out)
 {
     static const double steps[] = {1, 1.5, 2, 3, 4, 6, 8};
@@ -104,7 +104,7 @@ static void write_log_tics(double low, double high, FILE *out)
     fputs(")\n", out);
 }
 
-/* Each panel has its own range; one of less than a factor of two is linear in any case. */
+/* Each panel has its own range. A range of less than a factor of two is always linear. */
 static void write_range(const struct picture *c, const struct panel *panel, FILE *out)
 {
     bool log = c->log_y && panel->low > 0 && panel->high >= 2 * panel->low;
@@ -112,7 +112,7 @@ static void write_range(const struct picture *c, const struct panel *panel, FILE
     double low = log ? panel->low / 1.15 : panel->low - room,
            high = log ? panel->high * 1.15 : panel->high + room;
     if (*c->best)
-        return; /* its axis has set it */
+        return; /* the range was set with the axis's tics */
     fputs(log ? "set logscale y\n" : "unset logscale y\nset ytics autofreq\n", out);
     if (log)
         write_log_tics(low, high, out);
@@ -135,7 +135,7 @@ static void write_panel(const struct picture *p, const struct chart_data *d, siz
     for (size_t line = 0; line < lines; line++) {
         if (!panel->line[line])
             continue;
-        /* Lines that meet are still all seen: the later ones are thinner. */
+        /* Later lines are thinner, so that lines that coincide are all visible. */
         double over = lines < 9 ? (double)(lines - line - 1) : 0;
         fprintf(out, "%s $d%zu_%zu with linespoints lw %.1f pt 7 ps %.2f lc rgb '%s' title ", before, number,
                 line, 1.6 + 1.3 * over, 0.6 + 0.3 * over, colours[line % COLOURS]);
@@ -145,7 +145,7 @@ static void write_panel(const struct picture *p, const struct chart_data *d, siz
     fputs("\n", out);
 }
 
-/* All panels, as a picture of that kind. */
+/* Writes all panels as an SVG or PNG picture. */
 static void write_page(const struct picture *p, const struct chart_data *d, const struct panel panel[],
                        bool svg, const char *dir, FILE *out)
 {
@@ -165,7 +165,8 @@ static void write_page(const struct picture *p, const struct chart_data *d, cons
     fputs("unset multiplot\n", out);
 }
 
-/* The study's title, the picture's, and what is not drawn. */
+/* Writes the titles of the study and of the picture, and the values of the axes that the picture does not
+ * use. */
 static void write_heading(const struct record_points *points, const struct picture *p,
                           const struct chart_data *d, FILE *out)
 {
@@ -243,7 +244,7 @@ bool chart_draw(const struct record_points *points, const struct picture *p, con
     return ok;
 }
 
-/* --- pictures for a study that names none ---------------------------------------------------------------- */
+/* --- pictures for a study that names none --------------------------------------------------------------- */
 
 static bool all_numbers(const json_t *values)
 {
@@ -253,7 +254,7 @@ static bool all_numbers(const json_t *values)
     return json_array_size(values) > 0;
 }
 
-/* Do the values span so much that equal factors should be equally far apart? */
+/* Do the values span enough for a logarithmic axis? */
 static bool is_wide(const json_t *values)
 {
     double low = json_number_value(json_array_get(values, 0)), high = low;

@@ -1,7 +1,8 @@
-/* chart_data.c - from results to what a picture draws: in one pass over the points; see chart_parts.h.
+/* chart_data.c - takes what a picture draws from the results, in one pass over the points; see chart_parts.h.
  *
- * At a place is the figure of the point there; or of several points, which differ in the axis `best`, that axis's value
- * at the one with the least figure.
+ * The value at a position (panel, line, x) is the figure of the point there. If the picture has an axis
+ * `best`, several points share the position, and the value is that axis's value at the point with the least
+ * figure.
  */
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
@@ -15,11 +16,11 @@
 struct taker {
     const struct picture *picture;
     struct chart_data *data;
-    double *least; /* the figure behind what is drawn */
-    json_t *fixed; /* axes without a place: their first value */
+    double *least; /* the least figure so far at each position */
+    json_t *fixed; /* axes that the picture does not use: their first values */
 };
 
-/* A value as it is written; malloc'd. */
+/* An axis's value as text, malloc'd. */
 static char *label_of(const json_t *value)
 {
     if (json_is_string(value))
@@ -37,28 +38,28 @@ static void *room(size_t count, size_t size)
 static void take_axis(const json_t *values, const char *name, struct chart_axis *a)
 {
     size_t count = *name ? json_array_size(values) : 1;
-    *a = (struct chart_axis){.name = name, .count = count, .numeric = *name, .place = json_object()};
+    *a = (struct chart_axis){.name = name, .count = count, .numeric = *name, .index = json_object()};
     a->label = room(count, sizeof *a->label);
     a->position = room(count, sizeof *a->position);
     for (size_t i = 0; i < count; i++) {
         const json_t *value = json_array_get(values, i);
         a->label[i] = *name ? label_of(value) : xstrdup("");
         a->numeric &= json_is_number(value);
-        json_set(a->place, a->label[i], json_integer((json_int_t)i));
+        json_set(a->index, a->label[i], json_integer((json_int_t)i));
     }
     for (size_t i = 0; i < count; i++)
         a->position[i] = a->numeric ? json_number_value(json_array_get(values, i)) : (double)(i + 1);
 }
 
-/* Which value of the axis the point has; count: none of them. */
-static size_t place_in(const struct chart_axis *a, const json_t *point)
+/* The index of the point's value on the axis; count if the axis has no such value. */
+static size_t index_on(const struct chart_axis *a, const json_t *point)
 {
     if (!*a->name)
         return 0;
     char *label = label_of(json_object_get(point, a->name));
-    json_t *place = json_object_get(a->place, label);
+    json_t *index = json_object_get(a->index, label);
     free(label);
-    return place ? (size_t)json_integer_value(place) : a->count;
+    return index ? (size_t)json_integer_value(index) : a->count;
 }
 
 static bool is_beside(const struct taker *t, const json_t *point)
@@ -75,8 +76,8 @@ static bool take_point(void *arg, const json_t *point, char **error)
     struct taker *t = arg;
     struct chart_data *d = t->data;
     double figure = figure_of(point, t->picture->figure);
-    size_t panel = place_in(&d->panels, point), line = place_in(&d->lines, point), x = place_in(&d->x, point),
-           best = place_in(&d->best, point);
+    size_t panel = index_on(&d->panels, point), line = index_on(&d->lines, point), x = index_on(&d->x, point),
+           best = index_on(&d->best, point);
     (void)error;
     if (isnan(figure) || panel == d->panels.count || line == d->lines.count || x == d->x.count ||
         best == d->best.count || is_beside(t, point))
@@ -94,14 +95,14 @@ static bool take_axes(const struct record_points *points, const struct picture *
 {
     json_t *axes = json_object_get(points->header, "axes");
     const char *const names[] = {p->x, p->lines, p->panels, p->best};
-    struct chart_axis *const places[] = {&d->x, &d->lines, &d->panels, &d->best};
+    struct chart_axis *const axes_of[] = {&d->x, &d->lines, &d->panels, &d->best};
     for (int i = 0; i < 4; i++)
         if (*names[i] && json_array_size(json_object_get(axes, names[i])) == 0) {
             *error = xasprintf("there is no axis %s", names[i]);
             return false;
         }
     for (int i = 0; i < 4; i++)
-        take_axis(json_object_get(axes, names[i]), names[i], places[i]);
+        take_axis(json_object_get(axes, names[i]), names[i], axes_of[i]);
     if (d->panels.count <= CHART_MAX_PANELS && d->lines.count <= CHART_MAX_LINES &&
         d->panels.count * d->lines.count * d->x.count <= CHART_MAX_CELLS)
         return true;
@@ -111,7 +112,7 @@ static bool take_axes(const struct record_points *points, const struct picture *
     return false;
 }
 
-/* Axes of several values without a place. */
+/* The first values of all axes of several values that the picture does not use. */
 static json_t *fix_rest(const struct record_points *points, const struct picture *p, struct chart_data *d)
 {
     json_t *fixed = json_object(), *values;
@@ -155,7 +156,7 @@ static void free_axis(struct chart_axis *a)
         free(a->label[i]);
     free(a->label);
     free(a->position);
-    json_decref(a->place);
+    json_decref(a->index);
 }
 
 void chart_data_free(struct chart_data *d)

@@ -1,24 +1,26 @@
-/* chart_parts.h - what a picture draws: chart_data.c takes it from results, chart.c writes it as a gnuplot script. */
+/* chart_parts.h - the values that a picture draws: chart_data.c takes them from results, chart.c and
+ * findings.c show them. */
 #ifndef LAB_CHART_CHART_PARTS_H
 #define LAB_CHART_CHART_PARTS_H
 #include "lab/chart/chart.h"
 
 #include <stddef.h>
 
-/* An axis in a picture: its values in order; where it is not used, one without a name. */
+/* An axis of a picture with its values in order. An axis that the picture does not use has the name "" and
+ * one value. */
 struct chart_axis {
     const char *name;
     size_t count;
     char **label;     /* of each value */
-    double *position; /* where it is drawn: numbers where they are, texts at 1, 2, 3 ... */
-    json_t *place;    /* label: which */
+    double *position; /* where each value is drawn: numbers at themselves, texts at 1, 2, 3 ... */
+    json_t *index;    /* label: the value's index */
     bool numeric;
 };
 
 struct chart_data {
     struct chart_axis x, lines, panels, best;
-    double *drawn; /* for each panel, line and x; NAN where there is nothing */
-    char *fixed;   /* "disks 2, clock 40": axes without a place; "" */
+    double *drawn; /* for each panel, line and x; NAN where there is no point */
+    char *fixed;   /* "disks 2, clock 40": the axes held at their first values; "" if none */
 };
 
 enum { CHART_MAX_PANELS = 64, CHART_MAX_LINES = 64, CHART_MAX_CELLS = 10000000 };

@@ -1,7 +1,7 @@
 /* findings.c - see findings.h.
  *
- * The sentences under a table are arithmetic on it: where a line has its least, from where on it is within a tenth of
- * that, and which line is least where. Nothing is said that the table does not show.
+ * The sentences under a table follow from its figures: where each line is best, the range in which the line
+ * stays within a tenth of its best, and which line is best where.
  */
 #include "lab/chart/findings.h"
 #include "files/atomic_file.h"
@@ -20,7 +20,7 @@ struct page {
     FILE *out;
 };
 
-/* --- what was run ----------------------------------------------------------------------------------------------- */
+/* --- what was run --------------------------------------------------------------------------------------- */
 
 struct tally {
     size_t points, failed;
@@ -64,7 +64,7 @@ static bool write_head(const struct record_points *points, FILE *out, char **err
     return true;
 }
 
-/* --- a table ---------------------------------------------------------------------------------------------------- */
+/* --- a table -------------------------------------------------------------------------------------------- */
 
 static const char *what(const struct page *p)
 {
@@ -73,14 +73,14 @@ static const char *what(const struct page *p)
                                 : p->picture->figure;
 }
 
-/* Four figures, or all of a larger whole part. */
+/* Writes v with four significant figures, or more if its whole part has more. */
 static void write_value(FILE *out, double v)
 {
     int whole = v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
     fprintf(out, "%.*f", whole >= 4 ? 0 : 4 - whole, v);
 }
 
-/* The value itself, or the name of the axis's value that is best. */
+/* Writes a cell: the figure, or the label of the best axis's value. */
 static void write_cell(const struct page *p, double v)
 {
     const struct chart_axis *best = &p->data->best;
@@ -123,9 +123,9 @@ static void write_table(const struct page *p, size_t panel)
     fputc('\n', p->out);
 }
 
-/* --- what can be read off it ------------------------------------------------------------------------------------ */
+/* --- what can be read off it ---------------------------------------------------------------------------- */
 
-/* Speeds are good when they are high, all else when it is low: what is compared. */
+/* A number that is lower for a better figure: higher speeds are better, of all other figures lower values. */
 static double merit(const struct page *p, size_t panel, size_t line, size_t x)
 {
     double v = chart_at(p->data, panel, line, x);
@@ -137,7 +137,7 @@ static const char *best_word(const struct page *p)
     return strncmp(p->picture->figure, "speed", 5) == 0 ? "most" : "least";
 }
 
-/* Where a line is best; d->x.count: nowhere. */
+/* The x at which a line is best; d->x.count if the line has no points. */
 static size_t best_of(const struct page *p, size_t panel, size_t line)
 {
     const struct chart_data *d = p->data;
@@ -150,7 +150,7 @@ static size_t best_of(const struct page *p, size_t panel, size_t line)
     return at;
 }
 
-/* From where to where it stays near its best, without a gap. */
+/* The range around `at` in which the line stays within a tenth of its best. */
 static void near_best(const struct page *p, size_t panel, size_t line, size_t at, size_t *from, size_t *to)
 {
     double best = merit(p, panel, line, at), most = best + TENTH * fabs(best);
@@ -160,7 +160,7 @@ static void near_best(const struct page *p, size_t panel, size_t line, size_t at
         ++*to;
 }
 
-/* "8.000 to 6.000 (x 0.750) from nodes 1 to 8; " */
+/* Writes "8.000 to 6.000 (x 0.750) from nodes 1 to 8; ". */
 static void say_change(const struct page *p, size_t panel, size_t line)
 {
     const struct chart_data *d = p->data;
@@ -196,7 +196,7 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     fputs(".\n", p->out);
 }
 
-/* Which line is best at x; d->lines.count: there are not two that differ. */
+/* The line that is best at x; d->lines.count if fewer than two lines differ there. */
 static size_t winner(const struct page *p, size_t panel, size_t x)
 {
     const struct chart_data *d = p->data;

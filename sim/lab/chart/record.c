@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- JSON ------------------------------------------------------------------------------------------------ */
+/* --- JSON ----------------------------------------------------------------------------------------------- */
 
 struct json_writer {
     FILE *out;
     size_t count;
 };
 
-/* As jansson lays it out, but further in. */
+/* Writes the value as jansson lays it out, further lines indented. */
 static void write_value(const json_t *value, const char *indent, FILE *out)
 {
     char *text = xchecked(json_dumps(value, JSON_INDENT(1) | JSON_REAL_PRECISION(15) | JSON_ENCODE_ANY));
@@ -56,9 +56,9 @@ static bool write_json(const struct record_points *points, FILE *out, char **err
     return ok;
 }
 
-/* --- comma-separated values ------------------------------------------------------------------------------ */
+/* --- comma-separated values ----------------------------------------------------------------------------- */
 
-/* Texts in double quotes, with quotes in them doubled. */
+/* Writes the text in double quotes, with the quotes in it doubled. */
 static void write_text(const char *text, FILE *out)
 {
     fputc('"', out);
@@ -80,7 +80,8 @@ static void write_cell(const json_t *value, FILE *out)
         fprintf(out, "%.15g", json_real_value(value));
 }
 
-/* The names of all points' figures, in the order in which they come up. */
+/* Adds the names of the point's figures to the columns, in order of appearance. Lists and objects are no
+ * columns. */
 static bool add_columns(void *arg, const json_t *point, char **error)
 {
     const char *key;
@@ -132,7 +133,7 @@ static bool write_csv(const struct record_points *points, FILE *out, char **erro
     return ok;
 }
 
-/* --- files ----------------------------------------------------------------------------------------------- */
+/* --- files ---------------------------------------------------------------------------------------------- */
 
 static bool write_file(const struct record_points *points, const char *dir, const char *name,
                        bool (*write)(const struct record_points *, FILE *, char **), char **error)

@@ -18,9 +18,9 @@ json_t *baseline_new(void)
     return root;
 }
 
-/* --- reading --------------------------------------------------------------------------------------------- */
+/* --- reading -------------------------------------------------------------------------------------------- */
 
-/* Why a point cannot be used: NULL, or what it should be. */
+/* What is wrong with a point; NULL if nothing is. */
 static const char *wrong_point(const json_t *point)
 {
     const char *key;
@@ -37,7 +37,7 @@ static const char *wrong_point(const json_t *point)
     return NULL;
 }
 
-/* False with *error. */
+/* Is this a baseline? False with *error malloc'd. */
 static bool check(const json_t *root, const char *path, char **error)
 {
     const char *format = json_string_value(json_object_get(root, "format")), *study, *name, *why;

@@ -1,4 +1,5 @@
-/* baseline_point.c - a point as a baseline has it: its figures, and where its nodes' time went; see baseline.h. */
+/* baseline_point.c - the baseline's form of a point: its figures, and where its nodes' time went; see
+ * baseline.h. */
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/check/baseline.h"
@@ -9,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The number that its 15 digits in a file say, so that what was written and what is run compare as equal. */
+/* The value as its 15 digits in a file will be read back: a point from a run and the same point from a file
+ * compare as equal. */
 static double as_written(double value)
 {
     char text[32];
@@ -17,7 +19,7 @@ static double as_written(double value)
     return strtod(text, NULL);
 }
 
-/* Adds to the number of that key, which begins at 0; times that are nought are left out. */
+/* Adds seconds to the number of that key, which starts at 0. Sums of 0 are left out. */
 static void add(json_t *to, const char *key, double seconds)
 {
     double sum = json_number_value(json_object_get(to, key)) + seconds;
@@ -25,14 +27,14 @@ static void add(json_t *to, const char *key, double seconds)
         json_set(to, key, json_real(as_written(sum)));
 }
 
-/* --- figures --------------------------------------------------------------------------------------------- */
+/* --- figures -------------------------------------------------------------------------------------------- */
 
 static bool begins(const char *text, const char *with)
 {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The means of classes are in `where`; the others say what was run, not what came of it. */
+/* Is this a figure? Means of classes are in `where`; the keys listed here tell what was run. */
 static bool is_kept(const char *key)
 {
     static const char *const no[] = {"program",    "machine", "nodes",   "arguments", "settings",
@@ -43,7 +45,7 @@ static bool is_kept(const char *key)
     return !strstr(key, "wall_time") && !begins(key, "handlers.") && !begins(key, "others.");
 }
 
-/* As it will be read from the file; NULL for what is no figure. */
+/* The figure as it will be read back from the file; NULL if the value is no figure. */
 static json_t *figure(const json_t *value)
 {
     if (json_is_real(value))
@@ -58,13 +60,13 @@ static json_t *figure(const json_t *value)
     return json_is_integer(value) || json_is_string(value) ? json_copy((json_t *)value) : NULL;
 }
 
-/* Programs without files of the machine's have nothing to say of them. */
+/* Figures of the machine's file system are left out if they are 0. */
 static bool is_unused(const char *key, const json_t *value)
 {
     return begins(key, "files.") && json_is_number(value) && json_number_value(value) == 0;
 }
 
-/* time_s is one of the two under another name, where the program prints none of its own (study.h). */
+/* Does time_s only repeat total_s or virtual_time_s (study.h)? */
 static bool is_twice(const json_t *figures)
 {
     double time = figure_of(figures, "time_s");
@@ -83,9 +85,9 @@ static json_t *figures_kept(const json_t *figures, const json_t *axes)
     return kept;
 }
 
-/* --- where the time went: by a profile ------------------------------------------------------------------- */
+/* --- where the time went: by a profile ------------------------------------------------------------------ */
 
-/* As it stays when lines are added above it, or the program is compiled in another folder. */
+/* A name that does not change with line numbers or the folder of compilation. */
 static char *function_name(const json_t *function)
 {
     const char *name = json_string_value(json_object_get(function, "function")),
@@ -110,7 +112,7 @@ static json_t *functions_of(const json_t *profile, const char *class)
     return to;
 }
 
-/* "copying" for copying_s */
+/* The system's seconds by task: "copying" for copying_s. */
 static json_t *tasks_of(const json_t *class)
 {
     json_t *to = json_object(), *seconds;
@@ -154,9 +156,9 @@ static json_t *where_of_profile(const json_t *profile)
     return where;
 }
 
-/* --- the same, without one ------------------------------------------------------------------------------- */
+/* --- the same, without one ------------------------------------------------------------------------------ */
 
-/* From the means of its nodes. `waits.KIND_s` are parts of idle. */
+/* `where` of a class from the means of its nodes. The figures waits.KIND_s are parts of idle_s. */
 static json_t *where_of_class(const json_t *figures, const char *prefix, double nodes)
 {
     json_t *to = json_object(), *functions = json_object(), *system = json_object(), *idle = json_object();

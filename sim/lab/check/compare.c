@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- a figure -------------------------------------------------------------------------------------------- */
+/* --- a figure ------------------------------------------------------------------------------------------- */
 
-/* 1: more is worse; -1: less is worse; 0: neither. */
+/* 1 if more of the figure is worse, -1 if less is worse, 0 if neither. */
 static int direction(const char *figure)
 {
     static const char *const costs[] = {"total_s",  "time_s", "virtual_time_s",
@@ -24,13 +24,13 @@ static int direction(const char *figure)
     return 0;
 }
 
-/* Is the change of this speed its own, and not that of the point it is relative to? Only if the time changed that way. */
+/* Did this speed change because the point's own time did? (It is relative to another point's time, too.) */
 static bool is_own(const struct compare_figure *f, double longer)
 {
     return isnan(longer) || f->change * longer < 0;
 }
 
-/* The last that is about it; NULL: none. */
+/* The last tolerance for the figure, or else the last general one; NULL if there is none. */
 static const struct compare_tolerance *tolerance_of(const struct compare_rules *rules, const char *figure)
 {
     const struct compare_tolerance *general = NULL, *own = NULL;
@@ -48,7 +48,7 @@ static bool is_within(const struct compare_figure *f, const struct compare_toler
     return t && fabs(f->change) <= t->allowed * (t->relative ? fabs(json_number_value(f->before)) : 1);
 }
 
-/* longer: how much the run's time is, seconds; NAN: not known. */
+/* longer: by how many seconds the run's time grew; NAN if not known. */
 static enum compare_verdict judge(const struct compare_figure *f, double longer,
                                   const struct compare_rules *rules)
 {
@@ -79,7 +79,7 @@ static struct compare_figure figure_of_both(const char *name, const json_t *befo
     return f;
 }
 
-/* The gravest first, then the largest change. */
+/* Sorts by gravity, then by size of the change. */
 static int by_gravity(const void *a, const void *b)
 {
     const struct compare_figure *x = a, *y = b;
@@ -120,7 +120,7 @@ static void compare_figures(struct compare_point *p, const struct compare_rules 
         qsort(p->figures, p->figure_count, sizeof *p->figures, by_gravity);
 }
 
-/* --- where the time moved -------------------------------------------------------------------------------- */
+/* --- where the time moved ------------------------------------------------------------------------------- */
 
 static int by_move(const void *a, const void *b)
 {
@@ -158,7 +158,7 @@ static void compare_class(struct compare_point *p, const char *class, const json
              json_object_get(after, "ended"));
 }
 
-/* Was the program profiled? Then it has functions by name, and not one for all. */
+/* Was the program profiled? A profile names functions; without one there is only "all of the program". */
 static bool is_profiled(const json_t *where)
 {
     const char *class;
@@ -184,7 +184,7 @@ static void compare_where(struct compare_point *p)
         qsort(p->moves, p->move_count, sizeof *p->moves, by_move);
 }
 
-/* --- a point --------------------------------------------------------------------------------------------- */
+/* --- a point -------------------------------------------------------------------------------------------- */
 
 static void set_time(struct compare_point *p)
 {

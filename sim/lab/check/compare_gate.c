@@ -5,18 +5,19 @@
 #include "kernel/xalloc.h"
 #include "lab/check/baseline.h"
 #include "lab/check/compare_print.h"
+#include "lab/check/junit.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_TOLD = 20 }; /* points told in full; of the others a line */
+enum { MOST_TOLD = 20 }; /* points printed in full; the others are printed in a line each */
 
 struct gate {
     const struct gate_options *options;
-    struct compare_rules rules; /* the options' */
-    json_t *baseline;           /* as it was */
-    json_t *update;             /* as it will be; NULL unless it is to be written */
+    struct compare_rules rules; /* from the options */
+    json_t *baseline;           /* as read */
+    json_t *update;             /* the new baseline; NULL without --update */
     struct compare_point **points;
     size_t count;
 };
@@ -26,10 +27,10 @@ struct visit {
     struct gate *gate;
     const char *study;
     const json_t *axes, *before;
-    json_t *seen; /* names */
+    json_t *seen; /* names of the points compared so far */
 };
 
-/* --- comparing ------------------------------------------------------------------------------------------- */
+/* --- comparing ------------------------------------------------------------------------------------------ */
 
 static void keep(struct gate *g, struct compare_point *p)
 {
@@ -81,7 +82,7 @@ static bool compare_study(struct gate *g, struct study *s, const char *name, cha
     return good;
 }
 
-/* --- running --------------------------------------------------------------------------------------------- */
+/* --- running -------------------------------------------------------------------------------------------- */
 
 static char *study_name(const char *file)
 {
@@ -105,7 +106,7 @@ static bool run_study(struct gate *g, const char *file, const char *name, char *
     return good;
 }
 
-/* A name that was misspelt must not pass as a study of new points. */
+/* Without --update the baseline must have the study: a misspelt name would pass as a study of new points. */
 static bool is_known(const struct gate *g, const char *file, const char *name, char **error)
 {
     for (const char *const *other = g->options->files; *other != file; other++) {
@@ -134,7 +135,7 @@ static bool run_all(struct gate *g, char **error)
     return good;
 }
 
-/* --- telling --------------------------------------------------------------------------------------------- */
+/* --- telling -------------------------------------------------------------------------------------------- */
 
 static void print_all(const struct gate *g, FILE *out)
 {
@@ -177,7 +178,7 @@ static bool write_junit(const struct gate *g, char **error)
     return atomic_file_end(&d, error);
 }
 
-/* --- the whole ------------------------------------------------------------------------------------------- */
+/* --- the whole ------------------------------------------------------------------------------------------ */
 
 static bool open_baseline(struct gate *g, char **error)
 {
@@ -201,7 +202,7 @@ static size_t failures(const struct gate *g, enum compare_verdict from)
     return count;
 }
 
-/* A tolerance for a figure that no point has is a mistake, not a tolerance. */
+/* A tolerance for a figure that no point has is a mistake. */
 static bool check_rules(const struct gate *g, char **error)
 {
     const char *unused = compare_rules_unused(&g->rules);

@@ -1,9 +1,8 @@
-/* compare_gate.h - touchstone check: runs studies, compares them with a baseline, says what differs; or makes them the
- * baseline.
+/* compare_gate.h - touchstone check: runs studies, compares them with a baseline and prints what differs, or
+ * makes them the baseline.
  *
- * A study is known in the baseline by its file's name without folder and .cfg. Of the baseline's other studies nothing is
- * said, and they stay when it is written anew. Points are compared one at a time; of those that are the same only the
- * name is kept.
+ * A study's name in the baseline is its file's name without folder and .cfg. The baseline's other studies are
+ * not compared, and an update keeps them.
  */
 #ifndef LAB_CHECK_COMPARE_GATE_H
 #define LAB_CHECK_COMPARE_GATE_H
@@ -15,15 +14,15 @@ struct gate_options {
     const char *const *files; /* of studies; ended by NULL */
     struct compare_rules rules;
     const char *junit;          /* a file to write, or NULL */
-    const char *dir;            /* what runs leave goes to DIR/STUDY */
+    const char *dir;            /* the results of each study go to DIR/STUDY */
     bool update;                /* write the baseline */
-    struct study_options study; /* of each study; file and dir are set here */
+    struct study_options study; /* for each study; gate_run() sets file and dir */
 };
 
 enum gate_end {
     GATE_PASSED,
-    GATE_WORSE, /* a point is worse, missing or failed: it was told on study.out */
-    GATE_ERROR, /* *error is a malloc'd text for the user; the baseline is as it was */
+    GATE_WORSE, /* a point is worse, missing or failed, as study.out tells */
+    GATE_ERROR, /* *error is a malloc'd text for the user; the baseline is unchanged */
 };
 enum gate_end gate_run(const struct gate_options *options, char **error);
 #endif

@@ -1,11 +1,11 @@
-/* compare_print.c - comparisons for people; see compare_print.h. */
+/* compare_print.c - see compare_print.h. */
 #include "lab/check/compare_print.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { MOST_MOVES = 5 };               /* of a kind */
-static const double LEAST_MOVE = 1e-3; /* beside the largest of its kind */
+enum { MOST_MOVES = 5 };               /* shown of each kind */
+static const double LEAST_MOVE = 1e-3; /* shown, as a part of the largest of its kind */
 
 static const char *verdict_word(enum compare_verdict v)
 {
@@ -13,7 +13,7 @@ static const char *verdict_word(enum compare_verdict v)
     return words[v];
 }
 
-/* --- figures --------------------------------------------------------------------------------------------- */
+/* --- figures -------------------------------------------------------------------------------------------- */
 
 static void print_value(const json_t *value, FILE *out)
 {
@@ -55,9 +55,9 @@ static void print_figures(const struct compare_point *p, FILE *out)
     }
 }
 
-/* --- where the time moved -------------------------------------------------------------------------------- */
+/* --- where the time moved ------------------------------------------------------------------------------- */
 
-/* As a profile's table calls them. */
+/* The class's name in a profile's table. */
 static const char *class_word(const char *class)
 {
     return strcmp(class, "with_handlers") == 0 ? "handlers" : class;
@@ -80,7 +80,7 @@ static double change_of(const struct compare_move *m)
     return m->after_s - m->before_s;
 }
 
-/* The largest, and none that is nothing beside it. */
+/* Prints the largest moves of a kind; the small ones as a sum. */
 static void print_kind(const struct compare_point *p, size_t from, size_t to, FILE *out)
 {
     double rest = 0, least = LEAST_MOVE * fabs(change_of(&p->moves[from]));
@@ -93,7 +93,7 @@ static void print_kind(const struct compare_point *p, size_t from, size_t to, FI
         fprintf(out, "    %zu more, %+.6f s\n", to - shown, rest);
 }
 
-/* "others    in all: functions +1.000000 s, idle -0.500000 s" */
+/* Prints "others    in all: functions +1.000000 s, idle -0.500000 s". */
 static void print_class(const struct compare_point *p, const char *class, FILE *out)
 {
     static const char *const kinds[COMPARE_KINDS] = {"functions", "system", "idle", "ended"};
@@ -111,7 +111,7 @@ static void print_class(const struct compare_point *p, const char *class, FILE *
     fputc('\n', out);
 }
 
-/* Functions come first: they are the cause where anything is, and waits follow from them. */
+/* Functions come first: other times usually change because of them. */
 static void print_moves(const struct compare_point *p, FILE *out)
 {
     const char *class;
@@ -128,7 +128,7 @@ static void print_moves(const struct compare_point *p, FILE *out)
     json_object_foreach(json_object_get(p->after, "where"), class, value) print_class(p, class, out);
 }
 
-/* --- a point --------------------------------------------------------------------------------------------- */
+/* --- a point -------------------------------------------------------------------------------------------- */
 
 static void print_head(const struct compare_point *p, FILE *out)
 {

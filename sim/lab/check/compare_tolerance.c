@@ -1,12 +1,12 @@
-/* compare_tolerance.c - reads how much a figure may differ; see compare.h. */
+/* compare_tolerance.c - see compare_tolerance.h. */
+#include "lab/check/compare_tolerance.h"
 #include "kernel/xalloc.h"
-#include "lab/check/compare.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* "1%" or "0.5" */
+/* Reads "1%" or "0.5". */
 static bool read_amount(const char *text, struct compare_tolerance *t)
 {
     char *end;

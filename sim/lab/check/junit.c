@@ -1,11 +1,12 @@
-/* junit.c - comparisons as JUnit XML; see compare_print.h. */
+/* junit.c - see junit.h. */
+#include "lab/check/junit.h"
 #include "kernel/xalloc.h"
 #include "lab/check/compare_print.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The length of the UTF-8 sequence at s, of a character that XML 1.0 may have; 0: none begins there. */
+/* The length of the UTF-8 sequence at s if XML 1.0 allows its character; otherwise 0. */
 static size_t xml_character(const unsigned char *s)
 {
     static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -26,7 +27,8 @@ static size_t xml_character(const unsigned char *s)
     return bad ? 0 : length;
 }
 
-/* Text, also within attributes. What XML cannot have, as a failed program may have said, becomes '?'. */
+/* Writes text, for content and attributes. Bytes that XML does not allow become '?': programs may print
+ * anything. */
 static void write_text(const char *text, FILE *out)
 {
     for (const unsigned char *s = (const unsigned char *)text; *s;) {
@@ -51,7 +53,7 @@ static void write_attribute(const char *name, const char *value, FILE *out)
     fputc('"', out);
 }
 
-/* What is printed of it, malloc'd. */
+/* What print writes of a point, malloc'd. */
 static char *told(const struct compare_point *p, void (*print)(const struct compare_point *, FILE *))
 {
     char *text = NULL;
@@ -91,7 +93,7 @@ static void write_case(const struct compare_point *p, FILE *out)
     free(class);
 }
 
-/* Attributes of all test cases, or of those of one study. */
+/* Writes the attributes that count these test cases. */
 static void write_counts(struct compare_point *const points[], size_t count, FILE *out)
 {
     size_t failures = 0, errors = 0;
