@@ -35,7 +35,7 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {false, "program = ;", "study.cfg:1: syntax error (settings are written: key = value;)"},
         {false, "machine = \"m\";\naxes = ( );", "study.cfg: program: missing"},
         {true, "porgram = \"q\";", "study.cfg:4: porgram: unknown key; known here: title, about, "},
-        {true, "nodes = 4;", "study.cfg:4: nodes: an axis has it: one of them only"},
+        {true, "nodes = 4;", "study.cfg:4: nodes: there is an axis of that name; give only one of the two"},
         {true, "only = ( \"nods < 4\" );",
          "study.cfg:4: only: there is no axis nods; there are: nodes, kind"},
         {true, "only = ( \"kind < 4\" );",
@@ -50,10 +50,10 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {true, "pictures = ( { file = \"f\"; x = \"group\"; y = \"s\"; } );",
          "study.cfg:4: x: there is no axis group"},
         {true, "pictures = ( { file = \"f\"; x = \"nodes\"; y = \"s\"; } );",
-         "study.cfg:4: f: axis kind has no place: x, lines, panels and best are to be had"},
+         "study.cfg:4: f: axis kind must be x, lines, panels or best"},
         {true,
          "pictures = ( { file = \"f\"; x = \"nodes\"; y = \"s\"; lines = \"nodes\"; panels = \"kind\"; } );",
-         "study.cfg:4: f: axis nodes has 2 places of x, lines, panels, best; one is allowed"},
+         "study.cfg:4: f: axis nodes is given 2 times as x, lines, panels or best; once is allowed"},
         {true, "pictures = ( { file = \"f/g\"; x = \"nodes\"; y = \"s\"; } );",
          "study.cfg:4: file: \"f/g\" is no name: letters, digits, _ - . are allowed"},
         {true, "pictures = ( { file = \"f\"; x = \"nodes\"; } );", "study.cfg:4: y: missing"},
@@ -150,7 +150,7 @@ static void assert_values(const char *rest, const char *axis, const char *expect
             free(error);
         } else if (is == POINT_WANTED) {
             snprintf(said + strlen(said), sizeof said - strlen(said), "%s%s", *said ? " " : "",
-                     p.value[spec_place(s, spec_axis(s, axis))].text);
+                     p.value[spec_axis_index(s, spec_axis(s, axis))].text);
         }
     }
     assert_string_equal(said, expected);

@@ -1,4 +1,4 @@
-/* expr.c - see expr.h. Read by recursive descent into a tree whose parts lie in one array. */
+/* expr.c - see expr.h. A recursive-descent parser builds a tree whose nodes (parts) lie in one array. */
 #include "lab/study/expr.h"
 #include "kernel/xalloc.h"
 
@@ -43,8 +43,8 @@ enum kind {
 
 struct part {
     enum kind kind;
-    short at[3]; /* its own parts, in the array */
-    short name;  /* NAME: which */
+    short at[3]; /* operands: indices in the array */
+    short name;  /* NAME: its index among the names */
     bool is_text;
     double number; /* NUMBER */
     char *text;    /* TEXT */
@@ -65,7 +65,7 @@ struct reader {
     size_t name_count;
     const char *at;
     int depth;
-    char *why; /* the first thing that is wrong */
+    char *why; /* the first error */
 };
 
 static short fail(struct reader *r, char *why)
@@ -92,7 +92,7 @@ static bool is_text(const struct reader *r, short at)
     return at >= 0 && r->e->part[at].is_text;
 }
 
-/* Takes the sign if it is next. */
+/* Skips the sign if it is next. False if it is not. */
 static bool take(struct reader *r, const char *sign)
 {
     r->at += strspn(r->at, " \t\n");
@@ -103,7 +103,7 @@ static bool take(struct reader *r, const char *sign)
     return true;
 }
 
-/* "nodes, group" */
+/* All known names: "nodes, group"; malloc'd. */
 static char *list_of_names(const struct reader *r)
 {
     char list[MAX_LIST] = "";
@@ -120,7 +120,7 @@ static short no_such_name(struct reader *r, const char *word)
     return failed;
 }
 
-/* A text where a number is needed. */
+/* Fails if the part is a text: a number is needed. */
 static short need_number(struct reader *r, short at)
 {
     if (!is_text(r, at))
@@ -132,7 +132,7 @@ static short need_number(struct reader *r, short at)
                              r->names[p->name].name));
 }
 
-/* --- leaves ---------------------------------------------------------------------------------------------- */
+/* --- leaves --------------------------------------------------------------------------------------------- */
 
 static short alternative(struct reader *r);
 
@@ -145,7 +145,7 @@ static const struct {
                  {"log2", LOG2, 1}, {"abs", ABS, 1},     {"if", IF, 3}};
 enum { FUNCTION_COUNT = sizeof FUNCTIONS / sizeof *FUNCTIONS };
 
-/* After its name and "(". */
+/* Reads a function's arguments, after its name and "(". */
 static short arguments(struct reader *r, size_t function)
 {
     struct part p = {.kind = FUNCTIONS[function].kind, .at = {-1, -1, -1}};
@@ -173,7 +173,7 @@ static short word(struct reader *r)
     char text[MAX_WORD];
     size_t n = strspn(r->at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-");
     size_t plain = strspn(r->at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.");
-    /* the longest known name; a minus may also be the sign */
+    /* Tries the longest name first: a minus may belong to a name or be the sign. */
     for (size_t size = n < MAX_WORD ? n : MAX_WORD - 1; size > 0; size--) {
         snprintf(text, sizeof text, "%.*s", (int)size, r->at);
         short name = size == n || r->at[size] == '-' ? name_of(r, text) : -1;
@@ -222,7 +222,7 @@ static short leaf(struct reader *r)
                           : xasprintf("something is missing at the end of \"%s\"", r->e->text));
 }
 
-/* --- signs, by how they bind ----------------------------------------------------------------------------- */
+/* --- signs, by how they bind ---------------------------------------------------------------------------- */
 
 static short factor(struct reader *r)
 {
@@ -241,7 +241,7 @@ static short factor(struct reader *r)
     return inner;
 }
 
-/* Is text one that the name can be? */
+/* Fails unless text is one of the name's values. */
 static short check_text(struct reader *r, short name, const char *text)
 {
     const struct expr_name *n = &r->names[r->e->part[name].name];
@@ -257,7 +257,7 @@ static short check_text(struct reader *r, short name, const char *text)
         r, xasprintf("%s is neither an axis nor a value of %s; its values are: %s", text, n->name, list));
 }
 
-/* = and != with a text on one side at least. */
+/* Reads = or != between texts, or between a text and a name. */
 static short compare_texts(struct reader *r, enum kind kind, short left, short right)
 {
     for (int side = 0; side < 2; side++) {
@@ -266,7 +266,7 @@ static short compare_texts(struct reader *r, enum kind kind, short left, short r
         if (p->kind != NAME || !p->is_text)
             continue;
         struct part *o = &r->e->part[other];
-        if (o->kind == NUMBER) /* a value that happens to look like a number */
+        if (o->kind == NUMBER) /* a text that looks like a number */
             *o = (struct part){.kind = TEXT, .is_text = true, .text = xasprintf("%.15g", o->number)};
         if (!o->is_text)
             return need_number(r, name);
@@ -356,7 +356,7 @@ void expr_free(struct expr *e)
     free(e);
 }
 
-/* --- what it comes to ------------------------------------------------------------------------------------ */
+/* --- what it comes to ----------------------------------------------------------------------------------- */
 
 static const char *text_at(const struct part *p, const struct expr_value values[])
 {

@@ -10,22 +10,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A machine with its settings, checked; points have few different ones, so that the latest are kept. */
+/* A machine file with settings that has been checked. Points have few different machines: the latest are
+ * remembered. */
 struct checked {
-    char *name; /* machine file and settings, a line each; NULL: none here */
+    char *name; /* machine file and settings, a line each; NULL: this slot is free */
     struct digest digest;
     char *machine;
     bool cube;
     uint32_t dimension, rows, columns;
 };
-enum { KEPT = 64 };
+enum { MACHINES = 64 };
 
 struct inputs {
     const struct spec *spec;
-    struct inputs_places places;
-    json_t *shared; /* what all points have in common */
-    struct checked kept[KEPT];
-    char *latest_path; /* the machine file that was looked at last */
+    struct inputs_paths paths;
+    json_t *shared; /* the inputs that all points share */
+    struct checked machines[MACHINES];
+    char *latest_path; /* the machine file whose digest was taken last */
     struct digest latest;
 };
 
@@ -36,7 +37,7 @@ static json_t *digest_json(struct digest d)
     return json_string(text);
 }
 
-/* --- what all points share ------------------------------------------------------------------------------- */
+/* --- what all points share ------------------------------------------------------------------------------ */
 
 static bool add_file(json_t *to, const char *key, const char *path, const char *what, char **error)
 {
@@ -49,7 +50,7 @@ static bool add_file(json_t *to, const char *key, const char *path, const char *
     return true;
 }
 
-/* NAME from dir, unless it is absolute; malloc'd. */
+/* The path of name relative to dir; malloc'd. */
 static char *from(const char *dir, const char *name)
 {
     return *name == '/' ? xstrdup(name) : xasprintf("%s/%s", dir, name);
@@ -60,7 +61,7 @@ static bool read_shared(struct inputs *in, char **error)
     json_t *files = json_object();
     bool ok = true;
     for (const char **name = in->spec->inputs; ok && *name; name++) {
-        char *path = from(in->places.dir, *name), *what = xasprintf("%s: inputs: ", in->spec->path);
+        char *path = from(in->paths.dir, *name), *what = xasprintf("%s: inputs: ", in->spec->path);
         ok = add_file(files, *name, path, what, error);
         free(path);
         free(what);
@@ -68,14 +69,14 @@ static bool read_shared(struct inputs *in, char **error)
     json_set(in->shared, "inputs", files);
     json_set(in->shared, "libc", json_string(gnu_get_libc_version()));
     json_set(in->shared, "profile", json_boolean(in->spec->profile));
-    return ok && add_file(in->shared, "touchstone", in->places.runner, "", error) &&
-           add_file(in->shared, "program", in->places.program, "", error);
+    return ok && add_file(in->shared, "touchstone", in->paths.runner, "", error) &&
+           add_file(in->shared, "program", in->paths.program, "", error);
 }
 
-struct inputs *inputs_open(const struct spec *s, const struct inputs_places *places, char **error)
+struct inputs *inputs_open(const struct spec *s, const struct inputs_paths *paths, char **error)
 {
     struct inputs *in = xcalloc(1, sizeof *in);
-    *in = (struct inputs){.spec = s, .places = *places, .shared = json_object()};
+    *in = (struct inputs){.spec = s, .paths = *paths, .shared = json_object()};
     if (read_shared(in, error))
         return in;
     inputs_close(in);
@@ -93,19 +94,19 @@ void inputs_close(struct inputs *in)
 {
     if (!in)
         return;
-    for (int i = 0; i < KEPT; i++)
-        forget(&in->kept[i]);
+    for (int i = 0; i < MACHINES; i++)
+        forget(&in->machines[i]);
     json_decref(in->shared);
     free(in->latest_path);
     free(in);
 }
 
-/* --- the machine ----------------------------------------------------------------------------------------- */
+/* --- the machine ---------------------------------------------------------------------------------------- */
 
 char **inputs_settings(const struct inputs *in, const struct point *p)
 {
     char **list = point_settings(in->spec, p);
-    for (const char *const *more = in->places.set; more && *more; more++)
+    for (const char *const *more = in->paths.set; more && *more; more++)
         words_add(&list, xstrdup(*more));
     return list;
 }
@@ -113,20 +114,20 @@ char **inputs_settings(const struct inputs *in, const struct point *p)
 char **inputs_arguments(const struct inputs *in, const struct point *p)
 {
     char **list = point_arguments(in->spec, p);
-    for (const char *const *more = in->places.arguments; more && *more; more++)
+    for (const char *const *more = in->paths.arguments; more && *more; more++)
         words_add(&list, xstrdup(*more));
     return list;
 }
 
-/* The machine file's name as touchstone run takes it, from the study's folder. */
+/* The machine's name as touchstone run takes it: a path is relative to the study's folder. */
 static char *machine_name(const struct inputs *in, const char *name)
 {
     size_t n = strlen(name);
     bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
-    return is_path ? from(in->places.dir, name) : xstrdup(name);
+    return is_path ? from(in->paths.dir, name) : xstrdup(name);
 }
 
-/* An error that is said of a setting's text, or of the machine, is said of their line in the study file. */
+/* Turns an error about the machine or a setting into one that names their line in the study file. */
 static char *located(const struct inputs *in, const struct point *p, char **settings, char *error)
 {
     const struct spec_axis *axis = spec_axis(in->spec, "machine");
@@ -164,7 +165,7 @@ bool inputs_machine_file(const char *path, struct digest *d)
     return out;
 }
 
-/* The last one is kept. */
+/* The digest of a machine file; the latest one is remembered. */
 static bool take_digest(struct inputs *in, const char *path, struct digest *d)
 {
     if (!in->latest_path || strcmp(in->latest_path, path) != 0) {
@@ -181,7 +182,7 @@ static bool check(struct inputs *in, const struct point *p, const char *machine,
                   struct checked *c, char **error)
 {
     char *name = machine_name(in, machine);
-    struct cfg_machine *m = cfg_load_with(name, in->places.machines, (const char *const *)settings, error);
+    struct cfg_machine *m = cfg_load_with(name, in->paths.machines, (const char *const *)settings, error);
     free(name);
     if (!m || !take_digest(in, m->path, &c->digest)) {
         *error = m ? xasprintf("%s cannot be read", m->path) : located(in, p, settings, *error);
@@ -197,7 +198,7 @@ static bool check(struct inputs *in, const struct point *p, const char *machine,
     return true;
 }
 
-/* Is there room for the nodes? */
+/* Has the machine enough nodes? */
 static bool fits(const struct inputs *in, const struct point *p, const struct checked *c, char **error)
 {
     struct topo t;
@@ -215,7 +216,7 @@ static bool fits(const struct inputs *in, const struct point *p, const struct ch
     return false;
 }
 
-/* One line each: the machine and its settings. */
+/* The machine and its settings, a line each; malloc'd. */
 static char *lines_of(const char *machine, char **settings)
 {
     char *all = xstrdup(machine);
@@ -227,7 +228,7 @@ static char *lines_of(const char *machine, char **settings)
     return all;
 }
 
-/* The point's machine from those kept, or checked now; NULL with *error. */
+/* The point's machine, remembered or checked now. NULL with *error. */
 static struct checked *machine_of(struct inputs *in, const struct point *p, char **settings, char **error)
 {
     const char *machine = point_machine(in->spec, p);
@@ -235,18 +236,18 @@ static struct checked *machine_of(struct inputs *in, const struct point *p, char
     size_t hash = 0;
     for (const char *c = name; *c; c++)
         hash = hash * 31 + (unsigned char)*c;
-    struct checked *kept = &in->kept[hash % KEPT];
-    bool ok = kept->name && strcmp(kept->name, name) == 0;
+    struct checked *known = &in->machines[hash % MACHINES];
+    bool ok = known->name && strcmp(known->name, name) == 0;
     if (!ok) {
-        forget(kept);
-        if ((ok = check(in, p, machine, settings, kept, error)))
-            kept->name = xstrdup(name);
+        forget(known);
+        if ((ok = check(in, p, machine, settings, known, error)))
+            known->name = xstrdup(name);
     }
     free(name);
-    return ok && fits(in, p, kept, error) ? kept : NULL;
+    return ok && fits(in, p, known, error) ? known : NULL;
 }
 
-/* Takes the list over. */
+/* The words as a JSON list. Frees the words. */
 static json_t *words_json(char **words)
 {
     json_t *list = json_array();

@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_KEY = 128, GLOBAL_TYPES = 1000000000 }; /* message types from here on are the system's: nx.h */
+enum {
+    MAX_KEY = 128,
+    GLOBAL_TYPES = 1000000000 /* types from here on are the system's own: nx.h */
+};
 
 static void set_first(json_t *to, const char *key, json_t *value)
 {
@@ -15,7 +18,7 @@ static void set_first(json_t *to, const char *key, json_t *value)
         json_set(to, key, json_incref(value));
 }
 
-/* Adds to the number of that key, which begins at 0. */
+/* Adds value to the number PREFIX.KEY, which starts at 0. */
 static void sum(json_t *to, const char *prefix, const char *key, double value)
 {
     char name[2 * MAX_KEY];
@@ -45,7 +48,7 @@ static bool has_handlers(json_t *node)
     return json_integer_value(json_object_get(node, "handlers")) > 0;
 }
 
-/* Means over the nodes of one class. */
+/* Adds the means over the nodes of one class. */
 static void add_class(json_t *to, json_t *nodes, const char *prefix, bool handlers)
 {
     static const char *const keys[] = {"busy_s", "idle_s", "system_s"};
@@ -83,7 +86,7 @@ static void add_run(json_t *to, json_t *run)
     }
 }
 
-/* Of all nodes' time until the last one's end. */
+/* Adds idle_pct: idle time as a part of all nodes' time until the last node's end. */
 static void add_idle(json_t *to, json_t *run, json_t *nodes)
 {
     size_t i;
@@ -96,7 +99,7 @@ static void add_idle(json_t *to, json_t *run, json_t *nodes)
     json_decref(percent);
 }
 
-/* The most that any node had. */
+/* Adds the largest memory use of any node. */
 static void add_memory(json_t *to, json_t *nodes)
 {
     size_t i;

@@ -1,4 +1,4 @@
-/* points.c - from numbers to values, and from values to what a run is given; see points.h. */
+/* points.c - turns a point's number into values, and values into settings and arguments; see points.h. */
 #include "lab/study/points.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- lists of words -------------------------------------------------------------------------------------- */
+/* --- lists of words ------------------------------------------------------------------------------------- */
 
 void words_add(char ***list, char *word)
 {
@@ -27,7 +27,7 @@ void words_free(char **list)
     free(list);
 }
 
-/* The text with the value's label for each {}; malloc'd. */
+/* The text with label in place of each {}; malloc'd. */
 static char *filled_in(const char *text, const char *label)
 {
     char *done = xstrdup("");
@@ -41,9 +41,10 @@ static char *filled_in(const char *text, const char *label)
     return all;
 }
 
-/* --- a point's values ------------------------------------------------------------------------------------ */
+/* --- a point's values ----------------------------------------------------------------------------------- */
 
-/* Which of the axis's values the number stands for; rest: the number in the product of the axes before it. */
+/* The index of the axis's value in the point's number, and in *rest the number without this axis: axes are
+ * mixed-radix digits. */
 static size_t digit(const struct spec_axis *axis, size_t *rest)
 {
     size_t at = *rest % axis->count;
@@ -51,7 +52,8 @@ static size_t digit(const struct spec_axis *axis, size_t *rest)
     return at;
 }
 
-/* Where the set and arguments of the point's value on the axis are said; something without any if they are not for it. */
+/* The settings and arguments of the point's value on the axis; empty ones if the axis's condition `when` does
+ * not hold. */
 static const struct spec_value *said_at(const struct spec *s, const struct point *p, size_t axis)
 {
     static const struct spec_value nothing = {.arguments = ""};
@@ -104,7 +106,7 @@ enum point_is point_make(const struct spec *s, size_t number, struct point *p, c
     return POINT_WANTED;
 }
 
-/* --- what it is called, and what its run is given -------------------------------------------------------- */
+/* --- what it is called, and what its run is given ------------------------------------------------------- */
 
 char *point_name(const struct spec *s, const struct point *p)
 {
@@ -120,13 +122,13 @@ char *point_name(const struct spec *s, const struct point *p)
 uint64_t point_nodes(const struct spec *s, const struct point *p)
 {
     const struct spec_axis *axis = spec_axis(s, "nodes");
-    return axis ? (uint64_t)p->value[spec_place(s, axis)].number : s->nodes;
+    return axis ? (uint64_t)p->value[spec_axis_index(s, axis)].number : s->nodes;
 }
 
 const char *point_machine(const struct spec *s, const struct point *p)
 {
     const struct spec_axis *axis = spec_axis(s, "machine");
-    return axis ? p->value[spec_place(s, axis)].text : s->machine;
+    return axis ? p->value[spec_axis_index(s, axis)].text : s->machine;
 }
 
 static void add_words(char ***list, const char *arguments, const char *label)

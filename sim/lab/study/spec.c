@@ -31,7 +31,7 @@ const struct spec_axis *spec_axis(const struct spec *s, const char *name)
     return NULL;
 }
 
-size_t spec_place(const struct spec *s, const struct spec_axis *axis)
+size_t spec_axis_index(const struct spec *s, const struct spec_axis *axis)
 {
     return (size_t)(axis - s->axes);
 }
@@ -92,14 +92,14 @@ static bool read_profile(struct cfg_reader *r, struct spec *s)
     return true;
 }
 
-/* What an axis may have instead of the file as a whole. */
+/* The file gives nodes and machine, unless an axis does. */
 static bool read_nodes_and_machine(struct cfg_reader *r, struct spec *s)
 {
     static const char *const either[] = {"nodes", "machine"};
     for (int i = 0; i < 2; i++) {
         config_setting_t *own = config_setting_get_member(r->root, either[i]);
         if (own && spec_axis(s, either[i]))
-            return cfg_fail(r, own, either[i], "an axis has it: one of them only");
+            return cfg_fail(r, own, either[i], "there is an axis of that name; give only one of the two");
     }
     s->machine = "";
     return (spec_axis(s, "nodes") || cfg_whole(r, r->root, "nodes", 1, SPEC_MAX_NODES, &s->nodes)) &&

@@ -1,4 +1,4 @@
-/* spec_axes.c - reads the axes of a study file: lists, ranges, cases, and those that follow from others; see spec.h. */
+/* spec_axes.c - reads the axes of a study file: lists, ranges, cases and derived axes; see spec.h. */
 #include "kernel/xalloc.h"
 #include "lab/study/spec.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- values ---------------------------------------------------------------------------------------------- */
+/* --- values --------------------------------------------------------------------------------------------- */
 
 void spec_label(double number, char label[SPEC_MAX_LABEL])
 {
@@ -24,7 +24,7 @@ double spec_value(const struct spec_axis *axis, size_t i, const char **text, cha
     spec_label(axis->times ? axis->from * pow(axis->step, (double)i) : axis->from + (double)i * axis->step,
                label);
     *text = label;
-    return strtod(label, NULL); /* the number is the one that is written: 0.3, not 0.1 + 2 * 0.1 */
+    return strtod(label, NULL); /* the number that the label says: 0.3, not 0.1 + 2 * 0.1 */
 }
 
 static const char *nth_text(void *arg, size_t i)
@@ -47,7 +47,7 @@ struct expr *spec_expression(struct cfg_reader *r, config_setting_t *at, const c
     return e;
 }
 
-/* A list of texts KEY=VALUE; *out stays NULL if there is none. */
+/* Reads a list of texts KEY=VALUE; *out stays NULL if there is none. */
 static bool read_set(struct cfg_reader *r, config_setting_t *in, config_setting_t **out)
 {
     *out = NULL;
@@ -64,7 +64,7 @@ static bool read_set(struct cfg_reader *r, config_setting_t *in, config_setting_
     return true;
 }
 
-/* A number or a text, as it stands in a list of values. */
+/* Reads a number or a text of a list of values. */
 static bool read_plain(struct cfg_reader *r, config_setting_t *s, struct spec_value *value)
 {
     switch (config_setting_type(s)) {
@@ -100,7 +100,7 @@ static bool read_case(struct cfg_reader *r, config_setting_t *g, struct spec_val
     return true;
 }
 
-/* --- the three kinds ------------------------------------------------------------------------------------- */
+/* --- the three kinds ------------------------------------------------------------------------------------ */
 
 static bool check_nodes(struct cfg_reader *r, config_setting_t *at, const struct spec_axis *axis, size_t i)
 {
@@ -138,7 +138,7 @@ static bool read_list(struct cfg_reader *r, config_setting_t *list, bool cases, 
     return check_list(r, list, axis);
 }
 
-/* { from = 1; to = 64; times = 2; } or { from = 0; to = 1; step = 0.1; } */
+/* Reads { from = 1; to = 64; times = 2; } or { from = 0; to = 1; step = 0.1; }. */
 static bool read_range(struct cfg_reader *r, config_setting_t *g, struct spec_axis *axis)
 {
     static const char *const keys[] = {"from", "to", "step", "times", NULL};
@@ -190,7 +190,7 @@ static bool read_values(struct cfg_reader *r, config_setting_t *g, const struct 
     return cfg_list(r, g, cases ? "cases" : "values", &list) && read_list(r, list, cases, axis);
 }
 
-/* What the values of an axis do is said once, for all of them. */
+/* Reads the settings and arguments that all values of an axis share. */
 static bool read_templates(struct cfg_reader *r, config_setting_t *g, const struct spec *s,
                            struct spec_axis *axis)
 {
@@ -208,7 +208,7 @@ static bool read_templates(struct cfg_reader *r, config_setting_t *g, const stru
     return true;
 }
 
-/* --- all of them ----------------------------------------------------------------------------------------- */
+/* --- all of them ---------------------------------------------------------------------------------------- */
 
 static bool read_axis(struct cfg_reader *r, config_setting_t *g, struct spec *s)
 {
@@ -226,7 +226,7 @@ static bool read_axis(struct cfg_reader *r, config_setting_t *g, struct spec *s)
         return cfg_fail(r, g, "name", "there is an axis %s already", axis->name);
     axis->at = g;
     bool read = read_values(r, g, s, axis);
-    s->axis_count++; /* to be freed even if it is wrong */
+    s->axis_count++; /* spec_free_axes() frees the axis even if it is wrong */
     if (!read || (!cases && !read_templates(r, g, s, axis)))
         return false;
     bool nodes = strcmp(axis->name, "nodes") == 0 && axis->kind != SPEC_DERIVED;
@@ -239,7 +239,7 @@ static bool read_axis(struct cfg_reader *r, config_setting_t *g, struct spec *s)
     return true;
 }
 
-/* Does the i'th axis change a run, itself or by those that follow from it? */
+/* Does the i'th axis change a run, itself or through an axis derived from it? */
 static bool changes_something(const struct spec *s, size_t i)
 {
     const struct spec_axis *axis = &s->axes[i];

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* The axis that the key names; "" when there is no such key. */
+/* Reads the axis that the key names; "" if the key is missing. */
 static bool read_axis_of(struct cfg_reader *r, config_setting_t *g, const char *key, const struct spec *s,
                          const char **name)
 {
@@ -13,7 +13,8 @@ static bool read_axis_of(struct cfg_reader *r, config_setting_t *g, const char *
            cfg_fail(r, config_setting_get_member(g, key), key, "there is no axis %s", *name);
 }
 
-/* Each axis of more than one value has its place in a picture, or the picture is of an arbitrary part. */
+/* A picture must use each axis of several values exactly once; otherwise it would show an arbitrary part of
+ * the points. */
 static bool check_picture(struct cfg_reader *r, config_setting_t *g, const struct spec *s,
                           const struct picture *p)
 {
@@ -24,11 +25,11 @@ static bool check_picture(struct cfg_reader *r, config_setting_t *g, const struc
         for (int k = 0; k < 4; k++)
             used += strcmp(places[k], axis->name) == 0;
         if (used > 1)
-            return cfg_fail(r, g, p->file, "axis %s has %d places of x, lines, panels, best; one is allowed",
+            return cfg_fail(r, g, p->file,
+                            "axis %s is given %d times as x, lines, panels or best; once is allowed",
                             axis->name, used);
         if (used == 0 && axis->count > 1)
-            return cfg_fail(r, g, p->file, "axis %s has no place: x, lines, panels and best are to be had",
-                            axis->name);
+            return cfg_fail(r, g, p->file, "axis %s must be x, lines, panels or best", axis->name);
     }
     return true;
 }

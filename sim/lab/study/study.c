@@ -1,4 +1,4 @@
-/* study.c - opens a study: reads its file, finds and checks all its points, opens its folder; see study.h. */
+/* study.c - opens a study: reads its file, checks all its points, opens its folder; see study.h. */
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* --- the points ------------------------------------------------------------------------------------------ */
+/* --- the points ----------------------------------------------------------------------------------------- */
 
 static int by_number(const void *a, const void *b)
 {
@@ -32,14 +32,14 @@ void study_sort(struct study *s, bool by_cost)
     qsort(s->work, s->count, sizeof *s->work, by_cost ? dearest_first : by_number);
 }
 
-/* As the study file says; or the number of nodes. */
+/* The point's cost as the study file gives it, or else its number of nodes. */
 static double cost_of(const struct spec *s, const struct point *p)
 {
     double cost = s->cost ? expr_number(s->cost, p->value) : (double)point_nodes(s, p);
     return cost > 0 && isfinite(cost) ? cost : 1;
 }
 
-/* All points are made and checked before any is run. */
+/* Makes and checks all points, before any is run. */
 static bool plan(struct study *s, char **error)
 {
     struct point p;
@@ -62,9 +62,9 @@ static bool plan(struct study *s, char **error)
     return s->count;
 }
 
-/* --- the rest -------------------------------------------------------------------------------------------- */
+/* --- the rest ------------------------------------------------------------------------------------------- */
 
-/* Where the study file is: programs and machine files that it names are looked for there, and runs are made there. */
+/* Sets s->dir to the study file's folder: paths in the file are relative to it, and runs work in it. */
 static bool find_dir(struct study *s, char **error)
 {
     char *file = xstrdup(s->options.file), real[PATH_MAX];
@@ -77,31 +77,31 @@ static bool find_dir(struct study *s, char **error)
     return found;
 }
 
-/* The study's program: beside its file, or among those that come with touchstone. */
+/* Finds the study's program: beside the study file, or among those that come with touchstone. */
 static bool find_program(struct study *s, char **error)
 {
     const char *name = s->options.program ? s->options.program : s->spec->program;
     char *beside = *name == '/' ? xstrdup(name) : xasprintf("%s/%s", s->dir, name);
-    char *ours = xasprintf("%s/%s", s->options.programs, name);
+    char *supplied = xasprintf("%s/%s", s->options.programs, name);
     if (access(beside, X_OK) == 0)
         s->program = xstrdup(beside);
-    else if (access(ours, X_OK) == 0)
-        s->program = xstrdup(ours);
+    else if (access(supplied, X_OK) == 0)
+        s->program = xstrdup(supplied);
     else
         *error = xasprintf(
             "%s:%u: program: there is neither %s nor %s", s->options.file,
             (unsigned)config_setting_source_line(config_setting_get_member(s->spec->reader.root, "program")),
-            beside, ours);
+            beside, supplied);
     free(beside);
-    free(ours);
+    free(supplied);
     return s->program;
 }
 
 static bool read_inputs(struct study *s, char **error)
 {
-    struct inputs_places places = {s->options.runner, s->program,          s->options.machines, s->dir,
-                                   s->options.set,    s->options.arguments};
-    return (s->inputs = inputs_open(s->spec, &places, error));
+    struct inputs_paths paths = {s->options.runner, s->program,          s->options.machines, s->dir,
+                                 s->options.set,    s->options.arguments};
+    return (s->inputs = inputs_open(s->spec, &paths, error));
 }
 
 static bool open_folder(struct study *s, char **error)
@@ -154,7 +154,7 @@ struct study_counts study_counts(const struct study *s)
     return s->counts;
 }
 
-/* Where the results came from. Of several processes each knows only of its own. */
+/* Prints where the results came from. A process of a session knows only its own runs. */
 static void tell(const struct study *s)
 {
     const struct study_options *o = &s->options;

@@ -1,4 +1,5 @@
-/* study_estimate.c - how long points may take, by what the journal has of them with other inputs; see study_parts.h. */
+/* study_estimate.c - estimates how long points take from earlier runs with other inputs; see
+ * study_parts.h. */
 #include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
 #include "lab/study/study_parts.h"
@@ -6,10 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A point's values, and how long it took. Open addressing, at most half full. */
+/* A point's values, and how long its run took: a slot of a hash table with open addressing, at most half
+ * full. */
 struct time {
     struct digest values;
-    double seconds; /* 0: this place is free */
+    double seconds; /* 0: this slot is free */
 };
 
 struct times {
@@ -67,7 +69,8 @@ static size_t with_result(const struct study *s)
     return count;
 }
 
-/* The costs of points that are not known are in a unit of the study's: that of the known ones tells what it is worth. */
+/* Turns costs into seconds: known points have their time; the others' costs are scaled by the known points'
+ * seconds per cost. */
 static void take(struct study *s, const struct times *t)
 {
     double seconds = 0, costs = 0;

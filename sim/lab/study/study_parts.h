@@ -1,6 +1,6 @@
-/* study_parts.h - what the files of a study share: study.c opens it, study_estimate.c says how long
- * its points may take, study_run.c runs them, study_points.c reads
- * what they came to, study_report.c writes it down. */
+/* study_parts.h - what the files of a study share: study.c opens a study, study_estimate.c estimates how long
+ * its points take, study_run.c runs them, study_points.c reads their results, study_report.c writes the
+ * results down. */
 #ifndef LAB_STUDY_STUDY_PARTS_H
 #define LAB_STUDY_STUDY_PARTS_H
 #include "files/scratch.h"
@@ -9,7 +9,7 @@
 #include "lab/jobs/journal.h"
 #include "lab/study/study.h"
 
-/* A point that is wanted. */
+/* A point that the study does not leave out. */
 struct work {
     struct digest key;
     uint64_t number; /* points.h */
@@ -21,18 +21,17 @@ struct study {
     struct spec *spec;
     char *program, *dir; /* as absolute paths: the program, and the folder of the study file */
     struct inputs *inputs;
-    struct work
-        *work; /* spec->product places, of which count are used; in the order of numbers or of costs */
+    struct work *work; /* count of spec->product slots; sorted by number or by cost */
     size_t count;
-    struct scratch scratch; /* a folder for what runs leave */
+    struct scratch scratch; /* for the runs' temporary files */
     struct point_locks *locks;
     struct journal *journal;
     struct study_counts counts;
 };
 
-/* Points that ran before with other inputs, such as another build of the program, should take as long as they did then:
- * where the journal knows of some, costs are seconds. */
+/* Sets costs to estimated seconds if the journal has points that ran with other inputs, such as another build
+ * of the program. */
 void study_estimate(struct study *s);
-/* By number, or the dearest first. */
+/* Sorts s->work by number, or by descending cost. */
 void study_sort(struct study *s, bool by_cost);
 #endif

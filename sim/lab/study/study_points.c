@@ -1,4 +1,4 @@
-/* study_points.c - what the points of a study came to, read from its journal one at a time; see study.h. */
+/* study_points.c - reads the points' results from the journal, one at a time; see study.h. */
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
@@ -8,30 +8,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Work is in the order of numbers. */
+/* For bsearch() in s->work, which is sorted by number. */
 static int compare_number(const void *number, const void *work)
 {
     uint64_t x = *(const uint64_t *)number, y = ((const struct work *)work)->number;
     return x < y ? -1 : x > y;
 }
 
-/* The record of the point of that number, the caller's; NULL if it is not wanted or has not run. */
+/* The record of the point of that number, owned by the caller; NULL if the point is left out or has not been
+ * run. */
 static json_t *record_of(const struct study *s, uint64_t number)
 {
     const struct work *w = bsearch(&number, s->work, s->count, sizeof *w, compare_number);
     return w ? journal_record(s->journal, w->key) : NULL;
 }
 
-/* --- speed against the fewest nodes ---------------------------------------------------------------------- */
+/* --- speed against the fewest nodes --------------------------------------------------------------------- */
 
-/* The program's own total time, or the whole run's. */
+/* The total time that the program printed, or else the run's virtual time. */
 static double time_of(const json_t *figures)
 {
     double total = figure_of(figures, "total_s");
     return isnan(total) ? figure_of(figures, "virtual_time_s") : total;
 }
 
-/* How far apart in number points are that differ only in their place on the axis. */
+/* The difference in number between points of successive values on the axis. */
 static size_t stride(const struct spec *s, size_t axis)
 {
     size_t points = 1;
@@ -40,7 +41,7 @@ static size_t stride(const struct spec *s, size_t axis)
     return points;
 }
 
-/* nodes x time of the point with the fewest nodes among those that are otherwise as p; NAN if none has a time. */
+/* nodes x time of the point of fewest nodes among those otherwise equal to p; NAN if none has a time. */
 static double base_work(const struct study *s, const struct point *p, size_t axis)
 {
     const struct spec_axis *nodes = &s->spec->axes[axis];
@@ -71,7 +72,7 @@ static void add_speed(const struct study *s, const struct point *p, json_t *flat
     const struct spec_axis *nodes = spec_axis(s->spec, "nodes");
     if (!nodes || nodes->kind == SPEC_DERIVED)
         return;
-    size_t axis = spec_place(s->spec, nodes);
+    size_t axis = spec_axis_index(s->spec, nodes);
     double time = own, work = time > 0 ? base_work(s, p, axis) : NAN;
     if (isnan(work))
         return;
@@ -81,9 +82,9 @@ static void add_speed(const struct study *s, const struct point *p, json_t *flat
         json_set(flat, "speed_per_node", json_real(work / time / p->value[axis].number));
 }
 
-/* --- all ------------------------------------------------------------------------------------------------- */
+/* --- all ------------------------------------------------------------------------------------------------ */
 
-/* Axes come first, and hide figures of the same name. */
+/* The point as study_each() shows it. An axis hides a figure of the same name. */
 static json_t *flat_point(const struct study *s, const struct point *p, const json_t *record)
 {
     json_t *flat = point_values(s->spec, p), *failure = json_object_get(record, "failure"),

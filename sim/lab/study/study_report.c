@@ -1,4 +1,4 @@
-/* study_report.c - results and pictures of a study that has run; see study.h. */
+/* study_report.c - writes the results and pictures of a study; see study.h. */
 #include "lab/chart/chart.h"
 #include "lab/chart/findings.h"
 #include "lab/study/study_parts.h"
@@ -10,7 +10,7 @@ static bool each_of_study(void *arg, study_visit *visit, void *to, char **error)
     return study_each(arg, visit, to, error);
 }
 
-/* A picture that fails is said on progress. */
+/* Draws a picture. A failure is printed on progress. */
 static bool draw(const struct study *s, const struct record_points *points, const struct picture *picture)
 {
     char *error = NULL;

@@ -1,7 +1,8 @@
 /* study_run.c - runs the points of a study that have no result yet; see study.h.
  *
- * The dearest first, each is claimed, looked for in the journal once more (another process may have run it), then in the
- * cache, and then run. What others have claimed is looked at again until it has a result or its claim is gone.
+ * Points are taken in the order of descending cost. Each point is locked, looked up in the journal again
+ * (another process may have run it), then in the result cache, and then run. A point that another process has
+ * locked is looked at again until it has a result or its lock is free.
  */
 #include "files/json_set.h"
 #include "kernel/hostclock.h"
@@ -29,17 +30,17 @@ struct study_session {
     struct study *study;
     struct task *tasks; /* at_once of them */
     size_t running;
-    size_t next; /* in the order of work */
-    bool others; /* in this pass, some were claimed by others */
+    size_t next; /* index in study->work */
+    bool others; /* in this pass, some points were locked by other processes */
     size_t have; /* points with a result */
     double begun_s, cost_left, cost_done;
     struct progress progress;
     char **env;
-    bool unnamed; /* it was said that a file is not among the inputs */
-    char *error;  /* the journal cannot be written: nothing more is run */
+    bool unnamed; /* the user was told of a file that is not among the inputs */
+    char *error;  /* the journal cannot be written: no more points are run */
 };
 
-/* --- how it is getting on -------------------------------------------------------------------------------- */
+/* --- how it is getting on ------------------------------------------------------------------------------- */
 
 static struct progress_counts counts_of(const struct study_session *e)
 {
@@ -55,7 +56,7 @@ static struct progress_counts counts_of(const struct study_session *e)
                                                                   : elapsed * e->cost_left / e->cost_done};
 }
 
-/* Looks at what all points have; what others have done since counts as done. */
+/* Counts the points that have a result in the journal, those of other processes included. */
 static void count(struct study_session *e)
 {
     struct study *s = e->study;
@@ -73,7 +74,7 @@ static void count(struct study_session *e)
     e->cost_left = left;
 }
 
-/* One more has a result. */
+/* One more point has a result. */
 static void count_one(struct study_session *e, const struct work *w, bool failed)
 {
     e->have++;
@@ -81,20 +82,22 @@ static void count_one(struct study_session *e, const struct work *w, bool failed
     e->cost_left -= w->cost;
 }
 
-/* --- a result -------------------------------------------------------------------------------------------- */
+/* --- a result ------------------------------------------------------------------------------------------- */
 
 static bool write_down(struct study_session *e, const struct work *w, enum journal_line_state state,
                        json_t *record, bool safe)
 {
     struct point p;
     char *error = NULL;
-    if (point_make(e->study->spec, w->number, &p, &error) == POINT_WANTED) /* as it was when it was planned */
+    if (point_make(e->study->spec, w->number, &p, &error) ==
+        POINT_WANTED) /* always so: plan() has checked all points */
         json_set(record, "point", point_values(e->study->spec, &p));
     free(error);
     return journal_add(e->study->journal, w->key, state, record, safe, &e->error);
 }
 
-/* A program that reads or writes files of the host beside those named: nobody knows what its results depend on. */
+/* Did the program open a file of the host that the study does not name? Then its results may depend on more
+ * than the inputs. */
 static bool depends_on_unnamed(struct study_session *e, const json_t *run)
 {
     size_t i;
@@ -111,7 +114,8 @@ static bool depends_on_unnamed(struct study_session *e, const json_t *run)
         if (!e->unnamed && e->study->options.cache)
             fprintf(
                 e->progress.to,
-                "the program opens %s, which is not among the study's inputs: results are not kept in the cache\n",
+                "the program opens %s, which is not among the study's inputs: results are not kept in the "
+                "cache\n",
                 file);
         e->unnamed = true;
         return true;
@@ -121,11 +125,11 @@ static bool depends_on_unnamed(struct study_session *e, const json_t *run)
 
 static json_t *record_of(struct outcome *o, const struct task *t)
 {
-    static const char *const places[] = {"program", "host_files",
-                                         "outcome"}; /* of this run, or the same for all */
+    /* paths of this run, and what is equal for all that went well */
+    static const char *const left_out[] = {"program", "host_files", "outcome"};
     json_t *figures = point_figures_of(o);
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
-        json_object_del(figures, places[i]);
+    for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
+        json_object_del(figures, left_out[i]);
     json_t *record = json_pack("{s:f, s:o}", "wall_time_s", t->job.wall_time_s, "figures", figures);
     json_t *profile = t->profile ? json_load_file(t->profile, 0, NULL) : NULL;
     if (profile)
@@ -137,12 +141,12 @@ static json_t *record_of_failure(const char *error, double wall_time_s)
 {
     json_t *text = json_string(error);
     if (!text) /* not UTF-8 */
-        text = json_string("failed, and said so in no text that can be kept");
+        text = json_string("failed with a message that is not UTF-8 text");
     return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", text);
 }
 
-/* What the task's run came to, into journal and cache. */
-static void settle(struct study_session *e, struct task *t)
+/* Writes the result of the task's run to the journal and the result cache. */
+static void record_end(struct study_session *e, struct task *t)
 {
     struct study *s = e->study;
     struct outcome o = {0};
@@ -167,10 +171,10 @@ static void settle(struct study_session *e, struct task *t)
     free(error);
 }
 
-/* --- running --------------------------------------------------------------------------------------------- */
+/* --- running -------------------------------------------------------------------------------------------- */
 
-/* Files of the simulated machine's are made where TMPDIR says, and so go with the scratch folder at the latest. Of our
- * environment a run gets only what it needs: its results must not depend on the rest. */
+/* TMPDIR is the scratch folder: the simulated machine's files are removed with it at the latest. Of the rest
+ * of the environment a run gets only what it needs, since results must not depend on it. */
 static char **environment(const struct study *s)
 {
     static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
@@ -231,7 +235,8 @@ static void begin_task(struct study_session *e, struct task *t, const struct wor
                                .argv = t->argv,
                                .dir = s->dir,
                                .env = e->env,
-                               /* the run ends itself at the limit, and says more; if it can */
+                               /* a run ends itself at its limit, with a better message; this is for one that
+                                * cannot */
                                .limit_s = s->spec->max_wall_s > 0 ? s->spec->max_wall_s + 2 : 0};
     e->running++;
 }
@@ -258,12 +263,12 @@ static void ended(void *arg, struct pool_job *job)
     struct task *t = e->tasks;
     while (&t->job != job)
         t++;
-    if (!job->stopped) /* else it is as if it had never been begun */
-        settle(e, t);
+    if (!job->stopped) /* a stopped run counts as not begun */
+        record_end(e, t);
     end_task(e, t);
 }
 
-/* --- which is next --------------------------------------------------------------------------------------- */
+/* --- which is next -------------------------------------------------------------------------------------- */
 
 static bool is_running(const struct study_session *e, struct digest key)
 {
@@ -281,7 +286,7 @@ static struct task *free_task(const struct study_session *e)
     return t;
 }
 
-/* From the cache, if it is there. */
+/* Takes the point's result from the result cache. False if there is none. */
 static bool fetch(struct study_session *e, const struct work *w, const json_t *inputs)
 {
     struct study *s = e->study;
@@ -290,7 +295,7 @@ static bool fetch(struct study_session *e, const struct work *w, const json_t *i
     if (!record)
         return false;
     json_set(record, "cached", json_true());
-    /* not safe: were it lost, it would be found in the cache again */
+    /* need not be safe: a lost line is found in the cache again */
     if (write_down(e, w, LINE_DONE, record, false)) {
         s->counts.cached++;
         count_one(e, w, false);
@@ -299,7 +304,7 @@ static bool fetch(struct study_session *e, const struct work *w, const json_t *i
     return true;
 }
 
-/* The point is claimed, and has no result. */
+/* Starts a point that is locked and has no result. */
 static enum pool_next begin(struct study_session *e, const struct work *w, struct pool_job **job)
 {
     struct study *s = e->study;
@@ -338,7 +343,7 @@ static enum pool_next next(void *arg, struct pool_job **job)
             e->others = true;
             continue;
         }
-        journal_refresh(s->journal); /* its last claimer may have run it */
+        journal_refresh(s->journal); /* the lock's last owner may have run the point */
         if (!has_result(s, w))
             return begin(e, w, job);
         point_locks_release(s->locks, w->key);
