@@ -113,8 +113,8 @@ static void numbers_that_do_the_same_are_found_together(void **state)
     static const double slope[] = {2, 4, 0, 1, 2, 0, 0, 0, 1}; /* the second does twice what the first does */
     struct fit_number of[3];
     fit_determine(slope, 3, 3, 0.01, of);
-    assert_int_equal(of[0].standing, FIT_TOGETHER);
-    assert_int_equal(of[1].standing, FIT_TOGETHER);
+    assert_int_equal(of[0].standing, FIT_COMBINED);
+    assert_int_equal(of[1].standing, FIT_COMBINED);
     assert_int_equal(of[2].standing, FIT_DETERMINED);
     assert_true(of[0].with[1] && of[1].with[0] && !of[0].with[2] && !of[2].with[0]);
 }
@@ -125,8 +125,8 @@ static void fewer_residuals_than_numbers_leave_them_open(void **state)
     static const double slope[] = {1, 1};
     struct fit_number of[2];
     fit_determine(slope, 1, 2, 0.01, of);
-    assert_int_equal(of[0].standing, FIT_TOGETHER);
-    assert_int_equal(of[1].standing, FIT_TOGETHER);
+    assert_int_equal(of[0].standing, FIT_COMBINED);
+    assert_int_equal(of[1].standing, FIT_COMBINED);
 }
 
 static void scatter_may_leave_a_number_open(void **state)
@@ -225,7 +225,7 @@ static void a_parameter_goes_evenly_or_by_its_logarithm(void **state)
     struct fit_parameter even = {.from = 10, .to = 30}, log = {.from = 1, .to = 100, .logarithmic = true};
     char text[32];
     assert_true(fit_value(&even, 0.25) == 15 && fabs(fit_value(&log, 0.5) - 10) < 1e-12);
-    assert_true(fit_place(&even, 15) == 0.25 && fabs(fit_place(&log, 10) - 0.5) < 1e-12);
+    assert_true(fit_position(&even, 15) == 0.25 && fabs(fit_position(&log, 10) - 0.5) < 1e-12);
     fit_text(&even, 1.0 / 3, text);
     assert_string_equal(text, "16.6667");
 }

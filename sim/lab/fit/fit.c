@@ -1,4 +1,5 @@
-/* fit.c - conducts a fit: the start, which parameters have an influence, the search, what it determines; see fit.h. */
+/* fit.c - conducts a fit: which parameters have an influence, the search, what the data determine; see
+ * fit.h. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 
@@ -6,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Parts of a parameter's range: how far one looks for an influence at the start, and how near for slopes at the end. */
+/* Steps as parts of a parameter's range: FAR to look for an influence at the start, NEAR for slopes at the
+ * end. */
 static const double FAR = 0.1, NEAR = 0.01;
 
 static double *numbers(size_t count)
@@ -20,18 +22,18 @@ static struct fit_problem problem_of(struct fit *f)
     return (struct fit_problem){f->count, f->measurements, fit_try, f};
 }
 
-/* The places of those searched. */
-static void places(const struct fit *f, double x[])
+/* Sets x to the positions of the parameters that are searched. */
+static void positions(const struct fit *f, double x[])
 {
     for (size_t i = 0; i < f->count; i++)
-        x[i] = f->place[f->searched[i]];
+        x[i] = f->position[f->searched[i]];
 }
 
-/* The figures at the present places. */
+/* Computes the figures at the present positions. */
 static bool measure(struct fit *f, double computed[], double *rms)
 {
     double x[FIT_MAX_NUMBERS], *residuals = numbers(f->measurements);
-    places(f, x);
+    positions(f, x);
     bool good = fit_try(f, x, residuals);
     *rms = fit_rms(residuals, f->measurements);
     memcpy(computed, f->computed, f->measurements * sizeof *computed);
@@ -39,12 +41,12 @@ static bool measure(struct fit *f, double computed[], double *rms)
     return good;
 }
 
-/* Leaves out of the search what has no influence at the start, also far from it. */
+/* Leaves parameters out of the search that have no influence at the start, nor a step FAR from it. */
 static bool leave_out(struct fit *f)
 {
     struct fit_problem p = problem_of(f);
     double x[FIT_MAX_NUMBERS], *slope = numbers(p.residuals * p.numbers);
-    places(f, x);
+    positions(f, x);
     bool good = fit_slopes(&p, x, FAR, slope);
     for (size_t k = f->count = 0; good && k < p.numbers; k++) {
         bool influence = false;
@@ -63,20 +65,20 @@ static bool search(struct fit *f)
 {
     struct fit_problem p = problem_of(f);
     double x[FIT_MAX_NUMBERS];
-    places(f, x);
+    positions(f, x);
     bool good = fit_least(&p, x, f->options->most);
     for (size_t i = 0; i < f->count; i++)
-        f->place[f->searched[i]] = x[i];
+        f->position[f->searched[i]] = x[i];
     return good;
 }
 
-/* The parameter's change for one of its place. */
-static double stretch(const struct fit_parameter *p, double place)
+/* The derivative of the parameter's value by its position. */
+static double slope_of_value(const struct fit_parameter *p, double position)
 {
-    return p->logarithmic ? fit_value(p, place) * log(p->to / p->from) : p->to - p->from;
+    return p->logarithmic ? fit_value(p, position) * log(p->to / p->from) : p->to - p->from;
 }
 
-/* How uncertain residuals are at least: what is behind a measurement's last digit is not known. */
+/* The least scatter of the residuals: measurements are rounded to their last digit. */
 static double rounding(const struct fit *f)
 {
     double sum = 0;
@@ -91,20 +93,20 @@ static double scatter(const struct fit *f, double rms)
     return fmax(freedom > 0 ? rms * sqrt((double)f->measurements / freedom) : rms, rounding(f));
 }
 
-/* From residuals for a place to percent of the figure for a percent of the parameter. */
+/* Turns slopes, residuals by position, into percent of the figure for one percent of the parameter. */
 static void set_percent(const struct fit *f, struct fit_result *r, const double slope[])
 {
     for (size_t i = 0; i < f->measurements; i++)
         for (size_t k = 0; k < f->count; k++) {
             size_t n = f->searched[k];
-            double value = fit_value(&f->parameter[n], f->place[n]),
+            double value = fit_value(&f->parameter[n], f->position[n]),
                    per_one = slope[i * f->count + k] * f->measurement[i].scale /
-                             stretch(&f->parameter[n], f->place[n]);
+                             slope_of_value(&f->parameter[n], f->position[n]);
             r->percent[i * f->parameters + n] = r->after[i] != 0 ? per_one * value / fabs(r->after[i]) : 0;
         }
 }
 
-/* Which are determined, all of them and not only those searched. */
+/* Sets the standing of every parameter, of those left out of the search, too. */
 static void set_standings(const struct fit *f, struct fit_result *r, const double slope[])
 {
     struct fit_number found[FIT_MAX_NUMBERS];
@@ -124,15 +126,15 @@ static bool look_around(struct fit *f, struct fit_result *r)
 {
     struct fit_problem p = problem_of(f);
     double x[FIT_MAX_NUMBERS], *slope = numbers(p.residuals * p.numbers);
-    places(f, x);
+    positions(f, x);
     bool good = fit_slopes(&p, x, NEAR, slope);
     if (good) {
         set_percent(f, r, slope);
         set_standings(f, r, slope);
     }
     for (size_t n = 0; n < f->parameters; n++) {
-        fit_text(&f->parameter[n], f->place[n], r->text[n]);
-        r->error[n] = r->number[n].error * stretch(&f->parameter[n], f->place[n]);
+        fit_text(&f->parameter[n], f->position[n], r->text[n]);
+        r->error[n] = r->number[n].error * slope_of_value(&f->parameter[n], f->position[n]);
     }
     free(slope);
     return good;
@@ -143,8 +145,8 @@ static void begin(struct fit *f, struct fit_result *r)
     f->computed = numbers(f->measurements);
     for (size_t n = 0; n < f->parameters; n++) {
         f->searched[f->count++] = n;
-        f->place[n] = fit_place(&f->parameter[n], f->parameter[n].start);
-        fit_text(&f->parameter[n], f->place[n], r->start[n]);
+        f->position[n] = fit_position(&f->parameter[n], f->parameter[n].start);
+        fit_text(&f->parameter[n], f->position[n], r->start[n]);
     }
     r->before = numbers(f->measurements);
     r->after = numbers(f->measurements);

@@ -1,5 +1,6 @@
-/* fit.h - touchstone fit: the numbers of a machine, or of a program's arguments, with which a study comes nearest to
- * measurements. The study file says which, in a group of its own:
+/* fit.h - touchstone fit: finds the values of a machine's settings, of a program's arguments or of cost
+ * factors for which a study's figures come nearest to measurements. The study file defines the fit in a
+ * group:
  *
  *     fit = {
  *         parameters = (
@@ -9,32 +10,32 @@
  *         weights = "relative";
  *     };
  *
- * A third kind is a cost factor of the compiler's (factor = "slice.c"), for which the program is built anew, by
- * build = "nxcc -O2 --factors {factors} -o {program} prog.c -lm" in the study file's folder.
+ * A parameter's value, with six digits, replaces {} in a setting of the machine or in arguments of the
+ * program. A cost factor (factor = "slice.c") is given to the compiler: each value needs a build of the
+ * program, by the command build = "nxcc -O2 --factors {factors} -o {program} prog.c" in the study file's
+ * folder. The search covers the range evenly, or by its logarithm if `logarithmic`; it begins at `start`, or
+ * else in the middle.
  *
- * A parameter is from its range, evenly or by its logarithm; it starts at `start`, else in the middle. Its text, of six
- * digits, stands for {} in a setting of the machine or in words after the program's arguments.
- *
- * measured.csv has a line of names and then lines of values. A column is an axis of the study, a figure, or `weight`;
- * empty cells and - are not measured. measurements may also be a list of groups: ( { nodes = 2; total_s = "0.0150"; } ).
- * A residual is (computed - measured) / measured, in percent; with weights = "rounding" it is in halves of a unit of the
- * measurement's last digit; times the line's weight.
+ * measured.csv has a line of names and then lines of values. A column is an axis of the study, a figure, or
+ * `weight`; an empty cell or - is not measured. measurements may also be a list of groups: ( { nodes = 2;
+ * total_s = "0.0150"; } ). A residual is (computed - measured) / measured, in percent, times the line's
+ * weight; with weights = "rounding" it is in half units of the measurement's last digit.
  */
 #ifndef LAB_FIT_FIT_H
 #define LAB_FIT_FIT_H
 #include "lab/study/study.h"
 
 struct fit_options {
-    struct study_options study; /* of each evaluation; set and arguments are the fit's */
+    struct study_options study; /* for each evaluation; the fit sets `set` and `arguments` */
     const char *constants;      /* the file to write */
-    unsigned most;              /* evaluations of the search */
-    FILE *out;                  /* what came of it */
-    FILE *progress;             /* a line for each evaluation */
+    unsigned most;              /* evaluations at most */
+    FILE *out;                  /* for the result */
+    FILE *progress;             /* for a line about each evaluation */
 };
 
 enum fit_end {
     FIT_DONE,
-    FIT_UNDETERMINED, /* also done; some parameters are not determined: they were named */
+    FIT_UNDETERMINED, /* done, but the data do not determine some parameters, as `out` tells */
     FIT_ERROR,        /* *error is a malloc'd text for the user; nothing was written */
 };
 enum fit_end fit_run(const struct fit_options *options, char **error);

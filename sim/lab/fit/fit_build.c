@@ -1,5 +1,5 @@
-/* fit_build.c - cost factors as parameters: the program is built anew for each value of them, by the command that the study
- * file gives. Equal bytes of a program are the same point, however often it was built. */
+/* fit_build.c - cost factors as parameters: builds the program for each of their values, by the study file's
+ * command. Builds of equal bytes are the same point. */
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
@@ -22,8 +22,8 @@ char *fit_filled(const char *text, const char *hole, const char *with)
     return all;
 }
 
-/* The file of factors that nxcc reads; malloc'd. */
-static char *factors_of(const struct fit *f, const double place[])
+/* The text of a file of factors for nxcc; malloc'd. */
+static char *factors_of(const struct fit *f, const double position[])
 {
     char *list = xasprintf("factors = (");
     const char *mark = "";
@@ -31,7 +31,7 @@ static char *factors_of(const struct fit *f, const double place[])
         char value[32];
         if (!f->parameter[i].factor)
             continue;
-        fit_text(&f->parameter[i], place[i], value);
+        fit_text(&f->parameter[i], position[i], value);
         char *longer = xasprintf("%s%s\n    { file = \"%s\"; factor = %s%s; }", list, mark,
                                  f->parameter[i].factor, value, strpbrk(value, ".e") ? "" : ".0");
         free(list);
@@ -52,7 +52,7 @@ static bool write_file(const char *path, const char *text)
     return fclose(out) == 0 && written;
 }
 
-/* By the shell, in the study file's folder. */
+/* Runs the build command by the shell, in the study file's folder. */
 static bool command(struct fit *f, const char *factors)
 {
     const char *file = f->options->study.file, *slash = strrchr(file, '/');
@@ -72,26 +72,26 @@ static bool command(struct fit *f, const char *factors)
     return good;
 }
 
-/* Where files of the fit are, as an absolute path. */
-static char *place_of(const struct fit *f, const char *name)
+/* The absolute path of a file in the fit's folder; malloc'd. */
+static char *path_of(const struct fit *f, const char *name)
 {
     char real[PATH_MAX];
     const char *dir = f->options->study.dir;
     return xasprintf("%s/%s", folder_make(dir) && realpath(dir, real) ? real : dir, name);
 }
 
-bool fit_build(struct fit *f, const double place[])
+bool fit_build(struct fit *f, const double position[])
 {
     if (!f->build)
         return true;
-    char *text = factors_of(f, place);
+    char *text = factors_of(f, position);
     if (f->built && strcmp(text, f->built) == 0) {
         free(text);
         return true;
     }
-    char *factors = place_of(f, "factors.cfg");
+    char *factors = path_of(f, "factors.cfg");
     if (!f->program)
-        f->program = place_of(f, "program");
+        f->program = path_of(f, "program");
     bool good = write_file(factors, text);
     if (!good)
         f->error = xasprintf("%s: %m", factors);

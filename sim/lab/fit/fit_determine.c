@@ -1,18 +1,20 @@
-/* fit_determine.c - which numbers the residuals determine; see fit_least.h. */
-#include "lab/fit/fit_least.h"
+/* fit_determine.c - which numbers the residuals determine; see fit_determine.h. */
+#include "lab/fit/fit_determine.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* What counts as nothing beside the largest singular value: the slopes are differences of times that are exact to 1e-12. */
+/* Singular values below this part of the largest count as 0: slopes are differences of times that are exact
+ * to 1e-12. */
 static const double NOTHING = 1e-9;
-/* A standard error of more than this part of a range says that the data leave the number open. */
+/* A number with a standard error above this part of its range is open. */
 static const double OPEN = 0.25;
-/* Numbers with less than this share of a combination are no part of it. */
+/* A number belongs to a combination if its share is at least this. */
 static const double SHARE = 0.1;
 
-/* slope = U S V': S, and V with its columns the combinations. Rows of zeros are added where there are too few. */
+/* Computes S and V of slope = U S V'; the columns of V are the combinations. Pads slope with rows of zeros if
+ * there are too few. */
 static void decompose(const double slope[], size_t rows, size_t n, gsl_matrix *v, gsl_vector *s)
 {
     gsl_matrix *u = gsl_matrix_calloc(rows > n ? rows : n, n);
@@ -38,7 +40,7 @@ static double error_of(const gsl_vector *s, size_t c, double scatter)
     return singular > NOTHING * gsl_vector_get(s, 0) ? scatter / singular : INFINITY;
 }
 
-/* Combination c is open: what that says of each number in it. */
+/* Marks each number of combination c, which is open. */
 static void mark(const gsl_matrix *v, size_t c, size_t n, struct fit_number of[])
 {
     for (size_t k = 0; k < n; k++)
@@ -47,7 +49,7 @@ static void mark(const gsl_matrix *v, size_t c, size_t n, struct fit_number of[]
             if (k == other || own * own < SHARE || its * its < SHARE || of[k].standing == FIT_NO_INFLUENCE ||
                 of[other].standing == FIT_NO_INFLUENCE)
                 continue;
-            of[k].standing = FIT_TOGETHER;
+            of[k].standing = FIT_COMBINED;
             of[k].with[other] = true;
         }
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where the search begins to look, and where it ends: parts of the range. */
+/* The search's first and last steps, as parts of the range. */
 static const double FIRST_STEP = 0.1, LAST_STEP = 1e-5;
 
 struct search {
@@ -31,7 +31,7 @@ double fit_rms(const double residuals[], size_t count)
     return sqrt(sum / (double)count);
 }
 
-/* The best is kept here: a search that is stopped has it too. */
+/* The objective for NLopt. Remembers the best x, for a search that is stopped. */
 static double squares(unsigned n, const double x[], double gradient[], void *arg)
 {
     struct search *s = arg;
@@ -85,7 +85,7 @@ bool fit_least(const struct fit_problem *p, double x[], unsigned most)
     return !s.failed;
 }
 
-/* Of number k. */
+/* The slopes of all residuals by number k. */
 static bool slopes_of(const struct fit_problem *p, double x[], size_t k, double step, double slope[],
                       double *below, double *above)
 {

@@ -1,4 +1,4 @@
-/* fit_print.c - what came of a fit, for people. */
+/* fit_print.c - the result of a fit as text for people; see fit_parts.h. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 
@@ -11,7 +11,7 @@ static const char *unit(const struct fit *f)
     return f->by_rounding ? "half units of the last digit" : "percent";
 }
 
-/* The names of those it goes with, with commas; malloc'd. */
+/* The names of the other parameters of its combination, with commas; malloc'd. */
 static char *names_with(const struct fit *f, const struct fit_number *n)
 {
     char *names = xstrdup("");
@@ -25,19 +25,19 @@ static char *names_with(const struct fit *f, const struct fit_number *n)
     return names;
 }
 
-char *fit_said(const struct fit *f, const struct fit_result *r, size_t i)
+char *fit_note(const struct fit *f, const struct fit_result *r, size_t i)
 {
     const struct fit_number *n = &r->number[i];
     if (n->standing == FIT_NO_INFLUENCE)
         return xasprintf("not determined: no measured figure changes with it");
     if (n->standing == FIT_OPEN)
         return xasprintf("not determined: the measurements leave it open");
-    if (n->standing == FIT_TOGETHER) {
+    if (n->standing == FIT_COMBINED) {
         char *names = names_with(f, n), *said = xasprintf("not determined: only together with %s", names);
         free(names);
         return said;
     }
-    bool end = f->place[i] < 1e-4 || f->place[i] > 1 - 1e-4;
+    bool end = f->position[i] < 1e-4 || f->position[i] > 1 - 1e-4;
     return xstrdup(end ? "at the end of its range" : "");
 }
 
@@ -47,7 +47,7 @@ static void print_parameters(const struct fit *f, const struct fit_result *r, FI
             "std error");
     for (size_t i = 0; i < f->parameters; i++) {
         const struct fit_parameter *p = &f->parameter[i];
-        char *said = fit_said(f, r, i);
+        char *said = fit_note(f, r, i);
         fprintf(out, "%-24s %12.6g %12.6g %12s %12s ", p->name, p->from, p->to, r->start[i], r->text[i]);
         if (isfinite(r->error[i]))
             fprintf(out, "%12.2g", r->error[i]);

@@ -1,4 +1,4 @@
-/* fit_read.c - what a study file says of a fit: parameters, measurements; see fit.h. */
+/* fit_read.c - reads the fit of a study file: parameters and measurements; see fit.h. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- parameters ------------------------------------------------------------------------------------------ */
+/* --- parameters ----------------------------------------------------------------------------------------- */
 
 static bool read_logarithmic(struct cfg_reader *r, config_setting_t *g, struct fit_parameter *p)
 {
@@ -19,7 +19,7 @@ static bool read_logarithmic(struct cfg_reader *r, config_setting_t *g, struct f
            cfg_fail(r, g, "logarithmic", "needs a range above 0, not from %g", p->from);
 }
 
-static bool read_place(struct cfg_reader *r, config_setting_t *g, const char *key, const char **text)
+static bool read_template(struct cfg_reader *r, config_setting_t *g, const char *key, const char **text)
 {
     if (!config_setting_get_member(g, key))
         return true;
@@ -36,9 +36,9 @@ static bool read_parameter(struct cfg_reader *r, config_setting_t *g, struct fit
     if (!config_setting_is_group(g))
         return cfg_fail(r, g, "parameters",
                         "must hold groups: { name = \"...\"; set = \"KEY={}\"; from = ...; to = ...; }");
-    if (!cfg_only(r, g, keys) || !cfg_text(r, g, "name", &p->name) || !read_place(r, g, "set", &p->set) ||
-        !read_place(r, g, "arguments", &p->arguments) || !cfg_number(r, g, "from", -1e15, 1e15, &p->from) ||
-        !cfg_number(r, g, "to", -1e15, 1e15, &p->to))
+    if (!cfg_only(r, g, keys) || !cfg_text(r, g, "name", &p->name) || !read_template(r, g, "set", &p->set) ||
+        !read_template(r, g, "arguments", &p->arguments) ||
+        !cfg_number(r, g, "from", -1e15, 1e15, &p->from) || !cfg_number(r, g, "to", -1e15, 1e15, &p->to))
         return false;
     if (config_setting_get_member(g, "factor") && !cfg_text(r, g, "factor", &p->factor))
         return false;
@@ -68,9 +68,9 @@ static bool read_parameters(struct cfg_reader *r, config_setting_t *in, struct f
     return true;
 }
 
-/* --- measurements ---------------------------------------------------------------------------------------- */
+/* --- measurements --------------------------------------------------------------------------------------- */
 
-/* The cells that are axes; NULL with *error: an axis of several values is missing. */
+/* The cells of axes. NULL with *error if an axis of several values has none. */
 static json_t *axes_of(const struct fit *f, const json_t *cells, const char *at, char **error)
 {
     json_t *where = json_object();
@@ -148,7 +148,7 @@ static bool add_row(void *arg, const json_t *cells, const char *at, char **error
     return good;
 }
 
-/* A value in a study file as text; malloc'd, NULL if it is neither text nor number. */
+/* A setting's value as text, malloc'd; NULL if it is neither text nor number. */
 static char *text_of_setting(const config_setting_t *s)
 {
     switch (config_setting_type(s)) {
@@ -184,7 +184,7 @@ static bool add_group(struct cfg_reader *r, config_setting_t *g, struct fit *f, 
     return good;
 }
 
-/* The file's path, beside the study file; it is its own text from then on. */
+/* The path of name relative to the study file; malloc'd. */
 static char *beside(const char *study, const char *name)
 {
     const char *slash = strrchr(study, '/');
@@ -213,7 +213,7 @@ static bool read_measurements(struct cfg_reader *r, config_setting_t *in, struct
     return f->measurements || cfg_fail(r, own, "measurements", "has none");
 }
 
-/* --- the whole ------------------------------------------------------------------------------------------- */
+/* --- the whole ------------------------------------------------------------------------------------------ */
 
 static bool read_weights(struct cfg_reader *r, config_setting_t *in, struct fit *f)
 {
@@ -226,7 +226,7 @@ static bool read_weights(struct cfg_reader *r, config_setting_t *in, struct fit 
                     "must be \"relative\" or \"rounding\"");
 }
 
-/* The command that builds the program, where there are factors. */
+/* Reads the build command, which is needed if a parameter is a factor. */
 static bool read_build(struct cfg_reader *r, config_setting_t *in, struct fit *f)
 {
     bool factors = false;

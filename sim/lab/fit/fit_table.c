@@ -1,5 +1,6 @@
-/* fit_table.c - a table of measurements as comma-separated values: a line of names, then lines of cells. Cells may be in
- * double quotes, with quotes in them doubled. Empty lines and lines that begin with # are passed over. */
+/* fit_table.c - reads a table of measurements as comma-separated values: a line of names, then lines of
+ * cells; see fit_parts.h. A cell may be in double quotes, with quotes in it doubled. Empty lines and lines
+ * that begin with # are skipped. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 
@@ -20,7 +21,7 @@ bool fit_number(const char *text, double *value, double *half)
     return true;
 }
 
-/* Takes the blanks at both ends off. */
+/* Removes the blanks at both ends of a cell. */
 static char *bare(char *cell)
 {
     while (isspace((unsigned char)*cell))
@@ -30,7 +31,7 @@ static char *bare(char *cell)
     return cell;
 }
 
-/* The cell at *rest, which then is behind it, or NULL after the last. The text is changed. */
+/* Returns the cell at *rest, in position, and moves *rest behind it; to NULL after the last cell. */
 static char *next_cell(char **rest)
 {
     char *cell = *rest + strspn(*rest, " \t"), *to = cell, *from = cell;
@@ -48,7 +49,7 @@ static char *next_cell(char **rest)
     return cell;
 }
 
-/* The names of the columns, in their order; NULL with *error. */
+/* The names of the columns in order. NULL with *error. */
 static json_t *read_names(char *line, const char *at, char **error)
 {
     json_t *names = json_array();

@@ -1,5 +1,6 @@
-/* fit_try.c - one evaluation of a fit: the study with certain values of the parameters, beside the measurements. What was
- * run before is in the study's journal and in the cache, so that a fit that is begun again comes to where it was. */
+/* fit_try.c - one evaluation of a fit: runs the study with certain values of the parameters and compares it
+ * with the measurements. A fit that was interrupted repeats its evaluations quickly: their points are in the
+ * study's journal and in the result cache. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
@@ -8,23 +9,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is looked for when a run fails is not near: as if it were so many times too long. */
+/* A failed run counts as a figure so many times too large, which leads the search away. */
 static const double FAILED = 10;
 
-double fit_value(const struct fit_parameter *p, double place)
+double fit_value(const struct fit_parameter *p, double position)
 {
-    return p->logarithmic ? p->from * pow(p->to / p->from, place) : p->from + place * (p->to - p->from);
+    return p->logarithmic ? p->from * pow(p->to / p->from, position) : p->from + position * (p->to - p->from);
 }
 
-double fit_place(const struct fit_parameter *p, double value)
+double fit_position(const struct fit_parameter *p, double value)
 {
     return p->logarithmic ? log(value / p->from) / log(p->to / p->from)
                           : (value - p->from) / (p->to - p->from);
 }
 
-void fit_text(const struct fit_parameter *p, double place, char text[32])
+void fit_text(const struct fit_parameter *p, double position, char text[32])
 {
-    snprintf(text, 32, "%.6g", fit_value(p, place));
+    snprintf(text, 32, "%.6g", fit_value(p, position));
 }
 
 static double residual_of(const struct fit_measurement *m, double computed)
@@ -32,11 +33,11 @@ static double residual_of(const struct fit_measurement *m, double computed)
     return (computed - m->value) / m->scale;
 }
 
-/* --- a point beside the measurements --------------------------------------------------------------------- */
+/* --- comparing a point with the measurements ------------------------------------------------------------ */
 
 struct visit {
     struct fit *fit;
-    unsigned *seen; /* how often each measurement's point came */
+    unsigned *seen; /* for each measurement, the number of points that match it */
 };
 
 static bool is_value(const json_t *value, const char *text)
@@ -57,7 +58,7 @@ static bool is_at(const struct fit_measurement *m, const json_t *point)
     return true;
 }
 
-/* The first evaluation must have every figure; later ones may fail. */
+/* Takes the figures of a point. In the first evaluation every figure must be there; later runs may fail. */
 static bool visit_point(void *arg, const json_t *point, char **error)
 {
     struct visit *v = arg;
@@ -96,21 +97,21 @@ static bool compare(struct fit *f, struct study *s)
     return good;
 }
 
-/* --- an evaluation --------------------------------------------------------------------------------------- */
+/* --- an evaluation -------------------------------------------------------------------------------------- */
 
-/* What the parameters say, as settings of the machine and words for the program. */
-struct said {
+/* The parameters' values as settings of the machine and arguments of the program. */
+struct given {
     char *set[FIT_MAX_NUMBERS + 1], *text[FIT_MAX_NUMBERS + 1];
-    const char **words; /* ended by NULL; they lie in text */
+    const char **words; /* ended by NULL; the words lie in text */
     size_t sets, texts, count;
 };
 
-static void say(struct said *s, const struct fit *f, const double place[])
+static void say(struct given *s, const struct fit *f, const double position[])
 {
-    *s = (struct said){.words = xcalloc(1, sizeof *s->words)};
+    *s = (struct given){.words = xcalloc(1, sizeof *s->words)};
     for (size_t i = 0; i < f->parameters; i++) {
         char value[32], *save;
-        fit_text(&f->parameter[i], place[i], value);
+        fit_text(&f->parameter[i], position[i], value);
         if (f->parameter[i].set)
             s->set[s->sets++] = fit_filled(f->parameter[i].set, "{}", value);
         if (!f->parameter[i].arguments)
@@ -124,7 +125,7 @@ static void say(struct said *s, const struct fit *f, const double place[])
     }
 }
 
-static void forget(struct said *s)
+static void forget(struct given *s)
 {
     for (size_t i = 0; i < s->sets; i++)
         free(s->set[i]);
@@ -133,13 +134,13 @@ static void forget(struct said *s)
     free(s->words);
 }
 
-static bool run(struct fit *f, const double place[])
+static bool run(struct fit *f, const double position[])
 {
     struct study_options o = f->options->study;
-    struct said s;
-    if (!fit_build(f, place))
+    struct given s;
+    if (!fit_build(f, position))
         return false;
-    say(&s, f, place);
+    say(&s, f, position);
     o.program = f->program;
     o.set = (const char *const *)s.set;
     o.arguments = s.words;
@@ -159,13 +160,13 @@ static bool run(struct fit *f, const double place[])
     return good;
 }
 
-static void tell(const struct fit *f, const double place[], double rms)
+static void tell(const struct fit *f, const double position[], double rms)
 {
     FILE *to = f->options->progress;
     fprintf(to, "%3u  %s %.6g", f->evaluations, f->by_rounding ? "rms" : "rms, percent", rms);
     for (size_t i = 0; i < f->parameters; i++) {
         char text[32];
-        fit_text(&f->parameter[i], place[i], text);
+        fit_text(&f->parameter[i], position[i], text);
         fprintf(to, "  %s %s", f->parameter[i].name, text);
     }
     fputc('\n', to);
@@ -174,15 +175,15 @@ static void tell(const struct fit *f, const double place[], double rms)
 bool fit_try(void *arg, const double x[], double residuals[])
 {
     struct fit *f = arg;
-    double place[FIT_MAX_NUMBERS];
-    memcpy(place, f->place, sizeof place);
+    double position[FIT_MAX_NUMBERS];
+    memcpy(position, f->position, sizeof position);
     for (size_t i = 0; i < f->count; i++)
-        place[f->searched[i]] = x[i];
-    if (!run(f, place))
+        position[f->searched[i]] = x[i];
+    if (!run(f, position))
         return false;
     for (size_t i = 0; i < f->measurements; i++)
         residuals[i] = residual_of(&f->measurement[i], f->computed[i]);
     f->evaluations++;
-    tell(f, place, fit_rms(residuals, f->measurements));
+    tell(f, position, fit_rms(residuals, f->measurements));
     return true;
 }

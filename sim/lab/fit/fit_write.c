@@ -1,5 +1,5 @@
-/* fit_write.c - writes what was fitted as a file of constants, in the form of bench/paper/fitted.cfg, and where it comes
- * from: study, data, date, method, and each row before and after. */
+/* fit_write.c - writes the fitted constants in the form of bench/paper/fitted.cfg, with their origin: study,
+ * data, date, method, and each row before and after; see fit_parts.h. */
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-/* A text as libconfig has it. */
+/* Writes a text in libconfig's quotes. */
 static void write_text(const char *text, FILE *out)
 {
     fputc('"', out);
@@ -29,7 +29,8 @@ static void write_member(const char *key, const char *text, FILE *out)
     fputs(";\n", out);
 }
 
-/* A real: libconfig takes "1" for an integer, which it does not mix with reals in a list. */
+/* Writes a real with a point: libconfig reads "1" as an integer and does not mix integers and reals in a
+ * list. */
 static void write_real(double value, FILE *out)
 {
     char text[40];
@@ -37,7 +38,7 @@ static void write_real(double value, FILE *out)
     fprintf(out, "%s%s", text, strpbrk(text, ".en") ? "" : ".0");
 }
 
-/* Today, or the day that SOURCE_DATE_EPOCH says, for files that are to be made again. */
+/* Writes today's date, or the date of SOURCE_DATE_EPOCH, for reproducible files. */
 static void write_date(FILE *out)
 {
     const char *epoch = getenv("SOURCE_DATE_EPOCH");
@@ -49,7 +50,7 @@ static void write_date(FILE *out)
     write_member("date", text, out);
 }
 
-/* "system.interrupt_us=210", "-k 1.6" */
+/* The parameter with a value, malloc'd: "system.interrupt_us=210", "-k 1.6". */
 static char *as_given(const struct fit_parameter *p, const char *value)
 {
     if (p->factor)
@@ -57,13 +58,13 @@ static char *as_given(const struct fit_parameter *p, const char *value)
     return fit_filled(p->set ? p->set : p->arguments, "{}", value);
 }
 
-/* Malloc'd. */
+/* What the fit was made to; malloc'd. */
 static char *fitted_to(const struct fit *f)
 {
     return xasprintf("%zu measurements in %s, %s", f->measurements, f->data, f->options->study.file);
 }
 
-/* In the form that nxcc takes. */
+/* Writes the factors as nxcc reads them. */
 static void write_factors(const struct fit *f, const struct fit_result *r, FILE *out)
 {
     const char *mark = "\n";
@@ -109,7 +110,7 @@ static void write_parameters(const struct fit *f, const struct fit_result *r, FI
     fputs("    parameters = (", out);
     for (size_t i = 0; i < f->parameters; i++) {
         const struct fit_parameter *p = &f->parameter[i];
-        char *said = fit_said(f, r, i), *given = as_given(p, r->text[i]);
+        char *said = fit_note(f, r, i), *given = as_given(p, r->text[i]);
         fprintf(out, "%s\n        { name = ", i ? "," : "");
         write_text(p->name, out);
         fputs("; given = ", out);
