@@ -91,7 +91,7 @@ static void each_second_is_in_its_line(void **state)
     assert_near(find(&e->program, "waiting for a chunk")->s[EXPLAIN_SLAVES], 5);
     assert_near(find(&e->processor, "computing")->s[EXPLAIN_HOSTS], 8);
     assert_near(find(&e->processor, "system: interrupts")->s[EXPLAIN_HOSTS], 3.5);
-    assert_near(find(&e->processor, "less system beside it")->s[EXPLAIN_HOSTS], -0.5);
+    assert_near(find(&e->processor, "less system time in parallel")->s[EXPLAIN_HOSTS], -0.5);
     assert_near(find(&e->processor, "idle: msgwait, chunks")->s[EXPLAIN_SLAVES], 5);
     assert_near(find(&e->processor, "idle: read")->s[EXPLAIN_SLAVES], 1);
     assert_int_equal(e->layer_count, 1);

@@ -201,7 +201,7 @@ static void each_alternative_to_a_choice_is_run_and_its_errors_are_given(void **
     choices = NULL;
     char *said = read_text("made/choices.md"), *calls = read_text("calls");
     assert_non_null(
-        strstr(said, "\n| all as it is |  | 8.12 | +20.00 (1:1) | 15.10 | -21.88 (1:16) | 121486 |\n"));
+        strstr(said, "\n| nothing changed |  | 8.12 | +20.00 (1:1) | 15.10 | -21.88 (1:16) | 121486 |\n"));
     assert_non_null(
         strstr(said, "\n| fast | `-slow 1` | 103.75 | +140.00 (1:1) | 15.10 | -21.88 (1:16) | 121486 |\n"));
     assert_non_null(strstr(said, "\n|  | `-slow 2` | 103.75 |"));

@@ -4,7 +4,8 @@
  *       "studies": { "table1": { "nodes 8": {
  *         "figures": { "bytes": 123, "digest": "...", "messages": 45, "total_s": 142.9, ... },
  *         "where": { "others": { "nodes": 7, "functions": { "mix (trilinear.c)": 12.5, ... },
- *                             "system": { "copying": 0.1, ... }, "idle": { "crecv": 3.2, ... }, ... } } } } } }
+ *                                "system": { "copying": 0.1, ... },
+ *                                "idle": { "crecv": 3.2, ... }, ... } } } } } }
  *
  * Keys are sorted and reals have 15 digits, so that equal results are equal files. `where` has the seconds of
  * all nodes of a class: by function if the study has a profile, otherwise under "all of the program".

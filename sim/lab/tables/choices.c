@@ -8,13 +8,18 @@
 #include <string.h>
 
 static const char HEAD[] =
-    "# What each choice does to the tables\n\n"
-    "Written by `make choices` (`touchstone tables --choices FILE`) from runs of all rows; do not edit.\n\n"
-    "Each constant and policy of fitted.cfg was settled with the paper's tables in view. A line gives the errors of the total\n"
-    "times over all rows, each run once, with one of them otherwise and all else as it is, without fitting anything again.\n"
-    "Scaled: every table's times times one number, so that its row of one node is exact; that is nearly what fitting the\n"
-    "cost of a subcube again would leave. Polygons: totals of Tables 1 to 4 / Table 5; the paper has 121486 / 78741.\n\n"
-    "| choice | instead | mean, % | worst, % | scaled: mean, % | worst, % | polygons |\n|---|---|--:|---|--:|---|---|\n";
+    "# What each choice does to the tables\n"
+    "\n"
+    "Written by `make choices` (`touchstone tables --choices FILE`) from runs of all rows; do not edit.\n"
+    "\n"
+    "Each constant and policy of fitted.cfg was chosen with the paper's tables in view. A line changes\n"
+    "one of them and nothing else, without fitting again, and gives the errors of the total times over\n"
+    "all rows, each run counted once. Scaled: the times of each table are multiplied by the number that\n"
+    "makes its row of one node exact, which is nearly what fitting the cost of a subcube again would\n"
+    "do. Polygons: the totals of Tables 1 to 4 / Table 5; the paper's are 121486 / 78741.\n"
+    "\n"
+    "| choice | instead | mean, % | worst, % | scaled: mean, % | worst, % | polygons |\n"
+    "|---|---|--:|---|--:|---|---|\n";
 
 static void error_cells(FILE *out, const struct result_errors *e)
 {
@@ -25,7 +30,7 @@ static void error_cells(FILE *out, const struct result_errors *e)
         fputs(" - | - |", out);
 }
 
-/* Of the tables' rows of one node, a number that repeats itself said once. */
+/* Writes the polygons of the tables' rows of one node; equal numbers in a row once. */
 static void polygons_cell(FILE *out, const struct results *r)
 {
     double last = NAN;
@@ -50,7 +55,7 @@ static void line(FILE *out, const char *what, const char *instead, const struct 
     fputc('\n', out);
 }
 
-/* The runs with `instead` after their arguments, or set in the machine. */
+/* Adds `instead` to each run: to the arguments, or to the machine's settings. */
 static void change(struct results *v, const char *instead)
 {
     static const char set[] = "--set ";
@@ -99,7 +104,7 @@ bool choices_write(const struct tables_options *o, const struct results *r, cons
     if (!ok)
         return false;
     fputs(HEAD, f.out);
-    line(f.out, "all as it is", "", r);
+    line(f.out, "nothing changed", "", r);
     for (size_t i = 0; ok && i < r->fitted->choice_count; i++)
         ok = write_choice(f.out, o, r, &r->fitted->choices[i], error);
     if (ok)

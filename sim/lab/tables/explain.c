@@ -1,4 +1,4 @@
-/* explain.c - see explain.h. Reading and checking; showing is in explain_print.c. */
+/* explain.c - reads and checks an explanation; see explain.h. */
 #include "lab/tables/explain.h"
 #include "kernel/xalloc.h"
 
@@ -8,9 +8,9 @@
 
 static const char *const CLASSES[EXPLAIN_CLASSES] = {"hosts", "slaves"};
 
-/* --- lines ----------------------------------------------------------------------------------------------- */
+/* --- lines ---------------------------------------------------------------------------------------------- */
 
-/* The line of that label, a new one at the end if there is none. Takes the label. */
+/* The line of that label; adds one if there is none. Takes over the label. */
 static struct explain_line *line(struct explain_part *part, char *label)
 {
     for (size_t i = 0; i < part->count; i++)
@@ -31,7 +31,7 @@ double explain_sum(const struct explain_part *part, enum explain_class c)
     return sum;
 }
 
-/* --- what the program says --------------------------------------------------------------------------------- */
+/* --- what the program says ------------------------------------------------------------------------------ */
 
 static double of_class(const struct outcome *o, int c, const char *what)
 {
@@ -88,14 +88,14 @@ static void read_layers(struct explain *e, const struct outcome *o)
     qsort(e->layers, e->layer_count, sizeof *e->layers, by_layer);
 }
 
-/* --- what the simulator says ------------------------------------------------------------------------------- */
+/* --- what the simulator says ---------------------------------------------------------------------------- */
 
 static double number(json_t *object, const char *key)
 {
     return json_number_value(json_object_get(object, key));
 }
 
-/* "idle: crecv, wake", "idle: read" */
+/* The label of a wait, malloc'd: "idle: crecv, wake", "idle: read". */
 static char *wait_label(const struct paper *p, json_t *wait)
 {
     const char *call = json_string_value(json_object_get(wait, "call"));
@@ -116,16 +116,16 @@ static void add_tasks(struct explain *e, int c, json_t *node)
         {"receiving_s", "system: receiving"},
         {"copying_s", "system: copying"},
         {"interrupts_s", "system: interrupts"},
-        {"feeding_s", "system: feeding channels"},
-        {"emptying_s", "system: emptying channels"},
+        {"feeding_s", "system: programmed I/O out"},
+        {"emptying_s", "system: programmed I/O in"},
     };
     json_t *tasks = json_object_get(node, "tasks");
     for (size_t i = 0; i < sizeof TASKS / sizeof *TASKS; i++)
         line(&e->processor, xstrdup(TASKS[i][1]))->s[c] += number(tasks, TASKS[i][0]);
-    line(&e->processor, xstrdup("less system beside it"))->s[c] -= number(node, "beside_s");
+    line(&e->processor, xstrdup("less system time in parallel"))->s[c] -= number(node, "beside_s");
 }
 
-/* False if the node's figures do not add up to the time at which it ended. */
+/* Adds a node's times. False if they do not add up to the time at which the node ended. */
 static bool add_node(struct explain *e, const struct paper *p, int c, json_t *node, double *ended_s)
 {
     json_t *wait;
@@ -143,14 +143,15 @@ static bool add_node(struct explain *e, const struct paper *p, int c, json_t *no
     return fabs(sum - number(node, "ended_s")) < 1e-6;
 }
 
-/* --- the whole --------------------------------------------------------------------------------------------- */
+/* --- the whole ------------------------------------------------------------------------------------------ */
 
 static bool same(double a, double b, double most)
 {
     return fabs(a - b) <= most * fmax(fabs(a), fabs(b)) + 1e-6;
 }
 
-/* *error set, unless both accounts cover nodes x total: the program's up to the moment when the last order has come. */
+/* Checks that both accounts cover nodes x total (the program's account ends when the last order has come). An
+ * error's text, malloc'd; NULL if they do. */
 static char *check(const struct explain *e, int c, double ran_s, double ended_s)
 {
     double program = explain_sum(&e->program, c), processor = explain_sum(&e->processor, c);

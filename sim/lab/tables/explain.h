@@ -1,6 +1,6 @@
-/* explain.h - where the time of a row went: for hosts and slaves, what the program says of itself (its option -times), and
- * what the simulator says of the processors. Both account for the same seconds, all of them: that is checked.
- */
+/* explain.h - where the time of a row went, for hosts and for slaves: the program's account of its activities
+ * (its option -times), and the simulator's account of the processors. Both must add up to the nodes' time;
+ * explain_read() checks that. */
 #ifndef LAB_TABLES_EXPLAIN_H
 #define LAB_TABLES_EXPLAIN_H
 #include <stdio.h>
@@ -24,30 +24,32 @@ struct explain_part {
 enum { EXPLAIN_LAYER_FIGURES = 7 };
 struct explain_layer {
     int layer, host;
-    double s
-        [EXPLAIN_LAYER_FIGURES]; /* opened at, open for; of that reading, helping, serving, packing, waiting */
+    /* opened at, open for; of that time reading, helping, serving, packing, waiting */
+    double s[EXPLAIN_LAYER_FIGURES];
 };
 
 struct explain {
     const struct paper_row *row;
     unsigned table;
     unsigned nodes[EXPLAIN_CLASSES];
-    double total_s, plain_s;          /* of the run that was measured, and of the one that was not */
+    double total_s, plain_s;          /* of the run with -times, and of the run without */
     struct explain_part program;      /* adds up to nodes x total */
-    double around_s[EXPLAIN_CLASSES]; /* before the clock started and after it stopped */
-    struct explain_part processor;    /* adds up to nodes x total and around_s */
+    double around_s[EXPLAIN_CLASSES]; /* time before the program's clock started and after it stopped */
+    struct explain_part processor;    /* adds up to nodes x total plus around_s */
     struct explain_layer *layers;
     size_t layer_count;
 };
 
-/* Of a run with -times and the same without. NULL with *error set: figures are missing, or do not add up. */
+/* Explains a row from its run with -times and its run without. NULL with *error malloc'd if figures are
+ * missing or do not add up. */
 struct explain *explain_read(const struct paper *p, const struct paper_row *row, unsigned table,
                              const struct outcome *timed, const struct outcome *plain, char **error);
 void explain_free(struct explain *e);
 
+/* Seconds of all lines of a class. */
 double explain_sum(const struct explain_part *part, enum explain_class c);
 
-/* As text for people, layers too; and in short as a table in Markdown. */
+/* Print an explanation: as text with all layers, and as a short table in Markdown. */
 void explain_print(const struct explain *e, FILE *out);
 void explain_markdown(const struct explain *e, FILE *out);
 #endif

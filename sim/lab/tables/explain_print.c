@@ -1,4 +1,4 @@
-/* explain_print.c - an explanation as text and as Markdown; see explain.h. */
+/* explain_print.c - prints an explanation as text and as Markdown; see explain.h. */
 #include "lab/tables/explain.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@ static double percent(const struct explain *e, const struct explain_line *l, int
     return e->nodes[c] ? 100 * l->s[c] / (e->nodes[c] * e->total_s) : 0;
 }
 
-/* What the processors' lines have and the program's have not. */
+/* The line of what the processors' account has and the program's has not. */
 static struct explain_line around_line(const struct explain *e)
 {
     return (struct explain_line){(char *)"less start and end",
@@ -76,13 +76,13 @@ void explain_print(const struct explain *e, FILE *out)
     print_part(out, e, "What the processors were doing", &e->processor);
     print_layers(out, e);
     fputs(
-        "\nAn activity has the system's time and interrupts that fell into it. \"start and end\" is what the "
-        "nodes did before\nthe clock started and after it stopped. \"serving\": a layer's handlers without "
-        "packing.\n",
+        "\nAn activity includes the system time and interrupts that fell into it. \"start and end\" is what\n"
+        "the nodes did before the program's clock started and after it stopped. \"serving\" is a layer's\n"
+        "handlers without packing.\n",
         out);
 }
 
-/* A line unless there is next to nothing in it. */
+/* Writes a line unless its parts are very small. */
 static void markdown_line(FILE *out, const struct explain *e, const struct explain_line *l)
 {
     static const double LEAST_PCT = 0.5;

@@ -10,7 +10,7 @@
 
 enum { MAX_NODES = 65536, MAX_TABLE = 99 };
 
-/* What a table says of all its rows. */
+/* How all rows of a table are run. */
 struct recipe {
     uint64_t group;
     const char *arguments, *several_groups;
@@ -22,7 +22,7 @@ static void *zeroed(size_t count, size_t size)
     return p;
 }
 
-/* A number as printed, in quotes, and one in its last digit. */
+/* Reads a number as printed, and sets *unit to one in its last digit. */
 static bool read_printed(const char *text, double *value, double *unit)
 {
     char *end;
@@ -32,8 +32,8 @@ static bool read_printed(const char *text, double *value, double *unit)
     return end != text && !*end;
 }
 
-/* Column `column` of a row: a number, a number as printed in quotes (then *unit is one in its last digit, else NAN), or
- * "-" for none. */
+/* Reads a column of a row: a number, a number as printed, in quotes (sets *unit to one in its last digit,
+ * otherwise to NAN), or "-" for none. */
 static bool read_figure(struct cfg_reader *r, config_setting_t *row, unsigned column, double *out,
                         double *unit)
 {

@@ -1,4 +1,5 @@
-/* paper_fitted.c - reads the fitted cost factors, which the tables must name beside their figures; see paper.h. */
+/* paper_fitted.c - reads fitted.cfg: factors, constants and policies that were fitted to the tables; see
+ * paper.h. */
 #include "config/reader.h"
 #include "kernel/xalloc.h"
 #include "lab/tables/paper.h"
@@ -6,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The member's text, malloc'd, or NULL when it is absent. */
+/* The member's text, malloc'd; NULL if there is none. */
 static char *optional_text(config_setting_t *g, const char *key)
 {
     const char *text;
@@ -28,7 +29,7 @@ static bool read_factor(struct cfg_reader *r, config_setting_t *g, struct paper_
     return f->file || f->function || cfg_fail(r, g, "file", "missing; file or function must be given");
 }
 
-/* ( what, fitted to ), and then what else might have been chosen. */
+/* Reads a list ( what, fitted to, alternative ... ). */
 static bool read_choice(struct cfg_reader *r, config_setting_t *s, const char *key, struct paper_choice *c)
 {
     unsigned count = config_setting_is_list(s) ? (unsigned)config_setting_length(s) : 0;
@@ -36,8 +37,7 @@ static bool read_choice(struct cfg_reader *r, config_setting_t *s, const char *k
         if (!config_setting_get_string_elem(s, i))
             count = 0;
     if (count < 2)
-        return cfg_fail(r, s, key,
-                        "must hold lists of texts: ( what, fitted to, and what else it might be )");
+        return cfg_fail(r, s, key, "must hold lists of texts: ( what, fitted to, alternative ... )");
     c->what = xstrdup(config_setting_get_string_elem(s, 0));
     c->fitted_to = xstrdup(config_setting_get_string_elem(s, 1));
     c->instead_count = count - 2;
@@ -47,7 +47,7 @@ static bool read_choice(struct cfg_reader *r, config_setting_t *s, const char *k
     return true;
 }
 
-/* Adds a list of choices, if it is there. */
+/* Adds a list of choices, if the file has it. */
 static bool read_choices(struct cfg_reader *r, const char *key, bool policy, struct paper_fitted *f)
 {
     config_setting_t *list = config_setting_get_member(r->root, key);

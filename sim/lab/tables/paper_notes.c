@@ -1,5 +1,4 @@
-/* paper_notes.c - what paper.cfg says about single rows, each named TABLE:NODES, and the names of the program's messages; see
- * the head of bench/paper/paper.cfg. All of it may be left out. */
+/* paper_notes.c - see paper_notes.h and the head of bench/paper/paper.cfg. */
 #include "lab/tables/paper_notes.h"
 #include "kernel/xalloc.h"
 
@@ -31,7 +30,7 @@ struct paper_row *paper_find(const struct paper *p, const char *name)
     return NULL;
 }
 
-/* The row that a text of a list names; NULL once an error is kept. */
+/* The row of that name. NULL with an error about key at `at`. */
 static struct paper_row *row_of(struct cfg_reader *r, struct paper *p, config_setting_t *at, const char *key,
                                 const char *name)
 {
@@ -42,7 +41,7 @@ static struct paper_row *row_of(struct cfg_reader *r, struct paper *p, config_se
     return row;
 }
 
-/* The list, empty when it is left out. */
+/* Finds a list; a missing list has no elements. */
 static bool optional_list(struct cfg_reader *r, const char *key, config_setting_t **list, unsigned *count)
 {
     *count = 0;
@@ -54,7 +53,7 @@ static bool optional_list(struct cfg_reader *r, const char *key, config_setting_
     return true;
 }
 
-/* Marks the row, and those of other tables that are the same run. */
+/* Marks the row and the rows of other tables that are the same run. */
 static void mark(struct paper *p, const struct paper_row *row, bool ties)
 {
     for (size_t t = 0; t < p->count; t++)

@@ -25,7 +25,7 @@ double results_speed_per_node(const struct result_table *t, size_t row)
                : NAN;
 }
 
-/* Takes one more error into e, whose mean_pct is a sum until finish(). */
+/* Adds an error to e. Until finish(), mean_pct is a sum. */
 static void add_error(struct result_errors *e, const struct result_row *row, unsigned table, double error)
 {
     if (isnan(error)) {
@@ -61,7 +61,7 @@ struct result_errors results_table_errors(const struct result_table *t)
     return finish(e);
 }
 
-/* Is the row's run one that an earlier table has shown already? */
+/* Is the run that of a row of an earlier table? */
 static bool shown_before(const struct results *r, size_t table, const struct run *run)
 {
     for (size_t t = 0; t < table; t++)

@@ -1,4 +1,5 @@
-/* results_json.c - the tables as JSON. Only members whose name holds "wall_time" differ between two runs of one program. */
+/* results_json.c - the tables as JSON; see results.h. Two runs of one program differ only in members whose
+ * name contains "wall_time". */
 #include "files/json_set.h"
 #include "lab/tables/results.h"
 
@@ -6,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* null where a figure does not apply. */
+/* The figure; null if there is none. */
 static json_t *figure(double value)
 {
     return isnan(value) ? json_null() : json_real(value);
@@ -17,7 +18,7 @@ static json_t *text(const char *s)
     return s ? json_string(s) : json_null();
 }
 
-/* Members of `from` that `to` has not got: all of them, or those named in only (ended by NULL). */
+/* Adds members of `from` that `to` lacks: all, or those named in `only`, ended by NULL. */
 static void add_rest(json_t *to, json_t *from, const char *const only[])
 {
     const char *key;
@@ -32,7 +33,7 @@ static void add_rest(json_t *to, json_t *from, const char *const only[])
     }
 }
 
-/* What the nodes' programs computed, together. */
+/* The computing time of all nodes. */
 static double computed_s(const json_t *run)
 {
     double sum = 0;

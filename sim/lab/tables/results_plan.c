@@ -1,4 +1,5 @@
-/* results_plan.c - which rows are which runs: rows with the same nodes and arguments are one. */
+/* results_plan.c - finds the runs of the rows: rows with equal nodes and arguments share one; see
+ * results.h. */
 #include "kernel/xalloc.h"
 #include "lab/tables/results.h"
 
@@ -20,14 +21,15 @@ static bool is_wanted(unsigned number, const unsigned *wanted)
     return !wanted;
 }
 
-/* Computing done on all nodes, as the paper has it: what the host's processor will be busy with. */
+/* The run's weight: the computing time of all nodes by the paper's figures, to which the host time is about
+ * proportional. */
 static double weight_of(const struct paper_row *row)
 {
     double idle = isnan(row->paper.slave_idle_pct) ? 0 : row->paper.slave_idle_pct / 100;
     return row->nodes * row->paper.total_s * (1 - idle);
 }
 
-/* The run of that row: one that an earlier row has asked for already, or a new one. */
+/* The run of that row: an earlier row's, or a new one. */
 static struct run *run_for(struct results *r, const struct paper_row *row)
 {
     for (size_t i = 0; i < r->run_count; i++)
@@ -38,7 +40,7 @@ static struct run *run_for(struct results *r, const struct paper_row *row)
     return run;
 }
 
-/* "tables 1, 2, 3; 8 nodes" */
+/* Names the run: "tables 1, 2, 3; 8 nodes". */
 static void name_run(const struct results *r, struct run *run)
 {
     char list[64] = "";

@@ -1,10 +1,11 @@
-/* results_plot.c - a table as a picture: total time and speed-up against nodes, ours and the paper's, both axes logarithmic. */
+/* results_plot.c - a table as a picture: computed and published total time and speed-up against nodes; see
+ * results.h. */
 #include "lab/tables/results.h"
 
 #include <math.h>
 
-/* A gnuplot data block: nodes, our time, the paper's, our speed-up, the paper's. Rows that failed have NaN, which
- * gnuplot leaves out. */
+/* Writes a gnuplot data block: nodes, computed time, paper's time, computed speed-up, paper's speed-up.
+ * gnuplot leaves out the NaN of failed rows. */
 static void write_data(const struct result_table *t, FILE *script)
 {
     double ours_1 = NAN, paper_1 = NAN;

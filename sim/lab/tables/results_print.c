@@ -1,4 +1,4 @@
-/* results_print.c - the tables as text for people: our figures beside the paper's. */
+/* results_print.c - the tables as text for people, computed figures beside the paper's; see results.h. */
 #include "lab/tables/results.h"
 
 #include <math.h>
@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Escape sequences, empty when the output is no terminal or colour is unwanted (NO_COLOR). */
+/* Escape sequences; empty if the output is no terminal, or NO_COLOR is set. */
 struct ink {
     const char *title, *good, *bad, *off;
 };
@@ -19,7 +19,7 @@ static struct ink choose_ink(FILE *out)
     return (struct ink){"\033[1m", "\033[32m", "\033[31m", "\033[0m"};
 }
 
-/* The figure in `width` places, "-" where there is none. */
+/* Prints the figure `width` characters wide, "-" if there is none. */
 static void figure(FILE *out, int width, int decimals, double value)
 {
     if (isnan(value))
@@ -119,13 +119,11 @@ void results_print(const struct results *r, FILE *out)
     struct ink ink = choose_ink(out);
     for (size_t t = 0; t < r->table_count; t++)
         print_table(out, &ink, &r->tables[t]);
-    fputs("\nhost idle: \"ours\" is the waits for the last request of a layer, \"all\" every wait for a "
+    fputs("\nhost idle: \"ours\" has the waits for the last request of a layer, \"all\" has every wait for a "
           "request.\n",
           out);
     if (any_ties(r))
-        fprintf(
-            out,
-            "behind some rows: the range of their times when a message's latency is 2 %% less to 2 %% more.\n");
+        fprintf(out, "range at a row's end: its times with a message's latency changed by -2 %% to +2 %%.\n");
     print_fitted(out, &ink, r);
 
     bool failures = false;

@@ -12,7 +12,7 @@
 struct runs_journal {
     struct point_locks *locks;
     struct journal *journal;
-    json_t *shared; /* what all runs depend on */
+    json_t *shared; /* inputs of all runs */
     FILE *notes;
 };
 
@@ -103,7 +103,7 @@ void runs_journal_add(struct runs_journal *k, const struct run *run)
         xchecked(json_pack("{s:s, s:O, s:O, s:f}", "name", run->name, "printed", run->outcome.printed, "run",
                            run->outcome.run, "wall_time_s", run->outcome.wall_time_s));
     if (!journal_add(k->journal, key_of(k, run), LINE_DONE, record, true, &error))
-        fprintf(k->notes, "not kept: %s\n", error);
+        fprintf(k->notes, "not in the journal: %s\n", error);
     free(error);
     json_decref(record);
 }

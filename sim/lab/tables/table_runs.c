@@ -11,13 +11,13 @@
 #include <string.h>
 #include <unistd.h>
 
-/* A run's command line: argv and the texts that are its own. */
+/* A run's command line: argv, and the texts that argv owns. */
 struct command {
     char *argv[10 + 2 * RUN_MAX_SETTINGS + PAPER_MAX_ARGS + RUN_MAX_EXTRA + 1];
     char *program, *nodes, *json, *arguments, *extra;
 };
 
-/* Cuts text into words, at most `most`; answers how many. */
+/* Cuts text into at most `most` words. Returns how many. */
 static size_t add_words(char **argv, char *text, size_t most)
 {
     size_t n = 0;
@@ -68,42 +68,42 @@ static void read_outcome(struct run *run, const struct pool_job *job, const char
     run->outcome.wall_time_s = job->wall_time_s;
 }
 
-/* --- running --------------------------------------------------------------------------------------------- */
+/* --- running -------------------------------------------------------------------------------------------- */
 
 struct doing {
     struct run *runs;
     struct command *commands;
     struct pool_job *jobs; /* of the runs that are not in the journal */
-    size_t *which;         /* run each of them is */
+    size_t *which;         /* the run of each job */
     size_t count;
-    struct runs_journal *kept; /* NULL: nothing is kept */
+    struct runs_journal *journal; /* NULL: none */
     struct progress progress;
     struct pool_watcher shown;
 };
 
-/* A run has ended: its outcome is read and kept before the next is begun. */
+/* After a run's end: reads its outcome and adds it to the journal, before the next run starts. */
 static void changed(void *arg, const struct pool_status *status)
 {
     struct doing *d = arg;
     if (status->finished && status->finished->state != POOL_WAITING) {
         size_t job = (size_t)(status->finished - d->jobs), i = d->which[job];
         read_outcome(&d->runs[i], status->finished, d->commands[i].json);
-        if (d->kept && !d->runs[i].outcome.error)
-            runs_journal_add(d->kept, &d->runs[i]);
+        if (d->journal && !d->runs[i].outcome.error)
+            runs_journal_add(d->journal, &d->runs[i]);
     }
     d->shown.changed(d->shown.arg, status);
 }
 
 static bool do_in(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-                  const char *scratch, struct runs_journal *kept, double *wall_s)
+                  const char *scratch, struct runs_journal *journal, double *wall_s)
 {
-    struct doing d = {.runs = runs, .kept = kept};
+    struct doing d = {.runs = runs, .journal = journal};
     d.commands = xcalloc(count + 1, sizeof *d.commands);
     d.jobs = xcalloc(count + 1, sizeof *d.jobs);
     d.which = xcalloc(count + 1, sizeof *d.which);
     for (size_t i = 0; i < count; i++) {
         build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
-        if (kept && runs_journal_find(kept, &runs[i]))
+        if (journal && runs_journal_find(journal, &runs[i]))
             continue;
         d.jobs[d.count] =
             (struct pool_job){.name = runs[i].name, .argv = d.commands[i].argv, .weight = runs[i].weight};
@@ -128,16 +128,16 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
 bool table_runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
                    double *wall_s, char **error)
 {
-    struct runs_journal *kept = o->resume ? runs_journal_open(o, paper, error) : NULL;
+    struct runs_journal *journal = o->resume ? runs_journal_open(o, paper, error) : NULL;
     struct scratch scratch = {NULL, -1};
-    if (!o->resume || kept)
+    if (!o->resume || journal)
         scratch = folder_scratch("touchstone-tables", error);
-    bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, kept, wall_s);
+    bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, journal, wall_s);
     if (scratch.path && !ok)
         *error = o->resume ? xasprintf("stopped; the same command goes on from %s/journal", o->dir)
                            : xasprintf("stopped; nothing was written");
     scratch_remove(&scratch);
-    runs_journal_close(kept);
+    runs_journal_close(journal);
     return ok;
 }
 

@@ -1,4 +1,4 @@
-/* tables.c - from the paper's rows to runs, through the pool, to results; see tables.h. */
+/* tables.c - see tables.h. */
 #include "lab/tables/tables.h"
 #include "files/atomic_file.h"
 #include "files/folder_make.h"
@@ -15,7 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* --- writing them down ----------------------------------------------------------------------------------- */
+/* --- writing the results -------------------------------------------------------------------------------- */
 
 static bool write_json(const struct results *r, const char *dir, char **error)
 {
@@ -32,7 +32,7 @@ static bool write_json(const struct results *r, const char *dir, char **error)
     return ok;
 }
 
-/* One picture a table. A picture that fails is said on progress. */
+/* Draws a picture for each table. A failure is printed on progress. */
 static bool draw(const struct tables_options *o, const struct results *r)
 {
     bool ok = true;
@@ -76,9 +76,9 @@ static enum tables_end write_down(const struct tables_options *o, struct results
     return drawn && results_all_errors(r).failed == 0 ? TABLES_DONE : TABLES_INCOMPLETE;
 }
 
-/* --- the whole ------------------------------------------------------------------------------------------- */
+/* --- the whole ------------------------------------------------------------------------------------------ */
 
-/* Once all is there the next command begins anew: what it prints has been run. */
+/* Removes the journal once all rows are complete: the next command runs them again. */
 static enum tables_end end_journal(const struct tables_options *o, enum tables_end end)
 {
     static const char *const files[] = {"journal", "lock"};

@@ -10,9 +10,9 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { LARGEST = 5 }; /* rows that are explained */
+enum { LARGEST = 5 }; /* number of rows that are explained */
 
-/* A figure of a cell, "-" where there is none. */
+/* Writes a cell: the figure, "-" if there is none. */
 static void cell(FILE *out, const char *format, double value)
 {
     fputs(" ", out);
@@ -23,7 +23,7 @@ static void cell(FILE *out, const char *format, double value)
     fputs(" |", out);
 }
 
-/* --- accuracy -------------------------------------------------------------------------------------------- */
+/* --- accuracy ------------------------------------------------------------------------------------------- */
 
 static void accuracy_row(FILE *out, const char *what, const struct result_errors *e)
 {
@@ -33,7 +33,7 @@ static void accuracy_row(FILE *out, const char *what, const struct result_errors
             e->worst_pct, e->worst_table, e->worst->row->nodes, e->worst->row->nodes == 1 ? "" : "s");
 }
 
-/* How exact the tables are, between two marks: README.md has a copy (bench/paper/copy-accuracy). */
+/* Writes the errors between two marks, by which bench/paper/copy-accuracy copies them into README.md. */
 static void write_accuracy(const struct results *r, FILE *out)
 {
     fputs("<!-- accuracy: written by make report -->\n"
@@ -54,7 +54,7 @@ static void write_accuracy(const struct results *r, FILE *out)
     fputs("<!-- accuracy ends -->\n", out);
 }
 
-/* --- the tables ------------------------------------------------------------------------------------------ */
+/* --- the tables ----------------------------------------------------------------------------------------- */
 
 static void seconds_cell(FILE *out, double s)
 {
@@ -102,8 +102,9 @@ static void write_table(FILE *out, const struct result_table *t)
     fprintf(
         out,
         "\n## Table %u: %s\n\n"
-        "| nodes | ours, s | range, s | paper, s | error, %% | rounding, %% | speed column, %% | standing | host "
-        "idle: last, %% | all, %% | drain, %% | paper, %% | slave idle, %% | paper, %% | spread, %% | paper, %% "
+        "| nodes | ours, s | range, s | paper, s | error, %% | rounding, %% | speed column, %% | standing "
+        "| host idle: last, %% | all, %% | drain, %% | paper, %% | slave idle, %% | paper, %% | spread, %% "
+        "| paper, %% "
         "|\n|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
         t->table->number, t->table->title);
     for (size_t i = 0; i < t->table->count; i++)
@@ -112,21 +113,24 @@ static void write_table(FILE *out, const struct result_table *t)
 
 static const char COLUMNS[] =
     "\nThe columns:\n\n"
-    "- range: the least and longest time when a message's latency is 2 % less to 2 % more, in 8 steps (`--ties`), for\n"
-    "  rows in which a small change may decide what happens.\n"
-    "- rounding: half a unit of the last digit of the paper's total time: what lies within cannot be told apart.\n"
-    "- speed column: the total time that the paper's column of speed/node implies, against its column of total time.\n"
-    "- standing: fitted, when a constant or a choice was settled by a figure of the row; else predicted.\n"
-    "- host idle: waits for the last request of a layer, every wait for a request, and the wait for the last polygons\n"
-    "  (drain), each of the total time and on average over the hosts. The paper's definition is a wait for a message.\n";
+    "- range: the shortest and longest time with a message's latency changed by -2 % to +2 %, in 8\n"
+    "  steps (`--ties`), for rows in which the order of simultaneous events may decide what happens.\n"
+    "- rounding: half a unit of the last digit of the paper's total time. A smaller error may be the\n"
+    "  paper's rounding.\n"
+    "- speed column: the total time that the paper's speed/node implies, against its total time.\n"
+    "- standing: fitted, if a constant or a choice was settled by a figure of the row; otherwise\n"
+    "  predicted.\n"
+    "- host idle: waits for the last request of a layer, every wait for a request, and the wait for the\n"
+    "  last polygons (drain), each as a part of the total time, on average over the hosts. The paper\n"
+    "  defines it as waiting for a message.\n";
 
-/* --- what was fitted --------------------------------------------------------------------------------------- */
+/* --- what was fitted ------------------------------------------------------------------------------------ */
 
 static void write_fitted(FILE *out, const struct results *r)
 {
-    fputs(
-        "\n## What was fitted, or chosen with the tables in view\n\n| what | value | settled by |\n|---|---|---|\n",
-        out);
+    fputs("\n## What was fitted, or chosen with the tables in view\n\n"
+          "| what | value | settled by |\n|---|---|---|\n",
+          out);
     for (size_t i = 0; i < r->fitted->count; i++) {
         const struct paper_factor *f = &r->fitted->factors[i];
         fprintf(out, "| cost of %s%s%s | x %g | %s |\n", f->file ? f->file : "",
@@ -136,17 +140,17 @@ static void write_fitted(FILE *out, const struct results *r)
         const struct paper_choice *c = &r->fitted->choices[i];
         fprintf(out, "| %s | %s | %s |\n", c->policy ? "policy" : "constant", c->what, c->fitted_to);
     }
-    fputs("\nCHOICES.md says what the errors are with each of them otherwise.\n", out);
+    fputs("\nCHOICES.md gives the errors with each of them changed.\n", out);
 }
 
-/* --- what remains ------------------------------------------------------------------------------------------ */
+/* --- what remains --------------------------------------------------------------------------------------- */
 
 struct residual {
     const struct result_row *row;
     unsigned table;
 };
 
-/* Is a row of the same run among them already? */
+/* Does the list have a row of that run? */
 static bool is_there(const struct residual list[], size_t count, const struct run *run)
 {
     for (size_t i = 0; i < count; i++)
@@ -155,7 +159,7 @@ static bool is_there(const struct residual list[], size_t count, const struct ru
     return false;
 }
 
-/* The rows of largest error beyond the paper's rounding, the largest first; answers how many. */
+/* Finds the rows of largest error beyond the paper's rounding, the largest first. Returns how many. */
 static size_t find_residuals(const struct results *r, struct residual list[LARGEST])
 {
     size_t count = 0;
@@ -188,12 +192,12 @@ static void write_residual(FILE *out, const struct results *r, const struct resi
         fprintf(out, "%s\n\n", row->remark);
     struct explain *e = explain_read(r->paper, row, x->table, &timed->outcome, &x->row->run->outcome, &error);
     if (!e) {
-        fprintf(out, "No account of its time: %s\n", error);
+        fprintf(out, "There is no account of its time: %s\n", error);
         free(error);
         return;
     }
     explain_markdown(e, out);
-    fprintf(out, "`touchstone tables --explain %u:%u` has all of it, and the layers.\n", x->table,
+    fprintf(out, "`touchstone tables --explain %u:%u` shows every line, and each layer.\n", x->table,
             row->nodes);
     explain_free(e);
 }
@@ -220,14 +224,14 @@ static bool write_residuals(FILE *out, const struct tables_options *o, struct re
     return ok;
 }
 
-/* --- the whole --------------------------------------------------------------------------------------------- */
+/* --- the whole ------------------------------------------------------------------------------------------ */
 
 static bool write_to(FILE *out, const struct tables_options *o, struct results *r, char **error)
 {
-    fputs(
-        "# Tables of Bajaj & Lin, ours beside the paper's\n\nWritten by `make report` (`touchstone tables --ties "
-        "--report FILE`) from one run of all rows; do not edit.\n\n## How exact\n\n",
-        out);
+    fputs("# Tables of Bajaj & Lin, ours beside the paper's\n\n"
+          "Written by `make report` (`touchstone tables --ties --report FILE`) from one run of all rows; "
+          "do not edit.\n\n## How exact\n\n",
+          out);
     write_accuracy(r, out);
     for (size_t t = 0; t < r->table_count; t++)
         write_table(out, &r->tables[t]);

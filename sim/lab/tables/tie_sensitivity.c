@@ -9,7 +9,7 @@
 
 static const double WIDEST = 0.02;
 
-/* What a message's latency is made of. */
+/* The parts of a message's latency. */
 static const struct part {
     const char *key; /* in the machine file, in nanoseconds */
     size_t offset;   /* of its picoseconds in struct cfg_machine */
@@ -26,7 +26,7 @@ static const struct part {
 enum { PART_COUNT = sizeof PARTS / sizeof *PARTS };
 _Static_assert((int)PART_COUNT <= (int)RUN_MAX_SETTINGS, "a run has room for its settings");
 
-/* The run with the k-th of the changes. */
+/* The run with the latency's k-th change. */
 static struct run variant(const struct run *run, const struct cfg_machine *m, unsigned k)
 {
     double by = WIDEST * (2.0 * k / (TIE_RUNS - 1) - 1);
