@@ -8,7 +8,7 @@
 #include "cli/cli.h"
 #include "lab/chart/chart.h"
 #include "files/folder_make.h"
-#include "lab/study/spec.h"
+#include "lab/study/spec_read.h"
 #include "kernel/xalloc.h"
 
 static const char HELP[] =

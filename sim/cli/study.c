@@ -7,6 +7,7 @@
 
 #include "cli/studies.h"
 #include "lab/jobs/session.h"
+#include "lab/study/study_make.h"
 
 static const char HELP[] =
     "usage: touchstone study FILE [-o DIR] [-j JOBS] [options]\n"

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "lab/study/points.h"
+#include "lab/study/spec_read.h"
 
 static const char good[] =
     "program = \"p\"; machine = \"delta\";\n"

@@ -4,23 +4,11 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/process_pool.h"
+#include "lab/jobs/words.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-
-char *fit_filled(const char *text, const char *hole, const char *with)
-{
-    char *done = xstrdup("");
-    for (const char *at; (at = strstr(text, hole)); text = at + strlen(hole)) {
-        char *longer = xasprintf("%s%.*s%s", done, (int)(at - text), text, with);
-        free(done);
-        done = longer;
-    }
-    char *all = xasprintf("%s%s", done, text);
-    free(done);
-    return all;
-}
 
 /* The text of a file of factors for nxcc; malloc'd. */
 static char *factors_of(const struct fit *f, const double position[])
@@ -57,7 +45,8 @@ static bool command(struct fit *f, const char *factors)
 {
     const char *file = f->options->study.file, *slash = strrchr(file, '/');
     char *dir = slash ? xasprintf("%.*s", (int)(slash - file + 1), file) : xasprintf(".");
-    char *with = fit_filled(f->build, "{factors}", factors), *all = fit_filled(with, "{program}", f->program);
+    char *with = words_filled(f->build, "{factors}", factors),
+         *all = words_filled(with, "{program}", f->program);
     char *const argv[] = {"/bin/sh", "-c", all, NULL};
     struct pool_job job = {.name = "build", .argv = argv, .dir = dir};
     struct pool_end end = pool_run(&job, 1, 1, NULL);

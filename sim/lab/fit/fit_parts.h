@@ -55,6 +55,14 @@ bool fit_table(const char *path, fit_row *row, void *arg, char **error);
 bool fit_number(const char *text, double *value, double *half);
 void fit_clear(struct fit *f);
 
+/* --- fit_position.c --- */
+
+/* A parameter's value at a position from 0 to 1, and as text of six digits, which runs get. */
+double fit_value(const struct fit_parameter *p, double position);
+void fit_text(const struct fit_parameter *p, double position, char text[32]);
+/* The position of a value. */
+double fit_position(const struct fit_parameter *p, double value);
+
 /* --- fit_build.c --- */
 
 /* Builds the program with the factors at these positions, unless the last build had the same. False with
@@ -65,10 +73,6 @@ char *fit_filled(const char *text, const char *hole, const char *with);
 
 /* --- fit_try.c --- */
 
-/* A parameter's value at a position from 0 to 1, and as text of six digits, which runs get. */
-double fit_value(const struct fit_parameter *p, double position);
-void fit_text(const struct fit_parameter *p, double position, char text[32]);
-double fit_position(const struct fit_parameter *p, double value);
 /* Evaluates the fit for fit_least(): x has the positions of the parameters that are searched, arg is a struct
  * fit. Sets f->computed. */
 bool fit_try(void *arg, const double x[], double residuals[]);

@@ -2,6 +2,7 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
+#include "lab/study/spec_read.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,6 +4,7 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,22 +12,6 @@
 
 /* A failed run counts as a figure so many times too large, which leads the search away. */
 static const double FAILED = 10;
-
-double fit_value(const struct fit_parameter *p, double position)
-{
-    return p->logarithmic ? p->from * pow(p->to / p->from, position) : p->from + position * (p->to - p->from);
-}
-
-double fit_position(const struct fit_parameter *p, double value)
-{
-    return p->logarithmic ? log(value / p->from) / log(p->to / p->from)
-                          : (value - p->from) / (p->to - p->from);
-}
-
-void fit_text(const struct fit_parameter *p, double position, char text[32])
-{
-    snprintf(text, 32, "%.6g", fit_value(p, position));
-}
 
 static double residual_of(const struct fit_measurement *m, double computed)
 {
@@ -101,49 +86,33 @@ static bool compare(struct fit *f, struct study *s)
 
 /* The parameters' values as settings of the machine and arguments of the program. */
 struct given {
-    char *set[FIT_MAX_NUMBERS + 1], *text[FIT_MAX_NUMBERS + 1];
-    const char **words; /* ended by NULL; the words lie in text */
-    size_t sets, texts, count;
+    char **set, **arguments;
 };
 
-static void say(struct given *s, const struct fit *f, const double position[])
+static struct given give(const struct fit *f, const double position[])
 {
-    *s = (struct given){.words = xcalloc(1, sizeof *s->words)};
+    struct given g = {0};
     for (size_t i = 0; i < f->parameters; i++) {
-        char value[32], *save;
-        fit_text(&f->parameter[i], position[i], value);
-        if (f->parameter[i].set)
-            s->set[s->sets++] = fit_filled(f->parameter[i].set, "{}", value);
-        if (!f->parameter[i].arguments)
-            continue;
-        char *text = s->text[s->texts++] = fit_filled(f->parameter[i].arguments, "{}", value);
-        for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save)) {
-            s->words = xrealloc(s->words, (s->count + 2) * sizeof *s->words);
-            s->words[s->count++] = word;
-            s->words[s->count] = NULL;
-        }
+        const struct fit_parameter *p = &f->parameter[i];
+        char value[32];
+        fit_text(p, position[i], value);
+        if (p->set)
+            words_add(&g.set, words_filled(p->set, "{}", value));
+        if (p->arguments)
+            words_add_all(&g.arguments, words_filled(p->arguments, "{}", value));
     }
-}
-
-static void forget(struct given *s)
-{
-    for (size_t i = 0; i < s->sets; i++)
-        free(s->set[i]);
-    for (size_t i = 0; i < s->texts; i++)
-        free(s->text[i]);
-    free(s->words);
+    return g;
 }
 
 static bool run(struct fit *f, const double position[])
 {
     struct study_options o = f->options->study;
-    struct given s;
     if (!fit_build(f, position))
         return false;
-    say(&s, f, position);
+    struct given g = give(f, position);
     o.program = f->program;
-    o.set = (const char *const *)s.set;
-    o.arguments = s.words;
+    o.set = (const char *const *)g.set;
+    o.arguments = (const char *const *)g.arguments;
     struct study *study = study_open(&o, &f->error);
     enum study_end end = study ? study_run(study, &f->error) : STUDY_ERROR;
     if (end == STUDY_STOPPED)
@@ -156,7 +125,8 @@ static bool run(struct fit *f, const double position[])
         f->counts.cached += c.cached;
     }
     study_close(study);
-    forget(&s);
+    words_free(g.set);
+    words_free(g.arguments);
     return good;
 }
 

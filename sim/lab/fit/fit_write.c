@@ -3,6 +3,7 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,7 +56,7 @@ static char *as_given(const struct fit_parameter *p, const char *value)
 {
     if (p->factor)
         return xasprintf("factor of %s: %s", p->factor, value);
-    return fit_filled(p->set ? p->set : p->arguments, "{}", value);
+    return words_filled(p->set ? p->set : p->arguments, "{}", value);
 }
 
 /* What the fit was made to; malloc'd. */

@@ -7,40 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- lists of words ------------------------------------------------------------------------------------- */
-
-void words_add(char ***list, char *word)
-{
-    size_t n = 0;
-    while (*list && (*list)[n])
-        n++;
-    char **more = xrealloc(*list, (n + 2) * sizeof *more);
-    more[n] = word;
-    more[n + 1] = NULL;
-    *list = more;
-}
-
-void words_free(char **list)
-{
-    for (char **word = list; word && *word; word++)
-        free(*word);
-    free(list);
-}
-
-/* The text with label in place of each {}; malloc'd. */
-static char *filled_in(const char *text, const char *label)
-{
-    char *done = xstrdup("");
-    for (const char *hole; (hole = strstr(text, "{}")); text = hole + 2) {
-        char *longer = xasprintf("%s%.*s%s", done, (int)(hole - text), text, label);
-        free(done);
-        done = longer;
-    }
-    char *all = xasprintf("%s%s", done, text);
-    free(done);
-    return all;
-}
-
 /* --- a point's values ----------------------------------------------------------------------------------- */
 
 /* The index of the axis's value in the point's number, and in *rest the number without this axis: axes are
@@ -131,20 +97,12 @@ const char *point_machine(const struct spec *s, const struct point *p)
     return axis ? p->value[spec_axis_index(s, axis)].text : s->machine;
 }
 
-static void add_words(char ***list, const char *arguments, const char *label)
-{
-    char *text = filled_in(arguments ? arguments : "", label), *save;
-    for (char *word = strtok_r(text, " ", &save); word; word = strtok_r(NULL, " ", &save))
-        words_add(list, xstrdup(word));
-    free(text);
-}
-
 char **point_arguments(const struct spec *s, const struct point *p)
 {
     char **list = NULL;
-    add_words(&list, s->arguments, "{}");
+    words_add_all(&list, xstrdup(s->arguments));
     for (size_t i = 0; i < s->axis_count; i++)
-        add_words(&list, said_at(s, p, i)->arguments, p->value[i].text);
+        words_add_all(&list, words_filled(said_at(s, p, i)->arguments, "{}", p->value[i].text));
     return list;
 }
 
@@ -154,7 +112,7 @@ char **point_settings(const struct spec *s, const struct point *p)
     for (size_t i = 0; i < s->axis_count; i++) {
         config_setting_t *set = said_at(s, p, i)->set;
         for (int k = 0; set && k < config_setting_length(set); k++)
-            words_add(&list, filled_in(config_setting_get_string_elem(set, k), p->value[i].text));
+            words_add(&list, words_filled(config_setting_get_string_elem(set, k), "{}", p->value[i].text));
     }
     return list;
 }

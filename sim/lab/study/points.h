@@ -2,6 +2,7 @@
  * axis changing fastest, without the points that the study leaves out. */
 #ifndef LAB_STUDY_POINTS_H
 #define LAB_STUDY_POINTS_H
+#include "lab/jobs/words.h"
 #include "lab/study/spec.h"
 
 #include <jansson.h>
@@ -33,8 +34,4 @@ config_setting_t *point_setting_at(const struct spec *s, const struct point *p, 
 /* AXIS: value of each axis, whole numbers as integers. */
 json_t *point_values(const struct spec *s, const struct point *p);
 json_t *point_value_json(double number, const char *text);
-
-/* Lists of malloc'd words, ended by NULL; an empty list is NULL. words_add() takes over the word. */
-void words_add(char ***list, char *word);
-void words_free(char **list);
 #endif

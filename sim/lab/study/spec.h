@@ -70,11 +70,6 @@ struct spec {
     size_t picture_count;
 };
 
-/* Reads a study file. path must outlive the spec. NULL with *error malloc'd: file:line: key: what is
- * wrong. */
-struct spec *spec_read(const char *path, char **error);
-void spec_free(struct spec *s);
-
 /* The axis of that name, or NULL. */
 const struct spec_axis *spec_axis(const struct spec *s, const char *name);
 /* The axis's index in s->axes. */
@@ -86,11 +81,8 @@ double spec_value(const struct spec_axis *axis, size_t i, const char **text, cha
 /* Writes a number as a label: 4, 0.5. */
 void spec_label(double number, char label[SPEC_MAX_LABEL]);
 
-/* --- shared by spec.c, spec_axes.c and spec_pictures.c, which read the file --- */
+/* --- for reading the file: spec_read.c, spec_axes.c, spec_pictures.c --- */
 
-bool spec_read_axes(struct cfg_reader *r, struct spec *s);
-void spec_free_axes(struct spec *s);
-bool spec_read_pictures(struct cfg_reader *r, struct spec *s);
 /* Reads an expression over the axes read so far. NULL with an error about key at `at`. */
 struct expr *spec_expression(struct cfg_reader *r, config_setting_t *at, const char *key, const char *text,
                              const struct spec *s);
@@ -98,5 +90,4 @@ struct expr *spec_expression(struct cfg_reader *r, config_setting_t *at, const c
 bool spec_optional(struct cfg_reader *r, config_setting_t *in, const char *key, const char **out);
 /* Is text a name: letters, digits, _ - . ? */
 bool spec_is_name(const char *text);
-void *spec_zeroed(size_t count, size_t size);
 #endif

@@ -1,6 +1,6 @@
-/* spec_axes.c - reads the axes of a study file: lists, ranges, cases and derived axes; see spec.h. */
+/* spec_axes.c - see spec_axes.h. */
+#include "lab/study/spec_axes.h"
 #include "kernel/xalloc.h"
-#include "lab/study/spec.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,44 +8,6 @@
 #include <string.h>
 
 /* --- values --------------------------------------------------------------------------------------------- */
-
-void spec_label(double number, char label[SPEC_MAX_LABEL])
-{
-    snprintf(label, SPEC_MAX_LABEL, fabs(number) < 1e15 && floor(number) == number ? "%.0f" : "%.12g",
-             number);
-}
-
-double spec_value(const struct spec_axis *axis, size_t i, const char **text, char label[SPEC_MAX_LABEL])
-{
-    if (axis->kind == SPEC_LIST) {
-        *text = axis->values[i].label;
-        return axis->values[i].number;
-    }
-    spec_label(axis->times ? axis->from * pow(axis->step, (double)i) : axis->from + (double)i * axis->step,
-               label);
-    *text = label;
-    return strtod(label, NULL); /* the number that the label says: 0.3, not 0.1 + 2 * 0.1 */
-}
-
-static const char *nth_text(void *arg, size_t i)
-{
-    const struct spec_axis *axis = arg;
-    return i < axis->count ? axis->values[i].label : NULL;
-}
-
-struct expr *spec_expression(struct cfg_reader *r, config_setting_t *at, const char *key, const char *text,
-                             const struct spec *s)
-{
-    struct expr_name names[SPEC_MAX_AXES];
-    char *why = NULL;
-    for (size_t i = 0; i < s->axis_count; i++)
-        names[i] = (struct expr_name){s->axes[i].name, s->axes[i].numeric, nth_text, (void *)&s->axes[i]};
-    struct expr *e = expr_read(text, names, s->axis_count, &why);
-    if (!e)
-        cfg_fail(r, at, key, "%s", why);
-    free(why);
-    return e;
-}
 
 /* Reads a list of texts KEY=VALUE; *out stays NULL if there is none. */
 static bool read_set(struct cfg_reader *r, config_setting_t *in, config_setting_t **out)
@@ -127,7 +89,7 @@ static bool read_list(struct cfg_reader *r, config_setting_t *list, bool cases, 
 {
     axis->kind = SPEC_LIST;
     axis->count = (size_t)config_setting_length(list);
-    axis->values = spec_zeroed(axis->count, sizeof *axis->values);
+    axis->values = xcalloc(axis->count, sizeof *axis->values);
     axis->numeric = true;
     for (unsigned i = 0; i < axis->count; i++) {
         config_setting_t *s = config_setting_get_elem(list, i);
@@ -145,7 +107,7 @@ static bool read_range(struct cfg_reader *r, config_setting_t *g, struct spec_ax
     double to;
     axis->kind = SPEC_RANGE;
     axis->numeric = true;
-    axis->values = spec_zeroed(1, sizeof *axis->values);
+    axis->values = xcalloc(1, sizeof *axis->values);
     axis->times = config_setting_get_member(g, "times");
     if (axis->times == !!config_setting_get_member(g, "step"))
         return cfg_fail(r, g, axis->name, "a range needs either step = ...; or times = ...;");
@@ -169,7 +131,7 @@ static bool read_derived(struct cfg_reader *r, config_setting_t *g, const struct
     axis->kind = SPEC_DERIVED;
     axis->count = 1;
     axis->numeric = true;
-    axis->values = spec_zeroed(1, sizeof *axis->values);
+    axis->values = xcalloc(1, sizeof *axis->values);
     return cfg_text(r, g, "value", &text) &&
            (axis->value = spec_expression(r, config_setting_get_member(g, "value"), axis->name, text, s));
 }

@@ -1,5 +1,6 @@
-/* spec_pictures.c - reads the pictures of a study file; see spec.h. */
-#include "lab/study/spec.h"
+/* spec_pictures.c - see spec_pictures.h. */
+#include "lab/study/spec_pictures.h"
+#include "kernel/xalloc.h"
 
 #include <string.h>
 
@@ -68,7 +69,7 @@ bool spec_read_pictures(struct cfg_reader *r, struct spec *s)
     if (!cfg_list(r, r->root, "pictures", &list))
         return false;
     s->picture_count = (size_t)config_setting_length(list);
-    s->pictures = spec_zeroed(s->picture_count, sizeof *s->pictures);
+    s->pictures = xcalloc(s->picture_count, sizeof *s->pictures);
     for (unsigned i = 0; i < s->picture_count; i++)
         if (!read_picture(r, config_setting_get_elem(list, i), s, &s->pictures[i]))
             return false;

@@ -75,7 +75,4 @@ bool study_each(struct study *s, study_visit *visit, void *arg, char **error);
 
 /* Writes results, findings and pictures. */
 enum study_end study_report(struct study *s, char **error);
-
-/* Opens, runs, reports and closes a study. Sets *signal to the signal that stopped it, 0 if none. */
-enum study_end study_make(const struct study_options *options, int *signal, char **error);
 #endif

@@ -16,12 +16,6 @@ struct recipe {
     const char *arguments, *several_groups;
 };
 
-static void *zeroed(size_t count, size_t size)
-{
-    void *p = xcalloc(count + 1, size);
-    return p;
-}
-
 /* Reads a number as printed, and sets *unit to one in its last digit. */
 static bool read_printed(const char *text, double *value, double *unit)
 {
@@ -109,7 +103,7 @@ static bool read_table(struct cfg_reader *r, config_setting_t *g, struct paper_t
     t->number = (unsigned)number;
     t->title = xstrdup(title);
     t->count = (size_t)config_setting_length(rows);
-    t->rows = zeroed(t->count, sizeof *t->rows);
+    t->rows = xcalloc(t->count, sizeof *t->rows);
     for (unsigned i = 0; i < t->count; i++)
         if (!read_row(r, config_setting_get_elem(rows, i), &recipe, &t->rows[i]))
             return false;
@@ -128,7 +122,7 @@ static bool read_paper(struct cfg_reader *r, struct paper *p)
     p->machine = xstrdup(machine);
     p->program = xstrdup(program);
     p->count = (size_t)config_setting_length(tables);
-    p->tables = zeroed(p->count, sizeof *p->tables);
+    p->tables = xcalloc(p->count, sizeof *p->tables);
     for (unsigned i = 0; i < p->count; i++)
         if (!read_table(r, config_setting_get_elem(tables, i), &p->tables[i]))
             return false;
@@ -138,7 +132,7 @@ static bool read_paper(struct cfg_reader *r, struct paper *p)
 struct paper *paper_read(const char *path, char **error)
 {
     struct cfg_reader r;
-    struct paper *p = zeroed(1, sizeof *p);
+    struct paper *p = xcalloc(1, sizeof *p);
     bool ok = cfg_open(&r, path) && read_paper(&r, p);
     cfg_close(&r);
     if (ok)
