@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "lab/check/baseline.h"
+#include "lab/check/baseline_point.h"
 #include "lab/check/compare_print.h"
 #include "lab/check/junit.h"
 

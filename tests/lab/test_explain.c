@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lab/tables/explain.h"
+#include "lab/tables/explain_print.h"
 
 static void assert_near(double a, double b)
 {

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "files/number.h"
 #include "lab/fit/fit_parts.h"
 
 /* Two curves of two numbers, as times are: least at 0.3 and 0.8. */
@@ -203,20 +204,20 @@ static void a_measurement_is_as_exact_as_its_last_digit(void **state)
     (void)state;
     static const struct {
         const char *text;
-        double value, half;
-    } right[] = {{"90.7", 90.7, 0.05},
-                 {"1110", 1110, 0.5},
-                 {"-0.0150", -0.015, 0.00005},
-                 {"1.2e3", 1200, 50},
-                 {"7", 7, 0.5}};
+        double value, unit;
+    } right[] = {{"90.7", 90.7, 0.1},
+                 {"1110", 1110, 1},
+                 {"-0.0150", -0.015, 0.0001},
+                 {"1.2e3", 1200, 100},
+                 {"7", 7, 1}};
     static const char *const wrong[] = {"", "x", "1 s", "0x10", "nan", "inf", "1,5"};
-    double value, half;
+    double value, unit;
     for (size_t i = 0; i < sizeof right / sizeof *right; i++) {
-        assert_true(fit_number(right[i].text, &value, &half));
-        assert_true(value == right[i].value && fabs(half - right[i].half) < 1e-12);
+        assert_true(number_read(right[i].text, &value, &unit));
+        assert_true(value == right[i].value && fabs(unit - right[i].unit) < 1e-12);
     }
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        assert_false(fit_number(wrong[i], &value, &half));
+        assert_false(number_read(wrong[i], &value, &unit));
 }
 
 static void a_parameter_goes_evenly_or_by_its_logarithm(void **state)

@@ -5,7 +5,7 @@
  */
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
-#include "lab/chart/chart_parts.h"
+#include "lab/chart/chart_data.h"
 #include "lab/jobs/process_pool.h"
 
 #include <math.h>

@@ -1,12 +1,12 @@
-/* chart_data.c - takes what a picture draws from the results, in one pass over the points; see chart_parts.h.
+/* chart_data.c - takes what a picture draws from the results, in one pass over the points; see chart_data.h.
  *
  * The value at a position (panel, line, x) is the figure of the point there. If the picture has an axis
  * `best`, several points share the position, and the value is that axis's value at the point with the least
  * figure.
  */
+#include "lab/chart/chart_data.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "lab/chart/chart_parts.h"
 #include "lab/jobs/outcome.h"
 
 #include <math.h>

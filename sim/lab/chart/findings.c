@@ -6,7 +6,7 @@
 #include "lab/chart/findings.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
-#include "lab/chart/chart_parts.h"
+#include "lab/chart/chart_data.h"
 
 #include <math.h>
 #include <string.h>

@@ -26,10 +26,4 @@ bool baseline_write(const json_t *baseline, const char *path, char **error);
 json_t *baseline_study(json_t *baseline, const char *study);
 /* The points of a study; NULL if it is missing. Borrowed. */
 const json_t *baseline_find(const json_t *baseline, const char *study);
-
-/* The baseline's form of a study's point (study_each() in study.h). axes is an object whose keys are the
- * names of the study's axes. Host times and paths are left out. */
-json_t *baseline_point(const json_t *point, const json_t *axes);
-/* The point's name, malloc'd: "nodes 8, group 4". */
-char *baseline_name(const json_t *point, const json_t *axes);
 #endif

@@ -1,11 +1,11 @@
-/* baseline_point.c - the baseline's form of a point: its figures, and where its nodes' time went; see
- * baseline.h. */
+/* baseline_point.c - see baseline_point.h. */
+#include "lab/check/baseline_point.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "lab/check/baseline.h"
 #include "lab/jobs/outcome.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/check/baseline.h"
+#include "lab/check/baseline_point.h"
 #include "lab/check/compare_print.h"
 #include "lab/check/junit.h"
 

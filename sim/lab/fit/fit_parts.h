@@ -51,8 +51,6 @@ bool fit_read(struct fit *f, char **error);
 typedef bool fit_row(void *arg, const json_t *cells, const char *at, char **error);
 /* Calls row for each row of the file. False with *error. */
 bool fit_table(const char *path, fit_row *row, void *arg, char **error);
-/* The number, and half a unit of its last digit as written: 90.7 has 0.05. False if text is no number. */
-bool fit_number(const char *text, double *value, double *half);
 void fit_clear(struct fit *f);
 
 /* --- fit_position.c --- */

@@ -1,4 +1,5 @@
 /* fit_read.c - reads the fit of a study file: parameters and measurements; see fit.h. */
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
@@ -109,7 +110,8 @@ static bool add(struct fit *f, const json_t *where, const char *figure, const ch
                 const char *at, char **error)
 {
     struct fit_measurement m = {0};
-    if (!fit_number(text, &m.value, &m.half)) {
+    double unit;
+    if (!number_read(text, &m.value, &unit)) {
         *error = xasprintf("%s: %s: '%s' is no number", at, figure, text);
         return false;
     }
@@ -120,6 +122,7 @@ static bool add(struct fit *f, const json_t *where, const char *figure, const ch
     }
     m.scale = (f->by_rounding ? m.half : 0.01 * fabs(m.value)) / weight;
     m.name = name_of(where, figure);
+    m.half = unit / 2;
     m.figure = xstrdup(figure);
     m.where = json_incref((json_t *)where);
     m.at = xstrdup(at);
@@ -132,10 +135,10 @@ static bool add_row(void *arg, const json_t *cells, const char *at, char **error
 {
     struct fit *f = arg;
     const char *column, *weight_text = json_string_value(json_object_get(cells, "weight"));
-    double weight = 1, half;
+    double weight = 1;
     json_t *cell;
     bool good = true;
-    if (weight_text && (!fit_number(weight_text, &weight, &half) || weight <= 0)) {
+    if (weight_text && (!number_read(weight_text, &weight, NULL) || weight <= 0)) {
         *error = xasprintf("%s: weight: '%s' is no number above 0", at, weight_text);
         return false;
     }

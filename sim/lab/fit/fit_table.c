@@ -5,21 +5,8 @@
 #include "lab/fit/fit_parts.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-bool fit_number(const char *text, double *value, double *half)
-{
-    char *end;
-    *value = strtod(text, &end);
-    if (end == text || *end || !isfinite(*value) || strchr(text, 'x') || strchr(text, 'X'))
-        return false;
-    const char *power = strpbrk(text, "eE"), *point = strchr(text, '.');
-    long digits = point ? (power ? power : end) - point - 1 : 0;
-    *half = 0.5 * pow(10, (power ? strtod(power + 1, NULL) : 0) - (double)digits);
-    return true;
-}
 
 /* Removes the blanks at both ends of a cell. */
 static char *bare(char *cell)

@@ -1,6 +1,7 @@
 /* fit_try.c - one evaluation of a fit: runs the study with certain values of the parameters and compares it
  * with the measurements. A fit that was interrupted repeats its evaluations quickly: their points are in the
  * study's journal and in the result cache. */
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
@@ -27,11 +28,10 @@ struct visit {
 
 static bool is_value(const json_t *value, const char *text)
 {
-    char *end;
+    double number;
     if (json_is_string(value))
         return strcmp(json_string_value(value), text) == 0;
-    double number = strtod(text, &end);
-    return end != text && !*end && number == json_number_value(value);
+    return number_read(text, &number, NULL) && number == json_number_value(value);
 }
 
 static bool is_at(const struct fit_measurement *m, const json_t *point)

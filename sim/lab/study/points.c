@@ -101,8 +101,11 @@ char **point_arguments(const struct spec *s, const struct point *p)
 {
     char **list = NULL;
     words_add_all(&list, xstrdup(s->arguments));
-    for (size_t i = 0; i < s->axis_count; i++)
-        words_add_all(&list, words_filled(said_at(s, p, i)->arguments, "{}", p->value[i].text));
+    for (size_t i = 0; i < s->axis_count; i++) {
+        const char *own = said_at(s, p, i)->arguments;
+        if (own)
+            words_add_all(&list, words_filled(own, "{}", p->value[i].text));
+    }
     return list;
 }
 

@@ -3,8 +3,6 @@
  * explain_read() checks that. */
 #ifndef LAB_TABLES_EXPLAIN_H
 #define LAB_TABLES_EXPLAIN_H
-#include <stdio.h>
-
 #include "lab/jobs/outcome.h"
 #include "lab/tables/paper.h"
 
@@ -48,8 +46,4 @@ void explain_free(struct explain *e);
 
 /* Seconds of all lines of a class. */
 double explain_sum(const struct explain_part *part, enum explain_class c);
-
-/* Print an explanation: as text with all layers, and as a short table in Markdown. */
-void explain_print(const struct explain *e, FILE *out);
-void explain_markdown(const struct explain *e, FILE *out);
 #endif

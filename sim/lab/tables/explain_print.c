@@ -1,5 +1,5 @@
-/* explain_print.c - prints an explanation as text and as Markdown; see explain.h. */
-#include "lab/tables/explain.h"
+/* explain_print.c - see explain_print.h. */
+#include "lab/tables/explain_print.h"
 
 #include <math.h>
 

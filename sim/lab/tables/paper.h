@@ -50,8 +50,6 @@ struct paper {
     size_t message_count;
 };
 
-/* Reads paper.cfg. NULL with *error malloc'd. */
-struct paper *paper_read(const char *path, char **error);
 void paper_free(struct paper *p);
 
 /* Reads a row's name, "5:64": table 5, 64 nodes. False if text is no such name. */
@@ -60,31 +58,4 @@ bool paper_row_name(const char *text, unsigned *table, unsigned *nodes);
 struct paper_row *paper_find(const struct paper *p, const char *name);
 /* The name of messages of that type; NULL if they have none. */
 const char *paper_message_name(const struct paper *p, long type);
-
-/* A cost factor of the program that was fitted to a figure. */
-struct paper_factor {
-    char *file, *function; /* what the factor applies to; NULL: to all */
-    double factor;
-    char *fitted_to;
-};
-
-/* A constant that was fitted (an option of the program or a setting of the machine), or a policy of the
- * program that the paper leaves open and that was chosen with its tables in view. */
-struct paper_choice {
-    bool policy;
-    char *what;
-    char *fitted_to;
-    char **instead; /* alternatives: arguments of the program, or "--set KEY=VALUE" for the machine */
-    size_t instead_count;
-};
-
-struct paper_fitted {
-    struct paper_factor *factors;
-    size_t count;
-    struct paper_choice *choices;
-    size_t choice_count;
-};
-/* Reads fitted.cfg. NULL with *error malloc'd. */
-struct paper_fitted *paper_read_fitted(const char *path, char **error);
-void paper_free_fitted(struct paper_fitted *f);
 #endif

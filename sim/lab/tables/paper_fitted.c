@@ -1,8 +1,7 @@
-/* paper_fitted.c - reads fitted.cfg: factors, constants and policies that were fitted to the tables; see
- * paper.h. */
+/* paper_fitted.c - see paper_fitted.h. */
+#include "lab/tables/paper_fitted.h"
 #include "config/reader.h"
 #include "kernel/xalloc.h"
-#include "lab/tables/paper.h"
 
 #include <stdlib.h>
 #include <string.h>

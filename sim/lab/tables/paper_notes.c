@@ -5,31 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool paper_row_name(const char *text, unsigned *table, unsigned *nodes)
-{
-    char *end;
-    long t = strtol(text, &end, 10);
-    if (end == text || *end != ':' || t < 1 || t > 99)
-        return false;
-    const char *second = end + 1;
-    long n = strtol(second, &end, 10);
-    *table = (unsigned)t;
-    *nodes = (unsigned)n;
-    return end != second && !*end && n >= 1 && n <= 65536;
-}
-
-struct paper_row *paper_find(const struct paper *p, const char *name)
-{
-    unsigned table, nodes;
-    if (!paper_row_name(name, &table, &nodes))
-        return NULL;
-    for (size_t t = 0; t < p->count; t++)
-        for (size_t i = 0; p->tables[t].number == table && i < p->tables[t].count; i++)
-            if (p->tables[t].rows[i].nodes == nodes)
-                return &p->tables[t].rows[i];
-    return NULL;
-}
-
 /* The row of that name. NULL with an error about key at `at`. */
 static struct paper_row *row_of(struct cfg_reader *r, struct paper *p, config_setting_t *at, const char *key,
                                 const char *name)
@@ -120,12 +95,4 @@ bool paper_read_notes(struct cfg_reader *r, struct paper *p)
 {
     return read_marks(r, p, "fitted_rows", false) && read_marks(r, p, "tie_rows", true) &&
            read_remarks(r, p) && read_messages(r, p);
-}
-
-const char *paper_message_name(const struct paper *p, long type)
-{
-    for (size_t i = 0; i < p->message_count; i++)
-        if (type >= p->messages[i].first && type <= p->messages[i].last)
-            return p->messages[i].name;
-    return NULL;
 }

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "lab/jobs/outcome.h"
-#include "lab/tables/paper.h"
+#include "lab/tables/paper_fitted.h"
 #include "lab/tables/table_runs.h"
 
 struct result_row {

@@ -2,7 +2,7 @@
 #include "lab/tables/tables_report.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
-#include "lab/tables/explain.h"
+#include "lab/tables/explain_print.h"
 
 #include <errno.h>
 #include <math.h>

@@ -1,7 +1,7 @@
-/* chart_parts.h - the values that a picture draws: chart_data.c takes them from results, chart.c and
+/* chart_data.h - the values that a picture draws: chart_data.c takes them from results, chart.c and
  * findings.c show them. */
-#ifndef LAB_CHART_CHART_PARTS_H
-#define LAB_CHART_CHART_PARTS_H
+#ifndef LAB_CHART_CHART_DATA_H
+#define LAB_CHART_CHART_DATA_H
 #include "lab/chart/chart.h"
 
 #include <stddef.h>
