@@ -1,4 +1,4 @@
-/* Files that runs leave, folders that they do not leave, and files that people write. */
+/* test_files.c - atomic files, scratch folders, and files that people write. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -142,17 +142,17 @@ static void a_scratch_folder_goes_with_its_process(void **state)
     if (child == 0) {
         struct scratch s = scratch_new("test");
         assert_true(write(to_parent[1], s.path, strlen(s.path)) > 0);
-        _exit(0); /* as if it had been killed */
+        _exit(0); /* as if the process had been killed */
     }
     waitpid(child, NULL, 0);
     assert_true(read(to_parent[0], theirs, sizeof theirs - 1) > 0);
     assert_int_equal(access(theirs, F_OK), 0);
     struct scratch another = scratch_new("test");
-    assert_int_equal(access(theirs, F_OK), 0); /* it may just be about to be locked */
+    assert_int_equal(access(theirs, F_OK), 0); /* another process may be about to lock it */
     make_old(theirs);
     make_old(mine.path);
     make_old(another.path);
-    assert_int_equal(mkdir("test-123456x", 0700), 0); /* not of ours */
+    assert_int_equal(mkdir("test-123456x", 0700), 0); /* another name: must stay */
     make_old("test-123456x");
     struct scratch third = scratch_new("test");
     assert_int_not_equal(access(theirs, F_OK), 0);

@@ -1,4 +1,5 @@
-/* test_compare.c - points against a baseline: what is worse, by how much, where the time moved, and JUnit XML. */
+/* test_compare.c - comparisons with a baseline: what is worse and by how much, where time moved, JUnit
+ * XML. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,7 +23,7 @@ static json_t *json(const char *text)
     return j;
 }
 
-/* A run's flat figures -> a baseline's point. */
+/* The baseline's form of a run's figures. */
 static json_t *point(const char *figures)
 {
     json_t *flat = json(figures), *axes = json("{\"nodes\": [], \"group\": []}"),
@@ -112,8 +113,10 @@ static void a_tolerance_is_relative_or_in_the_figures_unit(void **state)
     assert_int_equal(verdict(a, b, "2%"), COMPARE_WORSE);
     assert_int_equal(verdict(a, b, "total_s=1%,messages=3"), COMPARE_TOLD);
     assert_int_equal(verdict(a, b, "total_s=1%,messages=2.9"), COMPARE_WORSE);
-    assert_int_equal(verdict(a, b, "3%,messages=0"), COMPARE_WORSE); /* a figure's own goes before */
-    assert_int_equal(verdict(a, b, "messages=3"), COMPARE_WORSE);    /* the others' is nought */
+    assert_int_equal(verdict(a, b, "3%,messages=0"),
+                     COMPARE_WORSE); /* a figure's own tolerance replaces the general one */
+    assert_int_equal(verdict(a, b, "messages=3"),
+                     COMPARE_WORSE); /* without a general tolerance the others have none */
     assert_int_equal(verdict(b, a, "0.5%"), COMPARE_BETTER);
 }
 
@@ -153,7 +156,7 @@ static void points_come_and_go(void **state)
     assert_true(compare_is_failure(COMPARE_MISSING) && compare_is_failure(COMPARE_FAILED));
     assert_false(compare_is_failure(COMPARE_NEW) || compare_is_failure(COMPARE_BETTER));
     assert_int_equal(verdict("{\"total_s\": 1, \"a\": 1}", "{\"a\": 1}", NULL),
-                     COMPARE_WORSE); /* no longer told */
+                     COMPARE_WORSE); /* a named figure is no longer only told */
 }
 
 static void where_files_are_and_wall_times_are_left_out(void **state)
@@ -183,12 +186,13 @@ static void a_point_is_called_by_its_axes(void **state)
     json_decref(none);
 }
 
-#define PROFILE(mix, copies, idle)                                                                                    \
-    "{\"total_s\": " mix ", \"profile\": {\"functions\": ["                                                           \
-    "{\"file\": \"x/a.c\", \"function\": \"mix\", \"others\": {\"seconds\": " mix "}}, "                              \
-    "{\"file\": \"/y/a.c\", \"function\": \"pack\", \"called\": \"memcpy\", \"others\": {\"seconds\": " copies        \
-    "}}], "                                                                                                           \
-    "\"classes\": {\"others\": {\"nodes\": 7, \"beside_s\": 0.0, \"rest_s\": 0.25, \"tasks\": {\"copying_s\": 0.5}, " \
+#define PROFILE(mix, copies, idle)                                                                           \
+    "{\"total_s\": " mix ", \"profile\": {\"functions\": ["                                                  \
+    "{\"file\": \"x/a.c\", \"function\": \"mix\", \"others\": {\"seconds\": " mix "}}, "                     \
+    "{\"file\": \"/y/a.c\", \"function\": \"pack\", \"called\": \"memcpy\", "                                \
+    "\"others\": {\"seconds\": " copies "}}], "                                                              \
+    "\"classes\": {\"others\": {\"nodes\": 7, \"beside_s\": 0.0, \"rest_s\": 0.25, "                         \
+    "\"tasks\": {\"copying_s\": 0.5}, "                                                                      \
     "\"waits\": [{\"call\": \"crecv\", \"idle_s\": " idle "}]}}}}"
 
 static void time_that_moved_is_told_by_function_first(void **state)

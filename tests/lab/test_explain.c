@@ -1,4 +1,4 @@
-/* test_explain.c - the account of a row's time: what it is made of, and that figures which do not add up are refused. */
+/* test_explain.c - the account of a row's time: its parts; figures that do not add up are refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,8 @@ static struct paper_message messages[] = {{6, 6, (char *)"chunks"}};
 static const struct paper paper = {.messages = messages, .message_count = 1};
 static const struct paper_row row = {.nodes = 2, .group = 2, .paper = {.total_s = 10}};
 
-/* A host that reads for 9 s, and a slave that computes for 4 s and waits for 5; both from 1 s to 10 s, then 1 s more. */
+/* A host that reads for 9 s, and a slave that computes for 4 s and waits for 5 s; both from 1 s to 10 s of 11
+ * s. */
 static struct outcome measured(void)
 {
     static const char *const NAMES[] = {
@@ -100,7 +101,7 @@ static void each_second_is_in_its_line(void **state)
     outcome_clear(&o);
 }
 
-/* What is said when one figure is changed. */
+/* The error when one figure is changed. */
 static void refused(const char *key, double value, const char *expected)
 {
     char *error = NULL;

@@ -1,4 +1,4 @@
-/* test_expr.c - expressions: how signs bind, texts, and what is said of those that are wrong. */
+/* test_expr.c - expressions: precedence, texts, and the errors of wrong expressions. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -63,9 +63,9 @@ static void names_and_functions(void **state)
     assert_is("min(nodes, 8) + max(1, 2)", 10);
     assert_is("log2(nodes) + sqrt(nodes) + floor(2.7) + ceil(2.2) + round(2.5) + abs(-1)", 17);
     assert_is("if(nodes > 8, 1, 2)", 1);
-    assert_is("a-b", 100); /* the longest name that is known */
+    assert_is("a-b", 100); /* the longest known name */
     assert_is("a - nodes", -13);
-    assert_is("a-nodes", -13); /* no such name, so that it is a difference */
+    assert_is("a-nodes", -13); /* no known name: a difference */
 }
 
 static void texts_are_equal_or_not(void **state)

@@ -1,4 +1,4 @@
-/* test_findings.c - the page of findings says what its figures say. */
+/* test_findings.c - the sentences of the page of findings follow from its figures. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +24,7 @@ static const char RESULTS[] =
     "  { \"nodes\": 8, \"scheme\": \"a\", \"failure\": null, \"time_s\": 6.0, \"speedup\": 1.3 },"
     "  { \"nodes\": 8, \"scheme\": \"b\", \"failure\": \"crashed\" } ] }\n";
 
-/* The page with one picture of that figure; malloc'd. */
+/* The page with one picture of the figure; malloc'd. */
 static char *page(const char *figure, const char *best)
 {
     char dir[] = "/tmp/findings.XXXXXX", path[64], *error = NULL, *text = calloc(1, 8192);
@@ -66,9 +66,9 @@ static void table_and_least(void **state)
     says(text, "![title](pic.png)");
     says(text, "| 4 | 3.900 | 3.000 |");
     says(text, "| 8 | 6.000 | - |");
-    says(
-        text,
-        "- scheme a: 8.000 to 6.000 (x 0.75) from nodes 1 to 8; least, 3.900, at nodes 4; within a tenth of it from 2 to 4.");
+    says(text,
+         "- scheme a: 8.000 to 6.000 (x 0.75) from nodes 1 to 8; least, 3.900, at nodes 4; within a tenth of "
+         "it from 2 to 4.");
     says(text, "- scheme b: 8.000 to 3.000 (x 0.375) from nodes 1 to 4; least, 3.000, at nodes 4.");
     says(text, "- Of all lines least at nodes 2: a; least at nodes 4: b.");
     free(text);

@@ -12,7 +12,7 @@
 #include "files/number.h"
 #include "lab/fit/fit_parts.h"
 
-/* Two curves of two numbers, as times are: least at 0.3 and 0.8. */
+/* Residuals of two numbers, least at 0.3 and 0.8. */
 static bool curves(void *arg, const double x[], double r[])
 {
     unsigned *calls = arg;
@@ -65,7 +65,7 @@ static void ranges_are_kept(void **state)
     double x[] = {0.5, 0.5}, slope[4];
     assert_true(fit_least(&p, x, 100));
     assert_true(x[0] > 0.999 && x[1] < 0.001);
-    assert_true(fit_slopes(&p, x, 0.01, slope)); /* at the ends too */
+    assert_true(fit_slopes(&p, x, 0.01, slope)); /* at the ends of the range, too */
     assert_true(fabs(slope[0] - 1) < 1e-9 && slope[1] == 0 && slope[2] == 0 && fabs(slope[3] - 1) < 1e-9);
 }
 
@@ -111,7 +111,8 @@ static void a_number_without_influence_is_found(void **state)
 static void numbers_that_do_the_same_are_found_together(void **state)
 {
     (void)state;
-    static const double slope[] = {2, 4, 0, 1, 2, 0, 0, 0, 1}; /* the second does twice what the first does */
+    static const double slope[] = {2, 4, 0, 1, 2,
+                                   0, 0, 0, 1}; /* the second number has twice the influence of the first */
     struct fit_number of[3];
     fit_determine(slope, 3, 3, 0.01, of);
     assert_int_equal(of[0].standing, FIT_COMBINED);
@@ -157,7 +158,7 @@ static bool keep_row(void *arg, const json_t *cells, const char *at, char **erro
     return true;
 }
 
-/* The rows of a table as JSON; or the error, without the file's name. Malloc'd. */
+/* The rows of a table as JSON, or the error without the file's name; malloc'd. */
 static char *rows_of(const char *table)
 {
     char path[] = "/tmp/test_fit.XXXXXX", *error = NULL;

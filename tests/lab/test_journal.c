@@ -1,5 +1,5 @@
-/* test_journal.c - journals: what was added is there again, torn and damaged lines cost no more than themselves; the cache;
- * claims on a folder. */
+/* test_journal.c - journals, whose torn and damaged lines lose no other line; the result cache; point
+ * locks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +38,7 @@ static void add(struct journal *j, int i, enum journal_line_state state, int val
     json_decref(record);
 }
 
-/* -1: there is none */
+/* -1 if there is none */
 static int value_of(struct journal *j, int i)
 {
     json_t *record = journal_record(j, key_of(i));
@@ -74,7 +74,7 @@ static void what_was_added_is_there_again(void **state)
     journal_close(j);
 }
 
-/* At whatever byte the writer died, all lines before are there, and the next is added behind them. */
+/* At whatever byte a writer died, the lines before are intact, and the next line is added after them. */
 static void a_torn_line_is_cut_off(void **state)
 {
     (void)state;
@@ -108,7 +108,7 @@ static void flip(size_t at)
     close(fd);
 }
 
-/* Whichever byte of a line is changed: the line is named, and the others hold. */
+/* Whichever byte of a line is changed, the line is named, and the other lines are intact. */
 static void damage_is_named_and_costs_its_line(void **state)
 {
     (void)state;
@@ -165,7 +165,7 @@ static void many_results_are_found(void **state)
     journal_close(j);
 }
 
-/* Two writers: each finds what the other has added, and no line is lost. */
+/* Each of two writers finds the other's lines, and no line is lost. */
 static void writers_take_turns(void **state)
 {
     enum { EACH = 50 };
@@ -203,7 +203,7 @@ static void failures_can_be_forgotten(void **state)
     journal_close(j);
 }
 
-/* --- the cache ------------------------------------------------------------------------------------------- */
+/* --- the result cache ----------------------------------------------------------------------------------- */
 
 static void the_cache_gives_only_what_it_was_given(void **state)
 {
@@ -216,15 +216,17 @@ static void the_cache_gives_only_what_it_was_given(void **state)
     assert_true(json_equal(found, record));
     json_decref(found);
     assert_null(result_cache_find("cache", key_of(2), inputs, stderr));
-    assert_null(result_cache_find("cache", key_of(1), others, stderr)); /* equal digests would not do */
+    assert_null(
+        result_cache_find("cache", key_of(1), others, stderr)); /* an equal digest alone is not enough */
     json_decref(inputs);
     json_decref(others);
     json_decref(record);
 }
 
-/* --- claims ---------------------------------------------------------------------------------------------- */
+/* --- point locks ---------------------------------------------------------------------------------------- */
 
-/* What a child process answers that enters the session and claims point 1; 2: refused */
+/* A child process enters the session and locks point 1: 1 if it could, 0 if not, 2 if the session refused
+ * it. */
 static int child_claims(const char *session)
 {
     int status;
@@ -254,7 +256,7 @@ static void a_folder_has_one_session(void **state)
     point_locks_leave(c);
 }
 
-/* The child above died without a word, and its claim was gone with it. */
+/* The child above died without releasing its lock; the system released it. */
 static void a_point_is_claimed_once(void **state)
 {
     char *error = NULL;
@@ -268,7 +270,7 @@ static void a_point_is_claimed_once(void **state)
     point_locks_leave(c);
 }
 
-/* Each test has a folder of its own. */
+/* Each test runs in a folder of its own. */
 static int enter(void **state)
 {
     struct scratch *s = malloc(sizeof *s);

@@ -1,4 +1,5 @@
-/* test_pool.c - the job pool: order, how many at a time, what children said, how they ended. */
+/* test_process_pool.c - the process pool: the order of jobs, how many run at a time, their output, how they
+ * end. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +16,7 @@
         "/bin/sh", "-c", script, NULL                                                                        \
     }
 
-/* Keeps what the pool told: the order in which jobs ended, and the most that ran at once. */
+/* Records the order in which jobs ended, and the most that ran at once. */
 struct log {
     const struct pool_job *ended[16];
     size_t count, most_running;

@@ -1,5 +1,5 @@
-/* test_spec.c - study files: each kind of mistake is named with its line and what is allowed; the points that
- * a file means. */
+/* test_spec.c - study files: the error of each kind of mistake names the line and what is allowed; the points
+ * of a file. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,7 +28,7 @@ static struct spec *read_text(const char *text, char **error)
 
 static void mistakes_are_named_with_line_and_remedy(void **state)
 {
-    /* What stands after the good lines or instead of them, and what is said of it. */
+    /* Lines after the good ones, or in their place, and the error. */
     static const struct {
         bool after;
         const char *text, *said;
@@ -64,7 +64,8 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {false, "program = \"p\"; machine = \"m\";\naxes = ( );",
          "study.cfg:2: axes: 0 axes: 1 to 16 are allowed"},
         {false,
-         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"g\"; values = ( 1 ); arguments = \"{}\"; } );",
+         "program = \"p\"; machine = \"m\";\n"
+         "axes = ( { name = \"g\"; values = ( 1 ); arguments = \"{}\"; } );",
          "study.cfg: nodes: missing"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = ( 1.5 ); } );",
          "study.cfg:2: nodes: 1.5 is not a number of nodes: whole, from 1 to 1048576"},
@@ -75,13 +76,16 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; } );",
          "study.cfg:2: nodes: needs either values = ( ... ), values = { from ... }"},
         {false,
-         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = { from = 1; to = 8; }; } );",
+         "program = \"p\"; machine = \"m\";\n"
+         "axes = ( { name = \"nodes\"; values = { from = 1; to = 8; }; } );",
          "study.cfg:2: nodes: a range needs either step = ...; or times = ...;"},
         {false,
-         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\nvalues = { from = 1; to = 8; times = 1; }; } );",
+         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\n"
+         "values = { from = 1; to = 8; times = 1; }; } );",
          "study.cfg:3: times: 1 is out of range"},
         {false,
-         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\nvalues = { from = 1; to = 4; step = 0.5; }; } );",
+         "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\n"
+         "values = { from = 1; to = 4; step = 0.5; }; } );",
          "study.cfg:3: nodes: 1.5 is not a number of nodes: whole, from 1 to 1048576"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"g\";\nvalue = \"nodes / 2\"; } );",
          "study.cfg:3: g: there is no axis nodes; there are: "},
@@ -135,7 +139,7 @@ static void a_file_that_is_not_there(void **state)
     free(error);
 }
 
-/* The points' values of an axis, with blanks between; "left out" where none is left. */
+/* The points' values on an axis, separated by blanks; "left out" if there are no points. */
 static void assert_values(const char *rest, const char *axis, const char *expected)
 {
     char text[2048], *error = NULL, said[256] = "";
@@ -165,9 +169,9 @@ static void ranges_hold_both_ends(void **state)
                   "1 4 16 64");
     assert_values("axes = ( { name = \"nodes\"; values = { from = 3; to = 10; step = 3; }; } );", "nodes",
                   "3 6 9");
-    assert_values(
-        "nodes = 1; axes = ( { name = \"x\"; arguments = \"{}\"; values = { from = 0; to = 0.3; step = 0.1; }; } );",
-        "x", "0 0.1 0.2 0.3");
+    assert_values("nodes = 1; axes = ( { name = \"x\"; arguments = \"{}\"; "
+                  "values = { from = 0; to = 0.3; step = 0.1; }; } );",
+                  "x", "0 0.1 0.2 0.3");
 }
 
 static void axes_follow_from_others(void **state)
@@ -177,9 +181,10 @@ static void axes_follow_from_others(void **state)
         "axes = ( { name = \"nodes\"; values = ( 4, 6 ); },\n { name = \"g\"; value = \"nodes / 4\"; },"
         " { name = \"h\"; value = \"2 * g\"; } );",
         "h", "2 3");
-    assert_values(
-        "axes = ( { name = \"n\"; values = ( 4 ); arguments = \"{}\"; },\n { name = \"nodes\"; value = \"n / 8\"; } );",
-        "nodes", "study.cfg:3: nodes: \"n / 8\" is 0.5 at n 4, nodes ?: a whole number of nodes is needed");
+    assert_values("axes = ( { name = \"n\"; values = ( 4 ); arguments = \"{}\"; },\n"
+                  " { name = \"nodes\"; value = \"n / 8\"; } );",
+                  "nodes",
+                  "study.cfg:3: nodes: \"n / 8\" is 0.5 at n 4, nodes ?: a whole number of nodes is needed");
 }
 
 static void arguments_may_be_for_some_points(void **state)

@@ -1,6 +1,6 @@
-/* test_tables.c - the making of tables, with a stand-in for the simulator: a script with its interface.
+/* test_tables.c - the making of tables, with a script in place of the simulator.
  *
- * The stand-in says a run takes 1200 / N s, writes down how it was called, and fails when asked to.
+ * For the script a run on N nodes takes 1200 / N s. It records its arguments, and fails when told to.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -59,8 +59,8 @@ static char *read_text(const char *path)
     return text;
 }
 
-/* Makes the tables in the current folder; the text for people goes to said, that of progress to progress. */
-static const char *choices; /* where to */
+/* Makes the tables in the current folder; `said` gets the printed text, `progress` the text of progress. */
+static const char *choices; /* the file for the choices */
 
 static enum tables_end make(const unsigned *wanted, char **error)
 {
@@ -235,7 +235,7 @@ static void a_place_that_cannot_be_written(void **state)
     free(error);
 }
 
-/* Each test has a folder of its own. */
+/* Each test runs in a folder of its own. */
 static int enter(void **state)
 {
     char *dir = strdup("/tmp/test_tables.XXXXXX");
