@@ -5,6 +5,7 @@
 #include "lab/jobs/outcome.h"
 #include "lab/study/spec_read.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -120,9 +121,10 @@ static bool add(struct fit *f, const json_t *where, const char *figure, const ch
             xasprintf("%s: %s is 0, and has no relative error: weights = \"rounding\" has one", at, figure);
         return false;
     }
-    m.scale = (f->by_rounding ? m.half : 0.01 * fabs(m.value)) / weight;
-    m.name = name_of(where, figure);
     m.half = unit / 2;
+    m.scale = (f->by_rounding ? m.half : 0.01 * fabs(m.value)) / weight;
+    assert(m.scale > 0);
+    m.name = name_of(where, figure);
     m.figure = xstrdup(figure);
     m.where = json_incref((json_t *)where);
     m.at = xstrdup(at);
