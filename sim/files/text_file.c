@@ -63,7 +63,7 @@ static char *read_text(int fd, size_t most, const char **why, int *line)
     if (!*why) {
         text[bytes] = 0;
         *line = line_without_text(text, (size_t)bytes);
-        *why = *line ? "a byte that is no text (UTF-8)" : NULL;
+        *why = *line ? "a byte that is not UTF-8 text" : NULL;
     }
     if (!*why)
         return text;

@@ -185,13 +185,13 @@ static void text_is_read_if_it_is_text(void **state)
     assert_string_equal(text, "gr\xc3\xbc\xc3\x9f\x65 \xe2\x82\xac \xf0\x9f\x98\x80\n");
     free(text);
     put("latin1", "a\nb\xfc\n");
-    check_refused("latin1", "a byte that is no text (UTF-8)", 2);
+    check_refused("latin1", "a byte that is not UTF-8 text", 2);
     put("overlong", "\xc0\xaf");
-    check_refused("overlong", "a byte that is no text (UTF-8)", 1);
+    check_refused("overlong", "a byte that is not UTF-8 text", 1);
     put("surrogate", "\n\n\xed\xa0\x80");
-    check_refused("surrogate", "a byte that is no text (UTF-8)", 3);
+    check_refused("surrogate", "a byte that is not UTF-8 text", 3);
     put("cut", "abc\xe2\x82");
-    check_refused("cut", "a byte that is no text (UTF-8)", 1);
+    check_refused("cut", "a byte that is not UTF-8 text", 1);
     check_refused("/dev/zero", "it is larger than such files are", 0);
     check_refused(".", "it is a folder", 0);
     check_refused("missing", "No such file or directory", 0);

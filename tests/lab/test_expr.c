@@ -98,7 +98,7 @@ static void mistakes_are_named(void **state)
     assert_wrong("nodes = 'x'", "there is no axis x; there are: nodes, a, a-b, kind");
     assert_wrong("kind", "kind is no number or axis of numbers: only = and != are allowed");
     assert_wrong("1 +", "something is missing at the end of \"1 +\"");
-    assert_wrong("1 2", "\"2\" is one too many in \"1 2\"");
+    assert_wrong("1 2", "\"2\" is not expected in \"1 2\"");
     assert_wrong("(1", ") is missing at \"\"");
     assert_wrong("'x", "' is missing after x");
     assert_wrong("min(1)", "min needs 2 values, with commas between");

@@ -32,7 +32,7 @@ static const char *wrong_point(const json_t *point)
         static const char *const kinds[] = {"functions", "system", "idle"};
         for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
             if ((kind = json_object_get(class, kinds[i])) && !json_is_object(kind))
-                return "has a `where` that is no baseline's";
+                return "has a `where` of another form";
     }
     return NULL;
 }

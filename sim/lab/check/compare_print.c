@@ -149,7 +149,7 @@ void compare_print(const struct compare_point *p, FILE *out)
     fputc('\n', out);
     print_figures(p, out);
     if (p->one_profiled)
-        fputs("  where the time moved is not told: only one of the two has a profile\n", out);
+        fputs("  where the time moved is not known: only one of the two has a profile\n", out);
     print_moves(p, out);
 }
 

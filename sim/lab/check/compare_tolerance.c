@@ -24,7 +24,7 @@ static bool read_one(const char *text, struct compare_tolerance *t, char **why)
     const char *equals = strchr(text, '='), *amount = equals ? equals + 1 : text;
     *t = (struct compare_tolerance){0};
     if (equals == text || !read_amount(amount, t)) {
-        *why = xasprintf("'%s' is none: 0.5%%, total_s=1%% and messages=10 are", text);
+        *why = xasprintf("'%s' is no tolerance; write 0.5%%, total_s=1%% or messages=10", text);
         return false;
     }
     if (!equals && !t->relative && t->allowed != 0) {

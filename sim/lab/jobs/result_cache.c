@@ -87,7 +87,7 @@ void result_cache_add(const char *folder, struct digest key, json_t *inputs, jso
         atomic_file_end(&d, &error);
     }
     if (error)
-        fprintf(notes, "not kept for other studies: %s\n", error);
+        fprintf(notes, "not added to the result cache: %s\n", error);
     free(error);
     free(path);
     free(dir);

@@ -338,7 +338,7 @@ struct expr *expr_read(const char *text, const struct expr_name names[], size_t 
     e->root = need_number(&r, alternative(&r));
     r.at += strspn(r.at, " \t\n");
     if (e->root >= 0 && *r.at)
-        e->root = fail(&r, xasprintf("\"%s\" is one too many in \"%s\"", r.at, text));
+        e->root = fail(&r, xasprintf("\"%s\" is not expected in \"%s\"", r.at, text));
     if (e->root >= 0)
         return e;
     *why = r.why;

@@ -29,7 +29,7 @@ const char *point_machine(const struct spec *s, const struct point *p);
  * words_free(). */
 char **point_arguments(const struct spec *s, const struct point *p);
 char **point_settings(const struct spec *s, const struct point *p);
-/* The settings' place in the file: the i'th of those of point_settings(). */
+/* Where the study file has the i'th setting of point_settings(), for messages. */
 config_setting_t *point_setting_at(const struct spec *s, const struct point *p, size_t i);
 /* AXIS: value of each axis, whole numbers as integers. */
 json_t *point_values(const struct spec *s, const struct point *p);
