@@ -1,5 +1,6 @@
-/* test_files.c - atomic files, scratch folders, and files that people write. */
+/* test_files.c - atomic files, scratch folders, files that people write, numbers, JSON. */
 #include <fcntl.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,6 +14,8 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "files/atomic_file.h"
+#include "files/json_set.h"
+#include "files/number.h"
 #include "files/scratch.h"
 #include "files/text_file.h"
 
@@ -197,6 +200,64 @@ static void text_is_read_if_it_is_text(void **state)
     check_refused("missing", "No such file or directory", 0);
 }
 
+static void a_number_is_as_exact_as_its_last_digit(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double value, unit;
+    } right[] = {{"90.7", 90.7, 0.1},
+                 {"1110", 1110, 1},
+                 {"-0.0150", -0.015, 0.0001},
+                 {"1.2e3", 1200, 100},
+                 {"7", 7, 1}};
+    static const char *const wrong[] = {"", "x", "1 s", "0x10", "nan", "inf", "1,5"};
+    double value, unit;
+    for (size_t i = 0; i < sizeof right / sizeof *right; i++) {
+        assert_true(number_read(right[i].text, &value, &unit));
+        assert_true(value == right[i].value && fabs(unit - right[i].unit) < 1e-12);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_false(number_read(wrong[i], &value, &unit));
+}
+
+/* Runs set in a child process with its standard error in the file "err". Returns the child's exit status. */
+static int status_of(void (*set)(void))
+{
+    pid_t pid = fork();
+    if (pid == 0) {
+        dup2(open("err", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+        set();
+        _exit(0);
+    }
+    int status = -1;
+    assert_int_equal(waitpid(pid, &status, 0), pid);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void set_latin1(void)
+{
+    json_set(json_object(), "name", json_string("gr\xfc\xdf"));
+}
+
+static void append_latin1(void)
+{
+    json_append(json_array(), json_string("\xfc"));
+}
+
+static void text_that_json_cannot_hold_ends_the_process_with_a_message(void **state)
+{
+    (void)state;
+    assert_int_equal(status_of(set_latin1), 1);
+    check_text("err", "touchstone: name cannot be set: its text is not UTF-8, or memory is exhausted\n");
+    assert_int_equal(status_of(append_latin1), 1);
+    json_t *object = json_object(), *list = json_array();
+    json_append(list, json_integer(7));
+    json_set(object, "list", list);
+    assert_int_equal(json_integer_value(json_array_get(json_object_get(object, "list"), 0)), 7);
+    json_decref(object);
+}
+
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, leave)
 
 int main(void)
@@ -208,6 +269,8 @@ int main(void)
         TEST(what_could_not_be_written_is_an_error),
         TEST(a_scratch_folder_goes_with_its_process),
         TEST(text_is_read_if_it_is_text),
+        TEST(a_number_is_as_exact_as_its_last_digit),
+        TEST(text_that_json_cannot_hold_ends_the_process_with_a_message),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

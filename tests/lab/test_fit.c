@@ -9,7 +9,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "files/number.h"
 #include "lab/fit/fit_parts.h"
 
 /* Residuals of two numbers, least at 0.3 and 0.8. */
@@ -200,27 +199,6 @@ static void a_wrong_table_is_told_by_line(void **state)
     assert_rows("a,b,a\n", ":1: column 3: a name is needed, and each only once");
 }
 
-static void a_measurement_is_as_exact_as_its_last_digit(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *text;
-        double value, unit;
-    } right[] = {{"90.7", 90.7, 0.1},
-                 {"1110", 1110, 1},
-                 {"-0.0150", -0.015, 0.0001},
-                 {"1.2e3", 1200, 100},
-                 {"7", 7, 1}};
-    static const char *const wrong[] = {"", "x", "1 s", "0x10", "nan", "inf", "1,5"};
-    double value, unit;
-    for (size_t i = 0; i < sizeof right / sizeof *right; i++) {
-        assert_true(number_read(right[i].text, &value, &unit));
-        assert_true(value == right[i].value && fabs(unit - right[i].unit) < 1e-12);
-    }
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        assert_false(number_read(wrong[i], &value, &unit));
-}
-
 static void a_parameter_goes_evenly_or_by_its_logarithm(void **state)
 {
     (void)state;
@@ -246,7 +224,6 @@ int main(void)
         cmocka_unit_test(scatter_may_leave_a_number_open),
         cmocka_unit_test(a_table_has_names_and_rows),
         cmocka_unit_test(a_wrong_table_is_told_by_line),
-        cmocka_unit_test(a_measurement_is_as_exact_as_its_last_digit),
         cmocka_unit_test(a_parameter_goes_evenly_or_by_its_logarithm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
