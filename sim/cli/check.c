@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "cli/studies.h"
-#include "study/compare_gate.h"
+#include "lab/check/compare_gate.h"
 
 static const char HELP[] =
     "usage: touchstone check BASELINE.json [options] STUDY...\n"

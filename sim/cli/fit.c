@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "cli/studies.h"
-#include "study/fit.h"
+#include "lab/fit/fit.h"
 
 static const char HELP[] =
     "usage: touchstone fit STUDY [options]\n"

@@ -6,10 +6,10 @@
 #include <sys/stat.h>
 
 #include "cli/cli.h"
-#include "study/chart.h"
-#include "study/folder.h"
-#include "study/spec.h"
-#include "study/text.h"
+#include "lab/chart/chart.h"
+#include "files/folder_make.h"
+#include "lab/study/spec_read.h"
+#include "kernel/xalloc.h"
 
 static const char HELP[] =
     "usage: touchstone plot DIR|results.json [-o DIR] [options]\n"
@@ -112,11 +112,11 @@ static char *results_path(const char *given, char **dir)
     struct stat st;
     const char *slash = strrchr(given, '/');
     if (stat(given, &st) == 0 && S_ISDIR(st.st_mode)) {
-        *dir = text_of("%s", given);
-        return text_of("%s/results.json", given);
+        *dir = xasprintf("%s", given);
+        return xasprintf("%s/results.json", given);
     }
-    *dir = slash ? text_of("%.*s", (int)(slash - given) + (slash == given), given) : text_of(".");
-    return text_of("%s", given);
+    *dir = slash ? xasprintf("%.*s", (int)(slash - given) + (slash == given), given) : xasprintf(".");
+    return xasprintf("%s", given);
 }
 
 /* The number of pictures drawn; failures are said. */
@@ -164,7 +164,7 @@ static int plot(struct arguments *a, const struct record_points *points, const c
     }
     size_t count = chart_standard(points, standard);
     if (!count)
-        return input_error(text_of("no axis of several numbers: say what to draw with --x and --y"));
+        return input_error(xasprintf("no axis of several numbers: say what to draw with --x and --y"));
     return draw(points, standard, count, dir) == count ? 0 : 1;
 }
 
@@ -184,7 +184,7 @@ int cli_plot(int argc, char **argv)
         status = input_error(error);
     } else {
         status =
-            folder_make(dir) ? plot(&a, &points, dir) : input_error(text_of("%s cannot be made: %m", dir));
+            folder_make(dir) ? plot(&a, &points, dir) : input_error(xasprintf("%s cannot be made: %m", dir));
         record_free(&points);
     }
     free(path);

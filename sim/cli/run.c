@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/cli.h"
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 #include "machine/machine.h"
 #include "observe/profile.h"
 #include "observe/summary.h"
@@ -332,8 +332,8 @@ static int run(const struct arguments *a)
                                 .err = stderr};
     if (a->host)
         give_host(&o, a);
-    struct result_file history;
-    if (a->history && !result_file_begin(&history, a->history, &error)) {
+    struct atomic_file history;
+    if (a->history && !atomic_file_begin(&history, a->history, &error)) {
         cfg_free(cfg);
         return output_error(error);
     }
@@ -351,7 +351,7 @@ static int run(const struct arguments *a)
     int ended_by = m ? m->signal : 0;
     machine_free(m);
     cfg_free(cfg);
-    if (o.history && !result_file_end(&history, &error))
+    if (o.history && !atomic_file_end(&history, &error))
         return output_error(error);
     if (ended_by)
         raise(ended_by); /* whoever waits for us is to know */

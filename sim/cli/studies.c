@@ -1,7 +1,7 @@
 /* studies.c - see studies.h. */
 #include "cli/studies.h"
 #include "config/config.h"
-#include "study/kept.h"
+#include "lab/jobs/result_cache.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,7 @@ bool cli_studies_begin(struct cli_studies *s, const char *command, unsigned jobs
         return false;
     }
     snprintf(s->machines, sizeof s->machines, "%s/machines", s->home);
-    s->cache = no_cache ? NULL : cache ? strdup(cache) : kept_folder();
+    s->cache = no_cache ? NULL : cache ? strdup(cache) : result_cache_folder();
     *options = (struct study_options){.runner = s->runner,
                                       .programs = s->programs,
                                       .machines = s->machines,

@@ -2,7 +2,7 @@
 #ifndef CLI_STUDIES_H
 #define CLI_STUDIES_H
 #include "cli/cli.h"
-#include "study/study.h"
+#include "lab/study/study.h"
 
 struct cli_studies {
     char home[PATH_MAX], machines[PATH_MAX + 16], runner[PATH_MAX], programs[CLI_MAX_PROGRAMS];

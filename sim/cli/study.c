@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "cli/studies.h"
-#include "study/together.h"
+#include "lab/jobs/session.h"
+#include "lab/study/study_make.h"
 
 static const char HELP[] =
     "usage: touchstone study FILE [-o DIR] [-j JOBS] [options]\n"
@@ -122,10 +123,10 @@ static FILE *silence(void)
 
 static int study(const struct arguments *a, struct study_options *o)
 {
-    struct together t = together_find();
+    struct session t = session_find();
     char *error = NULL;
     int signal = 0;
-    o->session = t.session;
+    o->session = t.name;
     o->at_once = a->jobs ? a->jobs : t.count > 1 ? 1 : cli_processors();
     if (t.rank > 0)
         o->progress = silence();

@@ -7,7 +7,7 @@
 
 #include "cli/cli.h"
 #include "config/config.h"
-#include "study/tables.h"
+#include "lab/tables/tables.h"
 
 static const char HELP[] =
     "usage: touchstone tables [-t TABLES] [-o DIR] [-j JOBS] [--ties] [--report FILE] [--choices FILE]\n"

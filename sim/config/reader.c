@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "files/whole.h"
+#include "files/text_file.h"
 #include "kernel/xalloc.h"
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
@@ -69,7 +69,7 @@ static char *read_all(struct cfg_reader *r, const char *path, int depth)
     enum { DEEPEST = 10 }; /* libconfig's own limit */
     const char *why;
     int at;
-    char *text = whole_text(path, MOST_BYTES, &why, &at);
+    char *text = text_file_read(path, MOST_BYTES, &why, &at);
     if (!text)
         r->error =
             at ? xasprintf("%s:%d: %s", path, at, why) : xasprintf("%s: cannot be read: %s", path, why);

@@ -113,7 +113,7 @@ refused "one that includes a folder" 'folder.cfg: cannot be read: it is a folder
 refused "one without end" '/dev/zero: cannot be read: it is larger' run -m /dev/zero ring
 refused "one that is not there" 'none.cfg: cannot be read: No such file' run -m ./none.cfg ring
 refused "a study that is a folder" 'folder.cfg: cannot be read: it is a folder' study folder.cfg
-refused "a label that is no UTF-8" 'bad.cfg:5: a byte that is no text' study bad.cfg
+refused "a label that is no UTF-8" 'bad.cfg:5: a byte that is not UTF-8 text' study bad.cfg
 refused "a program that is a folder" 'folder.cfg: not a regular file' run folder.cfg
 
 # --- folders ---

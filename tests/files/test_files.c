@@ -1,5 +1,6 @@
-/* Files that runs leave, folders that they do not leave, and files that people write. */
+/* test_files.c - atomic files, scratch folders, files that people write, numbers, JSON. */
 #include <fcntl.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,9 +13,11 @@
 #include <time.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "files/result_file.h"
+#include "files/atomic_file.h"
+#include "files/json_set.h"
+#include "files/number.h"
 #include "files/scratch.h"
-#include "files/whole.h"
+#include "files/text_file.h"
 
 static int enter(void **state)
 {
@@ -54,28 +57,28 @@ static void check_text(const char *path, const char *text)
 
 static void write_result(const char *path, const char *text)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
-    assert_true(result_file_begin(&f, path, &error));
+    assert_true(atomic_file_begin(&f, path, &error));
     fputs(text, f.out);
-    assert_true(result_file_end(&f, &error));
+    assert_true(atomic_file_end(&f, &error));
 }
 
 static void a_result_is_there_whole_or_not_at_all(void **state)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
     (void)state;
     put("r", "old");
-    assert_true(result_file_begin(&f, "r", &error));
+    assert_true(atomic_file_begin(&f, "r", &error));
     fputs("new", f.out);
     fflush(f.out);
     check_text("r", "old");
-    assert_true(result_file_end(&f, &error));
+    assert_true(atomic_file_end(&f, &error));
     check_text("r", "new");
-    assert_true(result_file_begin(&f, "r", &error));
+    assert_true(atomic_file_begin(&f, "r", &error));
     fputs("newer", f.out);
-    result_file_drop(&f);
+    atomic_file_drop(&f);
     check_text("r", "new");
     assert_int_equal(system("test $(ls | wc -l) = 1"), 0);
 }
@@ -109,15 +112,15 @@ static void a_pipe_gets_what_is_written(void **state)
 
 static void what_could_not_be_written_is_an_error(void **state)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
     (void)state;
-    assert_true(result_file_begin(&f, "/dev/full", &error));
+    assert_true(atomic_file_begin(&f, "/dev/full", &error));
     fputs("much", f.out);
-    assert_false(result_file_end(&f, &error));
+    assert_false(atomic_file_end(&f, &error));
     assert_string_equal(error, "/dev/full cannot be written: No space left on device");
     free(error);
-    assert_false(result_file_begin(&f, "missing/r", &error));
+    assert_false(atomic_file_begin(&f, "missing/r", &error));
     assert_string_equal(error, "missing/r cannot be written: No such file or directory");
     free(error);
 }
@@ -142,17 +145,17 @@ static void a_scratch_folder_goes_with_its_process(void **state)
     if (child == 0) {
         struct scratch s = scratch_new("test");
         assert_true(write(to_parent[1], s.path, strlen(s.path)) > 0);
-        _exit(0); /* as if it had been killed */
+        _exit(0); /* as if the process had been killed */
     }
     waitpid(child, NULL, 0);
     assert_true(read(to_parent[0], theirs, sizeof theirs - 1) > 0);
     assert_int_equal(access(theirs, F_OK), 0);
     struct scratch another = scratch_new("test");
-    assert_int_equal(access(theirs, F_OK), 0); /* it may just be about to be locked */
+    assert_int_equal(access(theirs, F_OK), 0); /* another process may be about to lock it */
     make_old(theirs);
     make_old(mine.path);
     make_old(another.path);
-    assert_int_equal(mkdir("test-123456x", 0700), 0); /* not of ours */
+    assert_int_equal(mkdir("test-123456x", 0700), 0); /* another name: must stay */
     make_old("test-123456x");
     struct scratch third = scratch_new("test");
     assert_int_not_equal(access(theirs, F_OK), 0);
@@ -170,7 +173,7 @@ static void check_refused(const char *path, const char *why, int line)
 {
     const char *got = NULL;
     int at;
-    assert_null(whole_text(path, 1000, &got, &at));
+    assert_null(text_file_read(path, 1000, &got, &at));
     assert_string_equal(got, why);
     assert_int_equal(at, line);
 }
@@ -181,20 +184,78 @@ static void text_is_read_if_it_is_text(void **state)
     int line;
     (void)state;
     put("good", "gr\xc3\xbc\xc3\x9f\x65 \xe2\x82\xac \xf0\x9f\x98\x80\n");
-    char *text = whole_text("good", 1000, &why, &line);
+    char *text = text_file_read("good", 1000, &why, &line);
     assert_string_equal(text, "gr\xc3\xbc\xc3\x9f\x65 \xe2\x82\xac \xf0\x9f\x98\x80\n");
     free(text);
     put("latin1", "a\nb\xfc\n");
-    check_refused("latin1", "a byte that is no text (UTF-8)", 2);
+    check_refused("latin1", "a byte that is not UTF-8 text", 2);
     put("overlong", "\xc0\xaf");
-    check_refused("overlong", "a byte that is no text (UTF-8)", 1);
+    check_refused("overlong", "a byte that is not UTF-8 text", 1);
     put("surrogate", "\n\n\xed\xa0\x80");
-    check_refused("surrogate", "a byte that is no text (UTF-8)", 3);
+    check_refused("surrogate", "a byte that is not UTF-8 text", 3);
     put("cut", "abc\xe2\x82");
-    check_refused("cut", "a byte that is no text (UTF-8)", 1);
+    check_refused("cut", "a byte that is not UTF-8 text", 1);
     check_refused("/dev/zero", "it is larger than such files are", 0);
     check_refused(".", "it is a folder", 0);
     check_refused("missing", "No such file or directory", 0);
+}
+
+static void a_number_is_as_exact_as_its_last_digit(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double value, unit;
+    } right[] = {{"90.7", 90.7, 0.1},
+                 {"1110", 1110, 1},
+                 {"-0.0150", -0.015, 0.0001},
+                 {"1.2e3", 1200, 100},
+                 {"7", 7, 1}};
+    static const char *const wrong[] = {"", "x", "1 s", "0x10", "nan", "inf", "1,5"};
+    double value, unit;
+    for (size_t i = 0; i < sizeof right / sizeof *right; i++) {
+        assert_true(number_read(right[i].text, &value, &unit));
+        assert_true(value == right[i].value && fabs(unit - right[i].unit) < 1e-12);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_false(number_read(wrong[i], &value, &unit));
+}
+
+/* Runs set in a child process with its standard error in the file "err". Returns the child's exit status. */
+static int status_of(void (*set)(void))
+{
+    pid_t pid = fork();
+    if (pid == 0) {
+        dup2(open("err", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+        set();
+        _exit(0);
+    }
+    int status = -1;
+    assert_int_equal(waitpid(pid, &status, 0), pid);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void set_latin1(void)
+{
+    json_set(json_object(), "name", json_string("gr\xfc\xdf"));
+}
+
+static void append_latin1(void)
+{
+    json_append(json_array(), json_string("\xfc"));
+}
+
+static void text_that_json_cannot_hold_ends_the_process_with_a_message(void **state)
+{
+    (void)state;
+    assert_int_equal(status_of(set_latin1), 1);
+    check_text("err", "touchstone: name cannot be set: its text is not UTF-8, or memory is exhausted\n");
+    assert_int_equal(status_of(append_latin1), 1);
+    json_t *object = json_object(), *list = json_array();
+    json_append(list, json_integer(7));
+    json_set(object, "list", list);
+    assert_int_equal(json_integer_value(json_array_get(json_object_get(object, "list"), 0)), 7);
+    json_decref(object);
 }
 
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, leave)
@@ -208,6 +269,8 @@ int main(void)
         TEST(what_could_not_be_written_is_an_error),
         TEST(a_scratch_folder_goes_with_its_process),
         TEST(text_is_read_if_it_is_text),
+        TEST(a_number_is_as_exact_as_its_last_digit),
+        TEST(text_that_json_cannot_hold_ends_the_process_with_a_message),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,9 @@
+/* number.h - reads numbers from text. */
+#ifndef FILES_NUMBER_H
+#define FILES_NUMBER_H
+#include <stdbool.h>
+
+/* Reads the decimal number that text is from end to end. Unless unit is NULL, sets *unit to one in the last
+ * digit as written: 90.7 has 0.1, 9e2 has 100. False if text is no finite decimal number. */
+bool number_read(const char *text, double *value, double *unit);
+#endif

@@ -1,0 +1,92 @@
+/* fit_build.c - cost factors as parameters: builds the program for each of their values, by the study file's
+ * command. Builds of equal bytes are the same point. */
+#include "files/folder_make.h"
+#include "kernel/xalloc.h"
+#include "lab/fit/fit_parts.h"
+#include "lab/jobs/process_pool.h"
+#include "lab/jobs/words.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The text of a file of factors for nxcc; malloc'd. */
+static char *factors_of(const struct fit *f, const double position[])
+{
+    char *list = xasprintf("factors = (");
+    const char *mark = "";
+    for (size_t i = 0; i < f->parameters; i++) {
+        char value[32];
+        if (!f->parameter[i].factor)
+            continue;
+        fit_text(&f->parameter[i], position[i], value);
+        char *longer = xasprintf("%s%s\n    { file = \"%s\"; factor = %s%s; }", list, mark,
+                                 f->parameter[i].factor, value, strpbrk(value, ".e") ? "" : ".0");
+        free(list);
+        list = longer;
+        mark = ",";
+    }
+    char *all = xasprintf("%s\n);\n", list);
+    free(list);
+    return all;
+}
+
+static bool write_file(const char *path, const char *text)
+{
+    FILE *out = fopen(path, "we");
+    if (!out)
+        return false;
+    bool written = fputs(text, out) >= 0;
+    return fclose(out) == 0 && written;
+}
+
+/* Runs the build command by the shell, in the study file's folder. */
+static bool command(struct fit *f, const char *factors)
+{
+    const char *file = f->options->study.file, *slash = strrchr(file, '/');
+    char *dir = slash ? xasprintf("%.*s", (int)(slash - file + 1), file) : xasprintf(".");
+    char *with = words_filled(f->build, "{factors}", factors),
+         *all = words_filled(with, "{program}", f->program);
+    char *const argv[] = {"/bin/sh", "-c", all, NULL};
+    struct pool_job job = {.name = "build", .argv = argv, .dir = dir};
+    struct pool_end end = pool_run(&job, 1, 1, NULL);
+    bool good = end.all_done && job.state == POOL_DONE;
+    if (!good)
+        f->error = end.stopped ? xasprintf("stopped by a signal; the same command goes on from here")
+                               : xasprintf("%s: build: %s", file, job.error ? job.error : "not run");
+    pool_clear(&job, 1);
+    free(all);
+    free(with);
+    free(dir);
+    return good;
+}
+
+/* The absolute path of a file in the fit's folder; malloc'd. */
+static char *path_of(const struct fit *f, const char *name)
+{
+    char real[PATH_MAX];
+    const char *dir = f->options->study.dir;
+    return xasprintf("%s/%s", folder_make(dir) && realpath(dir, real) ? real : dir, name);
+}
+
+bool fit_build(struct fit *f, const double position[])
+{
+    if (!f->build)
+        return true;
+    char *text = factors_of(f, position);
+    if (f->built && strcmp(text, f->built) == 0) {
+        free(text);
+        return true;
+    }
+    char *factors = path_of(f, "factors.cfg");
+    if (!f->program)
+        f->program = path_of(f, "program");
+    bool good = write_file(factors, text);
+    if (!good)
+        f->error = xasprintf("%s: %m", factors);
+    good = good && command(f, factors);
+    free(factors);
+    free(f->built);
+    f->built = text;
+    return good;
+}

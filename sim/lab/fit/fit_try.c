@@ -1,0 +1,159 @@
+/* fit_try.c - one evaluation of a fit: runs the study with certain values of the parameters and compares it
+ * with the measurements. A fit that was interrupted repeats its evaluations quickly: their points are in the
+ * study's journal and in the result cache. */
+#include "files/number.h"
+#include "kernel/xalloc.h"
+#include "lab/fit/fit_parts.h"
+#include "lab/jobs/outcome.h"
+#include "lab/jobs/words.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A failed run counts as a figure so many times too large, which leads the search away. */
+static const double FAILED = 10;
+
+static double residual_of(const struct fit_measurement *m, double computed)
+{
+    return (computed - m->value) / m->scale;
+}
+
+/* --- comparing a point with the measurements ------------------------------------------------------------ */
+
+struct visit {
+    struct fit *fit;
+    unsigned *seen; /* for each measurement, the number of points that match it */
+};
+
+static bool is_value(const json_t *value, const char *text)
+{
+    double number;
+    if (json_is_string(value))
+        return strcmp(json_string_value(value), text) == 0;
+    return number_read(text, &number, NULL) && number == json_number_value(value);
+}
+
+static bool is_at(const struct fit_measurement *m, const json_t *point)
+{
+    const char *axis;
+    json_t *text;
+    json_object_foreach(m->where, axis, text) if (!is_value(json_object_get(point, axis),
+                                                            json_string_value(text))) return false;
+    return true;
+}
+
+/* Takes the figures of a point. In the first evaluation every figure must be there; later runs may fail. */
+static bool visit_point(void *arg, const json_t *point, char **error)
+{
+    struct visit *v = arg;
+    struct fit *f = v->fit;
+    const char *failure = json_string_value(json_object_get(point, "failure"));
+    for (size_t i = 0; i < f->measurements; i++) {
+        struct fit_measurement *m = &f->measurement[i];
+        if (!is_at(m, point))
+            continue;
+        v->seen[i]++;
+        f->computed[i] = figure_of(point, m->figure);
+        if (!isnan(f->computed[i]))
+            continue;
+        if (!f->evaluations) {
+            *error =
+                failure ? xasprintf("%s: %s failed: %s", m->at, m->name, failure)
+                        : xasprintf("%s: %s: the run has no such figure, or it is no number", m->at, m->name);
+            return false;
+        }
+        f->computed[i] = m->value * (1 + FAILED);
+    }
+    return true;
+}
+
+static bool compare(struct fit *f, struct study *s)
+{
+    struct visit v = {f, xcalloc(f->measurements, sizeof *v.seen)};
+    bool good = study_each(s, visit_point, &v, &f->error);
+    for (size_t i = 0; good && i < f->measurements; i++)
+        if (v.seen[i] != 1) {
+            f->error = xasprintf("%s: %s is %s", f->measurement[i].at, f->measurement[i].name,
+                                 v.seen[i] ? "several points of the study" : "no point of the study");
+            good = false;
+        }
+    free(v.seen);
+    return good;
+}
+
+/* --- an evaluation -------------------------------------------------------------------------------------- */
+
+/* The parameters' values as settings of the machine and arguments of the program. */
+struct given {
+    char **set, **arguments;
+};
+
+static struct given give(const struct fit *f, const double position[])
+{
+    struct given g = {0};
+    for (size_t i = 0; i < f->parameters; i++) {
+        const struct fit_parameter *p = &f->parameter[i];
+        char value[32];
+        fit_text(p, position[i], value);
+        if (p->set)
+            words_add(&g.set, words_filled(p->set, "{}", value));
+        if (p->arguments)
+            words_add_all(&g.arguments, words_filled(p->arguments, "{}", value));
+    }
+    return g;
+}
+
+static bool run(struct fit *f, const double position[])
+{
+    struct study_options o = f->options->study;
+    if (!fit_build(f, position))
+        return false;
+    struct given g = give(f, position);
+    o.program = f->program;
+    o.set = (const char *const *)g.set;
+    o.arguments = (const char *const *)g.arguments;
+    struct study *study = study_open(&o, &f->error);
+    enum study_end end = study ? study_run(study, &f->error) : STUDY_ERROR;
+    if (end == STUDY_STOPPED)
+        f->error = xasprintf("stopped by a signal; the same command goes on from here");
+    bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare(f, study);
+    if (good) {
+        struct study_counts c = study_counts(study);
+        f->counts.run += c.run;
+        f->counts.before += c.before;
+        f->counts.cached += c.cached;
+    }
+    study_close(study);
+    words_free(g.set);
+    words_free(g.arguments);
+    return good;
+}
+
+static void tell(const struct fit *f, const double position[], double rms)
+{
+    FILE *to = f->options->progress;
+    fprintf(to, "%3u  %s %.6g", f->evaluations, f->by_rounding ? "rms" : "rms, percent", rms);
+    for (size_t i = 0; i < f->parameters; i++) {
+        char text[32];
+        fit_text(&f->parameter[i], position[i], text);
+        fprintf(to, "  %s %s", f->parameter[i].name, text);
+    }
+    fputc('\n', to);
+}
+
+bool fit_try(void *arg, const double x[], double residuals[])
+{
+    struct fit *f = arg;
+    double position[FIT_MAX_NUMBERS];
+    memcpy(position, f->position, sizeof position);
+    for (size_t i = 0; i < f->count; i++)
+        position[f->searched[i]] = x[i];
+    if (!run(f, position))
+        return false;
+    for (size_t i = 0; i < f->measurements; i++)
+        residuals[i] = residual_of(&f->measurement[i], f->computed[i]);
+    f->evaluations++;
+    tell(f, position, fit_rms(residuals, f->measurements));
+    return true;
+}
