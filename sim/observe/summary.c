@@ -101,15 +101,13 @@ static void print_files(const struct machine *m, FILE *f)
             s.disk_seeks, vt_seconds(s.disk_busy));
 }
 
-/* On the wall time's line, because it is as little the same each time. */
+/* Host times and counts of tasks, which differ from run to run. */
 static void print_threads(const struct workers_stats *s, FILE *f)
 {
-    if (s->handed)
-        fprintf(f,
-                "; %" PRIu64 " stretches on other threads took %.3f s, %" PRIu64
-                " helped with %.3f s, %.3f s waited",
-                s->away, s->away_s, s->helped, s->helped_s, s->waited_s);
-    fputc('\n', f);
+    fprintf(f,
+            "threads        workers ran %" PRIu64 " tasks in %.3f s; the coordinator ran %" PRIu64
+            " in %.3f s and waited for %.3f s\n",
+            s->away, s->away_s, s->helped, s->helped_s, s->waited_s);
 }
 
 /* Only if something is not guarded. */
@@ -131,7 +129,7 @@ static void print_absent(const struct node_system *s, FILE *f)
                 s->absent[i].calls == 1 ? "call" : "calls", s->absent[i].first);
 }
 
-void summary_print(const struct machine *m, FILE *f)
+void summary_print(const struct machine *m, bool verbose, FILE *f)
 {
     size_t peak = 0;
     uint32_t where = 0;
@@ -140,8 +138,9 @@ void summary_print(const struct machine *m, FILE *f)
             peak = m->sys.nodes[k]->stats.memory_peak, where = k;
     fprintf(f, "virtual time   %.9f s on %u %s of %s\n", vt_seconds(m->end), machine_nodes(m),
             machine_nodes(m) == 1 ? "node" : "nodes", m->sys.cfg->name);
-    fprintf(f, "wall time      %.3f s, and %.3f s to start", m->wall_s, m->start_s);
-    print_threads(&m->workers, f);
+    fprintf(f, "wall time      %.3f s, and %.3f s to start\n", m->wall_s, m->start_s);
+    if (verbose)
+        print_threads(&m->workers, f);
     fprintf(
         f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
         m->sys.messages, m->sys.bytes, wire_waits(proto_wire(m->sys.proto)),

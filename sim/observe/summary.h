@@ -5,7 +5,7 @@
 
 /* Writes the lines: times, messages, where the nodes' time went (nodes that took interrupts apart from the
  * others), memory, digest. */
-void summary_print(const struct machine *m, FILE *f);
+void summary_print(const struct machine *m, bool verbose, FILE *f);
 /* Writes the JSON file, whole or not at all. Returns NULL, or a malloc'd error. */
 char *summary_json(const struct machine *m, const char *path);
 #endif

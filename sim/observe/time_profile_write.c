@@ -1,9 +1,9 @@
-/* profile_write.c - a profile for people, and for programs: see profile.h. */
+/* time_profile_write.c - a profile for people, and for programs: see time_profile.h. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include "nx_api/nxcc/image.h"
 #include "observe/json_file.h"
-#include "observe/profile.h"
+#include "observe/time_profile.h"
 
 enum { PRINTED = 12 };
 

@@ -1,5 +1,5 @@
-/* profile.c - see profile.h. The cells are in each node's image, the same ones in each: node 0's tell the names. */
-#include "observe/profile.h"
+/* time_profile.c - see time_profile.h. The cells are in each node's image, the same ones in each: node 0's tell the names. */
+#include "observe/time_profile.h"
 #include <stdlib.h>
 #include <string.h>
 #include "node/clock.h"

@@ -1,12 +1,12 @@
-/* profile.h - where the time of all nodes went: computing by function, the system by task, idle time by call.
+/* time_profile.h - where the time of all nodes went: computing by function, the system by task, idle time by call.
  *
  *     nodes x virtual time = computing + system + idle + rest         for each class of nodes, to the picosecond
  *     computing            = the sum over the functions               to the cost unit
  *
  * Nodes that took interrupts are one class, the others another, as in the summary: hosts and slaves differ.
  */
-#ifndef OBSERVE_PROFILE_H
-#define OBSERVE_PROFILE_H
+#ifndef OBSERVE_TIME_PROFILE_H
+#define OBSERVE_TIME_PROFILE_H
 #include "machine/machine.h"
 
 enum profile_class { PROFILE_OTHERS, PROFILE_ARMED, PROFILE_CLASSES };
