@@ -15,7 +15,7 @@ LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgs
 # touchstone is linked twice, with the fast engine and with the one that defines its results: sim/node/engine.h.
 FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c node/commit.c node/cpu.c node/pending.c node/turns.c)
 REFERENCE   := $(wildcard sim/reference/*.c)
-SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
+SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c sim/*/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
 APP_SRC := $(wildcard app/*.c)
@@ -135,7 +135,7 @@ install: all ## Install into PREFIX (default /usr/local)
 
 include doc/man/man.mk
 
-FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
+FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)

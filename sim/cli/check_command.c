@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "cli/commands.h"
 #include "cli/study_session.h"
-#include "study/compare_gate.h"
+#include "lab/check/compare_gate.h"
 
 enum { EXIT_WORSE = 1, EXIT_UNKNOWN = 2 };
 

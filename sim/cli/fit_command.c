@@ -5,7 +5,7 @@
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/study_session.h"
-#include "study/fit.h"
+#include "lab/fit/fit.h"
 
 enum { EXIT_UNDETERMINED = 1, MOST_EVALUATIONS = 1000000 };
 

@@ -5,10 +5,10 @@
 #include <sys/stat.h>
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "study/chart.h"
-#include "study/folder.h"
-#include "study/spec.h"
-#include "study/text.h"
+#include "files/folder_make.h"
+#include "kernel/xalloc.h"
+#include "lab/chart/chart.h"
+#include "lab/study/spec.h"
 
 enum { LOGARITHMIC = CLI_KEY };
 
@@ -96,11 +96,11 @@ static char *results_path(const char *given, char **dir)
     struct stat st;
     const char *slash = strrchr(given, '/');
     if (stat(given, &st) == 0 && S_ISDIR(st.st_mode)) {
-        *dir = text_of("%s", given);
-        return text_of("%s/results.json", given);
+        *dir = xstrdup(given);
+        return xasprintf("%s/results.json", given);
     }
-    *dir = slash ? text_of("%.*s", (int)(slash - given) + (slash == given), given) : text_of(".");
-    return text_of("%s", given);
+    *dir = slash ? xasprintf("%.*s", (int)(slash - given) + (slash == given), given) : xstrdup(".");
+    return xstrdup(given);
 }
 
 /* Returns the number of pictures drawn; reports the others' errors. */
@@ -148,7 +148,7 @@ static int plot(struct arguments *a, const struct record_points *points, const c
     }
     size_t count = chart_standard(points, standard);
     if (!count)
-        return input_error(text_of("no axis of several numbers: say what to draw with --x and --y"));
+        return input_error(xasprintf("no axis of several numbers: say what to draw with --x and --y"));
     return draw(points, standard, count, dir) == count ? 0 : 1;
 }
 
@@ -166,7 +166,7 @@ int cli_plot(int argc, char **argv)
         status = input_error(error);
     } else {
         status =
-            folder_make(dir) ? plot(&a, &points, dir) : input_error(text_of("%s cannot be made: %m", dir));
+            folder_make(dir) ? plot(&a, &points, dir) : input_error(xasprintf("%s cannot be made: %m", dir));
         record_free(&points);
     }
     free(path);

@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "machine/machine.h"
 #include "observe/summary.h"
@@ -282,16 +282,16 @@ static int run(struct arguments *a)
     if (!cfg)
         return input_error(error);
     struct machine_options o = options_of(a, cfg);
-    struct result_file history = {0};
+    struct atomic_file history = {0};
     int status, ended_by = 0;
-    if (a->history && !result_file_begin(&history, a->history, &error)) {
+    if (a->history && !atomic_file_begin(&history, a->history, &error)) {
         cfg_free(cfg);
         return output_error(error);
     }
     o.history = history.out;
     status = run_machine(a, &o, &ended_by);
     cfg_free(cfg);
-    if (o.history && !result_file_end(&history, &error))
+    if (o.history && !atomic_file_end(&history, &error))
         return output_error(error);
     if (ended_by)
         raise(ended_by); /* the parent process is to know */

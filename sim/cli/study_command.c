@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "cli/commands.h"
 #include "cli/study_session.h"
-#include "study/together.h"
+#include "lab/jobs/session.h"
 
 struct arguments {
     const char *file, *dir;
@@ -111,10 +111,10 @@ static FILE *silence(void)
 
 static int study(const struct arguments *a, struct study_options *o)
 {
-    struct together t = together_find();
+    struct session t = session_find();
     char *error = NULL;
     int signal = 0;
-    o->session = t.session;
+    o->session = t.name;
     if (t.count > 1 && !a->session.jobs)
         o->at_once = 1;
     if (t.rank > 0)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
-#include "study/kept.h"
+#include "lab/jobs/result_cache.h"
 
 static const struct argp_option OPTIONS[] = {
     {"cache", CLI_TEXT(struct cli_session_options, cache), "DIR", 0,
@@ -31,7 +31,7 @@ bool cli_session_begin(struct cli_session *s, const char *command, const struct 
 {
     if (!cli_find_installation(&s->places, command))
         return false;
-    s->cache = options->no_cache ? NULL : options->cache ? xstrdup(options->cache) : kept_folder();
+    s->cache = options->no_cache ? NULL : options->cache ? xstrdup(options->cache) : result_cache_folder();
     *study = (struct study_options){.runner = s->places.runner,
                                     .programs = s->places.programs,
                                     .machines = s->places.machines,

@@ -4,7 +4,7 @@
 #define CLI_STUDY_SESSION_H
 #include "cli/installation.h"
 #include "cli/options.h"
-#include "study/study.h"
+#include "lab/study/study.h"
 
 /* What the options say. */
 struct cli_session_options {

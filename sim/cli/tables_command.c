@@ -4,7 +4,7 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
-#include "study/tables.h"
+#include "lab/tables/tables.h"
 
 enum { MAX_TABLES = 16 };
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "files/whole.h"
+#include "files/text_file.h"
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
@@ -70,7 +70,7 @@ static char *read_all(struct cfg_reader *r, const char *path, int depth)
     enum { DEEPEST = 10 }; /* libconfig's */
     const char *why;
     int at;
-    char *text = whole_text(path, MOST_BYTES, &why, &at);
+    char *text = text_file_read(path, MOST_BYTES, &why, &at);
     if (!text && (at ? asprintf(&r->error, "%s:%d: %s", path, at, why)
                      : asprintf(&r->error, "%s: cannot be read: %s", path, why)) < 0)
         abort();

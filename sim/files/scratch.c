@@ -1,5 +1,6 @@
 /* scratch.c - see scratch.h. */
 #include "files/scratch.h"
+#include "kernel/xalloc.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -13,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* One that is younger may just be about to be locked. */
+/* A younger folder may have been made, but not locked yet. */
 enum { YOUNG_S = 60 };
 
 static int remove_one(const char *path, const struct stat *st, int kind, struct FTW *at)
@@ -27,15 +28,7 @@ static void remove_all(const char *path)
     nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS);
 }
 
-static char *path_of(const char *folder, const char *name, const char *tail)
-{
-    char *path;
-    if (asprintf(&path, "%s/%s%s", folder, name, tail) < 0)
-        abort();
-    return path;
-}
-
-/* Its descriptor if nobody has it, -1 otherwise. */
+/* The locked folder's descriptor; -1 if another process has the lock. */
 static int lock(const char *path)
 {
     int fd = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -57,7 +50,7 @@ static void remove_if_left(const char *path)
     close(fd);
 }
 
-/* NAME-XXXXXX. */
+/* Is entry NAME-XXXXXX? */
 static bool is_named(const char *entry, const char *name)
 {
     size_t length = strlen(name);
@@ -69,7 +62,7 @@ static void remove_left(const char *folder, const char *name)
     DIR *d = opendir(folder);
     for (struct dirent *e; d && (e = readdir(d));)
         if (is_named(e->d_name, name)) {
-            char *path = path_of(folder, e->d_name, "");
+            char *path = xasprintf("%s/%s", folder, e->d_name);
             remove_if_left(path);
             free(path);
         }
@@ -81,7 +74,7 @@ struct scratch scratch_new(const char *name)
 {
     const char *tmp = getenv("TMPDIR"), *folder = tmp && *tmp ? tmp : "/tmp";
     remove_left(folder, name);
-    char *path = path_of(folder, name, "-XXXXXX");
+    char *path = xasprintf("%s/%s-XXXXXX", folder, name);
     if (!mkdtemp(path)) {
         int why = errno;
         free(path);

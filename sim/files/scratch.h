@@ -1,5 +1,6 @@
-/* scratch.h - folders for what is gone at the end of a run. A process that is killed leaves its folder behind: the next that makes
- * one removes it. A folder is locked (flock) by the process it belongs to, and an unlocked one is nobody's. */
+/* scratch.h - folders for the temporary files of a run. Each process keeps its folder locked (flock). A
+ * killed process leaves its folder behind, unlocked; the next process that makes a folder of that name
+ * removes it. */
 #ifndef FILES_SCRATCH_H
 #define FILES_SCRATCH_H
 
@@ -8,9 +9,9 @@ struct scratch {
     int lock;
 };
 
-/* A new folder NAME-XXXXXX in TMPDIR, or in /tmp. path is NULL if it cannot be made; errno says why. Removes folders of that
- * name whose processes are gone. */
+/* Makes a folder NAME-XXXXXX in TMPDIR or /tmp, and removes folders of that name whose processes are gone.
+ * path is NULL, and errno set, if the folder cannot be made. */
 struct scratch scratch_new(const char *name);
-/* Removes it with all that is in it. path may be NULL. */
+/* Removes the folder and everything in it. path may be NULL. */
 void scratch_remove(struct scratch *s);
 #endif

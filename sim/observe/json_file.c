@@ -1,16 +1,16 @@
 /* json_file.c - see json_file.h. */
 #include "observe/json_file.h"
 #include <stdio.h>
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 
 char *json_file_write(json_t *root, const char *path)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
-    if (result_file_begin(&f, path, &error)) {
+    if (atomic_file_begin(&f, path, &error)) {
         json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
         fputc('\n', f.out);
-        result_file_end(&f, &error);
+        atomic_file_end(&f, &error);
     }
     json_decref(root);
     return error;

@@ -12,9 +12,9 @@
 #include <time.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "files/result_file.h"
+#include "files/atomic_file.h"
 #include "files/scratch.h"
-#include "files/whole.h"
+#include "files/text_file.h"
 
 static int enter(void **state)
 {
@@ -54,28 +54,28 @@ static void check_text(const char *path, const char *text)
 
 static void write_result(const char *path, const char *text)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
-    assert_true(result_file_begin(&f, path, &error));
+    assert_true(atomic_file_begin(&f, path, &error));
     fputs(text, f.out);
-    assert_true(result_file_end(&f, &error));
+    assert_true(atomic_file_end(&f, &error));
 }
 
 static void a_result_is_there_whole_or_not_at_all(void **state)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
     (void)state;
     put("r", "old");
-    assert_true(result_file_begin(&f, "r", &error));
+    assert_true(atomic_file_begin(&f, "r", &error));
     fputs("new", f.out);
     fflush(f.out);
     check_text("r", "old");
-    assert_true(result_file_end(&f, &error));
+    assert_true(atomic_file_end(&f, &error));
     check_text("r", "new");
-    assert_true(result_file_begin(&f, "r", &error));
+    assert_true(atomic_file_begin(&f, "r", &error));
     fputs("newer", f.out);
-    result_file_drop(&f);
+    atomic_file_drop(&f);
     check_text("r", "new");
     assert_int_equal(system("test $(ls | wc -l) = 1"), 0);
 }
@@ -109,15 +109,15 @@ static void a_pipe_gets_what_is_written(void **state)
 
 static void what_could_not_be_written_is_an_error(void **state)
 {
-    struct result_file f;
+    struct atomic_file f;
     char *error = NULL;
     (void)state;
-    assert_true(result_file_begin(&f, "/dev/full", &error));
+    assert_true(atomic_file_begin(&f, "/dev/full", &error));
     fputs("much", f.out);
-    assert_false(result_file_end(&f, &error));
+    assert_false(atomic_file_end(&f, &error));
     assert_string_equal(error, "/dev/full cannot be written: No space left on device");
     free(error);
-    assert_false(result_file_begin(&f, "missing/r", &error));
+    assert_false(atomic_file_begin(&f, "missing/r", &error));
     assert_string_equal(error, "missing/r cannot be written: No such file or directory");
     free(error);
 }
@@ -170,7 +170,7 @@ static void check_refused(const char *path, const char *why, int line)
 {
     const char *got = NULL;
     int at;
-    assert_null(whole_text(path, 1000, &got, &at));
+    assert_null(text_file_read(path, 1000, &got, &at));
     assert_string_equal(got, why);
     assert_int_equal(at, line);
 }
@@ -181,7 +181,7 @@ static void text_is_read_if_it_is_text(void **state)
     int line;
     (void)state;
     put("good", "gr\xc3\xbc\xc3\x9f\x65 \xe2\x82\xac \xf0\x9f\x98\x80\n");
-    char *text = whole_text("good", 1000, &why, &line);
+    char *text = text_file_read("good", 1000, &why, &line);
     assert_string_equal(text, "gr\xc3\xbc\xc3\x9f\x65 \xe2\x82\xac \xf0\x9f\x98\x80\n");
     free(text);
     put("latin1", "a\nb\xfc\n");

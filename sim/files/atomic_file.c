@@ -1,0 +1,78 @@
+/* atomic_file.c - see atomic_file.h. */
+#include "files/atomic_file.h"
+#include "kernel/xalloc.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static void forget(struct atomic_file *f)
+{
+    free(f->path);
+    free(f->unfinished);
+}
+
+static bool fail(struct atomic_file *f, int why, char **error)
+{
+    *error = xasprintf("%s cannot be written: %s", strcmp(f->path, "-") ? f->path : "standard output",
+                       strerror(why));
+    if (f->unfinished)
+        unlink(f->unfinished);
+    forget(f);
+    return false;
+}
+
+static bool is_written_through(const char *path)
+{
+    struct stat st;
+    return lstat(path, &st) == 0 && !S_ISREG(st.st_mode);
+}
+
+/* The name is random, not made of the process id: processes of several computers may share the folder. */
+static FILE *begin_unfinished(struct atomic_file *f)
+{
+    f->unfinished = xasprintf("%s.XXXXXX", f->path);
+    mode_t without = umask(0);
+    umask(without);
+    int fd = mkostemp(f->unfinished, O_CLOEXEC);
+    if (fd >= 0)
+        fchmod(fd, 0666 & ~without);
+    return fd >= 0 ? fdopen(fd, "w") : NULL;
+}
+
+bool atomic_file_begin(struct atomic_file *f, const char *path, char **error)
+{
+    *f = (struct atomic_file){.path = xstrdup(path)};
+    if (!strcmp(path, "-"))
+        f->out = stdout;
+    else
+        f->out = is_written_through(path) ? fopen(path, "we") : begin_unfinished(f);
+    return f->out || fail(f, errno, error);
+}
+
+static bool close_all(struct atomic_file *f)
+{
+    bool written = !ferror(f->out);
+    if (f->out == stdout)
+        return fflush(f->out) == 0 && written;
+    return fclose(f->out) == 0 && written;
+}
+
+bool atomic_file_end(struct atomic_file *f, char **error)
+{
+    errno = 0;
+    if (!close_all(f) || (f->unfinished && rename(f->unfinished, f->path) != 0))
+        return fail(f, errno ? errno : EIO, error);
+    forget(f);
+    return true;
+}
+
+void atomic_file_drop(struct atomic_file *f)
+{
+    close_all(f);
+    if (f->unfinished)
+        unlink(f->unfinished);
+    forget(f);
+}

@@ -1,0 +1,26 @@
+/* atomic_file.h - a result file that appears complete or not at all. The name decides how the file is
+ * written:
+ *
+ *   "-"                                        to standard output
+ *   an existing pipe, device or symbolic link   into what is there: it is never replaced
+ *   any other name                              under a temporary name beside it, then renamed
+ */
+#ifndef FILES_ATOMIC_FILE_H
+#define FILES_ATOMIC_FILE_H
+#include <stdbool.h>
+#include <stdio.h>
+
+struct atomic_file {
+    FILE *out; /* write here */
+    char *path;
+    char *unfinished; /* the temporary name; NULL: written directly */
+};
+
+/* Opens f->out for writing. False with *error, a malloc'd text for the user. */
+bool atomic_file_begin(struct atomic_file *f, const char *path, char **error);
+/* Closes the file and, if all was written, gives it its name. False with *error malloc'd: nothing was left
+ * behind. */
+bool atomic_file_end(struct atomic_file *f, char **error);
+/* Gives the file up: removes what was written under the temporary name. */
+void atomic_file_drop(struct atomic_file *f);
+#endif

@@ -1,0 +1,25 @@
+/* json_set.c - see json_set.h. */
+#include "files/json_set.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* Not exit(), as in xexhausted(): its handlers must not run on a fiber or beside running threads. */
+static void check(int result, const char *key)
+{
+    if (result == 0)
+        return;
+    dprintf(STDERR_FILENO, "touchstone: %s cannot be set: its text is not UTF-8, or memory is exhausted\n",
+            key);
+    _exit(EXIT_FAILURE);
+}
+
+void json_set(json_t *object, const char *key, json_t *value)
+{
+    check(json_object_set_new(object, key, value), key);
+}
+
+void json_append(json_t *list, json_t *value)
+{
+    check(json_array_append_new(list, value), "a list's element");
+}

@@ -1,0 +1,10 @@
+/* text_file.h - reads files that people write: whole, as UTF-8, up to a size limit. */
+#ifndef FILES_TEXT_FILE_H
+#define FILES_TEXT_FILE_H
+#include <stddef.h>
+
+/* The text of a file, malloc'd, ended by 0. NULL with *why, not to be freed, if the file cannot be read, is a
+ * folder, is larger than `most` bytes, or has a byte that is 0 or not UTF-8; *line is then that byte's line,
+ * otherwise 0. */
+char *text_file_read(const char *path, size_t most, const char **why, int *line);
+#endif

@@ -1,9 +1,0 @@
-/* whole.h - reading files that people write: all at once, and no more than anybody writes. */
-#ifndef FILES_WHOLE_H
-#define FILES_WHOLE_H
-#include <stddef.h>
-
-/* The text of a file, malloc'd, ended by 0. NULL with *why a text that lasts: it is not there, is a folder, is larger than `most`
- * bytes, or has a byte that is not of UTF-8 or is 0; *line is that byte's line, else 0. */
-char *whole_text(const char *path, size_t most, const char **why, int *line);
-#endif

@@ -1,0 +1,170 @@
+/* chart_data.c - takes what a picture draws from the results, in one pass over the points; see chart_parts.h.
+ *
+ * The value at a position (panel, line, x) is the figure of the point there. If the picture has an axis
+ * `best`, several points share the position, and the value is that axis's value at the point with the least
+ * figure.
+ */
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "lab/chart/chart_parts.h"
+#include "lab/jobs/outcome.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct taker {
+    const struct picture *picture;
+    struct chart_data *data;
+    double *least; /* the least figure so far at each position */
+    json_t *fixed; /* axes that the picture does not use: their first values */
+};
+
+/* An axis's value as text, malloc'd. */
+static char *label_of(const json_t *value)
+{
+    if (json_is_string(value))
+        return xstrdup(json_string_value(value));
+    return json_is_integer(value) ? xasprintf("%lld", json_integer_value(value))
+                                  : xasprintf("%.12g", json_number_value(value));
+}
+
+static void *room(size_t count, size_t size)
+{
+    void *p = xcalloc(count + 1, size);
+    return p;
+}
+
+static void take_axis(const json_t *values, const char *name, struct chart_axis *a)
+{
+    size_t count = *name ? json_array_size(values) : 1;
+    *a = (struct chart_axis){.name = name, .count = count, .numeric = *name, .index = json_object()};
+    a->label = room(count, sizeof *a->label);
+    a->position = room(count, sizeof *a->position);
+    for (size_t i = 0; i < count; i++) {
+        const json_t *value = json_array_get(values, i);
+        a->label[i] = *name ? label_of(value) : xstrdup("");
+        a->numeric &= json_is_number(value);
+        json_set(a->index, a->label[i], json_integer((json_int_t)i));
+    }
+    for (size_t i = 0; i < count; i++)
+        a->position[i] = a->numeric ? json_number_value(json_array_get(values, i)) : (double)(i + 1);
+}
+
+/* The index of the point's value on the axis; count if the axis has no such value. */
+static size_t index_on(const struct chart_axis *a, const json_t *point)
+{
+    if (!*a->name)
+        return 0;
+    char *label = label_of(json_object_get(point, a->name));
+    json_t *index = json_object_get(a->index, label);
+    free(label);
+    return index ? (size_t)json_integer_value(index) : a->count;
+}
+
+static bool is_beside(const struct taker *t, const json_t *point)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach(t->fixed, name,
+                        value) if (!json_equal(json_object_get(point, name), value)) return true;
+    return false;
+}
+
+static bool take_point(void *arg, const json_t *point, char **error)
+{
+    struct taker *t = arg;
+    struct chart_data *d = t->data;
+    double figure = figure_of(point, t->picture->figure);
+    size_t panel = index_on(&d->panels, point), line = index_on(&d->lines, point), x = index_on(&d->x, point),
+           best = index_on(&d->best, point);
+    (void)error;
+    if (isnan(figure) || panel == d->panels.count || line == d->lines.count || x == d->x.count ||
+        best == d->best.count || is_beside(t, point))
+        return true;
+    size_t cell = (panel * d->lines.count + line) * d->x.count + x;
+    if (!(figure >= t->least[cell])) {
+        t->least[cell] = figure;
+        d->drawn[cell] = *d->best.name ? d->best.position[best] : figure;
+    }
+    return true;
+}
+
+static bool take_axes(const struct record_points *points, const struct picture *p, struct chart_data *d,
+                      char **error)
+{
+    json_t *axes = json_object_get(points->header, "axes");
+    const char *const names[] = {p->x, p->lines, p->panels, p->best};
+    struct chart_axis *const axes_of[] = {&d->x, &d->lines, &d->panels, &d->best};
+    for (int i = 0; i < 4; i++)
+        if (*names[i] && json_array_size(json_object_get(axes, names[i])) == 0) {
+            *error = xasprintf("there is no axis %s", names[i]);
+            return false;
+        }
+    for (int i = 0; i < 4; i++)
+        take_axis(json_object_get(axes, names[i]), names[i], axes_of[i]);
+    if (d->panels.count <= CHART_MAX_PANELS && d->lines.count <= CHART_MAX_LINES &&
+        d->panels.count * d->lines.count * d->x.count <= CHART_MAX_CELLS)
+        return true;
+    *error =
+        xasprintf("%zu panels of %zu lines with %zu values are too many: %d panels, %d lines are allowed",
+                  d->panels.count, d->lines.count, d->x.count, CHART_MAX_PANELS, CHART_MAX_LINES);
+    return false;
+}
+
+/* The first values of all axes of several values that the picture does not use. */
+static json_t *fix_rest(const struct record_points *points, const struct picture *p, struct chart_data *d)
+{
+    json_t *fixed = json_object(), *values;
+    const char *name;
+    d->fixed = xstrdup("");
+    json_object_foreach(json_object_get(points->header, "axes"), name, values)
+    {
+        if (json_array_size(values) < 2 || !strcmp(name, p->x) || !strcmp(name, p->lines) ||
+            !strcmp(name, p->panels) || !strcmp(name, p->best))
+            continue;
+        json_set(fixed, name, json_incref(json_array_get(values, 0)));
+        char *label = label_of(json_array_get(values, 0));
+        char *longer = xasprintf("%s%s%s %s", d->fixed, *d->fixed ? ", " : "", name, label);
+        free(label);
+        free(d->fixed);
+        d->fixed = longer;
+    }
+    return fixed;
+}
+
+bool chart_data_take(const struct record_points *points, const struct picture *p, struct chart_data *d,
+                     char **error)
+{
+    *d = (struct chart_data){0};
+    if (!take_axes(points, p, d, error))
+        return false;
+    size_t cells = d->panels.count * d->lines.count * d->x.count;
+    struct taker t = {p, d, room(cells, sizeof *t.least), fix_rest(points, p, d)};
+    d->drawn = room(cells, sizeof *d->drawn);
+    for (size_t i = 0; i < cells; i++)
+        t.least[i] = d->drawn[i] = NAN;
+    bool ok = points->each(points->arg, take_point, &t, error);
+    json_decref(t.fixed);
+    free(t.least);
+    return ok;
+}
+
+static void free_axis(struct chart_axis *a)
+{
+    for (size_t i = 0; a->label && i < a->count; i++)
+        free(a->label[i]);
+    free(a->label);
+    free(a->position);
+    json_decref(a->index);
+}
+
+void chart_data_free(struct chart_data *d)
+{
+    free_axis(&d->x);
+    free_axis(&d->lines);
+    free_axis(&d->panels);
+    free_axis(&d->best);
+    free(d->drawn);
+    free(d->fixed);
+}

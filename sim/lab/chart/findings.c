@@ -1,0 +1,286 @@
+/* findings.c - see findings.h.
+ *
+ * The sentences under a table follow from its figures: where each line is best, the range in which the line
+ * stays within a tenth of its best, and which line is best where.
+ */
+#include "lab/chart/findings.h"
+#include "files/atomic_file.h"
+#include "kernel/xalloc.h"
+#include "lab/chart/chart_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double TENTH = 0.1;
+
+struct page {
+    const struct record_points *points;
+    const struct picture *picture;
+    const struct chart_data *data;
+    FILE *out;
+};
+
+/* --- what was run --------------------------------------------------------------------------------------- */
+
+struct tally {
+    size_t points, failed;
+};
+
+static bool count_point(void *arg, const json_t *point, char **error)
+{
+    struct tally *t = arg;
+    (void)error;
+    t->points++;
+    t->failed += json_is_string(json_object_get(point, "failure"));
+    return true;
+}
+
+static const char *text_in(const json_t *object, const char *key)
+{
+    const char *text = json_string_value(json_object_get(object, key));
+    return text ? text : "";
+}
+
+static bool write_head(const struct record_points *points, FILE *out, char **error)
+{
+    struct tally t = {0};
+    const char *name, *before = "", *about = text_in(points->header, "about");
+    json_t *values;
+    if (!points->each(points->arg, count_point, &t, error))
+        return false;
+    fprintf(out, "# %s\n\nWritten by `touchstone study` from its results; do not edit.\n\n",
+            text_in(points->header, "title"));
+    if (*about)
+        fprintf(out, "%s\n\n", about);
+    fprintf(out, "%s at %zu points: ", text_in(points->header, "program"), t.points);
+    json_object_foreach(json_object_get(points->header, "axes"), name, values)
+    {
+        fprintf(out, "%s%zu of %s", before, json_array_size(values), name);
+        before = ", ";
+    }
+    fputs(". Points that make no sense were left out.\n", out);
+    if (t.failed)
+        fprintf(out, "%zu failed, and are not below.\n", t.failed);
+    return true;
+}
+
+/* --- a table -------------------------------------------------------------------------------------------- */
+
+static const char *what(const struct page *p)
+{
+    return *p->picture->y_label ? p->picture->y_label
+           : *p->picture->best  ? p->picture->best
+                                : p->picture->figure;
+}
+
+/* Writes v with four significant figures, or more if its whole part has more. */
+static void write_value(FILE *out, double v)
+{
+    int whole = v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
+    fprintf(out, "%.*f", whole >= 4 ? 0 : 4 - whole, v);
+}
+
+/* Writes a cell: the figure, or the label of the best axis's value. */
+static void write_cell(const struct page *p, double v)
+{
+    const struct chart_axis *best = &p->data->best;
+    if (isnan(v)) {
+        fputc('-', p->out);
+        return;
+    }
+    for (size_t i = 0; *best->name && i < best->count; i++)
+        if (best->position[i] == v) {
+            fputs(best->label[i], p->out);
+            return;
+        }
+    write_value(p->out, v);
+}
+
+static const char *line_name(const struct page *p, size_t line)
+{
+    return *p->data->lines.name ? p->data->lines.label[line] : what(p);
+}
+
+static void write_table(const struct page *p, size_t panel)
+{
+    const struct chart_data *d = p->data;
+    fprintf(p->out, "| %s |", *p->picture->x_label ? p->picture->x_label : d->x.name);
+    for (size_t line = 0; line < d->lines.count; line++)
+        fprintf(p->out, " %s |", line_name(p, line));
+    fputs("\n|--:|", p->out);
+    for (size_t line = 0; line < d->lines.count; line++)
+        fputs("--:|", p->out);
+    fputc('\n', p->out);
+    for (size_t x = 0; x < d->x.count; x++) {
+        fprintf(p->out, "| %s |", d->x.label[x]);
+        for (size_t line = 0; line < d->lines.count; line++) {
+            fputc(' ', p->out);
+            write_cell(p, chart_at(d, panel, line, x));
+            fputs(" |", p->out);
+        }
+        fputc('\n', p->out);
+    }
+    fputc('\n', p->out);
+}
+
+/* --- what can be read off it ---------------------------------------------------------------------------- */
+
+/* A number that is lower for a better figure: higher speeds are better, of all other figures lower values. */
+static double merit(const struct page *p, size_t panel, size_t line, size_t x)
+{
+    double v = chart_at(p->data, panel, line, x);
+    return strncmp(p->picture->figure, "speed", 5) == 0 ? -v : v;
+}
+
+static const char *best_word(const struct page *p)
+{
+    return strncmp(p->picture->figure, "speed", 5) == 0 ? "most" : "least";
+}
+
+/* The x at which a line is best; d->x.count if the line has no points. */
+static size_t best_of(const struct page *p, size_t panel, size_t line)
+{
+    const struct chart_data *d = p->data;
+    size_t at = d->x.count;
+    for (size_t x = 0; x < d->x.count; x++) {
+        double v = merit(p, panel, line, x);
+        if (!isnan(v) && (at == d->x.count || v < merit(p, panel, line, at)))
+            at = x;
+    }
+    return at;
+}
+
+/* The range around `at` in which the line stays within a tenth of its best. */
+static void near_best(const struct page *p, size_t panel, size_t line, size_t at, size_t *from, size_t *to)
+{
+    double best = merit(p, panel, line, at), most = best + TENTH * fabs(best);
+    for (*from = at; *from > 0 && merit(p, panel, line, *from - 1) <= most;)
+        --*from;
+    for (*to = at; *to + 1 < p->data->x.count && merit(p, panel, line, *to + 1) <= most;)
+        ++*to;
+}
+
+/* Writes "8.000 to 6.000 (x 0.750) from nodes 1 to 8; ". */
+static void say_change(const struct page *p, size_t panel, size_t line)
+{
+    const struct chart_data *d = p->data;
+    size_t first = 0, last = d->x.count - 1;
+    while (first < last && isnan(chart_at(d, panel, line, first)))
+        first++;
+    while (last > first && isnan(chart_at(d, panel, line, last)))
+        last--;
+    double from = chart_at(d, panel, line, first), to = chart_at(d, panel, line, last);
+    if (first == last || !(from > 0))
+        return;
+    write_value(p->out, from);
+    fputs(" to ", p->out);
+    write_value(p->out, to);
+    fprintf(p->out, " (x %.3g) from %s %s to %s; ", to / from, d->x.name, d->x.label[first],
+            d->x.label[last]);
+}
+
+static void say_best(const struct page *p, size_t panel, size_t line)
+{
+    const struct chart_data *d = p->data;
+    size_t at = best_of(p, panel, line), from, to;
+    if (at == d->x.count)
+        return;
+    near_best(p, panel, line, at, &from, &to);
+    fprintf(p->out, "- %s%s%s: ", d->lines.name, *d->lines.name ? " " : "", line_name(p, line));
+    say_change(p, panel, line);
+    fprintf(p->out, "%s, ", best_word(p));
+    write_value(p->out, chart_at(d, panel, line, at));
+    fprintf(p->out, ", at %s %s", d->x.name, d->x.label[at]);
+    if (from < to)
+        fprintf(p->out, "; within a tenth of it from %s to %s", d->x.label[from], d->x.label[to]);
+    fputs(".\n", p->out);
+}
+
+/* The line that is best at x; d->lines.count if fewer than two lines differ there. */
+static size_t winner(const struct page *p, size_t panel, size_t x)
+{
+    const struct chart_data *d = p->data;
+    size_t best = d->lines.count;
+    bool differ = false;
+    for (size_t line = 0; line < d->lines.count; line++) {
+        double v = merit(p, panel, line, x);
+        if (isnan(v))
+            continue;
+        differ |= best < d->lines.count && v != merit(p, panel, best, x);
+        if (best == d->lines.count || v < merit(p, panel, best, x))
+            best = line;
+    }
+    return differ ? best : d->lines.count;
+}
+
+static void say_winners(const struct page *p, size_t panel)
+{
+    const struct chart_data *d = p->data;
+    bool any = false;
+    for (size_t x = 0; x < d->x.count;) {
+        size_t line = winner(p, panel, x), end = x + 1;
+        while (end < d->x.count && winner(p, panel, end) == line)
+            end++;
+        if (line < d->lines.count) {
+            fprintf(p->out, "%s %s at %s %s", any ? ";" : "- Of all lines", best_word(p), d->x.name,
+                    d->x.label[x]);
+            if (end - x > 1)
+                fprintf(p->out, " to %s", d->x.label[end - 1]);
+            fprintf(p->out, ": %s", line_name(p, line));
+            any = true;
+        }
+        x = end;
+    }
+    fputs(any ? ".\n" : "", p->out);
+}
+
+static void write_panel(const struct page *p, size_t panel)
+{
+    const struct chart_data *d = p->data;
+    if (*d->panels.name)
+        fprintf(p->out, "### %s %s\n\n", d->panels.name, d->panels.label[panel]);
+    write_table(p, panel);
+    if (*d->best.name || d->x.count < 2)
+        return;
+    for (size_t line = 0; line < d->lines.count; line++)
+        say_best(p, panel, line);
+    if (d->lines.count > 1)
+        say_winners(p, panel);
+    fputc('\n', p->out);
+}
+
+static bool write_picture(const struct record_points *points, const struct picture *picture, FILE *out,
+                          char **error)
+{
+    struct chart_data data;
+    bool ok = chart_data_take(points, picture, &data, error);
+    if (ok) {
+        struct page page = {points, picture, &data, out};
+        const char *title = *picture->title ? picture->title : picture->file;
+        fprintf(out, "\n## %s\n\n![%s](%s.png)\n\n", title, title, picture->file);
+        fprintf(out, "In the table: %s%s%s%s%s.\n\n", what(&page), *picture->best ? " with the least " : "",
+                *picture->best ? picture->figure : "", *data.fixed ? "; " : "", data.fixed);
+        for (size_t i = 0; i < data.panels.count; i++)
+            write_panel(&page, i);
+    }
+    chart_data_free(&data);
+    return ok;
+}
+
+bool findings_write(const struct record_points *points, const struct picture *list, size_t count,
+                    const char *dir, char **error)
+{
+    struct atomic_file d;
+    char *path = xasprintf("%s/findings.md", dir);
+    bool begun = atomic_file_begin(&d, path, error);
+    free(path);
+    if (!begun)
+        return false;
+    bool ok = write_head(points, d.out, error);
+    for (size_t i = 0; ok && i < count; i++)
+        ok = write_picture(points, &list[i], d.out, error);
+    if (ok)
+        return atomic_file_end(&d, error);
+    atomic_file_drop(&d);
+    return false;
+}

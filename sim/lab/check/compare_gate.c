@@ -1,0 +1,245 @@
+/* compare_gate.c - see compare_gate.h. */
+#include "lab/check/compare_gate.h"
+#include "files/atomic_file.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "lab/check/baseline.h"
+#include "lab/check/compare_print.h"
+#include "lab/check/junit.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { MOST_TOLD = 20 }; /* points printed in full; the others are printed in a line each */
+
+struct gate {
+    const struct gate_options *options;
+    struct compare_rules rules; /* from the options */
+    json_t *baseline;           /* as read */
+    json_t *update;             /* the new baseline; NULL without --update */
+    struct compare_point **points;
+    size_t count;
+};
+
+/* A study while its points are compared. */
+struct visit {
+    struct gate *gate;
+    const char *study;
+    const json_t *axes, *before;
+    json_t *seen; /* names of the points compared so far */
+};
+
+/* --- comparing ------------------------------------------------------------------------------------------ */
+
+static void keep(struct gate *g, struct compare_point *p)
+{
+    g->points = xrealloc(g->points, (g->count + 1) * sizeof *g->points);
+    g->points[g->count++] = p;
+}
+
+static bool visit_point(void *arg, const json_t *flat, char **error)
+{
+    struct visit *v = arg;
+    const char *failure = json_string_value(json_object_get(flat, "failure"));
+    char *name = baseline_name(flat, v->axes);
+    json_t *point = failure ? NULL : baseline_point(flat, v->axes);
+    (void)error;
+    compare_rules_see(&v->gate->rules, point);
+    keep(v->gate,
+         compare_point(v->study, name, json_object_get(v->before, name), point, failure, &v->gate->rules));
+    json_set(v->seen, name, json_null());
+    if (v->gate->update && point)
+        json_set(baseline_study(v->gate->update, v->study), name, json_incref(point));
+    json_decref(point);
+    free(name);
+    return true;
+}
+
+static void find_missing(struct visit *v)
+{
+    const char *name;
+    json_t *point;
+    json_object_foreach((json_t *)v->before, name, point) if (!json_object_get(v->seen, name))
+        keep(v->gate, compare_point(v->study, name, point, NULL, NULL, &v->gate->rules));
+}
+
+static bool compare_study(struct gate *g, struct study *s, const char *name, char **error)
+{
+    json_t *header = study_header(s);
+    struct visit v = {.gate = g,
+                      .study = name,
+                      .axes = json_object_get(header, "axes"),
+                      .before = baseline_find(g->baseline, name),
+                      .seen = json_object()};
+    if (g->update)
+        json_object_clear(baseline_study(g->update, name));
+    bool good = study_each(s, visit_point, &v, error);
+    if (good)
+        find_missing(&v);
+    json_decref(v.seen);
+    json_decref(header);
+    return good;
+}
+
+/* --- running -------------------------------------------------------------------------------------------- */
+
+static char *study_name(const char *file)
+{
+    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
+    return xasprintf("%.*s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)), name);
+}
+
+static bool run_study(struct gate *g, const char *file, const char *name, char **error)
+{
+    struct study_options o = g->options->study;
+    char *dir = xasprintf("%s/%s", g->options->dir, name);
+    o.file = file;
+    o.dir = dir;
+    struct study *s = study_open(&o, error);
+    enum study_end end = s ? study_run(s, error) : STUDY_ERROR;
+    if (end == STUDY_STOPPED)
+        *error = xasprintf("stopped by a signal; the same command goes on from here");
+    bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare_study(g, s, name, error);
+    study_close(s);
+    free(dir);
+    return good;
+}
+
+/* Without --update the baseline must have the study: a misspelt name would pass as a study of new points. */
+static bool is_known(const struct gate *g, const char *file, const char *name, char **error)
+{
+    for (const char *const *other = g->options->files; *other != file; other++) {
+        char *its = study_name(*other);
+        bool same = strcmp(its, name) == 0;
+        free(its);
+        if (same) {
+            *error = xasprintf("%s and %s would both be \"%s\" in the baseline", *other, file, name);
+            return false;
+        }
+    }
+    if (g->update || baseline_find(g->baseline, name))
+        return true;
+    *error = xasprintf("%s has no study \"%s\"; --update adds it", g->options->baseline, name);
+    return false;
+}
+
+static bool run_all(struct gate *g, char **error)
+{
+    bool good = true;
+    for (const char *const *file = g->options->files; good && *file; file++) {
+        char *name = study_name(*file);
+        good = is_known(g, *file, name, error) && run_study(g, *file, name, error);
+        free(name);
+    }
+    return good;
+}
+
+/* --- telling -------------------------------------------------------------------------------------------- */
+
+static void print_all(const struct gate *g, FILE *out)
+{
+    size_t told = 0;
+    for (size_t i = 0; i < g->count; i++) {
+        if (g->points[i]->verdict == COMPARE_SAME)
+            continue;
+        if (told++ < MOST_TOLD)
+            compare_print(g->points[i], out);
+        else
+            compare_print_short(g->points[i], out);
+    }
+}
+
+static void print_counts(const struct gate *g, FILE *out)
+{
+    static const char *const words[COMPARE_FAILED + 1] = {
+        "the same", "with differences that decide nothing", "better", "new", "worse", "missing", "failed"};
+    size_t count[COMPARE_FAILED + 1] = {0};
+    for (size_t i = 0; i < g->count; i++)
+        count[g->points[i]->verdict]++;
+    fprintf(out, "%zu point%s", g->count, g->count == 1 ? "" : "s");
+    const char *mark = ":";
+    for (int v = COMPARE_SAME; v <= COMPARE_FAILED; v++, mark = count[v - 1] ? "," : mark)
+        if (count[v])
+            fprintf(out, "%s %zu %s", mark, count[v], words[v]);
+    fputc('\n', out);
+    if (!g->update && count[COMPARE_SAME] < g->count)
+        fputs("to make this the baseline, give the same command with --update\n", out);
+}
+
+static bool write_junit(const struct gate *g, char **error)
+{
+    struct atomic_file d;
+    if (!g->options->junit)
+        return true;
+    if (!atomic_file_begin(&d, g->options->junit, error))
+        return false;
+    junit_write(g->points, g->count, d.out);
+    return atomic_file_end(&d, error);
+}
+
+/* --- the whole ------------------------------------------------------------------------------------------ */
+
+static bool open_baseline(struct gate *g, char **error)
+{
+    const char *path = g->options->baseline;
+    if (g->options->update && access(path, F_OK) != 0)
+        g->baseline = baseline_new();
+    else if (access(path, F_OK) != 0)
+        *error = xasprintf("%s: %m; --update makes a baseline", path);
+    else
+        g->baseline = baseline_read(path, error);
+    if (g->baseline && g->options->update)
+        g->update = json_deep_copy(g->baseline);
+    return g->baseline;
+}
+
+static size_t failures(const struct gate *g, enum compare_verdict from)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < g->count; i++)
+        count += g->points[i]->verdict >= from;
+    return count;
+}
+
+/* A tolerance for a figure that no point has is a mistake. */
+static bool check_rules(const struct gate *g, char **error)
+{
+    const char *unused = compare_rules_unused(&g->rules);
+    if (unused)
+        *error = xasprintf("--tolerance %s: no point has a figure of that name", unused);
+    return !unused;
+}
+
+static enum gate_end finish(struct gate *g, char **error)
+{
+    FILE *out = g->options->study.out;
+    if (!check_rules(g, error))
+        return GATE_ERROR;
+    print_all(g, out);
+    print_counts(g, out);
+    fflush(out);
+    if (!write_junit(g, error))
+        return GATE_ERROR;
+    if (!g->update)
+        return failures(g, COMPARE_WORSE) ? GATE_WORSE : GATE_PASSED;
+    if (failures(g, COMPARE_FAILED)) {
+        *error = xasprintf("%s is as it was: points failed", g->options->baseline);
+        return GATE_ERROR;
+    }
+    return baseline_write(g->update, g->options->baseline, error) ? GATE_PASSED : GATE_ERROR;
+}
+
+enum gate_end gate_run(const struct gate_options *options, char **error)
+{
+    struct gate g = {.options = options, .rules = options->rules};
+    enum gate_end end = GATE_ERROR;
+    if (open_baseline(&g, error) && run_all(&g, error))
+        end = finish(&g, error);
+    for (size_t i = 0; i < g.count; i++)
+        compare_free(g.points[i]);
+    free(g.points);
+    json_decref(g.baseline);
+    json_decref(g.update);
+    return end;
+}

@@ -1,0 +1,166 @@
+/* compare_print.c - see compare_print.h. */
+#include "lab/check/compare_print.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_MOVES = 5 };               /* shown of each kind */
+static const double LEAST_MOVE = 1e-3; /* shown, as a part of the largest of its kind */
+
+static const char *verdict_word(enum compare_verdict v)
+{
+    static const char *const words[] = {"same", "differs", "better", "new", "WORSE", "MISSING", "FAILED"};
+    return words[v];
+}
+
+/* --- figures -------------------------------------------------------------------------------------------- */
+
+static void print_value(const json_t *value, FILE *out)
+{
+    if (json_is_integer(value))
+        fprintf(out, "%" JSON_INTEGER_FORMAT, json_integer_value(value));
+    else if (json_is_real(value))
+        fprintf(out, "%.10g", json_real_value(value));
+    else if (json_is_string(value))
+        fputs(json_string_value(value), out);
+    else if (!value)
+        fputs("none", out);
+    else
+        for (size_t i = 0; i < json_array_size(value); i++) {
+            fputs(i ? " " : "", out);
+            print_value(json_array_get(value, i), out);
+        }
+}
+
+static void print_change(const struct compare_figure *f, FILE *out)
+{
+    print_value(f->before, out);
+    fputs(" -> ", out);
+    print_value(f->after, out);
+    if (!isnan(f->change_pct))
+        fprintf(out, " (%+.2f %%, %+.6g)", f->change_pct, f->change);
+    else if (!isnan(f->change))
+        fprintf(out, " (%+.6g)", f->change);
+}
+
+static void print_figures(const struct compare_point *p, FILE *out)
+{
+    static const char *const said[] = {
+        [COMPARE_TOLD] = "", [COMPARE_BETTER] = "better", [COMPARE_WORSE] = "worse"};
+    for (size_t i = 0; i < p->figure_count; i++) {
+        const struct compare_figure *f = &p->figures[i];
+        fprintf(out, "  %-6s  %-20s ", said[f->verdict], f->name);
+        print_change(f, out);
+        fputc('\n', out);
+    }
+}
+
+/* --- where the time moved ------------------------------------------------------------------------------- */
+
+/* The class's name in a profile's table. */
+static const char *class_word(const char *class)
+{
+    return strcmp(class, "with_handlers") == 0 ? "handlers" : class;
+}
+
+static void print_move(const struct compare_move *m, FILE *out)
+{
+    static const char *const kinds[] = {"", "system: ", "idle: ", ""};
+    double change = m->after_s - m->before_s;
+    fprintf(out, "    %-9s %s%s %+.6f s", class_word(m->class), kinds[m->kind], m->name, change);
+    if (m->before_s != 0)
+        fprintf(out, " (%+.1f %%)", 100 * change / fabs(m->before_s));
+    else
+        fputs(" (was not there)", out);
+    fputc('\n', out);
+}
+
+static double change_of(const struct compare_move *m)
+{
+    return m->after_s - m->before_s;
+}
+
+/* Prints the largest moves of a kind; the small ones as a sum. */
+static void print_kind(const struct compare_point *p, size_t from, size_t to, FILE *out)
+{
+    double rest = 0, least = LEAST_MOVE * fabs(change_of(&p->moves[from]));
+    size_t shown = from;
+    while (shown < to && shown - from < MOST_MOVES && fabs(change_of(&p->moves[shown])) >= least)
+        print_move(&p->moves[shown++], out);
+    for (size_t i = shown; i < to; i++)
+        rest += change_of(&p->moves[i]);
+    if (shown < to)
+        fprintf(out, "    %zu more, %+.6f s\n", to - shown, rest);
+}
+
+/* Prints "others    in all: functions +1.000000 s, idle -0.500000 s". */
+static void print_class(const struct compare_point *p, const char *class, FILE *out)
+{
+    static const char *const kinds[COMPARE_KINDS] = {"functions", "system", "idle", "ended"};
+    double sum[COMPARE_KINDS] = {0};
+    const char *mark = "";
+    for (size_t i = 0; i < p->move_count; i++)
+        if (strcmp(p->moves[i].class, class) == 0)
+            sum[p->moves[i].kind] += change_of(&p->moves[i]);
+    fprintf(out, "    %-9s in all: ", class_word(class));
+    for (int kind = 0; kind < COMPARE_KINDS; kind++)
+        if (sum[kind] != 0) {
+            fprintf(out, "%s%s %+.6f s", mark, kinds[kind], sum[kind]);
+            mark = ", ";
+        }
+    fputc('\n', out);
+}
+
+/* Functions come first: other times usually change because of them. */
+static void print_moves(const struct compare_point *p, FILE *out)
+{
+    const char *class;
+    json_t *value;
+    size_t from = 0;
+    if (!p->move_count)
+        return;
+    fputs("  where the time of all nodes of a class moved:\n", out);
+    for (size_t to = 1; to <= p->move_count; to++)
+        if (to == p->move_count || p->moves[to].kind != p->moves[from].kind) {
+            print_kind(p, from, to, out);
+            from = to;
+        }
+    json_object_foreach(json_object_get(p->after, "where"), class, value) print_class(p, class, out);
+}
+
+/* --- a point -------------------------------------------------------------------------------------------- */
+
+static void print_head(const struct compare_point *p, FILE *out)
+{
+    fprintf(out, "%-8s%s: %s", verdict_word(p->verdict), p->study, p->name);
+}
+
+void compare_print(const struct compare_point *p, FILE *out)
+{
+    if (p->verdict == COMPARE_SAME)
+        return;
+    print_head(p, out);
+    if (p->failure)
+        fprintf(out, ": %s", p->failure);
+    else if (!p->after)
+        fputs(": in the baseline, but not in the study", out);
+    else if (!p->before)
+        fputs(": not in the baseline", out);
+    fputc('\n', out);
+    print_figures(p, out);
+    if (p->one_profiled)
+        fputs("  where the time moved is not told: only one of the two has a profile\n", out);
+    print_moves(p, out);
+}
+
+void compare_print_short(const struct compare_point *p, FILE *out)
+{
+    print_head(p, out);
+    if (p->figure_count) {
+        fprintf(out, ": %s ", p->figures[0].name);
+        print_change(&p->figures[0], out);
+        if (p->figure_count > 1)
+            fprintf(out, ", and %zu more", p->figure_count - 1);
+    }
+    fputc('\n', out);
+}

@@ -1,0 +1,29 @@
+/* compare_tolerance.h - how much figures may differ from a baseline's (touchstone check --tolerance). */
+#ifndef LAB_CHECK_COMPARE_TOLERANCE_H
+#define LAB_CHECK_COMPARE_TOLERANCE_H
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct compare_tolerance {
+    char *figure;   /* NULL: all costs and speeds without a tolerance of their own */
+    double allowed; /* a part of the baseline's value if relative, otherwise in the figure's unit */
+    bool relative;
+    bool used; /* a point has this figure */
+};
+
+struct compare_rules {
+    struct compare_tolerance *tolerances;
+    size_t count;
+    bool exact; /* any difference is worse, in any figure */
+};
+
+/* Adds tolerances: "0.5%", "total_s=1%", "messages=10", or a list of such texts with commas. False with *why
+ * malloc'd. */
+bool compare_rules_add(struct compare_rules *rules, const char *text, char **why);
+void compare_rules_clear(struct compare_rules *rules);
+/* Notes which tolerances a point (baseline.h) has figures for. */
+void compare_rules_see(struct compare_rules *rules, const json_t *point);
+/* After all points: the first figure with a tolerance that no point has; NULL if there is none. */
+const char *compare_rules_unused(const struct compare_rules *rules);
+#endif

@@ -1,0 +1,40 @@
+/* points.h - the points of a study, made one at a time from their numbers: the product of all axes, the last
+ * axis changing fastest, without the points that the study leaves out. */
+#ifndef LAB_STUDY_POINTS_H
+#define LAB_STUDY_POINTS_H
+#include "lab/study/spec.h"
+
+#include <jansson.h>
+
+/* Must not be copied: value[] points into label[]. */
+struct point {
+    size_t number;                          /* below spec.product */
+    struct expr_value value[SPEC_MAX_AXES]; /* on each axis: number (NAN if none) and text */
+    char label[SPEC_MAX_AXES][SPEC_MAX_LABEL];
+};
+
+enum point_is {
+    POINT_WANTED,
+    POINT_LEFT_OUT, /* a condition of `only` does not hold */
+    POINT_WRONG,    /* a derived value is invalid: *error is a malloc'd text, file:line: key: ... */
+};
+enum point_is point_make(const struct spec *s, size_t number, struct point *p, char **error);
+
+/* The point's name, malloc'd: "nodes 16, group 2". */
+char *point_name(const struct spec *s, const struct point *p);
+uint64_t point_nodes(const struct spec *s, const struct point *p);
+const char *point_machine(const struct spec *s, const struct point *p);
+/* The program's arguments, and the settings KEY=VALUE of its machine: ended by NULL, to be freed by
+ * words_free(). */
+char **point_arguments(const struct spec *s, const struct point *p);
+char **point_settings(const struct spec *s, const struct point *p);
+/* The settings' place in the file: the i'th of those of point_settings(). */
+config_setting_t *point_setting_at(const struct spec *s, const struct point *p, size_t i);
+/* AXIS: value of each axis, whole numbers as integers. */
+json_t *point_values(const struct spec *s, const struct point *p);
+json_t *point_value_json(double number, const char *text);
+
+/* Lists of malloc'd words, ended by NULL; an empty list is NULL. words_add() takes over the word. */
+void words_add(char ***list, char *word);
+void words_free(char **list);
+#endif

@@ -1,0 +1,46 @@
+/* study_report.c - writes the results and pictures of a study; see study.h. */
+#include "lab/chart/chart.h"
+#include "lab/chart/findings.h"
+#include "lab/study/study_parts.h"
+
+#include <stdlib.h>
+
+static bool each_of_study(void *arg, study_visit *visit, void *to, char **error)
+{
+    return study_each(arg, visit, to, error);
+}
+
+/* Draws a picture. A failure is printed on progress. */
+static bool draw(const struct study *s, const struct record_points *points, const struct picture *picture)
+{
+    char *error = NULL;
+    bool drawn = chart_draw(points, picture, s->options.dir, &error);
+    if (!drawn)
+        fprintf(s->options.progress, "no picture %s: %s\n", picture->file, error);
+    free(error);
+    return drawn;
+}
+
+enum study_end study_report(struct study *s, char **error)
+{
+    struct record_points points = {each_of_study, s, study_header(s)};
+    struct picture standard[CHART_STANDARD];
+    const struct study_options *o = &s->options;
+    size_t drawn = 0, pictures = s->spec->picture_count;
+    const struct picture *list = s->spec->pictures;
+    bool written = record_write_json(&points, o->dir, error) && record_write_csv(&points, o->dir, error);
+    if (written && !list) {
+        list = standard;
+        pictures = chart_standard(&points, standard);
+    }
+    for (size_t i = 0; written && i < pictures; i++)
+        drawn += draw(s, &points, &list[i]);
+    written = written && findings_write(&points, list, pictures, o->dir, error);
+    json_decref(points.header);
+    if (!written)
+        return STUDY_ERROR;
+    fprintf(o->out,
+            "%zu points, %zu failed; %s has findings.md, results.json, results.csv and %zu picture%s\n",
+            s->count, s->counts.failed, o->dir, drawn, drawn == 1 ? "" : "s");
+    return s->counts.failed || (s->spec->pictures && drawn < pictures) ? STUDY_INCOMPLETE : STUDY_DONE;
+}

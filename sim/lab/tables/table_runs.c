@@ -1,0 +1,152 @@
+/* table_runs.c - see table_runs.h. */
+#include "lab/tables/table_runs.h"
+#include "files/folder_make.h"
+#include "kernel/xalloc.h"
+#include "lab/jobs/process_pool.h"
+#include "lab/jobs/progress.h"
+#include "lab/tables/runs_journal.h"
+#include "lab/tables/tables.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* A run's command line: argv and the texts that are its own. */
+struct command {
+    char *argv[10 + 2 * RUN_MAX_SETTINGS + PAPER_MAX_ARGS + RUN_MAX_EXTRA + 1];
+    char *program, *nodes, *json, *arguments, *extra;
+};
+
+/* Cuts text into words, at most `most`; answers how many. */
+static size_t add_words(char **argv, char *text, size_t most)
+{
+    size_t n = 0;
+    char *save, *word = strtok_r(text, " ", &save);
+    for (; word && n < most; word = strtok_r(NULL, " ", &save))
+        argv[n++] = word;
+    return n;
+}
+
+static void build_command(struct command *c, const struct tables_options *o, const struct paper *paper,
+                          const struct run *run, size_t i, const char *scratch)
+{
+    c->program = xasprintf("%s/%s", o->programs, paper->program);
+    c->nodes = xasprintf("%u", run->nodes);
+    c->json = xasprintf("%s/%zu.json", scratch, i);
+    c->arguments = xstrdup(run->arguments);
+    c->extra = xstrdup(run->extra ? run->extra : "");
+    char *const head[] = {(char *)o->runner, "run",    "-q",   "-m", paper->machine, "-n",
+                          c->nodes,          "--json", c->json};
+    size_t n = sizeof head / sizeof *head;
+    memcpy(c->argv, head, sizeof head);
+    for (char *const *set = run->settings; *set; set++) {
+        c->argv[n++] = "--set";
+        c->argv[n++] = *set;
+    }
+    c->argv[n++] = c->program;
+    n += add_words(c->argv + n, c->arguments, PAPER_MAX_ARGS);
+    n += add_words(c->argv + n, c->extra, RUN_MAX_EXTRA);
+    c->argv[n] = NULL;
+}
+
+static void free_command(struct command *c)
+{
+    unlink(c->json);
+    free(c->program);
+    free(c->nodes);
+    free(c->json);
+    free(c->arguments);
+    free(c->extra);
+}
+
+static void read_outcome(struct run *run, const struct pool_job *job, const char *json)
+{
+    if (job->state == POOL_DONE)
+        run->outcome = outcome_read(job->out, json, "total_s");
+    else
+        run->outcome.error = xstrdup(job->error ? job->error : "not run");
+    run->outcome.wall_time_s = job->wall_time_s;
+}
+
+/* --- running --------------------------------------------------------------------------------------------- */
+
+struct doing {
+    struct run *runs;
+    struct command *commands;
+    struct pool_job *jobs; /* of the runs that are not in the journal */
+    size_t *which;         /* run each of them is */
+    size_t count;
+    struct runs_journal *kept; /* NULL: nothing is kept */
+    struct progress progress;
+    struct pool_watcher shown;
+};
+
+/* A run has ended: its outcome is read and kept before the next is begun. */
+static void changed(void *arg, const struct pool_status *status)
+{
+    struct doing *d = arg;
+    if (status->finished && status->finished->state != POOL_WAITING) {
+        size_t job = (size_t)(status->finished - d->jobs), i = d->which[job];
+        read_outcome(&d->runs[i], status->finished, d->commands[i].json);
+        if (d->kept && !d->runs[i].outcome.error)
+            runs_journal_add(d->kept, &d->runs[i]);
+    }
+    d->shown.changed(d->shown.arg, status);
+}
+
+static bool do_in(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
+                  const char *scratch, struct runs_journal *kept, double *wall_s)
+{
+    struct doing d = {.runs = runs, .kept = kept};
+    d.commands = xcalloc(count + 1, sizeof *d.commands);
+    d.jobs = xcalloc(count + 1, sizeof *d.jobs);
+    d.which = xcalloc(count + 1, sizeof *d.which);
+    for (size_t i = 0; i < count; i++) {
+        build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
+        if (kept && runs_journal_find(kept, &runs[i]))
+            continue;
+        d.jobs[d.count] =
+            (struct pool_job){.name = runs[i].name, .argv = d.commands[i].argv, .weight = runs[i].weight};
+        d.which[d.count++] = i;
+    }
+    if (d.count < count)
+        fprintf(o->progress, "%zu of %zu runs are in %s/journal\n", count - d.count, count, o->dir);
+    d.shown = progress_watcher(&d.progress, o->progress);
+    struct pool_watcher watcher = {changed, &d};
+    struct pool_end end = pool_run(d.jobs, d.count, o->at_once, &watcher);
+    progress_end(&d.progress);
+    for (size_t i = 0; i < count; i++)
+        free_command(&d.commands[i]);
+    pool_clear(d.jobs, d.count);
+    free(d.jobs);
+    free(d.which);
+    free(d.commands);
+    *wall_s += end.wall_time_s;
+    return !end.stopped;
+}
+
+bool table_runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
+                   double *wall_s, char **error)
+{
+    struct runs_journal *kept = o->resume ? runs_journal_open(o, paper, error) : NULL;
+    struct scratch scratch = {NULL, -1};
+    if (!o->resume || kept)
+        scratch = folder_scratch("touchstone-tables", error);
+    bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, kept, wall_s);
+    if (scratch.path && !ok)
+        *error = o->resume ? xasprintf("stopped; the same command goes on from %s/journal", o->dir)
+                           : xasprintf("stopped; nothing was written");
+    scratch_remove(&scratch);
+    runs_journal_close(kept);
+    return ok;
+}
+
+void table_runs_clear(struct run runs[], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        outcome_clear(&runs[i].outcome);
+        free(runs[i].name);
+        for (char **set = runs[i].settings; *set; set++)
+            free(*set);
+    }
+}

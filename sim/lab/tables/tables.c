@@ -1,0 +1,167 @@
+/* tables.c - from the paper's rows to runs, through the pool, to results; see tables.h. */
+#include "lab/tables/tables.h"
+#include "files/atomic_file.h"
+#include "files/folder_make.h"
+#include "kernel/xalloc.h"
+#include "lab/jobs/process_pool.h"
+#include "lab/tables/choices.h"
+#include "lab/tables/explain.h"
+#include "lab/tables/results.h"
+#include "lab/tables/tables_report.h"
+#include "lab/tables/tie_sensitivity.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* --- writing them down ----------------------------------------------------------------------------------- */
+
+static bool write_json(const struct results *r, const char *dir, char **error)
+{
+    struct atomic_file f;
+    char *path = xasprintf("%s/tables.json", dir);
+    json_t *root = results_json(r);
+    bool ok = atomic_file_begin(&f, path, error);
+    if (ok) {
+        json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
+        ok = atomic_file_end(&f, error);
+    }
+    json_decref(root);
+    free(path);
+    return ok;
+}
+
+/* One picture a table. A picture that fails is said on progress. */
+static bool draw(const struct tables_options *o, const struct results *r)
+{
+    bool ok = true;
+    for (size_t t = 0; t < r->table_count; t++) {
+        char *path = xasprintf("%s/plot.%ld", o->dir, (long)getpid());
+        FILE *script = fopen(path, "we");
+        if (script) {
+            results_plot(&r->tables[t], o->dir, script);
+            fclose(script);
+        }
+        char *const argv[] = {"gnuplot", path, NULL};
+        struct pool_job job = {.name = "the picture", .argv = argv};
+        if (!script || !pool_run(&job, 1, 1, NULL).all_done) {
+            fprintf(o->progress, "no picture of table %u: %s\n", r->tables[t].table->number,
+                    job.error ? job.error : "no room for its script");
+            ok = false;
+        }
+        pool_clear(&job, 1);
+        unlink(path);
+        free(path);
+    }
+    return ok;
+}
+
+static enum tables_end write_down(const struct tables_options *o, struct results *r, char **error)
+{
+    results_print(r, o->out);
+    if (!write_json(r, o->dir, error))
+        return TABLES_ERROR;
+    bool drawn = draw(o, r);
+    fprintf(o->out, "%s/tables.json has all figures; the pictures are %s/table-N.png and .svg\n", o->dir,
+            o->dir);
+    if (o->report && !tables_report_write(o, r, o->report, error))
+        return TABLES_ERROR;
+    if (o->report)
+        fprintf(o->out, "%s is the report\n", o->report);
+    if (o->choices && !choices_write(o, r, o->choices, error))
+        return TABLES_ERROR;
+    if (o->choices)
+        fprintf(o->out, "%s says what each choice does\n", o->choices);
+    return drawn && results_all_errors(r).failed == 0 ? TABLES_DONE : TABLES_INCOMPLETE;
+}
+
+/* --- the whole ------------------------------------------------------------------------------------------- */
+
+/* Once all is there the next command begins anew: what it prints has been run. */
+static enum tables_end end_journal(const struct tables_options *o, enum tables_end end)
+{
+    static const char *const files[] = {"journal", "lock"};
+    for (size_t i = 0; o->resume && end == TABLES_DONE && i < sizeof files / sizeof *files; i++) {
+        char *path = xasprintf("%s/%s", o->dir, files[i]);
+        unlink(path);
+        free(path);
+    }
+    return end;
+}
+
+static enum tables_end make(const struct tables_options *o, struct results *r, char **error)
+{
+    if (!r->table_count)
+        *error = xasprintf("none of these tables is in paper.cfg");
+    else if (!folder_make(o->dir))
+        *error = xasprintf("%s cannot be made: %s", o->dir, strerror(errno));
+    else if (table_runs_do(o, r->paper, r->runs, r->run_count, &r->wall_time_s, error) &&
+             (!o->ties || tie_sensitivity_run(o, r, error)))
+        return end_journal(o, write_down(o, r, error));
+    return TABLES_ERROR;
+}
+
+static struct paper *read_rows(const struct tables_options *o, char **error)
+{
+    char *path = xasprintf("%s/bench/paper/paper.cfg", o->home);
+    struct paper *paper = paper_read(path, error);
+    free(path);
+    return paper;
+}
+
+enum tables_end tables_make(const struct tables_options *o, char **error)
+{
+    char *fitted_path = xasprintf("%s/bench/paper/fitted.cfg", o->home);
+    enum tables_end end = TABLES_ERROR;
+    struct paper *paper = read_rows(o, error);
+    struct paper_fitted *fitted = paper ? paper_read_fitted(fitted_path, error) : NULL;
+    if (fitted) {
+        struct results r = results_plan(paper, fitted, o->wanted);
+        end = make(o, &r, error);
+        results_free(&r);
+    }
+    paper_free_fitted(fitted);
+    paper_free(paper);
+    free(fitted_path);
+    return end;
+}
+
+static struct explain *run_and_explain(const struct tables_options *o, const struct paper *paper,
+                                       const struct paper_row *row, unsigned table, char **error)
+{
+    double wall_s = 0;
+    struct explain *e = NULL;
+    struct run runs[] = {
+        {.nodes = row->nodes, .arguments = row->arguments, .weight = 1, .name = xasprintf("the row")},
+        {.nodes = row->nodes,
+         .arguments = row->arguments,
+         .extra = "-times",
+         .weight = 1,
+         .name = xasprintf("the row, measured")}};
+    struct tables_options alone = *o;
+    alone.resume = false;
+    if (table_runs_do(&alone, paper, runs, 2, &wall_s, error))
+        e = explain_read(paper, row, table, &runs[1].outcome, &runs[0].outcome, error);
+    table_runs_clear(runs, 2);
+    return e;
+}
+
+enum tables_end tables_explain(const struct tables_options *o, const char *name, char **error)
+{
+    struct paper *paper = read_rows(o, error);
+    unsigned table = 0, nodes;
+    if (!paper)
+        return TABLES_ERROR;
+    const struct paper_row *row = paper_find(paper, name);
+    struct explain *e = NULL;
+    if (row && paper_row_name(name, &table, &nodes))
+        e = run_and_explain(o, paper, row, table, error);
+    else
+        *error = xasprintf("no row %s in the tables; rows are table:nodes, such as 1:128", name);
+    if (e)
+        explain_print(e, o->out);
+    explain_free(e);
+    paper_free(paper);
+    return e ? TABLES_DONE : TABLES_ERROR;
+}

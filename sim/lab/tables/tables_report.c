@@ -1,0 +1,248 @@
+/* tables_report.c - see tables_report.h. */
+#include "lab/tables/tables_report.h"
+#include "files/atomic_file.h"
+#include "kernel/xalloc.h"
+#include "lab/tables/explain.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LARGEST = 5 }; /* rows that are explained */
+
+/* A figure of a cell, "-" where there is none. */
+static void cell(FILE *out, const char *format, double value)
+{
+    fputs(" ", out);
+    if (isnan(value))
+        fputs("-", out);
+    else
+        fprintf(out, format, value);
+    fputs(" |", out);
+}
+
+/* --- accuracy -------------------------------------------------------------------------------------------- */
+
+static void accuracy_row(FILE *out, const char *what, const struct result_errors *e)
+{
+    if (!e->rows)
+        return;
+    fprintf(out, "| %s | %zu | %.2f %% | %+.2f %% (table %u, %u node%s) |\n", what, e->rows, e->mean_pct,
+            e->worst_pct, e->worst_table, e->worst->row->nodes, e->worst->row->nodes == 1 ? "" : "s");
+}
+
+/* How exact the tables are, between two marks: README.md has a copy (bench/paper/copy-accuracy). */
+static void write_accuracy(const struct results *r, FILE *out)
+{
+    fputs("<!-- accuracy: written by make report -->\n"
+          "| total time | runs | mean error | worst error |\n|---|---|---|---|\n",
+          out);
+    for (size_t t = 0; t < r->table_count; t++) {
+        struct result_errors e = results_table_errors(&r->tables[t]);
+        char *name = xasprintf("Table %u", r->tables[t].table->number);
+        accuracy_row(out, name, &e);
+        free(name);
+    }
+    struct result_errors rows = results_row_errors(r), all = results_all_errors(r),
+                         fitted = results_fitted_errors(r, true), others = results_fitted_errors(r, false);
+    accuracy_row(out, "all rows", &rows);
+    accuracy_row(out, "all, each run once", &all);
+    accuracy_row(out, "of these: something was fitted to them", &fitted);
+    accuracy_row(out, "of these: predictions", &others);
+    fputs("<!-- accuracy ends -->\n", out);
+}
+
+/* --- the tables ------------------------------------------------------------------------------------------ */
+
+static void seconds_cell(FILE *out, double s)
+{
+    if (isnan(s))
+        cell(out, "", NAN);
+    else
+        fprintf(out, " %.*f |", results_decimals(s), s);
+}
+
+static void range_cell(FILE *out, const struct run *run)
+{
+    int decimals = results_decimals(run->tie_least_s) + 1;
+    if (run->tie_runs)
+        fprintf(out, " %.*f to %.*f |", decimals, run->tie_least_s, decimals, run->tie_most_s);
+    else
+        cell(out, "", NAN);
+}
+
+static void table_row(FILE *out, const struct result_table *t, size_t i)
+{
+    const struct result_row *row = &t->rows[i];
+    const struct paper_figures *paper = &row->row->paper;
+    const struct outcome *o = &row->run->outcome;
+    fprintf(out, "| %u |", row->row->nodes);
+    seconds_cell(out, outcome_figure(o, "total_s"));
+    range_cell(out, row->run);
+    cell(out, "%g", paper->total_s);
+    cell(out, "%+.2f", results_error_pct(row));
+    cell(out, "%.2f", results_rounding_pct(row));
+    cell(out, "%+.2f", results_contradiction_pct(t, i));
+    fprintf(out, " %s |", row->run->fitted ? "fitted" : "predicted");
+    cell(out, "%.1f", outcome_figure(o, "host_idle_pct"));
+    cell(out, "%.1f", outcome_figure(o, "host_idle_all_pct"));
+    cell(out, "%.1f", outcome_figure(o, "host_drain_pct"));
+    cell(out, "%.1f", paper->host_idle_pct);
+    cell(out, "%.1f", outcome_figure(o, "slave_idle_pct"));
+    cell(out, "%.1f", paper->slave_idle_pct);
+    cell(out, "%.1f", outcome_figure(o, "slave_idle_spread_pct"));
+    cell(out, "%.1f", paper->slave_idle_spread_pct);
+    fputc('\n', out);
+}
+
+static void write_table(FILE *out, const struct result_table *t)
+{
+    fprintf(
+        out,
+        "\n## Table %u: %s\n\n"
+        "| nodes | ours, s | range, s | paper, s | error, %% | rounding, %% | speed column, %% | standing | host "
+        "idle: last, %% | all, %% | drain, %% | paper, %% | slave idle, %% | paper, %% | spread, %% | paper, %% "
+        "|\n|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+        t->table->number, t->table->title);
+    for (size_t i = 0; i < t->table->count; i++)
+        table_row(out, t, i);
+}
+
+static const char COLUMNS[] =
+    "\nThe columns:\n\n"
+    "- range: the least and longest time when a message's latency is 2 % less to 2 % more, in 8 steps (`--ties`), for\n"
+    "  rows in which a small change may decide what happens.\n"
+    "- rounding: half a unit of the last digit of the paper's total time: what lies within cannot be told apart.\n"
+    "- speed column: the total time that the paper's column of speed/node implies, against its column of total time.\n"
+    "- standing: fitted, when a constant or a choice was settled by a figure of the row; else predicted.\n"
+    "- host idle: waits for the last request of a layer, every wait for a request, and the wait for the last polygons\n"
+    "  (drain), each of the total time and on average over the hosts. The paper's definition is a wait for a message.\n";
+
+/* --- what was fitted --------------------------------------------------------------------------------------- */
+
+static void write_fitted(FILE *out, const struct results *r)
+{
+    fputs(
+        "\n## What was fitted, or chosen with the tables in view\n\n| what | value | settled by |\n|---|---|---|\n",
+        out);
+    for (size_t i = 0; i < r->fitted->count; i++) {
+        const struct paper_factor *f = &r->fitted->factors[i];
+        fprintf(out, "| cost of %s%s%s | x %g | %s |\n", f->file ? f->file : "",
+                f->file && f->function ? ", " : "", f->function ? f->function : "", f->factor, f->fitted_to);
+    }
+    for (size_t i = 0; i < r->fitted->choice_count; i++) {
+        const struct paper_choice *c = &r->fitted->choices[i];
+        fprintf(out, "| %s | %s | %s |\n", c->policy ? "policy" : "constant", c->what, c->fitted_to);
+    }
+    fputs("\nCHOICES.md says what the errors are with each of them otherwise.\n", out);
+}
+
+/* --- what remains ------------------------------------------------------------------------------------------ */
+
+struct residual {
+    const struct result_row *row;
+    unsigned table;
+};
+
+/* Is a row of the same run among them already? */
+static bool is_there(const struct residual list[], size_t count, const struct run *run)
+{
+    for (size_t i = 0; i < count; i++)
+        if (list[i].row->run == run)
+            return true;
+    return false;
+}
+
+/* The rows of largest error beyond the paper's rounding, the largest first; answers how many. */
+static size_t find_residuals(const struct results *r, struct residual list[LARGEST])
+{
+    size_t count = 0;
+    while (count < LARGEST) {
+        struct residual largest = {0};
+        double most = 0;
+        for (size_t t = 0; t < r->table_count; t++)
+            for (size_t i = 0; i < r->tables[t].table->count; i++) {
+                const struct result_row *row = &r->tables[t].rows[i];
+                double error = fabs(results_error_pct(row)), rounding = results_rounding_pct(row);
+                if (!(error > most) || error <= rounding || is_there(list, count, row->run))
+                    continue;
+                most = error;
+                largest = (struct residual){row, r->tables[t].table->number};
+            }
+        if (!largest.row)
+            break;
+        list[count++] = largest;
+    }
+    return count;
+}
+
+static void write_residual(FILE *out, const struct results *r, const struct residual *x,
+                           const struct run *timed)
+{
+    const struct paper_row *row = x->row->row;
+    char *error = NULL;
+    fprintf(out, "\n### Table %u, %u nodes: %+.2f %%\n\n", x->table, row->nodes, results_error_pct(x->row));
+    if (row->remark)
+        fprintf(out, "%s\n\n", row->remark);
+    struct explain *e = explain_read(r->paper, row, x->table, &timed->outcome, &x->row->run->outcome, &error);
+    if (!e) {
+        fprintf(out, "No account of its time: %s\n", error);
+        free(error);
+        return;
+    }
+    explain_markdown(e, out);
+    fprintf(out, "`touchstone tables --explain %u:%u` has all of it, and the layers.\n", x->table,
+            row->nodes);
+    explain_free(e);
+}
+
+static bool write_residuals(FILE *out, const struct tables_options *o, struct results *r, char **error)
+{
+    struct residual list[LARGEST];
+    struct run timed[LARGEST] = {0};
+    size_t count = find_residuals(r, list);
+    for (size_t i = 0; i < count; i++) {
+        const struct run *run = list[i].row->run;
+        timed[i] = (struct run){.nodes = run->nodes,
+                                .arguments = run->arguments,
+                                .extra = "-times",
+                                .weight = run->weight,
+                                .name = xasprintf("%s; measured", run->name)};
+    }
+    bool ok = table_runs_do(o, r->paper, timed, count, &r->wall_time_s, error);
+    if (ok && count)
+        fprintf(out, "\n## What remains: the %zu largest errors\n", count);
+    for (size_t i = 0; ok && i < count; i++)
+        write_residual(out, r, &list[i], &timed[i]);
+    table_runs_clear(timed, count);
+    return ok;
+}
+
+/* --- the whole --------------------------------------------------------------------------------------------- */
+
+static bool write_to(FILE *out, const struct tables_options *o, struct results *r, char **error)
+{
+    fputs(
+        "# Tables of Bajaj & Lin, ours beside the paper's\n\nWritten by `make report` (`touchstone tables --ties "
+        "--report FILE`) from one run of all rows; do not edit.\n\n## How exact\n\n",
+        out);
+    write_accuracy(r, out);
+    for (size_t t = 0; t < r->table_count; t++)
+        write_table(out, &r->tables[t]);
+    fputs(COLUMNS, out);
+    write_fitted(out, r);
+    return write_residuals(out, o, r, error);
+}
+
+bool tables_report_write(const struct tables_options *o, struct results *r, const char *path, char **error)
+{
+    struct atomic_file f;
+    if (!atomic_file_begin(&f, path, error))
+        return false;
+    if (write_to(f.out, o, r, error))
+        return atomic_file_end(&f, error);
+    atomic_file_drop(&f);
+    return false;
+}

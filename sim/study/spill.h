@@ -1,9 +1,0 @@
-/* spill.h - zeroed memory for tables that grow with a study: it lies in a file without a name, so that the system can take
- * the pages back, and those never touched take no room anywhere. */
-#ifndef STUDY_SPILL_H
-#define STUDY_SPILL_H
-#include <stddef.h>
-
-void *spill_new(size_t bytes);
-void spill_free(void *p, size_t bytes);
-#endif

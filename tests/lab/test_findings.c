@@ -1,0 +1,102 @@
+/* test_findings.c - the page of findings says what its figures say. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "lab/chart/findings.h"
+
+static const char RESULTS[] =
+    "{ \"title\": \"T\", \"about\": \"Why.\", \"program\": \"p\","
+    "  \"axes\": { \"nodes\": [1, 2, 4, 8], \"scheme\": [\"a\", \"b\"] }, \"points\": ["
+    "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, \"time_s\": 8.0, \"speedup\": 1 },"
+    "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, \"time_s\": 8.0, \"speedup\": 1 },"
+    "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, \"time_s\": 4.0, \"speedup\": 2 },"
+    "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 5.0, \"speedup\": 1.6 },"
+    "  { \"nodes\": 4, \"scheme\": \"a\", \"failure\": null, \"time_s\": 3.9, \"speedup\": 2.05 },"
+    "  { \"nodes\": 4, \"scheme\": \"b\", \"failure\": null, \"time_s\": 3.0, \"speedup\": 2.7 },"
+    "  { \"nodes\": 8, \"scheme\": \"a\", \"failure\": null, \"time_s\": 6.0, \"speedup\": 1.3 },"
+    "  { \"nodes\": 8, \"scheme\": \"b\", \"failure\": \"crashed\" } ] }\n";
+
+/* The page with one picture of that figure; malloc'd. */
+static char *page(const char *figure, const char *best)
+{
+    char dir[] = "/tmp/findings.XXXXXX", path[64], *error = NULL, *text = calloc(1, 8192);
+    struct record_points points;
+    assert_non_null(mkdtemp(dir));
+    snprintf(path, sizeof path, "%s/results.json", dir);
+    FILE *f = fopen(path, "w");
+    fputs(RESULTS, f);
+    fclose(f);
+    assert_true(record_read(path, &points, &error));
+    struct picture picture = {"pic", "title", "",    "",   figure, "nodes", *best ? "" : "scheme",
+                              "",    best,    false, false};
+    assert_true(findings_write(&points, &picture, 1, dir, &error));
+    record_free(&points);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/findings.md", dir);
+    f = fopen(path, "r");
+    assert_true(fread(text, 1, 8191, f) > 0);
+    fclose(f);
+    unlink(path);
+    rmdir(dir);
+    return text;
+}
+
+static void says(const char *text, const char *what)
+{
+    if (!strstr(text, what))
+        fail_msg("'%s' is not in:\n%s", what, text);
+}
+
+static void table_and_least(void **state)
+{
+    (void)state;
+    char *text = page("time_s", "");
+    says(text, "# T\n");
+    says(text, "Why.\n");
+    says(text, "p at 8 points: 4 of nodes, 2 of scheme.");
+    says(text, "\n1 failed");
+    says(text, "![title](pic.png)");
+    says(text, "| 4 | 3.900 | 3.000 |");
+    says(text, "| 8 | 6.000 | - |");
+    says(
+        text,
+        "- scheme a: 8.000 to 6.000 (x 0.75) from nodes 1 to 8; least, 3.900, at nodes 4; within a tenth of it from 2 to 4.");
+    says(text, "- scheme b: 8.000 to 3.000 (x 0.375) from nodes 1 to 4; least, 3.000, at nodes 4.");
+    says(text, "- Of all lines least at nodes 2: a; least at nodes 4: b.");
+    free(text);
+}
+
+static void speeds_are_best_when_high(void **state)
+{
+    (void)state;
+    char *text = page("speedup", "");
+    says(text, "- scheme b: 1.000 to 2.700 (x 2.7) from nodes 1 to 4; most, 2.700, at nodes 4.");
+    says(text, "most at nodes 2: a; most at nodes 4: b.");
+    free(text);
+}
+
+static void best_value_of_an_axis(void **state)
+{
+    (void)state;
+    char *text = page("time_s", "scheme");
+    says(text, "In the table: scheme with the least time_s.");
+    says(text, "| 2 | a |");
+    says(text, "| 4 | b |");
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
+                                       cmocka_unit_test(speeds_are_best_when_high),
+                                       cmocka_unit_test(best_value_of_an_axis)};
+    return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
+}
