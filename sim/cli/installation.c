@@ -17,7 +17,8 @@ bool cli_find_installation(struct cli_installation *i, const char *command)
     if (!find_binary(i) || !cfg_home(i->home, sizeof i->home)) {
         fprintf(
             stderr,
-            "touchstone %s: machines/ is not where this program was built or installed; set TOUCHSTONE_HOME\n",
+            "touchstone %s: machines/ is not where this program was built or installed; set "
+            "TOUCHSTONE_HOME\n",
             command);
         return false;
     }
