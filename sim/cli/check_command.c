@@ -62,29 +62,20 @@ static void take_files(struct argp_state *state, struct gate_options *gate)
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = &a->session;
-        break;
-    case TOLERANCE:
+    else if (key == TOLERANCE)
         add_tolerance(state, &a->gate.rules, arg);
-        break;
-    case 'o':
+    else if (key == 'o')
         a->gate.dir = arg;
-        break;
-    case ARGP_KEY_ARGS:
+    else if (key == ARGP_KEY_ARGS)
         take_files(state, &a->gate);
-        break;
-    case ARGP_KEY_NO_ARGS:
+    else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which baseline, and which study file?");
-        break;
-    case ARGP_KEY_END:
-        if (a->gate.rules.exact && a->gate.rules.count)
-            argp_error(state, "--exact leaves no room for --tolerance");
-        break;
-    default:
+    else if (key == ARGP_KEY_END && a->gate.rules.exact && a->gate.rules.count)
+        argp_error(state, "--exact leaves no room for --tolerance");
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 

@@ -16,7 +16,9 @@ int cli_srm(int argc, char **argv);
 /* The commands of the host's shell, such as getcube; cli_cube() is all of them, by argv[0]. */
 struct cli_cube_command {
     const char *name, *what; /* what: one line of help */
-    struct argp argp;
+    const struct argp_option *options;
+    argp_parser_t parse;
+    const char *arguments; /* as in struct argp */
 };
 extern const struct cli_cube_command CLI_CUBE_COMMANDS[];          /* the last one has no name */
 const struct cli_cube_command *cli_cube_command(const char *name); /* NULL: there is none of that name */

@@ -70,23 +70,18 @@ static void load_program(struct argp_state *state, struct arguments *a)
 static error_t parse_one(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT) {
         a->words = xcalloc((size_t)state->argc + 2, sizeof *a->words);
         state->child_inputs[0] = a;
-        break;
-    case 't':
+    } else if (key == 't') {
         a->type = arg;
-        break;
-    case 'r':
+    } else if (key == 'r') {
         add_word(a, arg);
-        break;
-    case HOST:
+    } else if (key == HOST) {
         a->has_host = true;
         add_word(a, "--host");
         add_word(a, arg);
-        break;
-    default:
+    } else {
         return ARGP_ERR_UNKNOWN;
     }
     return 0;
@@ -106,46 +101,29 @@ static error_t parse_load(int key, char *arg, struct argp_state *state)
 
 /* --- the commands --- */
 
-#define SERVICE                                                                                              \
-    "touchstone srm starts the service that these commands ask: getcube, load, waitcube, killcube, "         \
-    "relcube, cubeinfo, attachcube. touchstone srm --links DIR makes links by these names.\n\n"              \
-    "Exit status:\n"                                                                                         \
-    "  0   done; waitcube: the status is the program's\n"                                                    \
-    "  1   refused, with the reason\n"                                                                       \
-    "  64  wrong arguments\n"                                                                                \
-    "  69  no service answers\n\n"                                                                           \
-    "Example:\n"                                                                                             \
-    "  getcube -t 16 && load ring && waitcube; relcube"
-
 const struct cli_cube_command CLI_CUBE_COMMANDS[] = {
-    {"getcube",
-     "Get nodes",
-     {GET_OPTIONS, parse_one, NULL, "Gets nodes of the machine as a cube.\v" SERVICE, CHILDREN, NULL, NULL}},
-    {"load",
-     "Start a program on a cube's nodes",
-     {LOAD_OPTIONS, parse_load, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]",
-      "Starts PROGRAM, built by nxcc, on the cube's nodes, and returns at once.\v" SERVICE, CHILDREN, NULL,
-      NULL}},
-    {"waitcube",
-     "Wait for a program, and show its output",
-     {NULL, parse_one, NULL,
-      "Shows the output of the cube's program from its start, and waits until it has ended.\v" SERVICE,
-      CHILDREN, NULL, NULL}},
-    {"killcube",
-     "End a cube's program",
-     {NULL, parse_one, NULL, "Ends the cube's program; the cube stays.\v" SERVICE, CHILDREN, NULL, NULL}},
-    {"relcube",
-     "Give the nodes back",
-     {NULL, parse_one, NULL, "Gives the cube's nodes back, ending its program.\v" SERVICE, CHILDREN, NULL,
-      NULL}},
-    {"cubeinfo",
-     "Show who has which nodes",
-     {NULL, parse_one, NULL, "Shows who has which nodes, and what runs there.\v" SERVICE, CHILDREN, NULL,
-      NULL}},
-    {"attachcube",
-     "Work with another cube",
-     {NULL, parse_one, NULL, "Makes a cube the default of this terminal.\v" SERVICE, CHILDREN, NULL, NULL}},
+    {"getcube", "Get nodes of the machine as a cube", GET_OPTIONS, parse_one, NULL},
+    {"load", "Start a program on a cube's nodes", LOAD_OPTIONS, parse_load,
+     "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]"},
+    {"waitcube", "Wait for a program, and show its output", NULL, parse_one, NULL},
+    {"killcube", "End a cube's program", NULL, parse_one, NULL},
+    {"relcube", "Give a cube's nodes back", NULL, parse_one, NULL},
+    {"cubeinfo", "Show who has which nodes, and what runs", NULL, parse_one, NULL},
+    {"attachcube", "Make a cube the default of this terminal", NULL, parse_one, NULL},
     {0}};
+
+static const char DOC[] =
+    "touchstone srm starts the service that these commands ask: getcube, load, waitcube, killcube, "
+    "relcube, cubeinfo, attachcube. touchstone srm --links DIR makes links by these names.\n\n"
+    "load returns at once. waitcube shows the output from the program's start. A cube stays when its "
+    "program ends; relcube ends the program.\n\n"
+    "Exit status:\n"
+    "  0   done; waitcube: the status is the program's\n"
+    "  1   refused, with the reason\n"
+    "  64  wrong arguments\n"
+    "  69  no service answers\n\n"
+    "Example:\n"
+    "  getcube -t 16 && load ring && waitcube; relcube";
 
 const struct cli_cube_command *cli_cube_command(const char *name)
 {
@@ -177,10 +155,12 @@ int cli_cube(int argc, char **argv)
 {
     const struct cli_cube_command *c = cli_cube_command(argv[0]);
     struct arguments a = {.cube = "", .type = ""};
-    char name[32];
-    snprintf(name, sizeof name, "touchstone %s", c->name);
-    cli_parse(&c->argp, name, ARGP_IN_ORDER, argc, argv, &a);
+    char *name = xasprintf("touchstone %s", c->name), *doc = xasprintf("%s.\v%s", c->what, DOC);
+    const struct argp argp = {c->options, c->parse, c->arguments, doc, CHILDREN, NULL, NULL};
+    cli_parse(&argp, name, ARGP_IN_ORDER, argc, argv, &a);
     int status = ask(c->name, &a);
+    free(name);
+    free(doc);
     free(a.words);
     return status;
 }

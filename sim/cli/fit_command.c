@@ -21,8 +21,7 @@ static const struct argp_option OPTIONS[] = {
     {"constants", CLI_TEXT(struct arguments, constants), "FILE", 0,
      "Write the fitted numbers, with their provenance, to FILE; default DIR/fitted.cfg", 1},
     {"most", MOST, "N", 0, "Most evaluations of all points that the search may make; default 200", 1},
-    {"output", 'o', "DIR", 0, "Folder for the results of the runs; default out/ and STUDY's name and -fit",
-     1},
+    {"output", 'o', "DIR", 0, "Folder for the results of runs; default out/ and STUDY's name and -fit", 1},
     {0}};
 
 static const char DOC[] =
@@ -57,27 +56,18 @@ static const char DOC[] =
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = &a->session;
-        break;
-    case MOST:
+    else if (key == MOST)
         a->most = cli_whole(state, "--most", "a number of evaluations", MOST_EVALUATIONS, arg);
-        break;
-    case 'o':
+    else if (key == 'o')
         a->dir = arg;
-        break;
-    case ARGP_KEY_ARG:
-        if (a->file)
-            return ARGP_ERR_UNKNOWN;
-        a->file = arg;
-        break;
-    case ARGP_KEY_NO_ARGS:
+    else if (key == ARGP_KEY_ARG)
+        return cli_store_only(&a->file, arg);
+    else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which study file?");
-        break;
-    default:
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 

@@ -15,11 +15,10 @@ static bool find_binary(struct cli_installation *i)
 bool cli_find_installation(struct cli_installation *i, const char *command)
 {
     if (!find_binary(i) || !cfg_home(i->home, sizeof i->home)) {
-        fprintf(
-            stderr,
-            "touchstone %s: machines/ is not where this program was built or installed; set "
-            "TOUCHSTONE_HOME\n",
-            command);
+        fprintf(stderr,
+                "touchstone %s: machines/ is not where this program was built or installed; set "
+                "TOUCHSTONE_HOME\n",
+                command);
         return false;
     }
     int folder = (int)(strrchr(i->runner, '/') - i->runner);

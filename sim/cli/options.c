@@ -60,6 +60,14 @@ error_t cli_store(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
+error_t cli_store_only(const char **only, const char *arg)
+{
+    if (*only)
+        return ARGP_ERR_UNKNOWN;
+    *only = arg;
+    return 0;
+}
+
 /* --- options of several commands --- */
 
 static const struct argp_option MACHINE_OPTIONS[] = {

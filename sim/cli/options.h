@@ -27,6 +27,8 @@ enum {
 #define CLI_FLAG(type, member)                                                                               \
     (CLI_KEY_FLAG + _Generic(((type *)0)->member, bool : (int)offsetof(type, member)))
 error_t cli_store(int key, char *arg, struct argp_state *state);
+/* Stores a command's one argument, for ARGP_KEY_ARG; a second one is an error. */
+error_t cli_store_only(const char **only, const char *arg);
 
 /* Parses a command's arguments; its parser finds input as state->input. name: as in "touchstone run".
  * flags: argp's. Adds -h, --help, --usage and --version. Arguments that the command's parser does not

@@ -59,33 +59,29 @@ static void check(struct argp_state *state, const struct picture *p)
         argp_error(state, "--file takes letters, digits, _ - and ., not '%s'", p->file);
 }
 
+static void set_scales(struct argp_state *state, struct picture *p, const char *axes)
+{
+    if (!*axes || axes[strspn(axes, "xy")])
+        argp_error(state, "--logarithmic takes x, y or xy, not '%s'", axes);
+    p->log_x = strchr(axes, 'x');
+    p->log_y = strchr(axes, 'y');
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case 'o':
+    if (key == 'o')
         a->dir = arg;
-        break;
-    case LOGARITHMIC:
-        if (!*arg || arg[strspn(arg, "xy")])
-            argp_error(state, "--logarithmic takes x, y or xy, not '%s'", arg);
-        a->picture.log_x = strchr(arg, 'x');
-        a->picture.log_y = strchr(arg, 'y');
-        break;
-    case ARGP_KEY_ARG:
-        if (a->results)
-            return ARGP_ERR_UNKNOWN;
-        a->results = arg;
-        break;
-    case ARGP_KEY_NO_ARGS:
+    else if (key == LOGARITHMIC)
+        set_scales(state, &a->picture, arg);
+    else if (key == ARGP_KEY_ARG)
+        return cli_store_only(&a->results, arg);
+    else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which results? (a folder that touchstone study wrote, or its results.json)");
-        break;
-    case ARGP_KEY_END:
+    else if (key == ARGP_KEY_END)
         check(state, &a->picture);
-        break;
-    default:
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 

@@ -34,24 +34,17 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Machine:", 1},
     {"nodes", 'n', "NODES", 0, "Number of nodes; default 1", 0},
     {"set", SET, "KEY=VALUE", 0,
-     "A value for a key of the machine file, by its dotted path, instead of the file's, such as "
-     "system.interrupt_us=150; may be given several times",
-     0},
+     "Value for a key of the machine file, such as system.interrupt_us=150; may be repeated", 0},
     {"cfs", CLI_TEXT(struct arguments, cfs), "DIR", 0,
-     "Folder with the files of /cfs, made if missing; default a temporary one", 0},
-    {"host", CLI_TEXT(struct arguments, host), "HOST", 0,
-     "Run HOST, built by nxcc -host, on the machine's host", 0},
+     "Folder with the files of /cfs; default a temporary one", 0},
+    {"host", CLI_TEXT(struct arguments, host), "HOST", 0, "Run HOST, of nxcc -host, on the machine's host",
+     0},
     {NULL, 0, NULL, 0, "Results:", 2},
-    {"json", CLI_TEXT(struct arguments, json), "FILE", 0,
-     "Write the figures of the run and of each node as JSON", 0},
+    {"json", CLI_TEXT(struct arguments, json), "FILE", 0, "Write the figures of run and nodes as JSON", 0},
     {"profile", CLI_TEXT(struct arguments, profile), "FILE", 0,
-     "Write as JSON where the nodes' time went, by function, and show the functions with the most time; "
-     "for a PROGRAM built with nxcc --profile",
-     0},
+     "Write as JSON, and show, where the time went, by function; for programs of nxcc --profile", 0},
     {"history", CLI_TEXT(struct arguments, history), "FILE", 0,
-     "Write a line for each message received, in order: picoseconds, sender, receiver, type, length; the "
-     "digest is computed from these lines",
-     0},
+     "Write a line a message received: picoseconds, sender, receiver, type, length", 0},
     {"quiet", 'q', NULL, 0, "No summary", 0},
     {"verbose", 'v', NULL, 0, "Show in the summary, too, what the simulator's threads did", 0},
     {NULL, 0, NULL, 0, "Limits:", 3},
@@ -65,9 +58,7 @@ static const struct argp_option OPTIONS[] = {
      "what is right. TOUCHSTONE_ENGINE=reference in the environment selects it for all commands",
      0},
     {"isolate", CLI_FLAG(struct arguments, isolate), NULL, 0,
-     "Stop a program that writes into another node's memory, and say where; computes with one thread, and "
-     "each switch between nodes takes some microseconds more",
-     0},
+     "Stop a program that writes into another node's memory, and say where; slower, one thread", 0},
     {"slice", SLICE, "S", 0, "Return from computing programs at least every S virtual seconds; for tests", 0},
     {"shuffle", SHUFFLE, "SEED", 0, "Let the threads take tasks in a random order; for tests", 0},
     {0}};
@@ -104,53 +95,49 @@ static void check(struct argp_state *state, struct arguments *a)
         a->nodes = 1;
 }
 
+static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
+{
+    if (!strchr(setting, '=') || *setting == '=')
+        argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", setting);
+    a->set[a->set_count++] = setting;
+}
+
+/* What follows the program's name is the program's. */
+static void take_program(struct argp_state *state, struct arguments *a)
+{
+    a->program = state->argv + state->next;
+    a->program_count = state->argc - state->next;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        a->set = xcalloc((size_t)state->argc + 1, sizeof *a->set);
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = &a->machine;
-        break;
-    case 'n':
+    else if (key == 'n')
         a->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX, arg);
-        break;
-    case 'w':
+    else if (key == 'w')
         a->workers = cli_whole(state, "-w", "a number of threads", MOST_WORKERS, arg);
-        break;
-    case SHUFFLE:
+    else if (key == SHUFFLE)
         a->shuffle = cli_whole(state, "--shuffle", "a seed", UINT32_MAX, arg);
-        break;
-    case SET:
-        if (!strchr(arg, '=') || *arg == '=')
-            argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", arg);
-        a->set[a->set_count++] = arg;
-        break;
-    case MAX_VIRTUAL:
+    else if (key == SET)
+        add_setting(state, a, arg);
+    else if (key == MAX_VIRTUAL)
         a->max_virtual_s = cli_seconds(state, "--max-virtual-time", arg);
-        break;
-    case MAX_WALL:
+    else if (key == MAX_WALL)
         a->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
-        break;
-    case SLICE:
+    else if (key == SLICE)
         a->slice_s = cli_seconds(state, "--slice", arg);
-        break;
-    case 'q':
+    else if (key == 'q')
         a->quiet = true;
-        break;
-    case 'v':
+    else if (key == 'v')
         a->verbose = true;
-        break;
-    case ARGP_KEY_ARGS: /* what follows the program's name is the program's */
-        a->program = state->argv + state->next;
-        a->program_count = state->argc - state->next;
-        break;
-    case ARGP_KEY_END:
+    else if (key == ARGP_KEY_ARGS)
+        take_program(state, a);
+    else if (key == ARGP_KEY_END)
         check(state, a);
-        break;
-    default:
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 
@@ -303,7 +290,7 @@ int cli_run(int argc, char **argv)
     static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
     static const struct argp ARGP = {
         OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
-    struct arguments a = {0};
+    struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
     bool other = a.engine && cli_is_other_engine(a.engine);
     int status =

@@ -45,16 +45,12 @@ static const char DOC[] =
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = &a->machine;
-        break;
-    case 'd':
+    else if (key == 'd')
         a->background = true;
-        break;
-    default:
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 

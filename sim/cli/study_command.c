@@ -12,9 +12,7 @@ struct arguments {
 };
 
 static const struct argp_option OPTIONS[] = {
-    {"output", 'o', "DIR", 0,
-     "Folder for results.json, results.csv, pictures and findings.md, a page of what the results show; "
-     "default out/ and FILE's name",
+    {"output", 'o', "DIR", 0, "Folder for results, pictures and findings.md; default out/ and FILE's name",
      1},
     {"retry-failed", CLI_FLAG(struct arguments, retry_failed), NULL, 0, "Run points again that failed before",
      1},
@@ -81,24 +79,16 @@ static const char DOC[] =
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = &a->session;
-        break;
-    case 'o':
+    else if (key == 'o')
         a->dir = arg;
-        break;
-    case ARGP_KEY_ARG:
-        if (a->file)
-            return ARGP_ERR_UNKNOWN;
-        a->file = arg;
-        break;
-    case ARGP_KEY_NO_ARGS:
+    else if (key == ARGP_KEY_ARG)
+        return cli_store_only(&a->file, arg);
+    else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which study file?");
-        break;
-    default:
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 

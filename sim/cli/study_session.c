@@ -8,9 +8,7 @@
 
 static const struct argp_option OPTIONS[] = {
     {"cache", CLI_TEXT(struct cli_session_options, cache), "DIR", 0,
-     "Keep results in DIR and take them from there, for all studies; default $XDG_CACHE_HOME/touchstone or "
-     "~/.cache/touchstone",
-     1},
+     "Keep results in DIR for all studies; default $XDG_CACHE_HOME/touchstone or ~/.cache/touchstone", 1},
     {"no-cache", CLI_FLAG(struct cli_session_options, no_cache), NULL, 0,
      "Keep no results for other studies, and take none", 1},
     {0}};

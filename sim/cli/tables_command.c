@@ -17,24 +17,19 @@ struct arguments {
 
 static const struct argp_option OPTIONS[] = {
     {"tables", 't', "TABLES", 0, "Numbers of the tables, such as 1,2; default all", 1},
-    {"output", 'o', "DIR", 0,
-     "Folder for tables.json, and table-N.png and table-N.svg of each table; default out", 1},
+    {"output", 'o', "DIR", 0, "Folder for tables.json and the pictures table-N.png and .svg; default out", 1},
     {"ties", CLI_FLAG(struct arguments, ties), NULL, 0,
      "Run rows that depend on the order of simultaneous events 8 times more, with a message's latency 2 % "
      "less to 2 % more, and show the range of their times",
      1},
     {"report", CLI_TEXT(struct arguments, report), "FILE", 0,
-     "Write a report in Markdown: errors, the paper's own rounding, what was fitted, which errors remain "
-     "and where their time goes",
-     1},
+     "Write a report in Markdown: errors, the paper's rounding, what was fitted, where time goes", 1},
     {"choices", CLI_TEXT(struct arguments, choices), "FILE", 0,
      "Run all rows once more for each choice that was made with the paper's tables in view, with the other "
      "choice, and write the errors in Markdown; about half a minute a choice",
      1},
     {"explain", CLI_TEXT(struct arguments, explain), "ROW", 0,
-     "Make no tables: show where the time of one row goes, by activity, processor and layer; ROW is "
-     "table:nodes, such as 1:128",
-     1},
+     "Only show where the time of a row, such as 1:128, goes: by activity, processor and layer", 1},
     {0}};
 
 static const char DOC[] =
@@ -52,39 +47,33 @@ static const char DOC[] =
     "Example:\n"
     "  touchstone tables -t 1,2 -o out/tables";
 
-/* "1,2" */
-static bool read_tables(const char *text, unsigned tables[])
+/* text: numbers, such as "1,2" */
+static void read_tables(struct argp_state *state, const char *text, unsigned tables[])
 {
+    char *end = (char *)(uintptr_t)text;
     for (int n = 0; n < MAX_TABLES; n++) {
-        char *end;
-        long number = strtol(text, &end, 10);
-        if (end == text || number < 1 || number > 99 || (*end && *end != ','))
-            return false;
-        tables[n] = (unsigned)number;
+        const char *number = n ? end + 1 : end;
+        long value = strtol(number, &end, 10);
+        if (end == number || value < 1 || value > 99 || (*end && *end != ','))
+            break;
+        tables[n] = (unsigned)value;
         if (!*end)
-            return true;
-        text = end + 1;
+            return;
     }
-    return false;
+    argp_error(state, "-t takes numbers of tables, such as 1,2, not '%s'", text);
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = &a->jobs;
-        break;
-    case 't':
-        if (!read_tables(arg, a->tables))
-            argp_error(state, "-t takes numbers of tables, such as 1,2, not '%s'", arg);
-        break;
-    case 'o':
+    else if (key == 't')
+        read_tables(state, arg, a->tables);
+    else if (key == 'o')
         a->dir = arg;
-        break;
-    default:
+    else
         return cli_store(key, arg, state);
-    }
     return 0;
 }
 
