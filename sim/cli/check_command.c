@@ -15,15 +15,13 @@ struct arguments {
 };
 
 static const struct argp_option OPTIONS[] = {
-    {"update", CLI_FLAG(struct arguments, gate.update), NULL, 0,
+    {"update", CLI_FLAG(arguments, gate.update), NULL, 0,
      "Make the results the baseline, and show what changed; makes a missing file", 1},
     {"tolerance", TOLERANCE, "T", 0,
-     "How much worse a figure may be: 0.5% for all figures, total_s=1% or messages=10 for one; several are "
-     "separated by commas, or given by several options; default 0",
-     1},
-    {"exact", CLI_FLAG(struct arguments, gate.rules.exact), NULL, 0,
+     "How much worse figures may be: 0.5%, or total_s=1%,messages=10; may be repeated; default 0", 1},
+    {"exact", CLI_FLAG(arguments, gate.rules.exact), NULL, 0,
      "Any difference of any figure fails, also for the better, also of the digest", 1},
-    {"junit", CLI_TEXT(struct arguments, gate.junit), "FILE", 0,
+    {"junit", CLI_TEXT(arguments, gate.junit), "FILE", 0,
      "Write the results as JUnit XML, too, a test case a point", 1},
     {"output", 'o', "DIR", 0, "Folder for the results of the runs, in DIR/STUDY; default out", 1},
     {0}};

@@ -26,7 +26,7 @@ struct arguments {
 
 static const struct argp_option OPTIONS[] = {
     {NULL, 'c', "NAME", 0, "The cube; default the one that this terminal got last or is attached to", 1},
-    {"socket", CLI_TEXT(struct arguments, socket), "PATH", 0,
+    {"socket", CLI_TEXT(arguments, socket), "PATH", 0,
      "Where the service listens; default $TOUCHSTONE_SRM, else its usual place", 1},
     {0}};
 
@@ -44,13 +44,10 @@ static const struct argp_child CHILDREN[] = {{&CUBE, 0, NULL, 0}, {0}};
 /* --- options of one command --- */
 
 static const struct argp_option GET_OPTIONS[] = {
-    {NULL, 't', "TYPE", 0, "16 (nodes), d4 (2^4 nodes), 4m16 (4 nodes of 16 MB), 4x8 (a mesh); default all",
-     1},
-    {0}};
+    {NULL, 't', "TYPE", 0, "16 (nodes), d4 (2^4), 4m16 (16 MB each), 4x8 (a mesh); default all", 1}, {0}};
 
 static const struct argp_option LOAD_OPTIONS[] = {
-    {NULL, 'r', "WORD", 0, "One word for touchstone run, such as -r --cfs=data; may be given several times",
-     1},
+    {NULL, 'r', "WORD", 0, "One word for touchstone run, such as -r --cfs=data; may be repeated", 1},
     {"host", HOST, "HOST", 0, "Run HOST as touchstone run --host does", 1},
     {0}};
 

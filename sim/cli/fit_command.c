@@ -18,7 +18,7 @@ struct arguments {
 };
 
 static const struct argp_option OPTIONS[] = {
-    {"constants", CLI_TEXT(struct arguments, constants), "FILE", 0,
+    {"constants", CLI_TEXT(arguments, constants), "FILE", 0,
      "Write the fitted numbers, with their provenance, to FILE; default DIR/fitted.cfg", 1},
     {"most", MOST, "N", 0, "Most evaluations of all points that the search may make; default 200", 1},
     {"output", 'o', "DIR", 0, "Folder for the results of runs; default out/ and STUDY's name and -fit", 1},

@@ -20,12 +20,11 @@ enum {
     CLI_KEY_END = 0x30000
 };
 
-/* Keys of options that cli_store() handles: it stores the option's value as a member of the struct at
- * state->input, in a flag true. */
-#define CLI_TEXT(type, member)                                                                               \
-    (CLI_KEY_TEXT + _Generic(((type *)0)->member, const char * : (int)offsetof(type, member)))
-#define CLI_FLAG(type, member)                                                                               \
-    (CLI_KEY_FLAG + _Generic(((type *)0)->member, bool : (int)offsetof(type, member)))
+/* Keys of options whose value, or true, cli_store() stores in a member of the struct of that type at
+ * state->input. */
+#define CLI_TEXT(type, member) (CLI_KEY_TEXT + CLI_OFFSET(struct type, member, const char *))
+#define CLI_FLAG(type, member) (CLI_KEY_FLAG + CLI_OFFSET(struct type, member, bool))
+#define CLI_OFFSET(type, member, kind) _Generic(((type *)0)->member, kind : (int)offsetof(type, member))
 error_t cli_store(int key, char *arg, struct argp_state *state);
 /* Stores a command's one argument, for ARGP_KEY_ARG; a second one is an error. */
 error_t cli_store_only(const char **only, const char *arg);

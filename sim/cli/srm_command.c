@@ -18,13 +18,13 @@ struct arguments {
 };
 
 static const struct argp_option OPTIONS[] = {
-    {"socket", CLI_TEXT(struct arguments, socket), "PATH", 0,
+    {"socket", CLI_TEXT(arguments, socket), "PATH", 0,
      "Where the service listens, for its own user only; default $TOUCHSTONE_SRM, else "
      "$XDG_RUNTIME_DIR/touchstone-srm, else /tmp/touchstone-UID/srm",
      1},
     {NULL, 'd', NULL, 0, "Go into the background once the service listens; its messages go to PATH.log", 1},
-    {"log", CLI_TEXT(struct arguments, log), "FILE", 0, "Write the messages to FILE", 1},
-    {"links", CLI_TEXT(struct arguments, links), "DIR", 0,
+    {"log", CLI_TEXT(arguments, log), "FILE", 0, "Write the messages to FILE", 1},
+    {"links", CLI_TEXT(arguments, links), "DIR", 0,
      "Make links to touchstone in DIR by the names of the commands, and end", 1},
     {0}};
 

@@ -14,8 +14,7 @@ struct arguments {
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "Folder for results, pictures and findings.md; default out/ and FILE's name",
      1},
-    {"retry-failed", CLI_FLAG(struct arguments, retry_failed), NULL, 0, "Run points again that failed before",
-     1},
+    {"retry-failed", CLI_FLAG(arguments, retry_failed), NULL, 0, "Run points again that failed before", 1},
     {0}};
 
 static const char DOC[] =
@@ -31,8 +30,7 @@ static const char DOC[] =
     "A study file:\n"
     "  title = \"Groups\"; about = \"What is asked.\"; # for the page of findings\n"
     "  program = \"app/model\";     # beside this file, or one that touchstone brings\n"
-    "  machine = \"delta\";         # as in touchstone run -m; a path is from this\n"
-    "                             # file's folder\n"
+    "  machine = \"delta\";         # as in run -m; a path is from this file's folder\n"
     "  arguments = \"-approx 111\"; # of every run; words separated by blanks\n"
     "  inputs = ( \"volume.gz\" );  # files that the program reads, from this file's\n"
     "                             # folder, which is the program's current one\n"
@@ -48,16 +46,12 @@ static const char DOC[] =
     "    { name = \"output\"; cases = ( { label = \"none\"; },\n"
     "      { label = \"files\"; arguments = \"-parts /cfs/p\"; } ); }\n"
     "  );\n"
-    "  # points for which one of these does not hold are left out; operators and\n"
-    "  # functions: && || ! + - * / % ^ min max floor ceil round sqrt log2 abs\n"
-    "  # if(c, a, b)\n"
+    "  # a point for which one of these does not hold is left out; there are also\n"
+    "  # && || ! + - * / % ^ min max floor ceil round sqrt log2 abs if(c, a, b)\n"
     "  only = ( \"group <= nodes\" );\n"
-    "  cost = \"nodes * nodes\";    # how long a point takes, in any unit: the\n"
-    "                             # longest run first; default nodes\n"
-    "  max_wall_s = 60.0;         # a point that takes longer fails;\n"
-    "                             # also max_virtual_s\n"
-    "  profile = true;            # where the time of each point went, by function;\n"
-    "                             # for a program built with nxcc --profile\n"
+    "  cost = \"nodes * nodes\";    # the costliest points run first; default nodes\n"
+    "  max_wall_s = 60.0;         # a longer point fails; also max_virtual_s\n"
+    "  profile = true;            # time by function, as by touchstone run --profile\n"
     "  pictures = ( # default: time, idle time, speed-up, speed per node; by nodes\n"
     "    { file = \"time\"; x = \"group\"; y = \"total_s\"; lines = \"output\";\n"
     "      panels = \"nodes\"; title = \"Time\"; x_label = \"nodes\"; y_label = \"s\";\n"

@@ -7,9 +7,9 @@
 #include "lab/jobs/result_cache.h"
 
 static const struct argp_option OPTIONS[] = {
-    {"cache", CLI_TEXT(struct cli_session_options, cache), "DIR", 0,
+    {"cache", CLI_TEXT(cli_session_options, cache), "DIR", 0,
      "Keep results in DIR for all studies; default $XDG_CACHE_HOME/touchstone or ~/.cache/touchstone", 1},
-    {"no-cache", CLI_FLAG(struct cli_session_options, no_cache), NULL, 0,
+    {"no-cache", CLI_FLAG(cli_session_options, no_cache), NULL, 0,
      "Keep no results for other studies, and take none", 1},
     {0}};
 

@@ -18,17 +18,14 @@ struct arguments {
 static const struct argp_option OPTIONS[] = {
     {"tables", 't', "TABLES", 0, "Numbers of the tables, such as 1,2; default all", 1},
     {"output", 'o', "DIR", 0, "Folder for tables.json and the pictures table-N.png and .svg; default out", 1},
-    {"ties", CLI_FLAG(struct arguments, ties), NULL, 0,
-     "Run rows that depend on the order of simultaneous events 8 times more, with a message's latency 2 % "
-     "less to 2 % more, and show the range of their times",
-     1},
-    {"report", CLI_TEXT(struct arguments, report), "FILE", 0,
+    {"ties", CLI_FLAG(arguments, ties), NULL, 0,
+     "Run tie-sensitive rows 8 times more, with latencies 2 % less to 2 % more; show the time's range", 1},
+    {"report", CLI_TEXT(arguments, report), "FILE", 0,
      "Write a report in Markdown: errors, the paper's rounding, what was fitted, where time goes", 1},
-    {"choices", CLI_TEXT(struct arguments, choices), "FILE", 0,
-     "Run all rows once more for each choice that was made with the paper's tables in view, with the other "
-     "choice, and write the errors in Markdown; about half a minute a choice",
+    {"choices", CLI_TEXT(arguments, choices), "FILE", 0,
+     "Write in Markdown what each choice made with the paper's tables in view changes; half a minute each",
      1},
-    {"explain", CLI_TEXT(struct arguments, explain), "ROW", 0,
+    {"explain", CLI_TEXT(arguments, explain), "ROW", 0,
      "Only show where the time of a row, such as 1:128, goes: by activity, processor and layer", 1},
     {0}};
 
