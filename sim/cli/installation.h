@@ -5,13 +5,12 @@
 #include <stdbool.h>
 
 struct cli_installation {
-    char runner[PATH_MAX]; /* this binary */
-    char programs[PATH_MAX +
-                  32];   /* node programs that come with it: beside it in a build, else in lib/touchstone */
-    char home[PATH_MAX]; /* the folder of machines/ and bench/ */
+    char runner[PATH_MAX];        /* this binary */
+    char programs[PATH_MAX + 32]; /* the folder of the node programs: the binary's, or lib/touchstone */
+    char home[PATH_MAX];          /* the folder of machines/ and bench/ */
     char machines[PATH_MAX + 16]; /* home/machines */
 };
 
-/* False, with a message of the command on standard error, if they are not found. */
+/* Returns false, after a message of the command on standard error, if they are not found. */
 bool cli_find_installation(struct cli_installation *i, const char *command);
 #endif
