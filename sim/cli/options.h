@@ -41,8 +41,8 @@ extern const struct argp CLI_JOBS;    /* -j JOBS; input: unsigned * */
 
 /* Is text a whole number from 1 to most? */
 bool cli_is_whole(const char *text, uint32_t most, uint32_t *value);
-/* Values of options: a whole number from 1 to most; seconds, more than 0. Any other text is reported as an error
- * of that option. what: as in "a number of nodes". */
+/* Values of options: a whole number from 1 to most; seconds, more than 0. Any other text is reported as
+ * an error of that option. what: as in "a number of nodes". */
 uint32_t cli_whole(struct argp_state *state, const char *option, const char *what, uint32_t most,
                    const char *text);
 double cli_seconds(struct argp_state *state, const char *option, const char *text);
