@@ -74,14 +74,21 @@ static int make_links(const char *dir, const char *self)
     return 0;
 }
 
-/* Goes into the background: the caller's process ends with 0; its child keeps the socket and its lock. */
-static void leave(FILE *log)
+/* Goes into the background; the caller's process ends with 0 when the lock names the new process. */
+static void leave(FILE *log, int lock)
 {
-    int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+    int null = open("/dev/null", O_RDWR | O_CLOEXEC), named[2] = {-1, -1};
+    pipe2(named, O_CLOEXEC);
     fflush(NULL);
     pid_t pid = fork();
-    if (pid != 0)
+    if (pid != 0) {
+        close(named[1]);
+        read(named[0], &(char){0}, 1); /* returns when the child has closed its end */
         _exit(pid < 0);
+    }
+    socket_owner(lock);
+    close(named[0]);
+    close(named[1]);
     setsid();
     for (int fd = 0; fd < 3; fd++)
         dup2(fd < 2 ? null : fileno(log), fd);
@@ -106,8 +113,9 @@ static int serve(const struct arguments *a, const struct cfg_machine *cfg, const
         return failed(error, 1);
     }
     if (a->background)
-        leave(log);
-    socket_owner(lock);
+        leave(log, lock);
+    else
+        socket_owner(lock);
     service_run(&(struct service_options){cfg, machine, self, fd, log});
     socket_remove(path);
     close(lock);
