@@ -1,66 +1,93 @@
-/* main.c - touchstone: finds the subcommand. */
+/* main.c - touchstone: finds the command. */
 #include <signal.h>
-#include <stdarg.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/cli.h"
+#include "cli/commands.h"
+#include "cli/options.h"
 
-static const char HELP[] =
-    "touchstone runs programs written for Intel's NX message-passing library on simulated\n"
-    "iPSC/860, Touchstone Delta and Paragon nodes, in exact virtual time.\n"
-    "\n"
-    "  touchstone run     run a program built by nxcc on a machine\n"
-    "  touchstone study   run a program over several axes: nodes, machine, arguments\n"
-    "  touchstone plot    draw the pictures of a study again, from its results\n"
-    "  touchstone check   compare a study with a baseline: what got slower, and where\n"
-    "  touchstone fit     fit numbers of a machine to measurements\n"
-    "  touchstone tables  reproduce Tables 1-5 of Bajaj & Lin, beside the paper's\n"
-    "  touchstone srm     share out a machine's nodes among users, as its host did\n"
-    "  touchstone getcube, cubeinfo, attachcube, load, waitcube, killcube, relcube\n"
-    "                     ask it for a cube of nodes, run programs there, give it back\n"
-    "\n"
-    "touchstone COMMAND --help tells more. Programs are built with nxcc: nxcc -O2 -o prog prog.c\n";
+static const struct command {
+    const char *name;
+    int (*run)(int argc, char **argv);
+    const char *what;
+} COMMANDS[] = {{"run", cli_run, "Run a program built by nxcc on a machine"},
+                {"study", cli_study, "Run a program for all values of several axes"},
+                {"plot", cli_plot, "Draw pictures of a study's results"},
+                {"check", cli_check, "Compare studies with a baseline"},
+                {"fit", cli_fit, "Fit numbers of a machine to measurements"},
+                {"tables", cli_tables, "Reproduce Tables 1-5 of Bajaj & Lin"},
+                {"srm", cli_srm, "Share out a machine's nodes among users"}};
+enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, MOST_LINES = COMMAND_COUNT + 16 };
 
-int cli_usage(const char *command, const char *fmt, ...)
+/* What main is asked to do: a command, whose name is argv[at]. */
+struct request {
+    int (*run)(int argc, char **argv);
+    int at;
+};
+
+static int (*find(const char *name))(int, char **)
 {
-    va_list ap;
-    va_start(ap, fmt);
-    fprintf(stderr, "touchstone %s: ", command);
-    vfprintf(stderr, fmt, ap);
-    fprintf(stderr, "\ntouchstone %s --help tells how it is used\n", command);
-    va_end(ap);
-    return 64;
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        if (!strcmp(name, COMMANDS[i].name))
+            return COMMANDS[i].run;
+    return cli_cube_command(name) ? cli_cube : NULL;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct request *r = state->input;
+    if (key == ARGP_KEY_NO_ARGS)
+        argp_state_help(state, state->err_stream,
+                        (ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK) | ARGP_HELP_EXIT_ERR);
+    if (key != ARGP_KEY_ARG || r->run)
+        return ARGP_ERR_UNKNOWN;
+    if (!strcmp(arg, "help"))
+        argp_state_help(state, state->out_stream, ARGP_HELP_STD_HELP);
+    if (!(r->run = find(arg)))
+        argp_error(state, "there is no command '%s'", arg);
+    r->at = state->next - 1;
+    state->next = state->argc; /* the rest is the command's */
+    return 0;
+}
+
+/* The commands as lines of help. */
+static void list_commands(struct argp_option lines[MOST_LINES])
+{
+    struct argp_option *line = lines;
+    *line++ = (struct argp_option){.doc = "Commands:", .group = 1};
+    for (const struct command *c = COMMANDS; c < COMMANDS + COMMAND_COUNT; c++)
+        *line++ = (struct argp_option){.name = c->name, .doc = c->what, .flags = OPTION_DOC};
+    *line++ = (struct argp_option){.doc = "To use a machine that touchstone srm serves:", .group = 2};
+    for (const struct cli_cube_command *c = CLI_CUBE_COMMANDS; c->name; c++)
+        *line++ = (struct argp_option){.name = c->name, .doc = c->what, .flags = OPTION_DOC};
 }
 
 int main(int argc, char **argv)
 {
-    static const struct {
-        const char *name;
-        int (*run)(int, char **);
-    } COMMANDS[] = {{"run", cli_run}, {"study", cli_study},   {"plot", cli_plot}, {"check", cli_check},
-                    {"fit", cli_fit}, {"tables", cli_tables}, {"srm", cli_srm}};
-    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error of its writing */
-    const char *slash = argc > 0 ? strrchr(argv[0], '/') : NULL, *called = slash      ? slash + 1
-                                                                           : argc > 0 ? argv[0]
-                                                                                      : "";
-    const char *engine = getenv("TOUCHSTONE_ENGINE");
+    signal(SIGXFSZ, SIG_IGN); /* then writing a file that may not grow fails, and is reported as an error */
+    const char *engine = getenv("TOUCHSTONE_ENGINE"), *slash = argc > 0 ? strrchr(argv[0], '/') : NULL;
     if (engine && cli_is_other_engine(engine))
         return cli_change_engine(engine, argv);
-    if (cli_is_cube_command(called)) { /* through a link of that name */
+    const char *called = slash ? slash + 1 : argc > 0 ? argv[0] : "";
+    if (cli_cube_command(called)) { /* by a link of that name */
         argv[0] = (char *)(uintptr_t)called;
         return cli_cube(argc, argv);
     }
-    if (argc < 2 || !strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help")) {
-        fputs(HELP, argc < 2 ? stderr : stdout);
-        return argc < 2 ? 64 : 0;
-    }
-    for (size_t i = 0; i < sizeof COMMANDS / sizeof COMMANDS[0]; i++)
-        if (!strcmp(argv[1], COMMANDS[i].name))
-            return COMMANDS[i].run(argc - 1, argv + 1);
-    if (cli_is_cube_command(argv[1]))
-        return cli_cube(argc - 1, argv + 1);
-    fprintf(stderr, "touchstone: there is no command '%s'\n\n%s", argv[1], HELP);
-    return 64;
+    struct argp_option lines[MOST_LINES] = {0};
+    const struct argp argp = {
+        lines,
+        parse,
+        "COMMAND [ARGS...]",
+        "Runs programs written for Intel's NX message-passing library on simulated iPSC/860, Touchstone "
+        "Delta and Paragon nodes, in exact virtual time. Programs are built with nxcc: nxcc -O2 -o prog "
+        "prog.c\v"
+        "touchstone COMMAND --help describes a command.\n\nExample:\n"
+        "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring",
+        NULL,
+        NULL,
+        NULL};
+    struct request r = {0};
+    list_commands(lines);
+    cli_parse(&argp, "touchstone", ARGP_IN_ORDER, argc, argv, &r);
+    return r.run(argc - r.at, argv + r.at);
 }

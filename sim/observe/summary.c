@@ -2,12 +2,13 @@
 #include "observe/summary.h"
 #include <inttypes.h>
 #include "cfs/cfs.h"
+#include "files/json_set.h"
 #include "lp/clock.h"
 #include "observe/json_file.h"
 #include "node/self.h"
 #include "os/memory.h"
 
-/* What the program itself has computed, by its cost units. */
+/* The time that the program itself has computed. */
 static vtime busy(const struct node *n)
 {
     return clock_of_units(&n->lp, n->lp.clock.units);
@@ -103,28 +104,26 @@ static void print_files(const struct machine *m, FILE *f)
             s.disk_seeks, vt_seconds(s.disk_busy));
 }
 
-/* On the wall time's line, because it is as little the same each time. */
+/* Host times and counts of tasks, which differ from run to run. */
 static void print_threads(const struct workers_stats *s, FILE *f)
 {
-    if (s->submitted)
-        fprintf(f,
-                "; %" PRIu64 " stretches on other threads took %.3f s, %" PRIu64
-                " helped with %.3f s, %.3f s waited",
-                s->away, s->away_s, s->helped, s->helped_s, s->waited_s);
-    fputc('\n', f);
+    fprintf(f,
+            "threads        workers ran %" PRIu64 " tasks in %.3f s; the coordinator ran %" PRIu64
+            " in %.3f s and waited for %.3f s\n",
+            s->away, s->away_s, s->helped, s->helped_s, s->waited_s);
 }
 
-/* Only if something is not guarded. */
+/* A line only if some memory of the nodes has no guard. */
 static void print_guards(enum node_guards guards, FILE *f)
 {
     static const char *const LEFT[] = {"nothing: one that overruns its stack, data or heap is not stopped",
                                        "their stacks: one that overruns its data or heap is not stopped"};
     if (guards < NODE_GUARDS_ALL)
-        fprintf(f, "guards         of so many nodes the computer can guard only %s (vm.max_map_count)\n",
+        fprintf(f, "guards         of so many nodes the host can guard only %s (vm.max_map_count)\n",
                 LEFT[guards]);
 }
 
-/* What programs called that nodes do not have. */
+/* The functions called that nodes do not have. */
 static void print_absent(const struct node_system *s, FILE *f)
 {
     for (size_t i = 0; i < s->absent_count; i++)
@@ -133,7 +132,7 @@ static void print_absent(const struct node_system *s, FILE *f)
                 s->absent[i].calls == 1 ? "call" : "calls", s->absent[i].first);
 }
 
-void summary_print(const struct machine *m, FILE *f)
+void summary_print(const struct machine *m, bool verbose, FILE *f)
 {
     size_t peak = 0;
     uint32_t where = 0;
@@ -142,8 +141,9 @@ void summary_print(const struct machine *m, FILE *f)
             peak = m->sys.nodes[k]->stats.memory_peak, where = k;
     fprintf(f, "virtual time   %.9f s on %u %s of %s\n", vt_seconds(m->end), machine_nodes(m),
             machine_nodes(m) == 1 ? "node" : "nodes", m->sys.cfg->name);
-    fprintf(f, "wall time      %.3f s, and %.3f s to start", m->wall_s, m->start_s);
-    print_threads(&m->workers, f);
+    fprintf(f, "wall time      %.3f s, and %.3f s to start\n", m->wall_s, m->start_s);
+    if (verbose)
+        print_threads(&m->workers, f);
     fprintf(
         f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
         m->sys.messages, m->sys.bytes, channel_waits(protocol_channels(m->sys.schedule.protocol)),
@@ -163,17 +163,17 @@ void summary_print(const struct machine *m, FILE *f)
 
 /* --- for programs --- */
 
-/* Functions that nodes do not have, and programs called. */
+/* The functions called that nodes do not have. */
 static json_t *absent_json(const struct node_system *s)
 {
     json_t *list = json_array();
     for (size_t i = 0; i < s->absent_count; i++)
-        json_array_append_new(list, json_pack("{s:s, s:I, s:s}", "function", s->absent[i].function, "calls",
-                                              (json_int_t)s->absent[i].calls, "first", s->absent[i].first));
+        json_append(list, json_pack("{s:s, s:I, s:s}", "function", s->absent[i].function, "calls",
+                                    (json_int_t)s->absent[i].calls, "first", s->absent[i].first));
     return list;
 }
 
-/* Of idle_s: an object for each call and type of message waited for. */
+/* The parts of idle_s: an object for each call and type of message waited for. */
 static json_t *waits_json(const struct node *n)
 {
     json_t *list = json_array();
@@ -182,13 +182,14 @@ static json_t *waits_json(const struct node *n)
         json_t *j = json_pack("{s:s, s:f, s:I}", "call", w->call, "idle_s", vt_seconds(w->idle), "waits",
                               (json_int_t)w->waits);
         if (w->has_type)
-            json_object_set_new(j, "type", json_integer(w->type));
-        json_array_append_new(list, j);
+            json_set(j, "type", json_integer(w->type));
+        json_append(list, j);
     }
     return list;
 }
 
-/* busy_s, idle_s, system_s and away_s (without a program) add up to ended_s; the tasks to system_s and beside_s. */
+/* busy_s, idle_s, system_s and away_s (without a program) add up to ended_s; the tasks add up to system_s and
+ * beside_s. */
 static json_t *node_json(const struct node *n)
 {
     return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
@@ -215,34 +216,25 @@ static json_t *machine_json(const struct machine *m)
     static const char *const OUTCOMES[] = {"ended", "failed", "deadlock"};
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, m->sys.digest);
-    json_t *root =
-        json_pack("{s:s, s:s, s:i, s:s, s:f, s:f, s:s, s:I, s:I}", "program", m->options.argv[0], "machine",
-                  m->sys.cfg->name, "nodes", (int)machine_nodes(m), "outcome", OUTCOMES[m->outcome],
-                  "virtual_time_s", vt_seconds(m->end), "wall_time_s", m->wall_s, "digest", digest,
-                  "messages", (json_int_t)m->sys.messages, "bytes", (json_int_t)m->sys.bytes);
-    json_t *arguments = json_array(), *nodes = json_array();
-    for (int i = 1; i < m->options.argc; i++)
-        json_array_append_new(arguments, json_string(m->options.argv[i]));
+    json_t *root = json_pack("{s:o, s:o, s:i, s:s, s:f, s:f, s:s, s:I, s:I, s:o, s:o, s:o}", "program",
+                             json_text(m->options.argv[0]), "machine", json_text(m->sys.cfg->name), "nodes",
+                             (int)machine_nodes(m), "outcome", OUTCOMES[m->outcome], "virtual_time_s",
+                             vt_seconds(m->end), "wall_time_s", m->wall_s, "digest", digest, "messages",
+                             (json_int_t)m->sys.messages, "bytes", (json_int_t)m->sys.bytes, "arguments",
+                             json_texts(m->options.argv + 1), "settings", json_texts(m->sys.cfg->set),
+                             "host_files", json_texts(m->sys.host_files));
+    json_t *nodes = json_array();
     for (uint32_t k = 0; k < machine_nodes(m); k++)
-        json_array_append_new(nodes, node_json(m->sys.nodes[k]));
-    json_t *set = json_array();
-    for (char **s = m->sys.cfg->set; s && *s; s++)
-        json_array_append_new(set, json_string(*s));
-    json_object_set_new(root, "arguments", arguments);
-    json_object_set_new(root, "settings", set);
-    json_t *files = json_array();
-    for (size_t i = 0; i < m->sys.host_file_count; i++)
-        json_array_append_new(files, json_string(m->sys.host_files[i]));
-    json_object_set_new(root, "host_files", files);
+        json_append(nodes, node_json(m->sys.nodes[k]));
     if (m->sys.absent_count)
-        json_object_set_new(root, "absent", absent_json(&m->sys));
-    json_object_set_new(root, "node", nodes);
+        json_set(root, "absent", absent_json(&m->sys));
+    json_set(root, "node", nodes);
     if (m->sys.host)
-        json_object_set_new(root, "host", node_json(m->sys.host));
+        json_set(root, "host", node_json(m->sys.host));
     if (m->sys.cfs)
-        json_object_set_new(root, "files", files_json(m->sys.cfs));
+        json_set(root, "files", files_json(m->sys.cfs));
     if (m->message)
-        json_object_set_new(root, "message", json_string(m->message));
+        json_set(root, "message", json_text(m->message));
     return root;
 }
 

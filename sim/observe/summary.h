@@ -1,11 +1,11 @@
-/* summary.h - what a run amounted to: a few lines for people, and a JSON file for programs. */
+/* summary.h - the figures of a run: a few lines for people, and a JSON file for programs. */
 #ifndef OBSERVE_SUMMARY_H
 #define OBSERVE_SUMMARY_H
 #include "machine/machine.h"
 
-/* Writes the lines: times, messages, where the nodes' time went (nodes that took interrupts apart from the
- * others), memory, digest. */
-void summary_print(const struct machine *m, FILE *f);
+/* Writes the lines: times, messages, where the nodes' time went (separately for nodes with handlers), memory,
+ * digest. verbose: also what the simulator's threads did, which differs from run to run. */
+void summary_print(const struct machine *m, bool verbose, FILE *f);
 /* Writes the JSON file, whole or not at all. Returns NULL, or a malloc'd error. */
 char *summary_json(const struct machine *m, const char *path);
 #endif

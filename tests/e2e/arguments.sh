@@ -4,13 +4,27 @@
 compile ring
 
 "$BUILD/touchstone" --help >out 2>err
-check "--help lists the commands" grep -q 'touchstone tables' out
+check "--help lists the commands" grep -q '^  tables  ' out
+"$BUILD/touchstone" --version >out 2>err
+check "--version" grep -q '^touchstone [0-9]' out
 "$BUILD/touchstone" nonsense >out 2>err
 status=$?
 check "an unknown command" ended_with 64
-for c in run tables; do
+commands=$("$BUILD/touchstone" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p')
+check "there are some" test "$(wc -w <<<"$commands")" -ge 14
+for c in $commands; do
     "$BUILD/touchstone" $c --help >out 2>err
-    check "$c --help" grep -q '^usage: touchstone '$c out
+    status=$?
+    check "$c --help" grep -q "^Usage: touchstone $c" out
+    check "$c --help: status" ended_with 0
+    check "$c --help: no line is broken by its end" test -z "$(awk 'length > 79' out)"
+    check "$c -h is --help" cmp out <("$BUILD/touchstone" $c -h)
+    check "$c --help: an example" grep -q '^Example:' out
+    "$BUILD/touchstone" $c --no-such-option >out 2>err
+    status=$?
+    check "$c: an unknown option" said "unrecognized option '--no-such-option'"
+    check "$c: help is offered" said "touchstone $c --help"
+    check "$c: its status" ended_with $([ $c = check ] && echo 2 || echo 64)
 done
 
 wrong() { # NAME STATUS PATTERN ARGS...
@@ -22,7 +36,7 @@ wrong() { # NAME STATUS PATTERN ARGS...
     check "$name: message" said "$pattern"
 }
 wrong "no program" 64 'which program' run
-wrong "an unknown option" 64 'no option --colour' run --colour ring
+wrong "an unknown option" 64 "unrecognized option '--colour'" run --colour ring
 wrong "no nodes" 64 "not '0'" run -n 0 ring
 wrong "words for a number" 64 "not 'many'" run -n many ring
 wrong "a program that is not there" 65 'nowhere' run nowhere
@@ -35,6 +49,27 @@ wrong "more nodes than the hypercube has" 65 '129 nodes' run -m ipsc860 -n 129 r
 wrong "an unknown table" 65 'none of these tables' tables -t 9
 wrong "a table that is no number" 64 "not 'one'" tables -t one
 wrong "no jobs" 64 "not '0'" tables -j 0
+wrong "one argument too many" 64 "'two.cfg' is one argument too many" study one.cfg two.cfg
+wrong "an option without its value" 64 "option '--json' requires an argument" run --json
+wrong "no baseline" 2 'which baseline' check
+wrong "an engine that is none" 64 "not 'warp'" run --engine warp ring
+
+# Options end at the program's name: what follows is the program's.
+cat >words.c <<'END'
+#include <stdio.h>
+int main(int argc, char **argv) { for (int i = 1; i < argc; i++) puts(argv[i]); }
+END
+"$BUILD/nxcc" -o words words.c 2>compile.err
+run -q -n 1 words -n 2 --json x -- --help
+check "options after the program's name are the program's" test "$(tr '\n' ' ' <out)" = '-n 2 --json x -- --help '
+run -q -- words -q
+check "-- ends the options" test "$(cat out)" = -q
+
+# Figures of the simulator itself: in the summary only if they are asked for.
+run -w 2 -n 4 ring
+check "no threads in the summary" test "$(grep -c '^threads' err)" = 0
+run -w 2 -n 4 -v ring
+check "--verbose: threads" said '^threads  .*workers ran [0-9]+ tasks'
 
 # A machine file of one's own, gone wrong: file, line and key.
 bad() { # NAME SED-EXPRESSION PATTERN

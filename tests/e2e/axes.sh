@@ -100,4 +100,4 @@ check "the pictures of a study file" test -s own/named.png
 plot none
 check "no such results" ended_with 65
 plot --help
-check "there is help" grep -q 'usage: touchstone plot' out
+check "there is help" grep -q '^Usage: touchstone plot' out

@@ -52,4 +52,4 @@ differ='all nodes give the same calls: a read of [0-9]+ bytes at 0 here, a read 
 check "M_GLOBAL: which says how" said "cread: in I/O mode 4 $differ"
 
 run --help
-check "--help tells of --cfs" grep -q -- '--cfs DIR' out
+check "--help tells of --cfs" grep -q -- '--cfs=DIR' out

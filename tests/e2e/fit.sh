@@ -137,4 +137,4 @@ check "a study without a fit" said '^touchstone fit: none.cfg: fit: missing'
 fit
 check "no study" ended_with 64
 fit --help
-check "there is help" shows 'usage: touchstone fit STUDY'
+check "there is help" shows '^Usage: touchstone fit .* STUDY'

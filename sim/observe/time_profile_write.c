@@ -1,9 +1,12 @@
-/* profile_write.c - a profile for people, and for programs: see profile.h. */
+/* time_profile_write.c - a profile as a table for people, and as JSON for programs: see time_profile.h. */
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "nx_api/nxcc/image.h"
 #include "observe/json_file.h"
-#include "observe/profile.h"
+#include "observe/time_profile.h"
 
 enum { PRINTED = 12 };
 
@@ -19,7 +22,7 @@ static double percent(double part, vtime whole)
     return whole ? 100 * part / vt_seconds(whole) : 0;
 }
 
-/* Share of all nodes' time, and of each class's if there are two. */
+/* Prints the line's share of all nodes' time; if there are two classes, also of each class's time. */
 static void print_line(const struct profile *p, FILE *f, const struct line *l)
 {
     vtime armed = profile_node_time(p, PROFILE_ARMED), others = profile_node_time(p, PROFILE_OTHERS);
@@ -33,11 +36,8 @@ static void print_line(const struct profile *p, FILE *f, const struct line *l)
 
 static void print_function(const struct profile *p, FILE *f, const struct profile_function *fn)
 {
-    char *name;
-    int length = asprintf(&name, "%s%s%s", fn->called ? fn->called : fn->function,
-                          fn->called ? " called by " : "", fn->called ? fn->function : "");
-    if (length < 0)
-        abort();
+    char *name = fn->called ? xasprintf("%s called by %s", fn->called, fn->function) : xstrdup(fn->function);
+    int length = (int)strlen(name);
     struct line l = {.name = name};
     for (int c = 0; c < PROFILE_CLASSES; c++)
         l.seconds[c] = profile_seconds(p, fn->units[c]);
@@ -94,17 +94,17 @@ static json_t *function_json(const struct profile *p, const struct profile_funct
     vtime all = profile_node_time(p, PROFILE_ARMED) + profile_node_time(p, PROFILE_OTHERS);
     int64_t units = fn->units[PROFILE_ARMED] + fn->units[PROFILE_OTHERS];
     double seconds = profile_seconds(p, units);
-    json_t *j = json_pack("{s:s, s:s, s:I, s:I, s:f, s:f}", "file", fn->file, "function", fn->function,
-                          "line", (json_int_t)fn->line, "units", (json_int_t)units, "seconds", seconds,
-                          "share", all ? seconds / vt_seconds(all) : 0.0);
+    json_t *j = json_pack("{s:o, s:o, s:I, s:I, s:f, s:f}", "file", json_text(fn->file), "function",
+                          json_text(fn->function), "line", (json_int_t)fn->line, "units", (json_int_t)units,
+                          "seconds", seconds, "share", all ? seconds / vt_seconds(all) : 0.0);
     if (fn->called)
-        json_object_set_new(j, "called", json_string(fn->called));
+        json_set(j, "called", json_text(fn->called));
     for (int c = 0; c < PROFILE_CLASSES; c++) {
         double part = profile_seconds(p, fn->units[c]);
         if (p->times[c].nodes && p->end)
-            json_object_set_new(j, CLASS[c],
-                                json_pack("{s:I, s:f, s:f}", "units", (json_int_t)fn->units[c], "seconds",
-                                          part, "share", part / vt_seconds(profile_node_time(p, c))));
+            json_set(j, CLASS[c],
+                     json_pack("{s:I, s:f, s:f}", "units", (json_int_t)fn->units[c], "seconds", part, "share",
+                               part / vt_seconds(profile_node_time(p, c))));
     }
     return j;
 }
@@ -114,13 +114,13 @@ static json_t *idle_json(const struct profile *p, enum profile_class c)
     json_t *list = json_array();
     for (size_t i = 0; i < p->idle_count; i++)
         if (p->idle[i].waits[c])
-            json_array_append_new(list, json_pack("{s:s, s:f, s:I}", "call", p->idle[i].call, "idle_s",
-                                                  vt_seconds(p->idle[i].idle[c]), "waits",
-                                                  (json_int_t)p->idle[i].waits[c]));
+            json_append(list,
+                        json_pack("{s:s, s:f, s:I}", "call", p->idle[i].call, "idle_s",
+                                  vt_seconds(p->idle[i].idle[c]), "waits", (json_int_t)p->idle[i].waits[c]));
     return list;
 }
 
-/* computing_s, system_s, idle_s and rest_s add up to node_time_s; the tasks to system_s and beside_s. */
+/* computing_s, system_s, idle_s and rest_s add up to node_time_s; tasks add up to system_s and beside_s. */
 static json_t *class_json(const struct profile *p, enum profile_class c)
 {
     const struct profile_times *t = &p->times[c];
@@ -138,18 +138,17 @@ char *profile_json(const struct profile *p, const struct machine *m, const char 
 {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, m->sys.digest);
-    json_t *functions = json_array(), *classes = json_object(), *arguments = json_array();
-    for (int i = 1; i < m->options.argc; i++)
-        json_array_append_new(arguments, json_string(m->options.argv[i]));
+    json_t *functions = json_array(), *classes = json_object();
     for (size_t i = 0; i < p->function_count; i++)
-        json_array_append_new(functions, function_json(p, &p->functions[i]));
+        json_append(functions, function_json(p, &p->functions[i]));
     for (int c = 0; c < PROFILE_CLASSES; c++)
         if (p->times[c].nodes)
-            json_object_set_new(classes, CLASS[c], class_json(p, c));
-    json_t *root = json_pack("{s:s, s:o, s:s, s:i, s:f, s:s, s:i, s:I, s:o, s:o}", "program",
-                             m->options.argv[0], "arguments", arguments, "machine", m->sys.cfg->name, "nodes",
-                             (int)m->sys.count, "virtual_time_s", vt_seconds(p->end), "digest", digest,
-                             "units_per_clock", NXC_UNITS_PER_CLOCK, "units_per_second",
-                             (json_int_t)p->units_per_second, "classes", classes, "functions", functions);
+            json_set(classes, CLASS[c], class_json(p, c));
+    json_t *root = json_pack("{s:o, s:o, s:o, s:i, s:f, s:s, s:i, s:I, s:o, s:o}", "program",
+                             json_text(m->options.argv[0]), "arguments", json_texts(m->options.argv + 1),
+                             "machine", json_text(m->sys.cfg->name), "nodes", (int)m->sys.count,
+                             "virtual_time_s", vt_seconds(p->end), "digest", digest, "units_per_clock",
+                             NXC_UNITS_PER_CLOCK, "units_per_second", (json_int_t)p->units_per_second,
+                             "classes", classes, "functions", functions);
     return json_file_write(root, path);
 }

@@ -1,14 +1,16 @@
-/* profile.c - see profile.h. The cells are in each node's image, the same ones in each: node 0's tell the names. */
-#include "observe/profile.h"
+/* time_profile.c - see time_profile.h. All nodes have the same cells; those of node 0 give the names. */
+#include "observe/time_profile.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "guest/image.h"
 #include "nx_api/nxcc/image.h"
 
-/* Of what was compiled without --profile, if the program has such parts. */
+/* Stands for the functions compiled without --profile. */
 static const char REST[] = "(compiled without --profile)";
-/* What programs had computed that another one's end stopped while they computed: their cells may be ahead of that. */
+/* Stands for the functions of programs that another program's end stopped while computing: their cells may
+ * count beyond that moment. */
 static const char CUT[] = "(in programs cut short)";
 
 static size_t cell_count(const struct node *n)
@@ -26,15 +28,7 @@ static enum profile_class class_of(const struct node *n)
     return n->armed ? PROFILE_ARMED : PROFILE_OTHERS;
 }
 
-static void *zeroed(size_t count, size_t size)
-{
-    void *p = calloc(count + 1, size);
-    if (!p)
-        abort();
-    return p;
-}
-
-/* --- functions ---------------------------------------------------------------------------------------------- */
+/* --- functions --- */
 
 static int compare_texts(const char *a, const char *b)
 {
@@ -50,11 +44,11 @@ static int by_name(const void *a, const void *b)
     return order ? order : compare_texts(x->called, y->called);
 }
 
-/* The cells' names, as node 0 has them. */
+/* The names in node 0's cells. */
 struct names {
     struct nxc_cell *cells;
     size_t count;
-    size_t *entry; /* of each cell, in profile.functions */
+    size_t *entry; /* of each cell: its index in profile.functions */
 };
 
 static bool is_in_program(const struct node *n, const void *p)
@@ -62,12 +56,12 @@ static bool is_in_program(const struct node *n, const void *p)
     return (uintptr_t)p - (uintptr_t)n->program < n->image_bytes;
 }
 
-/* The cells are in the program's memory, and it may have written there by mistake: then a name is "?". */
+/* The cells are in the program's memory. If the program has overwritten a name's address, the name is "?". */
 static void copy_names(struct names *names, const struct node *n)
 {
     names->count = cell_count(n);
-    names->cells = zeroed(names->count, sizeof *names->cells);
-    names->entry = zeroed(names->count, sizeof *names->entry);
+    names->cells = xcalloc(names->count, sizeof *names->cells);
+    names->entry = xcalloc(names->count, sizeof *names->entry);
     for (size_t k = 0; k < names->count; k++) {
         struct nxc_cell *c = &names->cells[k];
         *c = n->image->cells_begin[k];
@@ -79,11 +73,11 @@ static void copy_names(struct names *names, const struct node *n)
     }
 }
 
-/* Makes an entry for each name. */
+/* Makes an entry of the profile for each name. */
 static void name_functions(struct profile *p, struct names *names)
 {
-    struct nxc_cell **sorted = zeroed(names->count, sizeof(struct nxc_cell *));
-    p->functions = zeroed(names->count + 2, sizeof *p->functions);
+    struct nxc_cell **sorted = xcalloc(names->count, sizeof(struct nxc_cell *));
+    p->functions = xcalloc(names->count + 2, sizeof *p->functions);
     for (size_t k = 0; k < names->count; k++)
         sorted[k] = &names->cells[k];
     qsort(sorted, names->count, sizeof *sorted, by_name);
@@ -97,7 +91,7 @@ static void name_functions(struct profile *p, struct names *names)
     free(sorted);
 }
 
-/* Units of a node with a clock of its own, as those that an ordinary node does in the time. */
+/* The cost units that an ordinary node counts while a node with a clock of its own counts units. */
 static int64_t ordinary_units(const struct node *n, int64_t units)
 {
     uint64_t hz = n->sys->cfg->clock_hz;
@@ -105,7 +99,7 @@ static int64_t ordinary_units(const struct node *n, int64_t units)
                                 : (int64_t)((__int128)units * (__int128)hz / (__int128)n->lp.clock_hz);
 }
 
-/* Returns the sum of all. */
+/* Adds the node's cost units to the entries; returns their sum. */
 static int64_t add_functions(struct profile *p, const struct node *n, const struct names *names)
 {
     enum profile_class c = class_of(n);
@@ -157,19 +151,17 @@ static void collect_functions(struct profile *p, const struct machine *m)
     p->functions[p->function_count++] = cut;
     qsort(p->functions, p->function_count, sizeof *p->functions, dearest_first);
     while (p->function_count > 0 && units_of(&p->functions[p->function_count - 1]) == 0)
-        p->function_count--; /* never ran */
+        p->function_count--; /* these functions never ran */
 }
 
-/* --- the other time ----------------------------------------------------------------------------------------- */
+/* --- time outside of functions --- */
 
 static struct profile_idle *idle_in(struct profile *p, const char *call)
 {
     for (size_t i = 0; i < p->idle_count; i++)
         if (!strcmp(p->idle[i].call, call))
             return &p->idle[i];
-    p->idle = realloc(p->idle, (p->idle_count + 1) * sizeof *p->idle);
-    if (!p->idle)
-        abort();
+    p->idle = xreallocarray(p->idle, p->idle_count + 1, sizeof *p->idle);
     p->idle[p->idle_count] = (struct profile_idle){.call = call};
     return &p->idle[p->idle_count++];
 }

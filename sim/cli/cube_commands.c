@@ -1,0 +1,163 @@
+/* cube_commands.c - the commands of the host's shell: getcube, load and the others ask the service that
+ * touchstone srm starts. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "kernel/xalloc.h"
+#include "srm/client.h"
+#include "srm/socket.h"
+
+enum { EXIT_NO_SERVICE = 69 };
+
+enum { HOST = CLI_KEY };
+
+struct arguments {
+    const char *socket, *cube, *type;
+    char **words; /* load: options of touchstone run, then the program and its arguments */
+    int word_count;
+    bool has_host;
+};
+
+/* --- options of all of them --- */
+
+static const struct argp_option OPTIONS[] = {
+    {NULL, 'c', "NAME", 0, "The cube; default the one that this terminal got last or is attached to", 1},
+    {"socket", CLI_TEXT(arguments, socket), "PATH", 0,
+     "Where the service listens; default $TOUCHSTONE_SRM, else its usual place", 1},
+    {0}};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    if (key != 'c')
+        return cli_store(key, arg, state);
+    ((struct arguments *)state->input)->cube = arg;
+    return 0;
+}
+
+static const struct argp CUBE = {OPTIONS, parse, NULL, NULL, NULL, NULL, NULL};
+static const struct argp_child CHILDREN[] = {{&CUBE, 0, NULL, 0}, {0}};
+
+/* --- options of one command --- */
+
+static const struct argp_option GET_OPTIONS[] = {
+    {NULL, 't', "TYPE", 0, "16 (nodes), d4 (2^4), 4m16 (16 MB each), 4x8 (a mesh); default all", 1}, {0}};
+
+static const struct argp_option LOAD_OPTIONS[] = {
+    {NULL, 'r', "WORD", 0, "One word for touchstone run, such as -r --cfs=data; may be repeated", 1},
+    {"host", HOST, "HOST", 0, "Run HOST as touchstone run --host does", 1},
+    {0}};
+
+static void add_word(struct arguments *a, const char *word)
+{
+    a->words[a->word_count++] = (char *)(uintptr_t)word;
+}
+
+static void load_program(struct argp_state *state, struct arguments *a)
+{
+    if (access(state->argv[state->next], R_OK))
+        argp_error(state, "%s: %s", state->argv[state->next], strerror(errno));
+    for (int i = state->next; i < state->argc; i++)
+        add_word(a, state->argv[i]);
+}
+
+static error_t parse_one(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    if (key == ARGP_KEY_INIT) {
+        a->words = xcalloc((size_t)state->argc + 2, sizeof *a->words);
+        state->child_inputs[0] = a;
+    } else if (key == 't') {
+        a->type = arg;
+    } else if (key == 'r') {
+        add_word(a, arg);
+    } else if (key == HOST) {
+        a->has_host = true;
+        add_word(a, "--host");
+        add_word(a, arg);
+    } else {
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+static error_t parse_load(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    if (key == ARGP_KEY_ARGS)
+        load_program(state, a);
+    else if (key == ARGP_KEY_NO_ARGS && !a->has_host)
+        argp_error(state, "which program? (built by nxcc)");
+    else
+        return parse_one(key, arg, state);
+    return 0;
+}
+
+/* --- the commands --- */
+
+const struct cli_cube_command CLI_CUBE_COMMANDS[] = {
+    {"getcube", "Get nodes of the machine as a cube", GET_OPTIONS, parse_one, NULL},
+    {"load", "Start a program on a cube's nodes", LOAD_OPTIONS, parse_load,
+     "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]"},
+    {"waitcube", "Wait for a program, and show its output", NULL, parse_one, NULL},
+    {"killcube", "End a cube's program", NULL, parse_one, NULL},
+    {"relcube", "Give a cube's nodes back", NULL, parse_one, NULL},
+    {"cubeinfo", "Show who has which nodes, and what runs", NULL, parse_one, NULL},
+    {"attachcube", "Make a cube the default of this terminal", NULL, parse_one, NULL},
+    {0}};
+
+static const char DOC[] =
+    "touchstone srm starts the service that these commands ask: getcube, load, waitcube, killcube, "
+    "relcube, cubeinfo, attachcube. touchstone srm --links DIR makes links by these names.\n\n"
+    "load returns at once. waitcube shows the output from the program's start. A cube stays when its "
+    "program ends; relcube ends the program.\n\n"
+    "Exit status:\n"
+    "  0   done; waitcube: the status is the program's\n"
+    "  1   refused, with the reason\n"
+    "  64  wrong arguments\n"
+    "  69  no service answers\n\n"
+    "Example:\n"
+    "  getcube -t 16 && load ring && waitcube; relcube";
+
+const struct cli_cube_command *cli_cube_command(const char *name)
+{
+    for (const struct cli_cube_command *c = CLI_CUBE_COMMANDS; c->name; c++)
+        if (!strcmp(c->name, name))
+            return c;
+    return NULL;
+}
+
+static int ask(const char *command, const struct arguments *a)
+{
+    char path[SOCKET_PATH], folder[4096], session[16];
+    char *error = socket_path(a->socket, path);
+    int status = -1;
+    snprintf(session, sizeof session, "%d", (int)getsid(0));
+    const struct request r = {command, folder, session, a->cube, a->type, a->word_count, a->words};
+    if (!error && !getcwd(folder, sizeof folder))
+        error = xasprintf("the current folder: %m");
+    if (!error)
+        status = client_ask(path, &r, &error);
+    if (status >= 0)
+        return status;
+    fprintf(stderr, "%s: %s\n", command, error);
+    free(error);
+    return EXIT_NO_SERVICE;
+}
+
+int cli_cube(int argc, char **argv)
+{
+    const struct cli_cube_command *c = cli_cube_command(argv[0]);
+    struct arguments a = {.cube = "", .type = ""};
+    char *name = xasprintf("touchstone %s", c->name), *doc = xasprintf("%s.\v%s", c->what, DOC);
+    const struct argp argp = {c->options, c->parse, c->arguments, doc, CHILDREN, NULL, NULL};
+    cli_parse(&argp, name, ARGP_IN_ORDER, argc, argv, &a);
+    int status = ask(c->name, &a);
+    free(name);
+    free(doc);
+    free(a.words);
+    return status;
+}

@@ -1,0 +1,296 @@
+/* run_command.c - touchstone run: one program on one machine. */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "cli/commands.h"
+#include "cli/installation.h"
+#include "cli/options.h"
+#include "files/atomic_file.h"
+#include "kernel/xalloc.h"
+#include "machine/machine.h"
+#include "observe/summary.h"
+#include "observe/time_profile.h"
+
+enum { EXIT_OUTPUT = 74, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
+
+enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE };
+
+struct arguments {
+    const char *machine, *json, *profile, *history, *cfs, *host, *engine;
+    const char **set; /* ended by NULL */
+    size_t set_count;
+    uint32_t nodes, workers, shuffle;
+    double max_virtual_s, max_wall_s, slice_s;
+    bool quiet, verbose, isolate;
+    char **program; /* with its arguments */
+    int program_count;
+    char *host_only[2]; /* arguments of a host program, if none are given */
+};
+
+static const struct argp_option OPTIONS[] = {
+    {NULL, 0, NULL, 0, "Machine:", 1},
+    {"nodes", 'n', "NODES", 0, "Number of nodes; default 1", 0},
+    {"set", SET, "KEY=VALUE", 0,
+     "Value for a key of the machine file, such as system.interrupt_us=150; may be repeated", 0},
+    {"cfs", CLI_TEXT(arguments, cfs), "DIR", 0, "Folder with the files of /cfs; default a temporary one", 0},
+    {"host", CLI_TEXT(arguments, host), "HOST", 0, "Run HOST, built by nxcc -host, on the machine's host", 0},
+    {NULL, 0, NULL, 0, "Results:", 2},
+    {"json", CLI_TEXT(arguments, json), "FILE", 0, "Write the figures of run and nodes as JSON", 0},
+    {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
+     "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
+    {"history", CLI_TEXT(arguments, history), "FILE", 0,
+     "Write a line for each message received: picoseconds, sender, receiver, type, length", 0},
+    {"quiet", 'q', NULL, 0, "No summary", 0},
+    {"verbose", 'v', NULL, 0, "Show in the summary, too, what the simulator's threads did", 0},
+    {NULL, 0, NULL, 0, "Limits:", 3},
+    {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
+    {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
+    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 4},
+    {"workers", 'w', "N", 0,
+     "Compute with N threads; default $TOUCHSTONE_WORKERS, else the number of processors, at most 8", 0},
+    {"engine", CLI_TEXT(arguments, engine), "ENGINE", 0,
+     "'fast' or 'reference', slow, which defines what is right; default $TOUCHSTONE_ENGINE, or fast", 0},
+    {"isolate", CLI_FLAG(arguments, isolate), NULL, 0,
+     "Stop a program that writes into another node's memory, and say where; slower, one thread", 0},
+    {"slice", SLICE, "S", 0, "Return from computing programs at least every S virtual seconds; for tests", 0},
+    {"shuffle", SHUFFLE, "SEED", 0, "Let the threads take tasks in a random order; for tests", 0},
+    {0}};
+
+static const char DOC[] =
+    "Runs PROGRAM, built by nxcc, on every node of a simulated machine, by default delta. The nodes' "
+    "output comes on standard output, in the order of virtual time; a summary follows on standard "
+    "error.\n\n"
+    "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
+    "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
+    "its nodes from the start; without, it calls getcube.\v"
+    "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal.\n\n"
+    "Exit status:\n"
+    "  0   all programs ended\n"
+    "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"
+    "      was reached\n"
+    "  2   deadlock: every program waits, and no message is under way\n"
+    "  64  wrong arguments\n"
+    "  65  the machine or the program cannot be used\n"
+    "  74  standard output or a result cannot be written\n\n"
+    "Example:\n"
+    "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
+
+static void check(struct argp_state *state, struct arguments *a)
+{
+    a->machine = a->machine ? a->machine : a->host ? "ipsc860" : "delta";
+    if (a->engine && strcmp(a->engine, "fast") && strcmp(a->engine, "reference"))
+        argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
+    if (a->host && a->profile)
+        argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
+    if (!a->host && !a->program_count)
+        argp_error(state, "which program? (built by nxcc)");
+    if (!a->host && !a->nodes)
+        a->nodes = 1;
+}
+
+static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
+{
+    if (!strchr(setting, '=') || *setting == '=')
+        argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", setting);
+    a->set[a->set_count++] = setting;
+}
+
+/* What follows the program's name is the program's. */
+static void take_program(struct argp_state *state, struct arguments *a)
+{
+    a->program = state->argv + state->next;
+    a->program_count = state->argc - state->next;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    if (key == ARGP_KEY_INIT)
+        state->child_inputs[0] = &a->machine;
+    else if (key == 'n')
+        a->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX, arg);
+    else if (key == 'w')
+        a->workers = cli_whole(state, "-w", "a number of threads", MOST_WORKERS, arg);
+    else if (key == SHUFFLE)
+        a->shuffle = cli_whole(state, "--shuffle", "a seed", UINT32_MAX, arg);
+    else if (key == SET)
+        add_setting(state, a, arg);
+    else if (key == MAX_VIRTUAL)
+        a->max_virtual_s = cli_seconds(state, "--max-virtual-time", arg);
+    else if (key == MAX_WALL)
+        a->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
+    else if (key == SLICE)
+        a->slice_s = cli_seconds(state, "--slice", arg);
+    else if (key == 'q')
+        a->quiet = true;
+    else if (key == 'v')
+        a->verbose = true;
+    else if (key == ARGP_KEY_ARGS)
+        take_program(state, a);
+    else if (key == ARGP_KEY_END)
+        check(state, a);
+    else
+        return cli_store(key, arg, state);
+    return 0;
+}
+
+static int input_error(char *error)
+{
+    fprintf(stderr, "touchstone run: %s\n", error);
+    free(error);
+    return CLI_EXIT_INPUT;
+}
+
+static int output_error(char *error)
+{
+    input_error(error);
+    return EXIT_OUTPUT;
+}
+
+static char *cannot_write(const char *path)
+{
+    return xasprintf("%s cannot be written: %s", path, strerror(errno));
+}
+
+/* Has all output to f arrived? If not, errno says why. */
+static bool flushed(FILE *f)
+{
+    errno = 0;
+    bool good = fflush(f) == 0 && !ferror(f);
+    errno = good || errno ? errno : ENOSPC; /* an earlier write failed, and its errno is gone */
+    return good;
+}
+
+/* Shows the profile and writes it. Returns NULL, or an error. */
+static char *report_profile(const struct machine *m, const struct arguments *a)
+{
+    struct profile p = profile_collect(m);
+    if (!a->quiet)
+        profile_print(&p, stderr);
+    char *error = profile_json(&p, m, a->profile);
+    profile_free(&p);
+    return error;
+}
+
+static int report(const struct machine *m, const struct arguments *a)
+{
+    int status = m->outcome == MACHINE_ENDED ? 0 : m->outcome == MACHINE_DEADLOCK ? 2 : 1;
+    char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
+    if (m->message)
+        fprintf(stderr, "touchstone run: %s\n", m->message);
+    if (!a->quiet)
+        summary_print(m, a->verbose, stderr);
+    char *error = a->json ? summary_json(m, a->json) : NULL;
+    if (!error && a->profile)
+        error = report_profile(m, a);
+    int result = lost ? output_error(lost) : 0;
+    if (error)
+        result = output_error(error);
+    return result ? result : status;
+}
+
+static int unprofiled(const char *program)
+{
+    return input_error(
+        xasprintf("--profile: %s was built without it: compile and link it with nxcc --profile", program));
+}
+
+static unsigned workers(const struct arguments *a)
+{
+    unsigned processors = cli_processors();
+    const char *told = getenv("TOUCHSTONE_WORKERS");
+    uint32_t n;
+    if (a->workers)
+        return a->workers;
+    if (told && cli_is_whole(told, MOST_WORKERS, &n))
+        return n;
+    return processors < USUAL_WORKERS ? processors : USUAL_WORKERS;
+}
+
+static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
+{
+    struct machine_options o = {.cfg = cfg,
+                                .nodes = a->nodes,
+                                .argc = a->program_count,
+                                .argv = a->program,
+                                .host = a->host,
+                                .envp = environ,
+                                .max_virtual_s = a->max_virtual_s,
+                                .max_wall_s = a->max_wall_s,
+                                .slice_s = a->slice_s,
+                                .workers = workers(a),
+                                .shuffle = a->shuffle,
+                                .cfs_dir = a->cfs,
+                                .isolate = a->isolate,
+                                .out = stdout,
+                                .err = stderr};
+    if (a->host) { /* the arguments are the host program's, with its name in place of the node program's */
+        o.program = a->program_count ? a->program[0] : NULL;
+        o.argc = a->program_count ? a->program_count : 1;
+        o.argv = a->program_count ? a->program : a->host_only;
+        o.argv[0] = (char *)(uintptr_t)a->host;
+    }
+    return o;
+}
+
+/* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
+static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
+{
+    char *error = NULL;
+    int status;
+    struct machine *m = machine_new(o, &error);
+    if (!m)
+        return input_error(error);
+    if (a->profile && !profile_possible(m)) {
+        status = unprofiled(a->program[0]);
+    } else {
+        machine_run(m);
+        status = report(m, a);
+    }
+    *ended_by = m->signal;
+    machine_free(m);
+    return status;
+}
+
+static int run(struct arguments *a)
+{
+    struct cli_installation places;
+    char *error = NULL;
+    if (!cli_find_installation(&places, "run"))
+        return CLI_EXIT_INPUT;
+    struct cfg_machine *cfg = cfg_load_with(a->machine, places.machines, a->set, &error);
+    if (!cfg)
+        return input_error(error);
+    struct machine_options o = options_of(a, cfg);
+    struct atomic_file history = {0};
+    int status, ended_by = 0;
+    if (a->history && !atomic_file_begin(&history, a->history, &error)) {
+        cfg_free(cfg);
+        return output_error(error);
+    }
+    o.history = history.out;
+    status = run_machine(a, &o, &ended_by);
+    cfg_free(cfg);
+    if (o.history && !atomic_file_end(&history, &error))
+        return output_error(error);
+    if (ended_by)
+        raise(ended_by); /* the parent process is to know */
+    return status;
+}
+
+int cli_run(int argc, char **argv)
+{
+    static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
+    static const struct argp ARGP = {
+        OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
+    struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
+    cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
+    bool other = a.engine && cli_is_other_engine(a.engine);
+    int status =
+        other ? cli_change_engine(a.engine, argv - 1) /* main's: "touchstone", "run", ... */ : run(&a);
+    free(a.set);
+    return status;
+}
