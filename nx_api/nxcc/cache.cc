@@ -3,7 +3,7 @@
 #include "cache.h"
 #include "costs.h"
 #include "image.h"
-#include "variable.h"
+#include "symbols.h"
 #include <math.h>
 #include <stdarg.h>
 
@@ -277,7 +277,7 @@ void cache_look_up(gimple *stmt, tree left, vec<tree> &units)
     if (!is_gimple_assign(stmt) || gimple_clobber_p(stmt))
         return;
     if (!tags)
-        tags = variable_declare("nxc_cache", units_type());
+        tags = symbols_declare("nxc_cache", units_type());
     if (gimple_assign_single_p(stmt))
         look_up(stmt, gimple_assign_rhs1(stmt), true, left, units);
     look_up(stmt, gimple_assign_lhs(stmt), false, left, units);

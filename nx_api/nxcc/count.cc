@@ -35,7 +35,7 @@
 #include "profile.h"
 #include "promise.h"
 #include "purity.h"
-#include "variable.h"
+#include "symbols.h"
 #include <memory>
 
 #define COUNTER "nxc_left"
@@ -655,8 +655,8 @@ class count_pass : public gimple_opt_pass
     unsigned int execute(function *f) override
     {
         if (!counter) {
-            counter = variable_declare(COUNTER, units_type());
-            quiet = variable_declare(QUIET, units_type());
+            counter = symbols_declare(COUNTER, units_type());
+            quiet = symbols_declare(QUIET, units_type());
         }
         costs_warn_if_taken_for_library(f->decl);
         counting(f).run();

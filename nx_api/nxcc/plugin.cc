@@ -15,7 +15,7 @@
 #include "purity.h"
 #include "redeclare.h"
 #include "statics.h"
-#include "variable.h"
+#include "symbols.h"
 
 int plugin_is_GPL_compatible;
 
@@ -132,7 +132,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
-                      const_cast<ggc_root_tab *>(variable_roots()));
+                      const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);

@@ -4,7 +4,7 @@
 #include "costs.h"
 #include "profile.h"
 #include "output.h"
-#include "variable.h"
+#include "symbols.h"
 #include <string>
 
 bool profile_on;
@@ -63,7 +63,7 @@ int find_cell(tree function, const char *called, int body)
 tree units_of(int cell)
 {
     if (!array)
-        array = variable_written("nxc_cells", build_array_type_nelts(units_type(), 1 << 20));
+        array = symbols_define_local("nxc_cells", build_array_type_nelts(units_type(), 1 << 20));
     return build2(MEM_REF, units_type(), build_fold_addr_expr(array),
                   build_int_cst(build_pointer_type(units_type()), cell * CELL_BYTES));
 }

@@ -7,7 +7,7 @@
 #include "rounds.h"
 #include "tree-ssa-loop-ivopts.h"
 #include "varasm.h"
-#include "variable.h"
+#include "symbols.h"
 #include <algorithm>
 #include <string>
 
@@ -315,7 +315,7 @@ tree flag_of(tree function)
     std::string name = symbol_of(function);
     tree &flag = flags[name];
     if (!flag)
-        flag = variable_declare(name.c_str(), unsigned_char_type_node);
+        flag = symbols_declare(name.c_str(), unsigned_char_type_node);
     return flag;
 }
 

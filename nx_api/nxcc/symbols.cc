@@ -1,5 +1,5 @@
-/* variable.cc - see variable.h. */
-#include "variable.h"
+/* symbols.cc - see symbols.h. */
+#include "symbols.h"
 #include <string>
 
 namespace
@@ -29,7 +29,7 @@ tree keep(tree var)
 }
 } // namespace
 
-tree variable_declare(const char *name, tree type)
+tree symbols_declare(const char *name, tree type)
 {
     tree var = make(name, type);
     DECL_EXTERNAL(var) = 1;
@@ -39,7 +39,7 @@ tree variable_declare(const char *name, tree type)
     return keep(var);
 }
 
-tree variable_written(const char *name, tree type)
+tree symbols_define_local(const char *name, tree type)
 {
     tree var = make(name, type);
     SET_DECL_ASSEMBLER_NAME(var, get_identifier(("*.L" + std::string(name)).c_str()));
@@ -48,7 +48,7 @@ tree variable_written(const char *name, tree type)
     return keep(var);
 }
 
-const ggc_root_tab *variable_roots()
+const ggc_root_tab *symbols_gc_roots()
 {
     return roots;
 }
