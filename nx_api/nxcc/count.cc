@@ -24,7 +24,7 @@
  * check is a branch over nothing, and a leaf function stays a leaf.
  */
 #include "gcc.h"
-#include "amount.h"
+#include "arg_cost.h"
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
@@ -43,7 +43,7 @@
 #define PREEMPT "nxc_enter" /* runtime.c */
 
 /* A library call that is known to cost more is checked for, and interrupted at such intervals: 10 us of a 40 MHz processor. */
-const int64_t longest_amount = 400 * NXC_UNITS_PER_CLOCK;
+const int64_t longest_part = 400 * NXC_UNITS_PER_CLOCK;
 
 bool count_in_memory;
 
@@ -86,8 +86,8 @@ class counting
     gimple *hand_over(gcall *call);
     void pay_misses(gimple *stmt);
     void pay_misses_of(basic_block bb);
-    void pay_argument(gcall *call);
-    gimple *pay_result(gcall *call, gimple *behind);
+    void charge_arguments(gcall *call);
+    gimple *charge_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
     void pay_ahead(const prepaid_loop &loop);
     void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
@@ -187,7 +187,7 @@ void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 {
     check paid = charge(seq, call, amount);
     paid.in_parts = true;
-    if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_amount)
+    if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_part)
         checks.safe_push(paid);
 }
 
@@ -331,7 +331,7 @@ void counting::pay_misses(gimple *stmt)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-void counting::pay_argument(gcall *call)
+void counting::charge_arguments(gcall *call)
 {
     const std::vector<int> *of = nullptr;
     bool elements;
@@ -339,14 +339,14 @@ void counting::pay_argument(gcall *call)
     if (!per || of->at(0) == 0)
         return;
     gimple_seq seq = NULL;
-    if (tree amount = amount_append(&seq, call, per, *of, elements))
+    if (tree amount = arg_cost_append(&seq, call, per, *of, elements))
         charge_call(&seq, call, amount);
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
 /* Returns the last statement it put behind the given one. */
-gimple *counting::pay_result(gcall *call, gimple *behind)
+gimple *counting::charge_result(gcall *call, gimple *behind)
 {
     const std::vector<int> *of = nullptr;
     bool elements;
@@ -364,7 +364,7 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    charge_call(&seq, call, amount_append(&seq, call, per, *of, elements));
+    charge_call(&seq, call, arg_cost_append(&seq, call, per, *of, elements));
     gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
@@ -461,7 +461,7 @@ void counting::count_block(basic_block bb)
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
             continue;
-        pay_argument(call);
+        charge_arguments(call);
         gimple *last = call;
         if (is_loud(call))
             purity_forget(call);
@@ -479,7 +479,7 @@ void counting::count_block(basic_block bb)
             gimple_call_set_tail(call, false); /* the store at the function's end must come after it */
         }
         if (!stmt_ends_bb_p(call))
-            last = pay_result(call, last);
+            last = charge_result(call, last);
         if (behind && looks(call))
             behind = last;
     }
@@ -532,7 +532,7 @@ void counting::preempt(gimple_seq *seq)
 }
 
 /* Appends a preemption at the end of the part of a library call in which left became negative; parts end at multiples of
- * longest_amount before the call's end. What is behind that part is spent after it. */
+ * longest_part before the call's end. What is behind that part is spent after it. */
 void counting::preempt_in_time(gimple_seq *seq)
 {
     auto append = [seq](tree_code code, tree a, tree b) {
@@ -546,7 +546,7 @@ void counting::preempt_in_time(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     }
     tree beyond = append(MINUS_EXPR, units_constant(-1), was); /* spent since left was -1 */
-    tree in_part = append(TRUNC_MOD_EXPR, beyond, units_constant(longest_amount));
+    tree in_part = append(TRUNC_MOD_EXPR, beyond, units_constant(longest_part));
     tree behind = append(MINUS_EXPR, beyond, in_part);
     store(seq, append(PLUS_EXPR, was, behind));
     append_preemption(seq);

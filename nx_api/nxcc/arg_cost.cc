@@ -1,5 +1,5 @@
-/* amount.cc - see amount.h. */
-#include "amount.h"
+/* arg_cost.cc - see arg_cost.h. */
+#include "arg_cost.h"
 
 /* Appends the number of elements of a Fortran array: nx_api/libgfortran/elements.c counts. */
 static tree append_elements(gimple_seq *seq, tree array)
@@ -15,7 +15,7 @@ static tree append_elements(gimple_seq *seq, tree array)
     return value;
 }
 
-tree amount_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
+tree arg_cost_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
 {
     tree amount = build_int_cst(units_type(), per);
     for (int argument : of) {
