@@ -390,9 +390,9 @@ gimple *counting::hand_over(gcall *call)
 }
 
 /* Appends rounds * each + last. */
-tree append_rounds(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int64_t last)
+tree append_trips(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int64_t last)
 {
-    tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.rounds, units_constant(each));
+    tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.trips, units_constant(each));
     return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
 }
 
@@ -411,7 +411,7 @@ void counting::pay_ahead(const prepaid_loop &loop)
     }
     gimple_seq seq = NULL;
     tree rest = make_ssa_name(units_type());
-    tree need = append_rounds(&seq, loop, loop.most, loop.most);
+    tree need = append_trips(&seq, loop, loop.most, loop.most);
     gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(rest, MINUS_EXPR, left, need));
     gimple_cond_set_condition(loop.test, GE_EXPR, rest, units_constant(0));
     update_stmt(loop.test);
@@ -422,10 +422,10 @@ void counting::pay_ahead(const prepaid_loop &loop)
     if (each.cost == loop.most && last.cost == loop.most)
         gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, rest));
     else
-        subtract(&seq, append_rounds(&seq, loop, each.cost, last.cost));
+        subtract(&seq, append_trips(&seq, loop, each.cost, last.cost));
     for (auto &share : each.shares)
         profile->add(&seq, loop.first, share.first,
-                     append_rounds(&seq, loop, share.second, last.shares[share.first]));
+                     append_trips(&seq, loop, share.second, last.shares[share.first]));
     gsi = gsi_after_labels(loop.first);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }

@@ -3,13 +3,13 @@
 #include "cache.h"
 #include "costs.h"
 #include "leaves.h"
-#include "rounds.h"
+#include "trip_count.h"
 
 namespace
 {
 /* A check costs little in a longer round or inner loop. */
-const unsigned longest_round = 100; /* statements */
-const int64_t longest_inner = 32;   /* rounds */
+const unsigned longest_body = 100; /* statements */
+const int64_t most_inner_trips = 32;   /* rounds */
 
 class prepaying
 {
@@ -64,14 +64,14 @@ std::vector<basic_block> own_blocks(class loop *loop)
 bool prepaying::is_plain(class loop *loop, unsigned *statements) const
 {
     for (class loop *inner = loop->inner; inner; inner = inner->next) {
-        int64_t rounds = rounds_constant(inner);
-        if (rounds < 0 || rounds > longest_inner || !is_plain(inner, statements))
+        int64_t trips = trip_count_constant(inner);
+        if (trips < 0 || trips > most_inner_trips || !is_plain(inner, statements))
             return false;
     }
     for (basic_block bb : own_blocks(loop))
         if (!is_plain(bb, statements))
             return false;
-    return *statements <= longest_round;
+    return *statements <= longest_body;
 }
 
 int64_t cost_of_block(basic_block bb)
@@ -83,11 +83,11 @@ int64_t cost_of_block(basic_block bb)
 }
 
 /* The units of a round that runs all blocks, and finds nothing in a cache. */
-int64_t dearest_round(class loop *loop)
+int64_t costliest_trip(class loop *loop)
 {
     int64_t sum = 0;
     for (class loop *inner = loop->inner; inner; inner = inner->next)
-        sum += dearest_round(inner) * (rounds_constant(inner) + 1);
+        sum += costliest_trip(inner) * (trip_count_constant(inner) + 1);
     for (basic_block bb : own_blocks(loop))
         sum += cost_of_block(bb);
     return sum;
@@ -96,13 +96,13 @@ int64_t dearest_round(class loop *loop)
 /* The blocks that every round runs. outer: how often an inner loop is entered; NULL: it is the outermost. */
 void list_blocks(class loop *loop, const prepaid_block *outer, std::vector<prepaid_block> &blocks)
 {
-    int64_t rounds = outer ? rounds_constant(loop) : 0;
+    int64_t trips = outer ? trip_count_constant(loop) : 0;
     auto runs = [&](basic_block bb) -> prepaid_block {
         int64_t each = dominated_by_p(CDI_DOMINATORS, loop->latch, bb);
         int64_t last = dominated_by_p(CDI_DOMINATORS, single_exit(loop)->src, bb);
         if (!outer)
             return {bb, each, last};
-        return {bb, outer->each * (rounds * each + last), outer->last * (rounds * each + last)};
+        return {bb, outer->each * (trips * each + last), outer->last * (trips * each + last)};
     };
     for (basic_block bb : own_blocks(loop)) {
         prepaid_block block = runs(bb);
@@ -122,17 +122,17 @@ bool prepaying::prepare(class loop *loop)
 {
     unsigned statements = 0;
     tree_niter_desc n;
-    if (!rounds_foresee(loop, &n) || integer_zerop(n.niter) || !optimize_loop_for_speed_p(loop) ||
+    if (!trip_count_is_known(loop, &n) || integer_zerop(n.niter) || !optimize_loop_for_speed_p(loop) ||
         !can_duplicate_loop_p(loop) || !is_plain(loop, &statements))
         return false;
     prepaid_loop p = {};
-    p.most = dearest_round(loop);
+    p.most = costliest_trip(loop);
     if (!p.most)
         return false;
     list_blocks(loop, NULL, p.blocks);
     gimple_seq seq = NULL;
     p.limit = INT64_MAX / 2 / p.most; /* no counter is ever greater */
-    p.rounds = rounds_append(&seq, loop, n, p.limit);
+    p.trips = trip_count_append(&seq, loop, n, p.limit);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
         result.own.insert(gsi_stmt(gsi));
     if (seq)

@@ -29,7 +29,7 @@ struct prepaid_block {
 struct prepaid_loop {
     gcond *test;       /* to be made: true leads to the loop that does not pay */
     basic_block first; /* of the way there */
-    tree rounds;       /* how often the loop goes back; unknown: it is the limit */
+    tree trips;       /* how often the loop goes back; unknown: it is the limit */
     int64_t limit;
     int64_t most; /* units of a round, and of the last, at most */
     std::vector<prepaid_block> blocks;

@@ -4,7 +4,7 @@
 #include "image.h"
 #include "leaves.h"
 #include "output.h"
-#include "rounds.h"
+#include "trip_count.h"
 #include "tree-ssa-loop-ivopts.h"
 #include "varasm.h"
 #include "symbols.h"
@@ -55,7 +55,7 @@ struct block_cost : deeds {
 };
 
 struct loop_cost : deeds {
-    int64_t rounds = 0; /* how often it goes back at least, whenever it is entered */
+    int64_t trips = 0; /* how often it goes back at least, whenever it is entered */
     int64_t least = 0;  /* units of a round that goes back, if nothing in it is served */
     int64_t added = 0;  /* units of those rounds */
     /* The variable, where a round begins, and later in it, when it is already for the rounds after the next; NULL: none is
@@ -79,15 +79,15 @@ class promising
     void look_at_loop(class loop *loop);
     bool is_of_last(class loop *loop, edge e);
     int64_t cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known);
-    int64_t rounds_on(edge e);
+    int64_t units_of_loop_entered(edge e);
     int64_t way_from(basic_block bb, class loop *within, block_ways &known);
     const block_ways &ways_to_end(class loop *within);
     int64_t way(basic_block bb, class loop *inner, class loop *within);
     void accept_silent();
     bool is_worth_keeping(class loop *loop);
     tree append_inner(gimple_seq *seq, class loop *outer, class loop *inner);
-    tree append_round(gimple_seq *seq, class loop *loop);
-    tree append_units(gimple_seq *seq, class loop *loop, tree a_round);
+    tree append_trip_units(gimple_seq *seq, class loop *loop);
+    tree append_units(gimple_seq *seq, class loop *loop, tree trip_units);
     void keep(class loop *loop);
     tree all_silent(gimple_seq *seq, const std::vector<tree> &outside);
     promise at(basic_block bb);
@@ -158,7 +158,7 @@ void promising::cost_blocks()
 /* --- ways -------------------------------------------------------------------------------------------------- */
 
 /* What a loop adds where it is entered. */
-int64_t promising::rounds_on(edge e)
+int64_t promising::units_of_loop_entered(edge e)
 {
     class loop *loop = e->dest->loop_father;
     return e->dest == loop->header && !flow_bb_inside_loop_p(loop, e->src) ? loops[loop].added : 0;
@@ -166,7 +166,7 @@ int64_t promising::rounds_on(edge e)
 
 /* The round in which a variable that changes by the same in each comes to a constant, for ways that are gone then only:
  * GCC tells it only of tests that every round makes. */
-int64_t rounds_until_equal(class loop *loop, edge e)
+int64_t trips_until_equal(class loop *loop, edge e)
 {
     gcond *test = safe_dyn_cast<gcond *>(last_stmt(e->src));
     affine_iv iv;
@@ -183,7 +183,7 @@ int64_t rounds_until_equal(class loop *loop, edge e)
 }
 
 /* How often a loop goes back at least before it may go this way, as far as that is always the same; else 0. */
-int64_t rounds_before(class loop *loop, edge e)
+int64_t trips_before(class loop *loop, edge e)
 {
     tree_niter_desc n;
     if (e->flags & EDGE_COMPLEX)
@@ -191,34 +191,34 @@ int64_t rounds_before(class loop *loop, edge e)
     if (number_of_iterations_exit_assumptions(loop, e, &n, NULL, false) && integer_onep(n.assumptions) &&
         integer_zerop(n.may_be_zero) && tree_fits_shwi_p(n.niter))
         return tree_to_shwi(n.niter);
-    return rounds_until_equal(loop, e);
+    return trips_until_equal(loop, e);
 }
 
 /* The same for a way out: all that lead to it count. */
-int64_t rounds_before_exit(class loop *loop, edge exit)
+int64_t trips_before_exit(class loop *loop, edge exit)
 {
-    int64_t most = rounds_before(loop, exit);
+    int64_t most = trips_before(loop, exit);
     for (basic_block bb = exit->src; bb != loop->header; bb = get_immediate_dominator(CDI_DOMINATORS, bb))
         if (single_pred_p(bb))
-            most = std::max(most, rounds_before(loop, single_pred_edge(bb)));
+            most = std::max(most, trips_before(loop, single_pred_edge(bb)));
     return most;
 }
 
 /* How often it goes back at least before it is left. */
-int64_t least_rounds(class loop *loop)
+int64_t least_trips(class loop *loop)
 {
     int64_t least = INT64_MAX;
     for (edge exit : get_loop_exit_edges(loop))
-        least = std::min(least, rounds_before_exit(loop, exit));
+        least = std::min(least, trips_before_exit(loop, exit));
     return least == INT64_MAX ? 0 : least;
 }
 
 /* Is it a way that no round goes of those which are counted, but only the last? */
 bool promising::is_of_last(class loop *loop, edge e)
 {
-    int64_t rounds = loops[loop].rounds;
-    return rounds > 0 && !single_succ_p(e->src) && e->src->loop_father == loop &&
-           rounds_before(loop, e) >= rounds;
+    int64_t trips = loops[loop].trips;
+    return trips > 0 && !single_succ_p(e->src) && e->src->loop_father == loop &&
+           trips_before(loop, e) >= trips;
 }
 
 /* From the beginning of a round that goes back to the end of a block. */
@@ -233,7 +233,7 @@ int64_t promising::cheapest_way(class loop *loop, basic_block bb, std::map<basic
     if (bb != loop->header)
         FOR_EACH_EDGE (e, i, bb->preds)
             if (!dominated_by_p(CDI_DOMINATORS, e->src, bb) && !is_of_last(loop, e))
-                before = std::min(before, cheapest_way(loop, e->src, known) + rounds_on(e));
+                before = std::min(before, cheapest_way(loop, e->src, known) + units_of_loop_entered(e));
     return known[bb] = std::min(most_units, before + blocks[bb].units);
 }
 
@@ -248,11 +248,11 @@ void promising::look_at_loop(class loop *loop)
     free(body);
     if (l.calls)
         return;
-    l.rounds = least_rounds(loop);
+    l.trips = least_trips(loop);
     std::map<basic_block, int64_t> known;
     l.least = cheapest_way(loop, loop->latch, known);
     if (!l.any_served())
-        l.added = l.rounds < most_units / (l.least + 1) ? l.rounds * l.least : most_units;
+        l.added = l.trips < most_units / (l.least + 1) ? l.trips * l.least : most_units;
 }
 
 /* From a block's beginning, as far as ways from those behind it are known. */
@@ -266,7 +266,7 @@ int64_t promising::way_from(basic_block bb, class loop *within, block_ways &know
     edge_iterator i;
     FOR_EACH_EDGE (e, i, bb->succs)
         if (!within || (e->dest != within->header && flow_bb_inside_loop_p(within, e->dest)))
-            rest = std::min(rest, known[e->dest] + rounds_on(e));
+            rest = std::min(rest, known[e->dest] + units_of_loop_entered(e));
     return std::min(most_units, c.units + rest);
 }
 
@@ -342,9 +342,9 @@ bool promising::is_worth_keeping(class loop *loop)
 /* Appends rounds, or 0 where that is only known to be the limit or more, or not at all. */
 tree append_known(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
 {
-    tree rounds = rounds_append(seq, loop, n, limit);
-    tree known = gimple_build(seq, LT_EXPR, boolean_type_node, rounds, build_int_cst(units_type(), limit));
-    return gimple_build(seq, COND_EXPR, units_type(), known, rounds, build_int_cst(units_type(), 0));
+    tree trips = trip_count_append(seq, loop, n, limit);
+    tree known = gimple_build(seq, LT_EXPR, boolean_type_node, trips, build_int_cst(units_type(), limit));
+    return gimple_build(seq, COND_EXPR, units_type(), known, trips, build_int_cst(units_type(), 0));
 }
 
 /* Appends the units that an inner loop adds to the cheapest round each time it is entered, which are known where the outer one is.
@@ -353,7 +353,7 @@ tree promising::append_inner(gimple_seq *seq, class loop *outer, class loop *inn
 {
     const loop_cost &l = loops[inner];
     tree_niter_desc n;
-    if (l.rounds || !l.least || !rounds_foresee(inner, &n))
+    if (l.trips || !l.least || !trip_count_is_known(inner, &n))
         return NULL_TREE;
     for (tree *t : {&n.niter, &n.may_be_zero, &n.assumptions})
         if (!expr_invariant_in_loop_p(outer, *t = expand_simple_operations(*t)))
@@ -384,7 +384,7 @@ basic_block fork_before(class loop *outer, class loop *inner)
 
 /* Appends the units of a round that goes back: the cheapest, and what inner loops add in each. Of two between which a round
  * chooses, that is the less: prepay.h makes two of one. */
-tree promising::append_round(gimple_seq *seq, class loop *loop)
+tree promising::append_trip_units(gimple_seq *seq, class loop *loop)
 {
     const int64_t least = loops[loop].least;
     tree sum = build_int_cst(units_type(), least);
@@ -407,21 +407,21 @@ tree promising::append_round(gimple_seq *seq, class loop *loop)
 }
 
 /* Appends the units of the rounds to come where a loop is entered; NULL: not known. */
-tree promising::append_units(gimple_seq *seq, class loop *loop, tree a_round)
+tree promising::append_units(gimple_seq *seq, class loop *loop, tree trip_units)
 {
     const loop_cost &l = loops[loop];
     int64_t limit = most_units / l.least;
-    tree zero = build_int_cst(units_type(), 0), rounds;
+    tree zero = build_int_cst(units_type(), 0), trips;
     tree_niter_desc n;
-    if (!tree_fits_shwi_p(a_round))
+    if (!tree_fits_shwi_p(trip_units))
         limit /= most_times;
-    if (l.rounds)
-        rounds = build_int_cst(units_type(), std::min(limit, l.rounds));
-    else if (rounds_foresee(loop, &n))
-        rounds = append_known(seq, loop, n, limit);
+    if (l.trips)
+        trips = build_int_cst(units_type(), std::min(limit, l.trips));
+    else if (trip_count_is_known(loop, &n))
+        trips = append_known(seq, loop, n, limit);
     else
         return NULL_TREE;
-    tree units = gimple_build(seq, MULT_EXPR, units_type(), rounds, a_round);
+    tree units = gimple_build(seq, MULT_EXPR, units_type(), trips, trip_units);
     if (!l.outside.empty())
         units = gimple_build(seq, COND_EXPR, units_type(), all_silent(seq, l.outside), units, zero);
     return units;
@@ -433,10 +433,10 @@ void promising::keep(class loop *loop)
     if (!is_worth_keeping(loop))
         return;
     gimple_seq seq = NULL;
-    tree a_round = append_round(&seq, loop), units = append_units(&seq, loop, a_round);
+    tree trip_units = append_trip_units(&seq, loop), units = append_units(&seq, loop, trip_units);
     if (!units || integer_zerop(units))
         return;
-    tree step = gimple_build(&seq, NEGATE_EXPR, units_type(), a_round);
+    tree step = gimple_build(&seq, NEGATE_EXPR, units_type(), trip_units);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
         own.insert(gsi_stmt(gsi));
     if (seq)
@@ -446,7 +446,7 @@ void promising::keep(class loop *loop)
     create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
     own.insert(SSA_NAME_DEF_STMT(l.after));
     l.exact =
-        tree_fits_shwi_p(a_round) && l.outside.empty() && (!l.rounds || rounds_constant(loop) == l.rounds);
+        tree_fits_shwi_p(trip_units) && l.outside.empty() && (!l.trips || trip_count_constant(loop) == l.trips);
 }
 
 /* The units of a way from bb to the end of a round of `within`, or to the next call: beside those of the rounds to come of

@@ -1,5 +1,5 @@
-/* rounds.cc - see rounds.h. */
-#include "rounds.h"
+/* trip_count.cc - see trip_count.h. */
+#include "trip_count.h"
 
 namespace
 {
@@ -39,7 +39,7 @@ tree append_value(gimple_seq *seq, tree expr)
 }
 } // namespace
 
-bool rounds_foresee(class loop *loop, tree_niter_desc *n)
+bool trip_count_is_known(class loop *loop, tree_niter_desc *n)
 {
     edge exit = single_exit(loop);
     return exit && !(exit->flags & EDGE_COMPLEX) &&
@@ -47,27 +47,27 @@ bool rounds_foresee(class loop *loop, tree_niter_desc *n)
            operations(n->assumptions) + operations(n->may_be_zero) + operations(n->niter) <= most_operations;
 }
 
-int64_t rounds_constant(class loop *loop)
+int64_t trip_count_constant(class loop *loop)
 {
     tree_niter_desc n;
-    if (!rounds_foresee(loop, &n) || !integer_onep(n.assumptions) || !integer_zerop(n.may_be_zero) ||
+    if (!trip_count_is_known(loop, &n) || !integer_onep(n.assumptions) || !integer_zerop(n.may_be_zero) ||
         !tree_fits_shwi_p(n.niter))
         return -1;
     return tree_to_shwi(n.niter);
 }
 
-tree rounds_append(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
+tree trip_count_append(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
 {
     tree type = unsigned_type_for(units_type()), most = build_int_cst(type, limit);
-    tree rounds = gimple_convert(seq, unsigned_type_for(TREE_TYPE(n.niter)), append_value(seq, n.niter));
-    rounds = gimple_convert(seq, type, rounds);
+    tree trips = gimple_convert(seq, unsigned_type_for(TREE_TYPE(n.niter)), append_value(seq, n.niter));
+    trips = gimple_convert(seq, type, trips);
     if (!integer_zerop(n.may_be_zero))
-        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
-                              rounds);
+        trips = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
+                              trips);
     widest_int bound;
     if (wi::ges_p(n.max, limit) && !(max_loop_iterations(loop, &bound) && wi::lts_p(bound, limit)))
-        rounds = gimple_build(seq, MIN_EXPR, type, rounds, most);
+        trips = gimple_build(seq, MIN_EXPR, type, trips, most);
     if (!integer_onep(n.assumptions))
-        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.assumptions), rounds, most);
-    return gimple_convert(seq, units_type(), rounds);
+        trips = gimple_build(seq, COND_EXPR, type, append_value(seq, n.assumptions), trips, most);
+    return gimple_convert(seq, units_type(), trips);
 }
