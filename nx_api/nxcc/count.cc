@@ -18,7 +18,7 @@
  * it counts is what is left to execute.
  *
  * Loops whose rounds are known before they run are paid for there: prepay.h. Small functions may be paid for by those who
- * call them: leaves.h. Checks tell how long the program will make no call: promise.h.
+ * call them: leaf_charge.h. Checks tell how long the program will make no call: promise.h.
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
  * check is a branch over nothing, and a leaf function stays a leaf.
@@ -29,7 +29,7 @@
 #include "costs.h"
 #include "count.h"
 #include "image.h"
-#include "leaves.h"
+#include "leaf_charge.h"
 #include "poll.h"
 #include "prepay.h"
 #include "profile.h"
@@ -92,7 +92,7 @@ class counting
     void pay_ahead(const prepaid_loop &loop);
     void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
     void spend(stretch *s, gimple *stmt);
-    void spend_leaf(stretch *s, gimple *stmt);
+    void add_leaf_cost(stretch *s, gimple *stmt);
     void find_idle_loops();
     bool costs_nothing(basic_block bb);
     void spend_going_back(stretch *s, basic_block bb);
@@ -131,7 +131,7 @@ bool is_loud(gcall *call)
 /* May it look at the counter, or change it? */
 bool looks(gimple *stmt)
 {
-    return is_loud(dyn_cast<gcall *>(stmt)) && !leaves_is_call(stmt);
+    return is_loud(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
 }
 
 void counting::look_at_function()
@@ -146,7 +146,7 @@ void counting::look_at_function()
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
             if (gcall *call = dyn_cast<gcall *>(gsi_stmt(gsi))) {
                 calls = calls || is_loud(call);
-                leaves_see_call(call);
+                leaf_charge_note_call(call);
             }
     }
     if (!in_memory)
@@ -209,9 +209,9 @@ void counting::spend(stretch *s, gimple *stmt)
 }
 
 /* Adds what the function costs that stmt calls, if it leaves that to us. */
-void counting::spend_leaf(stretch *s, gimple *stmt)
+void counting::add_leaf_cost(stretch *s, gimple *stmt)
 {
-    int64_t cost = leaves_cost(stmt);
+    int64_t cost = leaf_charge_cost(stmt);
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
@@ -220,7 +220,7 @@ void counting::spend_leaf(stretch *s, gimple *stmt)
 bool counting::costs_nothing(basic_block bb)
 {
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        if (costs_of(gsi_stmt(gsi)) || leaves_cost(gsi_stmt(gsi)) || looks(gsi_stmt(gsi)))
+        if (costs_of(gsi_stmt(gsi)) || leaf_charge_cost(gsi_stmt(gsi)) || looks(gsi_stmt(gsi)))
             return false;
     return true;
 }
@@ -404,7 +404,7 @@ void counting::pay_ahead(const prepaid_loop &loop)
         stretch once;
         for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi)) {
             spend(&once, gsi_stmt(gsi));
-            spend_leaf(&once, gsi_stmt(gsi));
+            add_leaf_cost(&once, gsi_stmt(gsi));
         }
         each.add(once, b.each);
         last.add(once, b.last);
@@ -465,12 +465,12 @@ void counting::count_block(basic_block bb)
         gimple *last = call;
         if (is_loud(call))
             purity_forget(call);
-        if (leaves_is_call(call) && !behind && bitmap_bit_p(checked, bb->index)) { /* paid behind the check */
+        if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(checked, bb->index)) { /* paid behind the check */
             pay(bb, behind, now);
             now = stretch();
             behind = call;
         }
-        spend_leaf(&now, call);
+        add_leaf_cost(&now, call);
         if (looks(call)) {
             pay(bb, behind, now);
             now = stretch();
@@ -606,7 +606,7 @@ void counting::run()
 {
     look_at_function();
     bool foresees = left && optimize;
-    if (foresees && !calls && !cache_is_simulated() && leaves_accept(fun))
+    if (foresees && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
     poll_mark(fun, calls, checked);
     find_idle_loops();

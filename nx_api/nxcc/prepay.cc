@@ -2,7 +2,7 @@
 #include "prepay.h"
 #include "cache.h"
 #include "costs.h"
-#include "leaves.h"
+#include "leaf_charge.h"
 #include "trip_count.h"
 
 namespace
@@ -78,7 +78,7 @@ int64_t cost_of_block(basic_block bb)
 {
     int64_t sum = 0;
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        sum += costs_of(gsi_stmt(gsi)) + leaves_cost(gsi_stmt(gsi)) + cache_most(gsi_stmt(gsi));
+        sum += costs_of(gsi_stmt(gsi)) + leaf_charge_cost(gsi_stmt(gsi)) + cache_most(gsi_stmt(gsi));
     return sum;
 }
 

@@ -2,7 +2,7 @@
 #include "promise.h"
 #include "costs.h"
 #include "image.h"
-#include "leaves.h"
+#include "leaf_charge.h"
 #include "output.h"
 #include "trip_count.h"
 #include "tree-ssa-loop-ivopts.h"
@@ -121,8 +121,8 @@ bool is_outside(tree callee)
 int64_t add_call(gcall *call, deeds &d)
 {
     tree callee = gimple_call_fndecl(call);
-    if (costs_call_is_quiet(call) || leaves_is_call(call))
-        return leaves_cost(call);
+    if (costs_call_is_quiet(call) || leaf_charge_is_call(call))
+        return leaf_charge_cost(call);
     auto known = callee ? silent.find(DECL_UID(callee)) : silent.end();
     if (known != silent.end()) {
         d.others |= known->second.checks;

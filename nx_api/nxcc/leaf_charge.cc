@@ -1,5 +1,5 @@
-/* leaves.cc - see leaves.h. Functions are known by their DECL_UID, which stays. */
-#include "leaves.h"
+/* leaf_charge.cc - see leaf_charge.h. Functions are known by their DECL_UID, which stays. */
+#include "leaf_charge.h"
 #include "costs.h"
 #include "profile.h"
 #include <map>
@@ -71,24 +71,24 @@ bool costs_always_the_same(function *fun, int64_t *units)
 }
 } // namespace
 
-bool leaves_is_call(gimple *stmt)
+bool leaf_charge_is_call(gimple *stmt)
 {
     tree callee = is_gimple_call(stmt) ? gimple_call_fndecl(stmt) : NULL_TREE;
     return callee && leaves.count(DECL_UID(callee));
 }
 
-int64_t leaves_cost(gimple *stmt)
+int64_t leaf_charge_cost(gimple *stmt)
 {
-    return leaves_is_call(stmt) ? leaves[DECL_UID(gimple_call_fndecl(stmt))] : 0;
+    return leaf_charge_is_call(stmt) ? leaves[DECL_UID(gimple_call_fndecl(stmt))] : 0;
 }
 
-void leaves_see_call(gcall *call)
+void leaf_charge_note_call(gcall *call)
 {
     if (tree callee = gimple_call_fndecl(call))
         called.insert(DECL_UID(callee));
 }
 
-bool leaves_accept(function *fun)
+bool leaf_charge_accept(function *fun)
 {
     int64_t units;
     if (!has_known_callers(fun) || !costs_always_the_same(fun, &units))
