@@ -17,7 +17,7 @@
  * instead: same places, same costs. The pass stands last before the expansion to machine code, so that what
  * it counts is what is left to execute.
  *
- * Loops whose rounds are known before they run are paid for there: prepay.h. Small functions may be paid for by those who
+ * Loops whose rounds are known before they run are paid for there: loop_precharge.h. Small functions may be paid for by those who
  * call them: leaf_charge.h. Checks tell how long the program will make no call: promise.h.
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
@@ -31,7 +31,7 @@
 #include "image.h"
 #include "leaf_charge.h"
 #include "poll.h"
-#include "prepay.h"
+#include "loop_precharge.h"
 #include "profile.h"
 #include "promise.h"
 #include "purity.h"
@@ -89,7 +89,7 @@ class counting
     void charge_arguments(gcall *call);
     gimple *charge_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
-    void pay_ahead(const prepaid_loop &loop);
+    void precharge(const precharged_loop &loop);
     void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
     void spend(stretch *s, gimple *stmt);
     void add_leaf_cost(stretch *s, gimple *stmt);
@@ -112,7 +112,7 @@ class counting
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
     auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
     auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
-    prepaid ahead;                      /* loops paid for where they are entered */
+    precharge_plan plan;                      /* loops paid for where they are entered */
     std::map<basic_block, promise> promises;
     std::set<basic_block> paid; /* their blocks that pay nothing themselves */
     auto_vec<check> checks;
@@ -202,7 +202,7 @@ void counting::store(gimple_seq *seq, tree value)
 /* Adds the fixed cost of stmt to a stretch. */
 void counting::spend(stretch *s, gimple *stmt)
 {
-    int64_t cost = ahead.own.count(stmt) ? 0 : costs_of(stmt);
+    int64_t cost = plan.added.count(stmt) ? 0 : costs_of(stmt);
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of(stmt)] += cost;
@@ -390,17 +390,17 @@ gimple *counting::hand_over(gcall *call)
 }
 
 /* Appends rounds * each + last. */
-tree append_trips(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int64_t last)
+tree append_trips(gimple_seq *seq, const precharged_loop &loop, int64_t each, int64_t last)
 {
     tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.trips, units_constant(each));
     return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
 }
 
 /* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
-void counting::pay_ahead(const prepaid_loop &loop)
+void counting::precharge(const precharged_loop &loop)
 {
     stretch each, last;
-    for (const prepaid_block &b : loop.blocks) {
+    for (const precharged_block &b : loop.blocks) {
         stretch once;
         for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi)) {
             spend(&once, gsi_stmt(gsi));
@@ -430,7 +430,7 @@ void counting::pay_ahead(const prepaid_loop &loop)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-/* Of a block that has been paid for ahead. */
+/* Of a block that has been paid for plan. */
 void counting::pay_misses_of(basic_block bb)
 {
     auto_vec<gimple *> statements;
@@ -611,21 +611,21 @@ void counting::run()
     poll_mark(fun, calls, checked);
     find_idle_loops();
     if (foresees) {
-        ahead = prepay_loops(looks, checked);
-        promises = promise_find(checked, ahead.slow, ahead.own);
+        plan = loop_precharge_run(looks, checked);
+        promises = promise_find(checked, plan.polled, plan.added);
     }
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, looks);
-    for (const prepaid_loop &loop : ahead.loops)
-        for (const prepaid_block &b : loop.blocks)
+    for (const precharged_loop &loop : plan.loops)
+        for (const precharged_block &b : loop.blocks)
             paid.insert(b.bb);
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         count_block(bb);
-    for (const prepaid_loop &loop : ahead.loops)
-        pay_ahead(loop);
-    for (const prepaid_loop &loop : ahead.loops)
-        for (const prepaid_block &b : loop.blocks)
+    for (const precharged_loop &loop : plan.loops)
+        precharge(loop);
+    for (const precharged_loop &loop : plan.loops)
+        for (const precharged_block &b : loop.blocks)
             pay_misses_of(b.bb);
     if (left) {
         load_on_entry();

@@ -69,7 +69,7 @@ typedef std::map<basic_block, int64_t> block_ways; /* from where blocks begin */
 class promising
 {
   public:
-    promising(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : checked(c), slow(s), own(o)
+    promising(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : checked(c), polled(s), own(o)
     {
     }
     std::map<basic_block, promise> run();
@@ -93,8 +93,8 @@ class promising
     promise at(basic_block bb);
 
     bitmap checked;
-    const std::set<basic_block> &slow;
-    std::set<gimple *> &own;
+    const std::set<basic_block> &polled;
+    std::set<gimple *> &added;
     std::map<basic_block, block_cost> blocks;
     std::map<class loop *, loop_cost> loops;
     std::vector<basic_block> post_order;
@@ -103,7 +103,7 @@ class promising
 
 /* --- calls ------------------------------------------------------------------------------------------------- */
 
-/* A leading * is GCC's own. */
+/* A leading * is GCC's added. */
 std::string symbol_of(tree function)
 {
     const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function));
@@ -142,7 +142,7 @@ void promising::cost_blocks()
         block_cost &c = blocks[bb];
         for (gimple_stmt_iterator gsi = gsi_start_nondebug_bb(bb); !gsi_end_p(gsi); gsi_next_nondebug(&gsi)) {
             gimple *stmt = gsi_stmt(gsi);
-            if (own.count(stmt))
+            if (added.count(stmt))
                 continue;
             int64_t units = costs_of(stmt);
             if (gcall *call = dyn_cast<gcall *>(stmt))
@@ -336,7 +336,7 @@ bool promising::is_worth_keeping(class loop *loop)
 {
     const loop_cost &l = loops[loop];
     return !l.calls && l.outside.size() <= most_outside && bitmap_bit_p(checked, loop->header->index) &&
-           l.least >= (slow.count(loop->header) ? 1 : worth_keeping);
+           l.least >= (polled.count(loop->header) ? 1 : worth_keeping);
 }
 
 /* Appends rounds, or 0 where that is only known to be the limit or more, or not at all. */
@@ -383,7 +383,7 @@ basic_block fork_before(class loop *outer, class loop *inner)
 }
 
 /* Appends the units of a round that goes back: the cheapest, and what inner loops add in each. Of two between which a round
- * chooses, that is the less: prepay.h makes two of one. */
+ * chooses, that is the less: loop_precharge.h makes two of one. */
 tree promising::append_trip_units(gimple_seq *seq, class loop *loop)
 {
     const int64_t least = loops[loop].least;
@@ -438,13 +438,13 @@ void promising::keep(class loop *loop)
         return;
     tree step = gimple_build(&seq, NEGATE_EXPR, units_type(), trip_units);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
-        own.insert(gsi_stmt(gsi));
+        added.insert(gsi_stmt(gsi));
     if (seq)
         gsi_insert_seq_on_edge_immediate(loop_preheader_edge(loop), seq);
     loop_cost &l = loops[loop];
     gimple_stmt_iterator begin = gsi_after_labels(loop->header);
     create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
-    own.insert(SSA_NAME_DEF_STMT(l.after));
+    added.insert(SSA_NAME_DEF_STMT(l.after));
     l.exact =
         tree_fits_shwi_p(trip_units) && l.outside.empty() && (!l.trips || trip_count_constant(loop) == l.trips);
 }
@@ -509,10 +509,10 @@ std::map<basic_block, promise> promising::run()
 }
 } // namespace
 
-std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &slow,
-                                            std::set<gimple *> &own)
+std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &polled,
+                                            std::set<gimple *> &added)
 {
-    return promising(checked, slow, own).run();
+    return promising(checked, polled, added).run();
 }
 
 void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet, tree left)

@@ -41,10 +41,10 @@ struct promise {
     bool for_others = false; /* functions that it calls check for themselves */
 };
 
-/* Finds the promises of blocks that check, where they are worth it. slow: heads of loops that run only when others cannot.
+/* Finds the promises of blocks that check, where they are worth it. polled: heads of loops that run only when others cannot.
  * Statements in `own` are not the program's; those that keep `more` are added to them. */
-std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &slow,
-                                            std::set<gimple *> &own);
+std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &polled,
+                                            std::set<gimple *> &added);
 /* Appends quiet = min(quiet, left - what is promised, of which `paid` is spent). */
 void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet, tree left);
 /* At the end of a file: which of its functions are silent. */

@@ -1,4 +1,4 @@
-/* symbols.h - the runtime's variables, and a file's own, as compiled code refers to them. GCC's collector of unused trees lets
+/* symbols.h - the runtime's variables, and a file's added, as compiled code refers to them. GCC's collector of unused trees lets
  * them be as long as the compiler runs. */
 #ifndef NXCC_SYMBOLS_H
 #define NXCC_SYMBOLS_H

@@ -1,4 +1,4 @@
-/* prepay.h - loops that are paid for where they are entered.
+/* loop_precharge.h - loops that are paid for where they are entered.
  *
  * If it is known there how many rounds a loop will make, and that nobody looks at the counter before it is left, its cost
  * can be known there too. Such a loop is made twice:
@@ -14,34 +14,34 @@
  * pays ahead for what all have in common, the blocks of some rounds only pay when they run, and the test is for
  * the dearest rounds. Inner loops of few rounds, of a number known when compiled, are part of the round.
  */
-#ifndef NXCC_PREPAY_H
-#define NXCC_PREPAY_H
+#ifndef NXCC_LOOP_PRECHARGE_H
+#define NXCC_LOOP_PRECHARGE_H
 #include "gcc.h"
 #include <set>
 #include <vector>
 
 /* A block that runs rounds * each + last times when a loop runs. */
-struct prepaid_block {
+struct precharged_block {
     basic_block bb;
     int64_t each, last;
 };
 
-struct prepaid_loop {
+struct precharged_loop {
     gcond *test;       /* to be made: true leads to the loop that does not pay */
     basic_block first; /* of the way there */
     tree trips;       /* how often the loop goes back; unknown: it is the limit */
     int64_t limit;
     int64_t most; /* units of a round, and of the last, at most */
-    std::vector<prepaid_block> blocks;
+    std::vector<precharged_block> blocks;
 };
 
-struct prepaid {
-    std::vector<prepaid_loop> loops;
-    std::set<basic_block> slow; /* heads of those that pay as they go */
-    std::set<gimple *> own;     /* statements that compute rounds, and tests: not the program's */
+struct precharge_plan {
+    std::vector<precharged_loop> loops;
+    std::set<basic_block> polled; /* heads of those that pay as they go */
+    std::set<gimple *> added;     /* statements that compute rounds, and tests: not the program's */
 };
 
 /* Makes the copies and finds what is to be paid. looks: may this statement look at the counter? checked: blocks that are
  * to check; those of the loops that do not pay are taken out. */
-prepaid prepay_loops(bool (*looks)(gimple *), bitmap checked);
+precharge_plan loop_precharge_run(bool (*looks)(gimple *), bitmap checked);
 #endif

@@ -1,5 +1,5 @@
-/* prepay.cc - see prepay.h. */
-#include "prepay.h"
+/* loop_precharge.cc - see loop_precharge.h. */
+#include "loop_precharge.h"
 #include "cache.h"
 #include "costs.h"
 #include "leaf_charge.h"
@@ -11,29 +11,29 @@ namespace
 const unsigned longest_body = 100; /* statements */
 const int64_t most_inner_trips = 32;   /* rounds */
 
-class prepaying
+class precharging
 {
   public:
-    prepaying(bool (*l)(gimple *), bitmap c) : looks(l), checked(c) {}
-    prepaid run();
+    precharging(bool (*l)(gimple *), bitmap c) : looks(l), checked(c) {}
+    precharge_plan run();
 
   private:
     bool is_plain(basic_block bb, unsigned *statements) const;
     bool is_plain(class loop *loop, unsigned *statements) const;
     void look_at_loops(class loop *first);
     bool prepare(class loop *loop);
-    void divide(class loop *loop, prepaid_loop &p);
+    void divide(class loop *loop, precharged_loop &p);
 
     bool (*looks)(gimple *);
     bitmap checked;
-    prepaid result;
+    precharge_plan result;
     std::vector<class loop *> chosen; /* beside result.loops */
 };
 
 /* --- what a loop costs ------------------------------------------------------------------------------------ */
 
 /* Is the cost known, and looked at by nobody? */
-bool prepaying::is_plain(basic_block bb, unsigned *statements) const
+bool precharging::is_plain(basic_block bb, unsigned *statements) const
 {
     if (bb->flags & BB_IRREDUCIBLE_LOOP)
         return false;
@@ -50,25 +50,25 @@ bool prepaying::is_plain(basic_block bb, unsigned *statements) const
 }
 
 /* The loop's own blocks, without those of inner loops. */
-std::vector<basic_block> own_blocks(class loop *loop)
+std::vector<basic_block> blocks_outside_inner_loops(class loop *loop)
 {
     basic_block *body = get_loop_body(loop);
-    std::vector<basic_block> own;
+    std::vector<basic_block> added;
     for (unsigned i = 0; i < loop->num_nodes; i++)
         if (body[i]->loop_father == loop)
-            own.push_back(body[i]);
+            added.push_back(body[i]);
     free(body);
-    return own;
+    return added;
 }
 
-bool prepaying::is_plain(class loop *loop, unsigned *statements) const
+bool precharging::is_plain(class loop *loop, unsigned *statements) const
 {
     for (class loop *inner = loop->inner; inner; inner = inner->next) {
         int64_t trips = trip_count_constant(inner);
         if (trips < 0 || trips > most_inner_trips || !is_plain(inner, statements))
             return false;
     }
-    for (basic_block bb : own_blocks(loop))
+    for (basic_block bb : blocks_outside_inner_loops(loop))
         if (!is_plain(bb, statements))
             return false;
     return *statements <= longest_body;
@@ -88,29 +88,29 @@ int64_t costliest_trip(class loop *loop)
     int64_t sum = 0;
     for (class loop *inner = loop->inner; inner; inner = inner->next)
         sum += costliest_trip(inner) * (trip_count_constant(inner) + 1);
-    for (basic_block bb : own_blocks(loop))
+    for (basic_block bb : blocks_outside_inner_loops(loop))
         sum += cost_of_block(bb);
     return sum;
 }
 
 /* The blocks that every round runs. outer: how often an inner loop is entered; NULL: it is the outermost. */
-void list_blocks(class loop *loop, const prepaid_block *outer, std::vector<prepaid_block> &blocks)
+void list_blocks(class loop *loop, const precharged_block *outer, std::vector<precharged_block> &blocks)
 {
     int64_t trips = outer ? trip_count_constant(loop) : 0;
-    auto runs = [&](basic_block bb) -> prepaid_block {
+    auto runs = [&](basic_block bb) -> precharged_block {
         int64_t each = dominated_by_p(CDI_DOMINATORS, loop->latch, bb);
         int64_t last = dominated_by_p(CDI_DOMINATORS, single_exit(loop)->src, bb);
         if (!outer)
             return {bb, each, last};
         return {bb, outer->each * (trips * each + last), outer->last * (trips * each + last)};
     };
-    for (basic_block bb : own_blocks(loop)) {
-        prepaid_block block = runs(bb);
+    for (basic_block bb : blocks_outside_inner_loops(loop)) {
+        precharged_block block = runs(bb);
         if (block.each || block.last)
             blocks.push_back(block);
     }
     for (class loop *inner = loop->inner; inner; inner = inner->next) {
-        prepaid_block block = runs(inner->header);
+        precharged_block block = runs(inner->header);
         list_blocks(inner, &block, blocks);
     }
 }
@@ -118,14 +118,14 @@ void list_blocks(class loop *loop, const prepaid_block *outer, std::vector<prepa
 /* --- making the copies ------------------------------------------------------------------------------------- */
 
 /* Computes the rounds where the loop is entered. False: it stays as it is. */
-bool prepaying::prepare(class loop *loop)
+bool precharging::prepare(class loop *loop)
 {
     unsigned statements = 0;
     tree_niter_desc n;
     if (!trip_count_is_known(loop, &n) || integer_zerop(n.niter) || !optimize_loop_for_speed_p(loop) ||
         !can_duplicate_loop_p(loop) || !is_plain(loop, &statements))
         return false;
-    prepaid_loop p = {};
+    precharged_loop p = {};
     p.most = costliest_trip(loop);
     if (!p.most)
         return false;
@@ -134,7 +134,7 @@ bool prepaying::prepare(class loop *loop)
     p.limit = INT64_MAX / 2 / p.most; /* no counter is ever greater */
     p.trips = trip_count_append(&seq, loop, n, p.limit);
     for (gimple_stmt_iterator gsi = gsi_start(seq); !gsi_end_p(gsi); gsi_next(&gsi))
-        result.own.insert(gsi_stmt(gsi));
+        result.added.insert(gsi_stmt(gsi));
     if (seq)
         gsi_insert_seq_on_edge_immediate(loop_preheader_edge(loop), seq);
     result.loops.push_back(p);
@@ -143,7 +143,7 @@ bool prepaying::prepare(class loop *loop)
 }
 
 /* The outermost loops that can be. */
-void prepaying::look_at_loops(class loop *first)
+void precharging::look_at_loops(class loop *first)
 {
     for (class loop *loop = first; loop; loop = loop->next)
         if (!prepare(loop))
@@ -151,7 +151,7 @@ void prepaying::look_at_loops(class loop *first)
 }
 
 /* The copy is the loop that pays as it goes, and checks. */
-void prepaying::divide(class loop *loop, prepaid_loop &p)
+void precharging::divide(class loop *loop, precharged_loop &p)
 {
     basic_block test;
     profile_probability likely = profile_probability::very_likely(), unlikely = likely.invert();
@@ -164,11 +164,11 @@ void prepaying::divide(class loop *loop, prepaid_loop &p)
     free(body);
     p.test = as_a<gcond *>(last_stmt(test));
     p.first = loop_preheader_edge(loop)->src;
-    result.slow.insert(copy->header);
-    result.own.insert(p.test);
+    result.polled.insert(copy->header);
+    result.added.insert(p.test);
 }
 
-prepaid prepaying::run()
+precharge_plan precharging::run()
 {
     loop_optimizer_init(LOOPS_NORMAL | LOOPS_HAVE_RECORDED_EXITS);
     rewrite_into_loop_closed_ssa(NULL, TODO_update_ssa);
@@ -186,7 +186,7 @@ prepaid prepaying::run()
 }
 } // namespace
 
-prepaid prepay_loops(bool (*looks)(gimple *), bitmap checked)
+precharge_plan loop_precharge_run(bool (*looks)(gimple *), bitmap checked)
 {
-    return prepaying(looks, checked).run();
+    return precharging(looks, checked).run();
 }
