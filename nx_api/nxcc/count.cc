@@ -18,7 +18,7 @@
  * it counts is what is left to execute.
  *
  * Loops whose rounds are known before they run are paid for there: loop_precharge.h. Small functions may be paid for by those who
- * call them: leaf_charge.h. Checks tell how long the program will make no call: promise.h.
+ * call them: leaf_charge.h. Checks tell how long the program will make no call: lookahead.h.
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
  * check is a branch over nothing, and a leaf function stays a leaf.
@@ -33,7 +33,7 @@
 #include "poll.h"
 #include "loop_precharge.h"
 #include "profile.h"
-#include "promise.h"
+#include "lookahead.h"
 #include "purity.h"
 #include "symbols.h"
 #include <memory>
@@ -57,7 +57,7 @@ struct check {
     gimple *after;
     tree value;
     bool in_parts;
-    const promise *promised; /* NULL: nothing */
+    const lookahead *ahead; /* NULL: nothing */
     int64_t paid;            /* of it */
 };
 
@@ -90,7 +90,7 @@ class counting
     gimple *charge_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
     void precharge(const precharged_loop &loop);
-    void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
+    void add_lookahead(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
     void spend(stretch *s, gimple *stmt);
     void add_leaf_cost(stretch *s, gimple *stmt);
     void find_idle_loops();
@@ -108,12 +108,12 @@ class counting
 
     function *fun;
     tree left = NULL_TREE;              /* the register, or NULL: count in memory */
-    bool calls = false;                 /* others, so that it may be part of a recursion */
+    bool calls = false;                 /* callees_poll, so that it may be part of a recursion */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
     auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
     auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
     precharge_plan plan;                      /* loops paid for where they are entered */
-    std::map<basic_block, promise> promises;
+    std::map<basic_block, lookahead> lookaheads;
     std::set<basic_block> paid; /* their blocks that pay nothing themselves */
     auto_vec<check> checks;
 };
@@ -282,15 +282,15 @@ void counting::spend_going_back(stretch *s, basic_block bb)
 
 /* A check where bb begins, of which `cost` has been paid, tells what is promised there; for those that are called soon it is
  * told at once. */
-void counting::give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost)
+void counting::add_lookahead(gimple_seq *seq, check *c, basic_block bb, int64_t cost)
 {
-    auto found = promises.find(bb);
-    if (found == promises.end())
+    auto found = lookaheads.find(bb);
+    if (found == lookaheads.end())
         return;
-    c->promised = &found->second;
+    c->ahead = &found->second;
     c->paid = cost;
-    if (found->second.for_others)
-        promise_append(seq, found->second, cost, quiet, left);
+    if (found->second.callees_poll)
+        lookahead_append(seq, found->second, cost, quiet, left);
 }
 
 /* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
@@ -305,7 +305,7 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
     for (auto &share : s.shares)
         profile->add(&seq, bb, share.first, units_constant(share.second));
     if (check_here) {
-        give_promise(&seq, &paid, bb, s.cost);
+        add_lookahead(&seq, &paid, bb, s.cost);
         checks.safe_push(paid);
     }
     if (behind) {
@@ -590,8 +590,8 @@ void counting::insert_check(const check &c)
     location_t where = location_of(bb);
     if (profile)
         profile->flush(&seq, bb);
-    if (c.promised)
-        promise_append(&seq, *c.promised, c.paid, quiet, left);
+    if (c.ahead)
+        lookahead_append(&seq, *c.ahead, c.paid, quiet, left);
     if (c.in_parts)
         preempt_in_time(&seq);
     else
@@ -612,7 +612,7 @@ void counting::run()
     find_idle_loops();
     if (foresees) {
         plan = loop_precharge_run(looks, checked);
-        promises = promise_find(checked, plan.polled, plan.added);
+        lookaheads = lookahead_find(checked, plan.polled, plan.added);
     }
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, looks);

@@ -12,7 +12,7 @@
  * at the first check at or past it when B = U - 1.
  *
  * Quiet. A program whose check strikes may have put into *quiet what *left will have come to, at most, when it makes its next
- * call that the simulator serves, as far as it knows (promise.h). The simulator sets *quiet to NXC_NOT_QUIET whenever it sets
+ * call that the simulator serves, as far as it knows (lookahead.h). The simulator sets *quiet to NXC_NOT_QUIET whenever it sets
  * *left.
  *
  * Profile. A program built with --profile adds what it spends to cells as well (how: profile.h). At any call

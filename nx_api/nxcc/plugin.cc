@@ -11,7 +11,7 @@
 #include "longs.h"
 #include "poll.h"
 #include "profile.h"
-#include "promise.h"
+#include "lookahead.h"
 #include "purity.h"
 #include "redeclare.h"
 #include "statics.h"
@@ -96,7 +96,7 @@ void begin_function(void *, void *)
 void finish_unit(void *, void *)
 {
     profile_write_cells();
-    promise_write_silent();
+    lookahead_write_flags();
 }
 
 /* The C library says that errno is at the same place throughout a program. A node may go on on another thread of the

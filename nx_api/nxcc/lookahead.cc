@@ -1,5 +1,5 @@
-/* promise.cc - see promise.h. */
-#include "promise.h"
+/* lookahead.cc - see lookahead.h. */
+#include "lookahead.h"
 #include "costs.h"
 #include "image.h"
 #include "leaf_charge.h"
@@ -14,47 +14,47 @@
 namespace
 {
 /* Promises of less are not worth their code: 10 us of a 40 MHz processor. */
-const int64_t worth_telling = 400 * NXC_UNITS_PER_CLOCK;
+const int64_t least_lookahead = 400 * NXC_UNITS_PER_CLOCK;
 /* Nor is a variable in a loop whose rounds cost less, but for those that run seldom. */
-const int64_t worth_keeping = 20 * NXC_UNITS_PER_CLOCK;
+const int64_t least_trip_units = 20 * NXC_UNITS_PER_CLOCK;
 const int64_t most_units = INT64_MAX / 64; /* no counter is ever greater */
 const int64_t most_times = 1 << 14; /* as much as the rest of a round costs, an inner loop adds to it */
-const size_t most_outside = 2;      /* functions of other files in a loop */
+const size_t most_external = 2;      /* functions of other files in a loop */
 
-struct silent_function {
+struct call_free_function {
     int64_t units; /* of the cheapest way */
     bool checks;
 };
-std::map<unsigned, silent_function> silent; /* by DECL_UID */
-std::set<std::string> told;                 /* those that other files may call */
-std::map<std::string, tree> flags;          /* bytes that tell which functions of other files are */
+std::map<unsigned, call_free_function> call_free; /* by DECL_UID */
+std::set<std::string> exported;                 /* those that other files may call */
+std::map<std::string, tree> call_free_flags;          /* bytes that tell which functions of other files are */
 
 /* What a block's statements do, or a loop's. */
-struct deeds {
+struct effects {
     bool calls = false;        /* what the simulator may serve */
-    bool others = false;       /* calls of functions that check */
-    std::vector<tree> outside; /* functions of other files called, each once */
+    bool callees_poll = false;       /* calls of functions that check */
+    std::vector<tree> external; /* functions of other files called, each once */
 
-    bool any_served() const { return calls || !outside.empty(); }
-    void add_outside(tree function)
+    bool any_call() const { return calls || !external.empty(); }
+    void add_external(tree function)
     {
-        if (std::find(outside.begin(), outside.end(), function) == outside.end())
-            outside.push_back(function);
+        if (std::find(external.begin(), external.end(), function) == external.end())
+            external.push_back(function);
     }
-    void add(const deeds &d)
+    void add(const effects &d)
     {
-        calls |= d.calls, others |= d.others;
-        for (tree function : d.outside)
-            add_outside(function);
+        calls |= d.calls, callees_poll |= d.callees_poll;
+        for (tree function : d.external)
+            add_external(function);
     }
 };
 
-struct block_cost : deeds {
+struct block_cost : effects {
     int64_t units = 0; /* in all */
     int64_t first = 0; /* up to the first call that may be served */
 };
 
-struct loop_cost : deeds {
+struct loop_cost : effects {
     int64_t trips = 0; /* how often it goes back at least, whenever it is entered */
     int64_t least = 0;  /* units of a round that goes back, if nothing in it is served */
     int64_t added = 0;  /* units of those rounds */
@@ -64,33 +64,33 @@ struct loop_cost : deeds {
     bool exact = false;
 };
 
-typedef std::map<basic_block, int64_t> block_ways; /* from where blocks begin */
+typedef std::map<basic_block, int64_t> path_units; /* from where blocks begin */
 
-class promising
+class lookahead_analysis
 {
   public:
-    promising(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : checked(c), polled(s), own(o)
+    lookahead_analysis(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : checked(c), polled(s), added(o)
     {
     }
-    std::map<basic_block, promise> run();
+    std::map<basic_block, lookahead> run();
 
   private:
     void cost_blocks();
     void look_at_loop(class loop *loop);
     bool is_of_last(class loop *loop, edge e);
-    int64_t cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known);
+    int64_t cheapest_path(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known);
     int64_t units_of_loop_entered(edge e);
-    int64_t way_from(basic_block bb, class loop *within, block_ways &known);
-    const block_ways &ways_to_end(class loop *within);
-    int64_t way(basic_block bb, class loop *inner, class loop *within);
-    void accept_silent();
-    bool is_worth_keeping(class loop *loop);
+    int64_t path_from(basic_block bb, class loop *within, path_units &known);
+    const path_units &paths_to_end(class loop *within);
+    int64_t path(basic_block bb, class loop *inner, class loop *within);
+    void accept_call_free();
+    bool is_worth_a_variable(class loop *loop);
     tree append_inner(gimple_seq *seq, class loop *outer, class loop *inner);
     tree append_trip_units(gimple_seq *seq, class loop *loop);
     tree append_units(gimple_seq *seq, class loop *loop, tree trip_units);
     void keep(class loop *loop);
-    tree all_silent(gimple_seq *seq, const std::vector<tree> &outside);
-    promise at(basic_block bb);
+    tree all_call_free(gimple_seq *seq, const std::vector<tree> &external);
+    lookahead at(basic_block bb);
 
     bitmap checked;
     const std::set<basic_block> &polled;
@@ -98,7 +98,7 @@ class promising
     std::map<basic_block, block_cost> blocks;
     std::map<class loop *, loop_cost> loops;
     std::vector<basic_block> post_order;
-    std::map<class loop *, block_ways> ways; /* ways_to_end */
+    std::map<class loop *, path_units> paths; /* paths_to_end */
 };
 
 /* --- calls ------------------------------------------------------------------------------------------------- */
@@ -107,35 +107,35 @@ class promising
 std::string symbol_of(tree function)
 {
     const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function));
-    return std::string("nxc_silent.") + (*name == '*' ? name + 1 : name);
+    return std::string("nxc_call_free.") + (*name == '*' ? name + 1 : name);
 }
 
 /* A function of another of the program's files. */
-bool is_outside(tree callee)
+bool is_external(tree callee)
 {
     return callee && TREE_PUBLIC(callee) && DECL_EXTERNAL(callee) && !fndecl_built_in_p(callee) &&
            !DECL_IN_SYSTEM_HEADER(callee);
 }
 
 /* Adds a call; answers the units of the function called. */
-int64_t add_call(gcall *call, deeds &d)
+int64_t add_call(gcall *call, effects &d)
 {
     tree callee = gimple_call_fndecl(call);
     if (costs_call_is_quiet(call) || leaf_charge_is_call(call))
         return leaf_charge_cost(call);
-    auto known = callee ? silent.find(DECL_UID(callee)) : silent.end();
-    if (known != silent.end()) {
-        d.others |= known->second.checks;
+    auto known = callee ? call_free.find(DECL_UID(callee)) : call_free.end();
+    if (known != call_free.end()) {
+        d.callees_poll |= known->second.checks;
         return known->second.units;
     }
-    if (is_outside(callee))
-        d.add_outside(callee);
+    if (is_external(callee))
+        d.add_external(callee);
     else
         d.calls = true;
     return 0;
 }
 
-void promising::cost_blocks()
+void lookahead_analysis::cost_blocks()
 {
     basic_block bb;
     FOR_EACH_BB_FN (bb, cfun) {
@@ -149,7 +149,7 @@ void promising::cost_blocks()
                 units += add_call(call, c);
             c.calls |= gimple_code(stmt) == GIMPLE_ASM;
             c.units = std::min(most_units, c.units + units);
-            if (!c.any_served())
+            if (!c.any_call())
                 c.first = c.units;
         }
     }
@@ -158,7 +158,7 @@ void promising::cost_blocks()
 /* --- ways -------------------------------------------------------------------------------------------------- */
 
 /* What a loop adds where it is entered. */
-int64_t promising::units_of_loop_entered(edge e)
+int64_t lookahead_analysis::units_of_loop_entered(edge e)
 {
     class loop *loop = e->dest->loop_father;
     return e->dest == loop->header && !flow_bb_inside_loop_p(loop, e->src) ? loops[loop].added : 0;
@@ -175,11 +175,11 @@ int64_t trips_until_equal(class loop *loop, edge e)
         !simple_iv(loop, loop, gimple_cond_lhs(test), &iv, false) || !tree_fits_shwi_p(iv.base) ||
         !tree_fits_shwi_p(iv.step) || integer_zerop(iv.step))
         return 0;
-    int64_t way, begin = tree_to_shwi(iv.base), step = tree_to_shwi(iv.step);
-    if (__builtin_sub_overflow(tree_to_shwi(gimple_cond_rhs(test)), begin, &way) || way % step ||
-        way / step < 0)
+    int64_t distance, begin = tree_to_shwi(iv.base), step = tree_to_shwi(iv.step);
+    if (__builtin_sub_overflow(tree_to_shwi(gimple_cond_rhs(test)), begin, &distance) || distance % step ||
+        distance / step < 0)
         return 0;
-    return way / step;
+    return distance / step;
 }
 
 /* How often a loop goes back at least before it may go this way, as far as that is always the same; else 0. */
@@ -214,7 +214,7 @@ int64_t least_trips(class loop *loop)
 }
 
 /* Is it a way that no round goes of those which are counted, but only the last? */
-bool promising::is_of_last(class loop *loop, edge e)
+bool lookahead_analysis::is_of_last(class loop *loop, edge e)
 {
     int64_t trips = loops[loop].trips;
     return trips > 0 && !single_succ_p(e->src) && e->src->loop_father == loop &&
@@ -222,7 +222,7 @@ bool promising::is_of_last(class loop *loop, edge e)
 }
 
 /* From the beginning of a round that goes back to the end of a block. */
-int64_t promising::cheapest_way(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known)
+int64_t lookahead_analysis::cheapest_path(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known)
 {
     auto found = known.find(bb);
     if (found != known.end())
@@ -233,11 +233,11 @@ int64_t promising::cheapest_way(class loop *loop, basic_block bb, std::map<basic
     if (bb != loop->header)
         FOR_EACH_EDGE (e, i, bb->preds)
             if (!dominated_by_p(CDI_DOMINATORS, e->src, bb) && !is_of_last(loop, e))
-                before = std::min(before, cheapest_way(loop, e->src, known) + units_of_loop_entered(e));
+                before = std::min(before, cheapest_path(loop, e->src, known) + units_of_loop_entered(e));
     return known[bb] = std::min(most_units, before + blocks[bb].units);
 }
 
-void promising::look_at_loop(class loop *loop)
+void lookahead_analysis::look_at_loop(class loop *loop)
 {
     loop_cost &l = loops[loop];
     basic_block *body = get_loop_body(loop);
@@ -250,16 +250,16 @@ void promising::look_at_loop(class loop *loop)
         return;
     l.trips = least_trips(loop);
     std::map<basic_block, int64_t> known;
-    l.least = cheapest_way(loop, loop->latch, known);
-    if (!l.any_served())
+    l.least = cheapest_path(loop, loop->latch, known);
+    if (!l.any_call())
         l.added = l.trips < most_units / (l.least + 1) ? l.trips * l.least : most_units;
 }
 
 /* From a block's beginning, as far as ways from those behind it are known. */
-int64_t promising::way_from(basic_block bb, class loop *within, block_ways &known)
+int64_t lookahead_analysis::path_from(basic_block bb, class loop *within, path_units &known)
 {
     const block_cost &c = blocks[bb];
-    if (within ? bb == within->latch : c.any_served() || !EDGE_COUNT(bb->succs))
+    if (within ? bb == within->latch : c.any_call() || !EDGE_COUNT(bb->succs))
         return within ? c.units : c.first;
     int64_t rest = most_units;
     edge e;
@@ -272,9 +272,9 @@ int64_t promising::way_from(basic_block bb, class loop *within, block_ways &know
 
 /* To the end of a loop's round; NULL: to the next call that may be served, or the function's end. They become shorter until
  * none does. */
-const block_ways &promising::ways_to_end(class loop *within)
+const path_units &lookahead_analysis::paths_to_end(class loop *within)
 {
-    block_ways &known = ways[within];
+    path_units &known = paths[within];
     if (!known.empty())
         return known;
     std::vector<basic_block> order;
@@ -285,45 +285,45 @@ const block_ways &promising::ways_to_end(class loop *within)
     for (bool again = true; again;) {
         again = false;
         for (basic_block bb : order) {
-            int64_t way = way_from(bb, within, known);
-            again |= way < known[bb];
-            known[bb] = way;
+            int64_t units = path_from(bb, within, known);
+            again |= units < known[bb];
+            known[bb] = units;
         }
     }
     return known;
 }
 
-void promising::accept_silent()
+void lookahead_analysis::accept_call_free()
 {
     for (auto &b : blocks)
-        if (b.second.any_served())
+        if (b.second.any_call())
             return;
     tree decl = current_function_decl;
     if (!decl_binds_to_current_def_p(decl))
         return;
-    silent[DECL_UID(decl)] = {ways_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))),
+    call_free[DECL_UID(decl)] = {paths_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))),
                               !bitmap_empty_p(checked)};
     if (TREE_PUBLIC(decl) && !DECL_WEAK(decl) && !DECL_COMDAT(decl))
-        told.insert(symbol_of(decl));
+        exported.insert(symbol_of(decl));
 }
 
 /* --- rounds to come ---------------------------------------------------------------------------------------- */
 
-/* The byte that tells whether a function of another file is silent. */
+/* The byte that tells whether a function of another file is call_free. */
 tree flag_of(tree function)
 {
     std::string name = symbol_of(function);
-    tree &flag = flags[name];
+    tree &flag = call_free_flags[name];
     if (!flag)
         flag = symbols_declare(name.c_str(), unsigned_char_type_node);
     return flag;
 }
 
 /* Appends: are they all? */
-tree promising::all_silent(gimple_seq *seq, const std::vector<tree> &outside)
+tree lookahead_analysis::all_call_free(gimple_seq *seq, const std::vector<tree> &external)
 {
     tree all = NULL_TREE;
-    for (tree function : outside) {
+    for (tree function : external) {
         tree flag = make_ssa_name(unsigned_char_type_node);
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(flag, flag_of(function)));
         all = all ? gimple_build(seq, BIT_AND_EXPR, unsigned_char_type_node, all, flag) : flag;
@@ -332,11 +332,11 @@ tree promising::all_silent(gimple_seq *seq, const std::vector<tree> &outside)
 }
 
 /* One that is paid for where it is entered does not check; nor do its inner loops. */
-bool promising::is_worth_keeping(class loop *loop)
+bool lookahead_analysis::is_worth_a_variable(class loop *loop)
 {
     const loop_cost &l = loops[loop];
-    return !l.calls && l.outside.size() <= most_outside && bitmap_bit_p(checked, loop->header->index) &&
-           l.least >= (polled.count(loop->header) ? 1 : worth_keeping);
+    return !l.calls && l.external.size() <= most_external && bitmap_bit_p(checked, loop->header->index) &&
+           l.least >= (polled.count(loop->header) ? 1 : least_trip_units);
 }
 
 /* Appends rounds, or 0 where that is only known to be the limit or more, or not at all. */
@@ -349,7 +349,7 @@ tree append_known(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, i
 
 /* Appends the units that an inner loop adds to the cheapest round each time it is entered, which are known where the outer one is.
  * NULL: they are not. */
-tree promising::append_inner(gimple_seq *seq, class loop *outer, class loop *inner)
+tree lookahead_analysis::append_inner(gimple_seq *seq, class loop *outer, class loop *inner)
 {
     const loop_cost &l = loops[inner];
     tree_niter_desc n;
@@ -364,9 +364,9 @@ tree promising::append_inner(gimple_seq *seq, class loop *outer, class loop *inn
 }
 
 /* The loop within `outer` into which a way leads and nowhere else; NULL: there is none. */
-class loop *loop_behind(edge way, class loop *outer)
+class loop *loop_behind(edge e, class loop *outer)
 {
-    basic_block bb = way->dest;
+    basic_block bb = e->dest;
     while (bb->loop_father == outer && bb != outer->latch && single_succ_p(bb))
         bb = single_succ(bb);
     class loop *loop = bb->loop_father;
@@ -384,7 +384,7 @@ basic_block fork_before(class loop *outer, class loop *inner)
 
 /* Appends the units of a round that goes back: the cheapest, and what inner loops add in each. Of two between which a round
  * chooses, that is the less: loop_precharge.h makes two of one. */
-tree promising::append_trip_units(gimple_seq *seq, class loop *loop)
+tree lookahead_analysis::append_trip_units(gimple_seq *seq, class loop *loop)
 {
     const int64_t least = loops[loop].least;
     tree sum = build_int_cst(units_type(), least);
@@ -407,7 +407,7 @@ tree promising::append_trip_units(gimple_seq *seq, class loop *loop)
 }
 
 /* Appends the units of the rounds to come where a loop is entered; NULL: not known. */
-tree promising::append_units(gimple_seq *seq, class loop *loop, tree trip_units)
+tree lookahead_analysis::append_units(gimple_seq *seq, class loop *loop, tree trip_units)
 {
     const loop_cost &l = loops[loop];
     int64_t limit = most_units / l.least;
@@ -422,15 +422,15 @@ tree promising::append_units(gimple_seq *seq, class loop *loop, tree trip_units)
     else
         return NULL_TREE;
     tree units = gimple_build(seq, MULT_EXPR, units_type(), trips, trip_units);
-    if (!l.outside.empty())
-        units = gimple_build(seq, COND_EXPR, units_type(), all_silent(seq, l.outside), units, zero);
+    if (!l.external.empty())
+        units = gimple_build(seq, COND_EXPR, units_type(), all_call_free(seq, l.external), units, zero);
     return units;
 }
 
 /* Makes the variable of a loop, if it is worth it. */
-void promising::keep(class loop *loop)
+void lookahead_analysis::keep(class loop *loop)
 {
-    if (!is_worth_keeping(loop))
+    if (!is_worth_a_variable(loop))
         return;
     gimple_seq seq = NULL;
     tree trip_units = append_trip_units(&seq, loop), units = append_units(&seq, loop, trip_units);
@@ -446,26 +446,26 @@ void promising::keep(class loop *loop)
     create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
     added.insert(SSA_NAME_DEF_STMT(l.after));
     l.exact =
-        tree_fits_shwi_p(trip_units) && l.outside.empty() && (!l.trips || trip_count_constant(loop) == l.trips);
+        tree_fits_shwi_p(trip_units) && l.external.empty() && (!l.trips || trip_count_constant(loop) == l.trips);
 }
 
 /* The units of a way from bb to the end of a round of `within`, or to the next call: beside those of the rounds to come of
  * the loops around it that have a variable, up to `last`, not included. Of a loop in which it lies, but not where a round
  * begins, either no round is to come, or one begins behind its own round's end, and the rest are those of the variable but
  * one. */
-int64_t promising::way(basic_block bb, class loop *last, class loop *within)
+int64_t lookahead_analysis::path(basic_block bb, class loop *last, class loop *within)
 {
-    int64_t least = ways_to_end(within).at(bb);
+    int64_t least = paths_to_end(within).at(bb);
     for (class loop *loop = bb->loop_father; loop != last; loop = loop_outer(loop))
         if (loops[loop].before && bb != loop->header)
             least = std::min(least,
-                             way(bb, loop, loop) - loops[loop].least + ways_to_end(within).at(loop->header));
+                             path(bb, loop, loop) - loops[loop].least + paths_to_end(within).at(loop->header));
     return least;
 }
 
-promise promising::at(basic_block bb)
+lookahead lookahead_analysis::at(basic_block bb)
 {
-    promise p;
+    lookahead p;
     class loop *loop = bb->loop_father;
     for (; loop_outer(loop) && !loops[loop].calls; loop = loop_outer(loop)) {
         const loop_cost &l = loops[loop];
@@ -473,13 +473,13 @@ promise promising::at(basic_block bb)
             continue;
         bool begins = bb == loop->header;
         p.more.push_back({begins ? l.before : l.after, begins ? 0 : l.least, !l.exact});
-        p.for_others = p.for_others || (begins && l.others && l.least >= worth_telling);
+        p.callees_poll = p.callees_poll || (begins && l.callees_poll && l.least >= least_lookahead);
     }
-    p.least = way(bb, loop, NULL);
+    p.least = path(bb, loop, NULL);
     return p;
 }
 
-std::map<basic_block, promise> promising::run()
+std::map<basic_block, lookahead> lookahead_analysis::run()
 {
     loop_optimizer_init(LOOPS_NORMAL | LOOPS_HAVE_RECORDED_EXITS);
     calculate_dominance_info(CDI_DOMINATORS);
@@ -491,16 +491,16 @@ std::map<basic_block, promise> promising::run()
         post_order.push_back(BASIC_BLOCK_FOR_FN(cfun, index));
     for (auto loop : loops_list(cfun, LI_FROM_INNERMOST))
         look_at_loop(loop);
-    accept_silent();
+    accept_call_free();
     for (auto loop : loops_list(cfun, 0))
         keep(loop);
-    std::map<basic_block, promise> found;
+    std::map<basic_block, lookahead> found;
     basic_block bb;
     FOR_EACH_BB_FN (bb, cfun) {
         if (!bitmap_bit_p(checked, bb->index))
             continue;
-        promise p = at(bb);
-        if (p.least >= worth_telling || !p.more.empty())
+        lookahead p = at(bb);
+        if (p.least >= least_lookahead || !p.more.empty())
             found[bb] = p;
     }
     scev_finalize();
@@ -509,19 +509,19 @@ std::map<basic_block, promise> promising::run()
 }
 } // namespace
 
-std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &polled,
+std::map<basic_block, lookahead> lookahead_find(bitmap checked, const std::set<basic_block> &polled,
                                             std::set<gimple *> &added)
 {
-    return promising(checked, polled, added).run();
+    return lookahead_analysis(checked, polled, added).run();
 }
 
-void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet, tree left)
+void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree quiet, tree left)
 {
     tree now = make_ssa_name(units_type()), before = make_ssa_name(units_type());
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, left));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(before, quiet));
     tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, build_int_cst(units_type(), paid - p.least));
-    for (const rounds_to_come &r : p.more) {
+    for (const trips_to_come &r : p.more) {
         tree more = gimple_build(seq, PLUS_EXPR, units_type(), r.more, build_int_cst(units_type(), r.add));
         if (r.at_least_0)
             more = gimple_build(seq, MAX_EXPR, units_type(), more, build_int_cst(units_type(), 0));
@@ -537,13 +537,13 @@ static void write_flag(const char *binding, const char *name, bool yes)
 }
 
 /* The file that has the function says yes, those that call it say no: the linker takes the first's word. */
-void promise_write_silent()
+void lookahead_write_flags()
 {
-    if (!asm_out_file || (told.empty() && flags.empty()))
+    if (!asm_out_file || (exported.empty() && call_free_flags.empty()))
         return;
     fputs("\t.section .rodata\n", asm_out_file);
-    for (const std::string &name : told)
+    for (const std::string &name : exported)
         write_flag("globl", name.c_str(), true);
-    for (const auto &flag : flags)
+    for (const auto &flag : call_free_flags)
         write_flag("weak", flag.first.c_str(), false);
 }

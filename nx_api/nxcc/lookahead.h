@@ -1,4 +1,4 @@
-/* promise.h - for how long a program will make no call, as its checks tell the simulator (image.h: quiet).
+/* lookahead.h - for how long a program will make no call, as its checks tell the simulator (image.h: quiet).
  *
  * Of all ways from a check to the next call that the simulator may serve, or to the function's end, one is the cheapest: so
  * much is surely spent before. Loops make it more if nothing in them makes such a call, and their rounds are known where
@@ -17,36 +17,36 @@
  * What inner loops cost in a round is added, where their rounds are known before the outer one, too.
  *
  * A function that makes no such call is silent, and a call of it is none. Whether one in another file is, the linker says: a
- * byte of its name (write_silent). Where a loop calls functions that check for themselves, it makes its promise at each
+ * byte of its name (write_silent). Where a loop calls functions that check for themselves, it makes its lookahead at each
  * round, in time for them.
  */
-#ifndef NXCC_PROMISE_H
-#define NXCC_PROMISE_H
+#ifndef NXCC_LOOKAHEAD_H
+#define NXCC_LOOKAHEAD_H
 #include "gcc.h"
 #include <map>
 #include <set>
 #include <vector>
 
 /* A loop's: more + add units, and if that may be negative, at least none. */
-struct rounds_to_come {
+struct trips_to_come {
     tree more;
     int64_t add;
     bool at_least_0;
 };
 
 /* From a block's beginning on. */
-struct promise {
+struct lookahead {
     int64_t least = 0; /* the units of the cheapest way */
-    std::vector<rounds_to_come> more;
-    bool for_others = false; /* functions that it calls check for themselves */
+    std::vector<trips_to_come> more;
+    bool callees_poll = false; /* functions that it calls check for themselves */
 };
 
 /* Finds the promises of blocks that check, where they are worth it. polled: heads of loops that run only when others cannot.
  * Statements in `own` are not the program's; those that keep `more` are added to them. */
-std::map<basic_block, promise> promise_find(bitmap checked, const std::set<basic_block> &polled,
+std::map<basic_block, lookahead> lookahead_find(bitmap checked, const std::set<basic_block> &polled,
                                             std::set<gimple *> &added);
 /* Appends quiet = min(quiet, left - what is promised, of which `paid` is spent). */
-void promise_append(gimple_seq *seq, const promise &p, int64_t paid, tree quiet, tree left);
-/* At the end of a file: which of its functions are silent. */
-void promise_write_silent();
+void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree quiet, tree left);
+/* At the end of a file: which of its functions are call_free. */
+void lookahead_write_flags();
 #endif
