@@ -39,7 +39,7 @@
 #include <memory>
 
 #define COUNTER "nxc_left"
-#define QUIET "nxc_quiet"
+#define LOOKAHEAD "nxc_lookahead"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
 /* A library call that is known to cost more is checked for, and interrupted at such intervals: 10 us of a 40 MHz processor. */
@@ -49,7 +49,7 @@ bool count_in_memory;
 
 namespace
 {
-tree counter, quiet; /* the variables nxc_left and nxc_quiet of runtime.c */
+tree counter, lookahead_word; /* the variables nxc_left and nxc_lookahead of runtime.c */
 
 /* Where a check is to go: behind a statement that pays, if value is then negative. What a long library call costs may be
  * spent in parts, so that nothing that is due has to wait for all of it. */
@@ -290,7 +290,7 @@ void counting::add_lookahead(gimple_seq *seq, check *c, basic_block bb, int64_t 
     c->ahead = &found->second;
     c->paid = cost;
     if (found->second.callees_poll)
-        lookahead_append(seq, found->second, cost, quiet, left);
+        lookahead_append(seq, found->second, cost, lookahead_word, left);
 }
 
 /* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
@@ -591,7 +591,7 @@ void counting::insert_check(const check &c)
     if (profile)
         profile->flush(&seq, bb);
     if (c.ahead)
-        lookahead_append(&seq, *c.ahead, c.paid, quiet, left);
+        lookahead_append(&seq, *c.ahead, c.paid, lookahead_word, left);
     if (c.in_parts)
         preempt_in_time(&seq);
     else
@@ -656,7 +656,7 @@ class count_pass : public gimple_opt_pass
     {
         if (!counter) {
             counter = symbols_declare(COUNTER, units_type());
-            quiet = symbols_declare(QUIET, units_type());
+            lookahead_word = symbols_declare(LOOKAHEAD, units_type());
         }
         costs_warn_if_taken_for_library(f->decl);
         counting(f).run();

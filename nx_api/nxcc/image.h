@@ -12,7 +12,7 @@
  * at the first check at or past it when B = U - 1.
  *
  * Quiet. A program whose check strikes may have put into *quiet what *left will have come to, at most, when it makes its next
- * call that the simulator serves, as far as it knows (lookahead.h). The simulator sets *quiet to NXC_NOT_QUIET whenever it sets
+ * call that the simulator serves, as far as it knows (lookahead.h). The simulator sets *quiet to NXC_NO_LOOKAHEAD whenever it sets
  * *left.
  *
  * Profile. A program built with --profile adds what it spends to cells as well (how: profile.h). At any call
@@ -29,7 +29,7 @@
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
 #define NXC_IMAGE_VERSION 4u
 #define NXC_UNITS_PER_CLOCK 1000
-#define NXC_NOT_QUIET (INT64_MAX / 2)
+#define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
 /* At most, of a simulated data cache and translation buffer: cache.h. */
 enum { NXC_CACHE_SETS = 1024, NXC_TLB_SETS = 64, NXC_CACHE_WAYS = 4, NXC_CACHE_SET_BYTES = 32 };
 
@@ -48,7 +48,7 @@ struct nxc_image {
     uint32_t magic;
     uint32_t version;
     int64_t *left;                      /* the program's own counter, see above */
-    int64_t *quiet;                     /* it makes no call before *left is less than this */
+    int64_t *lookahead;                   /* it makes no call before *left is less than this */
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);

@@ -515,11 +515,11 @@ std::map<basic_block, lookahead> lookahead_find(bitmap checked, const std::set<b
     return lookahead_analysis(checked, polled, added).run();
 }
 
-void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree quiet, tree left)
+void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree word, tree left)
 {
     tree now = make_ssa_name(units_type()), before = make_ssa_name(units_type());
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, left));
-    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(before, quiet));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(before, word));
     tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, build_int_cst(units_type(), paid - p.least));
     for (const trips_to_come &r : p.more) {
         tree more = gimple_build(seq, PLUS_EXPR, units_type(), r.more, build_int_cst(units_type(), r.add));
@@ -528,7 +528,7 @@ void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree qu
         end = gimple_build(seq, MINUS_EXPR, units_type(), end, more);
     }
     end = gimple_build(seq, MIN_EXPR, units_type(), before, end);
-    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(quiet, end));
+    gimple_seq_add_stmt_without_update(seq, gimple_build_assign(word, end));
 }
 
 static void write_flag(const char *binding, const char *name, bool yes)

@@ -12,7 +12,7 @@
 /* Among the initialised data, not behind the program's arrays: the page that a node has of these is in use anyway. */
 #define NXC_DATA __attribute__((visibility("hidden"), section(".data")))
 NXC_DATA int64_t nxc_left;
-NXC_DATA int64_t nxc_quiet = NXC_NOT_QUIET;
+NXC_DATA int64_t nxc_lookahead = NXC_NO_LOOKAHEAD;
 
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
@@ -32,7 +32,7 @@ struct nxc_image nxc_image = {
     .magic = NXC_IMAGE_MAGIC,
     .version = NXC_IMAGE_VERSION,
     .left = &nxc_left,
-    .quiet = &nxc_quiet,
+    .lookahead = &nxc_lookahead,
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,

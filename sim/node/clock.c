@@ -159,6 +159,6 @@ void clock_allow(struct node *n, vtime deadline)
     /* A check finds *left negative once more than `given` units are spent: one less than may pass. */
     c->given = (int64_t)units - 1;
     *n->left = c->given;
-    *n->quiet = NXC_NOT_QUIET;
+    *n->quiet = NXC_NO_LOOKAHEAD;
     clock_start(n);
 }

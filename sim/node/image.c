@@ -341,12 +341,12 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     n->image = (struct nxc_image *)(base + img->object);
     n->image_bytes = img->bytes;
     uintptr_t left = (uintptr_t)n->image->left, main = (uintptr_t)n->image->main;
-    uintptr_t quiet = (uintptr_t)n->image->quiet;
+    uintptr_t quiet = (uintptr_t)n->image->lookahead;
     if (left - (uintptr_t)base >= img->bytes || quiet - (uintptr_t)base >= img->bytes ||
         main - (uintptr_t)base >= img->bytes)
         return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
                         img->elf->path);
-    n->left = n->image->left, n->quiet = n->image->quiet;
+    n->left = n->image->left, n->quiet = n->image->lookahead;
     return true;
 }
 

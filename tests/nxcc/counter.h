@@ -13,7 +13,7 @@ struct counter {
     int64_t overshoot;     /* the most by which a check came late */
     long preemptions;
     uint64_t times; /* what was spent at each of them, in one number */
-    int64_t quiet;  /* units that will be spent before the next call of served(): promised at preemptions */
+    int64_t lookahead; /* units that will be spent before the next call of served(): promised at preemptions */
     long broken;    /* promises */
 };
 
