@@ -286,7 +286,7 @@ int64_t fixed_call_cost(gcall *call)
 
 /* The C library's functions that keep to themselves: no output, no allocation, no call back, no clock. What
  * the simulator serves, and stdio whose streams it serves, is not among them. */
-bool is_quiet_name(const char *name)
+bool is_uncounted_name(const char *name)
 {
     static const char names[] =
         " memcpy memmove memset memcmp memchr strlen strnlen strcpy strncpy strcat strncat strcmp strncmp"
@@ -434,7 +434,7 @@ int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements)
     return with_factor(call, known->per);
 }
 
-bool costs_call_is_quiet(gcall *call)
+bool costs_call_is_uncounted(gcall *call)
 {
     if (gimple_call_internal_p(call))
         return true;
@@ -442,13 +442,13 @@ bool costs_call_is_quiet(gcall *call)
     if (!name)
         return false;
     return expanded_cost(call) >= 0 || is_operation(call) ||
-           (is_quiet_name(name) && is_declared_by_library(gimple_call_fndecl(call)));
+           (is_uncounted_name(name) && is_declared_by_library(gimple_call_fndecl(call)));
 }
 
 void costs_warn_if_taken_for_library(tree function)
 {
     if (TREE_PUBLIC(function) && DECL_NAME(function) &&
-        is_quiet_name(IDENTIFIER_POINTER(DECL_NAME(function))))
+        is_uncounted_name(IDENTIFIER_POINTER(DECL_NAME(function))))
         warning_at(DECL_SOURCE_LOCATION(function), 0,
                    "nxcc: %qD has the name of a C library function: files that include the library%'s header "
                    "do not count "

@@ -33,7 +33,7 @@ int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements);
 
 /* True if the call cannot look at or change the counter, nor come back to counted code: it is expanded in
  * place, or it is one of the C library's pure functions. */
-bool costs_call_is_quiet(gcall *call);
+bool costs_call_is_uncounted(gcall *call);
 
 /* Warns if function, defined here, would be taken for the C library's by the other files of the program. */
 void costs_warn_if_taken_for_library(tree function);

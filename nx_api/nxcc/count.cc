@@ -123,15 +123,15 @@ tree units_constant(int64_t units)
     return build_int_cst(units_type(), units);
 }
 
-bool is_loud(gcall *call)
+bool is_counted_call(gcall *call)
 {
-    return call && !costs_call_is_quiet(call);
+    return call && !costs_call_is_uncounted(call);
 }
 
 /* May it look at the counter, or change it? */
-bool looks(gimple *stmt)
+bool needs_counter(gimple *stmt)
 {
-    return is_loud(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
+    return is_counted_call(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
 }
 
 void counting::look_at_function()
@@ -145,7 +145,7 @@ void counting::look_at_function()
             in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
             if (gcall *call = dyn_cast<gcall *>(gsi_stmt(gsi))) {
-                calls = calls || is_loud(call);
+                calls = calls || is_counted_call(call);
                 leaf_charge_note_call(call);
             }
     }
@@ -220,7 +220,7 @@ void counting::add_leaf_cost(stretch *s, gimple *stmt)
 bool counting::costs_nothing(basic_block bb)
 {
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        if (costs_of(gsi_stmt(gsi)) || leaf_charge_cost(gsi_stmt(gsi)) || looks(gsi_stmt(gsi)))
+        if (costs_of(gsi_stmt(gsi)) || leaf_charge_cost(gsi_stmt(gsi)) || needs_counter(gsi_stmt(gsi)))
             return false;
     return true;
 }
@@ -463,7 +463,7 @@ void counting::count_block(basic_block bb)
             continue;
         charge_arguments(call);
         gimple *last = call;
-        if (is_loud(call))
+        if (is_counted_call(call))
             purity_forget(call);
         if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(checked, bb->index)) { /* paid behind the check */
             pay(bb, behind, now);
@@ -471,7 +471,7 @@ void counting::count_block(basic_block bb)
             behind = call;
         }
         add_leaf_cost(&now, call);
-        if (looks(call)) {
+        if (needs_counter(call)) {
             pay(bb, behind, now);
             now = stretch();
             behind = last = hand_over(call);
@@ -480,7 +480,7 @@ void counting::count_block(basic_block bb)
         }
         if (!stmt_ends_bb_p(call))
             last = charge_result(call, last);
-        if (behind && looks(call))
+        if (behind && needs_counter(call))
             behind = last;
     }
     if (!behind || !stmt_ends_bb_p(behind))
@@ -611,11 +611,11 @@ void counting::run()
     poll_mark(fun, calls, checked);
     find_idle_loops();
     if (foresees) {
-        plan = loop_precharge_run(looks, checked);
+        plan = loop_precharge_run(needs_counter, checked);
         lookaheads = lookahead_find(checked, plan.polled, plan.added);
     }
     if (profile_on)
-        profile = std::make_unique<profiling>(fun, !left, looks);
+        profile = std::make_unique<profiling>(fun, !left, needs_counter);
     for (const precharged_loop &loop : plan.loops)
         for (const precharged_block &b : loop.blocks)
             paid.insert(b.bb);

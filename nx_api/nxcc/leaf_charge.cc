@@ -23,7 +23,7 @@ bool is_plain(gimple *stmt)
     const std::vector<int> *of;
     bool elements;
     if (gimple_code(stmt) == GIMPLE_ASM ||
-        (call && (!costs_call_is_quiet(call) || costs_of_call(call, &of, &elements))))
+        (call && (!costs_call_is_uncounted(call) || costs_of_call(call, &of, &elements))))
         return false;
     /* the profile has one name for it all */
     return !profile_on || (!costs_priced_call(stmt) &&

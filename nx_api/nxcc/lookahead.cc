@@ -121,7 +121,7 @@ bool is_external(tree callee)
 int64_t add_call(gcall *call, effects &d)
 {
     tree callee = gimple_call_fndecl(call);
-    if (costs_call_is_quiet(call) || leaf_charge_is_call(call))
+    if (costs_call_is_uncounted(call) || leaf_charge_is_call(call))
         return leaf_charge_cost(call);
     auto known = callee ? call_free.find(DECL_UID(callee)) : call_free.end();
     if (known != call_free.end()) {

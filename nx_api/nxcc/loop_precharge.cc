@@ -14,7 +14,7 @@ const int64_t most_inner_trips = 32;   /* rounds */
 class precharging
 {
   public:
-    precharging(bool (*l)(gimple *), bitmap c) : looks(l), checked(c) {}
+    precharging(bool (*l)(gimple *), bitmap c) : needs_counter(l), checked(c) {}
     precharge_plan run();
 
   private:
@@ -24,7 +24,7 @@ class precharging
     bool prepare(class loop *loop);
     void divide(class loop *loop, precharged_loop &p);
 
-    bool (*looks)(gimple *);
+    bool (*needs_counter)(gimple *);
     bitmap checked;
     precharge_plan result;
     std::vector<class loop *> chosen; /* beside result.loops */
@@ -42,7 +42,7 @@ bool precharging::is_plain(basic_block bb, unsigned *statements) const
         gcall *call = dyn_cast<gcall *>(stmt);
         const std::vector<int> *of;
         bool elements;
-        if (looks(stmt) || gimple_code(stmt) == GIMPLE_ASM || (call && costs_of_call(call, &of, &elements)))
+        if (needs_counter(stmt) || gimple_code(stmt) == GIMPLE_ASM || (call && costs_of_call(call, &of, &elements)))
             return false;
         ++*statements;
     }
@@ -186,7 +186,7 @@ precharge_plan precharging::run()
 }
 } // namespace
 
-precharge_plan loop_precharge_run(bool (*looks)(gimple *), bitmap checked)
+precharge_plan loop_precharge_run(bool (*needs_counter)(gimple *), bitmap checked)
 {
-    return precharging(looks, checked).run();
+    return precharging(needs_counter, checked).run();
 }

@@ -91,7 +91,7 @@ void write_string(const std::string &s)
 
 /* --- one function --------------------------------------------------------------------------------------- */
 
-profiling::profiling(function *f, bool memory, bool (*looks)(gimple *)) : fun(f), in_memory(memory)
+profiling::profiling(function *f, bool memory, bool (*needs_counter)(gimple *)) : fun(f), in_memory(memory)
 {
     body = find_cell(current_function_decl, "", -1);
     if (in_memory)
@@ -103,10 +103,10 @@ profiling::profiling(function *f, bool memory, bool (*looks)(gimple *)) : fun(f)
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-            if (looks(gsi_stmt(gsi)))
+            if (needs_counter(gsi_stmt(gsi)))
                 for (class loop *l = bb->loop_father; l; l = loop_outer(l))
-                    loud.insert(l->num);
-    loud.insert(0); /* the function, which is a loop to GCC */
+                    open_loops.insert(l->num);
+    open_loops.insert(0); /* the function, which is a loop to GCC */
 }
 
 int profiling::cell_of(gimple *stmt) const
@@ -124,13 +124,13 @@ int profiling::cell_of_leaf(tree function) const
 }
 
 /* The outermost loop around bb that gives control to nobody, or NULL. */
-class loop *profiling::quiet_loop(basic_block bb) const
+class loop *profiling::closed_loop(basic_block bb) const
 {
-    class loop *quiet = NULL;
+    class loop *outermost = NULL;
     if (!in_memory)
-        for (class loop *l = bb->loop_father; l && !loud.count(l->num); l = loop_outer(l))
-            quiet = l;
-    return quiet;
+        for (class loop *l = bb->loop_father; l && !open_loops.count(l->num); l = loop_outer(l))
+            outermost = l;
+    return outermost;
 }
 
 void profiling::add(gimple_seq *seq, basic_block bb, int cell, tree amount)
@@ -139,7 +139,7 @@ void profiling::add(gimple_seq *seq, basic_block bb, int cell, tree amount)
         add_to_cell(seq, body, amount);
     if (cell == body)
         return;
-    class loop *loop = quiet_loop(bb);
+    class loop *loop = closed_loop(bb);
     if (!loop) {
         add_to_cell(seq, cell, amount);
         return;
@@ -161,7 +161,7 @@ void profiling::give_away(gimple_seq *seq, tree counter, tree left) const
 
 void profiling::flush(gimple_seq *seq, basic_block bb) const
 {
-    class loop *loop = quiet_loop(bb);
+    class loop *loop = closed_loop(bb);
     for (auto &s : sums) {
         if (!loop || s.first.first != loop->num)
             continue;

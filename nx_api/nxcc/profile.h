@@ -34,7 +34,7 @@ class profiling
 {
   public:
     /* in_memory: it counts without a register. looks: may this statement look at the counter? */
-    profiling(function *f, bool in_memory, bool (*looks)(gimple *));
+    profiling(function *f, bool in_memory, bool (*needs_counter)(gimple *));
     /* The cell of what stmt costs. */
     int cell_of(gimple *stmt) const;
     /* The cell of what another function costs that leaves paying to this one. */
@@ -49,14 +49,14 @@ class profiling
     void finish();
 
   private:
-    class loop *quiet_loop(basic_block bb) const;
+    class loop *closed_loop(basic_block bb) const;
     void begin_sums(class loop *loop) const;
     void end_sums(class loop *loop) const;
 
     function *fun;
     bool in_memory;
     int body;
-    std::set<int> loud;                       /* numbers of loops in which the counter may be looked at */
+    std::set<int> open_loops;                       /* numbers of loops in which the counter may be looked at */
     std::map<std::pair<int, int>, tree> sums; /* by number of loop, and cell */
 };
 
