@@ -53,7 +53,7 @@ tree counter, lookahead_word; /* the variables nxc_left and nxc_lookahead of run
 
 /* Where a check is to go: behind a statement that pays, if value is then negative. What a long library call costs may be
  * spent in parts, so that nothing that is due has to wait for all of it. */
-struct check {
+struct poll {
     gimple *after;
     tree value;
     bool in_parts;
@@ -90,32 +90,32 @@ class counting
     gimple *charge_result(gcall *call, gimple *behind);
     void pay(basic_block bb, gimple *behind, const stretch &s);
     void precharge(const precharged_loop &loop);
-    void add_lookahead(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
+    void add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost);
     void spend(stretch *s, gimple *stmt);
     void add_leaf_cost(stretch *s, gimple *stmt);
     void find_idle_loops();
     bool costs_nothing(basic_block bb);
     void spend_going_back(stretch *s, basic_block bb);
-    check subtract(gimple_seq *seq, tree amount);
-    check charge(gimple_seq *seq, gimple *stmt, tree amount);
+    poll subtract(gimple_seq *seq, tree amount);
+    poll charge(gimple_seq *seq, gimple *stmt, tree amount);
     void charge_call(gimple_seq *seq, gcall *call, tree amount);
     void store(gimple_seq *seq, tree value);
     void load_on_entry();
     void store_on_exit();
     void preempt(gimple_seq *seq);
     void preempt_in_time(gimple_seq *seq);
-    void insert_check(const check &c);
+    void insert_poll(const poll &p);
 
     function *fun;
     tree left = NULL_TREE;              /* the register, or NULL: count in memory */
     bool calls = false;                 /* callees_poll, so that it may be part of a recursion */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
-    auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
+    auto_bitmap poll_blocks;                /* blocks that check: the heads of cycles, and the first */
     auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
     precharge_plan plan;                      /* loops paid for where they are entered */
     std::map<basic_block, lookahead> lookaheads;
     std::set<basic_block> paid; /* their blocks that pay nothing themselves */
-    auto_vec<check> checks;
+    auto_vec<poll> polls;
 };
 
 tree units_constant(int64_t units)
@@ -154,7 +154,7 @@ void counting::look_at_function()
 }
 
 /* Appends counter -= amount. The result names the last statement and where the new value is. */
-check counting::subtract(gimple_seq *seq, tree amount)
+poll counting::subtract(gimple_seq *seq, tree amount)
 {
     if (left) {
         gimple *sub = TREE_CODE(amount) == INTEGER_CST
@@ -173,9 +173,9 @@ check counting::subtract(gimple_seq *seq, tree amount)
 }
 
 /* The same on behalf of a statement. */
-check counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
+poll counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 {
-    check paid = subtract(seq, amount);
+    poll paid = subtract(seq, amount);
     if (profile)
         profile->add(seq, gimple_bb(stmt), profile->cell_of(stmt), amount);
     paid.after = gimple_seq_last_stmt(*seq);
@@ -185,10 +185,10 @@ check counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 /* The same for the part of a library call's cost that depends on its arguments or result. */
 void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 {
-    check paid = charge(seq, call, amount);
+    poll paid = charge(seq, call, amount);
     paid.in_parts = true;
     if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_part)
-        checks.safe_push(paid);
+        polls.safe_push(paid);
 }
 
 /* Appends counter = value: somebody else may look at it now. */
@@ -234,7 +234,7 @@ void counting::find_idle_loops()
         if (costs_nothing(bb))
             bitmap_set_bit(costless, bb->index);
     FOR_EACH_BB_FN (bb, fun) {
-        if (!bitmap_bit_p(checked, bb->index) || !bitmap_bit_p(costless, bb->index))
+        if (!bitmap_bit_p(poll_blocks, bb->index) || !bitmap_bit_p(costless, bb->index))
             continue;
         auto_bitmap seen;
         std::vector<basic_block> ways{bb};
@@ -282,13 +282,13 @@ void counting::spend_going_back(stretch *s, basic_block bb)
 
 /* A check where bb begins, of which `cost` has been paid, tells what is promised there; for those that are called soon it is
  * told at once. */
-void counting::add_lookahead(gimple_seq *seq, check *c, basic_block bb, int64_t cost)
+void counting::add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost)
 {
     auto found = lookaheads.find(bb);
     if (found == lookaheads.end())
         return;
-    c->ahead = &found->second;
-    c->paid = cost;
+    p->ahead = &found->second;
+    p->paid = cost;
     if (found->second.callees_poll)
         lookahead_append(seq, found->second, cost, lookahead_word, left);
 }
@@ -297,16 +297,16 @@ void counting::add_lookahead(gimple_seq *seq, check *c, basic_block bb, int64_t 
  * is. */
 void counting::pay(basic_block bb, gimple *behind, const stretch &s)
 {
-    bool check_here = !behind && bitmap_bit_p(checked, bb->index);
-    if (!s.cost && !check_here)
+    bool poll_here = !behind && bitmap_bit_p(poll_blocks, bb->index);
+    if (!s.cost && !poll_here)
         return;
     gimple_seq seq = NULL;
-    check paid = subtract(&seq, units_constant(s.cost));
+    poll paid = subtract(&seq, units_constant(s.cost));
     for (auto &share : s.shares)
         profile->add(&seq, bb, share.first, units_constant(share.second));
-    if (check_here) {
+    if (poll_here) {
         add_lookahead(&seq, &paid, bb, s.cost);
-        checks.safe_push(paid);
+        polls.safe_push(paid);
     }
     if (behind) {
         gimple_stmt_iterator gsi = gsi_for_stmt(behind);
@@ -372,7 +372,7 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
 }
 
 /* Lets a call see the counter and takes over what it left. Returns the last statement that belongs to the
- * call. A call marked as a tail call may stay one: if GCC makes it a jump, what follows it is dropped, and
+ * call. A call poll_blocks as a tail call may stay one: if GCC makes it a jump, what follows it is dropped, and
  * rightly so, because the callee leaves the counter where this function's caller looks for it. */
 gimple *counting::hand_over(gcall *call)
 {
@@ -465,7 +465,7 @@ void counting::count_block(basic_block bb)
         gimple *last = call;
         if (is_counted_call(call))
             purity_forget(call);
-        if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(checked, bb->index)) { /* paid behind the check */
+        if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(poll_blocks, bb->index)) { /* paid behind the check */
             pay(bb, behind, now);
             now = stretch();
             behind = call;
@@ -557,13 +557,13 @@ void counting::preempt_in_time(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, is));
 }
 
-/* Cuts the block behind c.after and puts the way to the simulator beside it. It leads back to the check if there are
+/* Cuts the block behind p.after and puts the way to the simulator beside it. It leads back to the check if there are
  * parts. */
-void counting::insert_check(const check &c)
+void counting::insert_poll(const poll &p)
 {
-    basic_block bb = gimple_bb(c.after);
-    edge on = split_block(bb, c.after);
-    if (c.in_parts) {
+    basic_block bb = gimple_bb(p.after);
+    edge on = split_block(bb, p.after);
+    if (p.in_parts) {
         bb = split_edge(on);
         on = single_succ_edge(bb);
     }
@@ -572,8 +572,8 @@ void counting::insert_check(const check &c)
     if (current_loops)
         add_bb_to_loop(cold, bb->loop_father);
     gimple_stmt_iterator gsi = gsi_last_bb(bb);
-    tree value = c.value;
-    if (c.in_parts && !left) {
+    tree value = p.value;
+    if (p.in_parts && !left) {
         value = make_ssa_name(units_type());
         gsi_insert_after(&gsi, gimple_build_assign(value, counter), GSI_NEW_STMT);
     }
@@ -584,15 +584,15 @@ void counting::insert_check(const check &c)
     edge out = make_edge(bb, cold, EDGE_TRUE_VALUE);
     out->probability = profile_probability::very_unlikely();
     cold->count = out->count();
-    make_single_succ_edge(cold, c.in_parts ? bb : rest, EDGE_FALLTHRU);
+    make_single_succ_edge(cold, p.in_parts ? bb : rest, EDGE_FALLTHRU);
 
     gimple_seq seq = NULL;
     location_t where = location_of(bb);
     if (profile)
         profile->flush(&seq, bb);
-    if (c.ahead)
-        lookahead_append(&seq, *c.ahead, c.paid, lookahead_word, left);
-    if (c.in_parts)
+    if (p.ahead)
+        lookahead_append(&seq, *p.ahead, p.paid, lookahead_word, left);
+    if (p.in_parts)
         preempt_in_time(&seq);
     else
         preempt(&seq);
@@ -608,11 +608,11 @@ void counting::run()
     bool foresees = left && optimize;
     if (foresees && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
-    poll_mark(fun, calls, checked);
+    poll_mark(fun, calls, poll_blocks);
     find_idle_loops();
     if (foresees) {
-        plan = loop_precharge_run(needs_counter, checked);
-        lookaheads = lookahead_find(checked, plan.polled, plan.added);
+        plan = loop_precharge_run(needs_counter, poll_blocks);
+        lookaheads = lookahead_find(poll_blocks, plan.polled, plan.added);
     }
     if (profile_on)
         profile = std::make_unique<profiling>(fun, !left, needs_counter);
@@ -634,9 +634,9 @@ void counting::run()
     if (profile)
         profile->finish();
     unsigned i;
-    check *c;
-    FOR_EACH_VEC_ELT (checks, i, c)
-        insert_check(*c);
+    poll *p;
+    FOR_EACH_VEC_ELT (polls, i, p)
+        insert_poll(*p);
     if (current_loops)
         loops_state_set(LOOPS_NEED_FIXUP); /* a call's parts are one */
     free_dominance_info(CDI_DOMINATORS);

@@ -23,7 +23,7 @@ const size_t most_external = 2;      /* functions of other files in a loop */
 
 struct call_free_function {
     int64_t units; /* of the cheapest way */
-    bool checks;
+    bool polls;
 };
 std::map<unsigned, call_free_function> call_free; /* by DECL_UID */
 std::set<std::string> exported;                 /* those that other files may call */
@@ -69,7 +69,7 @@ typedef std::map<basic_block, int64_t> path_units; /* from where blocks begin */
 class lookahead_analysis
 {
   public:
-    lookahead_analysis(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : checked(c), polled(s), added(o)
+    lookahead_analysis(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : poll_blocks(c), polled(s), added(o)
     {
     }
     std::map<basic_block, lookahead> run();
@@ -92,7 +92,7 @@ class lookahead_analysis
     tree all_call_free(gimple_seq *seq, const std::vector<tree> &external);
     lookahead at(basic_block bb);
 
-    bitmap checked;
+    bitmap poll_blocks;
     const std::set<basic_block> &polled;
     std::set<gimple *> &added;
     std::map<basic_block, block_cost> blocks;
@@ -125,7 +125,7 @@ int64_t add_call(gcall *call, effects &d)
         return leaf_charge_cost(call);
     auto known = callee ? call_free.find(DECL_UID(callee)) : call_free.end();
     if (known != call_free.end()) {
-        d.callees_poll |= known->second.checks;
+        d.callees_poll |= known->second.polls;
         return known->second.units;
     }
     if (is_external(callee))
@@ -302,7 +302,7 @@ void lookahead_analysis::accept_call_free()
     if (!decl_binds_to_current_def_p(decl))
         return;
     call_free[DECL_UID(decl)] = {paths_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))),
-                              !bitmap_empty_p(checked)};
+                              !bitmap_empty_p(poll_blocks)};
     if (TREE_PUBLIC(decl) && !DECL_WEAK(decl) && !DECL_COMDAT(decl))
         exported.insert(symbol_of(decl));
 }
@@ -335,7 +335,7 @@ tree lookahead_analysis::all_call_free(gimple_seq *seq, const std::vector<tree> 
 bool lookahead_analysis::is_worth_a_variable(class loop *loop)
 {
     const loop_cost &l = loops[loop];
-    return !l.calls && l.external.size() <= most_external && bitmap_bit_p(checked, loop->header->index) &&
+    return !l.calls && l.external.size() <= most_external && bitmap_bit_p(poll_blocks, loop->header->index) &&
            l.least >= (polled.count(loop->header) ? 1 : least_trip_units);
 }
 
@@ -497,7 +497,7 @@ std::map<basic_block, lookahead> lookahead_analysis::run()
     std::map<basic_block, lookahead> found;
     basic_block bb;
     FOR_EACH_BB_FN (bb, cfun) {
-        if (!bitmap_bit_p(checked, bb->index))
+        if (!bitmap_bit_p(poll_blocks, bb->index))
             continue;
         lookahead p = at(bb);
         if (p.least >= least_lookahead || !p.more.empty())
@@ -509,10 +509,10 @@ std::map<basic_block, lookahead> lookahead_analysis::run()
 }
 } // namespace
 
-std::map<basic_block, lookahead> lookahead_find(bitmap checked, const std::set<basic_block> &polled,
+std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::set<basic_block> &polled,
                                             std::set<gimple *> &added)
 {
-    return lookahead_analysis(checked, polled, added).run();
+    return lookahead_analysis(poll_blocks, polled, added).run();
 }
 
 void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree word, tree left)

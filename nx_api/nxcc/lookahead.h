@@ -43,7 +43,7 @@ struct lookahead {
 
 /* Finds the promises of blocks that check, where they are worth it. polled: heads of loops that run only when others cannot.
  * Statements in `own` are not the program's; those that keep `more` are added to them. */
-std::map<basic_block, lookahead> lookahead_find(bitmap checked, const std::set<basic_block> &polled,
+std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::set<basic_block> &polled,
                                             std::set<gimple *> &added);
 /* Appends quiet = min(quiet, left - what is promised, of which `paid` is spent). */
 void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree word, tree left);

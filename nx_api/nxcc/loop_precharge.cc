@@ -14,7 +14,7 @@ const int64_t most_inner_trips = 32;   /* rounds */
 class precharging
 {
   public:
-    precharging(bool (*l)(gimple *), bitmap c) : needs_counter(l), checked(c) {}
+    precharging(bool (*l)(gimple *), bitmap c) : needs_counter(l), poll_blocks(c) {}
     precharge_plan run();
 
   private:
@@ -25,7 +25,7 @@ class precharging
     void divide(class loop *loop, precharged_loop &p);
 
     bool (*needs_counter)(gimple *);
-    bitmap checked;
+    bitmap poll_blocks;
     precharge_plan result;
     std::vector<class loop *> chosen; /* beside result.loops */
 };
@@ -159,8 +159,8 @@ void precharging::divide(class loop *loop, precharged_loop &p)
     basic_block *body = get_loop_body(loop);
     class loop *copy = loop_version(loop, boolean_true_node, &test, likely, unlikely, likely, unlikely, true);
     for (unsigned i = 0; i < blocks; i++)
-        if (bitmap_clear_bit(checked, body[i]->index))
-            bitmap_set_bit(checked, get_bb_copy(body[i])->index);
+        if (bitmap_clear_bit(poll_blocks, body[i]->index))
+            bitmap_set_bit(poll_blocks, get_bb_copy(body[i])->index);
     free(body);
     p.test = as_a<gcond *>(last_stmt(test));
     p.first = loop_preheader_edge(loop)->src;
@@ -186,7 +186,7 @@ precharge_plan precharging::run()
 }
 } // namespace
 
-precharge_plan loop_precharge_run(bool (*needs_counter)(gimple *), bitmap checked)
+precharge_plan loop_precharge_run(bool (*needs_counter)(gimple *), bitmap poll_blocks)
 {
-    return precharging(needs_counter, checked).run();
+    return precharging(needs_counter, poll_blocks).run();
 }

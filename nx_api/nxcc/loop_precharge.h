@@ -43,5 +43,5 @@ struct precharge_plan {
 
 /* Makes the copies and finds what is to be paid. looks: may this statement look at the counter? checked: blocks that are
  * to check; those of the loops that do not pay are taken out. */
-precharge_plan loop_precharge_run(bool (*needs_counter)(gimple *), bitmap checked);
+precharge_plan loop_precharge_run(bool (*needs_counter)(gimple *), bitmap poll_blocks);
 #endif

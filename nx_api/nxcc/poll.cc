@@ -7,7 +7,7 @@
  */
 #include "poll.h"
 
-static const char check[] = "cmpl\t$0, nxc_due(%%rip)\n"
+static const char poll_text[] = "cmpl\t$0, nxc_due(%%rip)\n"
                             "\tjne\t771f\n"
                             "772:\n"
                             "\t.subsection 1\n"
@@ -19,9 +19,9 @@ static const char check[] = "cmpl\t$0, nxc_due(%%rip)\n"
 
 /* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
  * cannot be part of a recursion, so that its loops' checks suffice. */
-void poll_mark(function *fun, bool calls, bitmap marked)
+void poll_mark(function *fun, bool calls, bitmap poll_blocks)
 {
-    bitmap_clear(marked);
+    bitmap_clear(poll_blocks);
     mark_dfs_back_edges();
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun) {
@@ -29,10 +29,10 @@ void poll_mark(function *fun, bool calls, bitmap marked)
         edge_iterator ei;
         FOR_EACH_EDGE (e, ei, bb->succs)
             if (e->flags & EDGE_DFS_BACK)
-                bitmap_set_bit(marked, e->dest->index);
+                bitmap_set_bit(poll_blocks, e->dest->index);
     }
     if (calls)
-        bitmap_set_bit(marked, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
+        bitmap_set_bit(poll_blocks, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
 }
 
 namespace
@@ -48,18 +48,18 @@ bool has_calls(function *fun)
 }
 
 /* setjmp has to stay the first of its block. */
-bool may_begin_with_check(basic_block bb)
+bool may_begin_with_poll(basic_block bb)
 {
     gimple_stmt_iterator gsi = gsi_start_nondebug_after_labels_bb(bb);
     gcall *call = gsi_end_p(gsi) ? NULL : dyn_cast<gcall *>(gsi_stmt(gsi));
     return !call || !(gimple_call_flags(call) & ECF_RETURNS_TWICE);
 }
 
-void insert_check(basic_block bb)
+void insert_poll(basic_block bb)
 {
     vec<tree, va_gc> *clobbers = NULL;
     vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
-    gasm *statement = gimple_build_asm_vec(check, NULL, NULL, clobbers, NULL);
+    gasm *statement = gimple_build_asm_vec(poll_text, NULL, NULL, clobbers, NULL);
     gimple_asm_set_volatile(statement, true);
     gimple_stmt_iterator gsi = gsi_after_labels(bb);
     gsi_insert_before(&gsi, statement, GSI_NEW_STMT);
@@ -76,12 +76,12 @@ class poll_pass : public gimple_opt_pass
     opt_pass *clone() override { return new poll_pass(m_ctxt); }
     unsigned int execute(function *f) override
     {
-        auto_bitmap marked;
-        poll_mark(f, has_calls(f), marked);
+        auto_bitmap poll_blocks;
+        poll_mark(f, has_calls(f), poll_blocks);
         basic_block bb;
         FOR_EACH_BB_FN (bb, f)
-            if (bitmap_bit_p(marked, bb->index) && may_begin_with_check(bb))
-                insert_check(bb);
+            if (bitmap_bit_p(poll_blocks, bb->index) && may_begin_with_poll(bb))
+                insert_poll(bb);
         return 0;
     }
 };

@@ -8,5 +8,5 @@ opt_pass *poll_make_pass();
 
 /* Marks the blocks of a function that are to check: those where a cycle of blocks closes, and the first if the function
  * calls others. */
-void poll_mark(function *fun, bool calls, bitmap marked);
+void poll_mark(function *fun, bool calls, bitmap poll_blocks);
 #endif
