@@ -88,7 +88,7 @@ struct place {
 
 const std::string DONE = "jmp\t772b\n\t";
 
-std::string pay(const char *operation, int64_t units)
+std::string charge(const char *operation, int64_t units)
 {
     return text("%s\t$%d, %%0\n\t", operation, (int)units);
 }
@@ -100,7 +100,7 @@ std::string translate(const char *operation)
     if (!tlb.level.sets)
         return DONE;
     return tlb.find_set() + tlb.compare(0, "%2", "jbe\t772b") + tlb.compare_others() +
-           pay(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
+           charge(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
 }
 
 /* What a load or store looks like. operation: how %0 pays, "subq" or "addq". */
@@ -109,7 +109,7 @@ std::string look_up_text(bool load, const char *operation)
     const place data = {cache.data, 0, 780};
     std::string s = data.find_set() + data.compare(0, "%1", "ja\t771f") + "\n772:\n\t.subsection 1\n771:\t" +
                     data.find_set() + data.compare_others();
-    s += pay(operation, load ? cache.load_miss : cache.store_miss);
+    s += charge(operation, load ? cache.load_miss : cache.store_miss);
     if (load)
         s += data.bring(false);
     s += translate(operation);
@@ -231,9 +231,9 @@ void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
     tree address = force_gimple_operand_gsi(&gsi, fold_convert(ptr_type_node, address_of(ref)), true,
                                             NULL_TREE, true, GSI_SAME_STMT);
-    tree l = units_type(), paid = left ? left : make_ssa_name(l);
+    tree l = units_type(), charged = left ? left : make_ssa_name(l);
     vec<tree, va_gc> *in = NULL, *out = NULL;
-    operand(&out, "=&r", paid);
+    operand(&out, "=&r", charged);
     operand(&out, "=&r", make_ssa_name(l));
     operand(&out, "=&r", make_ssa_name(l));
     operand(&in, "r", address);
@@ -249,7 +249,7 @@ void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
     }
     gsi_insert_before(&gsi, a, GSI_SAME_STMT);
     if (!left)
-        units.safe_push(paid);
+        units.safe_push(charged);
 }
 } // namespace
 

@@ -1,6 +1,6 @@
 /* count.cc - the pass that makes a program count its own cost: image.h says what it counts into.
  *
- * A function's blocks are cut into stretches at the calls that may look at the counter. A stretch pays its
+ * A function's blocks are cut into stretches at the calls that may look at the counter. A segment pays its
  * cost in one subtraction where it begins:
  *
  *     block:  left -= cost
@@ -9,7 +9,7 @@
  *             counter = left               the call sees all that was spent before it
  *             call
  *             left = counter
- *             left -= cost of the next stretch
+ *             left -= cost of the next segment
  *             ...
  *
  * `left` is a register variable of the function; GCC's SSA updating turns it into SSA names. A function with
@@ -58,15 +58,15 @@ struct poll {
     tree value;
     bool in_parts;
     const lookahead *ahead; /* NULL: nothing */
-    int64_t paid;            /* of it */
+    int64_t charged;           /* of it */
 };
 
-/* What a stretch costs, and of whom. */
-struct stretch {
+/* What a segment costs, and of whom. */
+struct segment {
     int64_t cost = 0;
     profile_shares shares; /* only with a profile */
 
-    void add(const stretch &s, int64_t times)
+    void add(const segment &s, int64_t times)
     {
         cost += s.cost * times;
         for (auto &share : s.shares)
@@ -81,21 +81,21 @@ class counting
     void run();
 
   private:
-    void look_at_function();
+    void scan_function();
     void count_block(basic_block bb);
     gimple *hand_over(gcall *call);
-    void pay_misses(gimple *stmt);
-    void pay_misses_of(basic_block bb);
+    void charge_misses(gimple *stmt);
+    void charge_misses_of_block(basic_block bb);
     void charge_arguments(gcall *call);
     gimple *charge_result(gcall *call, gimple *behind);
-    void pay(basic_block bb, gimple *behind, const stretch &s);
+    void charge_segment(basic_block bb, gimple *behind, const segment &s);
     void precharge(const precharged_loop &loop);
     void add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost);
-    void spend(stretch *s, gimple *stmt);
-    void add_leaf_cost(stretch *s, gimple *stmt);
+    void add_cost(segment *s, gimple *stmt);
+    void add_leaf_cost(segment *s, gimple *stmt);
     void find_idle_loops();
     bool costs_nothing(basic_block bb);
-    void spend_going_back(stretch *s, basic_block bb);
+    void add_idle_cost(segment *s, basic_block bb);
     poll subtract(gimple_seq *seq, tree amount);
     poll charge(gimple_seq *seq, gimple *stmt, tree amount);
     void charge_call(gimple_seq *seq, gcall *call, tree amount);
@@ -114,7 +114,7 @@ class counting
     auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
     precharge_plan plan;                      /* loops paid for where they are entered */
     std::map<basic_block, lookahead> lookaheads;
-    std::set<basic_block> paid; /* their blocks that pay nothing themselves */
+    std::set<basic_block> precharged; /* their blocks that pay nothing themselves */
     auto_vec<poll> polls;
 };
 
@@ -134,7 +134,7 @@ bool needs_counter(gimple *stmt)
     return is_counted_call(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
 }
 
-void counting::look_at_function()
+void counting::scan_function()
 {
     bool in_memory = count_in_memory || fun->calls_setjmp || fun->has_nonlocal_label;
     basic_block bb;
@@ -175,20 +175,20 @@ poll counting::subtract(gimple_seq *seq, tree amount)
 /* The same on behalf of a statement. */
 poll counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 {
-    poll paid = subtract(seq, amount);
+    poll charged = subtract(seq, amount);
     if (profile)
         profile->add(seq, gimple_bb(stmt), profile->cell_of(stmt), amount);
-    paid.after = gimple_seq_last_stmt(*seq);
-    return paid;
+    charged.after = gimple_seq_last_stmt(*seq);
+    return charged;
 }
 
 /* The same for the part of a library call's cost that depends on its arguments or result. */
 void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 {
-    poll paid = charge(seq, call, amount);
-    paid.in_parts = true;
+    poll charged = charge(seq, call, amount);
+    charged.in_parts = true;
     if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_part)
-        polls.safe_push(paid);
+        polls.safe_push(charged);
 }
 
 /* Appends counter = value: somebody else may look at it now. */
@@ -199,8 +199,8 @@ void counting::store(gimple_seq *seq, tree value)
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, value));
 }
 
-/* Adds the fixed cost of stmt to a stretch. */
-void counting::spend(stretch *s, gimple *stmt)
+/* Adds the fixed cost of stmt to a segment. */
+void counting::add_cost(segment *s, gimple *stmt)
 {
     int64_t cost = plan.added.count(stmt) ? 0 : costs_of(stmt);
     s->cost += cost;
@@ -209,7 +209,7 @@ void counting::spend(stretch *s, gimple *stmt)
 }
 
 /* Adds what the function costs that stmt calls, if it leaves that to us. */
-void counting::add_leaf_cost(stretch *s, gimple *stmt)
+void counting::add_leaf_cost(segment *s, gimple *stmt)
 {
     int64_t cost = leaf_charge_cost(stmt);
     s->cost += cost;
@@ -268,7 +268,7 @@ location_t location_of(basic_block bb)
 }
 
 /* The block gets a statement that does nothing and costs it: then it has a place in the source. */
-void counting::spend_going_back(stretch *s, basic_block bb)
+void counting::add_idle_cost(segment *s, basic_block bb)
 {
     gimple *nop = gimple_build_nop();
     gimple_set_location(nop, location_of(bb));
@@ -288,25 +288,25 @@ void counting::add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t c
     if (found == lookaheads.end())
         return;
     p->ahead = &found->second;
-    p->paid = cost;
+    p->charged = cost;
     if (found->second.callees_poll)
         lookahead_append(seq, found->second, cost, lookahead_word, left);
 }
 
-/* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
+/* Pays for the segment that begins behind a statement, or with the block if behind is NULL: there the check
  * is. */
-void counting::pay(basic_block bb, gimple *behind, const stretch &s)
+void counting::charge_segment(basic_block bb, gimple *behind, const segment &s)
 {
     bool poll_here = !behind && bitmap_bit_p(poll_blocks, bb->index);
     if (!s.cost && !poll_here)
         return;
     gimple_seq seq = NULL;
-    poll paid = subtract(&seq, units_constant(s.cost));
+    poll charged = subtract(&seq, units_constant(s.cost));
     for (auto &share : s.shares)
         profile->add(&seq, bb, share.first, units_constant(share.second));
     if (poll_here) {
-        add_lookahead(&seq, &paid, bb, s.cost);
-        polls.safe_push(paid);
+        add_lookahead(&seq, &charged, bb, s.cost);
+        polls.safe_push(charged);
     }
     if (behind) {
         gimple_stmt_iterator gsi = gsi_for_stmt(behind);
@@ -318,7 +318,7 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
 }
 
 /* Only with a simulated cache. */
-void counting::pay_misses(gimple *stmt)
+void counting::charge_misses(gimple *stmt)
 {
     auto_vec<tree> misses;
     cache_look_up(stmt, profile ? NULL_TREE : left, misses);
@@ -399,11 +399,11 @@ tree append_trips(gimple_seq *seq, const precharged_loop &loop, int64_t each, in
 /* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
 void counting::precharge(const precharged_loop &loop)
 {
-    stretch each, last;
+    segment each, last;
     for (const precharged_block &b : loop.blocks) {
-        stretch once;
+        segment once;
         for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi)) {
-            spend(&once, gsi_stmt(gsi));
+            add_cost(&once, gsi_stmt(gsi));
             add_leaf_cost(&once, gsi_stmt(gsi));
         }
         each.add(once, b.each);
@@ -431,33 +431,33 @@ void counting::precharge(const precharged_loop &loop)
 }
 
 /* Of a block that has been paid for plan. */
-void counting::pay_misses_of(basic_block bb)
+void counting::charge_misses_of_block(basic_block bb)
 {
     auto_vec<gimple *> statements;
     for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         statements.safe_push(gsi_stmt(gsi));
     cache_forget();
     for (gimple *stmt : statements)
-        pay_misses(stmt);
+        charge_misses(stmt);
 }
 
 void counting::count_block(basic_block bb)
 {
-    if (paid.count(bb))
+    if (precharged.count(bb))
         return;
     auto_vec<gimple *> statements;
     for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         statements.safe_push(gsi_stmt(gsi));
-    stretch now;
+    segment now;
     gimple *behind = NULL;
     unsigned i;
     gimple *stmt;
     cache_forget();
     if (bitmap_bit_p(idle, bb->index))
-        spend_going_back(&now, bb);
+        add_idle_cost(&now, bb);
     FOR_EACH_VEC_ELT (statements, i, stmt) {
-        spend(&now, stmt);
-        pay_misses(stmt);
+        add_cost(&now, stmt);
+        charge_misses(stmt);
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
             continue;
@@ -466,14 +466,14 @@ void counting::count_block(basic_block bb)
         if (is_counted_call(call))
             purity_forget(call);
         if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(poll_blocks, bb->index)) { /* paid behind the check */
-            pay(bb, behind, now);
-            now = stretch();
+            charge_segment(bb, behind, now);
+            now = segment();
             behind = call;
         }
         add_leaf_cost(&now, call);
         if (needs_counter(call)) {
-            pay(bb, behind, now);
-            now = stretch();
+            charge_segment(bb, behind, now);
+            now = segment();
             behind = last = hand_over(call);
         } else {
             gimple_call_set_tail(call, false); /* the store at the function's end must come after it */
@@ -484,7 +484,7 @@ void counting::count_block(basic_block bb)
             behind = last;
     }
     if (!behind || !stmt_ends_bb_p(behind))
-        pay(bb, behind, now);
+        charge_segment(bb, behind, now);
 }
 
 void counting::load_on_entry()
@@ -591,7 +591,7 @@ void counting::insert_poll(const poll &p)
     if (profile)
         profile->flush(&seq, bb);
     if (p.ahead)
-        lookahead_append(&seq, *p.ahead, p.paid, lookahead_word, left);
+        lookahead_append(&seq, *p.ahead, p.charged, lookahead_word, left);
     if (p.in_parts)
         preempt_in_time(&seq);
     else
@@ -604,7 +604,7 @@ void counting::insert_poll(const poll &p)
 
 void counting::run()
 {
-    look_at_function();
+    scan_function();
     bool foresees = left && optimize;
     if (foresees && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
@@ -618,7 +618,7 @@ void counting::run()
         profile = std::make_unique<profiling>(fun, !left, needs_counter);
     for (const precharged_loop &loop : plan.loops)
         for (const precharged_block &b : loop.blocks)
-            paid.insert(b.bb);
+            precharged.insert(b.bb);
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         count_block(bb);
@@ -626,7 +626,7 @@ void counting::run()
         precharge(loop);
     for (const precharged_loop &loop : plan.loops)
         for (const precharged_block &b : loop.blocks)
-            pay_misses_of(b.bb);
+            charge_misses_of_block(b.bb);
     if (left) {
         load_on_entry();
         store_on_exit();

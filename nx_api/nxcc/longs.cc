@@ -149,7 +149,7 @@ void note_call(gcall *call)
         add('c', function);
 }
 
-void look_at_functions(void *, void *)
+void scan_functions(void *, void *)
 {
     cgraph_node *node;
     FOR_EACH_FUNCTION_WITH_GIMPLE_BODY(node)
@@ -185,7 +185,7 @@ void start_unit(void *, void *data)
     const char *plugin = static_cast<const char *>(data);
     if (!&parse_in || !parse_in)
         return;
-    register_callback(plugin, PLUGIN_ALL_IPA_PASSES_START, look_at_functions, NULL);
+    register_callback(plugin, PLUGIN_ALL_IPA_PASSES_START, scan_functions, NULL);
     register_callback(plugin, PLUGIN_FINISH_UNIT, finish_unit, NULL);
 }
 } // namespace

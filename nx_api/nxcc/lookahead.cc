@@ -76,7 +76,7 @@ class lookahead_analysis
 
   private:
     void cost_blocks();
-    void look_at_loop(class loop *loop);
+    void scan_loop(class loop *loop);
     bool is_of_last(class loop *loop, edge e);
     int64_t cheapest_path(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known);
     int64_t units_of_loop_entered(edge e);
@@ -237,7 +237,7 @@ int64_t lookahead_analysis::cheapest_path(class loop *loop, basic_block bb, std:
     return known[bb] = std::min(most_units, before + blocks[bb].units);
 }
 
-void lookahead_analysis::look_at_loop(class loop *loop)
+void lookahead_analysis::scan_loop(class loop *loop)
 {
     loop_cost &l = loops[loop];
     basic_block *body = get_loop_body(loop);
@@ -490,7 +490,7 @@ std::map<basic_block, lookahead> lookahead_analysis::run()
     for (int index : order)
         post_order.push_back(BASIC_BLOCK_FOR_FN(cfun, index));
     for (auto loop : loops_list(cfun, LI_FROM_INNERMOST))
-        look_at_loop(loop);
+        scan_loop(loop);
     accept_call_free();
     for (auto loop : loops_list(cfun, 0))
         keep(loop);
@@ -515,12 +515,12 @@ std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::s
     return lookahead_analysis(poll_blocks, polled, added).run();
 }
 
-void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree word, tree left)
+void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t charged, tree word, tree left)
 {
     tree now = make_ssa_name(units_type()), before = make_ssa_name(units_type());
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, left));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(before, word));
-    tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, build_int_cst(units_type(), paid - p.least));
+    tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, build_int_cst(units_type(), charged - p.least));
     for (const trips_to_come &r : p.more) {
         tree more = gimple_build(seq, PLUS_EXPR, units_type(), r.more, build_int_cst(units_type(), r.add));
         if (r.at_least_0)

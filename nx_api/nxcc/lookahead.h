@@ -46,7 +46,7 @@ struct lookahead {
 std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::set<basic_block> &polled,
                                             std::set<gimple *> &added);
 /* Appends quiet = min(quiet, left - what is promised, of which `paid` is spent). */
-void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t paid, tree word, tree left);
+void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t charged, tree word, tree left);
 /* At the end of a file: which of its functions are call_free. */
 void lookahead_write_flags();
 #endif

@@ -20,7 +20,7 @@ class precharging
   private:
     bool is_plain(basic_block bb, unsigned *statements) const;
     bool is_plain(class loop *loop, unsigned *statements) const;
-    void look_at_loops(class loop *first);
+    void scan_loops(class loop *first);
     bool prepare(class loop *loop);
     void divide(class loop *loop, precharged_loop &p);
 
@@ -143,11 +143,11 @@ bool precharging::prepare(class loop *loop)
 }
 
 /* The outermost loops that can be. */
-void precharging::look_at_loops(class loop *first)
+void precharging::scan_loops(class loop *first)
 {
     for (class loop *loop = first; loop; loop = loop->next)
         if (!prepare(loop))
-            look_at_loops(loop->inner);
+            scan_loops(loop->inner);
 }
 
 /* The copy is the loop that pays as it goes, and checks. */
@@ -174,7 +174,7 @@ precharge_plan precharging::run()
     rewrite_into_loop_closed_ssa(NULL, TODO_update_ssa);
     calculate_dominance_info(CDI_DOMINATORS);
     scev_initialize();
-    look_at_loops(get_loop(cfun, 0)->inner);
+    scan_loops(get_loop(cfun, 0)->inner);
     scev_finalize();
     initialize_original_copy_tables();
     for (size_t i = 0; i < chosen.size(); i++)

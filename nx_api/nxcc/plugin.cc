@@ -101,7 +101,7 @@ void finish_unit(void *, void *)
 
 /* The C library says that errno is at the same place throughout a program. A node may go on on another thread of the
  * simulator after each call, where it is elsewhere. */
-void look_at_declaration(void *decl, void *)
+void scan_declaration(void *decl, void *)
 {
     tree d = static_cast<tree>(decl);
     if (TREE_CODE(d) == FUNCTION_DECL && DECL_NAME(d) &&
@@ -135,7 +135,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
                       const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
-    register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);
+    register_callback(info->base_name, PLUGIN_FINISH_DECL, scan_declaration, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
     return 0;
 }

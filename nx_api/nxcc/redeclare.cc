@@ -94,7 +94,7 @@ void reconcile(tree old, tree fresh)
     DECL_ARGUMENTS(program) = NULL_TREE;
 }
 
-void look_at_function(tree decl)
+void scan_function(tree decl)
 {
     tree old = lookup_name(DECL_NAME(decl));
     if (old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
@@ -108,7 +108,7 @@ void insert_attributes(tree decl, tree *attributes)
 {
     if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl)) {
         if (TREE_PUBLIC(decl) && decl != defined)
-            look_at_function(decl);
+            scan_function(decl);
         defined = NULL_TREE; /* the next one may be at the same address */
     }
     gcc_insert_attributes(decl, attributes);

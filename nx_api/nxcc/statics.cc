@@ -159,7 +159,7 @@ bool declares_only_them(const std::vector<token> &t, size_t name)
     return false;
 }
 
-void look_at_text(char *begin, char *end)
+void scan_text(char *begin, char *end)
 {
     static const char EXTERN[] = "extern"; /* no longer than static */
     std::vector<token> t = tokens_of(begin, end);
@@ -178,17 +178,17 @@ void look_at_text(char *begin, char *end)
             memcpy(t[i].at, EXTERN, sizeof EXTERN - 1);
 }
 
-void look_at_buffer(cpp_reader *reader)
+void scan_buffer(cpp_reader *reader)
 {
     const cpp_buffer *b = cpp_get_buffer(reader);
     if (b && b->next_line == b->buf) /* nothing of it has been read */
-        look_at_text((char *)(uintptr_t)b->buf, (char *)(uintptr_t)b->rlimit);
+        scan_text((char *)(uintptr_t)b->buf, (char *)(uintptr_t)b->rlimit);
 }
 
 void file_change(cpp_reader *reader, const line_map_ordinary *map)
 {
     if (map && map->reason == LC_ENTER && !ORDINARY_MAP_IN_SYSTEM_HEADER_P(map))
-        look_at_buffer(reader);
+        scan_buffer(reader);
     next_file_change(reader, map);
 }
 
@@ -199,7 +199,7 @@ void start_unit(void *, void *)
     cpp_callbacks *callbacks = cpp_get_callbacks(parse_in);
     next_file_change = callbacks->file_change;
     callbacks->file_change = file_change;
-    look_at_buffer(parse_in);
+    scan_buffer(parse_in);
 }
 
 /* --- what GCC makes of it --- */
