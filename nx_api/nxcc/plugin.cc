@@ -8,7 +8,7 @@
 #include "costs.h"
 #include "count.h"
 #include "long32.h"
-#include "longs.h"
+#include "long_abi.h"
 #include "poll.h"
 #include "profile.h"
 #include "lookahead.h"
@@ -122,7 +122,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         long32_register(info->base_name, a.long32);
     redeclare_register(info->base_name);
     statics_register(info->base_name);
-    longs_register(info->base_name, a.long32);
+    long_abi_register(info->base_name, a.long32);
     if (a.poll) {
         register_pass_info pass = {poll_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
         register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);

@@ -1,4 +1,4 @@
-/* longs.cc - notes the functions by which a C file and other files could hand longs to each other: as
+/* long_abi.cc - notes the functions by which a C file and other files could hand longs to each other: as
  * records in section .nxc_longs, which is not loaded, for nxcc to compare when it links with --long32
  * (driver/longs.c). A record is a line:
  *
@@ -12,7 +12,7 @@
  * long of 8 bytes that becomes one of 4 is cut as any number is, so that callers need not tell.
  */
 #include "gcc.h"
-#include "longs.h"
+#include "long_abi.h"
 #include "output.h"
 #include <set>
 #include <string>
@@ -22,7 +22,7 @@ extern struct cpp_reader *parse_in __attribute__((weak));
 
 namespace
 {
-bool narrow;
+bool long_is_32_bits;
 std::set<std::string> records; /* "WHAT NAME" */
 
 /* --- types --- */
@@ -130,9 +130,9 @@ void add(char what, tree function)
 void note_definition(tree function)
 {
     signature s = signature_of(function);
-    if (narrow || s.in_memory || s.result)
+    if (long_is_32_bits || s.in_memory || s.result)
         add('d', function);
-    if (!narrow && s.by_value)
+    if (!long_is_32_bits && s.by_value)
         add('v', function);
 }
 
@@ -143,9 +143,9 @@ void note_call(gcall *call)
         return;
     signature s = signature_of(function);
     bool library = in_system_header_at(DECL_SOURCE_LOCATION(function));
-    if (!narrow && ((library && s.in_memory) || hands_long_by_format(call)))
+    if (!long_is_32_bits && ((library && s.in_memory) || hands_long_by_format(call)))
         add('l', function);
-    if (narrow ? !library : s.in_memory || s.result)
+    if (long_is_32_bits ? !library : s.in_memory || s.result)
         add('c', function);
 }
 
@@ -173,7 +173,7 @@ void finish_unit(void *, void *)
         return;
     fputs("\t.section .nxc_longs,\"\",@progbits\n", asm_out_file);
     for (const std::string &record : records) {
-        std::string line = std::string(narrow ? "4 " : "8 ") + main_input_filename + " " + record + "\n";
+        std::string line = std::string(long_is_32_bits ? "4 " : "8 ") + main_input_filename + " " + record + "\n";
         fputs("\t.ascii ", asm_out_file);
         output_quoted_string(asm_out_file, line.c_str());
         fputc('\n', asm_out_file);
@@ -190,8 +190,8 @@ void start_unit(void *, void *data)
 }
 } // namespace
 
-void longs_register(const char *plugin, bool long32)
+void long_abi_register(const char *plugin, bool long32)
 {
-    narrow = long32;
+    long_is_32_bits = long32;
     register_callback(plugin, PLUGIN_START_UNIT, start_unit, const_cast<char *>(plugin));
 }
