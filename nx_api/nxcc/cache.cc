@@ -10,24 +10,27 @@
 namespace
 {
 cache_costs cache;
-tree tags; /* nxc_cache of cache_runtime.c */
+tree tags; /* the variable nxc_cache of cache_runtime.c */
 
-/* Something in memory at a known distance from what others are, too. */
+/* An address as base + index * step + index2 + offset; two addresses that differ in offset only are a known
+ * distance apart. */
 struct spot {
-    tree base = NULL_TREE, index = NULL_TREE, step = NULL_TREE, index2 = NULL_TREE; /* base NULL: unknown */
+    tree base = NULL_TREE, index = NULL_TREE, step = NULL_TREE,
+         index2 = NULL_TREE; /* base NULL: the address is of no such form */
     int64_t offset = 0;
 };
 
-/* What has been loaded in this block since the last call. */
+/* A load in this block since the last call. */
 struct known_load {
     tree ref;
     spot at;
     bool looked_up;
 };
 std::vector<known_load> loaded;
-const int farthest = 64; /* statements ahead that are looked at */
+const int farthest = 64; /* statements ahead that is_on_the_way searches */
 
-/* --- the assembly: %0 the units, %1 and %2 scratch, %3 the address, %4 nxc_cache of cache_runtime.c --------- */
+/* --- the assembly. %0: the units; %1, %2: scratch; %3: the address; %4: nxc_cache of cache_runtime.c
+ * ---------- */
 
 std::string text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 std::string text(const char *format, ...)
@@ -40,16 +43,16 @@ std::string text(const char *format, ...)
     return line;
 }
 
-/* Cache or translation buffer: what it is, where it begins in nxc_cache, and its labels: label + way, where that way of a set
- * becomes the first. */
-struct place {
+/* The code for the cache or the translation buffer: where its sets begin in nxc_cache, and its labels. At
+ * label + i the code moves way i of a set to the front. */
+struct level_code {
     const cache_level &level;
     int begin, label;
 
-    /* A way of the address's set, whose offset is in %1. */
+    /* The operand for way i of the set whose offset is in %1. */
     std::string way(int64_t i) const { return text("%d(%%4,%%1)", begin + 8 * (int)i); }
 
-    /* %1 = offset of the address's set. */
+    /* %1 = the offset of the address's set. */
     std::string find_set() const
     {
         int shift = (int)log2((double)level.line / NXC_CACHE_SET_BYTES);
@@ -57,7 +60,7 @@ struct place {
         return s + text("andl\t$%d, %%k1\n\t", (int)(level.sets - 1) * NXC_CACHE_SET_BYTES);
     }
 
-    /* Compares a way with the address in scratch, and jumps if jump says so. */
+    /* Compares way i with the address, by means of scratch; jump is the conditional jump behind. */
     std::string compare(int64_t i, const char *scratch, const std::string &jump) const
     {
         return text("movq\t%s, %s\n\txorq\t%%3, %s\n\tcmpq\t$%d, %s\n\t", way(i).c_str(), scratch, scratch,
@@ -65,7 +68,7 @@ struct place {
                jump + "\n\t";
     }
 
-    /* A hit in another way than the first goes to its label. */
+    /* Compares the other ways than the first; a hit jumps to its label. */
     std::string compare_others() const
     {
         std::string s;
@@ -74,7 +77,7 @@ struct place {
         return s;
     }
 
-    /* The address's line becomes the first of its set, and the last of them goes. */
+    /* The address's line becomes the first of its set; the last line is dropped. */
     std::string bring(bool with_labels) const
     {
         std::string s;
@@ -93,20 +96,20 @@ std::string charge(const char *operation, int64_t units)
     return text("%s\t$%d, %%0\n\t", operation, (int)units);
 }
 
-/* The line's page, and the end. */
+/* Looks up the line's page, and ends. */
 std::string translate(const char *operation)
 {
-    const place tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790};
+    const level_code tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790};
     if (!tlb.level.sets)
         return DONE;
     return tlb.find_set() + tlb.compare(0, "%2", "jbe\t772b") + tlb.compare_others() +
            charge(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
 }
 
-/* What a load or store looks like. operation: how %0 pays, "subq" or "addq". */
+/* The whole text of a load's or store's look-up. operation: how a miss is charged to %0, "subq" or "addq". */
 std::string look_up_text(bool load, const char *operation)
 {
-    const place data = {cache.data, 0, 780};
+    const level_code data = {cache.data, 0, 780};
     std::string s = data.find_set() + data.compare(0, "%1", "ja\t771f") + "\n772:\n\t.subsection 1\n771:\t" +
                     data.find_set() + data.compare_others();
     s += charge(operation, load ? cache.load_miss : cache.store_miss);
@@ -118,9 +121,10 @@ std::string look_up_text(bool load, const char *operation)
     return s + ".previous";
 }
 
-/* --- where it goes ------------------------------------------------------------------------------------------ */
+/* --- the look-ups of a statement
+ * ---------------------------------------------------------------------------- */
 
-/* The address of what a reference to memory names; of a bit-field, the address of what holds it. */
+/* The address of a reference to memory; for a bit-field, of the structure around it. */
 tree address_of(tree ref)
 {
     tree base = get_base_address(ref);
@@ -183,7 +187,8 @@ bool ends_what_is_known(gimple *stmt)
     return is_gimple_call(stmt) || gimple_code(stmt) == GIMPLE_ASM;
 }
 
-/* Will something be loaded from which `from` is less than a line away, and `at` lies between the two? */
+/* Does a statement behind stmt load from an address less than a line away from `from`, so that `at` lies
+ * between the two? */
 bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
 {
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
@@ -203,7 +208,7 @@ bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
     return false;
 }
 
-/* Between two loads less than a line apart there is no third line. */
+/* Does `at` lie between two loads less than a line apart? Then it is in the line of one of them. */
 bool is_between(gimple *stmt, const spot &at)
 {
     for (const known_load &l : loaded)

@@ -1,27 +1,30 @@
-/* count.cc - the pass that makes a program count its own cost: image.h says what it counts into.
+/* count.cc - the counting pass: it makes a program count its own cost into the counter of image.h.
  *
- * A function's blocks are cut into stretches at the calls that may look at the counter. A segment pays its
- * cost in one subtraction where it begins:
+ * A *segment* is a part of a basic block between two calls that need the counter. Its cost is charged in one
+ * subtraction where the segment begins. A *poll* is the comparison behind the charge: it gives control to the
+ * simulator (*preempts* the program) if the counter is negative. Polls stand at the heads of loops, and where
+ * functions begin.
  *
  *     block:  left -= cost
- *             if (left < 0) preempt        only where a cycle of blocks closes, and where a function begins
+ *             if (left < 0) preempt        the poll
  *             ...
- *             counter = left               the call sees all that was spent before it
+ *             counter = left               the callee finds all charged that was spent before
  *             call
  *             left = counter
  *             left -= cost of the next segment
  *             ...
  *
- * `left` is a register variable of the function; GCC's SSA updating turns it into SSA names. A function with
- * edges that no register survives in good order (setjmp, computed goto, nonlocal goto) counts in memory
- * instead: same places, same costs. The pass stands last before the expansion to machine code, so that what
- * it counts is what is left to execute.
+ * `left` is a register variable of the function; GCC's SSA update turns it into SSA names. A function with
+ * edges over which no register variable is safe (setjmp, computed goto, nonlocal goto) counts in memory
+ * instead, at the same places and with the same costs. The pass is the last before the expansion to machine
+ * code, so that it counts what is left to execute.
  *
- * Loops whose rounds are known before they run are paid for there: loop_precharge.h. Small functions may be paid for by those who
- * call them: leaf_charge.h. Checks tell how long the program will make no call: lookahead.h.
+ * Three refinements have files of their own: loops that are charged where they are entered
+ * (loop_precharge.h), small functions that are charged to their callers (leaf_charge.h), and lookahead, which
+ * polls give to the simulator (lookahead.h).
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
- * check is a branch over nothing, and a leaf function stays a leaf.
+ * poll is a branch over nothing, and a leaf function stays a leaf.
  */
 #include "gcc.h"
 #include "arg_cost.h"
@@ -42,7 +45,8 @@
 #define LOOKAHEAD "nxc_lookahead"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
-/* A library call that is known to cost more is checked for, and interrupted at such intervals: 10 us of a 40 MHz processor. */
+/* A library call that is known to cost more is spent in parts of so many units, with a poll behind each: 10
+ * us of a 40 MHz processor. */
 const int64_t longest_part = 400 * NXC_UNITS_PER_CLOCK;
 
 bool count_in_memory;
@@ -51,17 +55,18 @@ namespace
 {
 tree counter, lookahead_word; /* the variables nxc_left and nxc_lookahead of runtime.c */
 
-/* Where a check is to go: behind a statement that pays, if value is then negative. What a long library call costs may be
- * spent in parts, so that nothing that is due has to wait for all of it. */
+/* A poll to insert: behind the statement `after`, which charges, the program is preempted if value is
+ * negative. The charge of a long library call may be spent in parts, so that a due handler need not wait for
+ * all of it. */
 struct poll {
     gimple *after;
     tree value;
     bool in_parts;
-    const lookahead *ahead; /* NULL: nothing */
-    int64_t charged;           /* of it */
+    const lookahead *ahead; /* NULL: none */
+    int64_t charged;        /* units of the lookahead that have been charged at the poll */
 };
 
-/* What a segment costs, and of whom. */
+/* The cost of a segment, and the functions to which the profile attributes it. */
 struct segment {
     int64_t cost = 0;
     profile_shares shares; /* only with a profile */
@@ -108,27 +113,22 @@ class counting
 
     function *fun;
     tree left = NULL_TREE;              /* the register, or NULL: count in memory */
-    bool calls = false;                 /* callees_poll, so that it may be part of a recursion */
+    bool calls = false;                 /* it calls others, so that it may be part of a recursion */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
-    auto_bitmap poll_blocks;                /* blocks that check: the heads of cycles, and the first */
+    auto_bitmap poll_blocks;            /* blocks that poll: the heads of cycles, and the first */
     auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
-    precharge_plan plan;                      /* loops paid for where they are entered */
-    std::map<basic_block, lookahead> lookaheads;
-    std::set<basic_block> precharged; /* their blocks that pay nothing themselves */
+    precharge_plan plan;
+    std::map<basic_block, lookahead> lookaheads; /* of poll_blocks */
+    std::set<basic_block> precharged; /* blocks of precharged loops that charge nothing themselves */
     auto_vec<poll> polls;
 };
-
-tree units_constant(int64_t units)
-{
-    return build_int_cst(units_type(), units);
-}
 
 bool is_counted_call(gcall *call)
 {
     return call && !costs_call_is_uncounted(call);
 }
 
-/* May it look at the counter, or change it? */
+/* Does a statement need the counter in memory, because it may read or change the counter? */
 bool needs_counter(gimple *stmt)
 {
     return is_counted_call(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
@@ -153,7 +153,7 @@ void counting::scan_function()
         left = create_tmp_reg(units_type(), "left");
 }
 
-/* Appends counter -= amount. The result names the last statement and where the new value is. */
+/* Appends counter -= amount. Returns a poll behind the last statement appended, of the new value. */
 poll counting::subtract(gimple_seq *seq, tree amount)
 {
     if (left) {
@@ -172,7 +172,7 @@ poll counting::subtract(gimple_seq *seq, tree amount)
     return {store, is, false, NULL, 0};
 }
 
-/* The same on behalf of a statement. */
+/* Appends counter -= amount, the cost of a statement. */
 poll counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 {
     poll charged = subtract(seq, amount);
@@ -182,7 +182,7 @@ poll counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
     return charged;
 }
 
-/* The same for the part of a library call's cost that depends on its arguments or result. */
+/* Appends counter -= amount, the argument-dependent cost of a library call. */
 void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 {
     poll charged = charge(seq, call, amount);
@@ -191,7 +191,7 @@ void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
         polls.safe_push(charged);
 }
 
-/* Appends counter = value: somebody else may look at it now. */
+/* Appends counter = value, for a callee or the simulator to read. */
 void counting::store(gimple_seq *seq, tree value)
 {
     if (profile && left)
@@ -199,7 +199,7 @@ void counting::store(gimple_seq *seq, tree value)
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, value));
 }
 
-/* Adds the fixed cost of stmt to a segment. */
+/* Adds the fixed cost of a statement to a segment. */
 void counting::add_cost(segment *s, gimple *stmt)
 {
     int64_t cost = plan.added.count(stmt) ? 0 : costs_of(stmt);
@@ -208,7 +208,7 @@ void counting::add_cost(segment *s, gimple *stmt)
         s->shares[profile->cell_of(stmt)] += cost;
 }
 
-/* Adds what the function costs that stmt calls, if it leaves that to us. */
+/* Adds the cost of the caller-charged leaf that a statement calls, if it calls one. */
 void counting::add_leaf_cost(segment *s, gimple *stmt)
 {
     int64_t cost = leaf_charge_cost(stmt);
@@ -225,7 +225,8 @@ bool counting::costs_nothing(basic_block bb)
     return true;
 }
 
-/* In an endless loop without any work, such as for (;;); time has to go by, too, or nobody could stop it. */
+/* Finds endless loops without any work, such as for (;;); in which time must go by, too, or nobody could stop
+ * the program. */
 void counting::find_idle_loops()
 {
     auto_bitmap costless;
@@ -253,7 +254,7 @@ void counting::find_idle_loops()
     }
 }
 
-/* Where the source has a loop whose head has no statement. */
+/* A source line for a block, also for the head of a loop without statements. */
 location_t location_of(basic_block bb)
 {
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
@@ -267,7 +268,8 @@ location_t location_of(basic_block bb)
     return UNKNOWN_LOCATION;
 }
 
-/* The block gets a statement that does nothing and costs it: then it has a place in the source. */
+/* Adds the cost of a jump to the head of an idle loop. A statement that does nothing gives the cost its
+ * source line. */
 void counting::add_idle_cost(segment *s, basic_block bb)
 {
     gimple *nop = gimple_build_nop();
@@ -280,8 +282,8 @@ void counting::add_idle_cost(segment *s, basic_block bb)
         s->shares[profile->cell_of(nop)] += cost;
 }
 
-/* A check where bb begins, of which `cost` has been paid, tells what is promised there; for those that are called soon it is
- * told at once. */
+/* Gives the poll at the beginning of bb, where `cost` has been charged, its lookahead. If callees have polls
+ * of their own, the lookahead is stored in each trip, whether the poll strikes or not. */
 void counting::add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost)
 {
     auto found = lookaheads.find(bb);
@@ -293,8 +295,8 @@ void counting::add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t c
         lookahead_append(seq, found->second, cost, lookahead_word, left);
 }
 
-/* Pays for the segment that begins behind a statement, or with the block if behind is NULL: there the check
- * is. */
+/* Charges the segment that begins behind a statement, or with the block if behind is NULL. The block's poll
+ * is there. */
 void counting::charge_segment(basic_block bb, gimple *behind, const segment &s)
 {
     bool poll_here = !behind && bitmap_bit_p(poll_blocks, bb->index);
@@ -317,7 +319,7 @@ void counting::charge_segment(basic_block bb, gimple *behind, const segment &s)
     }
 }
 
-/* Only with a simulated cache. */
+/* Charges the misses of a statement; only with a simulated cache. */
 void counting::charge_misses(gimple *stmt)
 {
     auto_vec<tree> misses;
@@ -345,7 +347,8 @@ void counting::charge_arguments(gcall *call)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-/* Returns the last statement it put behind the given one. */
+/* Charges a call's cost that depends on its result. Returns the last statement put behind `behind`, or
+ * `behind`. */
 gimple *counting::charge_result(gcall *call, gimple *behind)
 {
     const std::vector<int> *of = nullptr;
@@ -371,9 +374,9 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
     return last;
 }
 
-/* Lets a call see the counter and takes over what it left. Returns the last statement that belongs to the
- * call. A call poll_blocks as a tail call may stay one: if GCC makes it a jump, what follows it is dropped, and
- * rightly so, because the callee leaves the counter where this function's caller looks for it. */
+/* Stores the counter before a call and loads it again behind the call. Returns the last statement that
+ * belongs to the call. A call marked as a tail call may stay one: if GCC makes it a jump, GCC drops the load,
+ * and the callee leaves the counter in memory, where this function's caller loads it. */
 gimple *counting::hand_over(gcall *call)
 {
     if (!left)
@@ -389,14 +392,15 @@ gimple *counting::hand_over(gcall *call)
     return reload;
 }
 
-/* Appends rounds * each + last. */
+/* Appends trips * each + last. */
 tree append_trips(gimple_seq *seq, const precharged_loop &loop, int64_t each, int64_t last)
 {
     tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.trips, units_constant(each));
     return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
 }
 
-/* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
+/* Makes the test where a loop is entered, and charges the blocks that all trips run before the precharged
+ * version. */
 void counting::precharge(const precharged_loop &loop)
 {
     segment each, last;
@@ -430,7 +434,7 @@ void counting::precharge(const precharged_loop &loop)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-/* Of a block that has been paid for plan. */
+/* Charges the cache misses of a precharged block, which no trip count tells. */
 void counting::charge_misses_of_block(basic_block bb)
 {
     auto_vec<gimple *> statements;
@@ -465,7 +469,8 @@ void counting::count_block(basic_block bb)
         gimple *last = call;
         if (is_counted_call(call))
             purity_forget(call);
-        if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(poll_blocks, bb->index)) { /* paid behind the check */
+        if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(poll_blocks, bb->index)) {
+            /* the leaf is charged behind the block's poll, where it would charge itself */
             charge_segment(bb, behind, now);
             now = segment();
             behind = call;
@@ -507,8 +512,8 @@ void counting::store_on_exit()
     }
 }
 
-/* Appends the call of the simulator. It saves all but what is in x87 registers (long double): whoever has anything there puts
- * it elsewhere meanwhile, for to ask whether there is any takes longer than all the rest. */
+/* Appends the call of the simulator. Its target saves all registers but those of the x87 (long double), which
+ * the assembly clobbers: to ask at run time whether one of them is in use takes longer than all the rest. */
 void append_preemption(gimple_seq *seq)
 {
     static const char *const names[] = {"memory", "st",    "st(1)", "st(2)", "st(3)",
@@ -521,7 +526,7 @@ void append_preemption(gimple_seq *seq)
     gimple_seq_add_stmt_without_update(seq, call);
 }
 
-/* Appends a preemption, with left as it is. */
+/* Appends a preemption. */
 void counting::preempt(gimple_seq *seq)
 {
     if (left)
@@ -531,8 +536,8 @@ void counting::preempt(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(left, counter));
 }
 
-/* Appends a preemption at the end of the part of a library call in which left became negative; parts end at multiples of
- * longest_part before the call's end. What is behind that part is spent after it. */
+/* Appends a preemption at the end of the part of a library call in which left became negative. Parts end at
+ * multiples of longest_part before the call's end. The parts behind are charged after the preemption. */
 void counting::preempt_in_time(gimple_seq *seq)
 {
     auto append = [seq](tree_code code, tree a, tree b) {
@@ -557,8 +562,8 @@ void counting::preempt_in_time(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, is));
 }
 
-/* Cuts the block behind p.after and puts the way to the simulator beside it. It leads back to the check if there are
- * parts. */
+/* Splits the block behind p.after, and puts the preemption into a block out of line. That block leads back to
+ * the poll if the charge is spent in parts. */
 void counting::insert_poll(const poll &p)
 {
     basic_block bb = gimple_bb(p.after);
@@ -605,12 +610,12 @@ void counting::insert_poll(const poll &p)
 void counting::run()
 {
     scan_function();
-    bool foresees = left && optimize;
-    if (foresees && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
+    bool analyses = left && optimize;
+    if (analyses && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
     poll_mark(fun, calls, poll_blocks);
     find_idle_loops();
-    if (foresees) {
+    if (analyses) {
         plan = loop_precharge_run(needs_counter, poll_blocks);
         lookaheads = lookahead_find(poll_blocks, plan.polled, plan.added);
     }
@@ -638,7 +643,7 @@ void counting::run()
     FOR_EACH_VEC_ELT (polls, i, p)
         insert_poll(*p);
     if (current_loops)
-        loops_state_set(LOOPS_NEED_FIXUP); /* a call's parts are one */
+        loops_state_set(LOOPS_NEED_FIXUP); /* the parts of a call make a loop */
     free_dominance_info(CDI_DOMINATORS);
     free_dominance_info(CDI_POST_DOMINATORS);
 }

@@ -1,4 +1,4 @@
-/* leaf_charge.cc - see leaf_charge.h. Functions are known by their DECL_UID, which stays. */
+/* leaf_charge.cc - see leaf_charge.h. Functions are identified by their DECL_UID, which never changes. */
 #include "leaf_charge.h"
 #include "costs.h"
 #include "profile.h"
@@ -7,10 +7,10 @@
 
 namespace
 {
-std::map<unsigned, int64_t> leaves; /* units of their bodies */
-std::set<unsigned> called;          /* by functions that are compiled */
+std::map<unsigned, int64_t> leaves; /* the units of each caller-charged leaf */
+std::set<unsigned> called;          /* functions called by those compiled so far */
 
-/* All calls of it are in this file, by its name. */
+/* Are all its calls in this file, by its name, and still to be compiled? */
 bool has_known_callers(function *fun)
 {
     cgraph_node *node = cgraph_node::get(fun->decl);
@@ -25,12 +25,12 @@ bool is_plain(gimple *stmt)
     if (gimple_code(stmt) == GIMPLE_ASM ||
         (call && (!costs_call_is_uncounted(call) || costs_of_call(call, &of, &elements))))
         return false;
-    /* the profile has one name for it all */
+    /* the profile attributes a leaf's cost to one function */
     return !profile_on || (!costs_priced_call(stmt) &&
                            DECL_ORIGIN(costs_written_in(stmt)) == DECL_ORIGIN(current_function_decl));
 }
 
-/* Adds what bb costs. False if that is not always the same. */
+/* Adds the cost of bb. False: the cost varies. */
 bool add_cost(basic_block bb, int64_t *units)
 {
     for (gimple_stmt_iterator gsi = gsi_start_nondebug_bb(bb); !gsi_end_p(gsi); gsi_next_nondebug(&gsi)) {
@@ -41,8 +41,8 @@ bool add_cost(basic_block bb, int64_t *units)
     return true;
 }
 
-/* The units from the function's begin to the end of each of its blocks, in an order in which blocks come after those that
- * lead to them, are the same on all ways? */
+/* Is the cost the same on all paths? Goes through the blocks in reverse post-order, so that a block comes
+ * after its predecessors, and compares the units up to their ends. */
 bool costs_always_the_same(function *fun, int64_t *units)
 {
     std::map<int, int64_t> until; /* blocks' ends, by index */

@@ -13,27 +13,27 @@
 
 namespace
 {
-/* Promises of less are not worth their code: 10 us of a 40 MHz processor. */
+/* A shorter lookahead is not worth its code: 10 us of a 40 MHz processor. */
 const int64_t least_lookahead = 400 * NXC_UNITS_PER_CLOCK;
-/* Nor is a variable in a loop whose rounds cost less, but for those that run seldom. */
+/* Nor is the variable of a loop with cheaper trips, unless it is a polled version, which runs seldom. */
 const int64_t least_trip_units = 20 * NXC_UNITS_PER_CLOCK;
 const int64_t most_units = INT64_MAX / 64; /* no counter is ever greater */
-const int64_t most_times = 1 << 14; /* as much as the rest of a round costs, an inner loop adds to it */
-const size_t most_external = 2;      /* functions of other files in a loop */
+const int64_t most_times = 1 << 14;        /* an inner loop adds at most so many times the rest of the trip */
+const size_t most_external = 2;            /* functions of other files that a loop calls */
 
 struct call_free_function {
-    int64_t units; /* of the cheapest way */
+    int64_t units; /* of the cheapest path */
     bool polls;
 };
-std::map<unsigned, call_free_function> call_free; /* by DECL_UID */
-std::set<std::string> exported;                 /* those that other files may call */
-std::map<std::string, tree> call_free_flags;          /* bytes that tell which functions of other files are */
+std::map<unsigned, call_free_function> call_free; /* of this file, by DECL_UID */
+std::set<std::string> exported;                   /* flags of those that other files may call */
+std::map<std::string, tree> call_free_flags;      /* flags of functions of other files that this file calls */
 
-/* What a block's statements do, or a loop's. */
+/* What the statements of a block, or of a loop, do besides computing. */
 struct effects {
-    bool calls = false;        /* what the simulator may serve */
-    bool callees_poll = false;       /* calls of functions that check */
-    std::vector<tree> external; /* functions of other files called, each once */
+    bool calls = false;         /* there is a call that the simulator may serve */
+    bool callees_poll = false;  /* a call-free function with polls is called */
+    std::vector<tree> external; /* functions of other files that are called, each once */
 
     bool any_call() const { return calls || !external.empty(); }
     void add_external(tree function)
@@ -51,25 +51,26 @@ struct effects {
 
 struct block_cost : effects {
     int64_t units = 0; /* in all */
-    int64_t first = 0; /* up to the first call that may be served */
+    int64_t first = 0; /* up to the first call */
 };
 
 struct loop_cost : effects {
-    int64_t trips = 0; /* how often it goes back at least, whenever it is entered */
-    int64_t least = 0;  /* units of a round that goes back, if nothing in it is served */
-    int64_t added = 0;  /* units of those rounds */
-    /* The variable, where a round begins, and later in it, when it is already for the rounds after the next; NULL: none is
-     * kept. exact: it comes to 0 in the last round. */
+    int64_t trips = 0; /* the least trip count, whenever the loop is entered */
+    int64_t least = 0; /* units of the cheapest trip that goes back, if it makes no call */
+    int64_t added = 0; /* units of so many trips */
+    /* `remaining`, where a trip begins, and later in the trip, when it is that of the next trip already;
+     * NULL: the loop has none. exact: it is 0 in the last trip. */
     tree before = NULL_TREE, after = NULL_TREE;
     bool exact = false;
 };
 
-typedef std::map<basic_block, int64_t> path_units; /* from where blocks begin */
+typedef std::map<basic_block, int64_t> path_units; /* of the cheapest path from each block's beginning */
 
 class lookahead_analysis
 {
   public:
-    lookahead_analysis(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o) : poll_blocks(c), polled(s), added(o)
+    lookahead_analysis(bitmap c, const std::set<basic_block> &s, std::set<gimple *> &o)
+        : poll_blocks(c), polled(s), added(o)
     {
     }
     std::map<basic_block, lookahead> run();
@@ -98,12 +99,13 @@ class lookahead_analysis
     std::map<basic_block, block_cost> blocks;
     std::map<class loop *, loop_cost> loops;
     std::vector<basic_block> post_order;
-    std::map<class loop *, path_units> paths; /* paths_to_end */
+    std::map<class loop *, path_units> paths; /* results of paths_to_end */
 };
 
-/* --- calls ------------------------------------------------------------------------------------------------- */
+/* --- calls
+ * ------------------------------------------------------------------------------------------------- */
 
-/* A leading * is GCC's added. */
+/* The symbol of a function's flag. GCC marks an assembler name as final by a leading asterisk. */
 std::string symbol_of(tree function)
 {
     const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function));
@@ -117,7 +119,7 @@ bool is_external(tree callee)
            !DECL_IN_SYSTEM_HEADER(callee);
 }
 
-/* Adds a call; answers the units of the function called. */
+/* Adds a call to the effects; returns the units of the function called. */
 int64_t add_call(gcall *call, effects &d)
 {
     tree callee = gimple_call_fndecl(call);
@@ -155,17 +157,18 @@ void lookahead_analysis::cost_blocks()
     }
 }
 
-/* --- ways -------------------------------------------------------------------------------------------------- */
+/* --- paths
+ * ------------------------------------------------------------------------------------------------- */
 
-/* What a loop adds where it is entered. */
+/* The units of the loop that an edge enters, 0 if it enters none. */
 int64_t lookahead_analysis::units_of_loop_entered(edge e)
 {
     class loop *loop = e->dest->loop_father;
     return e->dest == loop->header && !flow_bb_inside_loop_p(loop, e->src) ? loops[loop].added : 0;
 }
 
-/* The round in which a variable that changes by the same in each comes to a constant, for ways that are gone then only:
- * GCC tells it only of tests that every round makes. */
+/* The trip in which a variable with a constant step becomes equal to a constant, for an edge that is taken
+ * only then. GCC computes this only for tests that every trip makes. */
 int64_t trips_until_equal(class loop *loop, edge e)
 {
     gcond *test = safe_dyn_cast<gcond *>(last_stmt(e->src));
@@ -182,7 +185,7 @@ int64_t trips_until_equal(class loop *loop, edge e)
     return distance / step;
 }
 
-/* How often a loop goes back at least before it may go this way, as far as that is always the same; else 0. */
+/* How often a loop goes back at least before it may take an edge, if that is a constant; else 0. */
 int64_t trips_before(class loop *loop, edge e)
 {
     tree_niter_desc n;
@@ -194,7 +197,7 @@ int64_t trips_before(class loop *loop, edge e)
     return trips_until_equal(loop, e);
 }
 
-/* The same for a way out: all that lead to it count. */
+/* The same for an exit: also by the edges that lead to the exit. */
 int64_t trips_before_exit(class loop *loop, edge exit)
 {
     int64_t most = trips_before(loop, exit);
@@ -204,7 +207,7 @@ int64_t trips_before_exit(class loop *loop, edge exit)
     return most;
 }
 
-/* How often it goes back at least before it is left. */
+/* The least trip count. */
 int64_t least_trips(class loop *loop)
 {
     int64_t least = INT64_MAX;
@@ -213,7 +216,7 @@ int64_t least_trips(class loop *loop)
     return least == INT64_MAX ? 0 : least;
 }
 
-/* Is it a way that no round goes of those which are counted, but only the last? */
+/* Is an edge taken in the last trip only, which the least trip count does not include? */
 bool lookahead_analysis::is_of_last(class loop *loop, edge e)
 {
     int64_t trips = loops[loop].trips;
@@ -221,8 +224,10 @@ bool lookahead_analysis::is_of_last(class loop *loop, edge e)
            trips_before(loop, e) >= trips;
 }
 
-/* From the beginning of a round that goes back to the end of a block. */
-int64_t lookahead_analysis::cheapest_path(class loop *loop, basic_block bb, std::map<basic_block, int64_t> &known)
+/* The units of the cheapest path from the beginning of a trip to the end of a block, for a trip that goes
+ * back. */
+int64_t lookahead_analysis::cheapest_path(class loop *loop, basic_block bb,
+                                          std::map<basic_block, int64_t> &known)
 {
     auto found = known.find(bb);
     if (found != known.end())
@@ -255,7 +260,7 @@ void lookahead_analysis::scan_loop(class loop *loop)
         l.added = l.trips < most_units / (l.least + 1) ? l.trips * l.least : most_units;
 }
 
-/* From a block's beginning, as far as ways from those behind it are known. */
+/* The units of the cheapest path from a block's beginning, by what is known of its successors. */
 int64_t lookahead_analysis::path_from(basic_block bb, class loop *within, path_units &known)
 {
     const block_cost &c = blocks[bb];
@@ -270,8 +275,8 @@ int64_t lookahead_analysis::path_from(basic_block bb, class loop *within, path_u
     return std::min(most_units, c.units + rest);
 }
 
-/* To the end of a loop's round; NULL: to the next call that may be served, or the function's end. They become shorter until
- * none does. */
+/* The cheapest paths from all blocks of a loop to the end of a trip; within NULL: from all blocks to the next
+ * call, or to the function's end. Bellman-Ford: paths become shorter until none does. */
 const path_units &lookahead_analysis::paths_to_end(class loop *within)
 {
     path_units &known = paths[within];
@@ -302,14 +307,15 @@ void lookahead_analysis::accept_call_free()
     if (!decl_binds_to_current_def_p(decl))
         return;
     call_free[DECL_UID(decl)] = {paths_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))),
-                              !bitmap_empty_p(poll_blocks)};
+                                 !bitmap_empty_p(poll_blocks)};
     if (TREE_PUBLIC(decl) && !DECL_WEAK(decl) && !DECL_COMDAT(decl))
         exported.insert(symbol_of(decl));
 }
 
-/* --- rounds to come ---------------------------------------------------------------------------------------- */
+/* --- remaining trips
+ * --------------------------------------------------------------------------------------- */
 
-/* The byte that tells whether a function of another file is call_free. */
+/* The byte that tells whether a function of another file is call-free. */
 tree flag_of(tree function)
 {
     std::string name = symbol_of(function);
@@ -319,7 +325,7 @@ tree flag_of(tree function)
     return flag;
 }
 
-/* Appends: are they all? */
+/* Appends: are these functions of other files all call-free? */
 tree lookahead_analysis::all_call_free(gimple_seq *seq, const std::vector<tree> &external)
 {
     tree all = NULL_TREE;
@@ -331,7 +337,7 @@ tree lookahead_analysis::all_call_free(gimple_seq *seq, const std::vector<tree> 
     return gimple_build(seq, NE_EXPR, boolean_type_node, all, build_int_cst(unsigned_char_type_node, 0));
 }
 
-/* One that is paid for where it is entered does not check; nor do its inner loops. */
+/* A precharged loop does not poll; nor do its inner loops. */
 bool lookahead_analysis::is_worth_a_variable(class loop *loop)
 {
     const loop_cost &l = loops[loop];
@@ -339,16 +345,16 @@ bool lookahead_analysis::is_worth_a_variable(class loop *loop)
            l.least >= (polled.count(loop->header) ? 1 : least_trip_units);
 }
 
-/* Appends rounds, or 0 where that is only known to be the limit or more, or not at all. */
+/* Appends the trip count, or 0 if it is limit or more, or not known. */
 tree append_known(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
 {
     tree trips = trip_count_append(seq, loop, n, limit);
-    tree known = gimple_build(seq, LT_EXPR, boolean_type_node, trips, build_int_cst(units_type(), limit));
-    return gimple_build(seq, COND_EXPR, units_type(), known, trips, build_int_cst(units_type(), 0));
+    tree known = gimple_build(seq, LT_EXPR, boolean_type_node, trips, units_constant(limit));
+    return gimple_build(seq, COND_EXPR, units_type(), known, trips, units_constant(0));
 }
 
-/* Appends the units that an inner loop adds to the cheapest round each time it is entered, which are known where the outer one is.
- * NULL: they are not. */
+/* Appends the units that an inner loop adds to the cheapest trip of the outer one. NULL: they are not known
+ * where the outer loop is entered. */
 tree lookahead_analysis::append_inner(gimple_seq *seq, class loop *outer, class loop *inner)
 {
     const loop_cost &l = loops[inner];
@@ -360,10 +366,10 @@ tree lookahead_analysis::append_inner(gimple_seq *seq, class loop *outer, class 
             return NULL_TREE;
     const int64_t limit = most_times * loops[outer].least / l.least;
     return gimple_build(seq, MULT_EXPR, units_type(), append_known(seq, inner, n, limit),
-                        build_int_cst(units_type(), l.least));
+                        units_constant(l.least));
 }
 
-/* The loop within `outer` into which a way leads and nowhere else; NULL: there is none. */
+/* The loop within `outer` to which all paths behind an edge lead; NULL: there is none. */
 class loop *loop_behind(edge e, class loop *outer)
 {
     basic_block bb = e->dest;
@@ -373,7 +379,8 @@ class loop *loop_behind(edge e, class loop *outer)
     return loop_outer(loop) == outer && bb == loop->header ? loop : NULL;
 }
 
-/* The block in each of the outer loop's rounds that go back from which one comes to an inner one, or past it. */
+/* The block, in each trip of the outer loop that goes back, from which paths lead to the inner loop or past
+ * it. */
 basic_block fork_before(class loop *outer, class loop *inner)
 {
     basic_block bb = inner->header;
@@ -382,12 +389,12 @@ basic_block fork_before(class loop *outer, class loop *inner)
     return bb;
 }
 
-/* Appends the units of a round that goes back: the cheapest, and what inner loops add in each. Of two between which a round
- * chooses, that is the less: loop_precharge.h makes two of one. */
+/* Appends the units of a trip that goes back: the cheapest trip, and what inner loops add. Of two inner loops
+ * between which a trip chooses, the cheaper one adds: loop_precharge.h makes two loops of one. */
 tree lookahead_analysis::append_trip_units(gimple_seq *seq, class loop *loop)
 {
     const int64_t least = loops[loop].least;
-    tree sum = build_int_cst(units_type(), least);
+    tree sum = units_constant(least);
     for (class loop *inner = least < most_units / most_times ? loop->inner : NULL; inner;
          inner = inner->next) {
         basic_block fork = fork_before(loop, inner);
@@ -406,17 +413,17 @@ tree lookahead_analysis::append_trip_units(gimple_seq *seq, class loop *loop)
     return sum;
 }
 
-/* Appends the units of the rounds to come where a loop is entered; NULL: not known. */
+/* Appends the units of all trips where a loop is entered; NULL: not known. */
 tree lookahead_analysis::append_units(gimple_seq *seq, class loop *loop, tree trip_units)
 {
     const loop_cost &l = loops[loop];
     int64_t limit = most_units / l.least;
-    tree zero = build_int_cst(units_type(), 0), trips;
+    tree zero = units_constant(0), trips;
     tree_niter_desc n;
     if (!tree_fits_shwi_p(trip_units))
         limit /= most_times;
     if (l.trips)
-        trips = build_int_cst(units_type(), std::min(limit, l.trips));
+        trips = units_constant(std::min(limit, l.trips));
     else if (trip_count_is_known(loop, &n))
         trips = append_known(seq, loop, n, limit);
     else
@@ -427,7 +434,7 @@ tree lookahead_analysis::append_units(gimple_seq *seq, class loop *loop, tree tr
     return units;
 }
 
-/* Makes the variable of a loop, if it is worth it. */
+/* Makes the variable `remaining` of a loop, if it is worth its code. */
 void lookahead_analysis::keep(class loop *loop)
 {
     if (!is_worth_a_variable(loop))
@@ -445,21 +452,21 @@ void lookahead_analysis::keep(class loop *loop)
     gimple_stmt_iterator begin = gsi_after_labels(loop->header);
     create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
     added.insert(SSA_NAME_DEF_STMT(l.after));
-    l.exact =
-        tree_fits_shwi_p(trip_units) && l.external.empty() && (!l.trips || trip_count_constant(loop) == l.trips);
+    l.exact = tree_fits_shwi_p(trip_units) && l.external.empty() &&
+              (!l.trips || trip_count_constant(loop) == l.trips);
 }
 
-/* The units of a way from bb to the end of a round of `within`, or to the next call: beside those of the rounds to come of
- * the loops around it that have a variable, up to `last`, not included. Of a loop in which it lies, but not where a round
- * begins, either no round is to come, or one begins behind its own round's end, and the rest are those of the variable but
- * one. */
+/* The units of the cheapest path from bb to the end of a trip of `within`, or to the next call, without the
+ * remaining trips of those loops around bb, up to `last` exclusive, that have a variable. If bb is not the
+ * header of such a loop, either no trip is to come, or the path goes to the end of bb's trip and through one
+ * trip more: the variable has one trip too many then. */
 int64_t lookahead_analysis::path(basic_block bb, class loop *last, class loop *within)
 {
     int64_t least = paths_to_end(within).at(bb);
     for (class loop *loop = bb->loop_father; loop != last; loop = loop_outer(loop))
         if (loops[loop].before && bb != loop->header)
-            least = std::min(least,
-                             path(bb, loop, loop) - loops[loop].least + paths_to_end(within).at(loop->header));
+            least = std::min(least, path(bb, loop, loop) - loops[loop].least +
+                                        paths_to_end(within).at(loop->header));
     return least;
 }
 
@@ -472,7 +479,7 @@ lookahead lookahead_analysis::at(basic_block bb)
         if (!l.before)
             continue;
         bool begins = bb == loop->header;
-        p.more.push_back({begins ? l.before : l.after, begins ? 0 : l.least, !l.exact});
+        p.loops.push_back({begins ? l.before : l.after, begins ? 0 : l.least, !l.exact});
         p.callees_poll = p.callees_poll || (begins && l.callees_poll && l.least >= least_lookahead);
     }
     p.least = path(bb, loop, NULL);
@@ -500,7 +507,7 @@ std::map<basic_block, lookahead> lookahead_analysis::run()
         if (!bitmap_bit_p(poll_blocks, bb->index))
             continue;
         lookahead p = at(bb);
-        if (p.least >= least_lookahead || !p.more.empty())
+        if (p.least >= least_lookahead || !p.loops.empty())
             found[bb] = p;
     }
     scev_finalize();
@@ -510,7 +517,7 @@ std::map<basic_block, lookahead> lookahead_analysis::run()
 } // namespace
 
 std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::set<basic_block> &polled,
-                                            std::set<gimple *> &added)
+                                                std::set<gimple *> &added)
 {
     return lookahead_analysis(poll_blocks, polled, added).run();
 }
@@ -520,11 +527,11 @@ void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t charged, tree
     tree now = make_ssa_name(units_type()), before = make_ssa_name(units_type());
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(now, left));
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(before, word));
-    tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, build_int_cst(units_type(), charged - p.least));
-    for (const trips_to_come &r : p.more) {
-        tree more = gimple_build(seq, PLUS_EXPR, units_type(), r.more, build_int_cst(units_type(), r.add));
+    tree end = gimple_build(seq, PLUS_EXPR, units_type(), now, units_constant(charged - p.least));
+    for (const remaining_trips &r : p.loops) {
+        tree more = gimple_build(seq, PLUS_EXPR, units_type(), r.remaining, units_constant(r.add));
         if (r.at_least_0)
-            more = gimple_build(seq, MAX_EXPR, units_type(), more, build_int_cst(units_type(), 0));
+            more = gimple_build(seq, MAX_EXPR, units_type(), more, units_constant(0));
         end = gimple_build(seq, MINUS_EXPR, units_type(), end, more);
     }
     end = gimple_build(seq, MIN_EXPR, units_type(), before, end);
@@ -536,7 +543,8 @@ static void write_flag(const char *binding, const char *name, bool yes)
     fprintf(asm_out_file, "\t.%s %s\n\t.hidden %s\n%s:\t.byte %d\n", binding, name, name, name, yes);
 }
 
-/* The file that has the function says yes, those that call it say no: the linker takes the first's word. */
+/* The file that defines a function says 1, those that call it say 0, weakly: the linker prefers the
+ * definition. */
 void lookahead_write_flags()
 {
     if (!asm_out_file || (exported.empty() && call_free_flags.empty()))

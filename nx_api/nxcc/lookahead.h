@@ -1,24 +1,38 @@
-/* lookahead.h - for how long a program will make no call, as its checks tell the simulator (image.h: quiet).
+/* lookahead.h - a program's lookahead: the cost units that it certainly spends before its next call.
  *
- * Of all ways from a check to the next call that the simulator may serve, or to the function's end, one is the cheapest: so
- * much is surely spent before. Loops make it more if nothing in them makes such a call, and their rounds are known where
- * they are entered. What the rounds to come will cost at least is kept in a variable, which only checks look at:
+ * A *call* is here one that the simulator may serve. When a poll strikes (left < 0), the program stores in
+ * its image the value that its counter will have come down to, at the latest, at its next call (image.h:
+ * lookahead). No other node has to wait for the program before then.
  *
- *     more = rounds * cheapest round
+ * The cheapest path from a poll to the next call, or to the function's end, is a lower bound on the computing
+ * before it:
+ *
+ *     lookahead = min over paths (sum of the blocks' costs) + remaining trips of the loops around the poll
+ *
+ * Where a path enters a loop without calls, the path costs  least trip count * cheapest trip  more. For a
+ * loop around the poll, the units of the trips still to come are kept in a variable, `remaining`, which only
+ * polls read:
+ *
+ *     remaining = trips * cheapest trip
  *     loop:
  *         left -= cost
  *         if (left < 0) {
- *             quiet = min(quiet, left - cheapest way - more)
+ *             lookahead = min(lookahead, left - cheapest path - remaining)
  *             preempt
  *         }
- *         more -= cheapest round
+ *         remaining -= cheapest trip
  *         ...
  *
- * What inner loops cost in a round is added, where their rounds are known before the outer one, too.
+ * An inner loop whose trip count is known where the outer loop is entered adds its units to the outer loop's
+ * cheapest trip.
  *
- * A function that makes no such call is silent, and a call of it is none. Whether one in another file is, the linker says: a
- * byte of its name (write_silent). Where a loop calls functions that check for themselves, it makes its lookahead at each
- * round, in time for them.
+ * A function is *call-free* if it reaches no call; calling it does not end the lookahead. The linker tells
+ * whether a function f of another file is call-free: the file that defines f defines the byte nxc_call_free.f
+ * as 1, and each file that calls f defines it weakly as 0. A loop that calls functions with polls of their
+ * own stores its lookahead in each trip, since the polls that strike may be theirs.
+ *
+ * A call before the end of the lookahead is a bug of this plugin. The simulator then stops the run, and names
+ * the call and the function (sim/node/clock.h: clock_lookahead_is_broken).
  */
 #ifndef NXCC_LOOKAHEAD_H
 #define NXCC_LOOKAHEAD_H
@@ -27,26 +41,28 @@
 #include <set>
 #include <vector>
 
-/* A loop's: more + add units, and if that may be negative, at least none. */
-struct trips_to_come {
-    tree more;
+/* The units of a loop's trips to come: remaining + add; 0 if the sum may be negative and is. */
+struct remaining_trips {
+    tree remaining;
     int64_t add;
     bool at_least_0;
 };
 
-/* From a block's beginning on. */
+/* The lookahead at the beginning of a block. */
 struct lookahead {
-    int64_t least = 0; /* the units of the cheapest way */
-    std::vector<trips_to_come> more;
-    bool callees_poll = false; /* functions that it calls check for themselves */
+    int64_t least = 0; /* the units of the cheapest path */
+    std::vector<remaining_trips> loops;
+    bool callees_poll = false; /* functions that the block's loop calls have polls of their own */
 };
 
-/* Finds the promises of blocks that check, where they are worth it. polled: heads of loops that run only when others cannot.
- * Statements in `own` are not the program's; those that keep `more` are added to them. */
+/* The lookahead of each block in poll_blocks, where it is worth its code. polled: heads of the polled
+ * versions of precharged loops, which run seldom. added: statements of the plugin, which cost nothing; those
+ * that keep `remaining` are added. */
 std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::set<basic_block> &polled,
-                                            std::set<gimple *> &added);
-/* Appends quiet = min(quiet, left - what is promised, of which `paid` is spent). */
+                                                std::set<gimple *> &added);
+/* Appends word = min(word, left - lookahead). Of the lookahead, `charged` units have been taken off left
+ * already. */
 void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t charged, tree word, tree left);
-/* At the end of a file: which of its functions are call_free. */
+/* At the end of a compiled file: writes the bytes that tell which functions are call-free. */
 void lookahead_write_flags();
 #endif

@@ -7,9 +7,9 @@
 
 namespace
 {
-/* A check costs little in a longer round or inner loop. */
+/* A poll costs little in a longer body or inner loop. */
 const unsigned longest_body = 100; /* statements */
-const int64_t most_inner_trips = 32;   /* rounds */
+const int64_t most_inner_trips = 32;
 
 class precharging
 {
@@ -27,12 +27,13 @@ class precharging
     bool (*needs_counter)(gimple *);
     bitmap poll_blocks;
     precharge_plan result;
-    std::vector<class loop *> chosen; /* beside result.loops */
+    std::vector<class loop *> chosen; /* those of result.loops, in the same order */
 };
 
-/* --- what a loop costs ------------------------------------------------------------------------------------ */
+/* --- what a loop costs
+ * ------------------------------------------------------------------------------------ */
 
-/* Is the cost known, and looked at by nobody? */
+/* Is the block's cost known, and does no statement need the counter? */
 bool precharging::is_plain(basic_block bb, unsigned *statements) const
 {
     if (bb->flags & BB_IRREDUCIBLE_LOOP)
@@ -42,7 +43,8 @@ bool precharging::is_plain(basic_block bb, unsigned *statements) const
         gcall *call = dyn_cast<gcall *>(stmt);
         const std::vector<int> *of;
         bool elements;
-        if (needs_counter(stmt) || gimple_code(stmt) == GIMPLE_ASM || (call && costs_of_call(call, &of, &elements)))
+        if (needs_counter(stmt) || gimple_code(stmt) == GIMPLE_ASM ||
+            (call && costs_of_call(call, &of, &elements)))
             return false;
         ++*statements;
     }
@@ -82,7 +84,7 @@ int64_t cost_of_block(basic_block bb)
     return sum;
 }
 
-/* The units of a round that runs all blocks, and finds nothing in a cache. */
+/* The units of a trip that runs all blocks, and misses a simulated cache at each access. */
 int64_t costliest_trip(class loop *loop)
 {
     int64_t sum = 0;
@@ -93,7 +95,8 @@ int64_t costliest_trip(class loop *loop)
     return sum;
 }
 
-/* The blocks that every round runs. outer: how often an inner loop is entered; NULL: it is the outermost. */
+/* Lists the blocks that every trip runs. outer: how often this inner loop is entered; NULL: it is the
+ * outermost loop. */
 void list_blocks(class loop *loop, const precharged_block *outer, std::vector<precharged_block> &blocks)
 {
     int64_t trips = outer ? trip_count_constant(loop) : 0;
@@ -115,9 +118,11 @@ void list_blocks(class loop *loop, const precharged_block *outer, std::vector<pr
     }
 }
 
-/* --- making the copies ------------------------------------------------------------------------------------- */
+/* --- making the polled versions
+ * ---------------------------------------------------------------------------- */
 
-/* Computes the rounds where the loop is entered. False: it stays as it is. */
+/* Plans the charge of a loop, and computes the trip count where the loop is entered. False: the loop stays as
+ * it is. */
 bool precharging::prepare(class loop *loop)
 {
     unsigned statements = 0;
@@ -142,7 +147,7 @@ bool precharging::prepare(class loop *loop)
     return true;
 }
 
-/* The outermost loops that can be. */
+/* Plans the outermost loops that can be precharged. */
 void precharging::scan_loops(class loop *first)
 {
     for (class loop *loop = first; loop; loop = loop->next)
@@ -150,7 +155,7 @@ void precharging::scan_loops(class loop *first)
             scan_loops(loop->inner);
 }
 
-/* The copy is the loop that pays as it goes, and checks. */
+/* Copies a loop: the copy is the polled version. */
 void precharging::divide(class loop *loop, precharged_loop &p)
 {
     basic_block test;

@@ -1,18 +1,19 @@
-/* loop_precharge.h - loops that are paid for where they are entered.
+/* loop_precharge.h - loop pre-charging: a loop whose whole cost is charged where it is entered.
  *
- * If it is known there how many rounds a loop will make, and that nobody looks at the counter before it is left, its cost
- * can be known there too. Such a loop is made twice:
+ * A loop can be precharged if its trip count is known where it is entered and no statement in it needs the
+ * counter. Such a loop is made twice; the second is its *polled version*:
  *
- *     need = rounds * cost of a round
+ *     need = trip count * cost of a trip
  *     if (left - need >= 0) {
  *         left -= need
- *         the loop, as the program has it         no check in it could find left negative
+ *         the loop as the program has it          no poll in it could strike
  *     } else
- *         the loop, paying and checking as it goes
+ *         the polled version                      charges each block and polls in each trip
  *
- * so that the same is paid, and checks strike at the same places, as in the second alone. Where rounds differ, a round
- * pays ahead for what all have in common, the blocks of some rounds only pay when they run, and the test is for
- * the dearest rounds. Inner loops of few rounds, of a number known when compiled, are part of the round.
+ * Both versions charge the same, and polls strike at the same places as if there were the polled version
+ * alone. If trips differ in cost, the test uses the costliest trip, the charge ahead is for the blocks that
+ * all trips run, and the other blocks are charged as they run. An inner loop of few trips, whose number is a
+ * constant, is part of the trip.
  */
 #ifndef NXCC_LOOP_PRECHARGE_H
 #define NXCC_LOOP_PRECHARGE_H
@@ -20,28 +21,28 @@
 #include <set>
 #include <vector>
 
-/* A block that runs rounds * each + last times when a loop runs. */
+/* A block that runs trips * each + last times when the loop runs. */
 struct precharged_block {
     basic_block bb;
     int64_t each, last;
 };
 
 struct precharged_loop {
-    gcond *test;       /* to be made: true leads to the loop that does not pay */
-    basic_block first; /* of the way there */
-    tree trips;       /* how often the loop goes back; unknown: it is the limit */
+    gcond *test;       /* true leads to the precharged version; its condition is still to be made */
+    basic_block first; /* the first block on the way to the precharged version */
+    tree trips;        /* the trip count, or limit if that is not known */
     int64_t limit;
-    int64_t most; /* units of a round, and of the last, at most */
+    int64_t most; /* units of the costliest trip */
     std::vector<precharged_block> blocks;
 };
 
 struct precharge_plan {
     std::vector<precharged_loop> loops;
-    std::set<basic_block> polled; /* heads of those that pay as they go */
-    std::set<gimple *> added;     /* statements that compute rounds, and tests: not the program's */
+    std::set<basic_block> polled; /* heads of the polled versions */
+    std::set<gimple *> added;     /* statements of the plugin: trip counts and tests */
 };
 
-/* Makes the copies and finds what is to be paid. looks: may this statement look at the counter? checked: blocks that are
- * to check; those of the loops that do not pay are taken out. */
+/* Makes the polled versions and finds what to charge. needs_counter: may a statement read or change the
+ * counter? poll_blocks: the blocks that poll; those of the precharged versions are taken out. */
 precharge_plan loop_precharge_run(bool (*needs_counter)(gimple *), bitmap poll_blocks);
 #endif

@@ -1,7 +1,13 @@
-/* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
+/* plugin.cc - what GCC loads: reads the plugin's arguments and files, and registers its passes and callbacks.
  *
- * Arguments: costs=FILE (needed), factors=FILE, profile, long32=FOLDER (of NX's headers: long32.h);
- * or poll (only checks: poll.cc); for tests: before=PASS (where the pass stands), memory (no registers).
+ * Arguments:
+ *     costs=FILE      the cost table; needed, unless there is `poll`
+ *     factors=FILE    cost factors
+ *     profile         count by function, too (profile.h)
+ *     long32=FOLDER   longs of 32 bits; FOLDER has NX's headers (long32.h)
+ *     poll            no counting, only polls (poll.h)
+ *     before=PASS     for tests: the pass before which the counting pass stands
+ *     memory          for tests: no counter in a register
  */
 #include "gcc.h"
 #include "cache.h"
@@ -26,7 +32,7 @@ struct arguments {
     const char *factors = nullptr;
     const char *long32 = nullptr;
     bool poll = false;
-    const char *before = "optimized"; /* the clean-up of the control flow graph just before expansion */
+    const char *before = "optimized"; /* GCC's clean-up of the control flow, before expansion */
 };
 
 arguments read_arguments(const plugin_name_args *info)
@@ -56,7 +62,7 @@ arguments read_arguments(const plugin_name_args *info)
     return a;
 }
 
-/* A mistake in a cost file is the user's, not the compiled program's: say it in our words and stop. */
+/* Ends the compilation if a cost file has a mistake. GCC's own errors would name the compiled program. */
 void stop_if(const std::string &error)
 {
     if (error.empty())
@@ -76,14 +82,12 @@ void read_files(const arguments &a)
     cache_use(table.cache);
 }
 
-/* The routine behind a check saves the registers that x86-64 has always had, and uses the stack below the
- * pointer. */
+/* nxc_enter saves the registers of plain x86-64 only, and uses the stack below the pointer. */
 void check_target(void *, void *)
 {
     if (TARGET_AVX)
         error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
-              "computer: "
-              "leave out %<-march%> and %<-mavx%>");
+              "computer: leave out %<-march%> and %<-mavx%>");
     if (TARGET_RED_ZONE)
         error("nxcc: node programs need %<-mno-red-zone%>");
 }
@@ -99,8 +103,8 @@ void finish_unit(void *, void *)
     lookahead_write_flags();
 }
 
-/* The C library says that errno is at the same place throughout a program. A node may go on on another thread of the
- * simulator after each call, where it is elsewhere. */
+/* The C library declares that errno keeps its address. But after a call a node may go on on another thread of
+ * the simulator, where errno has another address. */
 void scan_declaration(void *decl, void *)
 {
     tree d = static_cast<tree>(decl);

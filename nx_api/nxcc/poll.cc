@@ -1,24 +1,25 @@
-/* poll.cc - the pass that makes a program look, at each loop and function entry, whether a handler is to run. For programs
- * on MPI (nxcc --mpi), where time is real and nothing is counted; nx_api/mpi/tick.h has the other side.
+/* poll.cc - the pass of nxcc --mpi: at each loop and function entry the program polls whether a handler is
+ * due. Time is real on MPI, so that nothing is counted. nx_api/mpi/tick.h has the other side.
  *
- * A check is one piece of inline assembly: a compare with memory and a branch that is not taken. Where it leads, out of
- * the way, every register is saved; to the register allocator a check changes nothing, and a leaf function stays a leaf.
- * The jump over 128 bytes spares what such a function keeps below the stack pointer.
+ * A poll is one piece of inline assembly: a compare with memory and a branch that is not taken. The branch
+ * leads to code out of line that saves every register. So the poll changes nothing for the register
+ * allocator, and a leaf function stays a leaf. The code moves the stack pointer by 128 bytes first, because a
+ * leaf function keeps data below it (the red zone).
  */
 #include "poll.h"
 
 static const char poll_text[] = "cmpl\t$0, nxc_due(%%rip)\n"
-                            "\tjne\t771f\n"
-                            "772:\n"
-                            "\t.subsection 1\n"
-                            "771:\tleaq\t-128(%%rsp), %%rsp\n"
-                            "\tcall\tnxc_enter\n"
-                            "\tleaq\t128(%%rsp), %%rsp\n"
-                            "\tjmp\t772b\n"
-                            "\t.previous";
+                                "\tjne\t771f\n"
+                                "772:\n"
+                                "\t.subsection 1\n"
+                                "771:\tleaq\t-128(%%rsp), %%rsp\n"
+                                "\tcall\tnxc_enter\n"
+                                "\tleaq\t128(%%rsp), %%rsp\n"
+                                "\tjmp\t772b\n"
+                                "\t.previous";
 
-/* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
- * cannot be part of a recursion, so that its loops' checks suffice. */
+/* Every cycle of blocks has a back edge of a depth-first search, whatever shape the loop has. A function
+ * without calls cannot be part of a recursion, so that the polls of its loops suffice. */
 void poll_mark(function *fun, bool calls, bitmap poll_blocks)
 {
     bitmap_clear(poll_blocks);
@@ -47,7 +48,7 @@ bool has_calls(function *fun)
     return false;
 }
 
-/* setjmp has to stay the first of its block. */
+/* A call of setjmp must stay the first statement of its block. */
 bool may_begin_with_poll(basic_block bb)
 {
     gimple_stmt_iterator gsi = gsi_start_nondebug_after_labels_bb(bb);

@@ -1,5 +1,5 @@
-/* profile.cc - see profile.h. The cells are one array a compiled file, .Lnxc_cells, written as assembly when the file is
- * done: only then is their number known. */
+/* profile.cc - see profile.h. The cells of a compiled file are one array, .Lnxc_cells. It is written as
+ * assembly at the end of the file, when their number is known. */
 #include "gcc.h"
 #include "costs.h"
 #include "profile.h"
@@ -11,21 +11,17 @@ bool profile_on;
 
 namespace
 {
-/* struct nxc_cell, as it will be written. */
+/* A struct nxc_cell (image.h) to be written. */
 struct cell {
     std::string file, function, called; /* called: the library function, "" none */
     int line;
-    int body; /* the cell of the body that this is a part of; -1: it is one */
+    int body; /* the cell of the body of which this is a part; -1: this is a body */
 };
 
-enum { CELL_BYTES = 48 };
+enum { CELL_BYTES = 48 }; /* sizeof(struct nxc_cell) */
 
-tree units_constant(int64_t units)
-{
-    return build_int_cst(units_type(), units);
-}
-
-/* Written in which function, calling what, as part of which body: trees by their DECL_UID, which stay. */
+/* In which function a statement is written, what it calls, and the body of which it is a part. Functions are
+ * identified by their DECL_UID, which never changes. */
 struct cell_key {
     unsigned function;
     std::string called;
@@ -40,7 +36,7 @@ std::vector<cell> cells;
 std::map<cell_key, int> known;
 tree array; /* .Lnxc_cells, as longs */
 
-/* A clone or part that GCC made of a function is that function to who wrote it. */
+/* The function in the source of which GCC made a clone or a part. */
 tree as_written(tree function)
 {
     return DECL_ORIGIN(function);
@@ -49,7 +45,7 @@ tree as_written(tree function)
 int find_cell(tree function, const char *called, int body)
 {
     function = as_written(function);
-    /* bodies differ by what is compiled: a function and its clones have one each */
+    /* a function and each of its clones have a body of their own */
     cell_key key = {body < 0 ? DECL_UID(current_function_decl) : DECL_UID(function), called, body};
     auto found = known.find(key);
     if (found != known.end())
@@ -106,7 +102,7 @@ profiling::profiling(function *f, bool memory, bool (*needs_counter)(gimple *)) 
             if (needs_counter(gsi_stmt(gsi)))
                 for (class loop *l = bb->loop_father; l; l = loop_outer(l))
                     open_loops.insert(l->num);
-    open_loops.insert(0); /* the function, which is a loop to GCC */
+    open_loops.insert(0); /* the function: the root of GCC's loop tree */
 }
 
 int profiling::cell_of(gimple *stmt) const
@@ -123,7 +119,7 @@ int profiling::cell_of_leaf(tree function) const
     return find_cell(function, "", body);
 }
 
-/* The outermost loop around bb that gives control to nobody, or NULL. */
+/* The outermost closed loop around bb, or NULL. */
 class loop *profiling::closed_loop(basic_block bb) const
 {
     class loop *outermost = NULL;
@@ -170,7 +166,7 @@ void profiling::flush(gimple_seq *seq, basic_block bb) const
     }
 }
 
-/* A loop that GCC knows as one is entered only at its header. */
+/* Sets the sums to 0 where a loop is entered. GCC's loops are entered only at their headers. */
 void profiling::begin_sums(class loop *loop) const
 {
     edge e;
@@ -182,6 +178,7 @@ void profiling::begin_sums(class loop *loop) const
                     gsi_insert_on_edge(e, gimple_build_assign(s.second, units_constant(0)));
 }
 
+/* Adds the sums to their cells where a loop is left. */
 void profiling::end_sums(class loop *loop) const
 {
     basic_block bb;
@@ -212,7 +209,8 @@ void profiling::finish()
         gsi_commit_edge_inserts();
 }
 
-/* --- the unit --------------------------------------------------------------------------------------------- */
+/* --- the compiled file
+ * ------------------------------------------------------------------------------------ */
 
 void profile_write_cells()
 {

@@ -4,7 +4,7 @@
 
 namespace
 {
-tree all; /* a list */
+tree all; /* a list of all variables made here, for the garbage collector */
 
 const ggc_root_tab roots[] = {
     {&all, 1, sizeof all, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
@@ -44,7 +44,7 @@ tree symbols_define_local(const char *name, tree type)
     tree var = make(name, type);
     SET_DECL_ASSEMBLER_NAME(var, get_identifier(("*.L" + std::string(name)).c_str()));
     TREE_STATIC(var) = 1;
-    TREE_ASM_WRITTEN(var) = 1; /* not GCC's to write */
+    TREE_ASM_WRITTEN(var) = 1; /* GCC must not write it */
     return keep(var);
 }
 

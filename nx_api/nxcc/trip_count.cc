@@ -3,10 +3,11 @@
 
 namespace
 {
-/* A check costs little in a loop whose rounds take more to foresee. */
+/* A poll costs little in a loop whose trip count takes more to compute. */
 const unsigned most_operations = 12;
 
-/* All of a division's kinds, by anything, are too much, but not one by a constant that is known to leave nothing. */
+/* The operations of an expression. Division of any kind is too many, except EXACT_DIV_EXPR, a
+ * multiplication. */
 unsigned operations(tree expr)
 {
     if (!EXPR_P(expr))
@@ -63,7 +64,7 @@ tree trip_count_append(gimple_seq *seq, class loop *loop, const tree_niter_desc 
     trips = gimple_convert(seq, type, trips);
     if (!integer_zerop(n.may_be_zero))
         trips = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
-                              trips);
+                             trips);
     widest_int bound;
     if (wi::ges_p(n.max, limit) && !(max_loop_iterations(loop, &bound) && wi::lts_p(bound, limit)))
         trips = gimple_build(seq, MIN_EXPR, type, trips, most);
