@@ -29,8 +29,7 @@ struct known_load {
 std::vector<known_load> loaded;
 const int farthest = 64; /* statements ahead that is_on_the_way searches */
 
-/* --- the assembly. %0: the units; %1, %2: scratch; %3: the address; %4: nxc_cache of cache_runtime.c
- * ---------- */
+/* --- the assembly. %0: the units; %1, %2: scratch; %3: the address; %4: nxc_cache of cache_runtime.c ---- */
 
 std::string text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 std::string text(const char *format, ...)
@@ -121,8 +120,7 @@ std::string look_up_text(bool load, const char *operation)
     return s + ".previous";
 }
 
-/* --- the look-ups of a statement
- * ---------------------------------------------------------------------------- */
+/* --- the look-ups of a statement ------------------------------------------------------------------------ */
 
 /* The address of a reference to memory; for a bit-field, of the structure around it. */
 tree address_of(tree ref)

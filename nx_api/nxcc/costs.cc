@@ -299,8 +299,9 @@ bool is_uncounted_name(const char *name)
         " sinh cosh tanh floor floorf ceil ceilf fabs fabsf fmod fmin fmax fminf fmaxf hypot ldexp frexp modf"
         " rint round lround trunc sincos copysign"
         " tanf asinf acosf atanf atan2f sinhf coshf tanhf log10f fmodf rintf roundf lroundf truncf hypotf"
-        " copysignf erf erff erfc erfcf tgamma tgammaf cabs cabsf cexp cexpf clog clogf csqrt csqrtf csin csinf ccos"
-        " ccosf cpow cpowf _gfortran_pow_i4_i4 _gfortran_pow_r8_i8 _gfortran_pow_c4_i4 _gfortran_pow_c8_i4"
+        " copysignf erf erff erfc erfcf tgamma tgammaf cabs cabsf cexp cexpf clog clogf csqrt csqrtf csin"
+        " csinf ccos ccosf cpow cpowf _gfortran_pow_i4_i4 _gfortran_pow_r8_i8 _gfortran_pow_c4_i4"
+        " _gfortran_pow_c8_i4"
         " _gfortran_compare_string _gfortran_string_len_trim _gfortran_string_index nx_elements ";
     const char *p = strstr(names, name);
     size_t n = strlen(name);

@@ -31,12 +31,13 @@
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "idle_loops.h"
 #include "image.h"
 #include "leaf_charge.h"
-#include "poll.h"
-#include "loop_precharge.h"
-#include "profile.h"
 #include "lookahead.h"
+#include "loop_precharge.h"
+#include "poll.h"
+#include "profile.h"
 #include "purity.h"
 #include "symbols.h"
 #include <memory>
@@ -98,8 +99,6 @@ class counting
     void add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost);
     void add_cost(segment *s, gimple *stmt);
     void add_leaf_cost(segment *s, gimple *stmt);
-    void find_idle_loops();
-    bool costs_nothing(basic_block bb);
     void add_idle_cost(segment *s, basic_block bb);
     poll subtract(gimple_seq *seq, tree amount);
     poll charge(gimple_seq *seq, gimple *stmt, tree amount);
@@ -134,6 +133,7 @@ bool needs_counter(gimple *stmt)
     return is_counted_call(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
 }
 
+/* Finds out whether the function calls others, and whether `left` can be a register. */
 void counting::scan_function()
 {
     bool in_memory = count_in_memory || fun->calls_setjmp || fun->has_nonlocal_label;
@@ -215,43 +215,6 @@ void counting::add_leaf_cost(segment *s, gimple *stmt)
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
-}
-
-bool counting::costs_nothing(basic_block bb)
-{
-    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        if (costs_of(gsi_stmt(gsi)) || leaf_charge_cost(gsi_stmt(gsi)) || needs_counter(gsi_stmt(gsi)))
-            return false;
-    return true;
-}
-
-/* Finds endless loops without any work, such as for (;;); in which time must go by, too, or nobody could stop
- * the program. */
-void counting::find_idle_loops()
-{
-    auto_bitmap costless;
-    basic_block bb;
-    FOR_EACH_BB_FN (bb, fun)
-        if (costs_nothing(bb))
-            bitmap_set_bit(costless, bb->index);
-    FOR_EACH_BB_FN (bb, fun) {
-        if (!bitmap_bit_p(poll_blocks, bb->index) || !bitmap_bit_p(costless, bb->index))
-            continue;
-        auto_bitmap seen;
-        std::vector<basic_block> ways{bb};
-        while (!ways.empty() && !bitmap_bit_p(idle, bb->index)) {
-            basic_block from = ways.back();
-            ways.pop_back();
-            edge e;
-            edge_iterator ei;
-            FOR_EACH_EDGE (e, ei, from->succs) {
-                if (e->dest == bb)
-                    bitmap_set_bit(idle, bb->index);
-                else if (bitmap_bit_p(costless, e->dest->index) && bitmap_set_bit(seen, e->dest->index))
-                    ways.push_back(e->dest);
-            }
-        }
-    }
 }
 
 /* A source line for a block, also for the head of a loop without statements. */
@@ -614,7 +577,7 @@ void counting::run()
     if (analyses && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
     poll_mark(fun, calls, poll_blocks);
-    find_idle_loops();
+    idle_loops_find(fun, needs_counter, poll_blocks, idle);
     if (analyses) {
         plan = loop_precharge_run(needs_counter, poll_blocks);
         lookaheads = lookahead_find(poll_blocks, plan.polled, plan.added);

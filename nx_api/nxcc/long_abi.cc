@@ -6,8 +6,8 @@
  *
  * BYTES is the size of long in this file, 8 or 4. WHAT is one of
  *
- *     d c     the function is defined, or called, here; with longs of 8 bytes only if its result is a long, or
- *             it is handed a pointer to longs
+ *     d c     the function is defined, or called, here; with longs of 8 bytes only if its result is a long,
+ *             or it is handed a pointer to longs
  *     v       the function is defined here, and longs of 8 bytes are handed to it by value
  *     l       a call of a library function that reads or writes longs of 8 bytes
  *

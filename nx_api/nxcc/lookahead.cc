@@ -1,15 +1,12 @@
 /* lookahead.cc - see lookahead.h. */
 #include "lookahead.h"
+#include "call_free.h"
 #include "costs.h"
 #include "image.h"
 #include "leaf_charge.h"
-#include "output.h"
 #include "trip_count.h"
 #include "tree-ssa-loop-ivopts.h"
-#include "varasm.h"
-#include "symbols.h"
 #include <algorithm>
-#include <string>
 
 namespace
 {
@@ -20,14 +17,6 @@ const int64_t least_trip_units = 20 * NXC_UNITS_PER_CLOCK;
 const int64_t most_units = INT64_MAX / 64; /* no counter is ever greater */
 const int64_t most_times = 1 << 14;        /* an inner loop adds at most so many times the rest of the trip */
 const size_t most_external = 2;            /* functions of other files that a loop calls */
-
-struct call_free_function {
-    int64_t units; /* of the cheapest path */
-    bool polls;
-};
-std::map<unsigned, call_free_function> call_free; /* of this file, by DECL_UID */
-std::set<std::string> exported;                   /* flags of those that other files may call */
-std::map<std::string, tree> call_free_flags;      /* flags of functions of other files that this file calls */
 
 /* What the statements of a block, or of a loop, do besides computing. */
 struct effects {
@@ -83,14 +72,13 @@ class lookahead_analysis
     int64_t units_of_loop_entered(edge e);
     int64_t path_from(basic_block bb, class loop *within, path_units &known);
     const path_units &paths_to_end(class loop *within);
-    int64_t path(basic_block bb, class loop *inner, class loop *within);
+    int64_t path(basic_block bb, class loop *last, class loop *within);
     void accept_call_free();
     bool is_worth_a_variable(class loop *loop);
     tree append_inner(gimple_seq *seq, class loop *outer, class loop *inner);
     tree append_trip_units(gimple_seq *seq, class loop *loop);
     tree append_units(gimple_seq *seq, class loop *loop, tree trip_units);
     void keep(class loop *loop);
-    tree all_call_free(gimple_seq *seq, const std::vector<tree> &external);
     lookahead at(basic_block bb);
 
     bitmap poll_blocks;
@@ -102,22 +90,7 @@ class lookahead_analysis
     std::map<class loop *, path_units> paths; /* results of paths_to_end */
 };
 
-/* --- calls
- * ------------------------------------------------------------------------------------------------- */
-
-/* The symbol of a function's flag. GCC marks an assembler name as final by a leading asterisk. */
-std::string symbol_of(tree function)
-{
-    const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function));
-    return std::string("nxc_call_free.") + (*name == '*' ? name + 1 : name);
-}
-
-/* A function of another of the program's files. */
-bool is_external(tree callee)
-{
-    return callee && TREE_PUBLIC(callee) && DECL_EXTERNAL(callee) && !fndecl_built_in_p(callee) &&
-           !DECL_IN_SYSTEM_HEADER(callee);
-}
+/* --- calls ---------------------------------------------------------------------------------------------- */
 
 /* Adds a call to the effects; returns the units of the function called. */
 int64_t add_call(gcall *call, effects &d)
@@ -125,18 +98,18 @@ int64_t add_call(gcall *call, effects &d)
     tree callee = gimple_call_fndecl(call);
     if (costs_call_is_uncounted(call) || leaf_charge_is_call(call))
         return leaf_charge_cost(call);
-    auto known = callee ? call_free.find(DECL_UID(callee)) : call_free.end();
-    if (known != call_free.end()) {
-        d.callees_poll |= known->second.polls;
-        return known->second.units;
+    if (const call_free_function *known = call_free_find(callee)) {
+        d.callees_poll |= known->polls;
+        return known->units;
     }
-    if (is_external(callee))
+    if (call_free_is_external(callee))
         d.add_external(callee);
     else
         d.calls = true;
     return 0;
 }
 
+/* Computes the block_cost of each block. */
 void lookahead_analysis::cost_blocks()
 {
     basic_block bb;
@@ -157,8 +130,7 @@ void lookahead_analysis::cost_blocks()
     }
 }
 
-/* --- paths
- * ------------------------------------------------------------------------------------------------- */
+/* --- paths ---------------------------------------------------------------------------------------------- */
 
 /* The units of the loop that an edge enters, 0 if it enters none. */
 int64_t lookahead_analysis::units_of_loop_entered(edge e)
@@ -197,7 +169,7 @@ int64_t trips_before(class loop *loop, edge e)
     return trips_until_equal(loop, e);
 }
 
-/* The same for an exit: also by the edges that lead to the exit. */
+/* How often a loop goes back at least before it takes an exit: also by the edges that lead to the exit. */
 int64_t trips_before_exit(class loop *loop, edge exit)
 {
     int64_t most = trips_before(loop, exit);
@@ -242,6 +214,7 @@ int64_t lookahead_analysis::cheapest_path(class loop *loop, basic_block bb,
     return known[bb] = std::min(most_units, before + blocks[bb].units);
 }
 
+/* Computes a loop_cost, for all but the variable. Inner loops come before outer ones. */
 void lookahead_analysis::scan_loop(class loop *loop)
 {
     loop_cost &l = loops[loop];
@@ -298,44 +271,17 @@ const path_units &lookahead_analysis::paths_to_end(class loop *within)
     return known;
 }
 
+/* Records the function as call-free if it is. */
 void lookahead_analysis::accept_call_free()
 {
     for (auto &b : blocks)
         if (b.second.any_call())
             return;
-    tree decl = current_function_decl;
-    if (!decl_binds_to_current_def_p(decl))
-        return;
-    call_free[DECL_UID(decl)] = {paths_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))),
-                                 !bitmap_empty_p(poll_blocks)};
-    if (TREE_PUBLIC(decl) && !DECL_WEAK(decl) && !DECL_COMDAT(decl))
-        exported.insert(symbol_of(decl));
+    call_free_add(
+        {paths_to_end(NULL).at(single_succ(ENTRY_BLOCK_PTR_FOR_FN(cfun))), !bitmap_empty_p(poll_blocks)});
 }
 
-/* --- remaining trips
- * --------------------------------------------------------------------------------------- */
-
-/* The byte that tells whether a function of another file is call-free. */
-tree flag_of(tree function)
-{
-    std::string name = symbol_of(function);
-    tree &flag = call_free_flags[name];
-    if (!flag)
-        flag = symbols_declare(name.c_str(), unsigned_char_type_node);
-    return flag;
-}
-
-/* Appends: are these functions of other files all call-free? */
-tree lookahead_analysis::all_call_free(gimple_seq *seq, const std::vector<tree> &external)
-{
-    tree all = NULL_TREE;
-    for (tree function : external) {
-        tree flag = make_ssa_name(unsigned_char_type_node);
-        gimple_seq_add_stmt_without_update(seq, gimple_build_assign(flag, flag_of(function)));
-        all = all ? gimple_build(seq, BIT_AND_EXPR, unsigned_char_type_node, all, flag) : flag;
-    }
-    return gimple_build(seq, NE_EXPR, boolean_type_node, all, build_int_cst(unsigned_char_type_node, 0));
-}
+/* --- remaining trips ------------------------------------------------------------------------------------ */
 
 /* A precharged loop does not poll; nor do its inner loops. */
 bool lookahead_analysis::is_worth_a_variable(class loop *loop)
@@ -430,7 +376,8 @@ tree lookahead_analysis::append_units(gimple_seq *seq, class loop *loop, tree tr
         return NULL_TREE;
     tree units = gimple_build(seq, MULT_EXPR, units_type(), trips, trip_units);
     if (!l.external.empty())
-        units = gimple_build(seq, COND_EXPR, units_type(), all_call_free(seq, l.external), units, zero);
+        units =
+            gimple_build(seq, COND_EXPR, units_type(), call_free_append_all(seq, l.external), units, zero);
     return units;
 }
 
@@ -470,6 +417,7 @@ int64_t lookahead_analysis::path(basic_block bb, class loop *last, class loop *w
     return least;
 }
 
+/* The lookahead at the beginning of bb. */
 lookahead lookahead_analysis::at(basic_block bb)
 {
     lookahead p;
@@ -536,22 +484,4 @@ void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t charged, tree
     }
     end = gimple_build(seq, MIN_EXPR, units_type(), before, end);
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(word, end));
-}
-
-static void write_flag(const char *binding, const char *name, bool yes)
-{
-    fprintf(asm_out_file, "\t.%s %s\n\t.hidden %s\n%s:\t.byte %d\n", binding, name, name, name, yes);
-}
-
-/* The file that defines a function says 1, those that call it say 0, weakly: the linker prefers the
- * definition. */
-void lookahead_write_flags()
-{
-    if (!asm_out_file || (exported.empty() && call_free_flags.empty()))
-        return;
-    fputs("\t.section .rodata\n", asm_out_file);
-    for (const std::string &name : exported)
-        write_flag("globl", name.c_str(), true);
-    for (const auto &flag : call_free_flags)
-        write_flag("weak", flag.first.c_str(), false);
 }

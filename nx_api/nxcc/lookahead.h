@@ -26,10 +26,9 @@
  * An inner loop whose trip count is known where the outer loop is entered adds its units to the outer loop's
  * cheapest trip.
  *
- * A function is *call-free* if it reaches no call; calling it does not end the lookahead. The linker tells
- * whether a function f of another file is call-free: the file that defines f defines the byte nxc_call_free.f
- * as 1, and each file that calls f defines it weakly as 0. A loop that calls functions with polls of their
- * own stores its lookahead in each trip, since the polls that strike may be theirs.
+ * A function is *call-free* if it reaches no call; calling it does not end the lookahead (call_free.h). A
+ * loop that calls functions with polls of their own stores its lookahead in each trip, since the polls that
+ * strike may be theirs.
  *
  * A call before the end of the lookahead is a bug of this plugin. The simulator then stops the run, and names
  * the call and the function (sim/node/clock.h: clock_lookahead_is_broken).
@@ -63,6 +62,4 @@ std::map<basic_block, lookahead> lookahead_find(bitmap poll_blocks, const std::s
 /* Appends word = min(word, left - lookahead). Of the lookahead, `charged` units have been taken off left
  * already. */
 void lookahead_append(gimple_seq *seq, const lookahead &p, int64_t charged, tree word, tree left);
-/* At the end of a compiled file: writes the bytes that tell which functions are call-free. */
-void lookahead_write_flags();
 #endif

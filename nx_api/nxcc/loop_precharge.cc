@@ -30,8 +30,7 @@ class precharging
     std::vector<class loop *> chosen; /* those of result.loops, in the same order */
 };
 
-/* --- what a loop costs
- * ------------------------------------------------------------------------------------ */
+/* --- what a loop costs ---------------------------------------------------------------------------------- */
 
 /* Is the block's cost known, and does no statement need the counter? */
 bool precharging::is_plain(basic_block bb, unsigned *statements) const
@@ -118,8 +117,7 @@ void list_blocks(class loop *loop, const precharged_block *outer, std::vector<pr
     }
 }
 
-/* --- making the polled versions
- * ---------------------------------------------------------------------------- */
+/* --- making the polled versions ------------------------------------------------------------------------- */
 
 /* Plans the charge of a loop, and computes the trip count where the loop is entered. False: the loop stays as
  * it is. */

@@ -11,13 +11,13 @@
  */
 #include "gcc.h"
 #include "cache.h"
+#include "call_free.h"
 #include "costs.h"
 #include "count.h"
 #include "long32.h"
 #include "long_abi.h"
 #include "poll.h"
 #include "profile.h"
-#include "lookahead.h"
 #include "purity.h"
 #include "redeclare.h"
 #include "statics.h"
@@ -100,7 +100,7 @@ void begin_function(void *, void *)
 void finish_unit(void *, void *)
 {
     profile_write_cells();
-    lookahead_write_flags();
+    call_free_write_flags();
 }
 
 /* The C library declares that errno keeps its address. But after a call a node may go on on another thread of
