@@ -1,5 +1,6 @@
 /* cpu.c - the program's side of turns.h; turns.c has the scheduler's. */
 #include <assert.h>
+#include <inttypes.h>
 #include "kernel/fiber.h"
 #include "node/account.h"
 #include "node/clock.h"
@@ -143,6 +144,18 @@ static bool is_long_next(const struct node *n)
     return n->sys->workers && (n->ahead.long_after & n->ahead.after);
 }
 
+/* A call has come before the end of its program's lookahead, on which other nodes may have relied. */
+static __attribute__((noinline, cold)) void fail_lookahead(struct node *n)
+{
+    uint64_t spent = clock_stretch(n);
+    node_fail_in(n, __builtin_frame_address(0),
+                 "%s: called after %" PRIu64
+                 " cost units of computing, within the program's lookahead of %" PRIu64
+                 ": a function of the program has the name of one of the C library's, or nxcc has a bug; "
+                 "compile with -O0, which makes no lookahead, and report it",
+                 n->call, spent, spent + clock_promised(n));
+}
+
 static void begin_call(struct node *n, const char *call, bool early)
 {
     n->call = call;
@@ -151,6 +164,8 @@ static void begin_call(struct node *n, const char *call, bool early)
     n->hands_over = early;
     if (n->sys->workers)
         note_stretch(n);
+    if (clock_lookahead_is_broken(n))
+        fail_lookahead(n);
 }
 
 static void take_turn(struct node *n)

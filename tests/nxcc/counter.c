@@ -1,4 +1,5 @@
-/* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied on. */
+/* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied
+ * on. */
 #include "counter.h"
 #include <string.h>
 
