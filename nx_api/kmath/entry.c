@@ -1,6 +1,6 @@
-/* entry.c - the entries: NAME_ pays for the routine and goes on with it, as nx_kmath_NAME_, with all
- * arguments as they were. Compiled once for each routine (-DNAME=dgemm -DNUMBER=...), so that a program's
- * own routine takes an entry's place. */
+/* entry.c - the entry point of one routine: NAME_ charges the program and jumps to the routine,
+ * nx_kmath_NAME_, with all arguments as they were. Compiled once for each routine (-DNAME=dgemm -DNUMBER=...)
+ * into an object of its own, so that a routine of the program's own replaces the entry point. */
 #define TEXT_(s) #s
 #define TEXT(s) TEXT_(s)
 

@@ -1,5 +1,5 @@
-/* kernels.c - the inner loops of the reference BLAS, as its Fortran sources have them: compiled by nxcc, so
- * that they are counted as a program's own. They are run on a few elements, to see what they cost. */
+/* kernels.c - the inner loops of the reference BLAS, as its Fortran sources have them. nxcc compiles them, so
+ * that they are counted like a program's own loops. They run on a few elements, to measure their cost. */
 #include "kmath.h"
 
 #define KERNELS(T, kind, magnitude)                                                                          \
@@ -78,7 +78,7 @@
 #define COMPLEX_MAGNITUDE(x) (__builtin_fabsf(__real__(x)) + __builtin_fabsf(__imag__(x)))
 #define DOUBLE_COMPLEX_MAGNITUDE(x) (__builtin_fabs(__real__(x)) + __builtin_fabs(__imag__(x)))
 
-/* As GNU Fortran does: complex numbers are multiplied without a look for infinities. */
+/* As GNU Fortran does: complex numbers are multiplied without a test for infinities. */
 #pragma GCC optimize("cx-fortran-rules")
 KERNELS(float, s, __builtin_fabsf)
 KERNELS(double, d, __builtin_fabs)

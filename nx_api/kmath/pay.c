@@ -1,5 +1,5 @@
-/* pay.c - spends a node's time for a routine's work. Not counted itself; it takes from the program's counter
- * what the work costs (nxcc/image.h), in pieces, so that handlers run at their times. */
+/* pay.c - charges a node's program for a routine's work. Not counted itself: it takes the work's cost units
+ * from the program's counter (nxcc/image.h), 1,000 clocks at a time, so that handlers run at their times. */
 #include "../nxcc/image.h"
 #include "kmath.h"
 
@@ -8,10 +8,10 @@ enum { PIECE = 1000 * NXC_UNITS_PER_CLOCK, FEW = 8, MORE = 40, ROOM = 100 };
 extern int64_t nxc_left __attribute__((visibility("hidden")));
 
 struct price {
-    int64_t base, element; /* units; element 0: not known yet */
+    int64_t base, element; /* units; element 0: not measured yet */
 };
 
-/* What nxcc has made a kernel count, without spending it. */
+/* The cost units that a kernel counts, without charging them to the program. */
 static int64_t count(enum kmath_kind kind, enum kmath_loop loop, int n)
 {
     static double x[2 * ROOM], y[2 * ROOM];

@@ -1,5 +1,5 @@
-/* work.c - the loops in each routine: how long the inner ones are, and how often they are done, by the
- * arguments of the call. Arguments are numbered from 1, as in the routine's Fortran header. */
+/* work.c - the inner loops of each routine: their lengths, and how often they run, by the arguments of the
+ * call. Arguments are numbered from 1, as in the routine's Fortran header. */
 #include "kmath.h"
 
 static int64_t number(const struct kmath_call *c, int argument)
@@ -8,7 +8,7 @@ static int64_t number(const struct kmath_call *c, int argument)
     return *at > 0 ? *at : 0;
 }
 
-/* Is the option of that argument the letter? */
+/* Is an argument, an option, this letter? */
 static bool is(const struct kmath_call *c, int argument, char letter)
 {
     const char *at = c->registers[argument - 1];
@@ -20,13 +20,13 @@ static int64_t loop(const struct kmath_call *c, enum kmath_loop l, int64_t n, in
     return nx_kmath_loop(c->kind, l, n, times);
 }
 
-/* A matrix as it is: columns are added up; transposed: products with columns are summed. */
+/* The product with a matrix adds columns; with a transposed matrix, it sums products with columns. */
 static int64_t by_column(const struct kmath_call *c, int transposed, int64_t n, int64_t times)
 {
     return loop(c, is(c, transposed, 'N') ? KMATH_AXPY : KMATH_DOT, n, times);
 }
 
-/* One half of a matrix, used as the whole. */
+/* A symmetric matrix, of which one half is stored. */
 static int64_t both_halves(const struct kmath_call *c, int64_t n, int64_t times)
 {
     return loop(c, KMATH_AXPY, n, times) + loop(c, KMATH_DOT, n, times);
@@ -163,7 +163,7 @@ static int64_t lansy(const struct kmath_call *c) /* norm, uplo, n */
     return loop(c, KMATH_ASUM, number(c, 3) / 2, number(c, 3));
 }
 
-/* Elimination and substitution for each right-hand side: three steps like those of axpy for each row. */
+/* Elimination, and substitution for each right-hand side: three axpy operations for each row. */
 static int64_t gtsv(const struct kmath_call *c) /* n, nrhs */
 {
     return loop(c, KMATH_AXPY, number(c, 1), 3 * (1 + number(c, 2)));

@@ -3,31 +3,33 @@
 #include "cache.h"
 #include "costs.h"
 #include "image.h"
-#include "variable.h"
+#include "symbols.h"
 #include <math.h>
 #include <stdarg.h>
 
 namespace
 {
 cache_costs cache;
-tree tags; /* nxc_cache of cache_runtime.c */
+tree tags; /* the variable nxc_cache of cache_runtime.c */
 
-/* Something in memory at a known distance from what others are, too. */
+/* An address as base + index * step + index2 + offset; two addresses that differ in offset only are a known
+ * distance apart. */
 struct spot {
-    tree base = NULL_TREE, index = NULL_TREE, step = NULL_TREE, index2 = NULL_TREE; /* base NULL: unknown */
+    tree base = NULL_TREE, index = NULL_TREE, step = NULL_TREE,
+         index2 = NULL_TREE; /* base NULL: the address is of no such form */
     int64_t offset = 0;
 };
 
-/* What has been loaded in this block since the last call. */
+/* A load in this block since the last call. */
 struct known_load {
     tree ref;
     spot at;
     bool looked_up;
 };
 std::vector<known_load> loaded;
-const int farthest = 64; /* statements ahead that are looked at */
+const int farthest = 64; /* statements ahead that is_on_the_way searches */
 
-/* --- the assembly: %0 the units, %1 and %2 scratch, %3 the address, %4 nxc_cache of cache_runtime.c --------- */
+/* --- the assembly. %0: the units; %1, %2: scratch; %3: the address; %4: nxc_cache of cache_runtime.c ---- */
 
 std::string text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 std::string text(const char *format, ...)
@@ -40,16 +42,16 @@ std::string text(const char *format, ...)
     return line;
 }
 
-/* Cache or translation buffer: what it is, where it begins in nxc_cache, and its labels: label + way, where that way of a set
- * becomes the first. */
-struct place {
+/* The code for the cache or the translation buffer: where its sets begin in nxc_cache, and its labels. At
+ * label + i the code moves way i of a set to the front. */
+struct level_code {
     const cache_level &level;
     int begin, label;
 
-    /* A way of the address's set, whose offset is in %1. */
+    /* The operand for way i of the set whose offset is in %1. */
     std::string way(int64_t i) const { return text("%d(%%4,%%1)", begin + 8 * (int)i); }
 
-    /* %1 = offset of the address's set. */
+    /* %1 = the offset of the address's set. */
     std::string find_set() const
     {
         int shift = (int)log2((double)level.line / NXC_CACHE_SET_BYTES);
@@ -57,7 +59,7 @@ struct place {
         return s + text("andl\t$%d, %%k1\n\t", (int)(level.sets - 1) * NXC_CACHE_SET_BYTES);
     }
 
-    /* Compares a way with the address in scratch, and jumps if jump says so. */
+    /* Compares way i with the address, by means of scratch; jump is the conditional jump behind. */
     std::string compare(int64_t i, const char *scratch, const std::string &jump) const
     {
         return text("movq\t%s, %s\n\txorq\t%%3, %s\n\tcmpq\t$%d, %s\n\t", way(i).c_str(), scratch, scratch,
@@ -65,7 +67,7 @@ struct place {
                jump + "\n\t";
     }
 
-    /* A hit in another way than the first goes to its label. */
+    /* Compares the other ways than the first; a hit jumps to its label. */
     std::string compare_others() const
     {
         std::string s;
@@ -74,7 +76,7 @@ struct place {
         return s;
     }
 
-    /* The address's line becomes the first of its set, and the last of them goes. */
+    /* The address's line becomes the first of its set; the last line is dropped. */
     std::string bring(bool with_labels) const
     {
         std::string s;
@@ -88,28 +90,28 @@ struct place {
 
 const std::string DONE = "jmp\t772b\n\t";
 
-std::string pay(const char *operation, int64_t units)
+std::string charge(const char *operation, int64_t units)
 {
     return text("%s\t$%d, %%0\n\t", operation, (int)units);
 }
 
-/* The line's page, and the end. */
+/* Looks up the line's page, and ends. */
 std::string translate(const char *operation)
 {
-    const place tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790};
+    const level_code tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790};
     if (!tlb.level.sets)
         return DONE;
     return tlb.find_set() + tlb.compare(0, "%2", "jbe\t772b") + tlb.compare_others() +
-           pay(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
+           charge(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
 }
 
-/* What a load or store looks like. operation: how %0 pays, "subq" or "addq". */
+/* The whole text of a load's or store's look-up. operation: how a miss is charged to %0, "subq" or "addq". */
 std::string look_up_text(bool load, const char *operation)
 {
-    const place data = {cache.data, 0, 780};
+    const level_code data = {cache.data, 0, 780};
     std::string s = data.find_set() + data.compare(0, "%1", "ja\t771f") + "\n772:\n\t.subsection 1\n771:\t" +
                     data.find_set() + data.compare_others();
-    s += pay(operation, load ? cache.load_miss : cache.store_miss);
+    s += charge(operation, load ? cache.load_miss : cache.store_miss);
     if (load)
         s += data.bring(false);
     s += translate(operation);
@@ -118,9 +120,9 @@ std::string look_up_text(bool load, const char *operation)
     return s + ".previous";
 }
 
-/* --- where it goes ------------------------------------------------------------------------------------------ */
+/* --- the look-ups of a statement ------------------------------------------------------------------------ */
 
-/* The address of what a reference to memory names; of a bit-field, the address of what holds it. */
+/* The address of a reference to memory; for a bit-field, of the structure around it. */
 tree address_of(tree ref)
 {
     tree base = get_base_address(ref);
@@ -183,7 +185,8 @@ bool ends_what_is_known(gimple *stmt)
     return is_gimple_call(stmt) || gimple_code(stmt) == GIMPLE_ASM;
 }
 
-/* Will something be loaded from which `from` is less than a line away, and `at` lies between the two? */
+/* Does a statement behind stmt load from an address less than a line away from `from`, so that `at` lies
+ * between the two? */
 bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
 {
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
@@ -203,7 +206,7 @@ bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
     return false;
 }
 
-/* Between two loads less than a line apart there is no third line. */
+/* Does `at` lie between two loads less than a line apart? Then it is in the line of one of them. */
 bool is_between(gimple *stmt, const spot &at)
 {
     for (const known_load &l : loaded)
@@ -231,9 +234,9 @@ void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
     tree address = force_gimple_operand_gsi(&gsi, fold_convert(ptr_type_node, address_of(ref)), true,
                                             NULL_TREE, true, GSI_SAME_STMT);
-    tree l = units_type(), paid = left ? left : make_ssa_name(l);
+    tree l = units_type(), charged = left ? left : make_ssa_name(l);
     vec<tree, va_gc> *in = NULL, *out = NULL;
-    operand(&out, "=&r", paid);
+    operand(&out, "=&r", charged);
     operand(&out, "=&r", make_ssa_name(l));
     operand(&out, "=&r", make_ssa_name(l));
     operand(&in, "r", address);
@@ -249,7 +252,7 @@ void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
     }
     gsi_insert_before(&gsi, a, GSI_SAME_STMT);
     if (!left)
-        units.safe_push(paid);
+        units.safe_push(charged);
 }
 } // namespace
 
@@ -277,7 +280,7 @@ void cache_look_up(gimple *stmt, tree left, vec<tree> &units)
     if (!is_gimple_assign(stmt) || gimple_clobber_p(stmt))
         return;
     if (!tags)
-        tags = variable_declare("nxc_cache", units_type());
+        tags = symbols_declare("nxc_cache", units_type());
     if (gimple_assign_single_p(stmt))
         look_up(stmt, gimple_assign_rhs1(stmt), true, left, units);
     look_up(stmt, gimple_assign_lhs(stmt), false, left, units);

@@ -1,5 +1,4 @@
-/* costs.cc - class costs of GIMPLE statements. See costs.h; the classes are explained in machines/cpu/ files.
- */
+/* costs.cc - see costs.h. The files of machines/cpu explain the cost classes. */
 #include "gcc.h"
 #include "costs.h"
 #include <math.h>
@@ -16,7 +15,7 @@ bool is_single(tree type)
     return TYPE_PRECISION(type) <= 32;
 }
 
-/* Type of one element: of a vector or complex its component. */
+/* The type of one element of a vector or complex number; any other type is its own. */
 tree scalar_type(tree type)
 {
     return VECTOR_TYPE_P(type) || TREE_CODE(type) == COMPLEX_TYPE ? TREE_TYPE(type) : type;
@@ -42,7 +41,7 @@ bool is_power_of_two(tree operand)
            pow2p_hwi(tree_to_shwi(operand));
 }
 
-/* The work of forming an address that does not fold into the load or store itself. */
+/* The cost of computing an address, as far as it does not fold into the load or store. */
 int64_t address_cost(tree ref)
 {
     int64_t cost = 0;
@@ -78,8 +77,8 @@ int64_t words(tree type)
     return (int64_t)((tree_to_uhwi(TYPE_SIZE_UNIT(type)) + 7) / 8);
 }
 
-/* A variable with an address of 32 bits, of which a load or store holds 16. Loops have such addresses in registers, as they
- * have in what GCC leaves of the accesses in them. */
+/* The cost of a static variable's address of 32 bits, of which a load or store holds 16. In a loop, GCC keeps
+ * such addresses in registers, and the accesses that it leaves do not name the variable. */
 int64_t base_cost(tree operand)
 {
     tree base = get_base_address(operand);
@@ -96,7 +95,7 @@ int64_t memory_cost(tree operand, int64_t access)
 
 int64_t divide_cost(tree divisor)
 {
-    /* by a power of two: shift, and the correction for negative numbers */
+    /* by a power of two: a shift, and the correction for negative numbers */
     return is_power_of_two(divisor) ? 3 * table.clocks.integer : table.clocks.divide;
 }
 
@@ -154,7 +153,7 @@ int64_t conversion_cost(tree_code code, tree to, tree from)
     if (is_float(to) && is_float(from))
         return is_single(scalar_type(to)) == is_single(scalar_type(from)) ? 0
                                                                           : table.clocks.convert_precision;
-    return 0; /* between integers, pointers: a register keeps its bits; narrow loads extend by themselves */
+    return 0; /* between integers and pointers: a register keeps its bits, short loads extend */
 }
 
 int64_t compare_cost(tree operand)
@@ -162,7 +161,7 @@ int64_t compare_cost(tree operand)
     return is_float(TREE_TYPE(operand)) ? table.clocks.fp_compare : table.clocks.integer;
 }
 
-/* The operation of an assignment, without its loads and store. */
+/* The cost of the operation of an assignment, without loads and store. */
 int64_t operation_cost(gassign *stmt)
 {
     tree_code code = gimple_assign_rhs_code(stmt);
@@ -196,7 +195,7 @@ int64_t assign_cost(gassign *stmt)
 
 /* --- calls ---------------------------------------------------------------------------------------------- */
 
-/* The name under which a call is known outside this file, or NULL: then it is code of the program. */
+/* The name of the library function that is called, or NULL if the callee is code of the program. */
 const char *library_name(gcall *call)
 {
     tree decl = gimple_call_fndecl(call);
@@ -207,7 +206,8 @@ const char *library_name(gcall *call)
     return strncmp(name, "__builtin_", 10) ? name : name + 10;
 }
 
-/* The entry of that name, or the longest "name*" that it begins with. */
+/* The entry of the cost table for a call: of its name, else of the longest "name*" that the name begins with.
+ * NULL: none. */
 const call_cost *listed(gcall *call)
 {
     const char *name = library_name(call);
@@ -224,7 +224,7 @@ const call_cost *listed(gcall *call)
     return NULL;
 }
 
-/* Calls that GCC expands in place to a few instructions. Returns -1 for the others. */
+/* The cost of a call that GCC expands in place to a few instructions; -1 for all others. */
 int64_t expanded_cost(gcall *call)
 {
     tree lhs = gimple_call_lhs(call);
@@ -284,9 +284,9 @@ int64_t fixed_call_cost(gcall *call)
     return cost + table.clocks.call + gimple_call_num_args(call) * table.clocks.argument;
 }
 
-/* The C library's functions that keep to themselves: no output, no allocation, no call back, no clock. What
- * the simulator serves, and stdio whose streams it serves, is not among them. */
-bool is_quiet_name(const char *name)
+/* Functions of the C library without output, allocation, call back or clock. Functions that the simulator
+ * serves, and stdio, whose streams it serves, are not among them. */
+bool is_uncounted_name(const char *name)
 {
     static const char names[] =
         " memcpy memmove memset memcmp memchr strlen strnlen strcpy strncpy strcat strncat strcmp strncmp"
@@ -298,9 +298,10 @@ bool is_quiet_name(const char *name)
         "atan2"
         " sinh cosh tanh floor floorf ceil ceilf fabs fabsf fmod fmin fmax fminf fmaxf hypot ldexp frexp modf"
         " rint round lround trunc sincos copysign"
-        " tanf asinf acosf atanf atan2f sinhf coshf tanhf log10f fmodf rintf roundf lroundf truncf hypotf copysignf"
-        " erf erff erfc erfcf tgamma tgammaf cabs cabsf cexp cexpf clog clogf csqrt csqrtf csin csinf ccos ccosf"
-        " cpow cpowf _gfortran_pow_i4_i4 _gfortran_pow_r8_i8 _gfortran_pow_c4_i4 _gfortran_pow_c8_i4"
+        " tanf asinf acosf atanf atan2f sinhf coshf tanhf log10f fmodf rintf roundf lroundf truncf hypotf"
+        " copysignf erf erff erfc erfcf tgamma tgammaf cabs cabsf cexp cexpf clog clogf csqrt csqrtf csin"
+        " csinf ccos ccosf cpow cpowf _gfortran_pow_i4_i4 _gfortran_pow_r8_i8 _gfortran_pow_c4_i4"
+        " _gfortran_pow_c8_i4"
         " _gfortran_compare_string _gfortran_string_len_trim _gfortran_string_index nx_elements ";
     const char *p = strstr(names, name);
     size_t n = strlen(name);
@@ -310,14 +311,14 @@ bool is_quiet_name(const char *name)
     return false;
 }
 
-/* A program may have its own round() or log2(): then it is not declared in a system header. */
+/* A program may have its own round() or log2(), which no system header declares. */
 bool is_declared_by_library(tree decl)
 {
     location_t where = DECL_SOURCE_LOCATION(decl);
     return where <= BUILTINS_LOCATION || in_system_header_at(where);
 }
 
-/* __builtin_ctz and its kin: an operation in the clothes of a call. */
+/* Is it a call such as of __builtin_ctz, which GCC expands to an operation? */
 bool is_operation(gcall *call)
 {
     const char *name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(gimple_call_fndecl(call)));
@@ -326,7 +327,7 @@ bool is_operation(gcall *call)
 
 /* --- cost factors --------------------------------------------------------------------------------------- */
 
-/* The function whose text stmt comes from. */
+/* The function in whose source a statement is written. */
 tree written_in(gimple *stmt)
 {
     for (tree b = gimple_block(stmt); b && TREE_CODE(b) == BLOCK; b = BLOCK_SUPERCONTEXT(b)) {
@@ -434,7 +435,7 @@ int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements)
     return with_factor(call, known->per);
 }
 
-bool costs_call_is_quiet(gcall *call)
+bool costs_call_is_uncounted(gcall *call)
 {
     if (gimple_call_internal_p(call))
         return true;
@@ -442,16 +443,15 @@ bool costs_call_is_quiet(gcall *call)
     if (!name)
         return false;
     return expanded_cost(call) >= 0 || is_operation(call) ||
-           (is_quiet_name(name) && is_declared_by_library(gimple_call_fndecl(call)));
+           (is_uncounted_name(name) && is_declared_by_library(gimple_call_fndecl(call)));
 }
 
 void costs_warn_if_taken_for_library(tree function)
 {
     if (TREE_PUBLIC(function) && DECL_NAME(function) &&
-        is_quiet_name(IDENTIFIER_POINTER(DECL_NAME(function))))
+        is_uncounted_name(IDENTIFIER_POINTER(DECL_NAME(function))))
         warning_at(DECL_SOURCE_LOCATION(function), 0,
                    "nxcc: %qD has the name of a C library function: files that include the library%'s header "
-                   "do not count "
-                   "it and must not be preempted in it; rename it or make it static",
+                   "do not count it and must not be preempted in it; rename it or make it static",
                    function);
 }

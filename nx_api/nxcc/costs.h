@@ -1,40 +1,42 @@
-/* costs.h - what one GIMPLE statement costs on the simulated processor.
+/* costs.h - the cost of one GIMPLE statement on the simulated processor, in cost units (image.h).
  *
- * The statements are those left by GCC's optimisers just before they become machine code, so an SSA copy, a
- * PHI, a cast between integers or an address folded into a memory reference is not an operation and costs
- * nothing. A statement's cost is multiplied by the cost factor of the function it was written in, also when
- * that function was inlined into another.
+ * The statements are those that GCC's optimisers leave just before they become machine code. An SSA copy, a
+ * PHI, a conversion between integers, and an address that folds into a memory reference are no operations and
+ * cost nothing. A statement's cost is multiplied by the cost factor of the function in whose source it is
+ * written, also where that function is inlined into another.
  */
 #ifndef NXCC_COSTS_H
 #define NXCC_COSTS_H
 #include "table.h"
 
-/* The files to use; must be called once before the others. */
+/* The cost table and the factors to use. To be called once, before the others. */
 void costs_use(const cost_table &table, const std::vector<cost_factor> &factors);
 
-/* Units of one execution of stmt. For a call this is the fixed part: see costs_of_call. */
+/* The units of one execution of stmt; for a call without its argument-dependent cost (costs_of_call). */
 int64_t costs_of(gimple *stmt);
 
-/* Units of going back in a loop in which nothing else costs anything; stmt stands where it is. */
+/* The units of the jump back in a loop in which nothing else costs anything. stmt: one of its statements. */
 int64_t costs_of_going_back(gimple *stmt);
 
-/* The function that stmt was written in. */
+/* The function in whose source stmt is written. */
 tree costs_written_in(gimple *stmt);
 
-/* The name of the library function that stmt calls, if the cost table prices it, or NULL. */
+/* The name of the library function that stmt calls, if the cost table has a cost for it, or NULL. */
 const char *costs_priced_call(gimple *stmt);
 
-/* Is it an operand that lies in memory? */
+/* Is an operand in memory? */
 bool costs_is_memory(tree operand);
 
-/* The part of a call's cost that depends on its arguments or result: units each, 0 if none; *of tells of
- * what, *elements whether that is an array with so many elements. */
+/* The argument-dependent cost of a call: units for each unit of the product of the arguments that *of lists
+ * (call_cost in table.h); 0 if there is none. *elements: *of is the number of a Fortran array, whose elements
+ * count. */
 int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements);
 
-/* True if the call cannot look at or change the counter, nor come back to counted code: it is expanded in
- * place, or it is one of the C library's pure functions. */
-bool costs_call_is_quiet(gcall *call);
+/* Is it a call that neither reads nor changes the counter, and does not come back to counted code? GCC
+ * expands such a call in place, or it is of a pure function of the C library. */
+bool costs_call_is_uncounted(gcall *call);
 
-/* Warns if function, defined here, would be taken for the C library's by the other files of the program. */
+/* Warns if a function that is defined here would be taken for the C library's by other files of the
+ * program. */
 void costs_warn_if_taken_for_library(tree function);
 #endif

@@ -1,72 +1,78 @@
-/* count.cc - the pass that makes a program count its own cost: image.h says what it counts into.
+/* count.cc - the counting pass: it makes a program count its own cost into the counter of image.h.
  *
- * A function's blocks are cut into stretches at the calls that may look at the counter. A stretch pays its
- * cost in one subtraction where it begins:
+ * A *segment* is a part of a basic block between two calls that need the counter. Its cost is charged in one
+ * subtraction where the segment begins. A *poll* is the comparison behind the charge: it gives control to the
+ * simulator (*preempts* the program) if the counter is negative. Polls stand at the heads of loops, and where
+ * functions begin.
  *
  *     block:  left -= cost
- *             if (left < 0) preempt        only where a cycle of blocks closes, and where a function begins
+ *             if (left < 0) preempt        the poll
  *             ...
- *             counter = left               the call sees all that was spent before it
+ *             counter = left               the callee finds all charged that was spent before
  *             call
  *             left = counter
- *             left -= cost of the next stretch
+ *             left -= cost of the next segment
  *             ...
  *
- * `left` is a register variable of the function; GCC's SSA updating turns it into SSA names. A function with
- * edges that no register survives in good order (setjmp, computed goto, nonlocal goto) counts in memory
- * instead: same places, same costs. The pass stands last before the expansion to machine code, so that what
- * it counts is what is left to execute.
+ * `left` is a register variable of the function; GCC's SSA update turns it into SSA names. A function with
+ * edges over which no register variable is safe (setjmp, computed goto, nonlocal goto) counts in memory
+ * instead, at the same places and with the same costs. The pass is the last before the expansion to machine
+ * code, so that it counts what is left to execute.
  *
- * Loops whose rounds are known before they run are paid for there: prepay.h. Small functions may be paid for by those who
- * call them: leaves.h. Checks tell how long the program will make no call: promise.h.
+ * Three refinements have files of their own: loops that are charged where they are entered
+ * (loop_precharge.h), small functions that are charged to their callers (leaf_charge.h), and lookahead, which
+ * polls give to the simulator (lookahead.h).
  *
  * preempt is inline assembly, not a call, and its target saves every register: to the register allocator a
- * check is a branch over nothing, and a leaf function stays a leaf.
+ * poll is a branch over nothing, and a leaf function stays a leaf.
  */
 #include "gcc.h"
-#include "amount.h"
+#include "arg_cost.h"
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
+#include "idle_loops.h"
 #include "image.h"
-#include "leaves.h"
+#include "leaf_charge.h"
+#include "lookahead.h"
+#include "loop_precharge.h"
 #include "poll.h"
-#include "prepay.h"
 #include "profile.h"
-#include "promise.h"
 #include "purity.h"
-#include "variable.h"
+#include "symbols.h"
 #include <memory>
 
 #define COUNTER "nxc_left"
-#define QUIET "nxc_quiet"
+#define LOOKAHEAD "nxc_lookahead"
 #define PREEMPT "nxc_enter" /* runtime.c */
 
-/* A library call that is known to cost more is checked for, and interrupted at such intervals: 10 us of a 40 MHz processor. */
-const int64_t longest_amount = 400 * NXC_UNITS_PER_CLOCK;
+/* A library call that is known to cost more is spent in parts of so many units, with a poll behind each: 10
+ * us of a 40 MHz processor. */
+const int64_t longest_part = 400 * NXC_UNITS_PER_CLOCK;
 
 bool count_in_memory;
 
 namespace
 {
-tree counter, quiet; /* the variables nxc_left and nxc_quiet of runtime.c */
+tree counter, lookahead_word; /* the variables nxc_left and nxc_lookahead of runtime.c */
 
-/* Where a check is to go: behind a statement that pays, if value is then negative. What a long library call costs may be
- * spent in parts, so that nothing that is due has to wait for all of it. */
-struct check {
+/* A poll to insert: behind the statement `after`, which charges, the program is preempted if value is
+ * negative. The charge of a long library call may be spent in parts, so that a due handler need not wait for
+ * all of it. */
+struct poll {
     gimple *after;
     tree value;
     bool in_parts;
-    const promise *promised; /* NULL: nothing */
-    int64_t paid;            /* of it */
+    const lookahead *ahead; /* NULL: none */
+    int64_t charged;        /* units of the lookahead that have been charged at the poll */
 };
 
-/* What a stretch costs, and of whom. */
-struct stretch {
+/* The cost of a segment, and the functions to which the profile attributes it. */
+struct segment {
     int64_t cost = 0;
     profile_shares shares; /* only with a profile */
 
-    void add(const stretch &s, int64_t times)
+    void add(const segment &s, int64_t times)
     {
         cost += s.cost * times;
         for (auto &share : s.shares)
@@ -81,60 +87,54 @@ class counting
     void run();
 
   private:
-    void look_at_function();
+    void scan_function();
     void count_block(basic_block bb);
     gimple *hand_over(gcall *call);
-    void pay_misses(gimple *stmt);
-    void pay_misses_of(basic_block bb);
-    void pay_argument(gcall *call);
-    gimple *pay_result(gcall *call, gimple *behind);
-    void pay(basic_block bb, gimple *behind, const stretch &s);
-    void pay_ahead(const prepaid_loop &loop);
-    void give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost);
-    void spend(stretch *s, gimple *stmt);
-    void spend_leaf(stretch *s, gimple *stmt);
-    void find_idle_loops();
-    bool costs_nothing(basic_block bb);
-    void spend_going_back(stretch *s, basic_block bb);
-    check subtract(gimple_seq *seq, tree amount);
-    check charge(gimple_seq *seq, gimple *stmt, tree amount);
+    void charge_misses(gimple *stmt);
+    void charge_misses_of_block(basic_block bb);
+    void charge_arguments(gcall *call);
+    gimple *charge_result(gcall *call, gimple *behind);
+    void charge_segment(basic_block bb, gimple *behind, const segment &s);
+    void precharge(const precharged_loop &loop);
+    void add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost);
+    void add_cost(segment *s, gimple *stmt);
+    void add_leaf_cost(segment *s, gimple *stmt);
+    void add_idle_cost(segment *s, basic_block bb);
+    poll subtract(gimple_seq *seq, tree amount);
+    poll charge(gimple_seq *seq, gimple *stmt, tree amount);
     void charge_call(gimple_seq *seq, gcall *call, tree amount);
     void store(gimple_seq *seq, tree value);
     void load_on_entry();
     void store_on_exit();
     void preempt(gimple_seq *seq);
     void preempt_in_time(gimple_seq *seq);
-    void insert_check(const check &c);
+    void insert_poll(const poll &p);
 
     function *fun;
     tree left = NULL_TREE;              /* the register, or NULL: count in memory */
-    bool calls = false;                 /* others, so that it may be part of a recursion */
+    bool calls = false;                 /* it calls others, so that it may be part of a recursion */
     std::unique_ptr<profiling> profile; /* NULL: none is wanted */
-    auto_bitmap checked;                /* blocks that check: the heads of cycles, and the first */
+    auto_bitmap poll_blocks;            /* blocks that poll: the heads of cycles, and the first */
     auto_bitmap idle;                   /* of these, the heads of cycles that cost nothing otherwise */
-    prepaid ahead;                      /* loops paid for where they are entered */
-    std::map<basic_block, promise> promises;
-    std::set<basic_block> paid; /* their blocks that pay nothing themselves */
-    auto_vec<check> checks;
+    precharge_plan plan;
+    std::map<basic_block, lookahead> lookaheads; /* of poll_blocks */
+    std::set<basic_block> precharged; /* blocks of precharged loops that charge nothing themselves */
+    auto_vec<poll> polls;
 };
 
-tree units_constant(int64_t units)
+bool is_counted_call(gcall *call)
 {
-    return build_int_cst(units_type(), units);
+    return call && !costs_call_is_uncounted(call);
 }
 
-bool is_loud(gcall *call)
+/* Does a statement need the counter in memory, because it may read or change the counter? */
+bool needs_counter(gimple *stmt)
 {
-    return call && !costs_call_is_quiet(call);
+    return is_counted_call(dyn_cast<gcall *>(stmt)) && !leaf_charge_is_call(stmt);
 }
 
-/* May it look at the counter, or change it? */
-bool looks(gimple *stmt)
-{
-    return is_loud(dyn_cast<gcall *>(stmt)) && !leaves_is_call(stmt);
-}
-
-void counting::look_at_function()
+/* Finds out whether the function calls others, and whether `left` can be a register. */
+void counting::scan_function()
 {
     bool in_memory = count_in_memory || fun->calls_setjmp || fun->has_nonlocal_label;
     basic_block bb;
@@ -145,16 +145,16 @@ void counting::look_at_function()
             in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
             if (gcall *call = dyn_cast<gcall *>(gsi_stmt(gsi))) {
-                calls = calls || is_loud(call);
-                leaves_see_call(call);
+                calls = calls || is_counted_call(call);
+                leaf_charge_note_call(call);
             }
     }
     if (!in_memory)
         left = create_tmp_reg(units_type(), "left");
 }
 
-/* Appends counter -= amount. The result names the last statement and where the new value is. */
-check counting::subtract(gimple_seq *seq, tree amount)
+/* Appends counter -= amount. Returns a poll behind the last statement appended, of the new value. */
+poll counting::subtract(gimple_seq *seq, tree amount)
 {
     if (left) {
         gimple *sub = TREE_CODE(amount) == INTEGER_CST
@@ -172,26 +172,26 @@ check counting::subtract(gimple_seq *seq, tree amount)
     return {store, is, false, NULL, 0};
 }
 
-/* The same on behalf of a statement. */
-check counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
+/* Appends counter -= amount, the cost of a statement. */
+poll counting::charge(gimple_seq *seq, gimple *stmt, tree amount)
 {
-    check paid = subtract(seq, amount);
+    poll charged = subtract(seq, amount);
     if (profile)
         profile->add(seq, gimple_bb(stmt), profile->cell_of(stmt), amount);
-    paid.after = gimple_seq_last_stmt(*seq);
-    return paid;
+    charged.after = gimple_seq_last_stmt(*seq);
+    return charged;
 }
 
-/* The same for the part of a library call's cost that depends on its arguments or result. */
+/* Appends counter -= amount, the argument-dependent cost of a library call. */
 void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 {
-    check paid = charge(seq, call, amount);
-    paid.in_parts = true;
-    if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_amount)
-        checks.safe_push(paid);
+    poll charged = charge(seq, call, amount);
+    charged.in_parts = true;
+    if (TREE_CODE(amount) == INTEGER_CST && tree_to_shwi(amount) > longest_part)
+        polls.safe_push(charged);
 }
 
-/* Appends counter = value: somebody else may look at it now. */
+/* Appends counter = value, for a callee or the simulator to read. */
 void counting::store(gimple_seq *seq, tree value)
 {
     if (profile && left)
@@ -199,61 +199,25 @@ void counting::store(gimple_seq *seq, tree value)
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, value));
 }
 
-/* Adds the fixed cost of stmt to a stretch. */
-void counting::spend(stretch *s, gimple *stmt)
+/* Adds the fixed cost of a statement to a segment. */
+void counting::add_cost(segment *s, gimple *stmt)
 {
-    int64_t cost = ahead.own.count(stmt) ? 0 : costs_of(stmt);
+    int64_t cost = plan.added.count(stmt) ? 0 : costs_of(stmt);
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of(stmt)] += cost;
 }
 
-/* Adds what the function costs that stmt calls, if it leaves that to us. */
-void counting::spend_leaf(stretch *s, gimple *stmt)
+/* Adds the cost of the caller-charged leaf that a statement calls, if it calls one. */
+void counting::add_leaf_cost(segment *s, gimple *stmt)
 {
-    int64_t cost = leaves_cost(stmt);
+    int64_t cost = leaf_charge_cost(stmt);
     s->cost += cost;
     if (profile && cost)
         s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
 }
 
-bool counting::costs_nothing(basic_block bb)
-{
-    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        if (costs_of(gsi_stmt(gsi)) || leaves_cost(gsi_stmt(gsi)) || looks(gsi_stmt(gsi)))
-            return false;
-    return true;
-}
-
-/* In an endless loop without any work, such as for (;;); time has to go by, too, or nobody could stop it. */
-void counting::find_idle_loops()
-{
-    auto_bitmap costless;
-    basic_block bb;
-    FOR_EACH_BB_FN (bb, fun)
-        if (costs_nothing(bb))
-            bitmap_set_bit(costless, bb->index);
-    FOR_EACH_BB_FN (bb, fun) {
-        if (!bitmap_bit_p(checked, bb->index) || !bitmap_bit_p(costless, bb->index))
-            continue;
-        auto_bitmap seen;
-        std::vector<basic_block> ways{bb};
-        while (!ways.empty() && !bitmap_bit_p(idle, bb->index)) {
-            basic_block from = ways.back();
-            ways.pop_back();
-            edge e;
-            edge_iterator ei;
-            FOR_EACH_EDGE (e, ei, from->succs) {
-                if (e->dest == bb)
-                    bitmap_set_bit(idle, bb->index);
-                else if (bitmap_bit_p(costless, e->dest->index) && bitmap_set_bit(seen, e->dest->index))
-                    ways.push_back(e->dest);
-            }
-        }
-    }
-}
-
-/* Where the source has a loop whose head has no statement. */
+/* A source line for a block, also for the head of a loop without statements. */
 location_t location_of(basic_block bb)
 {
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
@@ -267,8 +231,9 @@ location_t location_of(basic_block bb)
     return UNKNOWN_LOCATION;
 }
 
-/* The block gets a statement that does nothing and costs it: then it has a place in the source. */
-void counting::spend_going_back(stretch *s, basic_block bb)
+/* Adds the cost of a jump to the head of an idle loop. A statement that does nothing gives the cost its
+ * source line. */
+void counting::add_idle_cost(segment *s, basic_block bb)
 {
     gimple *nop = gimple_build_nop();
     gimple_set_location(nop, location_of(bb));
@@ -280,33 +245,33 @@ void counting::spend_going_back(stretch *s, basic_block bb)
         s->shares[profile->cell_of(nop)] += cost;
 }
 
-/* A check where bb begins, of which `cost` has been paid, tells what is promised there; for those that are called soon it is
- * told at once. */
-void counting::give_promise(gimple_seq *seq, check *c, basic_block bb, int64_t cost)
+/* Gives the poll at the beginning of bb, where `cost` has been charged, its lookahead. If callees have polls
+ * of their own, the lookahead is stored in each trip, whether the poll strikes or not. */
+void counting::add_lookahead(gimple_seq *seq, poll *p, basic_block bb, int64_t cost)
 {
-    auto found = promises.find(bb);
-    if (found == promises.end())
+    auto found = lookaheads.find(bb);
+    if (found == lookaheads.end())
         return;
-    c->promised = &found->second;
-    c->paid = cost;
-    if (found->second.for_others)
-        promise_append(seq, found->second, cost, quiet, left);
+    p->ahead = &found->second;
+    p->charged = cost;
+    if (found->second.callees_poll)
+        lookahead_append(seq, found->second, cost, lookahead_word, left);
 }
 
-/* Pays for the stretch that begins behind a statement, or with the block if behind is NULL: there the check
- * is. */
-void counting::pay(basic_block bb, gimple *behind, const stretch &s)
+/* Charges the segment that begins behind a statement, or with the block if behind is NULL. The block's poll
+ * is there. */
+void counting::charge_segment(basic_block bb, gimple *behind, const segment &s)
 {
-    bool check_here = !behind && bitmap_bit_p(checked, bb->index);
-    if (!s.cost && !check_here)
+    bool poll_here = !behind && bitmap_bit_p(poll_blocks, bb->index);
+    if (!s.cost && !poll_here)
         return;
     gimple_seq seq = NULL;
-    check paid = subtract(&seq, units_constant(s.cost));
+    poll charged = subtract(&seq, units_constant(s.cost));
     for (auto &share : s.shares)
         profile->add(&seq, bb, share.first, units_constant(share.second));
-    if (check_here) {
-        give_promise(&seq, &paid, bb, s.cost);
-        checks.safe_push(paid);
+    if (poll_here) {
+        add_lookahead(&seq, &charged, bb, s.cost);
+        polls.safe_push(charged);
     }
     if (behind) {
         gimple_stmt_iterator gsi = gsi_for_stmt(behind);
@@ -317,8 +282,8 @@ void counting::pay(basic_block bb, gimple *behind, const stretch &s)
     }
 }
 
-/* Only with a simulated cache. */
-void counting::pay_misses(gimple *stmt)
+/* Charges the misses of a statement; only with a simulated cache. */
+void counting::charge_misses(gimple *stmt)
 {
     auto_vec<tree> misses;
     cache_look_up(stmt, profile ? NULL_TREE : left, misses);
@@ -331,7 +296,7 @@ void counting::pay_misses(gimple *stmt)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-void counting::pay_argument(gcall *call)
+void counting::charge_arguments(gcall *call)
 {
     const std::vector<int> *of = nullptr;
     bool elements;
@@ -339,14 +304,15 @@ void counting::pay_argument(gcall *call)
     if (!per || of->at(0) == 0)
         return;
     gimple_seq seq = NULL;
-    if (tree amount = amount_append(&seq, call, per, *of, elements))
+    if (tree amount = arg_cost_append(&seq, call, per, *of, elements))
         charge_call(&seq, call, amount);
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-/* Returns the last statement it put behind the given one. */
-gimple *counting::pay_result(gcall *call, gimple *behind)
+/* Charges a call's cost that depends on its result. Returns the last statement put behind `behind`, or
+ * `behind`. */
+gimple *counting::charge_result(gcall *call, gimple *behind)
 {
     const std::vector<int> *of = nullptr;
     bool elements;
@@ -364,16 +330,16 @@ gimple *counting::pay_result(gcall *call, gimple *behind)
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    charge_call(&seq, call, amount_append(&seq, call, per, *of, elements));
+    charge_call(&seq, call, arg_cost_append(&seq, call, per, *of, elements));
     gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);
     return last;
 }
 
-/* Lets a call see the counter and takes over what it left. Returns the last statement that belongs to the
- * call. A call marked as a tail call may stay one: if GCC makes it a jump, what follows it is dropped, and
- * rightly so, because the callee leaves the counter where this function's caller looks for it. */
+/* Stores the counter before a call and loads it again behind the call. Returns the last statement that
+ * belongs to the call. A call marked as a tail call may stay one: if GCC makes it a jump, GCC drops the load,
+ * and the callee leaves the counter in memory, where this function's caller loads it. */
 gimple *counting::hand_over(gcall *call)
 {
     if (!left)
@@ -389,29 +355,30 @@ gimple *counting::hand_over(gcall *call)
     return reload;
 }
 
-/* Appends rounds * each + last. */
-tree append_rounds(gimple_seq *seq, const prepaid_loop &loop, int64_t each, int64_t last)
+/* Appends trips * each + last. */
+tree append_trips(gimple_seq *seq, const precharged_loop &loop, int64_t each, int64_t last)
 {
-    tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.rounds, units_constant(each));
+    tree sum = gimple_build(seq, MULT_EXPR, units_type(), loop.trips, units_constant(each));
     return gimple_build(seq, PLUS_EXPR, units_type(), sum, units_constant(last));
 }
 
-/* Where a loop is entered: pays for the blocks that all rounds run, if the dearest rounds could be paid. */
-void counting::pay_ahead(const prepaid_loop &loop)
+/* Makes the test where a loop is entered, and charges the blocks that all trips run before the precharged
+ * version. */
+void counting::precharge(const precharged_loop &loop)
 {
-    stretch each, last;
-    for (const prepaid_block &b : loop.blocks) {
-        stretch once;
+    segment each, last;
+    for (const precharged_block &b : loop.blocks) {
+        segment once;
         for (gimple_stmt_iterator gsi = gsi_start_bb(b.bb); !gsi_end_p(gsi); gsi_next(&gsi)) {
-            spend(&once, gsi_stmt(gsi));
-            spend_leaf(&once, gsi_stmt(gsi));
+            add_cost(&once, gsi_stmt(gsi));
+            add_leaf_cost(&once, gsi_stmt(gsi));
         }
         each.add(once, b.each);
         last.add(once, b.last);
     }
     gimple_seq seq = NULL;
     tree rest = make_ssa_name(units_type());
-    tree need = append_rounds(&seq, loop, loop.most, loop.most);
+    tree need = append_trips(&seq, loop, loop.most, loop.most);
     gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(rest, MINUS_EXPR, left, need));
     gimple_cond_set_condition(loop.test, GE_EXPR, rest, units_constant(0));
     update_stmt(loop.test);
@@ -422,69 +389,70 @@ void counting::pay_ahead(const prepaid_loop &loop)
     if (each.cost == loop.most && last.cost == loop.most)
         gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, rest));
     else
-        subtract(&seq, append_rounds(&seq, loop, each.cost, last.cost));
+        subtract(&seq, append_trips(&seq, loop, each.cost, last.cost));
     for (auto &share : each.shares)
         profile->add(&seq, loop.first, share.first,
-                     append_rounds(&seq, loop, share.second, last.shares[share.first]));
+                     append_trips(&seq, loop, share.second, last.shares[share.first]));
     gsi = gsi_after_labels(loop.first);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-/* Of a block that has been paid for ahead. */
-void counting::pay_misses_of(basic_block bb)
+/* Charges the cache misses of a precharged block, which no trip count tells. */
+void counting::charge_misses_of_block(basic_block bb)
 {
     auto_vec<gimple *> statements;
     for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         statements.safe_push(gsi_stmt(gsi));
     cache_forget();
     for (gimple *stmt : statements)
-        pay_misses(stmt);
+        charge_misses(stmt);
 }
 
 void counting::count_block(basic_block bb)
 {
-    if (paid.count(bb))
+    if (precharged.count(bb))
         return;
     auto_vec<gimple *> statements;
     for (gimple_stmt_iterator gsi = gsi_after_labels(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         statements.safe_push(gsi_stmt(gsi));
-    stretch now;
+    segment now;
     gimple *behind = NULL;
     unsigned i;
     gimple *stmt;
     cache_forget();
     if (bitmap_bit_p(idle, bb->index))
-        spend_going_back(&now, bb);
+        add_idle_cost(&now, bb);
     FOR_EACH_VEC_ELT (statements, i, stmt) {
-        spend(&now, stmt);
-        pay_misses(stmt);
+        add_cost(&now, stmt);
+        charge_misses(stmt);
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
             continue;
-        pay_argument(call);
+        charge_arguments(call);
         gimple *last = call;
-        if (is_loud(call))
+        if (is_counted_call(call))
             purity_forget(call);
-        if (leaves_is_call(call) && !behind && bitmap_bit_p(checked, bb->index)) { /* paid behind the check */
-            pay(bb, behind, now);
-            now = stretch();
+        if (leaf_charge_is_call(call) && !behind && bitmap_bit_p(poll_blocks, bb->index)) {
+            /* the leaf is charged behind the block's poll, where it would charge itself */
+            charge_segment(bb, behind, now);
+            now = segment();
             behind = call;
         }
-        spend_leaf(&now, call);
-        if (looks(call)) {
-            pay(bb, behind, now);
-            now = stretch();
+        add_leaf_cost(&now, call);
+        if (needs_counter(call)) {
+            charge_segment(bb, behind, now);
+            now = segment();
             behind = last = hand_over(call);
         } else {
             gimple_call_set_tail(call, false); /* the store at the function's end must come after it */
         }
         if (!stmt_ends_bb_p(call))
-            last = pay_result(call, last);
-        if (behind && looks(call))
+            last = charge_result(call, last);
+        if (behind && needs_counter(call))
             behind = last;
     }
     if (!behind || !stmt_ends_bb_p(behind))
-        pay(bb, behind, now);
+        charge_segment(bb, behind, now);
 }
 
 void counting::load_on_entry()
@@ -507,8 +475,8 @@ void counting::store_on_exit()
     }
 }
 
-/* Appends the call of the simulator. It saves all but what is in x87 registers (long double): whoever has anything there puts
- * it elsewhere meanwhile, for to ask whether there is any takes longer than all the rest. */
+/* Appends the call of the simulator. Its target saves all registers but those of the x87 (long double), which
+ * the assembly clobbers: to ask at run time whether one of them is in use takes longer than all the rest. */
 void append_preemption(gimple_seq *seq)
 {
     static const char *const names[] = {"memory", "st",    "st(1)", "st(2)", "st(3)",
@@ -521,7 +489,7 @@ void append_preemption(gimple_seq *seq)
     gimple_seq_add_stmt_without_update(seq, call);
 }
 
-/* Appends a preemption, with left as it is. */
+/* Appends a preemption. */
 void counting::preempt(gimple_seq *seq)
 {
     if (left)
@@ -531,8 +499,8 @@ void counting::preempt(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(left, counter));
 }
 
-/* Appends a preemption at the end of the part of a library call in which left became negative; parts end at multiples of
- * longest_amount before the call's end. What is behind that part is spent after it. */
+/* Appends a preemption at the end of the part of a library call in which left became negative. Parts end at
+ * multiples of longest_part before the call's end. The parts behind are charged after the preemption. */
 void counting::preempt_in_time(gimple_seq *seq)
 {
     auto append = [seq](tree_code code, tree a, tree b) {
@@ -546,7 +514,7 @@ void counting::preempt_in_time(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(was, counter));
     }
     tree beyond = append(MINUS_EXPR, units_constant(-1), was); /* spent since left was -1 */
-    tree in_part = append(TRUNC_MOD_EXPR, beyond, units_constant(longest_amount));
+    tree in_part = append(TRUNC_MOD_EXPR, beyond, units_constant(longest_part));
     tree behind = append(MINUS_EXPR, beyond, in_part);
     store(seq, append(PLUS_EXPR, was, behind));
     append_preemption(seq);
@@ -557,13 +525,13 @@ void counting::preempt_in_time(gimple_seq *seq)
         gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, is));
 }
 
-/* Cuts the block behind c.after and puts the way to the simulator beside it. It leads back to the check if there are
- * parts. */
-void counting::insert_check(const check &c)
+/* Splits the block behind p.after, and puts the preemption into a block out of line. That block leads back to
+ * the poll if the charge is spent in parts. */
+void counting::insert_poll(const poll &p)
 {
-    basic_block bb = gimple_bb(c.after);
-    edge on = split_block(bb, c.after);
-    if (c.in_parts) {
+    basic_block bb = gimple_bb(p.after);
+    edge on = split_block(bb, p.after);
+    if (p.in_parts) {
         bb = split_edge(on);
         on = single_succ_edge(bb);
     }
@@ -572,8 +540,8 @@ void counting::insert_check(const check &c)
     if (current_loops)
         add_bb_to_loop(cold, bb->loop_father);
     gimple_stmt_iterator gsi = gsi_last_bb(bb);
-    tree value = c.value;
-    if (c.in_parts && !left) {
+    tree value = p.value;
+    if (p.in_parts && !left) {
         value = make_ssa_name(units_type());
         gsi_insert_after(&gsi, gimple_build_assign(value, counter), GSI_NEW_STMT);
     }
@@ -584,15 +552,15 @@ void counting::insert_check(const check &c)
     edge out = make_edge(bb, cold, EDGE_TRUE_VALUE);
     out->probability = profile_probability::very_unlikely();
     cold->count = out->count();
-    make_single_succ_edge(cold, c.in_parts ? bb : rest, EDGE_FALLTHRU);
+    make_single_succ_edge(cold, p.in_parts ? bb : rest, EDGE_FALLTHRU);
 
     gimple_seq seq = NULL;
     location_t where = location_of(bb);
     if (profile)
         profile->flush(&seq, bb);
-    if (c.promised)
-        promise_append(&seq, *c.promised, c.paid, quiet, left);
-    if (c.in_parts)
+    if (p.ahead)
+        lookahead_append(&seq, *p.ahead, p.charged, lookahead_word, left);
+    if (p.in_parts)
         preempt_in_time(&seq);
     else
         preempt(&seq);
@@ -604,29 +572,29 @@ void counting::insert_check(const check &c)
 
 void counting::run()
 {
-    look_at_function();
-    bool foresees = left && optimize;
-    if (foresees && !calls && !cache_is_simulated() && leaves_accept(fun))
+    scan_function();
+    bool analyses = left && optimize;
+    if (analyses && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
-    poll_mark(fun, calls, checked);
-    find_idle_loops();
-    if (foresees) {
-        ahead = prepay_loops(looks, checked);
-        promises = promise_find(checked, ahead.slow, ahead.own);
+    poll_mark(fun, calls, poll_blocks);
+    idle_loops_find(fun, needs_counter, poll_blocks, idle);
+    if (analyses) {
+        plan = loop_precharge_run(needs_counter, poll_blocks);
+        lookaheads = lookahead_find(poll_blocks, plan.polled, plan.added);
     }
     if (profile_on)
-        profile = std::make_unique<profiling>(fun, !left, looks);
-    for (const prepaid_loop &loop : ahead.loops)
-        for (const prepaid_block &b : loop.blocks)
-            paid.insert(b.bb);
+        profile = std::make_unique<profiling>(fun, !left, needs_counter);
+    for (const precharged_loop &loop : plan.loops)
+        for (const precharged_block &b : loop.blocks)
+            precharged.insert(b.bb);
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         count_block(bb);
-    for (const prepaid_loop &loop : ahead.loops)
-        pay_ahead(loop);
-    for (const prepaid_loop &loop : ahead.loops)
-        for (const prepaid_block &b : loop.blocks)
-            pay_misses_of(b.bb);
+    for (const precharged_loop &loop : plan.loops)
+        precharge(loop);
+    for (const precharged_loop &loop : plan.loops)
+        for (const precharged_block &b : loop.blocks)
+            charge_misses_of_block(b.bb);
     if (left) {
         load_on_entry();
         store_on_exit();
@@ -634,11 +602,11 @@ void counting::run()
     if (profile)
         profile->finish();
     unsigned i;
-    check *c;
-    FOR_EACH_VEC_ELT (checks, i, c)
-        insert_check(*c);
+    poll *p;
+    FOR_EACH_VEC_ELT (polls, i, p)
+        insert_poll(*p);
     if (current_loops)
-        loops_state_set(LOOPS_NEED_FIXUP); /* a call's parts are one */
+        loops_state_set(LOOPS_NEED_FIXUP); /* the parts of a call make a loop */
     free_dominance_info(CDI_DOMINATORS);
     free_dominance_info(CDI_POST_DOMINATORS);
 }
@@ -655,8 +623,8 @@ class count_pass : public gimple_opt_pass
     unsigned int execute(function *f) override
     {
         if (!counter) {
-            counter = variable_declare(COUNTER, units_type());
-            quiet = variable_declare(QUIET, units_type());
+            counter = symbols_declare(COUNTER, units_type());
+            lookahead_word = symbols_declare(LOOKAHEAD, units_type());
         }
         costs_warn_if_taken_for_library(f->decl);
         counting(f).run();

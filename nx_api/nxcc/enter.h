@@ -1,5 +1,9 @@
-/* enter.h - what every nxc_enter, which a check calls where nothing is saved, begins and ends with: the general registers that a C
- * function may change. Between the two, %rsp may be lowered and aligned as it likes. */
+/* enter.h - the beginning and the end of nxc_enter, the routine to which a poll that strikes goes (runtime.c,
+ * nx_api/mpi/tick.c).
+ *
+ * A poll has saved nothing. These two save and restore the general registers that a C function may change.
+ * Between the two, %rsp may be lowered and aligned freely.
+ */
 #ifndef NXCC_ENTER_H
 #define NXCC_ENTER_H
 

@@ -1,4 +1,4 @@
-/* gcc.h - GCC's own headers in the order that they need. Included first by every file of the plugin. */
+/* gcc.h - GCC's own headers, in the order that they need. Each file of the plugin includes it first. */
 #ifndef NXCC_GCC_H
 #define NXCC_GCC_H
 #pragma GCC diagnostic push
@@ -40,10 +40,15 @@
 #include "diagnostic-core.h"
 #pragma GCC diagnostic pop
 
-/* The type of what is counted: 64 bits, also where long has 32 (long32.cc). */
+/* The type of cost units: 64 bits, also where long has 32 (long32.cc). */
 static inline tree units_type()
 {
     return TYPE_PRECISION(long_integer_type_node) == 64 ? long_integer_type_node
                                                         : long_long_integer_type_node;
+}
+
+static inline tree units_constant(int64_t units)
+{
+    return build_int_cst(units_type(), units);
 }
 #endif

@@ -1,26 +1,33 @@
-/* image.h - the contract between a node program built by nxcc and the simulator that loads it.
+/* image.h - the program image: the interface between a node program built by nxcc and the simulator that
+ * loads it.
  *
  * A node program is a position-independent executable (ELF ET_DYN, x86-64) whose undefined symbols are all
  * named in sim/guest/exports.def. It exports one object, nxc_image, through which the simulator finds the
  * rest.
  *
- * Counting. The plugin keeps, in every instrumented function, a register copy of *left, the cost units that
- * may still be spent before the simulator wants control. Every basic block subtracts its cost. The register
- * is stored to *left before any call that may look at it or change it, and reloaded after. At loop headers
- * and function entries a negative value makes the program store it and call nxc_preempt(), and reload. units
- * spent since the simulator last set *left to B  =  B - *left so an event that is due after U units is seen
- * at the first check at or past it when B = U - 1.
+ * Cost unit. Computing is counted in cost units of 1/1000 clock of the simulated processor, so that cost
+ * factors near 1 can be expressed. machines/cpu/NAME.cfg gives the costs of operations in clocks.
  *
- * Quiet. A program whose check strikes may have put into *quiet what *left will have come to, at most, when it makes its next
- * call that the simulator serves, as far as it knows (promise.h). The simulator sets *quiet to NXC_NOT_QUIET whenever it sets
- * *left.
+ * Counter. *left is the number of cost units that the program may still spend before the simulator wants
+ * control. Each instrumented function keeps a copy of *left in a register, from which each basic block
+ * subtracts its cost. The function stores the register to *left before any call that may read or change
+ * *left, and loads *left again after the call.
  *
- * Profile. A program built with --profile adds what it spends to cells as well (how: profile.h). At any call
- * and check the cells are up to date with *left, and the bodies' sum is what was spent since the program
- * began.
+ * Poll. At loop heads and function entries the program compares the register with 0. If it is negative, the
+ * poll strikes: the program stores *left, calls nxc_preempt(), and loads *left again. If the simulator last
+ * set *left to B, the program has spent B - *left units since. So an event that is due after U units is seen
+ * by the first poll at or past it if B = U - 1.
  *
- * Unit. One unit is 1/1000 clock of the simulated processor, so that cost factors near one can be expressed;
- * class costs are whole or fractional clocks in machines/cpu/.cfg files.
+ * Lookahead. *lookahead is the value that *left will have come down to, at the latest, when the program makes
+ * its next call that the simulator serves. A poll that strikes may lower *lookahead before it calls
+ * nxc_preempt() (lookahead.h). Whenever the simulator sets *left, it sets *lookahead to NXC_NO_LOOKAHEAD.
+ *
+ *     *left:   B ........ 0 ... -3 ............................ *lookahead
+ *              control given    poll strikes                    no call before
+ *
+ * Profile. A program built with --profile also adds what it spends to cells (profile.h). At each call and
+ * each poll that strikes, the cells are up to date with *left, and the sum over the bodies is what has been
+ * spent since the program began.
  */
 #ifndef NXC_IMAGE_H
 #define NXC_IMAGE_H
@@ -29,34 +36,34 @@
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
 #define NXC_IMAGE_VERSION 4u
 #define NXC_UNITS_PER_CLOCK 1000
-#define NXC_NOT_QUIET (INT64_MAX / 2)
-/* At most, of a simulated data cache and translation buffer: cache.h. */
+#define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
+/* The largest data cache and translation buffer that can be simulated: cache.h. */
 enum { NXC_CACHE_SETS = 1024, NXC_TLB_SETS = 64, NXC_CACHE_WAYS = 4, NXC_CACHE_SET_BYTES = 32 };
 
-/* Units spent in one function's body, all that was inlined into it included; or in a part of a body: what was
- * inlined from one other function, or one library call. So what a function has spent is the sum over the cells
- * with its name, less the sum over the parts of its bodies. */
+/* The units spent in the body of one function, with all that is inlined into it; or in a part of a body: in
+ * what is inlined from one other function, or in one library function. A function has spent the sum of the
+ * cells with its name, less the sum of the parts of its bodies. */
 struct nxc_cell {
     int64_t units;
-    const char *file, *function; /* where it was written */
-    const char *called;          /* the library function it was spent in, NULL: none */
-    struct nxc_cell *body;       /* it is a part of this one, NULL: it is a body */
+    const char *file, *function; /* of the source */
+    const char *called;          /* the library function, NULL: none */
+    struct nxc_cell *body;       /* the cell of which this is a part, NULL: this is a body */
     int64_t line;                /* of the function */
 };
 
 struct nxc_image {
     uint32_t magic;
     uint32_t version;
-    int64_t *left;                      /* the program's own counter, see above */
-    int64_t *quiet;                     /* it makes no call before *left is less than this */
+    int64_t *left;                      /* the counter */
+    int64_t *lookahead;                 /* the lookahead's end, as a value of *left */
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);
     struct nxc_cell *cells_begin; /* both NULL: built without --profile */
     struct nxc_cell *cells_end;
-    int64_t long_bytes; /* of a C program's long: 8, or 4 (nxcc --long32) */
+    int64_t long_bytes; /* the size of long in C: 8, or 4 (nxcc --long32) */
 };
 
-/* Served by the simulator: let virtual time catch up; returns with *left set anew. */
+/* Served by the simulator: lets virtual time catch up with the program, and returns with *left set anew. */
 void nxc_preempt(void);
 #endif

@@ -1,23 +1,20 @@
-/* long32.cc - `long` of 32 bits, as the i860 had it, for C programs on a 64-bit host.
+/* long32.cc - `long` of 32 bits, as on the i860, for C programs on a 64-bit host.
  *
- * GCC keeps the types behind `long` and `unsigned long` in two slots of integer_types[], which it reads wherever it meets
- * these words, an L after a constant, or %ld in a format. The slots hold int and unsigned int while it reads a program,
- * and the host's 64-bit types while it reads a system header, whose declarations are those of the host's library. A
- * program's long is then the same type as its int: both can be pointed to by either's pointers, as old programs do.
+ * GCC keeps the types of `long` and `unsigned long` in two slots of integer_types[], which it reads at each
+ * of these words, at an L behind a constant, and at %ld in a format. The plugin sets the slots to int and
+ * unsigned int while GCC reads a program, and to the host's 64-bit types while it reads a system header,
+ * whose declarations are those of the host's library. So a program's long is the same type as its int, and a
+ * pointer to one can point to the other, as in old programs.
  */
-#include "gcc.h"
+#include "c_frontend.h"
 #include "long32.h"
-#include "cpplib.h"
 #include "output.h"
-
-/* The C preprocessor's state; there is none in the compilers of other languages. */
-extern cpp_reader *parse_in __attribute__((weak));
-extern cpp_callbacks *cpp_get_callbacks(cpp_reader *) __attribute__((weak));
 
 namespace
 {
-const char *nx_headers; /* their folder: system headers to GCC, but part of the program */
-tree wide[2];           /* the host's long and unsigned long; GCC holds on to them itself, as size_t's type */
+const char
+    *nx_headers; /* their folder; GCC takes them for system headers, but they are part of the program */
+tree wide[2];    /* the host's long and unsigned long; as types of size_t they outlive garbage collection */
 void (*gcc_file_change)(cpp_reader *, const line_map_ordinary *);
 
 void set_long(bool is_wide)
@@ -39,7 +36,7 @@ void file_change(cpp_reader *reader, const line_map_ordinary *map)
 
 void start_unit(void *, void *)
 {
-    if (!&parse_in || !parse_in)
+    if (!is_c_unit())
         return;
     cpp_callbacks *callbacks = cpp_get_callbacks(parse_in);
     wide[0] = long_integer_type_node, wide[1] = long_unsigned_type_node;
@@ -48,10 +45,11 @@ void start_unit(void *, void *)
     set_long(false);
 }
 
-/* A name that only the runtime of such programs has, in a section that is not loaded. */
+/* Refers, in a section that is not loaded, to a symbol that only the runtime of programs with longs of 32
+ * bits defines. */
 void finish_unit(void *, void *)
 {
-    if (asm_out_file && &parse_in && parse_in)
+    if (asm_out_file && is_c_unit())
         fputs("\t.section .nxc_long32,\"\",@progbits\n\t.quad compiled_with_long32_so_link_with_long32\n",
               asm_out_file);
 }

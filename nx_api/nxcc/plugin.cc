@@ -1,21 +1,27 @@
-/* plugin.cc - what GCC loads: reads the plugin's arguments and files and registers the counting pass.
+/* plugin.cc - what GCC loads: reads the plugin's arguments and files, and registers its passes and callbacks.
  *
- * Arguments: costs=FILE (needed), factors=FILE, profile, long32=FOLDER (of NX's headers: long32.h);
- * or poll (only checks: poll.cc); for tests: before=PASS (where the pass stands), memory (no registers).
+ * Arguments:
+ *     costs=FILE      the cost table; needed, unless there is `poll`
+ *     factors=FILE    cost factors
+ *     profile         count by function, too (profile.h)
+ *     long32=FOLDER   longs of 32 bits; FOLDER has NX's headers (long32.h)
+ *     poll            no counting, only polls (poll.h)
+ *     before=PASS     for tests: the pass before which the counting pass stands
+ *     memory          for tests: no counter in a register
  */
 #include "gcc.h"
 #include "cache.h"
+#include "call_free.h"
 #include "costs.h"
 #include "count.h"
 #include "long32.h"
-#include "longs.h"
+#include "long_abi.h"
 #include "poll.h"
 #include "profile.h"
-#include "promise.h"
 #include "purity.h"
 #include "redeclare.h"
 #include "statics.h"
-#include "variable.h"
+#include "symbols.h"
 
 int plugin_is_GPL_compatible;
 
@@ -26,7 +32,7 @@ struct arguments {
     const char *factors = nullptr;
     const char *long32 = nullptr;
     bool poll = false;
-    const char *before = "optimized"; /* the clean-up of the control flow graph just before expansion */
+    const char *before = "optimized"; /* GCC's clean-up of the control flow, before expansion */
 };
 
 arguments read_arguments(const plugin_name_args *info)
@@ -56,7 +62,7 @@ arguments read_arguments(const plugin_name_args *info)
     return a;
 }
 
-/* A mistake in a cost file is the user's, not the compiled program's: say it in our words and stop. */
+/* Ends the compilation if a cost file has a mistake. GCC's own errors would name the compiled program. */
 void stop_if(const std::string &error)
 {
     if (error.empty())
@@ -76,14 +82,12 @@ void read_files(const arguments &a)
     cache_use(table.cache);
 }
 
-/* The routine behind a check saves the registers that x86-64 has always had, and uses the stack below the
- * pointer. */
+/* nxc_enter saves the registers of plain x86-64 only, and uses the stack below the pointer. */
 void check_target(void *, void *)
 {
     if (TARGET_AVX)
         error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
-              "computer: "
-              "leave out %<-march%> and %<-mavx%>");
+              "computer: leave out %<-march%> and %<-mavx%>");
     if (TARGET_RED_ZONE)
         error("nxcc: node programs need %<-mno-red-zone%>");
 }
@@ -96,12 +100,12 @@ void begin_function(void *, void *)
 void finish_unit(void *, void *)
 {
     profile_write_cells();
-    promise_write_silent();
+    call_free_write_flags();
 }
 
-/* The C library says that errno is at the same place throughout a program. A node may go on on another thread of the
- * simulator after each call, where it is elsewhere. */
-void look_at_declaration(void *decl, void *)
+/* The C library declares that errno keeps its address. But after a call a node may go on on another thread of
+ * the simulator, where errno has another address. */
+void scan_declaration(void *decl, void *)
 {
     tree d = static_cast<tree>(decl);
     if (TREE_CODE(d) == FUNCTION_DECL && DECL_NAME(d) &&
@@ -122,7 +126,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         long32_register(info->base_name, a.long32);
     redeclare_register(info->base_name);
     statics_register(info->base_name);
-    longs_register(info->base_name, a.long32);
+    long_abi_register(info->base_name, a.long32);
     if (a.poll) {
         register_pass_info pass = {poll_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
         register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
@@ -132,10 +136,10 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
-                      const_cast<ggc_root_tab *>(variable_roots()));
+                      const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
-    register_callback(info->base_name, PLUGIN_FINISH_DECL, look_at_declaration, NULL);
+    register_callback(info->base_name, PLUGIN_FINISH_DECL, scan_declaration, NULL);
     register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
     return 0;
 }

@@ -1,27 +1,28 @@
-/* poll.cc - the pass that makes a program look, at each loop and function entry, whether a handler is to run. For programs
- * on MPI (nxcc --mpi), where time is real and nothing is counted; nx_api/mpi/tick.h has the other side.
+/* poll.cc - the pass of nxcc --mpi: at each loop and function entry the program polls whether a handler is
+ * due. Time is real on MPI, so that nothing is counted. nx_api/mpi/tick.h has the other side.
  *
- * A check is one piece of inline assembly: a compare with memory and a branch that is not taken. Where it leads, out of
- * the way, every register is saved; to the register allocator a check changes nothing, and a leaf function stays a leaf.
- * The jump over 128 bytes spares what such a function keeps below the stack pointer.
+ * A poll is one piece of inline assembly: a compare with memory and a branch that is not taken. The branch
+ * leads to code out of line that saves every register. So the poll changes nothing for the register
+ * allocator, and a leaf function stays a leaf. The code moves the stack pointer by 128 bytes first, because a
+ * leaf function keeps data below it (the red zone).
  */
 #include "poll.h"
 
-static const char check[] = "cmpl\t$0, nxc_due(%%rip)\n"
-                            "\tjne\t771f\n"
-                            "772:\n"
-                            "\t.subsection 1\n"
-                            "771:\tleaq\t-128(%%rsp), %%rsp\n"
-                            "\tcall\tnxc_enter\n"
-                            "\tleaq\t128(%%rsp), %%rsp\n"
-                            "\tjmp\t772b\n"
-                            "\t.previous";
+static const char poll_text[] = "cmpl\t$0, nxc_due(%%rip)\n"
+                                "\tjne\t771f\n"
+                                "772:\n"
+                                "\t.subsection 1\n"
+                                "771:\tleaq\t-128(%%rsp), %%rsp\n"
+                                "\tcall\tnxc_enter\n"
+                                "\tleaq\t128(%%rsp), %%rsp\n"
+                                "\tjmp\t772b\n"
+                                "\t.previous";
 
-/* Every cycle of blocks has an edge that goes back, whatever shape the loop has. A function without calls
- * cannot be part of a recursion, so that its loops' checks suffice. */
-void poll_mark(function *fun, bool calls, bitmap marked)
+/* Every cycle of blocks has a back edge of a depth-first search, whatever shape the loop has. A function
+ * without calls cannot be part of a recursion, so that the polls of its loops suffice. */
+void poll_mark(function *fun, bool calls, bitmap poll_blocks)
 {
-    bitmap_clear(marked);
+    bitmap_clear(poll_blocks);
     mark_dfs_back_edges();
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun) {
@@ -29,10 +30,10 @@ void poll_mark(function *fun, bool calls, bitmap marked)
         edge_iterator ei;
         FOR_EACH_EDGE (e, ei, bb->succs)
             if (e->flags & EDGE_DFS_BACK)
-                bitmap_set_bit(marked, e->dest->index);
+                bitmap_set_bit(poll_blocks, e->dest->index);
     }
     if (calls)
-        bitmap_set_bit(marked, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
+        bitmap_set_bit(poll_blocks, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);
 }
 
 namespace
@@ -47,19 +48,19 @@ bool has_calls(function *fun)
     return false;
 }
 
-/* setjmp has to stay the first of its block. */
-bool may_begin_with_check(basic_block bb)
+/* A call of setjmp must stay the first statement of its block. */
+bool may_begin_with_poll(basic_block bb)
 {
     gimple_stmt_iterator gsi = gsi_start_nondebug_after_labels_bb(bb);
     gcall *call = gsi_end_p(gsi) ? NULL : dyn_cast<gcall *>(gsi_stmt(gsi));
     return !call || !(gimple_call_flags(call) & ECF_RETURNS_TWICE);
 }
 
-void insert_check(basic_block bb)
+void insert_poll(basic_block bb)
 {
     vec<tree, va_gc> *clobbers = NULL;
     vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string(6, "memory")));
-    gasm *statement = gimple_build_asm_vec(check, NULL, NULL, clobbers, NULL);
+    gasm *statement = gimple_build_asm_vec(poll_text, NULL, NULL, clobbers, NULL);
     gimple_asm_set_volatile(statement, true);
     gimple_stmt_iterator gsi = gsi_after_labels(bb);
     gsi_insert_before(&gsi, statement, GSI_NEW_STMT);
@@ -76,12 +77,12 @@ class poll_pass : public gimple_opt_pass
     opt_pass *clone() override { return new poll_pass(m_ctxt); }
     unsigned int execute(function *f) override
     {
-        auto_bitmap marked;
-        poll_mark(f, has_calls(f), marked);
+        auto_bitmap poll_blocks;
+        poll_mark(f, has_calls(f), poll_blocks);
         basic_block bb;
         FOR_EACH_BB_FN (bb, f)
-            if (bitmap_bit_p(marked, bb->index) && may_begin_with_check(bb))
-                insert_check(bb);
+            if (bitmap_bit_p(poll_blocks, bb->index) && may_begin_with_poll(bb))
+                insert_poll(bb);
         return 0;
     }
 };

@@ -1,31 +1,27 @@
-/* profile.cc - see profile.h. The cells are one array a compiled file, .Lnxc_cells, written as assembly when the file is
- * done: only then is their number known. */
+/* profile.cc - see profile.h. The cells of a compiled file are one array, .Lnxc_cells. It is written as
+ * assembly at the end of the file, when their number is known. */
 #include "gcc.h"
 #include "costs.h"
 #include "profile.h"
 #include "output.h"
-#include "variable.h"
+#include "symbols.h"
 #include <string>
 
 bool profile_on;
 
 namespace
 {
-/* struct nxc_cell, as it will be written. */
+/* A struct nxc_cell (image.h) to be written. */
 struct cell {
     std::string file, function, called; /* called: the library function, "" none */
     int line;
-    int body; /* the cell of the body that this is a part of; -1: it is one */
+    int body; /* the cell of the body of which this is a part; -1: this is a body */
 };
 
-enum { CELL_BYTES = 48 };
+enum { CELL_BYTES = 48 }; /* sizeof(struct nxc_cell) */
 
-tree units_constant(int64_t units)
-{
-    return build_int_cst(units_type(), units);
-}
-
-/* Written in which function, calling what, as part of which body: trees by their DECL_UID, which stay. */
+/* In which function a statement is written, what it calls, and the body of which it is a part. Functions are
+ * identified by their DECL_UID, which never changes. */
 struct cell_key {
     unsigned function;
     std::string called;
@@ -40,7 +36,7 @@ std::vector<cell> cells;
 std::map<cell_key, int> known;
 tree array; /* .Lnxc_cells, as longs */
 
-/* A clone or part that GCC made of a function is that function to who wrote it. */
+/* The function in the source of which GCC made a clone or a part. */
 tree as_written(tree function)
 {
     return DECL_ORIGIN(function);
@@ -49,7 +45,7 @@ tree as_written(tree function)
 int find_cell(tree function, const char *called, int body)
 {
     function = as_written(function);
-    /* bodies differ by what is compiled: a function and its clones have one each */
+    /* a function and each of its clones have a body of their own */
     cell_key key = {body < 0 ? DECL_UID(current_function_decl) : DECL_UID(function), called, body};
     auto found = known.find(key);
     if (found != known.end())
@@ -63,7 +59,7 @@ int find_cell(tree function, const char *called, int body)
 tree units_of(int cell)
 {
     if (!array)
-        array = variable_written("nxc_cells", build_array_type_nelts(units_type(), 1 << 20));
+        array = symbols_define_local("nxc_cells", build_array_type_nelts(units_type(), 1 << 20));
     return build2(MEM_REF, units_type(), build_fold_addr_expr(array),
                   build_int_cst(build_pointer_type(units_type()), cell * CELL_BYTES));
 }
@@ -91,7 +87,7 @@ void write_string(const std::string &s)
 
 /* --- one function --------------------------------------------------------------------------------------- */
 
-profiling::profiling(function *f, bool memory, bool (*looks)(gimple *)) : fun(f), in_memory(memory)
+profiling::profiling(function *f, bool memory, bool (*needs_counter)(gimple *)) : fun(f), in_memory(memory)
 {
     body = find_cell(current_function_decl, "", -1);
     if (in_memory)
@@ -103,10 +99,10 @@ profiling::profiling(function *f, bool memory, bool (*looks)(gimple *)) : fun(f)
     basic_block bb;
     FOR_EACH_BB_FN (bb, fun)
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-            if (looks(gsi_stmt(gsi)))
+            if (needs_counter(gsi_stmt(gsi)))
                 for (class loop *l = bb->loop_father; l; l = loop_outer(l))
-                    loud.insert(l->num);
-    loud.insert(0); /* the function, which is a loop to GCC */
+                    open_loops.insert(l->num);
+    open_loops.insert(0); /* the function: the root of GCC's loop tree */
 }
 
 int profiling::cell_of(gimple *stmt) const
@@ -123,14 +119,14 @@ int profiling::cell_of_leaf(tree function) const
     return find_cell(function, "", body);
 }
 
-/* The outermost loop around bb that gives control to nobody, or NULL. */
-class loop *profiling::quiet_loop(basic_block bb) const
+/* The outermost closed loop around bb, or NULL. */
+class loop *profiling::closed_loop(basic_block bb) const
 {
-    class loop *quiet = NULL;
+    class loop *outermost = NULL;
     if (!in_memory)
-        for (class loop *l = bb->loop_father; l && !loud.count(l->num); l = loop_outer(l))
-            quiet = l;
-    return quiet;
+        for (class loop *l = bb->loop_father; l && !open_loops.count(l->num); l = loop_outer(l))
+            outermost = l;
+    return outermost;
 }
 
 void profiling::add(gimple_seq *seq, basic_block bb, int cell, tree amount)
@@ -139,7 +135,7 @@ void profiling::add(gimple_seq *seq, basic_block bb, int cell, tree amount)
         add_to_cell(seq, body, amount);
     if (cell == body)
         return;
-    class loop *loop = quiet_loop(bb);
+    class loop *loop = closed_loop(bb);
     if (!loop) {
         add_to_cell(seq, cell, amount);
         return;
@@ -161,7 +157,7 @@ void profiling::give_away(gimple_seq *seq, tree counter, tree left) const
 
 void profiling::flush(gimple_seq *seq, basic_block bb) const
 {
-    class loop *loop = quiet_loop(bb);
+    class loop *loop = closed_loop(bb);
     for (auto &s : sums) {
         if (!loop || s.first.first != loop->num)
             continue;
@@ -170,7 +166,7 @@ void profiling::flush(gimple_seq *seq, basic_block bb) const
     }
 }
 
-/* A loop that GCC knows as one is entered only at its header. */
+/* Sets the sums to 0 where a loop is entered. GCC's loops are entered only at their headers. */
 void profiling::begin_sums(class loop *loop) const
 {
     edge e;
@@ -182,6 +178,7 @@ void profiling::begin_sums(class loop *loop) const
                     gsi_insert_on_edge(e, gimple_build_assign(s.second, units_constant(0)));
 }
 
+/* Adds the sums to their cells where a loop is left. */
 void profiling::end_sums(class loop *loop) const
 {
     basic_block bb;
@@ -212,7 +209,7 @@ void profiling::finish()
         gsi_commit_edge_inserts();
 }
 
-/* --- the unit --------------------------------------------------------------------------------------------- */
+/* --- the compiled file ---------------------------------------------------------------------------------- */
 
 void profile_write_cells()
 {

@@ -1,21 +1,22 @@
-/* profile.h - what a program has cost, by function: for programs built with nxcc --profile.
+/* profile.h - what a program has spent, by function: for programs built with nxcc --profile.
  *
- * Cost is kept in cells (struct nxc_cell in image.h). Each function compiled has one for its body, that is all that its
- * code costs, and further ones for the parts of this that belong elsewhere: to a function inlined into it, or to a
- * library call that the cost table prices. A part is added where it is paid:
+ * Units are kept in cells (struct nxc_cell in image.h). Each compiled function has a cell for its *body*,
+ * that is for all that its code spends, and a cell for each *part* of the body that belongs elsewhere: to a
+ * function that is inlined into it, or to a library function in the cost table. A part is added to its cell
+ * where it is charged:
  *
- *     left -= 7; part of twice() in main() += 3        what else a stretch costs is the function's own: no more to do
+ *     left -= 7; part of twice() in main() += 3        the rest of the segment needs no addition
  *
- * The body needs no additions but at its ends. What lies in memory is what was left when the function last got control,
- * so that before it stores `left` there, to give control away, it adds the difference:
+ * The body's cell is brought up to date only where the function gives control away. The counter in memory has
+ * the value from when the function last got control, so that the difference has been spent since:
  *
  *     body of main() += counter - left; counter = left; call
  *
- * In a loop that gives control to nobody, a part is summed up in a register variable, from 0 where the loop is entered
- * to the cell where it is left (and before a check of it calls the simulator). A function that counts in memory has no
- * `left`: it adds each payment to its body as well.
+ * A *closed loop* gives control to nobody. In a closed loop a part is summed up in a register variable, which
+ * is set to 0 where the loop is entered, and added to the cell where the loop is left, and before a poll
+ * preempts. A function that counts in memory has no `left`: it adds each charge to its body's cell as well.
  *
- * The cost itself is untouched: the same program built without --profile counts the same.
+ * The profile changes no cost: the same program built without --profile counts the same.
  */
 #ifndef NXCC_PROFILE_H
 #define NXCC_PROFILE_H
@@ -23,43 +24,44 @@
 #include <set>
 #include <utility>
 
-/* False: no cell is made, and the functions below are not to be called. */
+/* False: no cell is made, and nothing below may be called. */
 extern bool profile_on;
 
-/* Units by cell. */
+/* Units, by cell. */
 typedef std::map<int, int64_t> profile_shares;
 
-/* The cells of one function while it is made to count. */
+/* The cells of the function that is being compiled. */
 class profiling
 {
   public:
-    /* in_memory: it counts without a register. looks: may this statement look at the counter? */
-    profiling(function *f, bool in_memory, bool (*looks)(gimple *));
-    /* The cell of what stmt costs. */
+    /* in_memory: the function counts without a register. needs_counter: may a statement read or change the
+     * counter? */
+    profiling(function *f, bool in_memory, bool (*needs_counter)(gimple *));
+    /* The cell for the cost of stmt. */
     int cell_of(gimple *stmt) const;
-    /* The cell of what another function costs that leaves paying to this one. */
+    /* The cell for the cost of a caller-charged leaf. */
     int cell_of_leaf(tree function) const;
-    /* Appends: amount has been paid in bb for cell. */
+    /* Appends: amount has been charged in bb, for a cell. */
     void add(gimple_seq *seq, basic_block bb, int cell, tree amount);
-    /* Appends: control is about to be given away; the counter in memory will be left. */
+    /* Appends: control is about to be given away; left will be stored to the counter. */
     void give_away(gimple_seq *seq, tree counter, tree left) const;
-    /* Appends: the sums of bb's loop go to their cells and begin anew. */
+    /* Appends: adds the sums of bb's closed loop to their cells and sets them to 0. */
     void flush(gimple_seq *seq, basic_block bb) const;
-    /* When all has been added: begins and ends the sums at the loops' edges. */
+    /* To be called last: puts the beginnings and ends of the sums on the loops' edges. */
     void finish();
 
   private:
-    class loop *quiet_loop(basic_block bb) const;
+    class loop *closed_loop(basic_block bb) const;
     void begin_sums(class loop *loop) const;
     void end_sums(class loop *loop) const;
 
     function *fun;
     bool in_memory;
     int body;
-    std::set<int> loud;                       /* numbers of loops in which the counter may be looked at */
-    std::map<std::pair<int, int>, tree> sums; /* by number of loop, and cell */
+    std::set<int> open_loops;                 /* numbers of the loops that are not closed */
+    std::map<std::pair<int, int>, tree> sums; /* by loop number and cell */
 };
 
-/* Writes the unit's cells to the assembly. */
+/* At the end of a compiled file: writes its cells to the assembly. */
 void profile_write_cells();
 #endif

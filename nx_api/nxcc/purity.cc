@@ -2,7 +2,7 @@
 #include "purity.h"
 #include <set>
 
-static std::set<unsigned> impure; /* DECL_UIDs of functions that were pure */
+static std::set<unsigned> impure; /* functions that have lost the attribute, by DECL_UID */
 
 void purity_forget(gcall *call)
 {

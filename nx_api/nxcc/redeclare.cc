@@ -1,29 +1,26 @@
-/* redeclare.cc - C programs of the time declare again what a header declares: `int mynode();`, `extern void msgwait(int);`,
- * `extern long errno;`. The compilers of the time had int and long as one size, and often no header.
+/* redeclare.cc - C programs of the time repeat declarations of headers with other types: `int mynode();`,
+ * `extern void msgwait(int);`, `extern long errno;`. Their compilers had int and long of one size, and often
+ * no header.
  *
- * GCC refuses a second declaration with another type. So, where a program and a system header declare one function, before
- * or after each other, and the types are alike but for
+ * GCC refuses a second declaration with another type. So if a program and a system header declare one
+ * function, in either order, and the types differ only in
  *
- *     integer types of any size and sign, also behind pointers       int for long, int * for long *
- *     void and an integer as the result                              int gsync();
- *     void * and any pointer to data; const                          char *malloc();
- *     parameters that one of them does not say                       long csendrecv();
+ *     the size and sign of integers, also behind pointers            int for long, int * for long *
+ *     void or an integer as the result                               int gsync();
+ *     void * for any pointer to data; const                          char *malloc();
+ *     parameters that one of the two leaves out                      long csendrecv();
  *
- * the header's type holds, and calls are checked against it. Any other difference is the error that it was. A function that
- * the program defines itself is left alone.
+ * then the header's type holds, and calls are checked against it. Any other difference stays an error. A
+ * function that the program defines itself is left alone.
  *
- * GCC asks the target for attributes of each declaration just before it compares the declaration with earlier ones: the one
- * moment at which its type can be changed.
+ * GCC asks the target for the attributes of each declaration just before it compares the declaration with
+ * earlier ones. Only then can the type of a declaration be changed.
  */
 #include <set>
 #include <string>
-#include "gcc.h"
+#include "c_frontend.h"
 #include "redeclare.h"
 #include "target.h"
-
-/* GCC's for C; not there in the compilers of other languages. */
-extern tree lookup_name(tree) __attribute__((weak));
-extern int comptypes(tree, tree) __attribute__((weak));
 
 namespace
 {
@@ -42,7 +39,7 @@ bool alike_as_results(tree a, tree b)
 bool alike_as_parameters(tree a, tree b)
 {
     if (!a || !b)
-        return true; /* not said */
+        return true; /* left out */
     for (; a && b; a = TREE_CHAIN(a), b = TREE_CHAIN(b))
         if (!alike(TREE_VALUE(a), TREE_VALUE(b)))
             return false;
@@ -70,19 +67,22 @@ bool alike(tree a, tree b)
     return comptypes(a, b) == 1;
 }
 
-/* A header's own declaration; `extern long errno;` is the program's, though the name comes out of a header's macro. */
+/* Is the declaration written in a header? `extern long errno;` is the program's, though a header's macro
+ * expands the name. */
 bool in_header(tree decl)
 {
     return in_system_header_at(expansion_point_location(DECL_SOURCE_LOCATION(decl)));
 }
 
-/* Declared by a header, perhaps by the program as well: the place is that of the last declaration. */
+/* Has a header declared the function? A declaration's location is that of the last one, which may be the
+ * program's. */
 bool by_header(tree decl)
 {
     return in_header(decl) || from_header.count(IDENTIFIER_POINTER(DECL_NAME(decl)));
 }
 
-/* One of the two is a header's. */
+/* Gives the program's declaration the header's type, if one of the two is a header's and the types are
+ * alike. */
 void reconcile(tree old, tree fresh)
 {
     bool old_holds = by_header(old) && !in_header(fresh);
@@ -94,7 +94,7 @@ void reconcile(tree old, tree fresh)
     DECL_ARGUMENTS(program) = NULL_TREE;
 }
 
-void look_at_function(tree decl)
+void scan_function(tree decl)
 {
     tree old = lookup_name(DECL_NAME(decl));
     if (old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
@@ -108,8 +108,8 @@ void insert_attributes(tree decl, tree *attributes)
 {
     if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl)) {
         if (TREE_PUBLIC(decl) && decl != defined)
-            look_at_function(decl);
-        defined = NULL_TREE; /* the next one may be at the same address */
+            scan_function(decl);
+        defined = NULL_TREE; /* the next declaration may be at the same address */
     }
     gcc_insert_attributes(decl, attributes);
 }

@@ -1,23 +1,25 @@
-/* runtime.c - the part of a node program that nxcc adds: the counter, the image's description, the way to the
- * simulator when the counter is spent. Compiled by plain gcc; see image.h.
+/* runtime.c - the part of a node program that nxcc adds: the counter, the program image's description, and
+ * the routine that polls call. Compiled by plain gcc; see image.h.
  *
- * NXC_LONG_BYTES is the size of long in the program's C files. Those compiled with --long32 refer to a name that is only
- * here when it is 4 (long32.cc), so that a program cannot be linked without it.
+ * NXC_LONG_BYTES is the size of long in the program's C files. Files compiled with --long32 refer to a symbol
+ * that is defined here only if the size is 4 (long32.cc), so that a program cannot be linked without
+ * --long32.
  *
  * With NXC_HOSTED (tests) there is no _start, and the objects can be linked into an ordinary program.
  */
 #include "enter.h"
 #include "image.h"
 
-/* Among the initialised data, not behind the program's arrays: the page that a node has of these is in use anyway. */
+/* In the initialised data: a node uses that page anyway. Behind the program's arrays they would cost a page
+ * more. */
 #define NXC_DATA __attribute__((visibility("hidden"), section(".data")))
 NXC_DATA int64_t nxc_left;
-NXC_DATA int64_t nxc_quiet = NXC_NOT_QUIET;
+NXC_DATA int64_t nxc_lookahead = NXC_NO_LOOKAHEAD;
 
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
 extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
-/* The linker's names for the ends of section nxc_cells, if there is one. */
+/* The linker's symbols for the ends of section nxc_cells, if there is one. */
 extern struct nxc_cell __start_nxc_cells[] __attribute__((visibility("hidden"), weak));
 extern struct nxc_cell __stop_nxc_cells[] __attribute__((visibility("hidden"), weak));
 
@@ -32,7 +34,7 @@ struct nxc_image nxc_image = {
     .magic = NXC_IMAGE_MAGIC,
     .version = NXC_IMAGE_VERSION,
     .left = &nxc_left,
-    .quiet = &nxc_quiet,
+    .lookahead = &nxc_lookahead,
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,
@@ -41,9 +43,9 @@ struct nxc_image nxc_image = {
     .long_bytes = NXC_LONG_BYTES,
 };
 
-/* nxc_enter: called from inline assembly where a check finds the counter negative. The stack may have any alignment, and nothing
- * is saved but x87 registers, so it saves what else a C function may change and calls nxc_preempt. The direction flag and the
- * control words are as the ABI wants them. */
+/* nxc_enter: the inline assembly of a poll that strikes calls it. The stack may have any alignment, and
+ * nothing is saved but the x87 registers. So nxc_enter saves all else that a C function may change, and calls
+ * nxc_preempt. The direction flag and the control words are as the ABI wants them. */
 #define SSE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15)
 #define SAVE_ONE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
 #define RESTORE_ONE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
@@ -57,8 +59,8 @@ __asm__(".text\n"
         "    ldmxcsr 256(%rsp)\n" RESTORE_SSE NXC_ENTER_RESTORE);
 
 #ifndef NXC_HOSTED
-/* Run by the kernel when somebody starts the program in a shell: nothing has been relocated, so only what is
- * addressed from the instruction pointer can be used. */
+/* Runs when somebody starts the program in a shell. Nothing has been relocated, so that the code may use only
+ * what it addresses relative to the instruction pointer. */
 __asm__(".text\n"
         ".globl _start\n"
         ".hidden _start\n"

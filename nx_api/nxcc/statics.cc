@@ -1,30 +1,25 @@
-/* statics.cc - functions that become static late, which C compilers of before 1989 took and GCC refuses:
+/* statics.cc - functions that are declared, or called, before their definition as static. C compilers of
+ * before 1989 took such functions; GCC refuses them:
  *
- *     extern reset();            or a call, or no more than "reset();", and behind it
+ *     extern reset();            or a call, or only "reset();"
  *     static reset() { ... }
  *
  *     main() { static work(); work(); }
  *     static work() { ... }
  *
- * What GCC reads is searched for functions that are defined as static. A static declaration of one of them in a block is made
- * extern in GCC's copy of the text, which is as long. Every declaration of one of them is made static once GCC has it, and so
- * agrees with the definition when it comes. Where a definition is left out by #if, GCC takes such a declaration as extern again,
+ * The plugin searches the text that GCC reads for functions that are defined as static. In GCC's copy of the
+ * text it replaces `static` by `extern`, which has as many letters, where a block declares one of these
+ * functions. Each declaration of one of them is made static once GCC has parsed it, and so agrees with the
+ * definition when that comes. If #if leaves the definition out, GCC takes the declaration as extern again,
  * and warns.
  */
-#include "gcc.h"
+#include "c_frontend.h"
 #include "statics.h"
-#include "cpplib.h"
 #include <set>
 #include <string>
 #include <vector>
 
-/* As in long32.cc: not there in the compilers of other languages. */
-extern cpp_reader *parse_in __attribute__((weak));
-extern cpp_callbacks *cpp_get_callbacks(cpp_reader *) __attribute__((weak));
-extern cpp_buffer *cpp_get_buffer(cpp_reader *) __attribute__((weak));
-extern tree identifier_global_value(tree) __attribute__((weak));
-
-/* The start of libcpp's own structure, which its headers do not show. */
+/* The beginning of libcpp's own structure, which no header declares. */
 struct cpp_buffer {
     const unsigned char *cur, *line_base, *next_line;
     const unsigned char *buf, *rlimit;
@@ -32,15 +27,15 @@ struct cpp_buffer {
 
 namespace
 {
-std::set<std::string> names; /* of functions that are static in the end */
+std::set<std::string> names; /* of functions that are defined as static */
 void (*next_file_change)(cpp_reader *, const line_map_ordinary *);
 
-/* --- the text as words and marks: no comments, strings, directives --- */
+/* --- the text as tokens: without comments, strings and directives --- */
 
 struct token {
     char *at;
     size_t len;
-    char mark; /* 0: a word or number */
+    char mark; /* a character of punctuation; 0: the token is a word or number */
 };
 
 bool is_word(char c)
@@ -65,7 +60,7 @@ char *skip_comment(char *p, const char *end)
     return last == '\n' ? p : p + 1;
 }
 
-/* To the end of the line that the preprocessor sees. */
+/* Skips to the end of the directive, which \ and comments continue. */
 char *skip_directive(char *p, const char *end)
 {
     while (p < end && *p != '\n')
@@ -108,7 +103,7 @@ bool is(const token &t, const char *word)
 
 /* --- what is declared --- */
 
-/* The place behind the bracket that closes the one at i. */
+/* The index behind the bracket that closes the one at i. */
 size_t behind_brackets(const std::vector<token> &t, size_t i)
 {
     int depth = 0;
@@ -120,7 +115,7 @@ size_t behind_brackets(const std::vector<token> &t, size_t i)
     return i;
 }
 
-/* "static TYPE * name (": the place of the name, when static is at i; 0: something else is declared. */
+/* The index of the name in "static TYPE * name (", where static is at i; 0: no function is declared. */
 size_t function_name(const std::vector<token> &t, size_t i)
 {
     for (i++; i + 1 < t.size(); i++) {
@@ -139,14 +134,15 @@ std::string text_of(const token &t)
     return std::string(t.at, t.len);
 }
 
-/* A definition, K&R's too: its brackets are followed by neither ; nor , nor =. */
+/* Is it a definition, also in K&R's style? Neither ; nor , nor = follows the brackets. */
 bool is_definition(const std::vector<token> &t, size_t name)
 {
     size_t i = behind_brackets(t, name + 1);
-    return i < t.size() && (t[i].mark == '{' || (!t[i].mark && !is(t[i], "__attribute__") && !is(t[i], "__asm__")));
+    return i < t.size() &&
+           (t[i].mark == '{' || (!t[i].mark && !is(t[i], "__attribute__") && !is(t[i], "__asm__")));
 }
 
-/* "name (), *other ();", of which all are static functions; name: its place. */
+/* Is it "name (), *other ();", all of static functions? name: the index of the first. */
 bool declares_only_them(const std::vector<token> &t, size_t name)
 {
     while (name + 1 < t.size() && names.count(text_of(t[name])) && t[name + 1].mark == '(') {
@@ -159,9 +155,9 @@ bool declares_only_them(const std::vector<token> &t, size_t name)
     return false;
 }
 
-void look_at_text(char *begin, char *end)
+void scan_text(char *begin, char *end)
 {
-    static const char EXTERN[] = "extern"; /* no longer than static */
+    static const char EXTERN[] = "extern"; /* as long as static */
     std::vector<token> t = tokens_of(begin, end);
     std::vector<size_t> in_blocks;
     int depth = 0;
@@ -178,50 +174,52 @@ void look_at_text(char *begin, char *end)
             memcpy(t[i].at, EXTERN, sizeof EXTERN - 1);
 }
 
-void look_at_buffer(cpp_reader *reader)
+void scan_buffer(cpp_reader *reader)
 {
     const cpp_buffer *b = cpp_get_buffer(reader);
-    if (b && b->next_line == b->buf) /* nothing of it has been read */
-        look_at_text((char *)(uintptr_t)b->buf, (char *)(uintptr_t)b->rlimit);
+    if (b && b->next_line == b->buf) /* GCC has read nothing of the buffer */
+        scan_text((char *)(uintptr_t)b->buf, (char *)(uintptr_t)b->rlimit);
 }
 
 void file_change(cpp_reader *reader, const line_map_ordinary *map)
 {
     if (map && map->reason == LC_ENTER && !ORDINARY_MAP_IN_SYSTEM_HEADER_P(map))
-        look_at_buffer(reader);
+        scan_buffer(reader);
     next_file_change(reader, map);
 }
 
 void start_unit(void *, void *)
 {
-    if (!&parse_in || !parse_in)
+    if (!is_c_unit())
         return;
     cpp_callbacks *callbacks = cpp_get_callbacks(parse_in);
     next_file_change = callbacks->file_change;
     callbacks->file_change = file_change;
-    look_at_buffer(parse_in);
+    scan_buffer(parse_in);
 }
 
-/* --- what GCC makes of it --- */
+/* --- declarations that GCC has parsed --- */
 
-/* Of a function that GCC knows itself it has calls in its own form already, so those stay refused. */
+/* Makes a declaration static. Built-in functions stay refused: GCC has calls of them in a form of its own
+ * already. */
 void make_static(tree decl)
 {
     if (!decl || TREE_CODE(decl) != FUNCTION_DECL || !TREE_PUBLIC(decl) || DECL_INITIAL(decl) ||
         fndecl_built_in_p(decl) || in_system_header_at(DECL_SOURCE_LOCATION(decl)))
         return;
     TREE_PUBLIC(decl) = 0;
-    suppress_warning(decl); /* if it is not defined after all */
+    suppress_warning(decl); /* for the case that it is not defined */
 }
 
 void finish_declaration(void *d, void *)
 {
     tree decl = static_cast<tree>(d);
-    if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl) && names.count(IDENTIFIER_POINTER(DECL_NAME(decl))))
+    if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl) &&
+        names.count(IDENTIFIER_POINTER(DECL_NAME(decl))))
         make_static(decl);
 }
 
-/* Functions that were called without any declaration. */
+/* For functions that are called without a declaration. */
 void finish_function(void *, void *)
 {
     for (const std::string &name : names)
@@ -232,7 +230,7 @@ void finish_function(void *, void *)
 void statics_register(const char *plugin)
 {
     if (!&identifier_global_value)
-        return; /* not C */
+        return; /* the language is not C */
     register_callback(plugin, PLUGIN_START_UNIT, start_unit, NULL);
     register_callback(plugin, PLUGIN_FINISH_DECL, finish_declaration, NULL);
     register_callback(plugin, PLUGIN_FINISH_PARSE_FUNCTION, finish_function, NULL);

@@ -1,4 +1,4 @@
-/* table.cc - reads cost and factor files (libconfig). See table.h. */
+/* table.cc - see table.h. The files are read by libconfig. */
 #include "table.h"
 #include "image.h"
 #include <libconfig.h>
@@ -69,7 +69,7 @@ bool text(reader &r, const config_setting_t *s, std::string &value)
     return true;
 }
 
-/* Every key of group must be one of the names allowed, so that a misspelt key cannot be overlooked. */
+/* Fails at a key of group that is not allowed: a misspelt key must not go unnoticed. */
 bool only_keys(reader &r, const config_setting_t *group, const std::set<std::string> &allowed)
 {
     for (int i = 0; i < config_setting_length(group); i++) {
@@ -103,7 +103,7 @@ bool read_clocks(reader &r, const config_setting_t *group, class_costs &costs)
     return true;
 }
 
-/* of = 3, or of = ( 2, 3 ) for a product. */
+/* Reads of = 3, or of = ( 2, 3 ) for a product. */
 bool read_of(reader &r, const config_setting_t *s, std::vector<int> &of)
 {
     bool aggregate = config_setting_is_aggregate(s) != CONFIG_FALSE;
@@ -158,7 +158,7 @@ bool power_of_two(reader &r, const config_setting_t *group, const char *key, int
     return true;
 }
 
-/* So many lines in all, in sets of some ways. */
+/* Computes the sets of a level with so many lines in all. */
 bool read_level(reader &r, const config_setting_t *group, int64_t lines, int64_t most_sets, cache_level &l)
 {
     l.sets = lines / l.ways;
@@ -177,7 +177,7 @@ bool miss(reader &r, const config_setting_t *group, const char *key, int64_t &va
     return units(r, s, value);
 }
 
-/* cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; }, which may be left out. */
+/* Reads cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; }, which is optional. */
 bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
 {
     int64_t bytes;
@@ -188,7 +188,7 @@ bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
            read_level(r, group, bytes / cache.data.line, NXC_CACHE_SETS, cache.data);
 }
 
-/* tlb = { entries = 64; ways = 4; page = 4096; miss = 24; }, which may be left out. */
+/* Reads tlb = { entries = 64; ways = 4; page = 4096; miss = 24; }, which is optional. */
 bool read_tlb(reader &r, const config_setting_t *group, cache_costs &cache)
 {
     int64_t entries;

@@ -1,7 +1,7 @@
-/* table.h - what the plugin was told: class costs and call costs (machines/cpu/NAME.cfg) and cost factors.
+/* table.h - the cost table (machines/cpu/NAME.cfg) and the cost factors that the plugin was given.
  *
- * All costs are held in units of 1/1000 clock (NXC_UNITS_PER_CLOCK). Read once, when the compiler starts; any
- * mistake in a file ends the compilation with file:line and what is allowed.
+ * All costs are in cost units of 1/1000 clock (NXC_UNITS_PER_CLOCK). The files are read once, when the
+ * compiler starts. A mistake in a file ends the compilation with file:line and what is allowed.
  */
 #ifndef NXCC_TABLE_H
 #define NXCC_TABLE_H
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/* One name for each class of operation; CLASS(name) appears as the key `name` of `clocks` in a cpu file. */
+/* The classes of operations. Each is a key of the group `clocks` in a cpu file. */
 /* clang-format off */
 #define NXCC_CLASSES(CLASS) \
     CLASS(integer) CLASS(multiply) CLASS(divide) CLASS(large_constant) \
@@ -27,42 +27,44 @@ struct class_costs {
 #undef CLASS
 };
 
-/* A call into a library: base, plus per for each unit of the product of the arguments listed in of (1 is the
- * first, 0 the result); or for each element of a Fortran array, an argument handed over by descriptor. */
+/* A call of a library function costs base, plus per for each unit of the product of the arguments that `of`
+ * lists: 1 is the first argument, 0 the result. If elements is set, `of` is the number of one argument, a
+ * Fortran array that is handed over by descriptor, and per is for each of its elements. */
 struct call_cost {
     int64_t base = 0;
     int64_t per = 0;
     std::vector<int> of;
-    bool elements = false; /* `of` is the number of an array */
+    bool elements = false;
 };
 
-/* Sets of lines, or of pages. sets 0: there is none. */
+/* A cache of lines, or a translation buffer of pages. sets 0: there is none. */
 struct cache_level {
     int64_t sets = 0, ways = 0, line = 0; /* powers of two; line in bytes */
 };
 
-/* A data cache that is simulated while the program runs, and a translation buffer. */
+/* The data cache and the translation buffer that are simulated while the program runs (cache.h). Costs are
+ * units. */
 struct cache_costs {
     cache_level data, tlb;
-    int64_t load_miss = 0, store_miss = 0; /* on top of a hit */
-    int64_t tlb_miss = 0;                  /* on top of these */
+    int64_t load_miss = 0, store_miss = 0; /* more than a hit */
+    int64_t tlb_miss = 0;                  /* more than these */
 };
 
 struct cost_table {
     class_costs clocks;
     cache_costs cache;
     std::map<std::string, call_cost>
-        calls; /* "name*" stands for all that begin so and are not there themselves */
+        calls; /* "name*": of all names that begin so and have no entry themselves */
 };
 
-/* The counted cost of what is written in file (all of it, or one function) is multiplied by factor. */
+/* The cost of all that is written in a file, or in one function of the file, is multiplied by factor. */
 struct cost_factor {
     std::string file;
     std::string function;
     double factor;
 };
 
-/* Each returns an empty string, or file:line: what is wrong. */
+/* Each returns an empty string, or "file:line: what is wrong". */
 std::string table_read_costs(const char *path, cost_table &table);
 std::string table_read_factors(const char *path, std::vector<cost_factor> &factors);
 #endif

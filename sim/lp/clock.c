@@ -153,6 +153,6 @@ void clock_allow(struct lp *lp, vtime deadline)
     /* A poll finds *budget negative once more than `granted` units are spent: one less than may pass. */
     c->granted = (int64_t)units - 1;
     *lp->budget = c->granted;
-    *lp->lookahead = NXC_NOT_QUIET;
+    *lp->lookahead = NXC_NO_LOOKAHEAD;
     c->runs = true;
 }

@@ -103,6 +103,12 @@ vtime clock_lookahead(const struct lp *lp);
 /* Units that the program has yet to spend before its next call; and sets that, after handlers have run. */
 uint64_t clock_lookahead_units(const struct lp *lp);
 void clock_set_lookahead(struct lp *lp, uint64_t units);
+/* On entering a call, after clock_stop: does the call come before the end of the lookahead that a poll has given? That is a bug
+ * of nxcc's plugin (nx_api/nxcc/lookahead.h). */
+static inline bool clock_lookahead_is_broken(const struct lp *lp)
+{
+    return __builtin_expect(lp->segment.lookahead > lp->clock.units, 0);
+}
 /* When the program will have spent so many units, if it only computes; 0: it has. */
 vtime clock_when(const struct lp *lp, uint64_t units);
 /* The least units that take t. */

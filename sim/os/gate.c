@@ -1,11 +1,13 @@
 /* gate.c - see gate.h: the fast engine's. */
 #include "os/gate.h"
+#include <inttypes.h>
 #include "lp/block.h"
 #include "lp/dispatch.h"
 #include "lp/lookahead.h"
 #include "lp/offload.h"
 #include "node/system.h"
 #include "os/deferred.h"
+#include "os/fail.h"
 #include "os/handlers.h"
 #include "os/match.h"
 #include "os/memory.h"
@@ -47,6 +49,18 @@ void node_order(struct node *n)
         allow_anew(n);
 }
 
+/* A call has come before the end of its program's lookahead, on which other nodes may have relied. */
+static __attribute__((noinline, cold)) void fail_lookahead(struct node *n)
+{
+    uint64_t spent = clock_segment_units(&n->lp);
+    node_fail_in(n, __builtin_frame_address(0),
+                 "%s: called after %" PRIu64
+                 " cost units of computing, within the program's lookahead of %" PRIu64
+                 ": a function of the program has the name of one of the C library's, or nxcc has a bug; "
+                 "compile with -O0, which makes no lookahead, and report it",
+                 n->call, spent, spent + clock_lookahead_units(&n->lp));
+}
+
 static void begin_call(struct node *n, const char *call, bool early)
 {
     n->call = call;
@@ -54,6 +68,8 @@ static void begin_call(struct node *n, const char *call, bool early)
     n->call_since = clock_stop(&n->lp);
     n->hands_over = early;
     offload_note_segment(&n->lp, call);
+    if (clock_lookahead_is_broken(&n->lp))
+        fail_lookahead(n);
 }
 
 /* Waits for the call's commit time. */

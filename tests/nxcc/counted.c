@@ -263,7 +263,7 @@ long c_while_others(long n, void (*f)(void))
     return sum;
 }
 
-/* Enough values alive at once that a check which lost a register would be noticed. */
+/* Enough values alive at once that a poll that lost a register would be noticed. */
 double c_many_registers(const double *x, long n)
 {
     double a = 1, b = 2, c = 3, d = 4, e = 5, f = 6, g = 7, h = 8, p = 9, q = 10;

@@ -1,4 +1,5 @@
-/* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied on. */
+/* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied
+ * on. */
 #include "counter.h"
 #include <string.h>
 
@@ -23,13 +24,13 @@ void nxc_preempt(void)
 {
     int64_t left = *nxc_image.left;
     counter.spent += counter.budget - left;
-    if (*nxc_image.quiet < left && counter.spent + left - *nxc_image.quiet > counter.quiet)
-        counter.quiet = counter.spent + left - *nxc_image.quiet;
+    if (*nxc_image.lookahead < left && counter.spent + left - *nxc_image.lookahead > counter.lookahead)
+        counter.lookahead = counter.spent + left - *nxc_image.lookahead;
     counter.overshoot = -left > counter.overshoot ? -left : counter.overshoot;
     counter.preemptions++;
     counter.times = (counter.times ^ (uint64_t)counter.spent) * 1099511628211u; /* FNV-1 */
     *nxc_image.left = counter.budget;
-    *nxc_image.quiet = NXC_NOT_QUIET;
+    *nxc_image.lookahead = NXC_NO_LOOKAHEAD;
     if (counter.handler)
         counter.handler();
     spoil_registers();
@@ -39,7 +40,7 @@ void counter_start(int64_t budget)
 {
     counter = (struct counter){.budget = budget};
     *nxc_image.left = budget;
-    *nxc_image.quiet = NXC_NOT_QUIET;
+    *nxc_image.lookahead = NXC_NO_LOOKAHEAD;
     for (struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++)
         c->units = 0;
 }
@@ -51,7 +52,7 @@ int64_t counter_spent(void)
 
 void served(void)
 {
-    counter.broken += counter_spent() < counter.quiet;
+    counter.broken += counter_spent() < counter.lookahead;
 }
 
 int64_t counter_profiled(void)

@@ -1,4 +1,5 @@
-/* counter.h - the simulator's side of the counter, for tests that link counted objects into an ordinary program. */
+/* counter.h - the simulator's side of the counter, for tests that link counted objects into an ordinary
+ * program. */
 #ifndef COUNTER_H
 #define COUNTER_H
 #include <stdint.h>
@@ -10,11 +11,11 @@ struct counter {
     int64_t budget;        /* units between preemptions */
     void (*handler)(void); /* called at each preemption, unless NULL */
     int64_t spent;         /* units up to the last preemption */
-    int64_t overshoot;     /* the most by which a check came late */
+    int64_t overshoot;     /* the most by which a poll came late */
     long preemptions;
-    uint64_t times; /* what was spent at each of them, in one number */
-    int64_t quiet;  /* units that will be spent before the next call of served(): promised at preemptions */
-    long broken;    /* promises */
+    uint64_t times;    /* what was spent at each of them, in one number */
+    int64_t lookahead; /* units that polls have said will be spent before the next call of served() */
+    long broken;       /* calls of served() before that */
 };
 
 extern struct counter counter;

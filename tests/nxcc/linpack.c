@@ -1,5 +1,5 @@
-/* linpack.c - LINPACK's order-100 benchmark as its authors wrote it: dgefa and dgesl on columns, through daxpy.
- * Compiled by nxcc -O2 with the i860's costs. */
+/* linpack.c - LINPACK's order-100 benchmark as its authors wrote it: dgefa and dgesl on columns, through
+ * daxpy. Compiled by nxcc -O2 with the i860's costs. */
 #include <math.h>
 #include "linpack.h"
 

@@ -1,6 +1,6 @@
 # nxcc.mk - tests of the counting compiler: counted objects linked into ordinary programs, and a script for the driver.
 NXCC_TEST := $B/tests/nxcc
-UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(NXCC_TEST)/test_driver $(NXCC_TEST)/test_random
+UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(addprefix $(NXCC_TEST)/test_,driver random lookahead)
 
 # runtime.o without _start, for programs that are not node programs
 $(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
@@ -39,5 +39,9 @@ $(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c 
 	$(CC) -std=gnu17 -O2 $(WARN) -I. -c -o $@ $<
 
 $(addprefix $(NXCC_TEST)/test_,driver random): $(NXCC_TEST)/test_%: tests/nxcc/test_%.sh $(NXCC_DEPS) $(addprefix $(NXCC_TEST)/,hosted.o counter.o report.o random)
+	@mkdir -p $(@D)
+	install $< $@
+
+$(NXCC_TEST)/test_lookahead: tests/nxcc/test_lookahead.sh $(NXCC_DEPS) $B/touchstone
 	@mkdir -p $(@D)
 	install $< $@

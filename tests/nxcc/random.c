@@ -1,8 +1,10 @@
-/* random.c - writes a random C program that ends, has no undefined behaviour and prints a checksum of all it did.
+/* random.c - writes a random C program that ends, has no undefined behaviour and prints a checksum of all it
+ * did.
  *
  *     random SEED > program.c
  *
- * Functions call only those before them, loops have a bounded number of rounds, integers are unsigned, indices are masked.
+ * Functions call only those before them, loops have a bounded number of rounds, integers are unsigned,
+ * indices are masked.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -186,7 +188,8 @@ int main(int argc, char **argv)
         "#include <math.h>\n#include <setjmp.h>\n#include <stdio.h>\n#include <string.h>\n\n"
         "static unsigned g[32];\nstatic unsigned budget = 300;\n"
         "__attribute__((noinline)) static unsigned leaf(unsigned x) { return g[x & 15] / 3 + x; }\n"
-        "__attribute__((noinline)) static unsigned turns(unsigned n) { unsigned s = 0; for (unsigned i = 0; i < n; i++)"
+        "__attribute__((noinline)) static unsigned turns(unsigned n) { unsigned s = 0; "
+        "for (unsigned i = 0; i < n; i++)"
         " for (unsigned k = 0; k < 8 && s < 9000000; k++) { s += k != 7 ? g[(i + k) & 15] %% (k + 2) * n : 1;"
         " if (k == 7 && s & 64) s /= 3; } return s; }\n"
         "void served(void) __attribute__((weak));\n"

@@ -1,6 +1,7 @@
-/* report.c - makes any counted program, linked with counter.c, say at its end what it spent: units on stderr, and if
- * functions were counted too and spent another sum, that; and if promises were broken. BUDGET in the environment is the number of units between
- * preemptions; then it says when these came, too. */
+/* report.c - linked with counter.c, makes any counted program report at its end, on stderr: the units that it
+ * has spent; the sum over its functions, if the program has a profile and the sum differs; and the calls that
+ * came before the end of the lookahead. BUDGET in the environment is the number of units between preemptions;
+ * then the report tells their times, too. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "counter.h"
@@ -16,7 +17,7 @@ __attribute__((destructor)) static void end(void)
     int64_t spent = counter_spent();
     fprintf(stderr, "%lld\n", (long long)spent);
     if (counter.broken)
-        fprintf(stderr, "%ld calls came before they were promised\n", counter.broken);
+        fprintf(stderr, "%ld calls came before the end of the lookahead\n", counter.broken);
     if (nxc_image.cells_begin != nxc_image.cells_end && counter_profiled() != spent)
         fprintf(stderr, "but %lld by function\n", (long long)counter_profiled());
     if (getenv("BUDGET"))

@@ -1,6 +1,7 @@
 /* test_count.c - the cost that a program counts is the sum over the operations it executed, whatever it does.
  *
- * digits.cfg gives each class its own decimal digits, so the expected costs below read as counts of operations.
+ * digits.cfg gives each class its own decimal digits, so the expected costs below read as counts of
+ * operations.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -107,7 +108,7 @@ static void functions_found_pure_still_count(void **state)
 {
     (void)state;
     int64_t none = COST(c_pure_calls(0)), two = COST(c_pure_calls(2)), four = COST(c_pure_calls(4));
-    assert_true(two - none > 12 * BRANCH); /* their loops' rounds */
+    assert_true(two - none > 12 * BRANCH); /* the trips of their loops */
     assert_int_equal(COST(c_pure_calls(50)), two + 24 * (four - two));
 }
 
@@ -208,7 +209,7 @@ static void what_a_call_changes_is_kept(void **state)
     assert_int_equal(COST(c_while_others(20, steal)), plain + 20 * 12345);
 }
 
-/* --- preemption ------------------------------------------------------------------------------------------ */
+/* --- preemption ---------------------------------------------------------------------------------------- */
 
 static void everything(double *result)
 {
@@ -239,7 +240,7 @@ static void preemption_changes_neither_result_nor_cost(void **state)
     }
 }
 
-/* The check comes at most one round of the loop late, and at the right one: the first at which budget is overdrawn. */
+/* A poll strikes in the first trip in which the budget is overdrawn, so at most one trip late. */
 static void preemption_comes_at_its_time(void **state)
 {
     double x[64] = {0};
@@ -254,7 +255,8 @@ static void preemption_comes_at_its_time(void **state)
 }
 
 /* What is due in the course of a long library call does not wait for its end. */
-/* How often a call that costs `all` is preempted, at the ends of parts of 400 clocks, which are reckoned from its end. */
+/* How often a call that costs `all` is preempted, at the ends of parts of 400 clocks, which are reckoned from
+ * its end. */
 static int64_t preemptions(int64_t all, int64_t budget)
 {
     enum { PART = 400 * NXC_UNITS_PER_CLOCK };

@@ -1,7 +1,7 @@
 /* test_speed.c - programs on the simulated i860 XR are as fast as they were on real ones.
  *
- * LINPACK of order 100 in Fortran ran at about 4.5 to 6.5 MFLOPS on a node of the iPSC/860 (Dongarra, Performance of
- * Various Computers Using Standard Linear Equations Software, CS-89-85).
+ * LINPACK of order 100 in Fortran ran at about 4.5 to 6.5 MFLOPS on a node of the iPSC/860 (Dongarra,
+ * Performance of Various Computers Using Standard Linear Equations Software, CS-89-85).
  */
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,8 @@
-/* amount.cc - see amount.h. */
-#include "amount.h"
+/* arg_cost.cc - see arg_cost.h. */
+#include "arg_cost.h"
 
-/* Appends the number of elements of a Fortran array: nx_api/libgfortran/elements.c counts. */
+/* Appends the number of elements of a Fortran array, given by its descriptor: a call of
+ * nx_api/libgfortran/elements.c. */
 static tree append_elements(gimple_seq *seq, tree array)
 {
     if (!POINTER_TYPE_P(TREE_TYPE(array)))
@@ -15,9 +16,9 @@ static tree append_elements(gimple_seq *seq, tree array)
     return value;
 }
 
-tree amount_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
+tree arg_cost_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
 {
-    tree amount = build_int_cst(units_type(), per);
+    tree amount = units_constant(per);
     for (int argument : of) {
         tree value = argument ? gimple_call_arg(call, argument - 1) : gimple_call_lhs(call);
         if (elements && !(value = append_elements(seq, value)))
@@ -25,8 +26,8 @@ tree amount_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<
         if (!INTEGRAL_TYPE_P(TREE_TYPE(value)))
             return NULL_TREE;
         value = gimple_convert(seq, units_type(), value);
-        if (!argument) /* a negative result is an error, and no amount */
-            value = gimple_build(seq, MAX_EXPR, units_type(), value, build_int_cst(units_type(), 0));
+        if (!argument) /* a negative result is an error code */
+            value = gimple_build(seq, MAX_EXPR, units_type(), value, units_constant(0));
         amount = gimple_build(seq, MULT_EXPR, units_type(), amount, value);
     }
     return amount;

@@ -1,12 +1,13 @@
-/* rounds.cc - see rounds.h. */
-#include "rounds.h"
+/* trip_count.cc - see trip_count.h. */
+#include "trip_count.h"
 
 namespace
 {
-/* A check costs little in a loop whose rounds take more to foresee. */
+/* A poll costs little in a loop whose trip count takes more to compute. */
 const unsigned most_operations = 12;
 
-/* All of a division's kinds, by anything, are too much, but not one by a constant that is known to leave nothing. */
+/* The operations of an expression. Division of any kind is too many, except EXACT_DIV_EXPR, a
+ * multiplication. */
 unsigned operations(tree expr)
 {
     if (!EXPR_P(expr))
@@ -39,7 +40,7 @@ tree append_value(gimple_seq *seq, tree expr)
 }
 } // namespace
 
-bool rounds_foresee(class loop *loop, tree_niter_desc *n)
+bool trip_count_is_known(class loop *loop, tree_niter_desc *n)
 {
     edge exit = single_exit(loop);
     return exit && !(exit->flags & EDGE_COMPLEX) &&
@@ -47,27 +48,27 @@ bool rounds_foresee(class loop *loop, tree_niter_desc *n)
            operations(n->assumptions) + operations(n->may_be_zero) + operations(n->niter) <= most_operations;
 }
 
-int64_t rounds_constant(class loop *loop)
+int64_t trip_count_constant(class loop *loop)
 {
     tree_niter_desc n;
-    if (!rounds_foresee(loop, &n) || !integer_onep(n.assumptions) || !integer_zerop(n.may_be_zero) ||
+    if (!trip_count_is_known(loop, &n) || !integer_onep(n.assumptions) || !integer_zerop(n.may_be_zero) ||
         !tree_fits_shwi_p(n.niter))
         return -1;
     return tree_to_shwi(n.niter);
 }
 
-tree rounds_append(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
+tree trip_count_append(gimple_seq *seq, class loop *loop, const tree_niter_desc &n, int64_t limit)
 {
     tree type = unsigned_type_for(units_type()), most = build_int_cst(type, limit);
-    tree rounds = gimple_convert(seq, unsigned_type_for(TREE_TYPE(n.niter)), append_value(seq, n.niter));
-    rounds = gimple_convert(seq, type, rounds);
+    tree trips = gimple_convert(seq, unsigned_type_for(TREE_TYPE(n.niter)), append_value(seq, n.niter));
+    trips = gimple_convert(seq, type, trips);
     if (!integer_zerop(n.may_be_zero))
-        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
-                              rounds);
+        trips = gimple_build(seq, COND_EXPR, type, append_value(seq, n.may_be_zero), build_int_cst(type, 0),
+                             trips);
     widest_int bound;
     if (wi::ges_p(n.max, limit) && !(max_loop_iterations(loop, &bound) && wi::lts_p(bound, limit)))
-        rounds = gimple_build(seq, MIN_EXPR, type, rounds, most);
+        trips = gimple_build(seq, MIN_EXPR, type, trips, most);
     if (!integer_onep(n.assumptions))
-        rounds = gimple_build(seq, COND_EXPR, type, append_value(seq, n.assumptions), rounds, most);
-    return gimple_convert(seq, units_type(), rounds);
+        trips = gimple_build(seq, COND_EXPR, type, append_value(seq, n.assumptions), trips, most);
+    return gimple_convert(seq, units_type(), trips);
 }

@@ -1,10 +1,10 @@
-/* variable.cc - see variable.h. */
-#include "variable.h"
+/* symbols.cc - see symbols.h. */
+#include "symbols.h"
 #include <string>
 
 namespace
 {
-tree all; /* a list */
+tree all; /* a list of all variables made here, for the garbage collector */
 
 const ggc_root_tab roots[] = {
     {&all, 1, sizeof all, &gt_ggc_mx_tree_node, &gt_pch_nx_tree_node},
@@ -29,7 +29,7 @@ tree keep(tree var)
 }
 } // namespace
 
-tree variable_declare(const char *name, tree type)
+tree symbols_declare(const char *name, tree type)
 {
     tree var = make(name, type);
     DECL_EXTERNAL(var) = 1;
@@ -39,16 +39,16 @@ tree variable_declare(const char *name, tree type)
     return keep(var);
 }
 
-tree variable_written(const char *name, tree type)
+tree symbols_define_local(const char *name, tree type)
 {
     tree var = make(name, type);
     SET_DECL_ASSEMBLER_NAME(var, get_identifier(("*.L" + std::string(name)).c_str()));
     TREE_STATIC(var) = 1;
-    TREE_ASM_WRITTEN(var) = 1; /* not GCC's to write */
+    TREE_ASM_WRITTEN(var) = 1; /* GCC must not write it */
     return keep(var);
 }
 
-const ggc_root_tab *variable_roots()
+const ggc_root_tab *symbols_gc_roots()
 {
     return roots;
 }

@@ -1,5 +1,5 @@
-/* leaves.cc - see leaves.h. Functions are known by their DECL_UID, which stays. */
-#include "leaves.h"
+/* leaf_charge.cc - see leaf_charge.h. Functions are identified by their DECL_UID, which never changes. */
+#include "leaf_charge.h"
 #include "costs.h"
 #include "profile.h"
 #include <map>
@@ -7,10 +7,10 @@
 
 namespace
 {
-std::map<unsigned, int64_t> leaves; /* units of their bodies */
-std::set<unsigned> called;          /* by functions that are compiled */
+std::map<unsigned, int64_t> leaves; /* the units of each caller-charged leaf */
+std::set<unsigned> called;          /* functions called by those compiled so far */
 
-/* All calls of it are in this file, by its name. */
+/* Are all its calls in this file, by its name, and still to be compiled? */
 bool has_known_callers(function *fun)
 {
     cgraph_node *node = cgraph_node::get(fun->decl);
@@ -23,14 +23,14 @@ bool is_plain(gimple *stmt)
     const std::vector<int> *of;
     bool elements;
     if (gimple_code(stmt) == GIMPLE_ASM ||
-        (call && (!costs_call_is_quiet(call) || costs_of_call(call, &of, &elements))))
+        (call && (!costs_call_is_uncounted(call) || costs_of_call(call, &of, &elements))))
         return false;
-    /* the profile has one name for it all */
+    /* the profile attributes a leaf's cost to one function */
     return !profile_on || (!costs_priced_call(stmt) &&
                            DECL_ORIGIN(costs_written_in(stmt)) == DECL_ORIGIN(current_function_decl));
 }
 
-/* Adds what bb costs. False if that is not always the same. */
+/* Adds the cost of bb. False: the cost varies. */
 bool add_cost(basic_block bb, int64_t *units)
 {
     for (gimple_stmt_iterator gsi = gsi_start_nondebug_bb(bb); !gsi_end_p(gsi); gsi_next_nondebug(&gsi)) {
@@ -41,8 +41,8 @@ bool add_cost(basic_block bb, int64_t *units)
     return true;
 }
 
-/* The units from the function's begin to the end of each of its blocks, in an order in which blocks come after those that
- * lead to them, are the same on all ways? */
+/* Is the cost the same on all paths? Goes through the blocks in reverse post-order, so that a block comes
+ * after its predecessors, and compares the units up to their ends. */
 bool costs_always_the_same(function *fun, int64_t *units)
 {
     std::map<int, int64_t> until; /* blocks' ends, by index */
@@ -71,24 +71,24 @@ bool costs_always_the_same(function *fun, int64_t *units)
 }
 } // namespace
 
-bool leaves_is_call(gimple *stmt)
+bool leaf_charge_is_call(gimple *stmt)
 {
     tree callee = is_gimple_call(stmt) ? gimple_call_fndecl(stmt) : NULL_TREE;
     return callee && leaves.count(DECL_UID(callee));
 }
 
-int64_t leaves_cost(gimple *stmt)
+int64_t leaf_charge_cost(gimple *stmt)
 {
-    return leaves_is_call(stmt) ? leaves[DECL_UID(gimple_call_fndecl(stmt))] : 0;
+    return leaf_charge_is_call(stmt) ? leaves[DECL_UID(gimple_call_fndecl(stmt))] : 0;
 }
 
-void leaves_see_call(gcall *call)
+void leaf_charge_note_call(gcall *call)
 {
     if (tree callee = gimple_call_fndecl(call))
         called.insert(DECL_UID(callee));
 }
 
-bool leaves_accept(function *fun)
+bool leaf_charge_accept(function *fun)
 {
     int64_t units;
     if (!has_known_callers(fun) || !costs_always_the_same(fun, &units))

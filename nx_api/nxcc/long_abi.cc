@@ -1,28 +1,29 @@
-/* longs.cc - notes the functions by which a C file and other files could hand longs to each other: as
- * records in section .nxc_longs, which is not loaded, for nxcc to compare when it links with --long32
- * (driver/longs.c). A record is a line:
+/* long_abi.cc - records the functions through which a C file could share longs with other files: in section
+ * .nxc_longs, which is not loaded, for nxcc to compare when it links with --long32 (driver/longs.c). A record
+ * is a line:
  *
- *     BYTES FILE WHAT NAME    BYTES: of this file's long, 8 or 4      WHAT of:
- *     d c     the function is defined, or called, here; with longs of 8 bytes only if it has some in memory
- *             or as its result
- *     v       it is defined here, and longs of 8 bytes are handed to it by value
- *     l       a call of a library that reads or writes longs of 8 bytes
+ *     BYTES FILE WHAT NAME
  *
- * A file with longs of 4 bytes names all its functions: there a long is the same type as an int. By value, a
- * long of 8 bytes that becomes one of 4 is cut as any number is, so that callers need not tell.
+ * BYTES is the size of long in this file, 8 or 4. WHAT is one of
+ *
+ *     d c     the function is defined, or called, here; with longs of 8 bytes only if its result is a long,
+ *             or it is handed a pointer to longs
+ *     v       the function is defined here, and longs of 8 bytes are handed to it by value
+ *     l       a call of a library function that reads or writes longs of 8 bytes
+ *
+ * A file with longs of 4 bytes records all its functions, since long is the same type as int there. A long of
+ * 8 bytes that is handed by value to a function with longs of 4 is truncated as any integer is, so that such
+ * calls need no record.
  */
-#include "gcc.h"
-#include "longs.h"
+#include "c_frontend.h"
+#include "long_abi.h"
 #include "output.h"
 #include <set>
 #include <string>
 
-/* The C preprocessor's state; there is none in the compilers of other languages. */
-extern struct cpp_reader *parse_in __attribute__((weak));
-
 namespace
 {
-bool narrow;
+bool long_is_32_bits;
 std::set<std::string> records; /* "WHAT NAME" */
 
 /* --- types --- */
@@ -35,8 +36,8 @@ bool is_one_of(const char *name, std::initializer_list<const char *> list)
     return false;
 }
 
-/* Is it called long, by the program? Types of the host's headers, as size_t, have 64 bits everywhere, but
- * for these. */
+/* Does the program call the type long? Other types of the host's headers, such as size_t, have 64 bits in
+ * either kind of file; those in the list are long in NX's programs. */
 bool is_long(tree type)
 {
     tree main = TYPE_MAIN_VARIANT(type), name = TYPE_NAME(type);
@@ -74,7 +75,7 @@ signature signature_of(tree function)
         s.in_memory |= points_at_long(TREE_VALUE(a));
     }
     for (tree a = TYPE_ARG_TYPES(type) ? NULL_TREE : DECL_ARGUMENTS(function); a; a = DECL_CHAIN(a)) {
-        s.by_value |= is_long(TREE_TYPE(a)); /* defined in the old style */
+        s.by_value |= is_long(TREE_TYPE(a)); /* defined in K&R's style */
         s.in_memory |= points_at_long(TREE_TYPE(a));
     }
     return s;
@@ -82,7 +83,7 @@ signature signature_of(tree function)
 
 /* --- formats --- */
 
-/* The text that a pointer points at, or NULL. */
+/* The string constant that a pointer points to, or NULL. */
 const char *text_at(tree pointer)
 {
     if (TREE_CODE(pointer) != ADDR_EXPR)
@@ -93,7 +94,7 @@ const char *text_at(tree pointer)
     return TREE_CODE(text) == STRING_CST ? TREE_STRING_POINTER(text) : NULL;
 }
 
-/* Has it a %ld, %-8lx or the like? %lld and %lf are no longs. */
+/* Has a format a %ld, %-8lx or the like? %lld and %lf are not of type long. */
 bool formats_long(const char *s)
 {
     while ((s = strchr(s, '%'))) {
@@ -106,7 +107,7 @@ bool formats_long(const char *s)
     return false;
 }
 
-bool hands_long_by_format(gcall *call)
+bool passes_long_by_format(gcall *call)
 {
     tree function = gimple_call_fndecl(call);
     if (!strstr(IDENTIFIER_POINTER(DECL_NAME(function)), "printf") &&
@@ -130,9 +131,9 @@ void add(char what, tree function)
 void note_definition(tree function)
 {
     signature s = signature_of(function);
-    if (narrow || s.in_memory || s.result)
+    if (long_is_32_bits || s.in_memory || s.result)
         add('d', function);
-    if (!narrow && s.by_value)
+    if (!long_is_32_bits && s.by_value)
         add('v', function);
 }
 
@@ -143,13 +144,13 @@ void note_call(gcall *call)
         return;
     signature s = signature_of(function);
     bool library = in_system_header_at(DECL_SOURCE_LOCATION(function));
-    if (!narrow && ((library && s.in_memory) || hands_long_by_format(call)))
+    if (!long_is_32_bits && ((library && s.in_memory) || passes_long_by_format(call)))
         add('l', function);
-    if (narrow ? !library : s.in_memory || s.result)
+    if (long_is_32_bits ? !library : s.in_memory || s.result)
         add('c', function);
 }
 
-void look_at_functions(void *, void *)
+void scan_functions(void *, void *)
 {
     cgraph_node *node;
     FOR_EACH_FUNCTION_WITH_GIMPLE_BODY(node)
@@ -160,7 +161,7 @@ void look_at_functions(void *, void *)
             continue;
         if (TREE_PUBLIC(node->decl))
             note_definition(node->decl);
-        FOR_EACH_BB_FN(block, f)
+        FOR_EACH_BB_FN (block, f)
             for (gimple_stmt_iterator i = gsi_start_bb(block); !gsi_end_p(i); gsi_next(&i))
                 if (gcall *call = dyn_cast<gcall *>(gsi_stmt(i)))
                     note_call(call);
@@ -173,7 +174,8 @@ void finish_unit(void *, void *)
         return;
     fputs("\t.section .nxc_longs,\"\",@progbits\n", asm_out_file);
     for (const std::string &record : records) {
-        std::string line = std::string(narrow ? "4 " : "8 ") + main_input_filename + " " + record + "\n";
+        std::string line =
+            std::string(long_is_32_bits ? "4 " : "8 ") + main_input_filename + " " + record + "\n";
         fputs("\t.ascii ", asm_out_file);
         output_quoted_string(asm_out_file, line.c_str());
         fputc('\n', asm_out_file);
@@ -183,15 +185,15 @@ void finish_unit(void *, void *)
 void start_unit(void *, void *data)
 {
     const char *plugin = static_cast<const char *>(data);
-    if (!&parse_in || !parse_in)
+    if (!is_c_unit())
         return;
-    register_callback(plugin, PLUGIN_ALL_IPA_PASSES_START, look_at_functions, NULL);
+    register_callback(plugin, PLUGIN_ALL_IPA_PASSES_START, scan_functions, NULL);
     register_callback(plugin, PLUGIN_FINISH_UNIT, finish_unit, NULL);
 }
 } // namespace
 
-void longs_register(const char *plugin, bool long32)
+void long_abi_register(const char *plugin, bool long32)
 {
-    narrow = long32;
+    long_is_32_bits = long32;
     register_callback(plugin, PLUGIN_START_UNIT, start_unit, const_cast<char *>(plugin));
 }
