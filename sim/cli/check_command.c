@@ -88,7 +88,7 @@ static int check(struct arguments *a)
     if (end == GATE_ERROR)
         fprintf(stderr, "touchstone check: %s\n", error);
     free(error);
-    cli_session_end(&s);
+    cli_session_end(&s, &a->gate.study);
     return end == GATE_PASSED ? 0 : end == GATE_WORSE ? EXIT_WORSE : EXIT_UNKNOWN;
 }
 

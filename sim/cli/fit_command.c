@@ -71,29 +71,20 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* Where the studies' progress goes: on a terminal, beside the fit's lines; elsewhere its lines would hide
- * the fit's. */
-static FILE *studies_progress(void)
-{
-    FILE *nowhere = isatty(STDERR_FILENO) ? NULL : fopen("/dev/null", "we");
-    return nowhere ? nowhere : stderr;
-}
-
 static int fit(const struct arguments *a, struct fit_options *o)
 {
     char dir[PATH_MAX], constants[PATH_MAX + 16], *error = NULL;
     cli_default_folder(a->file, "-fit", dir);
     o->study.file = a->file;
     o->study.dir = a->dir ? a->dir : dir;
-    o->study.progress = studies_progress();
+    if (!isatty(STDERR_FILENO)) /* where the lines of the studies' progress would hide those of the fit */
+        cli_session_silence(&o->study);
     snprintf(constants, sizeof constants, "%s/fitted.cfg", o->study.dir);
     o->constants = a->constants ? a->constants : constants;
     enum fit_end end = fit_run(o, &error);
     if (end == FIT_ERROR)
         fprintf(stderr, "touchstone fit: %s\n", error);
     free(error);
-    if (o->study.progress != stderr)
-        fclose(o->study.progress);
     return end == FIT_DONE ? 0 : end == FIT_UNDETERMINED ? EXIT_UNDETERMINED : CLI_EXIT_INPUT;
 }
 
@@ -108,6 +99,6 @@ int cli_fit(int argc, char **argv)
     if (!cli_session_begin(&s, "fit", &a.session, &o.study))
         return CLI_EXIT_INPUT;
     int status = fit(&a, &o);
-    cli_session_end(&s);
+    cli_session_end(&s, &o.study);
     return status;
 }

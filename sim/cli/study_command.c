@@ -87,13 +87,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* Progress of all processes but the first goes nowhere; their errors are still reported. */
-static FILE *silence(void)
-{
-    FILE *nowhere = fopen("/dev/null", "we");
-    return nowhere ? nowhere : stderr;
-}
-
 static int study(const struct arguments *a, struct study_options *o)
 {
     struct session t = session_find();
@@ -103,7 +96,7 @@ static int study(const struct arguments *a, struct study_options *o)
     if (t.count > 1 && !a->session.jobs)
         o->at_once = 1;
     if (t.rank > 0)
-        o->progress = silence();
+        cli_session_silence(o); /* the first process shows the progress of all */
     enum study_end end = study_make(o, &signal, &error);
     if (end == STUDY_ERROR) {
         if (t.count > 1)
@@ -112,8 +105,6 @@ static int study(const struct arguments *a, struct study_options *o)
             fprintf(stderr, "touchstone study: %s\n", error);
         free(error);
     }
-    if (o->progress != stderr)
-        fclose(o->progress);
     return end == STUDY_DONE         ? 0
            : end == STUDY_INCOMPLETE ? 1
            : end == STUDY_STOPPED    ? 128 + signal
@@ -136,6 +127,6 @@ int cli_study(int argc, char **argv)
     options.dir = a.dir ? a.dir : dir;
     options.retry_failed = a.retry_failed;
     int status = study(&a, &options);
-    cli_session_end(&s);
+    cli_session_end(&s, &options);
     return status;
 }

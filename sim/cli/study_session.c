@@ -41,8 +41,16 @@ bool cli_session_begin(struct cli_session *s, const char *command, const struct 
     return true;
 }
 
-void cli_session_end(struct cli_session *s)
+void cli_session_silence(struct study_options *study)
 {
+    FILE *nowhere = fopen("/dev/null", "we");
+    study->progress = nowhere ? nowhere : stderr;
+}
+
+void cli_session_end(struct cli_session *s, const struct study_options *study)
+{
+    if (study->progress != stderr)
+        fclose(study->progress);
     free(s->cache);
 }
 

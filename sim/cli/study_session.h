@@ -23,7 +23,9 @@ struct cli_session {
  * command on standard error, if touchstone's own files are not found. */
 bool cli_session_begin(struct cli_session *s, const char *command, const struct cli_session_options *options,
                        struct study_options *study);
-void cli_session_end(struct cli_session *s);
+/* Sends the study's progress nowhere, but not its errors. */
+void cli_session_silence(struct study_options *study);
+void cli_session_end(struct cli_session *s, const struct study_options *study);
 
 /* The default folder for the results of .../NAME.cfg: out/NAME and the suffix. */
 void cli_default_folder(const char *file, const char *suffix, char dir[PATH_MAX]);
