@@ -8,6 +8,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -125,10 +126,8 @@ static json_t *fix_rest(const struct record_points *points, const struct picture
             continue;
         json_set(fixed, name, json_incref(json_array_get(values, 0)));
         char *label = label_of(json_array_get(values, 0));
-        char *longer = xasprintf("%s%s%s %s", d->fixed, *d->fixed ? ", " : "", name, label);
+        words_append(&d->fixed, "%s%s %s", *d->fixed ? ", " : "", name, label);
         free(label);
-        free(d->fixed);
-        d->fixed = longer;
     }
     return fixed;
 }

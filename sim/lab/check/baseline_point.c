@@ -3,6 +3,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -221,12 +222,11 @@ char *baseline_name(const json_t *point, const json_t *axes)
     json_object_foreach((json_t *)axes, axis, values)
     {
         const json_t *value = json_object_get(point, axis);
-        char *longer =
-            json_is_string(value)
-                ? xasprintf("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value))
-                : xasprintf("%s%s%s %.15g", name, *name ? ", " : "", axis, json_number_value(value));
-        free(name);
-        name = longer;
+        words_append(&name, "%s%s ", *name ? ", " : "", axis);
+        if (json_is_string(value))
+            words_append(&name, "%s", json_string_value(value));
+        else
+            words_append(&name, "%.15g", json_number_value(value));
     }
     if (*name)
         return name;

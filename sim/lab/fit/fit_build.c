@@ -20,15 +20,12 @@ static char *factors_of(const struct fit *f, const double position[])
         if (!f->parameter[i].factor)
             continue;
         fit_text(&f->parameter[i], position[i], value);
-        char *longer = xasprintf("%s%s\n    { file = \"%s\"; factor = %s%s; }", list, mark,
-                                 f->parameter[i].factor, value, strpbrk(value, ".e") ? "" : ".0");
-        free(list);
-        list = longer;
+        words_append(&list, "%s\n    { file = \"%s\"; factor = %s%s; }", mark, f->parameter[i].factor, value,
+                     strpbrk(value, ".e") ? "" : ".0");
         mark = ",";
     }
-    char *all = xasprintf("%s\n);\n", list);
-    free(list);
-    return all;
+    words_append(&list, "\n);\n");
+    return list;
 }
 
 static bool write_file(const char *path, const char *text)

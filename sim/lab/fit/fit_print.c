@@ -1,6 +1,7 @@
 /* fit_print.c - the result of a fit as text for people; see fit_parts.h. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,13 +16,9 @@ static const char *unit(const struct fit *f)
 static char *names_with(const struct fit *f, const struct fit_number *n)
 {
     char *names = xstrdup("");
-    for (size_t i = 0; i < f->parameters; i++) {
-        if (!n->with[i])
-            continue;
-        char *longer = xasprintf("%s%s%s", names, *names ? ", " : "", f->parameter[i].name);
-        free(names);
-        names = longer;
-    }
+    for (size_t i = 0; i < f->parameters; i++)
+        if (n->with[i])
+            words_append(&names, "%s%s", *names ? ", " : "", f->parameter[i].name);
     return names;
 }
 

@@ -3,6 +3,7 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
+#include "lab/jobs/words.h"
 #include "lab/study/spec_read.h"
 
 #include <assert.h>
@@ -97,14 +98,9 @@ static char *name_of(const json_t *where, const char *figure)
     const char *axis;
     json_t *value;
     json_object_foreach((json_t *)where, axis, value)
-    {
-        char *longer = xasprintf("%s%s%s %s", name, *name ? ", " : "", axis, json_string_value(value));
-        free(name);
-        name = longer;
-    }
-    char *all = xasprintf("%s%s%s", name, *name ? ": " : "", figure);
-    free(name);
-    return all;
+        words_append(&name, "%s%s %s", *name ? ", " : "", axis, json_string_value(value));
+    words_append(&name, "%s%s", *name ? ": " : "", figure);
+    return name;
 }
 
 static bool add(struct fit *f, const json_t *where, const char *figure, const char *text, double weight,

@@ -2,6 +2,7 @@
 #include "lab/jobs/words.h"
 #include "kernel/xalloc.h"
 
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,15 +32,22 @@ void words_add_all(char ***list, char *text)
     free(text);
 }
 
+void words_append(char **text, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    char *more = xvasprintf(format, list), *all = xasprintf("%s%s", *text, more);
+    va_end(list);
+    free(more);
+    free(*text);
+    *text = all;
+}
+
 char *words_filled(const char *text, const char *hole, const char *with)
 {
     char *done = xstrdup("");
-    for (const char *at; (at = strstr(text, hole)); text = at + strlen(hole)) {
-        char *longer = xasprintf("%s%.*s%s", done, (int)(at - text), text, with);
-        free(done);
-        done = longer;
-    }
-    char *all = xasprintf("%s%s", done, text);
-    free(done);
-    return all;
+    for (const char *at; (at = strstr(text, hole)); text = at + strlen(hole))
+        words_append(&done, "%.*s%s", (int)(at - text), text, with);
+    words_append(&done, "%s", text);
+    return done;
 }

@@ -1,4 +1,5 @@
-/* words.h - lists of words, such as arguments and settings; and texts with a hole that is filled in. */
+/* words.h - lists of words, such as arguments and settings; and texts that grow or have holes to be
+ * filled. */
 #ifndef LAB_JOBS_WORDS_H
 #define LAB_JOBS_WORDS_H
 
@@ -8,6 +9,8 @@ void words_add(char ***list, char *word);
 void words_add_all(char ***list, char *text);
 void words_free(char **list);
 
+/* Adds formatted text to the end of *text, which is malloc'd and may move. */
+void words_append(char **text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* text with `with` in place of each `hole`; malloc'd. */
 char *words_filled(const char *text, const char *hole, const char *with);
 #endif

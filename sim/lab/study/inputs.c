@@ -3,6 +3,7 @@
 #include "config/config.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 #include "net/topo.h"
 
 #include <gnu/libc-version.h>
@@ -220,11 +221,8 @@ static bool fits(const struct inputs *in, const struct point *p, const struct ch
 static char *lines_of(const char *machine, char **settings)
 {
     char *all = xstrdup(machine);
-    for (char **one = settings; one && *one; one++) {
-        char *longer = xasprintf("%s\n%s", all, *one);
-        free(all);
-        all = longer;
-    }
+    for (char **one = settings; one && *one; one++)
+        words_append(&all, "\n%s", *one);
     return all;
 }
 

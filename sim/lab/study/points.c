@@ -2,6 +2,7 @@
 #include "lab/study/points.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -77,11 +78,8 @@ enum point_is point_make(const struct spec *s, size_t number, struct point *p, c
 char *point_name(const struct spec *s, const struct point *p)
 {
     char *name = xstrdup("");
-    for (size_t i = 0; i < s->axis_count; i++) {
-        char *longer = xasprintf("%s%s%s %s", name, i ? ", " : "", s->axes[i].name, p->value[i].text);
-        free(name);
-        name = longer;
-    }
+    for (size_t i = 0; i < s->axis_count; i++)
+        words_append(&name, "%s%s %s", i ? ", " : "", s->axes[i].name, p->value[i].text);
     return name;
 }
 
