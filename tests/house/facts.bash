@@ -53,8 +53,8 @@ read_files() {
             }' "$FACTS/layers" -
 }
 
-# An included file is looked for as the compilers do: beside the file, in sim/, in the tree, in NX's headers, in the plugin; and
-# if it is in none of them, it is the one of that name, as each back end has its own.
+# An included file is looked for as the compilers do: beside the file, in sim/, in the tree, in NX's headers, in the plugin. If
+# it is in none of them, it is the one of that name: of the same folder's, or else all, as each back end has its own.
 read_includes() {
     grep -nE '^[ \t]*# *include "' $(cut -f1 "$FACTS/files") /dev/null |
         awk -F'\t' 'function tidy(p) {
@@ -65,6 +65,7 @@ read_includes() {
             }
             FILENAME == ARGV[1] {
                 there[$1]
+                layer[$1] = $2
                 base = $1
                 sub(/.*\//, "", base)
                 named[base] = named[base] " " $1
@@ -85,11 +86,14 @@ read_includes() {
                     if (full in there)
                         found = " " full
                 }
-                if (found == "" && name !~ /\//)
+                own = found != "" || name ~ /\//
+                if (!own)
                     found = named[name]
                 n = split(found, each, " ")
+                for (i = 1; i <= n && !own; i++)
+                    own = layer[each[i]] == layer[path]
                 for (i = 1; i <= n; i++)
-                    if (each[i] != path)
+                    if (each[i] != path && (!own || n == 1 || layer[each[i]] == layer[path]))
                         print path "\t" part[2] "\t" each[i]
             }' "$FACTS/files" -
 }
