@@ -2,19 +2,20 @@
 #
 #   files      path, folder, unit          a unit is a file without its ending: x.c and x.h are the unit FOLDER/x
 #   layers     folder, row, may use        of doc/house.md, from the lowest up; "above": all rows above it
+#   stays      number, units               of doc/house.md: exceptions, files that may stay in a circle, or have one name
 #   rows       folder, name, other, line   of doc/house.md's tables of files; other: where functions of its header stand, too
 #   includes   path, line, included path
 #   symbols    world, letter of nm, path, symbol      a world is what is linked together
 #   declared   path of the header, line, name         what is followed by "(" outside of all braces
 #
-# Fields are separated by tabs. doc/house.md (or $HOUSE_DOC) has the layers between <!-- layers --> and <!-- layers end -->, and
-# a table for each folder below a heading "### FOLDER".
+# Fields are separated by tabs. doc/house.md (or $HOUSE_DOC) has the layers between <!-- layers --> and <!-- layers end -->, the
+# exceptions between <!-- stays --> and <!-- stays end -->, and a table for each folder below a heading "### FOLDER".
 
 FACTS=$(mktemp -d)
 trap 'rm -rf "$FACTS"' EXIT
 HOUSE_DOC=${HOUSE_DOC:-doc/house.md}
 
-# The cells of a table's line: $2, $3 ... without blanks and backquotes at their ends. Text after the first colon of cell 1 stays.
+# The cells of a table's line: $2, $3 ... without backquotes, and without blanks at their ends.
 CELLS='function cell(i,    t) { t = $i; gsub(/`/, "", t); sub(/^[ \t]+/, "", t); sub(/[ \t]+$/, "", t); return t }'
 
 read_layers() {
@@ -22,6 +23,13 @@ read_layers() {
         /<!-- layers end/ { on = 0 }
         on && /^\| *`/ { print cell(2) "\t" ++row "\t" cell(3) }
         /<!-- layers -->/ { on = 1 }' "$HOUSE_DOC"
+}
+
+read_stays() {
+    awk -F'|' "$CELLS"'
+        /<!-- stays end/ { on = 0 }
+        on && /^\| *`/ { units = cell(2); gsub(/,/, "", units); print ++row "\t" units }
+        /<!-- stays -->/ { on = 1 }' "$HOUSE_DOC"
 }
 
 read_rows() {
@@ -179,6 +187,7 @@ read_declared() {
 
 read_facts() {
     read_layers >"$FACTS/layers"
+    read_stays >"$FACTS/stays"
     read_rows >"$FACTS/rows"
     read_files >"$FACTS/files"
     read_includes >"$FACTS/includes"

@@ -94,7 +94,7 @@ FNR == 1 { comment = 0; depth = 0; path[++count] = FILENAME }
     }
 }
 
-# The structs that lie in a node, or that it alone points to by a member of a struct of the node's own name.
+# The structs that lie in a node.
 function held(s,    key, part, t)
 {
     in_node[s]
