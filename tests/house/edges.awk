@@ -88,15 +88,15 @@ function sees(path, header,    key, list, n, i, seen, stack, top)
 # What a call of the symbol from a file uses: the unit in which it stands, or of the header that stands for it.
 function used(from, symbol, path,    n, i, header)
 {
+    for (i = 1; i <= listed; i++)
+        if ((unit[lists[i]] in has_others) && is_also(unit[lists[i]], path) && sees(from, lists[i]))
+            return unit[lists[i]]
     if (folder[from] == folder[path])
         return unit[path]
     n = split(declares[symbol], header, " ")
     for (i = 1; i <= n; i++)
         if (folder[header[i]] != folder[path] && is_also(unit[header[i]], path))
             return unit[header[i]]
-    for (i = 1; i <= listed; i++)
-        if ((unit[lists[i]] in has_others) && is_also(unit[lists[i]], path) && sees(from, lists[i]))
-            return unit[lists[i]]
     return unit[path]
 }
 
