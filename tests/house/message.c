@@ -1,5 +1,5 @@
-/* message.c - a message from node 0 to node 1, which waits for it: what tests/house/measure follows. Both nodes
- * compute for a while behind it, so that nothing else happens meanwhile. */
+/* message.c - a message from node 0 to node 1, which waits for it: what tests/house/measure follows. Both
+ * nodes compute for a while behind it, so that nothing else happens meanwhile. */
 #include "nx.h"
 
 static void compute(void)

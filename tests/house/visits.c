@@ -1,7 +1,7 @@
-/* visits.c - what a message passes on its way: a library to be preloaded into a touchstone that was built with
- * -finstrument-functions. From the first entry of VISITS_FROM to the first exit of VISITS_TO it writes, to file
- * descriptor 9, "+ function call-site" for each function entered and "- function" for each function left. All
- * numbers are offsets in the program, in hexadecimal. See way.awk. */
+/* visits.c - what a message passes on its way: a library to be preloaded into a touchstone that was built
+ * with -finstrument-functions. From the first entry of VISITS_FROM to the first exit of VISITS_TO it writes,
+ * to file descriptor 9, "+ function call-site" for each function entered and "- function" for each function
+ * left. All numbers are offsets in the program, in hexadecimal. See way.awk. */
 #define _GNU_SOURCE
 #include <link.h>
 #include <stdint.h>
