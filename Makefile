@@ -65,6 +65,7 @@ include $(OWN_RULES)
 unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
+HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
 E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
@@ -76,7 +77,7 @@ test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 	$(ASAN_MAKE) all unit prover
 	$(SUBMAKE) B=build/O0 OPT="-O0 -g" LTO= build/O0/touchstone
 	$(SUBMAKE) B=build/tsan OPT="-O1 -g" LTO= SAN="-fsanitize=thread" build/tsan/touchstone
-	@tests/run $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
+	@tests/run $(HOUSE) $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
 
 # --- what a user calls ---------------------------------------------------------------------------------------
 tables: setup ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
@@ -141,8 +142,9 @@ FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)
 
-check-format: ## Fail if a C file is laid out otherwise
+check-format: ## Fail if a C file is laid out otherwise, or has lines of more than 110 columns
 	@clang-format --dry-run -Werror $(FORMATTED)
+	@tests/house/columns 110 $(FORMATTED) $(wildcard nx_api/nxcc/*.cc)
 
 clean: ## Remove build/ and out/
 	rm -rf build out
