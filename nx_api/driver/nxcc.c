@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/command.h"
-#include "nx_api/driver/logicals.h"
+#include "nx_api/driver/dialect.h"
 #include "nx_api/driver/longs.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/stubs.h"
@@ -50,7 +50,7 @@ static void become(const struct arguments *user, const struct places *p, bool li
         _exit(status);
     }
     if (has_kind(user, FORTRAN_FILE))
-        _exit(logicals_run(gcc, user));
+        _exit(dialect_run(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
     fail("%s: %s", gcc[0], strerror(errno));
 }

@@ -16,7 +16,7 @@ struct names {
 /* Names that nxcc's own objects ask for are not the program's. A ' ends the name. */
 static bool is_own(const char *name)
 {
-    return !strncmp(name, "main'", 5) || !strncmp(name, "nxc_", 4);
+    return !strncmp(name, "main'", 5) || !strncmp(name, "nxc_", 4) || !strncmp(name, "compiled_with_", 14);
 }
 
 static void add_name(struct names *n, const char *name, size_t len)
