@@ -1,5 +1,5 @@
-/* arguments.h - what the user asks of nxcc: its own options, and the list of those for gcc; such lists are also how the
- * command for gcc is made. */
+/* arguments.h - what the user asks of nxcc: its own options, and the list of those for gcc; such lists are
+ * also how the command for gcc is made. */
 #ifndef DRIVER_ARGUMENTS_H
 #define DRIVER_ARGUMENTS_H
 #include <stdbool.h>

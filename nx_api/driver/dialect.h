@@ -1,6 +1,6 @@
-/* dialect.h - Fortran programs in what compilers of the time took beyond the standard, and GNU Fortran refuses with any option
- * (rewrite.h). They are compiled from copies in which such statements are rewritten; messages and debugging
- * information name the lines of the original. */
+/* dialect.h - Fortran programs in what compilers of the time took beyond the standard, and GNU Fortran
+ * refuses with any option (rewrite.h). They are compiled from copies in which such statements are
+ * rewritten; messages and debugging information name the lines of the original. */
 #ifndef DRIVER_DIALECT_H
 #define DRIVER_DIALECT_H
 #include "nx_api/driver/arguments.h"

@@ -175,8 +175,8 @@ static char *condition(const struct statement *st, size_t at, enum truth truth)
 
 /* --- statements that are not there --- */
 
-/* ENCODE and DECODE (count, format, buffer, ...) list, below an IF or not: the buffer has any type, so a Cray pointer
- * makes a text of it. */
+/* ENCODE and DECODE (count, format, buffer, ...) list, below an IF or not: the buffer has any type, so a
+ * Cray pointer makes a text of it. */
 static char *in_memory(const struct statement *st, size_t begin, const char *verb)
 {
     const char *t = st->text;
@@ -258,7 +258,8 @@ static char *file_keywords(const struct statement *st, size_t at, enum truth tru
     return any ? text("%s%s", new, st->text + close) : NULL;
 }
 
-/* --- READ and WRITE (unit'record ...): REC= has to come last. What is behind the apostrophe looks like a text. --- */
+/* --- READ and WRITE (unit'record ...): REC= has to come last. What is behind the apostrophe looks like a
+ * text. --- */
 
 static char *record_number(const struct statement *st, size_t at, enum truth truth)
 {

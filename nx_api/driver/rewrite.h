@@ -8,8 +8,8 @@
 /* When an INTEGER is true as a condition. */
 enum truth { ODD, NOT_ZERO };
 
-/* The new text of a statement of which the compiler complains behind its first `at` characters, for free(), with newlines
- * between statements. NULL: the rule does not apply. */
+/* The new text of a statement of which the compiler complains behind its first `at` characters, for
+ * free(), with newlines between statements. NULL: the rule does not apply. */
 typedef char *rewriting(const struct statement *st, size_t at, enum truth truth);
 
 /* The rule for a line of the compiler's messages, or NULL. */

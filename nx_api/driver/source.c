@@ -159,7 +159,8 @@ size_t statement_behind(const struct statement *st, size_t line, size_t column)
 
 /* --- rewriting --- */
 
-/* Adds a statement of n characters to lines, of which there are *count, and more lines where it is too long for one. */
+/* Adds a statement of n characters to lines, of which there are *count, and more lines where it is too
+ * long for one. */
 static struct line *append_statement(const struct source *s, struct line *lines, size_t *count,
                                      const char *label, const char *new, size_t n)
 {

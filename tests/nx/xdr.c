@@ -1,5 +1,5 @@
-/* XDR's forms are the same everywhere: numbers, vectors and texts in memory and in a file, with longs of 4 bytes; and a
- * message of them is understood by the node that receives it.
+/* XDR's forms are the same everywhere: numbers, vectors and texts in memory and in a file, with longs of 4
+ * bytes; and the node that receives a message of them understands it.
  * run: all
  */
 #include <rpc/rpc.h>
