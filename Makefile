@@ -128,7 +128,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
-	cp -r --no-preserve=mode,ownership $(addprefix nx_api/include/,long32 pfs sys) $(INST)/share/touchstone/include
+	cp -r --no-preserve=mode,ownership $(addprefix nx_api/include/,long32 pfs rpc sys) $(INST)/share/touchstone/include
 	install -m 644 machines/*.cfg machines/*.inc $(INST)/share/touchstone/machines
 	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu

@@ -88,9 +88,9 @@ static void refuse(const char *s, bool mpi)
     if (mpi)
         return;
     if (!strcmp(s, "-shared") || !strcmp(s, "-static") || !strcmp(s, "-m32") || !strcmp(s, "-mcmodel=large"))
-        fail(
-            "%s: a node program is a position-independent 64-bit image that the simulator loads; leave it out",
-            s);
+        fail("%s: a node program is a position-independent 64-bit image that the simulator loads; leave it "
+             "out",
+             s);
     if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "-fopenmp") ||
         !strcmp(s, "-pthread") || !strcmp(s, "--coverage"))
         fail("%s: needs a library that a node does not have", s);

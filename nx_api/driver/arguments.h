@@ -1,5 +1,5 @@
-/* arguments.h - what the user asks of nxcc: its own options, and the list of those for gcc; such lists are also how the
- * command for gcc is made. */
+/* arguments.h - what the user asks of nxcc: its own options, and the list of those for gcc; such lists are
+ * also how the command for gcc is made. */
 #ifndef DRIVER_ARGUMENTS_H
 #define DRIVER_ARGUMENTS_H
 #include <stdbool.h>
@@ -21,10 +21,11 @@ struct arguments {
     const char *factors;
     const char *ignored; /* options of Intel's compilers, or NULL */
     bool profile, long32;
-    bool warnings; /* are asked for */
-    bool silent;   /* -w */
-    bool links;    /* gcc will link */
-    bool has_file; /* there is something to compile or link */
+    bool unix_logical; /* in Fortran, INTEGERs are true as conditions if they are not 0, instead of odd */
+    bool warnings;     /* are asked for */
+    bool silent;       /* -w */
+    bool links;        /* gcc will link */
+    bool has_file;     /* there is something to compile or link */
     bool dry_run;
     bool stubs; /* for names that are not there */
     bool mpi;

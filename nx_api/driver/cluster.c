@@ -51,5 +51,6 @@ void cluster_add_link(struct arguments *a, const struct places *p)
         add(a, "-lblas");
     }
     add(a, text("%s/mpi/libnx%s.a", p->lib, a->long32 ? "_long32" : ""));
+    add(a, text("%s/libxdr.a", p->lib));
     add_all(a, libraries);
 }

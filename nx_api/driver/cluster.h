@@ -1,5 +1,5 @@
-/* cluster.h - what is different in a program for a cluster (--mpi): nothing is counted, but loops and functions check whether a
- * handler is due; and MPI's compiler driver links. */
+/* cluster.h - what is different in a program for a cluster (--mpi): nothing is counted, but loops and
+ * functions check whether a handler is due; and MPI's compiler driver links. */
 #ifndef DRIVER_CLUSTER_H
 #define DRIVER_CLUSTER_H
 #include "nx_api/driver/arguments.h"

@@ -100,6 +100,8 @@ static void add_headers(struct arguments *a, const struct places *p, bool fortra
         add_long32(a, p);
     add(a, "-isystem");
     add(a, p->include);
+    add(a, "-isystem");
+    add(a, "/usr/include/tirpc"); /* <rpc/rpc.h>, for XDR */
     if (fortran)
         add(a, text("-I%s", p->include)); /* INCLUDE looks here only */
 }
@@ -131,6 +133,7 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, text("%s/runtime%s.o", p->lib, kind));
     if (a->kmath)
         add(a, text("%s/libkmath.a", p->lib));
+    add(a, text("%s/libxdr.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     add(a, text("%s/libgfortran.a", p->lib));
     add(a, "-lgcc");

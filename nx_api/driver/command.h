@@ -1,5 +1,5 @@
-/* command.h - the command that compiles or links what the user asks for: gcc, with the user's arguments among those that make
- * of it a program for simulated nodes; or for a cluster (--mpi). */
+/* command.h - the command that compiles or links what the user asks for: gcc, with the user's arguments
+ * among those that make of it a program for simulated nodes; or for a cluster (--mpi). */
 #ifndef DRIVER_COMMAND_H
 #define DRIVER_COMMAND_H
 #include "nx_api/driver/arguments.h"

@@ -46,7 +46,7 @@ static bool is_ignored(const char *option)
 /* Every program is linked with what these had. */
 static bool is_library(const char *option)
 {
-    static const char *const there[] = {"-node", "-nx", "-lnode", "-lnx", "-lmach", NULL};
+    static const char *const there[] = {"-node", "-nx", "-lnode", "-lnx", "-lmach", "-lrpc", NULL};
     return is_one_of(option, there);
 }
 
@@ -61,6 +61,8 @@ bool intel_take(struct arguments *a, const char *option)
         fail("%s: GNU Fortran has no such DO loops; those that end before they begin need an IF", option);
     if (is_library(option))
         return true;
+    if (!strcmp(option, "-Munixlogical"))
+        return a->unix_logical = true;
     if (!is_ignored(option))
         return false;
     a->ignored = a->ignored ? text("%s %s", a->ignored, option) : option;

@@ -1,9 +1,8 @@
-/* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link. nxf77 is another
- * name for it.
+/* nxcc.c - the compiler driver for node programs: gcc, with the counting plugin and the node's own link.
+ * nxf77 is another name for it.
  *
- * It runs gcc once (command.h); where Fortran files are to be linked, or there are C files beside them, which take other options,
- * once for each Fortran file before.
- */
+ * It runs gcc once (command.h); where Fortran files are to be linked, or there are C files beside them,
+ * which take other options, once for each Fortran file before. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +11,7 @@
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/command.h"
-#include "nx_api/driver/logicals.h"
+#include "nx_api/driver/dialect.h"
 #include "nx_api/driver/longs.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/stubs.h"
@@ -50,7 +49,7 @@ static void become(const struct arguments *user, const struct places *p, bool li
         _exit(status);
     }
     if (has_kind(user, FORTRAN_FILE))
-        _exit(logicals_run(gcc, user));
+        _exit(dialect_run(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
     fail("%s: %s", gcc[0], strerror(errno));
 }
@@ -75,7 +74,8 @@ static int run(const struct arguments *user, const struct places *p, bool link)
 
 /* --- C and Fortran in one command --- */
 
-/* The user's arguments without the files of one kind; with source: without any files and -o, to make output of source. */
+/* The user's arguments without the files of one kind; with source: without any files and -o, to make
+ * output of source. */
 static struct arguments without(const struct arguments *user, enum kind left_out, const char *source,
                                 const char *output)
 {
@@ -129,7 +129,8 @@ static int compile_mixed(const struct arguments *user, const struct places *p)
     return status ? status : run(&c, p, false);
 }
 
-/* What the driver has lives until it becomes gcc or ends: a sanitizer need not look for what is never freed. */
+/* What the driver has lives until it becomes gcc or ends: a sanitizer need not look for what is never
+ * freed. */
 int __lsan_is_turned_off(void);
 int __lsan_is_turned_off(void)
 {

@@ -41,9 +41,9 @@ struct places places_find(void)
         .cpu = text("%s/../share/touchstone/cpu", self),
     };
     if (!readable_in(p.lib, "count.so"))
-        fail(
-            "count.so is neither in %s/node (build tree) nor in %s (installed): is the installation complete?",
-            self, p.lib);
+        fail("count.so is neither in %s/node (build tree) nor in %s (installed): is the installation "
+             "complete?",
+             self, p.lib);
     return p;
 }
 

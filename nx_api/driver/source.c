@@ -35,7 +35,7 @@ struct source source_read(const char *name, bool fixed, size_t width)
         s.lines = reallocarray(s.lines, s.count + 1, sizeof *s.lines);
         if (!s.lines)
             fail("out of memory");
-        s.lines[s.count] = (struct line){fixed ? without_tab(read) : text("%s", read), s.count + 1, false};
+        s.lines[s.count] = (struct line){fixed ? without_tab(read) : text("%s", read), s.count + 1, 0};
         s.count++;
     }
     free(read);
@@ -60,7 +60,7 @@ void source_write(const struct source *s, const char *path, bool marked)
 void source_settle(struct source *s)
 {
     for (size_t i = 0; i < s->count; i++)
-        s->lines[i].changed = false;
+        s->lines[i].settled = i + 1;
 }
 
 /* --- statements --- */
@@ -76,17 +76,6 @@ static bool continues(const struct source *s, size_t i)
     return s->fixed && !is_comment(line) && strlen(line) > LABEL - 1 && line[LABEL - 1] != ' ' &&
            line[LABEL - 1] != '0';
 }
-
-/* A statement: the lines it is in, its text in one piece, and the same with its texts in quotes made
- * invisible. */
-struct statement {
-    size_t first, last;
-    char *text, *code;
-    size_t count, size;
-    struct place {
-        size_t line, column; /* from 0 */
-    } * places;
-};
 
 static void append(struct statement *st, char c, char code, struct place place)
 {
@@ -116,7 +105,7 @@ static void append_line(const struct source *s, struct statement *st, size_t i, 
             *quote = c;
         else if (!*quote && c == '!')
             break;
-        append(st, c, quoted ? '"' : c, (struct place){i, k});
+        append(st, c, quoted ? '"' : c, (struct place){s->lines[i].settled, k});
     }
 }
 
@@ -138,156 +127,75 @@ static struct statement statement_at(const struct source *s, size_t i)
     return st;
 }
 
-static void forget(struct statement *st)
+void statement_forget(struct statement *st)
 {
     free(st->text);
     free(st->code);
     free(st->places);
 }
 
-/* --- comparisons: operands of logical type are names, elements, calls, constants, or in parentheses --- */
-
-struct comparison {
-    size_t left, op, length, right; /* right: behind the second operand */
-    bool equal;
-};
-
-static bool in_name(char c)
+bool source_statement(const struct source *s, size_t line, struct statement *st)
 {
-    return isalnum((unsigned char)c) || c == '_' || c == '$' || c == '%';
-}
-
-/* Where the operand begins that ends before `end`. */
-static size_t operand_before(const char *code, size_t end)
-{
-    int depth = 0;
-    size_t i = end;
-    while (i > 0 && code[i - 1] == ' ')
-        i--;
-    if (i > 0 && code[i - 1] == '.') { /* .true. */
-        for (i--; i > 0 && code[i - 1] != '.';)
-            i--;
-        return i > 0 ? i - 1 : 0;
-    }
-    if (i > 0 && code[i - 1] == ')')
-        do {
-            i--;
-            depth += (code[i] == ')') - (code[i] == '(');
-        } while (i > 0 && depth > 0);
-    while (i > 0 && in_name(code[i - 1]))
-        i--;
-    return i;
-}
-
-/* Behind the operand that begins at or after i. */
-static size_t operand_end(const char *code, size_t i)
-{
-    int depth = 0;
-    i += strspn(code + i, " ");
-    if (code[i] == '.') {
-        i += 1 + strcspn(code + i + 1, ".");
-        return code[i] ? i + 1 : i;
-    }
-    while (in_name(code[i]))
+    size_t i = 0;
+    while (i < s->count && s->lines[i].settled != line)
         i++;
-    size_t open = i + strspn(code + i, " ");
-    if (code[open] != '(')
-        return i;
-    for (i = open; code[i]; i++) {
-        depth += (code[i] == '(') - (code[i] == ')');
-        if (depth == 0)
-            return i + 1;
-    }
-    return i;
-}
-
-static bool find_comparison(const char *code, size_t *from, struct comparison *c)
-{
-    static const struct {
-        const char *op;
-        bool equal;
-    } ops[] = {{".eq.", true}, {".ne.", false}, {"==", true}, {"/=", false}};
-    for (size_t i = *from; code[i]; i++)
-        for (size_t k = 0; k < sizeof ops / sizeof *ops; k++) {
-            size_t n = strlen(ops[k].op);
-            if (strncasecmp(code + i, ops[k].op, n) != 0)
-                continue;
-            *c = (struct comparison){operand_before(code, i), i, n, operand_end(code, i + n), ops[k].equal};
-            *from = i + n;
-            return true;
-        }
+    if (i == s->count)
+        return false;
+    *st = statement_at(s, i);
+    if (st->count > 0)
+        return true;
+    statement_forget(st);
     return false;
 }
 
-/* The first character of an operand behind a place. */
-static size_t operand_behind(const struct statement *st, size_t line, size_t column)
+size_t statement_behind(const struct statement *st, size_t line, size_t column)
 {
     size_t i = 0;
     while (i < st->count &&
-           (st->places[i].line < line || (st->places[i].line == line && st->places[i].column < column) ||
-            st->code[i] == ' '))
+           (st->places[i].line < line || (st->places[i].line == line && st->places[i].column < column)))
         i++;
     return i;
-}
-
-/* The compiler tells where the first operand begins or, behind .not., the second. */
-static bool choose(const struct statement *st, size_t at, struct comparison *chosen)
-{
-    struct comparison c;
-    for (size_t from = 0; find_comparison(st->code, &from, &c);)
-        if (c.left == at) {
-            *chosen = c;
-            return true;
-        }
-    for (size_t from = 0; find_comparison(st->code, &from, &c);)
-        if (c.op + c.length + strspn(st->code + c.op + c.length, " ") == at) {
-            *chosen = c;
-            return true;
-        }
-    return false;
 }
 
 /* --- rewriting --- */
 
-/* Takes the place of the statement's lines: as many as it needs. */
-static void replace(struct source *s, const struct statement *st, const char *new)
+/* Adds a statement of n characters to lines, of which there are *count, and more lines where it is too
+ * long for one. */
+static struct line *append_statement(const struct source *s, struct line *lines, size_t *count,
+                                     const char *label, const char *new, size_t n)
 {
-    size_t room = s->fixed ? s->width - LABEL : strlen(new), n = strlen(new),
-           needed = n > 0 ? (n + room - 1) / room : 1;
-    size_t before = st->last - st->first + 1, origin = s->lines[st->first].origin;
-    char label[LABEL + 1];
-    snprintf(label, sizeof label, "%-*.*s", LABEL, LABEL, s->lines[st->first].text);
-    struct line *lines = calloc(s->count + needed - before, sizeof *lines);
-    if (!lines)
-        fail("out of memory");
-    memcpy(lines, s->lines, st->first * sizeof *lines);
-    memcpy(lines + st->first + needed, s->lines + st->last + 1, (s->count - st->last - 1) * sizeof *lines);
-    for (size_t i = 0; i < needed; i++)
-        lines[st->first + i] = (struct line){text("%s%.*s",
-                                                  !s->fixed ? ""
-                                                  : i == 0  ? label
-                                                            : "     &",
-                                                  (int)room, new + i *room),
-                                             origin + (i < before ? i : before - 1), true};
-    s->lines = lines, s->count += needed - before;
+    size_t room = s->fixed ? s->width - LABEL : n + 1, done = 0;
+    do {
+        lines = reallocarray(lines, *count + 1, sizeof *lines);
+        if (!lines)
+            fail("out of memory");
+        size_t part = n - done < room ? n - done : room;
+        const char *margin = !s->fixed ? "" : done == 0 ? label : "     &";
+        lines[(*count)++] = (struct line){text("%s%.*s", margin, (int)part, new + done), 0, 0};
+        done += part;
+    } while (done < n);
+    return lines;
 }
 
-bool source_compare_logicals(struct source *s, size_t line, size_t column)
+void source_replace(struct source *s, const struct statement *st, const char *new)
 {
-    struct comparison c;
-    if (line < 1 || line > s->count)
-        return false;
-    struct statement st = statement_at(s, line - 1);
-    bool found =
-        st.count > 0 && !s->lines[st.first].changed && choose(&st, operand_behind(&st, line - 1, column), &c);
-    if (found) {
-        size_t right = c.op + c.length;
-        char *new =
-            text("%.*s(%.*s%s%.*s)%s", (int)c.left, st.text, (int)(c.op - c.left), st.text + c.left,
-                 c.equal ? ".eqv." : ".neqv.", (int)(c.right - right), st.text + right, st.text + c.right);
-        replace(s, &st, new);
-        free(new);
+    char label[LABEL + 1];
+    size_t count = st->first, before = st->last - st->first + 1, origin = s->lines[st->first].origin;
+    size_t behind = s->count - st->last - 1;
+    struct line *lines = calloc(count + 1, sizeof *lines);
+    if (!lines)
+        fail("out of memory");
+    memcpy(lines, s->lines, count * sizeof *lines);
+    snprintf(label, sizeof label, "%-*.*s", LABEL, LABEL, s->lines[st->first].text);
+    for (const char *at = new; at; at = strchr(at, '\n') ? strchr(at, '\n') + 1 : NULL) {
+        lines = append_statement(s, lines, &count, label, at, strcspn(at, "\n"));
+        memset(label, ' ', LABEL);
     }
-    forget(&st);
-    return found;
+    for (size_t i = st->first; i < count; i++)
+        lines[i].origin = origin + (i - st->first < before ? i - st->first : before - 1);
+    lines = reallocarray(lines, count + behind + 1, sizeof *lines);
+    if (!lines)
+        fail("out of memory");
+    memcpy(lines + count, s->lines + st->last + 1, behind * sizeof *lines);
+    s->lines = lines, s->count = count + behind;
 }

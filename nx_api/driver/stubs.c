@@ -16,7 +16,7 @@ struct names {
 /* Names that nxcc's own objects ask for are not the program's. A ' ends the name. */
 static bool is_own(const char *name)
 {
-    return !strncmp(name, "main'", 5) || !strncmp(name, "nxc_", 4);
+    return !strncmp(name, "main'", 5) || !strncmp(name, "nxc_", 4) || !strncmp(name, "compiled_with_", 14);
 }
 
 static void add_name(struct names *n, const char *name, size_t len)
@@ -115,11 +115,11 @@ static void write_stubs(const struct names *n, const char *path)
     if (!f)
         fail("%s: %s", path, strerror(errno));
     for (size_t i = 0; i < n->count; i++)
-        fprintf(
-            f,
-            "\t.section .rodata\n1:\t.string \"%s\"\n\t.text\n\t.globl %s\n\t.hidden %s\n\t.type %s, @function\n"
-            "%s:\tleaq 1b(%%rip), %%rdi\n\tjmp nx_absent@PLT\n",
-            n->name[i], n->name[i], n->name[i], n->name[i], n->name[i]);
+        fprintf(f,
+                "\t.section .rodata\n1:\t.string \"%s\"\n\t.text\n\t.globl %s\n\t.hidden %s\n\t.type %s, "
+                "@function\n"
+                "%s:\tleaq 1b(%%rip), %%rdi\n\tjmp nx_absent@PLT\n",
+                n->name[i], n->name[i], n->name[i], n->name[i], n->name[i]);
     fputs("\t.section .note.GNU-stack, \"\", @progbits\n", f);
     if (ferror(f) || fclose(f))
         fail("%s: %s", path, strerror(errno));
@@ -166,7 +166,8 @@ int stubs_link(const char **gcc, const struct arguments *user)
         print_names(&n);
         fprintf(
             stderr,
-            ": if the program can do without, --stubs links it; they fail with ENOSYS when they are called, and the "
+            ": if the program can do without, --stubs links it; they fail with ENOSYS when they are called, "
+            "and the "
             "report names them\n");
     }
     return status;

@@ -3,7 +3,8 @@
 #define DRIVER_STUBS_H
 #include "nx_api/driver/arguments.h"
 
-/* Runs gcc, which links; its exit status. When names are not there, says that --stubs links them; or if the user has said --stubs,
- * links again with a function for each of them that fails with ENOSYS when it is called, and says which. */
+/* Runs gcc, which links; its exit status. When names are not there, says that --stubs links them; or if
+ * the user has said --stubs, links again with a function for each of them that fails with ENOSYS when it
+ * is called, and says which. */
 int stubs_link(const char **gcc, const struct arguments *user);
 #endif

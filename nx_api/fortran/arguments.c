@@ -1,10 +1,11 @@
-/* arguments.c - arguments that are not the same in Fortran and C: handlers, texts, arrays of integers. See faces.h. */
+/* arguments.c - arguments that are not the same in Fortran and C: handlers, texts, arrays of integers. See
+ * faces.h. */
 #include <stdlib.h>
 #include <string.h>
 #include "faces.h"
 
-/* --- handlers. A C handler is not told for which posting it runs, so each Fortran procedure gets functions of its own,
- * which know it. --- */
+/* --- handlers. A C handler is not told for which posting it runs, so each Fortran procedure gets
+ * functions of its own, which know it. --- */
 
 /* clang-format off */
 #define TEN(X, d) X(d##0) X(d##1) X(d##2) X(d##3) X(d##4) X(d##5) X(d##6) X(d##7) X(d##8) X(d##9)
@@ -83,8 +84,8 @@ long *nx_fortran_longs(in *values, long count, const char *call)
     return longs;
 }
 
-/* --- INFO(8) of irecvx: the call below fills longs when the message is taken; the program's INTEGERs are filled when it
- * waits for the id or asks. --- */
+/* --- INFO(8) of irecvx: the call below fills longs when the message is taken; the program's INTEGERs are
+ * filled when it waits for the id or asks. --- */
 
 static struct pending {
     long id;

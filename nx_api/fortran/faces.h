@@ -1,10 +1,10 @@
 /* faces.h - what the files of this folder share: NX as Fortran programs see it, on every backend.
  *
- * GNU Fortran calls NAME as NAME_, all arguments by reference; INTEGER and LOGICAL have 4 bytes; a CHARACTER argument's
- * length follows behind the last argument, by value, so that a routine which takes any type as its buffer need not know
- * of it. A face fetches its arguments and calls the C name, which does the work, checks them, and names itself in errors.
- * All faces are weak: a program may have routines of its own by these names.
- */
+ * GNU Fortran calls NAME as NAME_, all arguments by reference; INTEGER and LOGICAL have 4 bytes; a
+ * CHARACTER argument's length follows behind the last argument, by value, so that a routine which takes
+ * any type as its buffer need not know of it. A face fetches its arguments and calls the C name, which
+ * does the work, checks them, and names itself in errors. All faces are weak: a program may have routines
+ * of its own by these names. */
 #ifndef NX_FORTRAN_FACES_H
 #define NX_FORTRAN_FACES_H
 #include <stdbool.h>
@@ -23,7 +23,8 @@ typedef void procedure(integer *, integer *, integer *, integer *, integer *);
 typedef void handler4(long, long, long, long);
 typedef void handler5(long, long, long, long, long);
 
-/* C functions that call p with references to what they are given. call: whose error it is when there are too many. */
+/* C functions that call p with references to what they are given. call: whose error it is when there are
+ * too many. */
 handler4 *nx_fortran_handler(procedure *p, const char *call);
 handler5 *nx_fortran_xhandler(procedure *p, const char *call);
 

@@ -1,4 +1,5 @@
-/* host.c - the calls of host programs (host.h), from Fortran. load and waitone are in machine.c: nodes have them too. */
+/* host.c - the calls of host programs (host.h), from Fortran. load and waitone are in machine.c: nodes
+ * have them too. */
 #include <stdlib.h>
 #include "faces.h"
 #include "host.h"

@@ -1,10 +1,10 @@
 /* items.c - what the items of READ and WRITE cost.
  *
- * GNU Fortran's library moves each item by a routine of its type, text or not. The library is not counted, so the
- * program is linked with -Wl,--wrap=ROUTINE for each of them: a call of ROUTINE comes to __wrap_ROUTINE, here, which
- * counts what an i860 would have had to do, and goes on to the library's, __real_ROUTINE. The prices are those of the
- * calls of nx_io_*, which do nothing, in machines/cpu/i860-calls.cfg.
- */
+ * GNU Fortran's library moves each item by a routine of its type, text or not. The library is not counted,
+ * so the program is linked with -Wl,--wrap=ROUTINE for each of them: a call of ROUTINE comes to
+ * __wrap_ROUTINE, here, which counts what an i860 would have had to do, and goes on to the library's,
+ * __real_ROUTINE. The prices are those of the calls of nx_io_*, which do nothing, in
+ * machines/cpu/i860-calls.cfg. */
 #include "../libgfortran/libgfortran.h"
 
 /* n items that are read from text or written as text; characters: of one item. */

@@ -1,5 +1,5 @@
-/* reductions.c - global operations from Fortran. Those on INTEGER and LOGICAL work on 4-byte elements, where C has longs; their
- * messages are those of the C names. */
+/* reductions.c - global operations from Fortran. Those on INTEGER and LOGICAL work on 4-byte elements,
+ * where C has longs; their messages are those of the C names. */
 #include <stdlib.h>
 #include "faces.h"
 

@@ -1,4 +1,5 @@
-/* units.c - the calls on files from Fortran. They take units; what they read and write goes past the unit's buffer. */
+/* units.c - the calls on files from Fortran. They take units; what they read and write goes past the
+ * unit's buffer. */
 #include "faces.h"
 
 /* GNU Fortran's library: a unit's descriptor, or -1; write what it has buffered. */

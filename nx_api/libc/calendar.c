@@ -1,4 +1,5 @@
-/* calendar.c - the calendar of the C library, whose answers lie in memory of the program's own. The time zone is UTC. */
+/* calendar.c - the calendar of the C library, whose answers lie in memory of the program's own. The time
+ * zone is UTC. */
 #include <stdio.h>
 #include <time.h>
 

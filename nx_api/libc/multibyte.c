@@ -1,4 +1,5 @@
-/* multibyte.c - multibyte characters, of which the "C" locale has none of more than a byte: so there are no states either. */
+/* multibyte.c - multibyte characters, of which the "C" locale has none of more than a byte: so there are
+ * no states either. */
 #include <stdlib.h>
 #include <wchar.h>
 

@@ -1,5 +1,6 @@
-/* absent.c - parts of GNU Fortran's library that a node does not have: threads for asynchronous I/O (async.c), 128-bit
- * reals (libquadmath), and the host processor's instructions beyond plain x86-64; and how the library is ended. */
+/* absent.c - parts of GNU Fortran's library that a node does not have: threads for asynchronous I/O
+ * (async.c), 128-bit reals (libquadmath), and the host processor's instructions beyond plain x86-64; and
+ * how the library is ended. */
 #include <stdlib.h>
 #include "libgfortran.h"
 
@@ -54,8 +55,9 @@ __attribute__((visibility("hidden"))) unsigned __cpu_features2[4];
 
 /* --- the beginning and the end --- */
 
-/* The object with the library's own constructor is linked if something in it is called; GNU's error.c would. With a main()
- * in C nothing else does. Units are closed at a program's end, however it comes to it: STOP, END, exit. */
+/* The object with the library's own constructor is linked if something in it is called; GNU's error.c
+ * would. With a main() in C nothing else does. Units are closed at a program's end, however it comes to
+ * it: STOP, END, exit. */
 __attribute__((constructor)) static void begin(void)
 {
     _gfortrani_stupid_function_name_for_static_linking();

@@ -1,6 +1,6 @@
-/* errors.c - errors at run time and STOP, instead of GNU Fortran's error.c, stop.c and backtrace.c: an error that the
- * program does not ask for (IOSTAT=, ERR= ...) ends it with a message that has node, time, file and line; and what it
- * wrote to its units before is written. */
+/* errors.c - errors at run time and STOP, instead of GNU Fortran's error.c, stop.c and backtrace.c: an
+ * error that the program does not ask for (IOSTAT=, ERR= ...) ends it with a message that has node, time,
+ * file and line; and what it wrote to its units before is written. */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -77,7 +77,8 @@ char *_gfortrani_gf_strerror(int code, char *buf, size_t size)
     return strerror(code);
 }
 
-/* The report that follows has what there is to say. Weak: CALL BACKTRACE is an undefined reference of GNU's own. */
+/* The report that follows has what there is to say. Weak: CALL BACKTRACE is an undefined reference of
+ * GNU's own. */
 __attribute__((weak)) void _gfortrani_show_backtrace(bool in_handler)
 {
     (void)in_handler;

@@ -1,18 +1,19 @@
-/* libgfortran.h - what of GNU Fortran's run-time library (GCC 8 to 14) the files of this folder call or replace.
+/* libgfortran.h - what of GNU Fortran's run-time library (GCC 8 to 14) the files of this folder call or
+ * replace.
  *
- * A Fortran node program holds that library, taken from the compiler's libgfortran.a, so that each node has its own
- * units. Parts of it are not for a node: its errors and STOP, which are to name node and time; its threads, whose
- * thread-local variables an image cannot have; its choice of instructions by the host's processor. As the linker takes
- * from an archive only what is not defined yet, these files define all names of such a part, and the part stays out.
- * They are the program's own code, but not counted.
- */
+ * A Fortran node program holds that library, taken from the compiler's libgfortran.a, so that each node
+ * has its own units. Parts of it are not for a node: its errors and STOP, which are to name node and time;
+ * its threads, whose thread-local variables an image cannot have; its choice of instructions by the host's
+ * processor. As the linker takes from an archive only what is not defined yet, these files define all
+ * names of such a part, and the part stays out. They are the program's own code, but not counted. */
 #ifndef NX_LIBGFORTRAN_H
 #define NX_LIBGFORTRAN_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* The start of what the compiler hands over with each I/O statement; the layout is part of the compiler's contract. */
+/* The start of what the compiler hands over with each I/O statement; the layout is part of the compiler's
+ * contract. */
 struct statement {
     int32_t flags; /* STATEMENT_*; the two lowest bits are the result */
     int32_t unit;
@@ -62,8 +63,8 @@ void _gfortrani_close_units(void);
 void _gfortrani_stupid_function_name_for_static_linking(void); /* does nothing */
 char *_gfortrani_filename_from_unit(int unit);                 /* to be freed; NULL */
 
-/* The simulator's: ends the program; the message names node and time, says text, and where the program was, if frame is
- * that of the function of the library that it called. */
+/* The simulator's: ends the program; the message names node and time, says text, and where the program
+ * was, if frame is that of the function of the library that it called. */
 _Noreturn void nx_die(const char *text, const void *frame);
 
 #endif

@@ -13,8 +13,8 @@ PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
 LIBNX      := $(NODE)/libnx.a $(patsubst %,$(NODE)/libnx_%.a,profile long32 long32_profile)
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
-NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h nx_api/include/rpc/*.h)
+NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
@@ -73,6 +73,13 @@ $(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
 $(NODE)/obj/libgfortran/%.o: nx_api/libgfortran/%.c nx_api/libgfortran/libgfortran.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -mno-direct-extern-access -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
+
+# XDR: what of the library of <rpc/rpc.h> needs no network.
+XDR := $(patsubst %,libtirpc_la-xdr%.o,_array _float _mem _rec _reference _sizeof _stdio) libtirpc_la-xdr.o
+$(NODE)/libxdr.a:
+	@mkdir -p $(NODE)/obj/xdr
+	cd $(NODE)/obj/xdr && ar x "$$($(CC) -print-file-name=libtirpc.a)" $(XDR) && ar qc libxdr.a.new $(XDR)
+	mv $(NODE)/obj/xdr/libxdr.a.new $@
 
 # GNU Fortran's library without the parts that those replace.
 LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortran/*.c))

@@ -246,6 +246,32 @@ void *node_heap_alloc(struct node_heap *h, size_t bytes)
     return (char *)b + HEAD;
 }
 
+/* From a block that is large enough anywhere; what is in front of the multiple is given back, and what is behind. */
+void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes)
+{
+    if (align <= HEAD || align > h->limit || bytes > h->limit)
+        return node_heap_alloc(h, align <= HEAD ? bytes : SIZE_MAX);
+    char *p = node_heap_alloc(h, bytes + align + LEAST);
+    if (p == NULL)
+        return NULL;
+    struct block *b = (struct block *)(p - HEAD);
+    size_t front = -(uintptr_t)p & (align - 1);
+    if (front > 0 && front < LEAST)
+        front += align;
+    if (front > 0) {
+        struct block *aligned = (struct block *)((char *)b + front);
+        aligned->prev = (uint32_t)front;
+        aligned->tag = tag_at(aligned, TAG_USED);
+        set_size(h, aligned, b->size - (uint32_t)front);
+        b->size = (uint32_t)front;
+        give_back(h, b);
+        b = aligned;
+    }
+    trim(h, b, block_size(h, bytes));
+    set_asked(b, bytes);
+    return bytes_of(b);
+}
+
 /* The used block behind a pointer the program gave, NULL when it is not one or is damaged. */
 static struct block *block_of(const struct node_heap *h, const void *p)
 {

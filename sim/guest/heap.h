@@ -14,6 +14,8 @@ struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx,
                                 void (*grown)(void *ctx, size_t used), void *ctx);
 void node_heap_free(struct node_heap *h);                 /* the address space stays with the node's span */
 void *node_heap_alloc(struct node_heap *h, size_t bytes); /* 16-byte aligned; NULL when there is no room */
+/* The same at a multiple of align, a power of two. */
+void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes);
 /* NULL with p unchanged when there is no room or p is not a block of this heap. */
 void *node_heap_resize(struct node_heap *h, void *p, size_t bytes);
 bool node_heap_owns(const struct node_heap *h, const void *p); /* p is a block in use, and undamaged */

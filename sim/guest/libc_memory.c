@@ -9,6 +9,7 @@
 #include "os/fail.h"
 
 void *node_malloc(size_t bytes);
+int node_getpagesize(void);
 
 /* What an allocation answers; a refused one is noted for the report, since programs rarely check. */
 static void *answer(struct node *n, void *p, size_t bytes)
@@ -30,6 +31,36 @@ void *node_malloc(size_t bytes)
 {
     struct node *n = node_self();
     return answer(n, node_heap_alloc(n->heap, bytes), bytes);
+}
+
+void *node_aligned_alloc(size_t align, size_t bytes)
+{
+    struct node *n = node_self();
+    if (__builtin_popcountl(align) == 1)
+        return answer(n, node_heap_alloc_aligned(n->heap, align, bytes), bytes);
+    errno = EINVAL;
+    return NULL;
+}
+
+void *node_memalign(size_t align, size_t bytes)
+{
+    return node_aligned_alloc(align, bytes);
+}
+
+void *node_valloc(size_t bytes)
+{
+    return node_aligned_alloc((size_t)node_getpagesize(), bytes);
+}
+
+int node_posix_memalign(void **p, size_t align, size_t bytes)
+{
+    int before = errno;
+    void *block = align % sizeof(void *) ? NULL : node_aligned_alloc(align, bytes);
+    int error = block ? 0 : align % sizeof(void *) ? EINVAL : errno;
+    errno = before;
+    if (block)
+        *p = block;
+    return error;
 }
 
 void *node_calloc(size_t count, size_t size)

@@ -86,6 +86,20 @@ run -n 1 dec
 check "dec: a program's own function has precedence over one of DEC's" \
     prints '           5           1         244           3\n  95 1.5\n'
 
+cp "$f/dialect.f" .
+check "dialect: what only if77 took" nxf77 -Mextend -o dialect dialect.f
+runs_with_input() { "$BUILD/touchstone" run -q -n 1 "$1" < <(printf '5\n  42\n') >out 2>err; }
+runs_with_input dialect
+check "dialect: ENCODE and DECODE, INTEGERs as conditions and texts, VAX's words for files, ACCEPT, VIRTUAL, OPTIONS, EXTERNAL of itself" \
+    prints '   12  3.50xx\n 12abcdgh     7\n   20 83.50xx         208\n odd\n odd, too\n the other way round\n           2           0\n Hollerith\n           5           6\n F\n           5          42\n again           2\n'
+check "dialect: lines are those of the original" said 'dialect\.f:76: Fortran run-time error: .*/nowhere/at/all'
+check "dialect: -Munixlogical" nxf77 -Mextend -Munixlogical -o dialect dialect.f
+runs_with_input dialect
+check "dialect: -Munixlogical: an INTEGER is true if it is not 0" grep -qx ' even' out
+sed -i 's/type=.new./typo=1/' dialect.f
+bad() { ! nxf77 -Mextend -c dialect.f && grep -q "^dialect\.f:52:" compile.err && [ "$(grep -c Error: compile.err)" = 1 ]; }
+check "dialect: a word of OPEN that nobody knows is an error, with its line" bad
+
 # --- linear algebra
 check "-lkmath: linked, with a program's own routine of the same name" nxf77 -Mextend -o algebra "$f/algebra.f" -lkmath
 run -m ipsc860 -n 2 algebra

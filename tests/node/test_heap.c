@@ -89,6 +89,30 @@ static void freed_neighbours_join(void **state)
     assert_int_equal(node_heap_release(x->heap, end), 0);
 }
 
+static void aligned_blocks_give_back_what_is_around_them(void **state)
+{
+    struct fixture *x = *state;
+    void *p[100], *small[100];
+    unsigned n = 0;
+    for (size_t align = 1; align <= 8192; align *= 2)
+        for (size_t bytes = 1; bytes < 5000; bytes = bytes * 9 + 3, n++) {
+            small[n] = node_heap_alloc(x->heap, n % 4 * 16);
+            p[n] = node_heap_alloc_aligned(x->heap, align, bytes);
+            assert_int_equal((uintptr_t)p[n] % align, 0);
+            memset(p[n], 1, bytes);
+        }
+    for (unsigned i = 0; i < n; i++)
+        assert_int_equal(node_heap_release(x->heap, i % 2 ? small[i] : p[i]), 0);
+    const void *bad;
+    node_heap_check(x->heap, &bad);
+    assert_null(bad);
+    for (unsigned i = 0; i < n; i++)
+        assert_int_equal(node_heap_release(x->heap, i % 2 ? p[i] : small[i]), 0);
+    assert_int_equal(node_heap_used(x->heap), 0);
+    assert_null(node_heap_alloc_aligned(x->heap, 16, SIZE_MAX - 100));
+    assert_null(node_heap_alloc_aligned(x->heap, (size_t)1 << 62, 1));
+}
+
 static void memory_ends_where_room_says(void **state)
 {
     struct fixture *x = *state;
@@ -224,6 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(blocks_are_aligned_and_apart),
         TEST(all_given_back_means_nothing_used),
+        TEST(aligned_blocks_give_back_what_is_around_them),
         TEST(freed_neighbours_join),
         TEST(memory_ends_where_room_says),
         TEST(resize_stays_in_place_when_it_can),

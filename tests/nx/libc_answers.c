@@ -1,9 +1,12 @@
-/* The C library answers as the standard says: the calendar, divisions, the locale, characters of several bytes, wide output.
+/* The C library answers as the standard says: the calendar, divisions, the locale, characters of several
+ * bytes, wide output, memory at multiples.
  * compile: -D_GNU_SOURCE
  * run: all
  */
+#include <errno.h>
 #include <limits.h>
 #include <locale.h>
+#include <malloc.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -147,6 +150,25 @@ static int numbers(void)
            remainder(7, 4) == -1;
 }
 
+static int is_at(void *p, size_t align, size_t bytes)
+{
+    memset(p, 7, bytes);
+    return (size_t)p % align == 0;
+}
+
+static int aligned(void)
+{
+    void *a = malloc(40), *b = aligned_alloc(64, 192), *c = memalign(4096, 1000), *d = valloc(10), *e = a;
+    int good = posix_memalign(&e, 256, 77) == 0 && is_at(b, 64, 192) && is_at(c, 4096, 1000) &&
+               is_at(e, 256, 77) && is_at(d, (size_t)getpagesize(), 10) &&
+               posix_memalign(&a, 3, 8) == EINVAL && !posix_memalign(&d, 8, 8);
+    free(b);
+    b = realloc(c, 9000);
+    good = good && b && ((char *)b)[999] == 7;
+    free(a), free(b), free(d), free(e);
+    return good;
+}
+
 int main(void)
 {
     rule("the calendar", calendar());
@@ -161,5 +183,6 @@ int main(void)
     rule("getopt", options());
     rule("signgam", signs());
     rule("numbers", numbers());
+    rule("memory at multiples", aligned());
     return 0;
 }

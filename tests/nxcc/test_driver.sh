@@ -65,6 +65,8 @@ EOT
 narrow() { "$NXCC" --long32 -O2 -Wall -Werror -o long long.c && "$NXCC" --long32 -c long.c && "$NXCC" --long32 -o long long.o; }
 check "--long32: long has 32 bits in a program and in nx.h" narrow
 check "--long32: its objects are linked with it" says "undefined reference to \`compiled_with_long32_so_link_with_long32'" "$NXCC" long.o
+stays() { ! "$NXCC" --stubs long.o >said 2>&1 && ! grep -q "stubs" said; }
+check "--long32: no stub takes its place" stays
 
 # parts WIDE NARROW - a program of two C files, the second compiled with --long32
 parts() {

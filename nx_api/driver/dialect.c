@@ -1,5 +1,5 @@
-/* logicals.c - see logicals.h. What is allocated lives as long as the driver. */
-#include "nx_api/driver/logicals.h"
+/* dialect.c - see dialect.h. What is allocated lives as long as the driver. */
+#include "nx_api/driver/dialect.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,11 +8,11 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "nx_api/driver/rewrite.h"
 #include "nx_api/driver/source.h"
 #include "nx_api/driver/text.h"
 
 enum { ROUNDS = 100, FIXED_WIDTH = 72, ANY_WIDTH = 10000 };
-static const char complaint[] = "Logicals at (1) must be compared with";
 
 /* A Fortran file of the user's, and its copy. */
 struct file {
@@ -136,19 +136,33 @@ static void files_remove(struct files *all)
 
 /* --- rewriting what gcc complains of --- */
 
-/* "FILE:LINE:COLUMN: Error: ..." */
-static bool rewrite_one(struct files *all, const char *message)
+static bool rewrite_statement(struct source *s, size_t line, size_t column, rewriting *rule, enum truth truth)
 {
-    for (size_t i = 0; i < all->count; i++) {
+    struct statement st;
+    bool there = source_statement(s, line, &st);
+    char *new = there ? rule(&st, statement_behind(&st, line, column), truth) : NULL;
+    if (new)
+        source_replace(s, &st, new);
+    if (there)
+        statement_forget(&st);
+    free(new);
+    return new;
+}
+
+/* "FILE:LINE:COLUMN: Error: ..." */
+static bool rewrite_one(struct files *all, const char *message, enum truth truth)
+{
+    rewriting *rule = rewriting_for(message);
+    for (size_t i = 0; rule && i < all->count; i++) {
         size_t n = strlen(all->list[i].copy), line, column;
         if (!strncmp(message, all->list[i].copy, n) && sscanf(message + n, ":%zu:%zu:", &line, &column) == 2)
-            return source_compare_logicals(&all->list[i].source, line, column);
+            return rewrite_statement(&all->list[i].source, line, column, rule, truth);
     }
     return false;
 }
 
 /* One look of gcc's at the copies. False: nothing was left to rewrite. */
-static bool rewrite_round(struct files *all, const char **gcc)
+static bool rewrite_round(struct files *all, const char **gcc, enum truth truth)
 {
     bool any = false;
     char *message = NULL;
@@ -159,7 +173,7 @@ static bool rewrite_round(struct files *all, const char **gcc)
     files_write(all, false);
     run(gcc, said);
     while (getline(&message, &size, said) >= 0)
-        if (strstr(message, complaint) && rewrite_one(all, message))
+        if (rewrite_one(all, message, truth))
             any = true;
     free(message);
     fclose(said);
@@ -188,7 +202,7 @@ static int compile_copies(const char **gcc, const struct arguments *user)
     static const char *const none[] = {NULL};
     struct files all = files_read(gcc, user);
     const char **looks = with_copies(gcc, &all, more_options(&all, look));
-    for (int i = 0; i < ROUNDS && rewrite_round(&all, looks); i++)
+    for (int i = 0; i < ROUNDS && rewrite_round(&all, looks, user->unix_logical ? NOT_ZERO : ODD); i++)
         ;
     files_write(&all, true);
     int status = run(with_copies(gcc, &all, more_options(&all, none)), NULL);
@@ -213,13 +227,13 @@ static bool complains(FILE *said)
     size_t size = 0;
     bool yes = false;
     while (!yes && getline(&line, &size, said) >= 0)
-        yes = strstr(line, complaint);
+        yes = rewriting_for(line);
     free(line);
     rewind(said);
     return yes;
 }
 
-int logicals_run(const char **gcc, const struct arguments *user)
+int dialect_run(const char **gcc, const struct arguments *user)
 {
     static const char *const colours[] = {"-fdiagnostics-color=always", NULL};
     static const char *const none[] = {NULL};
