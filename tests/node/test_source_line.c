@@ -10,7 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "kernel/xalloc.h"
-#include "node/source_line.h"
+#include "guest/source_line.h"
 
 extern const char __executable_start[]; /* the linker's */
 
