@@ -1,6 +1,8 @@
-/* exchange.c - csendrecv and its kin: send a message and receive the answer. The receive is posted first, so that the
- * answer finds its buffer. */
-#include "nx_api/calls/call.h"
+/* exchange.c - csendrecv, isendrecv, hsendrecv: send a message and receive the answer. The receive is posted first, so that
+ * the answer finds its buffer. */
+#include "nx_api/calls/msgwait.h"
+#include "nx_api/calls/receive.h"
+#include "nx_api/calls/send.h"
 
 static long check(struct node *n, const struct outgoing *o, const struct incoming *in)
 {

@@ -1,6 +1,6 @@
 /* pay.c - spends a node's time for a routine's work. Not counted itself; it takes from the program's counter
- * what the work costs (nxcc/image.h), in pieces, so that handlers run at their times. */
-#include "../nxcc/image.h"
+ * what the work costs (contract/program_image.h), in pieces, so that handlers run at their times. */
+#include "../contract/program_image.h"
 #include "kmath.h"
 
 enum { PIECE = 1000 * NXC_UNITS_PER_CLOCK, FEW = 8, MORE = 40, ROOM = 100 };

@@ -5,7 +5,7 @@
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
-#include "nx_api/mpi/node.h"
+#include "nx_api/mpi/mpi_node.h"
 
 struct text {
     char bytes[200];

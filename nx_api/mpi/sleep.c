@@ -4,7 +4,7 @@
 #include <errno.h>
 #include <stdbool.h>
 #include <time.h>
-#include "nx_api/mpi/node.h"
+#include "nx_api/mpi/mpi_node.h"
 
 /* The linker's: where the program's code is, ours included. */
 extern const char __executable_start[], etext[];
@@ -18,13 +18,13 @@ static bool is_program(const void *caller)
 static bool is_over(struct node *n, void *end)
 {
     (void)n;
-    return node_seconds() >= *(const double *)end;
+    return mpi_seconds() >= *(const double *)end;
 }
 
 static void pause_program(const char *call, double seconds)
 {
     struct node *n = node_self();
-    double end = node_seconds() + seconds;
+    double end = mpi_seconds() + seconds;
     node_enter(n, call);
     node_wait(n, is_over, &end);
     node_leave(n);

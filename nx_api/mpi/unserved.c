@@ -18,4 +18,4 @@ static long unserved(const char *call)
     }
 #define NX_VALUE(name, expression)
 #define NX_OTHER(name)
-#include "nx_api/calls/calls.def"
+#include "nx_api/contract/calls.def"

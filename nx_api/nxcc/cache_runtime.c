@@ -4,7 +4,7 @@
  * A set has room for NXC_CACHE_WAYS addresses of lines or pages, the last used first. 0: empty.
  */
 #include <stdint.h>
-#include "image.h"
+#include "../contract/program_image.h"
 
 struct set {
     uint64_t line[NXC_CACHE_WAYS];

@@ -28,7 +28,7 @@
 #include "cache.h"
 #include "costs.h"
 #include "count.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include "leaves.h"
 #include "poll.h"
 #include "prepay.h"

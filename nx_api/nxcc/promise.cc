@@ -1,7 +1,7 @@
 /* promise.cc - see promise.h. */
 #include "promise.h"
 #include "costs.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include "leaves.h"
 #include "output.h"
 #include "rounds.h"

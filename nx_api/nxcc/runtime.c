@@ -7,7 +7,7 @@
  * With NXC_HOSTED (tests) there is no _start, and the objects can be linked into an ordinary program.
  */
 #include "enter.h"
-#include "image.h"
+#include "../contract/program_image.h"
 
 /* Among the initialised data, not behind the program's arrays: the page that a node has of these is in use anyway. */
 #define NXC_DATA __attribute__((visibility("hidden"), section(".data")))

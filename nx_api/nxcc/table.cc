@@ -1,6 +1,6 @@
 /* table.cc - reads cost and factor files (libconfig). See table.h. */
 #include "table.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include <libconfig.h>
 #include <math.h>
 #include <string.h>

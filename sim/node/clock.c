@@ -2,7 +2,7 @@
  * at. */
 #include "node/clock.h"
 #include "node/system.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 #define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
 

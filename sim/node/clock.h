@@ -5,7 +5,7 @@
 #ifndef NODE_CLOCK_H
 #define NODE_CLOCK_H
 #include "node/node.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* The node's processor has so many clocks a second. */
 void clock_set(struct node *n, uint64_t hz);

@@ -9,7 +9,7 @@
 #include "node/system.h"
 #include "node/trace.h"
 #include "node/turns.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* For time limits and the keyboard only: the most calls between looks at them, and how many a look at a computing program
  * stands for. */

@@ -20,7 +20,7 @@
 #include "node/image.h"
 #include "node/libc.h"
 #include "node/node.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 #define PAGE ((uint64_t)4096)
 

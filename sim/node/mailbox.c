@@ -10,22 +10,22 @@
 #include "node/handlers.h"
 #include "node/system.h"
 #include "node/unexpected.h"
-#include "nx_api/calls/mailbox_ids.h"
-#include "nx_api/include/nxerrno.h"
+#include "nx_api/contract/ids.h"
+#include "nx_api/contract/match.h"
 
 void mailbox_begin(struct node *n, struct id_block *ids)
 {
     struct mailbox *b = &n->mailbox;
     *b = (struct mailbox){0};
     ids_begin(&b->ids, ids);
-    b->posted_end = &b->posted;
+    posted_begin(&b->posted);
     unexpected_begin(n);
 }
 
 /* Those that the program did not make on its stack, or with an id. */
 static void free_posted(struct mailbox *b)
 {
-    for (struct receive *r = b->posted, *next; r; r = next) {
+    for (struct receive *r = b->posted.first, *next; r; r = next) {
         next = r->next;
         if (r->handler)
             free(r);
@@ -56,21 +56,14 @@ struct mailbox_ids *mailbox_ids(const struct node *n)
     return (struct mailbox_ids *)&n->mailbox.ids;
 }
 
-/* --- queues --- */
-
-static void post(struct mailbox *b, struct receive *r)
+long nx_sender(const struct node *n, const struct message *m)
 {
-    r->next = NULL;
-    *b->posted_end = r;
-    b->posted_end = &r->next;
+    return (long)node_number(n->sys, m->source);
 }
 
-static void unpost(struct mailbox *b, struct receive **link)
+const char *nx_sender_name(const struct node *n, const struct message *m)
 {
-    struct receive *r = *link;
-    *link = r->next;
-    if (b->posted_end == &r->next)
-        b->posted_end = link;
+    return node_at(n->sys, m->source)->name;
 }
 
 /* --- system buffers --- */
@@ -127,11 +120,9 @@ bool mailbox_envelope(void *ctx, struct message *m, vtime now)
     if (m->unwanted)
         return true;
     engine_touch(n);
-    for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
-        if (!unexpected_selects(n, &(*link)->select, m))
-            continue;
-        give(*link, m);
-        unpost(b, link);
+    struct receive *r = posted_take(n, &b->posted, m);
+    if (r) {
+        give(r, m);
         return true;
     }
     if (m->forced)
@@ -237,7 +228,7 @@ void mailbox_post_at(struct node *n, struct receive *r, vtime now)
 {
     struct message *m = unexpected_first(n, &r->select);
     if (!m) {
-        post(&n->mailbox, r);
+        posted_append(&n->mailbox.posted, r);
         return;
     }
     unexpected_take(n, m);
@@ -263,12 +254,8 @@ void mailbox_put_back(struct node *n, struct message *m)
 
 void mailbox_withdraw(struct node *n, struct receive *r)
 {
-    struct mailbox *b = &n->mailbox;
-    for (struct receive **link = &b->posted; *link; link = &(*link)->next)
-        if (*link == r) {
-            unpost(b, link);
-            return;
-        }
+    if (posted_remove(&n->mailbox.posted, r))
+        return;
     struct message *m = r->m;
     r->m = NULL;
     if (!m->buffered)
@@ -295,27 +282,11 @@ void mailbox_done_with(struct node *n, struct message *m, vtime now)
     proto_message_free(m);
 }
 
-void mailbox_tell(struct node *n, const struct message *m, long info[])
-{
-    n->info = (struct node_info){(long)m->type, (long)m->bytes, node_number(n->sys, m->source), (long)m->pid};
-    const long told[] = {n->info.type, n->info.count, n->info.node, n->info.pid};
-    for (size_t i = 0; info && i < sizeof told / sizeof *told; i++)
-        node_put_long(n, info, i, told[i]);
-}
-
 long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
-    long result = 0;
-    m->too_long = m->bytes > r->room;
-    if (m->too_long)
-        result =
-            node_error(n, EQMSGLONG, "the message of type %ld from %s has %zu bytes, but the buffer only %zu",
-                       (long)m->type, node_at(n->sys, m->source)->name, m->bytes, r->room);
-    else if (m->bytes)
-        memcpy(r->buf, m->data, m->bytes);
-    if (!mailbox_is_library(m->type))
-        mailbox_tell(n, m, r->info);
+    m->too_long = !match_fits(r);
+    long result = match_take(n, r);
     r->m = NULL;
     m->receive = NULL;
     engine_received(n, m);
@@ -394,7 +365,7 @@ void mailbox_abandon(struct node *n)
             drop_receive(m);
     handlers_free(b);
     free_posted(b);
-    b->posted = NULL, b->posted_end = &b->posted;
+    posted_begin(&b->posted);
 }
 
 static void throw_away_list(struct node *n, struct message **list, vtime now)

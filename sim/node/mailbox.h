@@ -6,13 +6,13 @@
  *
  * unexpected.h says which is the first.
  * A message is complete when it has arrived and the operating system is done with it (message.complete). What NX's calls
- * do with it is declared in nx_api/calls/mailbox.h.
+ * do with it is declared in nx_api/contract/message.h.
  */
 #ifndef NODE_MAILBOX_H
 #define NODE_MAILBOX_H
 #include "net/proto.h"
 #include "node/node.h"
-#include "nx_api/calls/mailbox.h"
+#include "nx_api/contract/message.h"
 
 /* With room for its first ids, for as long as there is the mailbox. */
 void mailbox_begin(struct node *n, struct id_block *ids);

@@ -17,7 +17,7 @@
 #include "node/span.h"
 #include "node/system.h"
 #include "node/trace.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* --- errno --- */
 

@@ -7,7 +7,7 @@
  * What counts against the node's memory (machine file: memory_mb): the operating system, the program's image,
  * its stack, its heap up to the highest block in use, and unexpected messages in system buffers.
  *
- * Time. The program's own progress is counted in cost units by its image (nx_api/nxcc/image.h); node_now()
+ * Time. The program's own progress is counted in cost units by its image (nx_api/contract/program_image.h); node_now()
  * turns it into virtual time. Every call enters with node_enter(), which lets all earlier events of the
  * machine happen first, and ends with node_leave().
  */
@@ -22,8 +22,8 @@
 #include "kernel/vtime.h"
 #include "kernel/workers.h"
 #include "node/waits.h"
-#include "nx_api/calls/mailbox.h"
-#include "nx_api/calls/mailbox_ids.h"
+#include "nx_api/contract/message.h"
+#include "nx_api/contract/ids.h"
 
 #define NODE_REGION ((uintptr_t)1 << 30)
 
@@ -31,7 +31,7 @@ struct node;
 struct node_image;  /* a program file, read once: image.h */
 struct node_heap;   /* heap.h */
 struct node_system; /* what all nodes share: machine file, event queue, network, output: system.h */
-struct nxc_image;   /* nx_api/nxcc/image.h */
+struct nxc_image;   /* nx_api/contract/program_image.h */
 struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
 enum node_state { NODE_COMPUTING, NODE_BLOCKED, NODE_ENDED };
@@ -102,7 +102,7 @@ struct node_ahead {
 
 /* Messages and what they are for: mailbox.h. A line of the cache. */
 struct mailbox {
-    struct receive *posted, **posted_end;
+    struct posted posted;
     struct message *whole, **whole_end; /* unexpected.h */
     struct due *last_due;               /* of a ring: its next is the first. NULL: none */
     uint32_t handlers;                  /* posted or due */
@@ -165,12 +165,6 @@ struct pending_beside {
     struct node_memory
         memory[PENDING_MOST];   /* the program's at the call, if it has changed since the one before */
     int32_t type[PENDING_MOST]; /* in node.call_type when it goes on, if it has any */
-};
-
-/* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */
-struct node_error {
-    int code; /* nxerrno.h, or the C library's */
-    char text[200];
 };
 
 /* Where a program was at a look. */

@@ -11,7 +11,7 @@
 #include "node/mailbox.h"
 #include "node/pending.h"
 #include "node/system.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 static void go_on(void *ctx, void *arg, vtime now);
 static void wake(void *ctx, void *arg, vtime now);

@@ -5,7 +5,7 @@
  * earliest time at which anything may reach it (proto_horizon), and stops at the first check at or past it.
  *
  * Where it has stopped there is not an event, but a bound in node_system.checks: the time before which the program makes no
- * call. Often that is far ahead, because the program has said so (nx_api/nxcc/image.h: quiet). Until then nobody waits for
+ * call. Often that is far ahead, because the program has said so (nx_api/contract/program_image.h: quiet). Until then nobody waits for
  * it, so that it is gone on with when all others have come so far, and computes at once what it would have computed in many
  * slices. If a message comes to it before, it is first brought to where it would be (node_catch_up).
  *

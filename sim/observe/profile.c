@@ -4,7 +4,7 @@
 #include <string.h>
 #include "node/clock.h"
 #include "node/image.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* Of what was compiled without --profile, if the program has such parts. */
 static const char REST[] = "(compiled without --profile)";

@@ -1,7 +1,7 @@
 /* profile_write.c - a profile for people, and for programs: see profile.h. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 #include "observe/json_file.h"
 #include "observe/profile.h"
 

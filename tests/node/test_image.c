@@ -2,7 +2,7 @@
 #include "program.h"
 #include <elf.h>
 #include "node/elffile.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* --- programs ----------------------------------------------------------------------------------------------- */
 
@@ -179,7 +179,7 @@ static void other_image_versions_are_refused(void **state)
 {
     assert_refused(
         build(*state, LINKED_AS_BY_NXCC,
-              "#include \"image.h\"\nint64_t left; int main() { return 0; }\n"
+              "#include \"program_image.h\"\nint64_t left; int main() { return 0; }\n"
               "struct nxc_image nxc_image = {NXC_IMAGE_MAGIC, NXC_IMAGE_VERSION + 1, &left, main};"),
         "another version of nxcc");
     assert_refused(

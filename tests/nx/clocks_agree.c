@@ -1,4 +1,5 @@
-/* dclock (seconds), mclock (milliseconds) and hwclock (ticks) never go back and tell the same time, to a millisecond.
+/* dclock (seconds), mclock (milliseconds) and hwclock (ticks) never go back and tell the same time, to a
+ * millisecond.
  * run: all
  */
 #include <time.h>

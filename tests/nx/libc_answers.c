@@ -1,4 +1,5 @@
-/* The C library answers as the standard says: the calendar, divisions, the locale, characters of several bytes, wide output.
+/* The C library answers as the standard says: the calendar, divisions, the locale, characters of several
+ * bytes, wide output.
  * compile: -D_GNU_SOURCE
  * run: all
  */
