@@ -32,7 +32,7 @@ long nx_check_buffer(struct node *n, const void *buf, long len)
 
 /* --- errors as the user sees them --- */
 
-/* The name in a parameter's declaration. */
+/* Prints the name in a parameter's declaration. */
 static void print_name(FILE *f, const char *parameter, size_t length)
 {
     const char *start = parameter, *end = parameter + length, *pointer = strstr(parameter, "(*");
@@ -48,7 +48,8 @@ static void print_name(FILE *f, const char *parameter, size_t length)
     fprintf(f, "%.*s", (int)(end - start), start);
 }
 
-/* Numbers and texts by their values; other pointers by their parameters' names, since addresses say nothing; 0 for null. */
+/* Numbers and texts by their values; other pointers by their parameters' names, since addresses say nothing;
+ * 0 for null. */
 static void print_argument(FILE *f, const char *parameter, size_t length, va_list *ap)
 {
     static const char TEXT[] = "const char *";
@@ -72,7 +73,7 @@ static void print_argument(FILE *f, const char *parameter, size_t length, va_lis
     }
 }
 
-/* Ends the process: the call failed. parameters are as in calls.def. */
+/* Ends the process, because the call failed. parameters: as in calls.def. */
 static _Noreturn void wrong(struct node *n, const char *parameters, ...)
 {
     char *text = NULL;
@@ -126,14 +127,14 @@ long nx_plain(struct node *n, long result)
     return result;
 }
 
-/* Not inlined: leave() may return on another thread, which has another errno, and compilers compute the address of errno
- * once in a function. */
+/* Not inlined: leave() may return on another thread, which has another errno, and compilers compute the
+ * address of errno once in a function. */
 __attribute__((noinline)) static void set_errno(int why)
 {
     errno = why;
 }
 
-/* _NAME: an error is the program's to see. */
+/* _NAME: returns the error. */
 long nx_returning(struct node *n, long result)
 {
     int why = n->error->code;

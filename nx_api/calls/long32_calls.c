@@ -1,5 +1,5 @@
-/* long32_calls.c - the calls whose arguments are passed otherwise where long has 32 bits (nxcc --long32): there an esize_t is
- * one word of 64 bits. */
+/* long32_calls.c - the calls whose arguments are passed otherwise where long has 32 bits (nxcc --long32):
+ * there an esize_t is one word of 64 bits. */
 #include "nx_api/calls/file_calls.h"
 
 #define SIZE_CALL(name, f, end)                                                                              \

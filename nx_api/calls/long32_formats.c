@@ -1,5 +1,6 @@
-/* long32_formats.c - printf, scanf and so on for programs whose long has 32 bits (nxcc --long32). In such a program's format %ld
- * means 32 bits, so %ld becomes %d; what means 64 bits, %lld, %zd, %lf, stays. Programs reach node_long32_NAME as NAME.
+/* long32_formats.c - printf, scanf and so on for programs whose long has 32 bits (nxcc --long32). In such a
+ * program's format %ld means 32 bits, so %ld becomes %d; what means 64 bits, %lld, %zd, %lf, stays. Programs
+ * reach node_long32_NAME as NAME.
  */
 #include <stdarg.h>
 #include <stdbool.h>

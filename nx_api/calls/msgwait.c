@@ -1,4 +1,5 @@
-/* msgwait.c - the calls that ask for message ids and give them back: msgwait, msgdone, msgcancel, msgignore, msgmerge. */
+/* msgwait.c - the calls that ask for message ids and give them back: msgwait, msgdone, msgcancel, msgignore,
+ * msgmerge. */
 #include "nx_api/calls/msgwait.h"
 
 long nx_new_id(struct node *n, unsigned use)

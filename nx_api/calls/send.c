@@ -37,8 +37,8 @@ static void follow_and_wait(struct node *n, const struct outgoing *o)
         node_wait(n, nx_send_is_done, s);
 }
 
-/* Sends, and waits until the buffer may be used again. If it may at once, the program resumes at once: system time between
- * this call and the program's next one delays the program in any case. */
+/* Sends, and waits until the buffer may be used again. If it may at once, the program resumes at once: system
+ * time between this call and the program's next one delays the program in any case. */
 static void send_and_wait(struct node *n, const struct outgoing *o)
 {
     if (nx_goes_at_once(n, o))

@@ -11,8 +11,8 @@
 
 enum { UNIT = 1024 }; /* of f_blocks, f_bfree, f_bavail */
 
-/* Not inlined: a call that has waited may be on another thread, which has another errno, and compilers compute the address of
- * errno once in a function. */
+/* Not inlined: a call that has waited may be on another thread, which has another errno, and compilers
+ * compute the address of errno once in a function. */
 __attribute__((noinline)) static int why(void)
 {
     return errno;

@@ -1,9 +1,9 @@
-/* transfer.c - cread, cwrite, iread, iwrite, their forms with several parts, and those at a place of their own: all are one
- * of two movements of parts between memory and a file, which the backend makes. */
+/* transfer.c - cread, cwrite, iread, iwrite, their forms with several parts, and their forms with an offset:
+ * each is one of the back end's two ways of moving parts between memory and a file. */
 #include <errno.h>
 #include "nx_api/calls/call.h"
 
-/* A buffer as a part. Lengths are the machine's: 32 bits. */
+/* A buffer as one part. Lengths have 32 bits, as on the machine. */
 static struct iovec whole(const void *buf, size_word len)
 {
     return (struct iovec){(void *)(uintptr_t)buf, (uint32_t)len};
@@ -53,7 +53,7 @@ long nxs_iwritev(word fd, const struct iovec *parts, word count)
     return nx_move_later(true, fd, AT_POINTER, parts, count);
 }
 
-/* --- at a place, not at the file's pointer --- */
+/* --- at an offset, not at the file's pointer --- */
 
 typedef long movement(bool write, int fd, int64_t at, const struct iovec *parts, int count);
 

@@ -8,13 +8,14 @@
  *        v                |
  *     nx_api/contract <-- back ends:     sim/ with nx_api/sim, and nx_api/mpi
  *
- * calls include this folder and call what it declares; they name no back end. A back end includes this folder, serves what
- * it declares, and may use call.h. This folder includes nothing but nx_api/include.
+ * calls include this folder and call what it declares; they name no back end. A back end includes this
+ * folder, serves what it declares, and may use call.h. This folder includes nothing but nx_api/include.
  *
- * A back end completes struct node and struct message in its header backend_node.h, which compilers find by -I:
+ * A back end completes struct node and struct message in its header backend_node.h, which compilers find by
+ * -I:
  *
- *     node      id, pid, info, error, call, in_handler, receive (of the blocking call that the program is in, outside of
- *               handlers); sys->count: the nodes; sys->host: NULL if no host program runs
+ *     node      id, pid, info, error, call, in_handler; sys->count: the number of nodes; sys->host: NULL
+ *               if no host program runs; receive: of the program's blocking call, outside of handlers
  *     message   next, type, pid, bytes, data
  *     node_self()        the node that calls
  *     NX_EXPORT(name)    behind a declaration: programs reach the function by that name
@@ -29,8 +30,8 @@
 
 struct estat;
 
-/* An integer argument. Its C type is long, but only its low 32 bits count, as signed: programs without prototypes pass
- * int. */
+/* An integer argument. Its C type is long, but only its low 32 bits count, as signed: programs without
+ * prototypes pass int. */
 typedef int32_t word;
 typedef uint32_t size_word; /* of a length in bytes */
 
@@ -38,7 +39,8 @@ typedef uint32_t size_word; /* of a length in bytes */
 
 /* Begins a call: all that happened earlier has been seen. */
 void node_enter(struct node *n, const char *call);
-/* Begins a call that only hands something over, or does so before it waits: earlier events need not have been seen. */
+/* Begins a call that only hands something over, or does so before it waits: earlier events need not have been
+ * seen. */
 void node_enter_early(struct node *n, const char *call);
 /* Ends a call; handlers that are due run first. */
 void node_leave(struct node *n);
@@ -46,7 +48,8 @@ void node_leave(struct node *n);
 void node_order(struct node *n);
 /* Waits until all that happened earlier has been seen and ready(n, arg) holds. Handlers run meanwhile. */
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);
-/* Notes an error of the call, for a call with an underscore to return, or for a plain one to fail with; is -1. */
+/* Notes an error of the call, for a call with an underscore to return, or for a plain one to fail with; is
+ * -1. */
 long node_error(struct node *n, int code, const char *fmt, ...) __attribute__((format(printf, 3, 4)));
 /* Ends the process with a message that names node, call and time. */
 _Noreturn void node_fail(struct node *n, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
@@ -75,8 +78,8 @@ struct outgoing {
     long len, node, pid;
 };
 
-/* Sends to one node or to all others. *s, if not NULL, is told when the last message that this node itself sends has left
- * the buffer. */
+/* Sends to one node or to all others. *s, if not NULL, is told when the last message that this node itself
+ * sends has left the buffer. */
 void nx_send(struct node *n, const struct outgoing *o, struct send *s);
 /* May the buffer be used again when nx_send returns? Then a send need not be followed. */
 bool nx_goes_at_once(const struct node *n, const struct outgoing *o);
@@ -101,8 +104,7 @@ uint64_t nx_ticks(struct node *n);
 /* --- ends of processes: waitall, waitone --- */
 
 struct process_end {
-    bool
-        awaitable; /* a process has been loaded there, is not the caller's, and its end has not been noticed */
+    bool awaitable; /* a process was loaded there, is not the caller's, and its end has not been noticed */
     bool ended;
     uint64_t order; /* smaller: ended earlier; of equals the lower number counts as earlier */
     long pid, status;
@@ -116,15 +118,16 @@ void nx_wait_for_end(struct node *n, bool (*ready)(struct node *n, void *arg), v
 
 /* --- files --- */
 
-/* Moves bytes between memory and a file, at the file's pointer or at an offset: how many, or -1 with the error. The second form
- * only begins, and returns an id for iowait() and iodone(). */
+/* Moves bytes between memory and a file, at the file's pointer or at an offset: how many, or -1 with the
+ * error. The second form only begins, and returns an id for iowait() and iodone(). */
 enum { AT_POINTER = -1 };
 long nx_move(bool write, int fd, int64_t at, const struct iovec *parts, int count);
 long nx_move_later(bool write, int fd, int64_t at, const struct iovec *parts, int count);
 /* eseek and esize: the new pointer or size, or -1 with the error. */
 int64_t nx_seek(struct node *n, int fd, int64_t offset, int whence);
 int64_t nx_resize(struct node *n, int fd, int64_t offset, int whence);
-/* gopen's part on one node, and estat or, if `link`, lestat: they begin the call of this name, and end it by `end`. */
+/* gopen's part on one node, and estat or, if `link`, lestat: they begin the call of this name, and end it by
+ * `end`. */
 long nx_open_one(const char *call, const char *path, int flags, int mode, unsigned permissions, nx_end *end);
 long nx_stat_path(const char *call, bool link, const char *path, struct estat *e, nx_end *end);
 

@@ -1,5 +1,5 @@
-/* ids.c - see ids.h. A new id is the first that is free, and most programs use few at a time: the table is a list of blocks,
- * of which all but the first are made on demand. What is in a block stays where it is.
+/* ids.c - see ids.h. A new id is the first that is free, and most programs use few at a time: the table is a
+ * list of blocks, of which all but the first are made on demand. What is in a block stays where it is.
  */
 #include "nx_api/contract/ids.h"
 #include <stdlib.h>

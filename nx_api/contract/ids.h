@@ -1,7 +1,8 @@
-/* ids.h - a node's message ids, 1 or more: what isend, irecv and isendrecv give out. 0 is none: many programs have it for no
- * message under way.
+/* ids.h - a node's message ids, 1 or more: what isend, irecv and isendrecv give out. 0 is none: many programs
+ * have it for no message under way.
  *
- * An id stands for a receive, a send, or both. Ids that have been merged are linked by next, and the first stands for all:
+ * An id stands for a receive, a send, or both. Ids that have been merged are linked by next, and the first
+ * stands for all:
  *
  *     id 3 -> id 7 -> id 2        3 is valid; 7 and 2 are parts
  */
@@ -50,6 +51,7 @@ void mailbox_id_release(struct node *n, long id);     /* and its parts */
 void mailbox_id_merge(struct node *n, long id, long part);
 /* The program will not ask for the id again. */
 void mailbox_id_ignore(struct node *n, long id);
-/* The first ignored id behind `id` that is complete. It is ignored no longer, and the caller is to release it. -1: none. */
+/* The first ignored id behind `id` that is complete. It is ignored no longer, and the caller is to release
+ * it. -1: none. */
 long mailbox_id_take_ignored(struct node *n, long id);
 #endif

@@ -4,7 +4,8 @@
  *   a receive is made:  it takes the first unexpected message that it selects; else it is posted
  *   a probe is made:    it finds the message that a receive with its selector would take
  *
- * To be included behind the back end's definition of struct message, whose members next, type, pid, bytes and data are used.
+ * To be included behind the back end's definition of struct message, whose members next, type, pid, bytes and
+ * data are used.
  */
 #ifndef CONTRACT_MATCH_H
 #define CONTRACT_MATCH_H
@@ -70,7 +71,8 @@ static inline struct receive *posted_take(const struct node *n, struct posted *p
 
 /* --- what a program gets --- */
 
-/* Sets what infotype() and so on answer and, if not NULL, the program's array: type, length, node, process type. */
+/* Sets what infotype() and so on answer and, if not NULL, the program's array: type, length, node, process
+ * type. */
 static inline void match_tell(struct node *n, const struct message *m, long array[])
 {
     n->info = (struct node_info){(long)m->type, (long)m->bytes, nx_sender(n, m), (long)m->pid};
@@ -84,7 +86,8 @@ static inline bool match_fits(const struct receive *r)
     return r->m->bytes <= r->room;
 }
 
-/* The bytes and what is known of a complete message, to the program: mailbox_take. The message is still r's. */
+/* The bytes and what is known of a complete message, to the program: mailbox_take. The message is still
+ * r's. */
 static inline long match_take(struct node *n, const struct receive *r)
 {
     const struct message *m = r->m;

@@ -1,10 +1,11 @@
-/* message.h - what NX's calls do with a node's messages: receives, sends, handlers, and what a receive selects.
+/* message.h - what NX's calls do with a node's messages: receives, sends, handlers, and what a receive
+ * selects.
  *
- * Each back end has queues of its own behind the functions declared here: sim/node/mailbox.c, nx_api/mpi/mpi_mailbox.c.
- * The rules by which both choose a message are in match.h.
+ * Each back end has queues of its own behind the functions declared here: sim/node/mailbox.c,
+ * nx_api/mpi/mpi_mailbox.c. The rules by which both choose a message are in match.h.
  *
- * A message's bytes are put into the program's buffer when the program asks for them: in crecv, msgwait, msgdone, or when
- * its handler runs. Before that the buffer keeps its old bytes, on every back end.
+ * A message's bytes are put into the program's buffer when the program asks for them: in crecv, msgwait,
+ * msgdone, or when its handler runs. Before that the buffer keeps its old bytes, on every back end.
  */
 #ifndef CONTRACT_MESSAGE_H
 #define CONTRACT_MESSAGE_H
@@ -15,7 +16,8 @@
 struct node;
 struct message;
 
-/* param is what hrecvx or hsendx was given. Handlers of the other calls take four arguments, and ignore it. */
+/* param is what hrecvx or hsendx was given. Handlers of the other calls take four arguments, and ignore
+ * it. */
 typedef void mailbox_handler(long type, long count, long node, long pid, long param);
 
 /* What infocount(), infonode(), infopid() and infotype() answer. */
@@ -23,7 +25,8 @@ struct node_info {
     long type, count, node, pid;
 };
 
-/* The last error of an NX call. Plain calls end the process with the text; calls with an underscore set errno to the code. */
+/* The last error of an NX call. Plain calls end the process with the text; calls with an underscore set errno
+ * to the code. */
 struct node_error {
     int code; /* of nxerrno.h, or of errno.h */
     char text[256];
@@ -62,7 +65,8 @@ struct send {
     struct message *m; /* while not done */
 };
 
-/* The receives and sends of blocking calls. They do not lie on the program's stack, which other threads may not write to. */
+/* The receives and sends of blocking calls. They do not lie on the program's stack, which other threads may
+ * not write to. */
 struct own_calls {
     struct receive in_handler; /* of a call in a handler; outside of handlers: node.receive */
     struct send send[2];       /* outside of handlers, and in one */
@@ -89,14 +93,17 @@ static inline bool mailbox_selects(int64_t typesel, int64_t type)
 
 /* Select an unexpected message for r, or post r. */
 void mailbox_post(struct node *n, struct receive *r);
-/* Withdraw a receive that is not complete. A message already selected becomes unexpected again, the first in order. */
+/* Withdraw a receive that is not complete. A message already selected becomes unexpected again, the first in
+ * order. */
 void mailbox_withdraw(struct node *n, struct receive *r);
 /* Has r's message come whole? */
 bool mailbox_complete(struct node *n, const struct receive *r);
-/* Put a complete message into the program's buffer: spends the time of copying, sets n->info, frees the message. Returns 0, or
- * -1 with n->error when the message is longer than the buffer: then the message is lost, and the buffer unchanged. */
+/* Put a complete message into the program's buffer: spends the time of copying, sets n->info, frees the
+ * message. Returns 0, or -1 with n->error when the message is longer than the buffer: then the message is
+ * lost, and the buffer unchanged. */
 long mailbox_take(struct node *n, struct receive *r);
-/* The first complete unexpected message selected; NULL: none. A receive with the same selector would take it. */
+/* The first complete unexpected message selected; NULL: none. A receive with the same selector would take
+ * it. */
 const struct message *mailbox_probe(struct node *n, const struct selector *select);
 /* The end of a receive that no call will take: frees its message, if that has come whole. */
 void mailbox_drop(struct receive *r);

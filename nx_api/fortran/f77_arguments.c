@@ -1,10 +1,11 @@
-/* arguments.c - arguments that are not the same in Fortran and C: handlers, texts, arrays of integers. See f77_entry.h. */
+/* f77_arguments.c - arguments that differ between Fortran and C: handlers, texts, arrays of integers. See
+ * f77_entry.h. */
 #include <stdlib.h>
 #include <string.h>
 #include "f77_entry.h"
 
-/* --- handlers. A C handler is not told for which posting it runs, so each Fortran procedure gets functions of its own,
- * which know it. --- */
+/* --- handlers. A C handler does not learn which posting it runs for, so each Fortran procedure gets C
+ * functions of its own. --- */
 
 /* clang-format off */
 #define TEN(X, d) X(d##0) X(d##1) X(d##2) X(d##3) X(d##4) X(d##5) X(d##6) X(d##7) X(d##8) X(d##9)
@@ -46,7 +47,7 @@ static unsigned slot_of(procedure *p, const char *call)
         if (slot[i] == p)
             return i;
     }
-    nx_fail(call, ENOMEM); /* more than COUNT procedures that handle */
+    nx_fail(call, ENOMEM); /* more than COUNT procedures */
 }
 
 handler4 *nx_fortran_handler(procedure *p, const char *call)
@@ -83,8 +84,8 @@ long *nx_fortran_longs(in *values, long count, const char *call)
     return longs;
 }
 
-/* --- INFO(8) of irecvx: the call below fills longs when the message is taken; the program's INTEGERs are filled when it
- * waits for the id or asks. --- */
+/* --- INFO(8) of irecvx: NX fills longs when the message is taken; the program's INTEGERs are filled when the
+ * program waits for the id or asks for it. --- */
 
 static struct pending {
     long id;
@@ -93,7 +94,7 @@ static struct pending {
     struct pending *next;
 } * pending;
 
-/* The four reserved ones stay as they are. */
+/* The four reserved elements stay unchanged. */
 void nx_fortran_info(integer *info, const long *longs)
 {
     for (int i = 0; i < 4; i++)
@@ -130,7 +131,7 @@ void nx_fortran_info_done(long id)
     end(id, true, false);
 }
 
-/* The id is ignored or cancelled: the longs may still be written to. */
+/* The id is ignored or cancelled, and NX may still write to the longs. */
 void nx_fortran_info_forget(long id)
 {
     end(id, false, true);

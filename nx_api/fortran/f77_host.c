@@ -1,10 +1,11 @@
-/* host.c - the calls of host programs (host.h), from Fortran. load and waitone are in machine.c: nodes have them too. */
+/* f77_host.c - the calls of host programs (host.h), from Fortran. load and waitone, which nodes have, too,
+ * are in f77_machine.c. */
 #include <stdlib.h>
 #include "f77_entry.h"
 #include "host.h"
 
-FACE void getcube_(const char *name, const char *type, const char *srm, in *keep, size_t name_bytes,
-                   size_t type_bytes, size_t srm_bytes)
+ENTRY void getcube_(const char *name, const char *type, const char *srm, in *keep, size_t name_bytes,
+                    size_t type_bytes, size_t srm_bytes)
 {
     char *names = nx_fortran_text(name, name_bytes, "getcube");
     char *types = nx_fortran_text(type, type_bytes, "getcube");
@@ -14,21 +15,21 @@ FACE void getcube_(const char *name, const char *type, const char *srm, in *keep
     free(types);
 }
 
-FACE void attachcube_(const char *name, size_t bytes)
+ENTRY void attachcube_(const char *name, size_t bytes)
 {
     char *text = nx_fortran_text(name, bytes, "attachcube");
     attachcube(text);
     free(text);
 }
 
-FACE void relcube_(const char *name, size_t bytes)
+ENTRY void relcube_(const char *name, size_t bytes)
 {
     char *text = nx_fortran_text(name, bytes, "relcube");
     relcube(text);
     free(text);
 }
 
-FACE void waitcube_(void)
+ENTRY void waitcube_(void)
 {
     waitcube();
 }

@@ -1,9 +1,9 @@
-/* items.c - what the items of READ and WRITE cost.
+/* f77_items.c - the cost of the items of READ and WRITE.
  *
- * GNU Fortran's library moves each item by a routine of its type, text or not. The library is not counted, so the
- * program is linked with -Wl,--wrap=ROUTINE for each of them: a call of ROUTINE comes to __wrap_ROUTINE, here, which
- * counts what an i860 would have had to do, and goes on to the library's, __real_ROUTINE. The prices are those of the
- * calls of nx_io_*, which do nothing, in machines/cpu/i860-calls.cfg.
+ * GNU Fortran's library moves each item by a routine of the item's type. The library is not counted, so the
+ * program is linked with -Wl,--wrap=ROUTINE for each routine: a call of ROUTINE reaches __wrap_ROUTINE, here,
+ * which counts what an i860 would have had to do, and calls the library's __real_ROUTINE. The costs are those
+ * of the calls of nx_io_*, empty functions, in machines/cpu/i860-calls.cfg.
  */
 #include "../libgfortran/libgfortran.h"
 
@@ -15,7 +15,7 @@ void nx_io_bytes(long n);
 
 enum what { INTEGERS, REALS, CHARACTERS };
 
-/* bytes: of each. The calls are spelt out, because a call through a pointer has no price. */
+/* bytes: of one item. The calls are spelt out, because a call through a pointer has no cost. */
 static void count_out(const struct statement *s, enum what what, long n, long bytes)
 {
     if (!(s->flags & TEXT_FORMATS))

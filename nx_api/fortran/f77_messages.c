@@ -1,30 +1,30 @@
-/* messages.c - sending, receiving, probing and message ids from Fortran. */
+/* f77_messages.c - sending, receiving, probing and message ids, from Fortran. */
 #include <stdlib.h>
 #include "f77_entry.h"
 
 /* --- sending --- */
 
-FACE void csend_(in *type, const void *buf, in *len, in *node, in *pid)
+ENTRY void csend_(in *type, const void *buf, in *len, in *node, in *pid)
 {
     csend(*type, buf, *len, *node, *pid);
 }
 
-FACE integer isend_(in *type, const void *buf, in *len, in *node, in *pid)
+ENTRY integer isend_(in *type, const void *buf, in *len, in *node, in *pid)
 {
     return (integer)isend(*type, buf, *len, *node, *pid);
 }
 
-FACE void hsend_(in *type, const void *buf, in *len, in *node, in *pid, procedure *p)
+ENTRY void hsend_(in *type, const void *buf, in *len, in *node, in *pid, procedure *p)
 {
     hsend(*type, buf, *len, *node, *pid, nx_fortran_handler(p, "hsend"));
 }
 
-FACE void hsendx_(in *type, const void *buf, in *len, in *node, in *ptype, procedure *p, in *param)
+ENTRY void hsendx_(in *type, const void *buf, in *len, in *node, in *ptype, procedure *p, in *param)
 {
     hsendx(*type, buf, *len, *node, *ptype, nx_fortran_xhandler(p, "hsendx"), *param);
 }
 
-FACE void gsendx_(in *type, const void *buf, in *len, in nodes[], in *count)
+ENTRY void gsendx_(in *type, const void *buf, in *len, in nodes[], in *count)
 {
     long *longs = nx_fortran_longs(nodes, *count, "gsendx");
     gsendx(*type, buf, *len, longs, *count);
@@ -33,29 +33,29 @@ FACE void gsendx_(in *type, const void *buf, in *len, in nodes[], in *count)
 
 /* --- receiving --- */
 
-FACE void crecv_(in *typesel, void *buf, in *len)
+ENTRY void crecv_(in *typesel, void *buf, in *len)
 {
     crecv(*typesel, buf, *len);
 }
 
-FACE integer irecv_(in *typesel, void *buf, in *len)
+ENTRY integer irecv_(in *typesel, void *buf, in *len)
 {
     return (integer)irecv(*typesel, buf, *len);
 }
 
-FACE void hrecv_(in *typesel, void *buf, in *len, procedure *p)
+ENTRY void hrecv_(in *typesel, void *buf, in *len, procedure *p)
 {
     hrecv(*typesel, buf, *len, nx_fortran_handler(p, "hrecv"));
 }
 
-FACE void crecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, integer info[])
+ENTRY void crecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, integer info[])
 {
     long longs[8];
     crecvx(*typesel, buf, *len, *node, *ptype, longs);
     nx_fortran_info(info, longs);
 }
 
-FACE integer irecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, integer info[])
+ENTRY integer irecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, integer info[])
 {
     long *longs = calloc(8, sizeof *longs);
     if (!longs)
@@ -65,40 +65,40 @@ FACE integer irecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, integ
     return (integer)id;
 }
 
-FACE void hrecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, procedure *p, in *param)
+ENTRY void hrecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, procedure *p, in *param)
 {
     hrecvx(*typesel, buf, *len, *node, *ptype, nx_fortran_xhandler(p, "hrecvx"), *param);
 }
 
 /* --- sending and receiving the answer --- */
 
-FACE integer csendrecv_(in *type, const void *buf, in *len, in *node, in *pid, in *typesel, void *answer,
-                        in *room)
+ENTRY integer csendrecv_(in *type, const void *buf, in *len, in *node, in *pid, in *typesel, void *answer,
+                         in *room)
 {
     return (integer)csendrecv(*type, buf, *len, *node, *pid, *typesel, answer, *room);
 }
 
-FACE integer isendrecv_(in *type, const void *buf, in *len, in *node, in *pid, in *typesel, void *answer,
-                        in *room)
+ENTRY integer isendrecv_(in *type, const void *buf, in *len, in *node, in *pid, in *typesel, void *answer,
+                         in *room)
 {
     return (integer)isendrecv(*type, buf, *len, *node, *pid, *typesel, answer, *room);
 }
 
-FACE void hsendrecv_(in *type, const void *buf, in *len, in *node, in *pid, in *typesel, void *answer,
-                     in *room, procedure *p)
+ENTRY void hsendrecv_(in *type, const void *buf, in *len, in *node, in *pid, in *typesel, void *answer,
+                      in *room, procedure *p)
 {
     hsendrecv(*type, buf, *len, *node, *pid, *typesel, answer, *room, nx_fortran_handler(p, "hsendrecv"));
 }
 
 /* --- message ids --- */
 
-FACE void msgwait_(in *id)
+ENTRY void msgwait_(in *id)
 {
     msgwait(*id);
     nx_fortran_info_done(*id);
 }
 
-FACE integer msgdone_(in *id)
+ENTRY integer msgdone_(in *id)
 {
     long done = msgdone(*id);
     if (done)
@@ -106,46 +106,46 @@ FACE integer msgdone_(in *id)
     return (integer)done;
 }
 
-FACE void msgcancel_(in *id)
+ENTRY void msgcancel_(in *id)
 {
     msgcancel(*id);
     nx_fortran_info_forget(*id);
 }
 
-/* INFO of a receive that is ignored is not filled. */
-FACE void msgignore_(in *id)
+/* INFO of an ignored receive is not filled. */
+ENTRY void msgignore_(in *id)
 {
     msgignore(*id);
     nx_fortran_info_forget(*id);
 }
 
-FACE integer msgmerge_(in *first, in *second)
+ENTRY integer msgmerge_(in *first, in *second)
 {
     long merged = msgmerge(*first, *second);
     nx_fortran_info_merge(*first, *second, merged);
     return (integer)merged;
 }
 
-/* --- looking --- */
+/* --- probing --- */
 
-FACE void cprobe_(in *typesel)
+ENTRY void cprobe_(in *typesel)
 {
     cprobe(*typesel);
 }
 
-FACE integer iprobe_(in *typesel)
+ENTRY integer iprobe_(in *typesel)
 {
     return (integer)iprobe(*typesel);
 }
 
-FACE void cprobex_(in *typesel, in *node, in *ptype, integer info[])
+ENTRY void cprobex_(in *typesel, in *node, in *ptype, integer info[])
 {
     long longs[8];
     cprobex(*typesel, *node, *ptype, longs);
     nx_fortran_info(info, longs);
 }
 
-FACE integer iprobex_(in *typesel, in *node, in *ptype, integer info[])
+ENTRY integer iprobex_(in *typesel, in *node, in *ptype, integer info[])
 {
     long longs[8];
     long is_there = iprobex(*typesel, *node, *ptype, longs);
@@ -154,7 +154,7 @@ FACE integer iprobex_(in *typesel, in *node, in *ptype, integer info[])
     return (integer)is_there;
 }
 
-FACE void flushmsg_(in *typesel, in *node, in *pid)
+ENTRY void flushmsg_(in *typesel, in *node, in *pid)
 {
     flushmsg(*typesel, *node, *pid);
 }
@@ -162,7 +162,7 @@ FACE void flushmsg_(in *typesel, in *node, in *pid)
 /* --- of the message last received --- */
 
 #define VALUE(name)                                                                                          \
-    FACE integer name##_(void)                                                                               \
+    ENTRY integer name##_(void)                                                                              \
     {                                                                                                        \
         return (integer)name();                                                                              \
     }
@@ -172,7 +172,7 @@ VALUE(infopid)
 VALUE(infoptype)
 VALUE(infotype)
 
-FACE integer masktrap_(in *state)
+ENTRY integer masktrap_(in *state)
 {
     return (integer)masktrap(*state);
 }

@@ -1,5 +1,5 @@
-/* reductions.c - global operations from Fortran. Those on INTEGER and LOGICAL work on 4-byte elements, where C has longs; their
- * messages are those of the C names. */
+/* f77_reductions.c - global operations from Fortran. Those on INTEGER and LOGICAL have elements of 4 bytes,
+ * where C has longs; they use the message types of the C names. */
 #include <stdlib.h>
 #include "f77_entry.h"
 
@@ -16,31 +16,31 @@ typedef float float_element;
             ((element##_element *)out)[i] = (element##_element)(expression);                                 \
         }                                                                                                    \
     }                                                                                                        \
-    FACE void name##_(element##_element x[], in *n, element##_element work[])                                \
+    ENTRY void name##_(element##_element x[], in *n, element##_element work[])                               \
     {                                                                                                        \
         nx_reduce(operation, name##_combine, *n, sizeof *x, x, work);                                        \
     }
 #include "../common/reductions.def"
 
-FACE void gsync_(void)
+ENTRY void gsync_(void)
 {
     gsync();
 }
 
 /* f: EXTERNAL, f(a, b) leaves the result in a. */
-FACE void gopf_(void *x, in *bytes, void *work, long (*f)(void *, void *))
+ENTRY void gopf_(void *x, in *bytes, void *work, long (*f)(void *, void *))
 {
     gopf(x, *bytes, work, f);
 }
 
-FACE void gcol_(const void *x, in *len, void *y, in *room, integer *total)
+ENTRY void gcol_(const void *x, in *len, void *y, in *room, integer *total)
 {
     long n;
     gcol(x, *len, y, *room, &n);
     *total = (integer)n;
 }
 
-FACE void gcolx_(const void *x, in lens[], void *y)
+ENTRY void gcolx_(const void *x, in lens[], void *y)
 {
     long *longs = nx_fortran_longs(lens, numnodes(), "gcolx");
     gcolx(x, longs, y);

@@ -1,7 +1,7 @@
-/* units.c - the calls on files from Fortran. They take units; what they read and write goes past the unit's buffer. */
+/* f77_units.c - the calls on files, from Fortran. They take units, and bypass the unit's buffer. */
 #include "f77_entry.h"
 
-/* GNU Fortran's library: a unit's descriptor, or -1; write what it has buffered. */
+/* GNU Fortran's library: a unit's descriptor, or -1; and writing what a unit has buffered. */
 extern integer _gfortran_fnum_i4(in *unit);
 extern void _gfortran_flush_i4(in *unit);
 
@@ -13,42 +13,42 @@ static int fd_of(in *unit)
     return fd;
 }
 
-FACE void setiomode_(in *unit, in *mode)
+ENTRY void setiomode_(in *unit, in *mode)
 {
     setiomode(fd_of(unit), *mode);
 }
 
-FACE integer iomode_(in *unit)
+ENTRY integer iomode_(in *unit)
 {
     return (integer)iomode(fd_of(unit));
 }
 
-FACE integer cread_(in *unit, void *buf, in *len)
+ENTRY integer cread_(in *unit, void *buf, in *len)
 {
     return (integer)cread(fd_of(unit), buf, (unsigned long)*len);
 }
 
-FACE integer cwrite_(in *unit, const void *buf, in *len)
+ENTRY integer cwrite_(in *unit, const void *buf, in *len)
 {
     return (integer)cwrite(fd_of(unit), buf, (unsigned long)*len);
 }
 
-FACE integer iread_(in *unit, void *buf, in *len)
+ENTRY integer iread_(in *unit, void *buf, in *len)
 {
     return (integer)iread(fd_of(unit), buf, (unsigned long)*len);
 }
 
-FACE integer iwrite_(in *unit, const void *buf, in *len)
+ENTRY integer iwrite_(in *unit, const void *buf, in *len)
 {
     return (integer)iwrite(fd_of(unit), buf, (unsigned long)*len);
 }
 
-FACE integer iodone_(in *id)
+ENTRY integer iodone_(in *id)
 {
     return (integer)iodone(*id);
 }
 
-FACE integer iowait_(in *id)
+ENTRY integer iowait_(in *id)
 {
     return (integer)iowait(*id);
 }
@@ -58,59 +58,59 @@ static esize_t place(in offset[2])
     return (esize_t){offset[0], offset[1]};
 }
 
-FACE integer readoff_(in *unit, in offset[2], void *buf, in *len)
+ENTRY integer readoff_(in *unit, in offset[2], void *buf, in *len)
 {
     return (integer)readoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
 }
 
-FACE integer writeoff_(in *unit, in offset[2], const void *buf, in *len)
+ENTRY integer writeoff_(in *unit, in offset[2], const void *buf, in *len)
 {
     return (integer)writeoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
 }
 
-FACE integer ireadoff_(in *unit, in offset[2], void *buf, in *len)
+ENTRY integer ireadoff_(in *unit, in offset[2], void *buf, in *len)
 {
     return (integer)ireadoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
 }
 
-FACE integer iwriteoff_(in *unit, in offset[2], const void *buf, in *len)
+ENTRY integer iwriteoff_(in *unit, in offset[2], const void *buf, in *len)
 {
     return (integer)iwriteoff(fd_of(unit), place(offset), buf, (unsigned long)*len);
 }
 
-FACE integer iseof_(in *unit)
+ENTRY integer iseof_(in *unit)
 {
     return (integer)iseof(fd_of(unit));
 }
 
-FACE integer lsize_(in *unit, in *offset, in *whence)
+ENTRY integer lsize_(in *unit, in *offset, in *whence)
 {
     return (integer)lsize(fd_of(unit), *offset, *whence);
 }
 
-FACE integer lseek_(in *unit, in *offset, in *whence)
+ENTRY integer lseek_(in *unit, in *offset, in *whence)
 {
     return (integer)eseek(fd_of(unit), (esize_t){*offset, *offset < 0 ? -1 : 0}, *whence).slow;
 }
 
-FACE void eseek_(in *unit, in offset[2], in *whence, integer now[2])
+ENTRY void eseek_(in *unit, in offset[2], in *whence, integer now[2])
 {
     esize_t e = eseek(fd_of(unit), place(offset), *whence);
     now[0] = (integer)e.slow, now[1] = (integer)e.shigh;
 }
 
-FACE void esize_(in *unit, in offset[2], in *whence, integer size[2])
+ENTRY void esize_(in *unit, in offset[2], in *whence, integer size[2])
 {
     esize_t e = esize(fd_of(unit), place(offset), *whence);
     size[0] = (integer)e.slow, size[1] = (integer)e.shigh;
 }
 
-FACE void restrictvol_(in *unit, in *count, in disks[])
+ENTRY void restrictvol_(in *unit, in *count, in disks[])
 {
     restrictvol(fd_of(unit), *count, disks);
 }
 
-FACE void forflush_(in *unit)
+ENTRY void forflush_(in *unit)
 {
     _gfortran_flush_i4(unit);
 }

@@ -1,4 +1,5 @@
-/* mpi_absent.c - functions that no library has, in programs linked by nxcc --mpi --stubs: nx_api/driver/stubs.c. */
+/* mpi_absent.c - functions that no library has, in programs linked by nxcc --mpi --stubs:
+ * nx_api/driver/stubs.c. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* mpi_clocks.c - the clocks, which show seconds since the program began; the shape of the machine; the processor. */
+/* mpi_clocks.c - the clocks, which show seconds since the program began; the shape of the machine; the
+ * processor. */
 #include <mpi.h>
 #include <sched.h>
 #include "nx_api/calls/call.h"

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "nx_api/calls/call.h"
-#include "nx_api/calls/error_text.h"
+#include "nx_api/contract/error_text.h"
 
 char *node_strerror(int code) NX_EXPORT("strerror");
 void node_perror(const char *what) NX_EXPORT("perror");

@@ -1,5 +1,6 @@
-/* files.c - the NX calls on files. Those under /cfs are in a folder of the host's (paths.h), the others are the host's as
- * they are. Reading and writing is done when it is begun: iread and iwrite return when all is moved. */
+/* mpi_files.c - the NX calls on files. Files under /cfs lie in a folder of the host's (mpi_paths.h); all
+ * others are the host's own. iread and iwrite return when all bytes have been moved, so that iowait never
+ * waits. */
 #include "nx_api/mpi/mpi_files.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -16,7 +17,7 @@ enum { IO_IDS = 128 };
 
 static struct open_file *table;
 static int table_size;
-static int32_t pointers; /* numbers given to shared pointers so far */
+static int32_t pointers; /* how many shared pointers have been numbered */
 static struct {
     bool used;
     long moved;
@@ -59,7 +60,7 @@ static const char *name_of(const struct open_file *f)
     return f->path ? f->path : "the file";
 }
 
-/* Do calls in its mode depend on the other nodes'? */
+/* Do calls in the file's I/O mode depend on other nodes' calls? */
 static bool shares(const struct open_file *f)
 {
     return f->mode != M_UNIX && f->mode != M_ASYNC;
@@ -72,7 +73,7 @@ static bool is_cfs(const struct open_file *f)
 
 /* --- errors --- */
 
-/* An error that errno tells of. */
+/* The error of errno. */
 static long fail(const char *what)
 {
     int why = errno;
@@ -89,14 +90,14 @@ static struct open_file *file_of(int fd)
 
 /* --- reading and writing --- */
 
-/* At a place, or -1: at the file's own pointer. The bytes moved, -1 and errno when none could be. */
-static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t place)
+/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be. */
+static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t offset)
 {
     size_t moved = 0;
     while (moved < len) {
-        ssize_t r = place < 0  ? syscall(write_it ? SYS_write : SYS_read, fd, at + moved, len - moved)
-                    : write_it ? pwrite(fd, at + moved, len - moved, place + (int64_t)moved)
-                               : pread(fd, at + moved, len - moved, place + (int64_t)moved);
+        ssize_t r = offset < 0 ? syscall(write_it ? SYS_write : SYS_read, fd, at + moved, len - moved)
+                    : write_it ? pwrite(fd, at + moved, len - moved, offset + (int64_t)moved)
+                               : pread(fd, at + moved, len - moved, offset + (int64_t)moved);
         if (r < 0 && errno == EINTR)
             continue;
         if (r < 0)
@@ -108,12 +109,12 @@ static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t pl
     return (ssize_t)moved;
 }
 
-static ssize_t move_parts(bool write_it, int fd, const struct iovec *parts, int count, int64_t place)
+static ssize_t move_parts(bool write_it, int fd, const struct iovec *parts, int count, int64_t offset)
 {
     ssize_t moved = 0;
     for (int i = 0; i < count; i++) {
         ssize_t r =
-            move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, place < 0 ? -1 : place + moved);
+            move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, offset < 0 ? -1 : offset + moved);
         if (r < 0)
             return moved > 0 ? moved : -1;
         moved += r;
@@ -131,43 +132,44 @@ static int64_t length(const struct iovec *parts, int count)
     return sum;
 }
 
-/* M_GLOBAL: all nodes make the same call. Each reads for itself; node 0 writes, and the others know when it has. */
+/* M_GLOBAL: all nodes make the same call. Each node reads for itself; node 0 writes, and the others wait for
+ * node 0. */
 static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
 {
     struct open_file *f = files_find(fd);
     int32_t pointer = f->pointer;
-    int64_t place = lseek(fd, 0, SEEK_CUR), bytes = length(parts, count);
+    int64_t offset = lseek(fd, 0, SEEK_CUR), bytes = length(parts, count);
     shared_check(n, pointer, f->round, bytes);
     table[fd].round++;
     if (write_it)
         shared_borrow(n, M_SYNC, pointer, 0);
-    ssize_t moved = write_it && n->id != 0 ? bytes : move_parts(write_it, fd, parts, count, place);
+    ssize_t moved = write_it && n->id != 0 ? bytes : move_parts(write_it, fd, parts, count, offset);
     int why = errno;
     if (write_it)
         shared_give_back(n, M_SYNC, pointer, 0);
-    lseek(fd, place + (moved > 0 ? moved : 0), SEEK_SET);
+    lseek(fd, offset + (moved > 0 ? moved : 0), SEEK_SET);
     errno = why;
     return moved;
 }
 
-/* At the shared pointer; the file's own follows it, for those who ask for the end of the file. */
+/* At the shared pointer. The file's own pointer follows, since iseof looks at the file's own. */
 static ssize_t move_at_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
 {
     struct open_file f = *files_find(fd);
-    int64_t bytes = length(parts, count), place, behind;
+    int64_t bytes = length(parts, count), offset, behind;
     if (f.mode == M_RECORD) {
         shared_check(n, f.pointer, f.round, bytes);
-        place = f.next + n->id * bytes;
+        offset = f.next + n->id * bytes;
         behind = f.next + (int64_t)n->sys->count * bytes;
         table[fd].next = behind;
         table[fd].round++;
     } else {
-        place = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
+        offset = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
     }
-    ssize_t moved = move_parts(write_it, fd, parts, count, place);
+    ssize_t moved = move_parts(write_it, fd, parts, count, offset);
     int why = errno;
     if (f.mode != M_RECORD) {
-        behind = place + (moved > 0 ? moved : 0);
+        behind = offset + (moved > 0 ? moved : 0);
         shared_give_back(n, f.mode, f.pointer, behind);
     }
     lseek(fd, behind, SEEK_SET);
@@ -217,7 +219,7 @@ long nxs_iodone(word id)
     return nxs_iowait(id) < 0 ? -1 : 1;
 }
 
-/* --- the C library's, for files whose pointer is shared --- */
+/* --- the C library's calls, for files whose pointer is shared --- */
 
 ssize_t node_read(int fd, void *buf, size_t len) NX_EXPORT("read");
 ssize_t node_write(int fd, const void *buf, size_t len) NX_EXPORT("write");
@@ -267,7 +269,7 @@ static long set_mode(int fd, long mode)
     f->pointer = pointers++;
     f->next = lseek(fd, 0, SEEK_CUR);
     f->round = 0;
-    if ((mode == M_SYNC || mode == M_GLOBAL) && n->id == 0) /* the pointer begins its way here */
+    if ((mode == M_SYNC || mode == M_GLOBAL) && n->id == 0) /* the pointer starts at node 0 */
         shared_start(n, f->pointer, f->next);
     return 0;
 }
@@ -310,7 +312,7 @@ int64_t nx_seek(struct node *n, int fd, int64_t offset, int whence)
     return at < 0 ? fail(name_of(f)) : at;
 }
 
-/* At least so large. */
+/* Makes a file at least so large. */
 static int64_t grow(int fd, int64_t offset, int whence)
 {
     struct stat st;
@@ -351,7 +353,7 @@ long nxs_iseof(word fd)
     return lseek(fd, 0, SEEK_CUR) >= st.st_size;
 }
 
-/* There are no disks to choose from. */
+/* All disks are one. */
 long nxs_restrictvol(word fd, word count, const int disks[])
 {
     const struct open_file *f = file_of(fd);

@@ -1,7 +1,8 @@
-/* files.h - the files that a process has open by number, and their I/O modes. Files of all kinds are the host's own.
+/* mpi_files.h - a process's open files, by number, and their I/O modes.
  *
- * Modes 1 to 4 share a pointer among the nodes; messages between the libraries keep it (shared.h). A file gets its mode on
- * all nodes, by gopen or by setiomode called in the same order everywhere: so the nodes agree which pointer is meant. */
+ * In modes 1 to 4 the nodes share a pointer, by messages between their libraries (shared_pointer.h). All
+ * nodes give their files modes in the same order, by gopen or setiomode, so that the nodes agree on the
+ * numbers of shared pointers. */
 #ifndef MPI_FILES_H
 #define MPI_FILES_H
 #include <stdint.h>
@@ -9,14 +10,14 @@
 #include "backend_node.h"
 
 struct open_file {
-    char *path;      /* as the program named it; NULL: not opened by open() or its kin */
+    char *path;      /* as the program named it; NULL: opened by no call of libnx.a */
     int mode;        /* M_UNIX to M_ASYNC */
-    int32_t pointer; /* which of the shared ones, but in M_UNIX and M_ASYNC */
+    int32_t pointer; /* the shared pointer's number; not in M_UNIX and M_ASYNC */
     int64_t next;    /* M_RECORD: where the next round begins */
     int64_t round;
 };
 
-/* What is known of an open file; NULL if it is not open. It stays where it is until the next call of these. */
+/* An open file's entry, valid until the next call of either function; NULL: the file is not open. */
 struct open_file *files_find(int fd);
 void files_opened(int fd, const char *path);
 #endif

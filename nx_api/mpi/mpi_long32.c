@@ -1,5 +1,5 @@
-/* mpi_long32.c - for programs whose long has 32 bits (nxcc --mpi --long32). Only libnx_long32.a has this file, and
- * long32_formats.c and long32_calls.c. */
+/* mpi_long32.c - for programs whose long has 32 bits (nxcc --mpi --long32). Only libnx_long32.a has this
+ * file, and long32_formats.c and long32_calls.c. */
 #include <dlfcn.h>
 #include <stdlib.h>
 #include <time.h>

@@ -1,7 +1,7 @@
 /* mpi_node.c - a process's beginning and end, its waiting, and its errors. See mpi_node.h.
  *
- * A process that has ended goes on taking messages in, which nobody will read, until all have told of their ends: no send may
- * fail because another node was quick. */
+ * A process that has ended goes on taking messages in, which nobody will read, until all have told of their
+ * ends: no send may fail because another node was quick. */
 #include "nx_api/mpi/mpi_node.h"
 #include <cpuid.h>
 #include <errno.h>
@@ -24,7 +24,7 @@ enum { MESSAGE_IDS = 500, PATIENCE_S = 5 };
 static struct mpi_system all;
 struct node mpi_me = {.sys = &all, .info = {-1, -1, -1, -1}};
 static struct timespec began;
-static pid_t process; /* not of children it may have */
+static pid_t process; /* of the program itself, not of its children */
 
 static void nap(long ns)
 {
@@ -40,7 +40,8 @@ double mpi_seconds(void)
 
 /* --- ends --- */
 
-/* Tells all of this process's end and waits for theirs; after `patience` seconds (0: any time) the hard way. */
+/* Tells all nodes of this process's end and waits for theirs; after `patience` seconds (0: never) aborts
+ * them. */
 static void finish(struct node *n, int status, double patience)
 {
     double begin = mpi_seconds();
@@ -64,7 +65,7 @@ static void kill_others(struct node *n)
     wire_send(n, ALL_NODES, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);
 }
 
-/* The program has called exit, or _exit. With a status other than 0 it has failed; nobody is to wait for it in vain. */
+/* The program has called exit or _exit. A status other than 0 ends all nodes, so that none waits in vain. */
 static void exits(struct node *n, int status)
 {
     if (n->over || getpid() != process)
@@ -79,7 +80,7 @@ static void exits(struct node *n, int status)
     finish(n, status, PATIENCE_S);
 }
 
-/* Also when main has returned, whose value is no status. */
+/* Runs when main has returned, too. What main returns is no exit status. */
 static void at_exit(int status, void *unused)
 {
     struct node *n = node_self();
@@ -199,23 +200,23 @@ void node_leave(struct node *n)
 
 void node_order(struct node *n)
 {
-    (void)n; /* node_enter has looked */
+    (void)n; /* node_enter has taken in what has come */
 }
 
-/* Looks often at first; then lets others have the processor, and at last sleeps a little. */
-static void pause_after(unsigned looks)
+/* Polls without a pause at first, then yields the processor, and at last sleeps a little. */
+static void pause_after(unsigned polls)
 {
     enum { YIELDING = 200, SLEEPING = 4000 };
-    if (looks > SLEEPING)
+    if (polls > SLEEPING)
         nap(50000);
-    else if (looks > YIELDING)
+    else if (polls > YIELDING)
         sched_yield();
 }
 
 void node_wait(struct node *n, bool (*ready)(struct node *, void *), void *arg)
 {
     tick_rest(true);
-    for (unsigned looks = 0;; looks++) {
+    for (unsigned polls = 0;; polls++) {
         bool any = wire_progress(n);
         heed(n);
         if (run_handlers(n)) {
@@ -225,13 +226,13 @@ void node_wait(struct node *n, bool (*ready)(struct node *, void *), void *arg)
         if (ready(n, arg))
             break;
         if (any)
-            looks = 0;
-        pause_after(looks);
+            polls = 0;
+        pause_after(polls);
     }
     tick_rest(false);
 }
 
-/* A check of the program has found nxc_due set: tick.c. */
+/* A poll of the program has found nxc_due set: tick.c. */
 void nxc_preempt(void);
 void nxc_preempt(void)
 {
@@ -312,7 +313,8 @@ void nx_flush(struct node *n, long node, int64_t typesel)
 
 extern unsigned nxc_saved;
 
-/* The parts of the processor's state that a check is to save: x87, SSE, AVX, AVX-512, of those that there are. */
+/* The parts of the processor's state that a poll has to save: those of x87, SSE, AVX, AVX-512 that this
+ * processor has. */
 static unsigned state_to_save(void)
 {
     enum { OSXSAVE = 1 << 27, WANTED = 0xe7 };

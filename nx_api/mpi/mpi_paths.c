@@ -1,4 +1,4 @@
-/* paths.c - see paths.h; and the C library's calls that take names of files, as programs find them in libnx.a. */
+/* mpi_paths.c - see mpi_paths.h; and libnx.a's forms of the C library's calls that take names of files. */
 #include "nx_api/mpi/mpi_paths.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -49,7 +49,8 @@ void path_make_folders(const char *here)
     }
 }
 
-/* --- the C library's, with names under /cfs; their own ways to the system are others there --- */
+/* --- the C library's calls, for names under /cfs, too. Each reaches the system by another function than its
+ * own. --- */
 
 int node_open(const char *path, int flags, ...) NX_EXPORT("open");
 int node_creat(const char *path, mode_t mode) NX_EXPORT("creat");

@@ -1,5 +1,5 @@
-/* mpi_stripes.c - how files are striped (pfs/pfs.h), where one folder stands for the machine's file system: over one disk, in
- * units of the folder's best transfers. */
+/* mpi_stripes.c - how files are striped (pfs/pfs.h), where one folder stands for the machine's file system:
+ * over one disk, in units of the folder's best transfers. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>

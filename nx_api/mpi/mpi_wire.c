@@ -1,10 +1,11 @@
-/* wire.c - see wire.h.
+/* mpi_wire.c - see mpi_wire.h.
  *
- * A packet is a copy of a message to be sent; a flight is a packet on its way to one node. Flights are looked at a few at
- * a time, in turns: their ends only give memory back.
+ * A packet is a copy of a message to be sent; a flight is a packet on its way to one node. Flights are tested
+ * a few at a time, in rotation: the end of a flight only frees memory.
  *
- * A message that comes is matched by MPI_Improbe, and received at once into memory of its size. A long one takes its time
- * (its sender may be computing); meanwhile others are taken in, but none of the same sender passes it. */
+ * A message that comes is matched by MPI_Improbe, and received at once into memory of its size. The bytes of
+ * a long one may come late, while its sender computes; meanwhile messages of other senders are taken in, but
+ * none of the same sender. */
 #include "nx_api/mpi/mpi_wire.h"
 #include <limits.h>
 #include <mpi.h>
@@ -35,7 +36,7 @@ static MPI_Comm comm;
 static struct flight *flights, **flights_end = &flights;
 static struct arrival *arrivals, **arrivals_end = &arrivals;
 
-enum { TAG = 1, LOOKED_AT = 8, TAKEN_AT_ONCE = 1000 };
+enum { TAG = 1, TESTED_AT_ONCE = 8, TAKEN_AT_ONCE = 1000 };
 
 /* --- begin and end --- */
 
@@ -67,7 +68,7 @@ _Noreturn void wire_abort(int status)
 
 /* --- sending --- */
 
-static bool has_landed(struct flight *f)
+static bool free_if_sent(struct flight *f)
 {
     int done;
     MPI_Test(&f->request, &done, MPI_STATUS_IGNORE);
@@ -79,22 +80,22 @@ static bool has_landed(struct flight *f)
     return true;
 }
 
-static void line_up(struct flight *f)
+static void append_flight(struct flight *f)
 {
     f->next = NULL;
     *flights_end = f;
     flights_end = &f->next;
 }
 
-static void look_at_flights(void)
+static void test_flights(void)
 {
-    for (int i = 0; i < LOOKED_AT && flights; i++) {
+    for (int i = 0; i < TESTED_AT_ONCE && flights; i++) {
         struct flight *f = flights;
         flights = f->next;
         if (!flights)
             flights_end = &flights;
-        if (!has_landed(f))
-            line_up(f);
+        if (!free_if_sent(f))
+            append_flight(f);
     }
 }
 
@@ -110,13 +111,13 @@ static void launch(struct node *n, long node, struct packet *p, size_t bytes)
         node_fail(n, "out of memory for messages that are on their way");
     f->packet = p;
     MPI_Isend(&p->head, (int)bytes, MPI_BYTE, (int)node, TAG, comm, &f->request);
-    if (!has_landed(f))
-        line_up(f);
+    if (!free_if_sent(f))
+        append_flight(f);
 }
 
 static void act(struct node *n, struct arrival *a);
 
-/* To the node itself: there already. */
+/* A message of a node to itself has come at once. */
 static void send_home(struct node *n, const struct packet *p, size_t bytes)
 {
     struct wire_head *copy = malloc(bytes);
@@ -135,7 +136,7 @@ void wire_send(struct node *n, long node, struct wire_head head, const void *byt
     struct packet *p = whole <= INT_MAX ? malloc(offsetof(struct packet, head) + whole) : NULL;
     if (!p)
         node_fail(n, "no memory for a message of %zu bytes", len);
-    p->flights = node < 0 ? count : 2; /* one is ours, until all have been launched */
+    p->flights = node < 0 ? count : 2; /* one more than flights, until all have been launched */
     p->head = head;
     if (len)
         memcpy(&p->head + 1, bytes, len);
@@ -175,7 +176,7 @@ static void deliver(struct node *n, struct arrival *a)
     mpi_mailbox_deliver(n, m);
 }
 
-/* Does what a message asks for. */
+/* Handles a message that has come whole. */
 static void act(struct node *n, struct arrival *a)
 {
     const struct wire_head *head = a->head;
@@ -206,7 +207,7 @@ static bool has_arrived(struct arrival *a)
     return done;
 }
 
-/* Takes the first message that MPI has, and does not wait for the rest of it. */
+/* Takes the first message that MPI has, without waiting for its bytes. False: there is none. */
 static bool take_one(struct node *n)
 {
     int any;
@@ -241,7 +242,7 @@ static bool is_passing(const struct arrival *a)
     return false;
 }
 
-static bool look_at_arrivals(struct node *n)
+static bool test_arrivals(struct node *n)
 {
     bool any = false;
     struct arrival **link = &arrivals;
@@ -266,6 +267,6 @@ bool wire_progress(struct node *n)
     bool any = false;
     for (int i = 0; i < TAKEN_AT_ONCE && take_one(n); i++)
         any = true;
-    look_at_flights();
-    return look_at_arrivals(n) || any;
+    test_flights();
+    return test_arrivals(n) || any;
 }

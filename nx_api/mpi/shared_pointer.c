@@ -1,4 +1,5 @@
-/* shared.c - see shared.h. A node asks another's library and waits for one answer at a time, without handlers. */
+/* shared_pointer.c - see shared_pointer.h. A node sends one request at a time to another's library, and waits
+ * for the answer without running handlers. */
 #include "nx_api/mpi/shared_pointer.h"
 #include <stdlib.h>
 #include <string.h>
@@ -7,20 +8,20 @@
 
 enum what { BORROW, LENT, GIVEN_BACK, TOKEN, ROUND, CHECKED };
 
-/* What all of these messages carry. */
+/* The contents of each of these messages. */
 struct note {
-    int64_t place, bytes; /* ROUND: place: which round */
+    int64_t offset, bytes; /* ROUND: offset is the round's number */
 };
 
-/* On node 0: an M_LOG pointer that somebody has asked for, or an M_RECORD round that is not complete. On any: the M_SYNC
- * pointer when it is here. */
+/* On node 0: an M_LOG pointer that has been requested, or an M_RECORD round that is not complete. On any
+ * node: the M_SYNC pointer while it is here. */
 struct keep {
     struct keep *next;
     enum what what; /* BORROW, ROUND, TOKEN */
     int32_t number;
     struct note note;
-    uint32_t told;    /* ROUND: how many nodes */
-    long first;       /* and who was the first */
+    uint32_t told;    /* ROUND: how many nodes have said what they move */
+    long first;       /* ROUND: the first of them */
     bool lent;        /* BORROW */
     uint32_t waiting; /* how many, in the order of asking */
     int32_t *queue;   /* as many as there are nodes */
@@ -33,7 +34,7 @@ static struct note answer;
 static struct keep *find(enum what what, int32_t number, int64_t round)
 {
     struct keep *k = kept;
-    while (k && (k->what != what || k->number != number || (what == ROUND && k->note.place != round)))
+    while (k && (k->what != what || k->number != number || (what == ROUND && k->note.offset != round)))
         k = k->next;
     return k;
 }
@@ -95,7 +96,7 @@ static void take_back(struct node *n, int32_t number, struct note note)
 
 static void check_round(struct node *n, int source, int32_t number, struct note note)
 {
-    struct keep *k = find(ROUND, number, note.place);
+    struct keep *k = find(ROUND, number, note.offset);
     if (!k) {
         k = keep(n, ROUND, number, note);
         k->first = source;
@@ -155,7 +156,7 @@ static void wait_for(struct node *n, bool (*ready)(struct node *, void *), void 
     n->in_handler = before;
 }
 
-static struct note ask(struct node *n, enum what what, int32_t number, struct note note)
+static struct note request(struct node *n, enum what what, int32_t number, struct note note)
 {
     answered = false;
     tell(n, 0, what, number, note);
@@ -166,22 +167,22 @@ static struct note ask(struct node *n, enum what what, int32_t number, struct no
 int64_t shared_borrow(struct node *n, int mode, int32_t number, int64_t begin)
 {
     if (mode == M_LOG)
-        return ask(n, BORROW, number, (struct note){begin, 0}).place;
+        return request(n, BORROW, number, (struct note){begin, 0}).offset;
     wait_for(n, has_token, &number);
     struct keep *k = find(TOKEN, number, 0);
-    int64_t place = k->note.place;
+    int64_t offset = k->note.offset;
     forget(k);
-    return place;
+    return offset;
 }
 
-void shared_start(struct node *n, int32_t number, int64_t place)
+void shared_start(struct node *n, int32_t number, int64_t offset)
 {
-    keep(n, TOKEN, number, (struct note){place, 0});
+    keep(n, TOKEN, number, (struct note){offset, 0});
 }
 
-void shared_give_back(struct node *n, int mode, int32_t number, int64_t place)
+void shared_give_back(struct node *n, int mode, int32_t number, int64_t offset)
 {
-    const struct note note = {place, 0};
+    const struct note note = {offset, 0};
     if (mode == M_LOG)
         tell(n, 0, GIVEN_BACK, number, note);
     else
@@ -190,5 +191,5 @@ void shared_give_back(struct node *n, int mode, int32_t number, int64_t place)
 
 void shared_check(struct node *n, int32_t number, int64_t round, int64_t bytes)
 {
-    ask(n, ROUND, number, (struct note){round, bytes});
+    request(n, ROUND, number, (struct note){round, bytes});
 }

@@ -1,12 +1,12 @@
-/* sleep.c - pauses of a program, in which its handlers run as on a node: sleep and usleep of libnx.a take
- * precedence over the C library's, which nothing of ours interrupts. Libraries come here, too: MPI sleeps while it
- * starts, and no handler may run within it. */
+/* sleep.c - sleep and usleep of libnx.a, in which a program's handlers run as on a node. They precede the C
+ * library's, in which no handler would run. Libraries call them, too: MPI sleeps while it starts, and no
+ * handler may run then. */
 #include <errno.h>
 #include <stdbool.h>
 #include <time.h>
 #include "nx_api/mpi/mpi_node.h"
 
-/* The linker's: where the program's code is, ours included. */
+/* The linker's: the bounds of the program's code, libnx.a included. */
 extern const char __executable_start[], etext[];
 
 static bool is_program(const void *caller)

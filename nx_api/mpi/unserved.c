@@ -1,5 +1,6 @@
-/* unserved.c - the calls that nothing else here serves, those of host programs foremost: errors. The definitions are weak,
- * so that one that is served takes precedence when the library's objects are linked into one. */
+/* unserved.c - the calls that no other file serves, mainly those of host programs: they are errors. The
+ * definitions are weak: when the library's objects are linked into one, a call's real definition precedes the
+ * one here. */
 #include <errno.h>
 #include "nx_api/calls/call.h"
 #pragma GCC diagnostic ignored "-Wunused-parameter"

@@ -1,4 +1,5 @@
-/* sim_clocks.c - the clocks of a simulated machine, its shape, and what a program may do with its processor. */
+/* sim_clocks.c - the clocks of a simulated machine, its shape, and what a program may do with its
+ * processor. */
 #include "node/handlers.h"
 #include "nx_api/calls/call.h"
 

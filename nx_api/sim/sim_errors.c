@@ -1,16 +1,8 @@
 /* sim_errors.c - errors as simulated programs and their users see them. */
 #include <errno.h>
 #include <stdio.h>
-#include <string.h>
 #include "node/libc_parts.h"
 #include "nx_api/calls/call.h"
-#include "nx_api/calls/error_text.h"
-
-char *node_strerror(int code)
-{
-    const char *text = nx_error_text(code);
-    return text ? (char *)(uintptr_t)text : strerror(code);
-}
 
 /* If errno is of the node's last error, the text is that error's own. */
 void node_nxperror(const char *what)
@@ -21,8 +13,8 @@ void node_nxperror(const char *what)
             code == n->error->code ? n->error->text : node_strerror(code));
 }
 
-/* For calls that are node code themselves (nx_api/common): ends the process with a message that names call and node, as a
- * plain call does. */
+/* For calls that are node code themselves (nx_api/common): ends the process with a message that names call
+ * and node, as a plain call does. */
 _Noreturn void node_nx_fail(const char *call, int error)
 {
     struct node *n = node_self();
@@ -30,7 +22,8 @@ _Noreturn void node_nx_fail(const char *call, int error)
     node_fail(n, "%s: %s", call, node_strerror(error));
 }
 
-/* For the program's run-time library (nx_api/libgfortran), which words its messages itself. frame: see node_fail_in. */
+/* For the program's run-time library (nx_api/libgfortran), which words its messages itself. frame: see
+ * node_fail_in. */
 _Noreturn void node_nx_die(const char *text, const void *frame)
 {
     struct node *n = node_self();

@@ -1,5 +1,5 @@
-/* sim_files.c - the NX calls on files in the simulator. On files of the host's they work, too: at once, in no time, with an I/O
- * mode of 0. */
+/* sim_files.c - the NX calls on files in the simulator. On files of the host's they work, too: at once, in no
+ * time, with an I/O mode of 0. */
 #include <errno.h>
 #include <stddef.h>
 #include <string.h>
@@ -21,7 +21,7 @@ static long fail_on(struct node *n, int fd)
     return fail(n, descriptor_path(n, fd));
 }
 
-/* The file of a descriptor; NULL with the error when it is not open. */
+/* The file of a descriptor; NULL with the error: it is not open. */
 static struct node_file *file_of(int fd)
 {
     struct node *n = node_self();
@@ -106,7 +106,7 @@ long nx_move_later(bool write, int fd, int64_t at, const struct iovec *parts, in
 
 /* --- ids --- */
 
-/* The id given to the call; NULL with the error. */
+/* The id that the call was given; NULL with the error. */
 static struct io_id *find_id(struct node *n, long id)
 {
     struct io_id *ids = descriptors_open(n)->io;
@@ -120,7 +120,7 @@ static struct io_id *find_id(struct node *n, long id)
     return &ids[id - 1];
 }
 
-/* The bytes moved. */
+/* Returns the bytes moved, and frees the id. */
 static long give_back(struct io_id *id)
 {
     ssize_t moved = id->op ? cfs_end(id->op) : id->moved;

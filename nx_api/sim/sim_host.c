@@ -1,4 +1,5 @@
-/* sim_host.c - the calls by which a host program manages a cube of nodes: what they do is in sim/node/cube.h. */
+/* sim_host.c - the calls by which a host program manages a cube of nodes: what they do is in
+ * sim/node/cube.h. */
 #include <errno.h>
 #include <stddef.h>
 #include <string.h>

@@ -62,8 +62,9 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
     engine_send(n, m);
 }
 
-/* An eager message has been copied into the system's memory when the call ends, so that no send need be followed. In a program
- * with handlers the call is made in order all the same: a due handler runs before the call ends. */
+/* An eager message has been copied into the system's memory when the call ends, so that no send need be
+ * followed. In a program with handlers the call is made in order all the same: a due handler runs before the
+ * call ends. */
 bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
 {
     return proto_one_trip(n->sys->proto, (word)o->type, (size_t)o->len) && !n->armed;

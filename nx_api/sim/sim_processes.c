@@ -1,4 +1,5 @@
-/* sim_processes.c - the ends of processes. Each node runs one; without a host program all are loaded before the first starts. */
+/* sim_processes.c - the ends of processes. Each node runs one; without a host program all are loaded before
+ * the first starts. */
 #include <errno.h>
 #include "node/cube.h"
 #include "nx_api/calls/call.h"
@@ -47,7 +48,8 @@ long nxs_killproc(word node, word pid)
     return 0;
 }
 
-/* kill(2), by which a Paragon program ends itself: 0 and -1 are all its processes, and no other process exists. */
+/* kill(2), by which a Paragon program ends itself: 0 and -1 are all its processes, and no other process
+ * exists. */
 int node_kill(int pid, int sig)
 {
     struct node *n = node_self();

@@ -1,8 +1,10 @@
-/* backend_node.h - MPI's part of nx_api/contract/backend.h: its node, which is one process and one rank, and its messages.
+/* backend_node.h - MPI's part of nx_api/contract/backend.h: its node, which is one process and one rank, and
+ * its messages.
  *
- * The program's own thread makes all MPI calls: in NX calls (node_enter, node_wait, node_leave) and at the polls that nxcc puts
- * into loops and functions (nxc_preempt). There, and only there, messages are taken from MPI into the mailbox and handlers
- * run; so no handler can interrupt the C library. A second thread makes the polls strike now and then (tick.h).
+ * The program's own thread makes all MPI calls: in NX calls (node_enter, node_wait, node_leave) and at the
+ * polls that nxcc puts into loops and functions (nxc_preempt). There, and only there, messages are taken from
+ * MPI into the mailbox and handlers run; so no handler can interrupt the C library. A second thread makes the
+ * polls strike now and then (tick.h).
  */
 #ifndef MPI_BACKEND_NODE_H
 #define MPI_BACKEND_NODE_H
@@ -60,8 +62,8 @@ static inline struct node *node_self(void)
     return &mpi_me;
 }
 
-/* How programs reach the entry points of calls (nx_api/calls/call.c), and what libnx.a has in place of the C library's
- * functions. Weak: a program may have names of its own. */
+/* How programs reach the entry points of calls (nx_api/calls/call.c), and what libnx.a has in place of the C
+ * library's functions. Weak: a program may have names of its own. */
 #define NX_EXPORT(name) __asm__(name) __attribute__((weak, visibility("default")))
 #define NX_EXPORT_LONG32(name) __asm__(name) __attribute__((visibility("default")))
 #define NX_CALL(name, parameters, arguments)                                                                 \

@@ -1,5 +1,5 @@
 /* error_text.c - see error_text.h. */
-#include "nx_api/calls/error_text.h"
+#include "nx_api/contract/error_text.h"
 #include <stddef.h>
 #include "nx_api/include/nxerrno.h"
 
