@@ -1,4 +1,4 @@
-/* receive.h - what calls that receive, or look for messages, share. */
+/* receive.h - what calls that receive or probe share. */
 #ifndef CALLS_RECEIVE_H
 #define CALLS_RECEIVE_H
 #include "nx_api/calls/call.h"

@@ -78,7 +78,7 @@ struct outgoing {
     long len, node, pid;
 };
 
-/* Sends to one node or to all others. *s, if not NULL, is told when the last message that this node itself
+/* Sends to one node or to all others. *s, if not NULL, is done when the last message that this node itself
  * sends has left the buffer. */
 void nx_send(struct node *n, const struct outgoing *o, struct send *s);
 /* May the buffer be used again when nx_send returns? Then a send need not be followed. */
@@ -111,7 +111,7 @@ struct process_end {
 };
 
 struct process_end nx_process_end(const struct node *n, uint32_t node);
-/* The caller has been told of a node's end. */
+/* The caller's waitall or waitone reports a node's end. */
 void nx_notice_end(struct node *n, uint32_t node);
 /* node_wait, until a process has ended. */
 void nx_wait_for_end(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg);
@@ -131,7 +131,7 @@ int64_t nx_resize(struct node *n, int fd, int64_t offset, int whence);
 long nx_open_one(const char *call, const char *path, int flags, int mode, unsigned permissions, nx_end *end);
 long nx_stat_path(const char *call, bool link, const char *path, struct estat *e, nx_end *end);
 
-/* What pfs/pfs.h asks of a file, and of the file system that it is on. */
+/* How a file is striped, and its file system (pfs/pfs.h). */
 struct stripes {
     bool own;         /* the file is on the machine's own file system */
     int64_t capacity; /* bytes of the file system */

@@ -13,7 +13,7 @@
 enum { IDS_BLOCK = 8 };
 enum { ID_RECEIVES = 1, ID_SENDS = 2 };
 
-/* In two lines of the cache; what is looked at when a message comes lies in the first. */
+/* In two lines of the cache; what the arrival of a message reads lies in the first. */
 struct id {
     _Alignas(128) struct receive receive;
     struct send *send; /* malloc'd */

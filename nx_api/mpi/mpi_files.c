@@ -152,7 +152,7 @@ static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct io
     return moved;
 }
 
-/* At the shared pointer. The file's own pointer follows, since iseof looks at the file's own. */
+/* At the shared pointer. The file's own pointer follows, for iseof. */
 static ssize_t move_at_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
 {
     struct open_file f = *files_find(fd);

@@ -1,7 +1,7 @@
 /* mpi_node.c - a process's beginning and end, its waiting, and its errors. See mpi_node.h.
  *
- * A process that has ended goes on taking messages in, which nobody will read, until all have told of their
- * ends: no send may fail because another node was quick. */
+ * A process whose program has ended keeps taking messages in until all programs have ended: no send may fail
+ * because its receiver was quick. */
 #include "nx_api/mpi/mpi_node.h"
 #include <cpuid.h>
 #include <errno.h>

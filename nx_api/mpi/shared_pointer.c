@@ -20,7 +20,7 @@ struct keep {
     enum what what; /* BORROW, ROUND, TOKEN */
     int32_t number;
     struct note note;
-    uint32_t told;    /* ROUND: how many nodes have said what they move */
+    uint32_t heard;   /* ROUND: from how many nodes */
     long first;       /* ROUND: the first of them */
     bool lent;        /* BORROW */
     uint32_t waiting; /* how many, in the order of asking */
@@ -104,7 +104,7 @@ static void check_round(struct node *n, int source, int32_t number, struct note 
     if (k->note.bytes != note.bytes)
         node_fail(n, "I/O modes 3 and 4: node %d gives %lld bytes in a round for which node %ld gave %lld",
                   source, (long long)note.bytes, k->first, (long long)k->note.bytes);
-    if (++k->told == n->sys->count)
+    if (++k->heard == n->sys->count)
         forget(k);
     tell(n, source, CHECKED, number, note);
 }

@@ -3,8 +3,8 @@
  *
  *   M_LOG     node 0 keeps the pointer, and lends it to one node at a time, first come first served
  *   M_SYNC    the pointer goes from node to node, in their order, round and round
- *   M_RECORD every node knows where a round begins; node 0 checks that all give the same length
- *   M_GLOBAL  the same check; the pointer's turns order node 0's write before the others' returns */
+ *   M_RECORD  every node knows where a round begins; node 0 checks that all give the same length
+ *   M_GLOBAL  node 0 checks as in M_RECORD; in a write the pointer goes round, so that node 0 writes first */
 #ifndef MPI_SHARED_H
 #define MPI_SHARED_H
 #include "backend_node.h"

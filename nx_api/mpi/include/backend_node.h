@@ -17,9 +17,9 @@ struct mpi_system {
     struct node *host; /* NULL: no host program runs */
 };
 
-/* The end of a process, as its node has told. */
+/* The end of a process, as its node has reported. */
 struct mpi_end {
-    bool ended, noticed; /* noticed: waitall or waitone has told of the end */
+    bool ended, noticed; /* noticed: waitall or waitone has reported the end */
     long pid, status;
     uint64_t order; /* 1: the first end that this node heard of */
 };

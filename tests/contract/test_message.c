@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <cmocka.h>
-#include "node/mailbox.h"
+#include "nx_api/contract/message.h"
 
 static void a_type_selects_itself_only(void **state)
 {
