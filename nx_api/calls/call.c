@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/calls/msgwait.h"
+#include "nx_api/calls/shape.h"
 
 /* --- checks that several calls make --- */
 

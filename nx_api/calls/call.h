@@ -31,7 +31,4 @@ nx_end nx_plain, nx_returning;
 long nx_check_node(struct node *n, long node);
 long nx_check_buffer(struct node *n, const void *buf, long len);
 
-/* The dimension of the smallest cube that holds all nodes. */
-long nx_dimension(const struct node *n);
-
 #endif

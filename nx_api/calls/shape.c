@@ -1,4 +1,5 @@
 /* shape.c - the shape of the machine, and hwclock. */
+#include "nx_api/calls/shape.h"
 #include "nx_api/calls/call.h"
 
 long nx_dimension(const struct node *n)
