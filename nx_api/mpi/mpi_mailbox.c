@@ -69,12 +69,9 @@ static void message_free(struct message *m)
 
 /* --- queues --- */
 
-/* Takes m, which is unexpected, out of the queue. */
-static void unkeep(struct mpi_mailbox *b, struct message *m)
+static void unkeep(struct mpi_mailbox *b, struct message **link)
 {
-    struct message **link = &b->unexpected;
-    while (*link != m)
-        link = &(*link)->next;
+    struct message *m = *link;
     *link = m->next;
     if (b->unexpected_end == &m->next)
         b->unexpected_end = link;
@@ -117,11 +114,12 @@ void mpi_mailbox_deliver(struct node *n, struct message *m)
 
 void mpi_mailbox_flush(struct node *n, int64_t typesel)
 {
-    for (struct message *m = n->mailbox->unexpected, *next; m; m = next) {
-        next = m->next;
-        if (!mailbox_selects(typesel, m->type))
+    for (struct message **link = &n->mailbox->unexpected, *m; (m = *link);) {
+        if (!mailbox_selects(typesel, m->type)) {
+            link = &m->next;
             continue;
-        unkeep(n->mailbox, m);
+        }
+        unkeep(n->mailbox, link);
         message_free(m);
     }
 }
@@ -131,12 +129,14 @@ void mpi_mailbox_flush(struct node *n, int64_t typesel)
 void mailbox_post(struct node *n, struct receive *r)
 {
     struct mpi_mailbox *b = n->mailbox;
-    struct message *m = match_first(n, &r->select, b->unexpected);
+    struct message *m = match_first(n, &r->select, b->unexpected), **link = &b->unexpected;
     if (!m) {
         posted_append(&b->posted, r);
         return;
     }
-    unkeep(b, m);
+    while (*link != m)
+        link = &(*link)->next;
+    unkeep(b, link);
     give(b, r, m);
 }
 
