@@ -2,7 +2,7 @@
  * selects.
  *
  * Each back end has queues of its own behind the functions declared here: sim/node/mailbox.c,
- * nx_api/mpi/mpi_mailbox.c. The rules by which both choose a message are in match.h.
+ * nx_api/mpi/mpi_mailbox.c. The rules by which both choose a message are in matching.h.
  *
  * A message's bytes are put into the program's buffer when the program asks for them: in crecv, msgwait,
  * msgdone, or when its handler runs. Before that the buffer keeps its old bytes, on every back end.

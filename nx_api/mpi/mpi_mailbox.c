@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/contract/ids.h"
-#include "nx_api/contract/match.h"
+#include "nx_api/contract/matching.h"
 #include "nx_api/mpi/tick.h"
 
 /* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
@@ -129,7 +129,7 @@ void mpi_mailbox_flush(struct node *n, int64_t typesel)
 void mailbox_post(struct node *n, struct receive *r)
 {
     struct mpi_mailbox *b = n->mailbox;
-    struct message *m = match_first(n, &r->select, b->unexpected), **link = &b->unexpected;
+    struct message *m = matching_first(n, &r->select, b->unexpected), **link = &b->unexpected;
     if (!m) {
         posted_append(&b->posted, r);
         return;
@@ -161,7 +161,7 @@ bool mailbox_complete(struct node *n, const struct receive *r)
 
 long mailbox_take(struct node *n, struct receive *r)
 {
-    long result = match_take(n, r);
+    long result = matching_take(n, r);
     message_free(r->m);
     r->m = NULL;
     return result;
@@ -169,7 +169,7 @@ long mailbox_take(struct node *n, struct receive *r)
 
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
-    return match_first(n, select, n->mailbox->unexpected);
+    return matching_first(n, select, n->mailbox->unexpected);
 }
 
 void mailbox_drop(struct receive *r)

@@ -1,5 +1,5 @@
 /* mpi_mailbox.h - the messages of a node on MPI, all of which have come whole. What calls do with them:
- * contract/message.h; which message a receive takes: contract/match.h. */
+ * contract/message.h; which message a receive takes: contract/matching.h. */
 #ifndef MPI_MAILBOX_H
 #define MPI_MAILBOX_H
 #include "backend_node.h"

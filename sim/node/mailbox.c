@@ -11,7 +11,7 @@
 #include "node/system.h"
 #include "node/unexpected.h"
 #include "nx_api/contract/ids.h"
-#include "nx_api/contract/match.h"
+#include "nx_api/contract/matching.h"
 
 void mailbox_begin(struct node *n, struct id_block *ids)
 {
@@ -285,8 +285,8 @@ void mailbox_done_with(struct node *n, struct message *m, vtime now)
 long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
-    m->too_long = !match_fits(r);
-    long result = match_take(n, r);
+    m->too_long = !matching_fits(r);
+    long result = matching_take(n, r);
     r->m = NULL;
     m->receive = NULL;
     engine_received(n, m);

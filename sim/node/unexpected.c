@@ -4,7 +4,7 @@
 #include "kernel/cache.h"
 #include "kernel/queues.h"
 #include "node/system.h"
-#include "nx_api/contract/match.h"
+#include "nx_api/contract/matching.h"
 
 void unexpected_begin(struct node *n)
 {
@@ -87,7 +87,7 @@ static struct message *first_of_type(const struct node *n, const struct selector
 {
     for (uint32_t i = 0;; i++) {
         struct message *m = queues_at(n->by_type, (uint32_t)select->type, i);
-        if (!m || match_selects(n, select, m))
+        if (!m || matching_selects(n, select, m))
             return m;
     }
 }
@@ -142,8 +142,8 @@ void unexpected_has_arrived(struct node *n, const struct message *m)
 struct message *unexpected_first(const struct node *n, const struct selector *select)
 {
     bool one_type = n->by_type && select->type >= 0 && select->type <= INT32_MAX;
-    struct message *m = one_type ? first_of_type(n, select) : match_first(n, select, n->mailbox.whole);
-    return m ? m : match_first(n, select, n->coming);
+    struct message *m = one_type ? first_of_type(n, select) : matching_first(n, select, n->mailbox.whole);
+    return m ? m : matching_first(n, select, n->coming);
 }
 
 void unexpected_take(struct node *n, struct message *m)

@@ -1,4 +1,5 @@
-/* Which message a receive takes, and which receive a message completes: match.h, with a back end of the test's own. */
+/* Which message a receive takes, and which receive a message completes: matching.h, with a back end of the
+ * test's own. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +20,7 @@ struct message {
     const char *data;
 };
 
-#include "nx_api/contract/match.h"
+#include "nx_api/contract/matching.h"
 
 long nx_sender(const struct node *n, const struct message *m)
 {
@@ -56,7 +57,7 @@ static struct message of(int32_t type, long from, int32_t pid)
 
 static bool selects(long type, long from, long pid, struct message m)
 {
-    return match_selects(&node, &(struct selector){type, from, pid}, &m);
+    return matching_selects(&node, &(struct selector){type, from, pid}, &m);
 }
 
 static void type_node_and_process_type_all_have_to_agree(void **state)
@@ -75,11 +76,11 @@ static void the_first_selected_of_a_list_is_found(void **state)
     struct message c = of(7, 1, 0), b = of(7, 0, 0), a = of(6, 0, 0);
     (void)state;
     a.next = &b, b.next = &c;
-    assert_ptr_equal(match_first(&node, &(struct selector){7, ANY, ANY}, &a), &b);
-    assert_ptr_equal(match_first(&node, &(struct selector){7, 1, ANY}, &a), &c);
-    assert_ptr_equal(match_first(&node, &(struct selector){ANY, ANY, ANY}, &a), &a);
-    assert_null(match_first(&node, &(struct selector){7, 2, ANY}, &a));
-    assert_null(match_first(&node, &(struct selector){7, ANY, ANY}, NULL));
+    assert_ptr_equal(matching_first(&node, &(struct selector){7, ANY, ANY}, &a), &b);
+    assert_ptr_equal(matching_first(&node, &(struct selector){7, 1, ANY}, &a), &c);
+    assert_ptr_equal(matching_first(&node, &(struct selector){ANY, ANY, ANY}, &a), &a);
+    assert_null(matching_first(&node, &(struct selector){7, 2, ANY}, &a));
+    assert_null(matching_first(&node, &(struct selector){7, ANY, ANY}, NULL));
 }
 
 static struct receive posted_for(long type)
@@ -127,7 +128,7 @@ static void a_message_that_fits_is_copied_and_described(void **state)
     struct message m = {.type = 7, .pid = 2, .from = 3, .bytes = 2, .data = "ab"};
     struct receive r = {.m = &m, .buf = buf, .room = 2, .info = info};
     (void)state;
-    assert_int_equal(match_take(&node, &r), 0);
+    assert_int_equal(matching_take(&node, &r), 0);
     assert_string_equal(buf, "ab.");
     assert_memory_equal(info, ((long[]){7, 2, 3, 2, 5, 6, 7, 8}), sizeof info);
     assert_int_equal(node.info.count, 2);
@@ -139,7 +140,7 @@ static void one_that_does_not_fit_leaves_the_buffer(void **state)
     struct message m = {.type = 7, .bytes = 3, .data = "abc"};
     struct receive r = {.m = &m, .buf = buf, .room = 2};
     (void)state;
-    assert_int_equal(match_take(&node, &r), -1);
+    assert_int_equal(matching_take(&node, &r), -1);
     assert_int_equal(node.error, EQMSGLONG);
     assert_string_equal(buf, "...");
     assert_int_equal(node.info.count, 3);
@@ -151,7 +152,7 @@ static void the_librarys_messages_are_not_described(void **state)
     struct receive r = {.m = &m};
     (void)state;
     node.info.type = 7;
-    assert_int_equal(match_take(&node, &r), 0);
+    assert_int_equal(matching_take(&node, &r), 0);
     assert_int_equal(node.info.type, 7);
 }
 
