@@ -9,14 +9,14 @@ SAN    ?=
 # many small functions, of which each is called from a few places. Its objects are good for linking tests without that, too.
 LTO    ?= -flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
-CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -I.
+CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -Inx_api/sim/include -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgslcblas -ldw -lelf -lz -lm
 
 # touchstone is linked twice, with the fast engine and with the one that defines its results: sim/lp/engine.h.
 FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c lp/commit.c lp/dispatch.c lp/lookahead.c lp/offload.c lp/prefetch_coming.c \
     os/deferred.c os/front.c os/gate.c os/upcalls_ahead.c)
 REFERENCE   := $(wildcard sim/reference/*.c)
-SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c sim/*/*/*.c nx_api/sim/*.c nx_api/calls/*.c))
+SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c sim/*/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
 APP_SRC := $(wildcard app/*.c)

@@ -1,4 +1,4 @@
-/* call.c - the two faces of every call, and their errors. See call.h. */
+/* call.c - the two entry points of every call, and their errors. See call.h. */
 #include "nx_api/calls/call.h"
 #include <ctype.h>
 #include <errno.h>
@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/calls/msgwait.h"
+#include "nx_api/calls/shape.h"
 
 /* --- checks that several calls make --- */
 
@@ -31,7 +33,7 @@ long nx_check_buffer(struct node *n, const void *buf, long len)
 
 /* --- errors as the user sees them --- */
 
-/* The name in a parameter's declaration. */
+/* Prints the name in a parameter's declaration. */
 static void print_name(FILE *f, const char *parameter, size_t length)
 {
     const char *start = parameter, *end = parameter + length, *pointer = strstr(parameter, "(*");
@@ -47,7 +49,8 @@ static void print_name(FILE *f, const char *parameter, size_t length)
     fprintf(f, "%.*s", (int)(end - start), start);
 }
 
-/* Numbers as they are, texts, other pointers by the parameters' names, for addresses say nothing; 0 for null. */
+/* Numbers and texts by their values; other pointers by their parameters' names, since addresses say nothing;
+ * 0 for null. */
 static void print_argument(FILE *f, const char *parameter, size_t length, va_list *ap)
 {
     static const char TEXT[] = "const char *";
@@ -71,7 +74,7 @@ static void print_argument(FILE *f, const char *parameter, size_t length, va_lis
     }
 }
 
-/* Ends the process: the call failed. parameters are as in calls.def. */
+/* Ends the process, because the call failed. parameters: as in calls.def. */
 static _Noreturn void wrong(struct node *n, const char *parameters, ...)
 {
     char *text = NULL;
@@ -94,7 +97,7 @@ static _Noreturn void wrong(struct node *n, const char *parameters, ...)
     node_fail(n, "%s(%s): %s", n->call, text, n->error->text);
 }
 
-/* --- the faces --- */
+/* --- the entry points --- */
 
 static struct node *enter(const char *call)
 {
@@ -112,7 +115,7 @@ static struct node *enter_early(const char *call)
 
 static void leave(struct node *n)
 {
-    mailbox_settle(n);
+    nx_settle(n);
     node_leave(n);
 }
 
@@ -125,13 +128,14 @@ long nx_plain(struct node *n, long result)
     return result;
 }
 
-/* Apart: leave() may go on on another thread, where errno is elsewhere, and compilers look for it once in a function. */
+/* Not inlined: leave() may return on another thread, which has another errno, and compilers compute the
+ * address of errno once in a function. */
 __attribute__((noinline)) static void set_errno(int why)
 {
     errno = why;
 }
 
-/* _NAME: an error is the program's to see. */
+/* _NAME: returns the error. */
 long nx_returning(struct node *n, long result)
 {
     int why = n->error->code;
@@ -142,7 +146,7 @@ long nx_returning(struct node *n, long result)
 }
 
 #define AND(...) __VA_OPT__(, ) __VA_ARGS__
-#define FACES(enter, name, parameters, arguments)                                                            \
+#define ENTRY_POINTS(enter, name, parameters, arguments)                                                     \
     long node_##name parameters                                                                              \
     {                                                                                                        \
         struct node *self = enter(#name);                                                                    \
@@ -156,8 +160,8 @@ long nx_returning(struct node *n, long result)
         struct node *self = enter("_" #name);                                                                \
         return nx_returning(self, nxs_##name arguments);                                                     \
     }
-#define NX_CALL(name, parameters, arguments) FACES(enter, name, parameters, arguments)
-#define NX_EARLY(name, parameters, arguments) FACES(enter_early, name, parameters, arguments)
+#define NX_CALL(name, parameters, arguments) ENTRY_POINTS(enter, name, parameters, arguments)
+#define NX_EARLY(name, parameters, arguments) ENTRY_POINTS(enter_early, name, parameters, arguments)
 #define NX_VALUE(name, expression)                                                                           \
     long node_##name(void)                                                                                   \
     {                                                                                                        \
@@ -169,4 +173,4 @@ long nx_returning(struct node *n, long result)
         return node_##name();                                                                                \
     }
 #define NX_OTHER(name)
-#include "nx_api/calls/calls.def"
+#include "nx_api/contract/calls.def"

@@ -1,13 +1,15 @@
-/* exchange.c - csendrecv and its kin: send a message and receive the answer. The receive is posted first, so that the
- * answer finds its buffer. */
-#include "nx_api/calls/call.h"
+/* exchange.c - csendrecv, isendrecv, hsendrecv: send a message and receive the answer. The receive is posted
+ * first, so that the answer finds its buffer. */
+#include "nx_api/calls/msgwait.h"
+#include "nx_api/calls/receive.h"
+#include "nx_api/calls/send.h"
 
 static long check(struct node *n, const struct outgoing *o, const struct incoming *in)
 {
     return nx_check_receive(n, in) < 0 ? -1 : nx_check_send(n, o);
 }
 
-/* The length of the answer. What the call waits for is the answer. */
+/* Returns the answer's length. For reports, the call waits for the answer. */
 long nxs_csendrecv(word type, const void *buf, word len, word node, word pid, word typesel, void *answer,
                    word room)
 {

@@ -1,11 +1,12 @@
-/* probe.c - looking at messages that have come in, and throwing them away. */
-#include "nx_api/calls/call.h"
+/* probe.c - cprobe, iprobe, and flushmsg, which throws messages away. */
+#include "nx_api/calls/receive.h"
+#include "nx_api/contract/matching.h"
 
 static bool probe(struct node *n, const struct incoming *in)
 {
     const struct message *m = mailbox_probe(n, &in->select);
     if (m)
-        mailbox_tell(n, m, in->info);
+        matching_tell(n, m, in->info);
     return m;
 }
 

@@ -1,11 +1,12 @@
-/* receive.c - crecv, irecv, hrecv, and the Paragon's x forms of them. */
-#include "nx_api/calls/call.h"
+/* receive.c - crecv, irecv, hrecv, and the Paragon's crecvx, irecvx, hrecvx. */
+#include "nx_api/calls/receive.h"
+#include "nx_api/calls/msgwait.h"
 
 long nx_check_receive(struct node *n, const struct incoming *in)
 {
     long node = in->select.node, last = (long)n->sys->count - 1;
     nx_about(n, (long)in->select.type);
-    if (node != ANY && (node < 0 || node > last + 1)) /* the host may be selected: it sends nothing */
+    if (node != ANY && (node < 0 || node > last + 1)) /* the host may be selected */
         return node_error(n, EQNODE, "there is no node %ld (nodes are 0 to %ld; -1 is any)", node, last);
     return nx_check_buffer(n, in->buf, in->len);
 }

@@ -1,11 +1,12 @@
-/* send.c - csend, isend, hsend and their kin. */
-#include "nx_api/calls/call.h"
+/* send.c - csend, isend, hsend, hsendx, gsendx. */
+#include "nx_api/calls/send.h"
+#include "nx_api/calls/msgwait.h"
 
 long nx_check_send(struct node *n, const struct outgoing *o)
 {
     nx_about(n, o->type);
     if (o->node == ALL_NODES)
-        node_order(n); /* messages that others are to pass on are under way at once */
+        node_order(n); /* other nodes forward the message, from now on */
     if (nx_check_node(n, o->node) < 0 || nx_check_way(n, o->node) < 0)
         return -1;
     if (o->type < 0 || o->type > 1999999999)
@@ -36,8 +37,8 @@ static void follow_and_wait(struct node *n, const struct outgoing *o)
         node_wait(n, nx_send_is_done, s);
 }
 
-/* Sends, and waits until the buffer may be used again. Where it may be at once, the program goes on: what happens until
- * its next call takes the processor's time from it in any case. */
+/* Sends, and waits until the buffer may be used again. If it may at once, the program resumes at once: system
+ * time between this call and the program's next one delays the program in any case. */
 static void send_and_wait(struct node *n, const struct outgoing *o)
 {
     if (nx_goes_at_once(n, o))
@@ -89,7 +90,7 @@ long nxs_hsend(word type, const void *buf, word len, word node, word pid, mailbo
     return nxs_hsendx(type, buf, len, node, pid, handler, 0);
 }
 
-/* Nothing is sent unless all the nodes are there. */
+/* Sends nothing unless all the nodes exist. */
 long nxs_gsendx(word type, const void *buf, word len, const long nodes[], word count)
 {
     struct node *n = node_self();

@@ -1,10 +1,11 @@
 /* collect.c - gcolx and gcol: all nodes' vectors, one after the other, on all nodes.
  *
- * Every vector has its place in the result, so nodes pass on what they have collected as it lies there. Let p be the
- * largest power of two that is no more than the number of nodes n, and r = n - p. The first 2 r nodes are r pairs, each
- * of the others is by itself: p groups, in the order of the nodes. The second of a pair first gives its vector to the
- * first; then, in step k, the first nodes of groups whose numbers differ in bit k exchange what they have, which is
- * that of 2^k groups side by side; in the end the second of each pair is told the result. With 6 nodes:
+ * Every vector has its position in the result, so nodes forward a part of the result as it lies in memory.
+ * Let p be the largest power of two that is no more than the number of nodes n, and r = n - p. The first 2 r
+ * nodes form r pairs, and each other node is alone: p groups, in the order of the nodes. The second node of a
+ * pair first sends its vector to the first. In step k the first nodes of groups whose numbers differ in bit k
+ * exchange what they have, which is the vectors of 2^k adjacent groups. At the end the first node of each
+ * pair sends the result to the second. With 6 nodes:
  *
  *     node      0     1     2     3     4     5
  *     group     0     '     1     '     2     3
@@ -57,7 +58,7 @@ static void exchange(const struct collection *c, struct groups g, long step, lon
     msgwait(id);
 }
 
-/* My vector is in its place. */
+/* This node's vector is at its position in the result. */
 static void collect(const struct collection *c)
 {
     long me = mynode(), nodes = numnodes();

@@ -60,7 +60,7 @@ static int read(const char *s, int64_t *result)
     return errno || end == s || *end ? ERANGE : 0;
 }
 
-/* --- the calls: NAME and _NAME that do one of them --- */
+/* --- the calls: NAME and _NAME of each operation --- */
 
 #define CALLS(name, result, give, failed, parameters, operation)                                             \
     result name parameters                                                                                   \

@@ -1,9 +1,10 @@
-/* global.c - global operations on vectors, as programs over the calls of nx.h: the same on every backend.
+/* global.c - global operations on vectors, made of calls of nx.h: the same on every back end.
  *
- * All nodes hold a vector; at the end all hold the vectors combined, element by element. Recursive doubling: let p be
- * the largest power of two that is no more than the number of nodes. In step k the nodes 0 to p-1 exchange what they
- * have with the node whose number differs in bit k, and combine. Nodes p and up first fold theirs into node - p, and are
- * told the result at the end. With 6 nodes:
+ * Each node has a vector; at the end all nodes have the vectors combined, element by element. This is
+ * recursive doubling: let p be the largest power of two that is no more than the number of nodes. In step k
+ * each of the nodes 0 to p-1 exchanges its vector with the node whose number differs in bit k, and combines
+ * the two. A node from p on first sends its vector to node - p, which combines the two, and at the end gets
+ * the result from there. With 6 nodes:
  *
  *     node      0     1     2     3     4     5
  *     fold      <-----------------------'     |        4 to 0, 5 to 1
@@ -14,12 +15,12 @@
  *     tell      ------------------------>              0 to 4, 1 to 5
  *                     ------------------------->
  *
- * Both partners combine the lower node's vector with the higher node's, in this order; so all nodes associate alike and
- * their results are equal bit for bit.
+ * Both partners combine the lower node's vector with the higher node's, in this order. So all nodes associate
+ * alike, and their results are equal bit for bit.
  *
- * Message types are reserved ones, which programs do not use: one for each operation and step. A node gets messages of
- * one such type from one other node only, and messages of one type between two nodes keep their order. So a message of
- * the next call, or of the next operation, is never taken for one of this.
+ * Message types are reserved ones, which programs do not use: one for each operation and step. A node gets
+ * messages of one such type from one other node only, and messages of one type between two nodes keep their
+ * order. So no message of the next call or operation is taken for one of the present.
  */
 #include <stdint.h>
 #include <string.h>
@@ -35,8 +36,8 @@ struct global {
     void *x, *work;
 };
 
-/* Sends x to a partner, gets the partner's x into work, combines both. The receive is posted first, so that the
- * partner's message finds its buffer. */
+/* Sends x to a partner, gets the partner's x into work, combines both. The receive is posted first, so that
+ * the partner's message finds its buffer. */
 static void exchange(const struct global *g, long step, long me, long partner)
 {
     long id = irecv(g->type + step, g->work, g->bytes);
@@ -68,7 +69,7 @@ static void run(const struct global *g)
         csend(g->type + TELL, g->x, g->bytes, me + p, 0);
 }
 
-/* As of all arguments, n's low 32 bits count. */
+/* Of n, as of all arguments, the low 32 bits count. */
 void nx_reduce(enum nx_operation op, nx_combine *f, long n, size_t size, void *x, void *work)
 {
     n = (int)n;
@@ -91,7 +92,7 @@ void nx_reduce(enum nx_operation op, nx_combine *f, long n, size_t size, void *x
 
 #include "reductions.def"
 
-/* The program's operation, while gopf is under way. f(low, high) leaves the result in low. */
+/* The program's operation during gopf. f(low, high) leaves the result in low. */
 static long (*program_operation)(void *, void *);
 
 static void gopf_combine(void *out, const void *low, const void *high, long bytes)

@@ -1,11 +1,10 @@
-/* global.h - what the calls that are node programs themselves share: message types, of those reserved (nx.h), and
- * errors. */
+/* global.h - what calls that are node code themselves share: reserved message types (nx.h), and errors. */
 #ifndef COMMON_GLOBAL_H
 #define COMMON_GLOBAL_H
 #include <errno.h>
 #include <stddef.h>
 
-/* Each operation has GLOBAL_TYPES of its own: those of global.c in its order, the others from here on. */
+/* Each operation has GLOBAL_TYPES types: those of global.c in its order, the others from here on. */
 enum { GLOBAL_FIRST_TYPE = 1000000000, GLOBAL_TYPES = 64, GLOBAL_GCOL = 100, GLOBAL_GCOL_LENGTHS };
 
 /* out = low combined with high, n elements; out is one of the two. */
@@ -22,8 +21,8 @@ enum nx_operation {
 /* Combines all nodes' x, n elements of size bytes; work is as long. */
 void nx_reduce(enum nx_operation op, nx_combine *f, long n, size_t size, void *x, void *work);
 
-/* Ends the process as a plain call does: the message names call and node, and says what the errno value stands for. The
- * simulator's. */
+/* Ends the process as a plain call does: the message names call and node, and says what the errno value
+ * stands for. The back end serves it. */
 _Noreturn void nx_fail(const char *call, int error);
 
 /* What a call with an underscore returns: 0, or -1 and errno. */

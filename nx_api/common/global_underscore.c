@@ -1,5 +1,5 @@
-/* global_underscore.c - the global operations with an underscore before their names. They check what they are given; the
- * work is the plain calls'. */
+/* global_underscore.c - the global operations with an underscore before their names: they check their
+ * arguments, and call the plain ones. */
 #include "global.h"
 #include "nx.h"
 

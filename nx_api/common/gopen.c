@@ -2,7 +2,7 @@
 #include <fcntl.h>
 #include <nx.h>
 
-/* Opens on this node and sets the I/O mode; an error ends the process as gopen's. The simulator's. */
+/* Opens on this node and sets the I/O mode. An error ends the process, as gopen's. The back end serves it. */
 int nx_gopen_one(const char *path, int flags, int iomode, unsigned permissions);
 /* Returns -1 with errno instead. */
 int _nx_gopen_one(const char *path, int flags, int iomode, unsigned permissions);

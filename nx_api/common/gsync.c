@@ -1,17 +1,19 @@
-/* gsync.c - the barrier, as a program over the calls of nx.h: the same on every backend.
+/* gsync.c - the barrier, made of calls of nx.h: the same on every back end.
  *
- * Word that a node has come goes up a spanning tree to node 0, and word that all have comes down by the same tree: two empty
- * messages in each of log2 N steps. In step k nodes that differ in bit k alone are a pair, neighbours on a hypercube; the
- * upper node has heard of all of its subtree by then. With 8 nodes:
+ * Empty messages go up a spanning tree to node 0, each saying that a subtree has come, and down the same
+ * tree, saying that all have come: two messages in each of log2 N steps. In step k nodes whose numbers differ
+ * only in bit k are a pair, neighbours on a hypercube; by then the upper node has heard of its whole subtree.
+ * With 8 nodes:
  *
  *     up     1 -> 0   3 -> 2   5 -> 4   7 -> 6         1st
  *            2 -> 0            6 -> 4                  2nd
  *            4 -> 0                                    3rd
  *     down   the same arrows the other way, in the other order
  *
- * Source: 150 us a dimension on the iPSC/860 (known: Bokhari 1991), which is two of its empty messages of 75 us, one after the
- * other; an exchange would take little more than one. Nodes leave at different times, as Intel's gsync let them (read: abstract
- * of Seidel and Davis, A Global Synchronization Algorithm for the Intel iPSC/860, 1992). That it was this tree is derived.
+ * Source: 150 us a dimension on the iPSC/860 (known: Bokhari 1991) are two of its empty messages of 75 us,
+ * one after the other; an exchange would take little more than one. Nodes leave at different times, as
+ * Intel's gsync let them (read: abstract of Seidel and Davis, A Global Synchronization Algorithm for the
+ * Intel iPSC/860, 1992). The tree is derived from the two.
  */
 #include "global.h"
 #include "nx.h"

@@ -1,5 +1,5 @@
-/* paragon.c - calls by which a program for the Paragon would start itself on its nodes. Here it is there already, so
- * that each node's process is one of the children, and its nodes are the machine. */
+/* paragon.c - calls by which a Paragon program starts itself on its nodes. Here the program is on its nodes
+ * already: each node's process is one of the children, and the program's nodes are the machine. */
 #include <stdlib.h>
 #include "global.h"
 #include "nx.h"

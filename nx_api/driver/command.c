@@ -123,7 +123,7 @@ static void add_link(struct arguments *a, const struct places *p)
         NULL};
     static const char *const items[] = {"integer", "logical", "real", "complex", "character", "array"};
     add_all(a, options);
-    for (size_t i = 0; i < sizeof items / sizeof *items; i++) { /* see nx_api/fortran/items.c */
+    for (size_t i = 0; i < sizeof items / sizeof *items; i++) { /* see nx_api/fortran/f77_items.c */
         add(a, text("-Wl,--wrap=_gfortran_transfer_%s", items[i]));
         add(a, text("-Wl,--wrap=_gfortran_transfer_%s_write", items[i]));
     }

@@ -8,8 +8,9 @@
 extern "C" {
 #endif
 
-/* As struct stat but for st_size. Of files of the Concurrent File System only st_mode, st_nlink, st_size, st_blksize
- * and st_blocks are known, and st_dev and st_ino, which tell files from each other by name; the others are 0. */
+/* As struct stat, but for st_size. Of files of the Concurrent File System st_mode, st_nlink, st_size,
+ * st_blksize and st_blocks are known, and st_dev and st_ino, which differ for files of different names; the
+ * other members are 0. */
 struct estat {
     dev_t st_dev;
     ino_t st_ino;
@@ -21,7 +22,7 @@ struct estat {
     esize_t st_size;
     blksize_t st_blksize;
     blkcnt_t st_blocks;
-    struct timespec st_atim, st_mtim, st_ctim; /* st_atime and its kin are sys/stat.h's */
+    struct timespec st_atim, st_mtim, st_ctim; /* st_atime, st_mtime, st_ctime: sys/stat.h */
 };
 
 long estat(const char *path, struct estat *st);

@@ -1,8 +1,8 @@
-/* ieeefp.h - floating point as System V's library controls it: rounding, exceptions and their traps. They are the processor's own,
- * and each node's.
+/* ieeefp.h - floating point as System V's library controls it: rounding, exceptions and their traps. They are
+ * the processor's own, and each node's.
  *
- * A trap that is not masked ends the program with a report (SIGFPE); that of inexact results stays masked, since library
- * and simulator have those all the time.
+ * A trap that is not masked ends the program with a report (SIGFPE); that of inexact results stays masked,
+ * since library and simulator have those all the time.
  */
 #ifndef NX_IEEEFP_H
 #define NX_IEEEFP_H
@@ -29,7 +29,8 @@ typedef enum {
     FP_PNORM = 9
 } fpclass_t;
 
-/* Bits of the processor's control and status word: exceptions from 0, their masks from 7, rounding from 13. */
+/* Bits of the processor's control and status word: exceptions from 0, their masks from 7, rounding from
+ * 13. */
 static __inline__ unsigned int nx_fp_get(void)
 {
     return __builtin_ia32_stmxcsr();

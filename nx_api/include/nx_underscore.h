@@ -1,6 +1,6 @@
-/* nx_underscore.h - every call of nx.h once more, with an underscore before its name. It does not end the process when
- * there is an error: it returns -1 and sets errno (nxerrno.h). 0 or more is success; what returns nothing in its plain
- * form returns 0 here. nx.h includes this file. */
+/* nx_underscore.h - every call of nx.h once more, with an underscore before its name. An error does not end
+ * the process: the call returns -1 and sets errno (nxerrno.h). 0 or more is success; a call whose plain form
+ * returns nothing returns 0. nx.h includes this file. */
 #ifndef NX_UNDERSCORE_H
 #define NX_UNDERSCORE_H
 #ifdef __cplusplus
@@ -95,8 +95,8 @@ esize_t _esize(int fd, esize_t offset, int whence);
 long _iseof(int fd);
 long _restrictvol(int fd, int count, const int disks[]);
 
-/* The global operations check lengths and pointers first, on this node; an error in one of the messages that they are
- * made of ends the process (silent). */
+/* The global operations check lengths and pointers on this node first; an error in one of their messages ends
+ * the process (silent). */
 long _gsync(void);
 long _gdsum(double x[], long n, double work[]);
 long _gdprod(double x[], long n, double work[]);
@@ -120,7 +120,8 @@ long _gopf(void *x, long len, void *work, long (*f)(void *a, void *b));
 long _gcolx(const void *x, const long lens[], void *y);
 long _gcol(const void *x, long len, void *y, long room, long *total);
 
-/* -1 may be a result of these: set errno to 0 before. After an error _eadd and its kin give {-1, -1}. */
+/* -1 may be a result of these calls: set errno to 0 before. After an error those that return an esize_t
+ * return {-1, -1}. */
 esize_t _eadd(esize_t a, esize_t b);
 esize_t _esub(esize_t a, esize_t b);
 esize_t _emul(esize_t a, long n);

@@ -1,6 +1,6 @@
-/* nxerrno.h - the errno values of NX, which the calls with an underscore before their names (nx_underscore.h) set. nx.h
- * includes it. The names are NX's; the numbers are this header's own, above those of the C library. No call here sets
- * EQMEM, EQSET, EQNOSET or EQUSEPID. */
+/* nxerrno.h - the errno values of NX, which the calls with an underscore before their names (nx_underscore.h)
+ * set. nx.h includes it. The names are NX's; the numbers are this header's own, above those of the C library.
+ * No call here sets EQMEM, EQSET, EQNOSET or EQUSEPID. */
 #ifndef NXERRNO_H
 #define NXERRNO_H
 #include <errno.h>

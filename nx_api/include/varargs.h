@@ -9,9 +9,10 @@
  *         va_end(ap);
  *     }
  *
- * Works with GCC on x86-64 in a function that has va_alist as its only argument, which is how it was used. Of __builtin_apply_args
- * GCC's manual promises only that __builtin_apply understands it; what is read here is the block that GCC makes on x86-64: where the
- * arguments on the stack begin, then the registers in GCC's order.
+ * Works with GCC on x86-64 in a function that has va_alist as its only argument, which is how it was used. Of
+ * __builtin_apply_args GCC's manual promises only that __builtin_apply understands it; what is read here is
+ * the block that GCC makes on x86-64: where the arguments on the stack begin, then the registers in GCC's
+ * order.
  */
 #ifndef NX_VARARGS_H
 #define NX_VARARGS_H

@@ -4,7 +4,7 @@ KMATH      := $(NODE)/obj/kmath
 KMATH_FROM := /usr/lib/$(shell $(CC) -print-multiarch)
 KMATH_BLAS := $(KMATH_FROM)/blas/libblas.a
 KMATH_LAPACK := $(KMATH_FROM)/lapack/liblapack.a
-KMATH_HDR  := nx_api/kmath/kmath.h nx_api/kmath/routines.def nx_api/nxcc/image.h
+KMATH_HDR  := nx_api/kmath/kmath.h nx_api/kmath/routines.def nx_api/contract/program_image.h
 
 $(KMATH_BLAS) $(KMATH_LAPACK):
 	@echo "nxcc -lkmath is made of Debian's libblas-dev and liblapack-dev: install them (make setup does)" >&2; exit 1

@@ -1,6 +1,6 @@
 /* pay.c - charges a node's program for a routine's work. Not counted itself: it takes the work's cost units
  * from the program's counter (nxcc/image.h), 1,000 clocks at a time, so that handlers run at their times. */
-#include "../nxcc/image.h"
+#include "../contract/program_image.h"
 #include "kmath.h"
 
 enum { PIECE = 1000 * NXC_UNITS_PER_CLOCK, FEW = 8, MORE = 40, ROOM = 100 };

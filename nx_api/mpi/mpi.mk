@@ -2,8 +2,8 @@
 #   $B/node/mpi/libnx.a   what programs are linked with: one object of all that serves the calls, in which only the calls'
 #                         own names are visible, and the calls that are programs over others (nx_api/common, nx_api/fortran)
 MPI        := $(NODE)/mpi
-MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c)
-MPI_LONG32 := $(MPI)/obj/mpi/long32.o $(MPI)/obj/calls/narrow.o # only in libnx_long32.a
+MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c nx_api/contract/*.c)
+MPI_LONG32 := $(addprefix $(MPI)/obj/,mpi/mpi_long32.o calls/long32_formats.o calls/long32_calls.o) # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
 MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
 MPI_CC      = OMPI_CC=$(CC) MPICH_CC=$(CC) mpicc
@@ -15,9 +15,9 @@ $(MPI)/mpicc: nx_api/mpi/mpi.mk
 	@command -v mpicc >$@ || { rm -f $@; \
 	    echo "nxcc --mpi needs MPI: install Debian's openmpi-bin and libopenmpi-dev (make setup does)" >&2; exit 1; }
 
-$(MPI_OBJ): $(MPI)/obj/%.o: nx_api/%.c $(MPI)/mpicc nx_api/calls/calls.def
+$(MPI_OBJ): $(MPI)/obj/%.o: nx_api/%.c $(MPI)/mpicc nx_api/contract/calls.def
 	@mkdir -p $(@D)
-	$(MPI_CC) $(MPI_FLAGS) -I. -DNX_ON_MPI -fvisibility=hidden -MMD -MP -c -o $@ $<
+	$(MPI_CC) $(MPI_FLAGS) -I. -Inx_api/mpi/include -fvisibility=hidden -MMD -MP -c -o $@ $<
 
 MPI_HDR    := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h nx_api/include/*.h nx_api/include/pfs/*.h)
 $(filter-out %/open_unit.o,$(MPI_COMMON)): $(MPI)/obj/%.o: nx_api/%.c $(MPI_HDR)

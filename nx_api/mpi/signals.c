@@ -1,11 +1,11 @@
-/* signals.c - what a process says when it crashes, and what it is doing when asked by SIGUSR1, which mpirun hands on to all.
- * Only what is safe in a signal handler: texts are put together by hand. */
+/* signals.c - what a process reports when it crashes, or on SIGUSR1, which mpirun forwards to all processes.
+ * Only functions that are safe in a signal handler are used, so printf is not. */
 #include "nx_api/mpi/signals.h"
 #include <errno.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
-#include "nx_api/mpi/node.h"
+#include "nx_api/mpi/mpi_node.h"
 
 struct text {
     char bytes[200];

@@ -1,4 +1,4 @@
-/* signals.h - what a process says when it crashes, or is asked what it is doing. */
+/* signals.h - reports of crashes, and of what a process is doing (SIGUSR1). */
 #ifndef MPI_SIGNALS_H
 #define MPI_SIGNALS_H
 

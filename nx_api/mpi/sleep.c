@@ -1,12 +1,12 @@
-/* sleep.c - pauses of a program, in which its handlers run as on a node: sleep and usleep of libnx.a take
- * precedence over the C library's, which nothing of ours interrupts. Libraries come here, too: MPI sleeps while it
- * starts, and no handler may run within it. */
+/* sleep.c - sleep and usleep of libnx.a, in which a program's handlers run as on a node. They precede the C
+ * library's, in which no handler would run. Libraries call them, too: MPI sleeps while it starts, and no
+ * handler may run then. */
 #include <errno.h>
 #include <stdbool.h>
 #include <time.h>
-#include "nx_api/mpi/node.h"
+#include "nx_api/mpi/mpi_node.h"
 
-/* The linker's: where the program's code is, ours included. */
+/* The linker's: the bounds of the program's code, libnx.a included. */
 extern const char __executable_start[], etext[];
 
 static bool is_program(const void *caller)
@@ -18,13 +18,13 @@ static bool is_program(const void *caller)
 static bool is_over(struct node *n, void *end)
 {
     (void)n;
-    return node_seconds() >= *(const double *)end;
+    return mpi_seconds() >= *(const double *)end;
 }
 
 static void pause_program(const char *call, double seconds)
 {
     struct node *n = node_self();
-    double end = node_seconds() + seconds;
+    double end = mpi_seconds() + seconds;
     node_enter(n, call);
     node_wait(n, is_over, &end);
     node_leave(n);

@@ -1,4 +1,4 @@
-/* tick.c - see tick.h; and nxc_enter, where a check goes. */
+/* tick.c - see tick.h; and nxc_enter, which a poll calls. */
 #include "nx_api/mpi/tick.h"
 #include <errno.h>
 #include <pthread.h>
@@ -28,7 +28,7 @@ bool tick_start(void)
     sigset_t all, before;
     pthread_t thread;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before); /* signals are the program's */
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* the program's own thread gets all signals */
     int error = pthread_create(&thread, NULL, tick, NULL);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     errno = error;
@@ -45,10 +45,10 @@ void tick_rest(bool yes)
     atomic_store_explicit(&resting, yes, memory_order_relaxed);
 }
 
-/* nxc_enter: called from the inline assembly of a check. Nothing is known to be saved there, and the stack may have any
- * alignment. xsave keeps the vector registers whatever their width: its area has a multiple of 64 as address, 64 bytes of
- * header behind the first 512 that must be 0, and here room for the state of AVX-512. A processor without it has no wider
- * registers than fxsave knows. */
+/* nxc_enter is called from the inline assembly of a poll, where no register has been saved and the stack may
+ * have any alignment. xsave saves vector registers of any width. Its area is aligned to 64 bytes, has a
+ * header of 64 bytes behind the first 512, which must be 0, and here room for the state of AVX-512. A
+ * processor without xsave has only registers that fxsave saves. */
 __attribute__((
     visibility("hidden"))) unsigned nxc_saved; /* the parts of the state to be saved; 0: no xsave */
 

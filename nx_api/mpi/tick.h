@@ -1,7 +1,8 @@
-/* tick.h - the clock that makes a computing program look at its messages.
+/* tick.h - the clock that makes a computing program take in its messages.
  *
- * nxcc --mpi puts a check into each loop and function (nxcc/poll.cc): it calls nxc_preempt when nxc_due is not 0. A thread
- * of its own does nothing but sleep and set nxc_due; it calls no MPI and takes no lock. */
+ * nxcc --mpi puts a poll into each loop and function (nxcc/poll.cc), which calls nxc_preempt when nxc_due is
+ * not 0. A second thread sleeps and sets nxc_due, and does nothing else: it calls no MPI and takes no
+ * lock. */
 #ifndef MPI_TICK_H
 #define MPI_TICK_H
 #include <stdbool.h>
@@ -10,8 +11,8 @@ extern volatile int nxc_due;
 
 /* Start the thread; false and errno when there is no room for one. */
 bool tick_start(void);
-/* Handlers are posted: tick every 0.2 ms, else every 2 ms, so that long messages get on. */
+/* Whether handlers are posted: then tick every 0.2 ms, else every 2 ms, so that long messages proceed. */
 void tick_often(bool often);
-/* While the program waits in a call, it looks by itself. */
+/* Whether the program waits in a call, and polls without ticks. */
 void tick_rest(bool rest);
 #endif

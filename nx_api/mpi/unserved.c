@@ -1,5 +1,6 @@
-/* unserved.c - the calls that nothing else here serves, those of host programs foremost: errors. The definitions are weak,
- * so that one that is served takes precedence when the library's objects are linked into one. */
+/* unserved.c - the calls that no other file serves, mainly those of host programs: they are errors. The
+ * definitions are weak: when the library's objects are linked into one, a call's real definition precedes the
+ * one here. */
 #include <errno.h>
 #include "nx_api/calls/call.h"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
@@ -18,4 +19,4 @@ static long unserved(const char *call)
     }
 #define NX_VALUE(name, expression)
 #define NX_OTHER(name)
-#include "nx_api/calls/calls.def"
+#include "nx_api/contract/calls.def"

@@ -2,7 +2,7 @@
 #include "gcc.h"
 #include "cache.h"
 #include "costs.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include "symbols.h"
 #include <math.h>
 #include <stdarg.h>

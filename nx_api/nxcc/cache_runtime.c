@@ -5,7 +5,7 @@
  * A set has room for the addresses of NXC_CACHE_WAYS lines or pages, the most recently used first. 0: empty.
  */
 #include <stdint.h>
-#include "image.h"
+#include "../contract/program_image.h"
 
 struct set {
     uint64_t line[NXC_CACHE_WAYS];

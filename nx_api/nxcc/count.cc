@@ -32,7 +32,7 @@
 #include "costs.h"
 #include "count.h"
 #include "idle_loops.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include "leaf_charge.h"
 #include "lookahead.h"
 #include "loop_precharge.h"

@@ -2,7 +2,7 @@
 #include "lookahead.h"
 #include "call_free.h"
 #include "costs.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include "leaf_charge.h"
 #include "trip_count.h"
 #include "tree-ssa-loop-ivopts.h"

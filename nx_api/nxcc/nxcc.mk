@@ -33,11 +33,11 @@ $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)
 	g++ -shared -o $@ $^ -lconfig
 
-$(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
+$(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
-$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/guest/exports.def nx_api/calls/calls.def
+$(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/guest/exports.def nx_api/contract/calls.def
 	@mkdir -p $(@D)
 	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
 
@@ -65,7 +65,7 @@ $(eval $(call NODE_CODE,long32/,--long32))
 $(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
 # A simulated cache is not counted.
-$(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/nxcc/image.h
+$(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
@@ -88,7 +88,7 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	ar d $@.new error.o stop.o backtrace.o async.o
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
-$(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
+$(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<
 

@@ -8,7 +8,7 @@
  * With NXC_HOSTED (tests) there is no _start, and the objects can be linked into an ordinary program.
  */
 #include "enter.h"
-#include "image.h"
+#include "../contract/program_image.h"
 
 /* In the initialised data: a node uses that page anyway. Behind the program's arrays they would cost a page
  * more. */

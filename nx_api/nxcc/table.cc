@@ -1,6 +1,6 @@
 /* table.cc - see table.h. The files are read by libconfig. */
 #include "table.h"
-#include "image.h"
+#include "../contract/program_image.h"
 #include <libconfig.h>
 #include <math.h>
 #include <string.h>

@@ -20,7 +20,7 @@
 #include "guest/libc.h"
 #include "node/node.h"
 #include "guest/source_line.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 #include "node/self.h"
 
 #define PAGE ((uint64_t)4096)

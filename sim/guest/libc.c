@@ -13,6 +13,7 @@
 #include "os/end.h"
 #include "os/fail.h"
 #include "os/gate.h"
+#include "nx_api/contract/error_text.h"
 
 struct node_libc *node_libc_new(struct node *n)
 {
@@ -271,6 +272,12 @@ struct node_locale *node_uselocale(struct node_locale *to)
 void node_freelocale(struct node_locale *l)
 {
     (void)l;
+}
+
+char *node_strerror(int code)
+{
+    const char *text = nx_error_text(code);
+    return text ? (char *)(uintptr_t)text : strerror(code);
 }
 
 /* GNU's, and POSIX's, which headers call so. */

@@ -33,6 +33,6 @@ struct node_libc {
 /* Frees what node_setenv and the like have made. */
 void node_libc_free_environment(struct node_libc *c);
 
-/* strerror, with NX's errors: nx_api/sim/errors.c. */
+/* strerror, with NX's errors. */
 char *node_strerror(int code);
 #endif

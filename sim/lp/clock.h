@@ -6,7 +6,7 @@
 #define LP_CLOCK_H
 #include "kernel/slow_assert.h"
 #include "lp/lp.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* The node's processor has so many clocks a second. */
 void clock_set(struct lp *lp, uint64_t hz);

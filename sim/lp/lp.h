@@ -107,7 +107,7 @@ struct lp {
 
 /* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as long. */
 void lp_begin(struct lp *lp, struct schedule *s, uint32_t address, struct lp_cold *cold);
-/* The words through which its program and its clock share the count (nx_api/nxcc/image.h). */
+/* The words through which its program and its clock share the count (nx_api/contract/program_image.h). */
 void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead);
 /* It has no program any more. */
 void lp_unbind(struct lp *lp);

@@ -17,15 +17,15 @@
 #include "kernel/prefetch.h"
 #include "lp/lp.h"
 #include "node/waits.h"
-#include "nx_api/calls/mailbox.h"
-#include "nx_api/calls/mailbox_ids.h"
+#include "nx_api/contract/message.h"
+#include "nx_api/contract/ids.h"
 
 struct node;
 struct node_image;  /* a program file, read once: guest/image.h */
 struct node_heap;   /* guest/heap.h */
 struct node_region; /* node/self.h */
 struct node_system; /* what all nodes share: node/system.h */
-struct nxc_image;   /* nx_api/nxcc/image.h */
+struct nxc_image;   /* nx_api/contract/program_image.h */
 struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
 /* Why a node ended. */
@@ -68,7 +68,7 @@ struct node_stats {
 
 /* Messages and what they are for: os/mailbox.h. A line of the cache. */
 struct mailbox {
-    struct receive *posted, **posted_end;
+    struct posted posted;
     struct message *whole, **whole_end; /* os/unexpected.h */
     struct due *last_due;               /* of a ring: its next is the first. NULL: none */
     uint32_t handlers;                  /* posted or due */
@@ -131,11 +131,6 @@ struct deferred_cold {
     int32_t type[DEFERRED_MOST]; /* in node.call_type when the caller resumes, if it has any */
 };
 
-/* The last error of an NX call. Its forms without underscore end the process with the text, those with one set errno. */
-struct node_error {
-    int code; /* nxerrno.h, or the C library's */
-    char text[200];
-};
 
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close together. */
 struct node_cold {

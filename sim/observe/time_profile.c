@@ -5,7 +5,7 @@
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "guest/image.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* Stands for the functions compiled without --profile. */
 static const char REST[] = "(compiled without --profile)";

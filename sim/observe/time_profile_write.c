@@ -4,7 +4,7 @@
 #include <string.h>
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 #include "observe/json_file.h"
 #include "observe/time_profile.h"
 

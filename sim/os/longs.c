@@ -1,6 +1,6 @@
 /* longs.c - see longs.h. */
 #include "os/longs.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 size_t node_long_bytes(const struct node *n)
 {

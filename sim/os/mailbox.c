@@ -1,10 +1,10 @@
-/* mailbox.c - what NX's calls do with a node's messages: nx_api/calls/mailbox.h, on the simulator. */
-#include "nx_api/calls/mailbox.h"
+/* mailbox.c - what NX's calls do with a node's messages: nx_api/contract/message.h, on the simulator. */
+#include "nx_api/contract/message.h"
 #include <string.h>
 #include "kernel/prefetch.h"
 #include "node/system.h"
-#include "nx_api/calls/mailbox_ids.h"
-#include "nx_api/include/nxerrno.h"
+#include "nx_api/contract/ids.h"
+#include "nx_api/contract/matching.h"
 #include "os/end.h"
 #include "os/front.h"
 #include "os/gate.h"
@@ -36,27 +36,21 @@ bool mailbox_complete(struct node *n, const struct receive *r)
     return true;
 }
 
-void mailbox_tell(struct node *n, const struct message *m, long info[])
+long nx_sender(const struct node *n, const struct message *m)
 {
-    n->info = (struct node_info){(long)m->type, (long)m->bytes, node_number(n->sys, m->source), (long)m->pid};
-    const long told[] = {n->info.type, n->info.count, n->info.node, n->info.pid};
-    for (size_t i = 0; info && i < sizeof told / sizeof *told; i++)
-        node_put_long(n, info, i, told[i]);
+    return (long)node_number(n->sys, m->source);
+}
+
+const char *nx_sender_name(const struct node *n, const struct message *m)
+{
+    return node_at(n->sys, m->source)->name;
 }
 
 long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
-    long result = 0;
-    m->too_long = m->bytes > r->room;
-    if (m->too_long)
-        result =
-            node_error(n, EQMSGLONG, "the message of type %ld from %s has %zu bytes, but the buffer only %zu",
-                       (long)m->type, node_at(n->sys, m->source)->name, m->bytes, r->room);
-    else if (m->bytes)
-        memcpy(r->buf, m->data, m->bytes);
-    if (!mailbox_is_library(m->type))
-        mailbox_tell(n, m, r->info);
+    m->too_long = !matching_fits(r);
+    long result = matching_take(n, r);
     r->m = NULL;
     m->receive = NULL;
     front_received(n, m);

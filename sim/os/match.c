@@ -9,20 +9,21 @@
 #include "os/history.h"
 #include "os/memory.h"
 #include "os/unexpected.h"
+#include "nx_api/contract/matching.h"
 
 void match_begin(struct node *n, struct id_block *ids)
 {
     struct mailbox *b = &n->mailbox;
     *b = (struct mailbox){0};
     ids_begin(&b->ids, ids);
-    b->posted_end = &b->posted;
+    posted_begin(&b->posted);
     unexpected_begin(n);
 }
 
 /* Those that the program did not make on its stack, or with an id. */
 static void free_posted(struct mailbox *b)
 {
-    for (struct receive *r = b->posted, *next; r; r = next) {
+    for (struct receive *r = b->posted.first, *next; r; r = next) {
         next = r->next;
         if (r->handler)
             free(r);
@@ -46,23 +47,6 @@ void match_end(struct node *n)
     handlers_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */
-}
-
-/* --- queues --- */
-
-static void post(struct mailbox *b, struct receive *r)
-{
-    r->next = NULL;
-    *b->posted_end = r;
-    b->posted_end = &r->next;
-}
-
-static void unpost(struct mailbox *b, struct receive **link)
-{
-    struct receive *r = *link;
-    *link = r->next;
-    if (b->posted_end == &r->next)
-        b->posted_end = link;
 }
 
 /* --- system buffers --- */
@@ -119,11 +103,9 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
     if (m->unwanted)
         return true;
     lp_synchronise(&n->lp);
-    for (struct receive **link = &b->posted; *link; link = &(*link)->next) {
-        if (!unexpected_selects(n, &(*link)->select, m))
-            continue;
-        give(*link, m);
-        unpost(b, link);
+    struct receive *r = posted_take(n, &b->posted, m);
+    if (r) {
+        give(r, m);
         return true;
     }
     if (m->forced)
@@ -203,7 +185,7 @@ void match_post(struct node *n, struct receive *r, vtime now)
 {
     struct message *m = unexpected_first(n, &r->select);
     if (!m) {
-        post(&n->mailbox, r);
+        posted_append(&n->mailbox.posted, r);
         return;
     }
     unexpected_take(n, m);
@@ -224,12 +206,8 @@ void match_put_back(struct node *n, struct message *m)
 
 void match_withdraw(struct node *n, struct receive *r)
 {
-    struct mailbox *b = &n->mailbox;
-    for (struct receive **link = &b->posted; *link; link = &(*link)->next)
-        if (*link == r) {
-            unpost(b, link);
-            return;
-        }
+    if (posted_remove(&n->mailbox.posted, r))
+        return;
     struct message *m = r->m;
     r->m = NULL;
     if (!m->buffered)
@@ -312,7 +290,7 @@ void match_abandon(struct node *n)
             drop_receive(m);
     handlers_free(b);
     free_posted(b);
-    b->posted = NULL, b->posted_end = &b->posted;
+    posted_begin(&b->posted);
 }
 
 static void throw_away_list(struct node *n, struct message **list, vtime now)

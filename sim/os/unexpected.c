@@ -4,6 +4,7 @@
 #include "kernel/prefetch.h"
 #include "kernel/queues.h"
 #include "node/system.h"
+#include "nx_api/contract/matching.h"
 
 void unexpected_begin(struct node *n)
 {
@@ -16,13 +17,6 @@ void unexpected_begin(struct node *n)
 void unexpected_end(struct node *n)
 {
     queues_free(n->by_type);
-}
-
-bool unexpected_selects(const struct node *n, const struct selector *select, const struct message *m)
-{
-    return mailbox_selects(select->type, m->type) &&
-           (select->node < 0 || select->node == (long)node_number(n->sys, m->source)) &&
-           (select->pid < 0 || select->pid == m->pid);
 }
 
 /* Are they found in the order in which they were sent? */
@@ -93,16 +87,9 @@ static struct message *first_of_type(const struct node *n, const struct selector
 {
     for (uint32_t i = 0;; i++) {
         struct message *m = queues_at(n->by_type, (uint32_t)select->type, i);
-        if (!m || unexpected_selects(n, select, m))
+        if (!m || matching_selects(n, select, m))
             return m;
     }
-}
-
-static struct message *first_of(struct message *m, const struct node *n, const struct selector *select)
-{
-    while (m && !unexpected_selects(n, select, m))
-        m = m->next;
-    return m;
 }
 
 /* --- the coming --- */
@@ -155,8 +142,8 @@ void unexpected_has_arrived(struct node *n, const struct message *m)
 struct message *unexpected_first(const struct node *n, const struct selector *select)
 {
     bool one_type = n->by_type && select->type >= 0 && select->type <= INT32_MAX;
-    struct message *m = one_type ? first_of_type(n, select) : first_of(n->mailbox.whole, n, select);
-    return m ? m : first_of(n->coming, n, select);
+    struct message *m = one_type ? first_of_type(n, select) : matching_first(n, select, n->mailbox.whole);
+    return m ? m : matching_first(n, select, n->coming);
 }
 
 void unexpected_take(struct node *n, struct message *m)

@@ -19,7 +19,6 @@ void unexpected_add(struct node *n, struct message *m);
 void unexpected_has_arrived(struct node *n, const struct message *m);
 /* The first that is selected; NULL: none is. */
 struct message *unexpected_first(const struct node *n, const struct selector *select);
-bool unexpected_selects(const struct node *n, const struct selector *select, const struct message *m);
 /* m, one of them, is not any more; m is again, and the first. */
 void unexpected_take(struct node *n, struct message *m);
 void unexpected_put_back(struct node *n, struct message *m);

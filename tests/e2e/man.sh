@@ -11,7 +11,7 @@ for page in nxcc.1 nxf77.1 touchstone.1 touchstone-{run,study,plot,check,fit,tab
     check "$page: is there, and clean" clean
 done
 
-calls=$(sed -n 's/^NX_[A-Z]*(\([a-z_0-9]*\).*/\1/p; s/^REDUCTION(\([a-z]*\).*/\1/p' "$tests"/../../nx_api/{calls/calls,common/reductions}.def |
+calls=$(sed -n 's/^NX_[A-Z]*(\([a-z_0-9]*\).*/\1/p; s/^REDUCTION(\([a-z]*\).*/\1/p' "$tests"/../../nx_api/{contract/calls,common/reductions}.def |
     grep -v '^nx_gopen_one$') # gopen's own
 missing() { for call in $calls gcol gcolx gopf gsync nxperror gopen; do grep -qw -- "$call" build/man/nx.3 || echo "$call"; done; }
 check "nx(3) has every call" test -z "$(missing)"

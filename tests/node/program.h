@@ -80,7 +80,7 @@ static inline const char *build(struct workshop *w, const char *how, const char 
     write_file(at(w, "prog.c"), source, strlen(source));
     shell("[ -e %s/libnode.so ] || gcc -shared -nostdlib -o %s/libnode.so nx_api/sim/stub/libnode.S", w->dir,
           w->dir);
-    shell("gcc -O1 -I nx_api/nxcc -o %s/prog %s/prog.c %s -L%s -lnode", w->dir, w->dir, how, w->dir);
+    shell("gcc -O1 -I nx_api/contract -o %s/prog %s/prog.c %s -L%s -lnode", w->dir, w->dir, how, w->dir);
     return at(w, "prog");
 }
 

@@ -2,7 +2,7 @@
 #include "program.h"
 #include <elf.h>
 #include "guest/elffile.h"
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 /* --- programs ----------------------------------------------------------------------------------------------- */
 

@@ -1,5 +1,5 @@
-/* Node -1 stands for all other nodes: each gets the message once, with its sender; the sender does not. So do empty ones and
- * long ones; with one node nobody does.
+/* Node -1 stands for all other nodes: each gets the message once, with its sender; the sender does not. So do
+ * empty ones and long ones; with one node nobody does.
  * run: all
  */
 #include "rule.h"

@@ -1,5 +1,5 @@
-/* readoff, writeoff, ireadoff and iwriteoff: at an offset of their own, in any I/O mode, pointers left alone. iowait returns the
- * bytes moved.
+/* readoff, writeoff, ireadoff and iwriteoff: at an offset of their own, in any I/O mode, pointers left alone.
+ * iowait returns the bytes moved.
  * run: all
  * run: -m paragon -n 4
  */

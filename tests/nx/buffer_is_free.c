@@ -1,5 +1,5 @@
-/* When csend returns the buffer may be used again, though nobody has received; for isend, when msgwait returns or msgdone
- * answers 1; for hsend, when its handler runs.
+/* When csend returns the buffer may be used again, though nobody has received; for isend, when msgwait
+ * returns or msgdone answers 1; for hsend, when its handler runs.
  * run: all
  */
 #include <string.h>

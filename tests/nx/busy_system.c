@@ -1,5 +1,5 @@
-/* A message for a computing node whose operating system is behind with others is complete only after the node has begun to
- * wait for it; it wakes the node then, though nothing else happens on the machine any more.
+/* A message for a computing node whose operating system is behind with others is complete only after the node
+ * has begun to wait for it; it wakes the node then, though nothing else happens on the machine any more.
  * run: -m ipsc860 -n 16
  */
 #include <nx.h>
@@ -34,8 +34,7 @@ int main(void)
         csend(ANSWER, buf, 0, 0, 0);
     } else if (mynode() == 2 || mynode() == 4 || mynode() == 8) { /* its neighbours */
         compute_until(begin + 0.0245);
-        for (int i = 0; i < 30;
-             i++) /* node 0 has to look at each, for 30 us, and drops it; they come every 12 us */
+        for (int i = 0; i < 30; i++) /* node 0 takes 30 us to drop each; they come every 12 us */
             csend(DROPPED, buf, 0, 0, 0);
     }
     return 0;

@@ -1,5 +1,5 @@
-/* All functions of ISO C (C99) are there, each by its address, so that it has to be linked. (setjmp is a macro,
- * and gets no longer declared.)
+/* All functions of ISO C (C99) are there, each by its address, so that it has to be linked. (setjmp is a
+ * macro, and gets no longer declared.)
  * compile: -fno-builtin
  * run: -m ipsc860 -n 1
  * run: -m paragon -n 2

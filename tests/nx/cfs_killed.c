@@ -1,5 +1,5 @@
-/* A node that ends, or is killed, in the middle of reads and writes: what the I/O nodes have got is written, the rest is
- * not, and nobody else is hurt.
+/* A node that ends, or is killed, in the middle of reads and writes: what the I/O nodes have got is written,
+ * the rest is not, and nobody else is hurt.
  * run: -m ipsc860 -n 3
  * run: -m delta -n 3
  */

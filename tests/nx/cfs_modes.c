@@ -1,5 +1,5 @@
-/* I/O modes of a shared file: 0 own pointers; 1 one pointer, no two calls overlap; 2 node order, any lengths; 3 node
- * order, equal lengths.
+/* I/O modes of a shared file: 0 own pointers; 1 one pointer, no two calls overlap; 2 node order, any lengths;
+ * 3 node order, equal lengths.
  * run: -m ipsc860 -n 5
  * run: -m delta -n 5
  * run: -m delta -n 5 --slice 0.00001

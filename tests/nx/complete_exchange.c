@@ -1,4 +1,5 @@
-/* Complete exchange in log2 N steps of messages of all lengths, long ones among them, with receives posted early and late.
+/* Complete exchange in log2 N steps of messages of all lengths, long ones among them, with receives posted
+ * early and late.
  * run: -m ipsc860 -n 32
  * run: -m delta -n 16
  * run: -m paragon -n 8

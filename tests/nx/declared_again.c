@@ -1,5 +1,5 @@
-/* Programs declare NX calls themselves, before the header and after it, with integers of other sizes, as the compilers of the
- * time allowed: the header's types hold.
+/* Programs declare NX calls themselves, before the header and after it, with integers of other sizes, as the
+ * compilers of the time allowed: the header's types hold.
  * run: all
  */
 int mynode(void);

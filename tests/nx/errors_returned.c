@@ -1,5 +1,5 @@
-/* With an underscore before its name a call returns -1 and sets errno where the plain one ends the process; 0 or more is
- * success. Nodes that are not there, lengths, types, pointers, handlers and ids that are none.
+/* With an underscore before its name a call returns -1 and sets errno where the plain one ends the process; 0
+ * or more is success. Nodes that are not there, lengths, types, pointers, handlers and ids that are none.
  * run: all
  */
 #include "rule.h"

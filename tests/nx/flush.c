@@ -1,4 +1,5 @@
-/* flushmsg throws away what has come in, long messages that wait for their data too; what is not selected stays.
+/* flushmsg throws away what has come in, long messages that wait for their data too; what is not selected
+ * stays.
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  */

@@ -77,7 +77,8 @@ static void any_operation(void)
     wrong += memcmp(mine, all, sizeof all) != 0;
 }
 
-/* Types of the library and of the program do not mix: a receive of any type does not take the library's messages. */
+/* Types of the library and of the program do not mix: a receive of any type does not take the library's
+ * messages. */
 static void types(void)
 {
     static char buf[8];

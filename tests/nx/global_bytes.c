@@ -1,5 +1,5 @@
-/* gcolx, gcol and gopf take lengths in bytes, of any size, 0 too, different from node to node; on any number of nodes. gopf
- * combines with any operation that is associative and commutative.
+/* gcolx, gcol and gopf take lengths in bytes, of any size, 0 too, different from node to node; on any number
+ * of nodes. gopf combines with any operation that is associative and commutative.
  * run: all
  */
 #include <string.h>

@@ -1,5 +1,6 @@
-/* I/O mode M_GLOBAL: all nodes make the same calls, and one read or write serves all: each gets the data, and what they write
- * is there once. Asynchronously, through the C library and at the end of the file too; a file longer than many blocks.
+/* I/O mode M_GLOBAL: all nodes make the same calls, and one read or write serves all: each gets the data, and
+ * what they write is there once. Asynchronously, through the C library and at the end of the file too; a file
+ * longer than many blocks.
  * run: all
  * run: -m paragon -n 5
  * run: -m paragon95 -n 8 --slice 0.00001

@@ -1,5 +1,6 @@
-/* A handler interrupts a computation at the virtual time its message is complete, to the first check after it, and may
- * post itself again; results do not depend on how the simulator slices the computing (see --slice).
+/* A handler interrupts a computation at the virtual time its message is complete, to the first poll after
+ * it, and may post itself again; results do not depend on how the simulator slices the computing (see
+ * --slice).
  * run: -m ipsc860 -n 2
  * run: -m ipsc860 -n 2 --slice 0.001
  * run: -m ipsc860 -n 2 --slice 0.000001

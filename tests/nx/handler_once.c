@@ -1,5 +1,6 @@
-/* hrecv serves one message; the next of its type wait for a receive. A handler gets type, count, node and ptype; infocount() and
- * its kin describe its message inside, and outside go on describing the program's. It may send, and post itself again.
+/* hrecv serves one message; the next of its type wait for a receive. A handler gets type, count, node and
+ * ptype; infocount() and so on describe its message inside, and outside keep describing the program's. It
+ * may send, and post itself again.
  * run: all
  */
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Handlers run while the program waits in a call, held back by masktrap(1) and let run at once by masktrap(0); what
- * infocount() says to the program is not disturbed by them.
+/* Handlers run while the program waits in a call, held back by masktrap(1) and let run at once by
+ * masktrap(0); what infocount() says to the program is not disturbed by them.
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  */

@@ -1,4 +1,5 @@
-/* A handler is not interrupted by another, even if it waits for a message itself; those due run after it, in order.
+/* A handler is not interrupted by another, even if it waits for a message itself; those due run after it, in
+ * order.
  * run: -m delta -n 3
  */
 #include <nx.h>

@@ -1,4 +1,5 @@
-/* Node 0 opens files of the computer by open and fopen, as parameters and results were read and written; it tells the others.
+/* Node 0 opens files of the computer by open and fopen, as parameters and results were read and written; it
+ * tells the others.
  * run: all
  */
 #include <fcntl.h>

@@ -1,4 +1,5 @@
-/* msgmerge makes one id of two, msgignore gives an id back when it is complete; both hand all ids back in the end.
+/* msgmerge makes one id of two, msgignore gives an id back when it is complete; both hand all ids back in the
+ * end.
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  */

@@ -1,4 +1,5 @@
-/* Message ids, from 1 on: irecv and isend give them out, msgwait, msgdone and msgcancel give them back; there are a limited number.
+/* Message ids, from 1 on: irecv and isend give them out, msgwait, msgdone and msgcancel give them back; there
+ * are a limited number.
  * run: -m delta -n 2
  */
 #include <nx.h>

@@ -1,5 +1,6 @@
-/* Message ids are limited in number (EQNOMID when there is none) and given back by msgwait, by msgdone when it answers 1, by
- * msgcancel, and after msgignore on completion; after an error too. So any number of them can be used one after another.
+/* Message ids are limited in number (EQNOMID when there is none) and given back by msgwait, by msgdone when
+ * it answers 1, by msgcancel, and after msgignore on completion; after an error too. So any number of them
+ * can be used one after another.
  * run: all
  */
 #include <string.h>

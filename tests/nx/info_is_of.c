@@ -1,5 +1,6 @@
-/* infocount(), infonode(), infotype() and infopid() are of the last message received, probed for with success, or waited for;
- * probes that find nothing and sends leave them alone. info[8] of the x calls has type, length, node, ptype.
+/* infocount(), infonode(), infotype() and infopid() are of the last message received, probed for with
+ * success, or waited for; probes that find nothing and sends leave them alone. info[8] of the x calls has
+ * type, length, node, ptype.
  * run: all
  */
 #include "rule.h"

@@ -1,4 +1,5 @@
-/* kill(0, 9) ends the whole program, on all nodes; that is no failure. What a node has printed until then is not lost.
+/* kill(0, 9) ends the whole program, on all nodes; that is no failure. What a node has printed until then is
+ * not lost.
  * run: all
  */
 #include <signal.h>

@@ -1,4 +1,5 @@
-/* killproc(-1, 0) ends the whole program, on all nodes; that is no failure. What a node has printed until then is not lost.
+/* killproc(-1, 0) ends the whole program, on all nodes; that is no failure. What a node has printed until
+ * then is not lost.
  * run: all
  */
 #include <nx.h>

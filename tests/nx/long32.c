@@ -1,5 +1,5 @@
-/* Compiled for longs of 32 bits, as the i860 had them, a program and all that it calls agree on it: constants, messages,
- * the C library, NX's arrays of longs, and numbers of more than 32 bits.
+/* Compiled for longs of 32 bits, as the i860 had them, a program and all that it calls agree on it:
+ * constants, messages, the C library, NX's arrays of longs, and numbers of more than 32 bits.
  *
  * simulator only: --long32 is the node compiler's
  * compile: --long32
@@ -123,7 +123,8 @@ static void handler(long type, long count, long node, long pid)
     (void)type, (void)count, (void)node, (void)pid;
 }
 
-/* What is counted, and looked at for handlers, has more bits than a long: this takes more than 2^31 thousandths of a clock. */
+/* What is counted, and looked at for handlers, has more bits than a long: this takes more than 2^31
+ * thousandths of a clock. */
 static void computing(void)
 {
     double since = dclock();

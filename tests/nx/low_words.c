@@ -1,5 +1,5 @@
-/* Programs without prototypes pass ints where NX has longs: of an argument only the low 32 bits count, as signed. Here the
- * others are set to something.
+/* Programs without prototypes pass ints where NX has longs: of an argument only the low 32 bits count, as
+ * signed. Here the others are set to something.
  * run: all
  */
 #include <stdint.h>

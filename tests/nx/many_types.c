@@ -1,5 +1,5 @@
-/* With thousands of messages waiting, each receive takes the first that it selects: of a type, of a type and a node, of any type. The
- * receiver keeps a plain list of what has been sent, and compares.
+/* With thousands of messages waiting, each receive takes the first that it selects: of a type, of a type and
+ * a node, of any type. The receiver keeps a plain list of what has been sent, and compares.
  * run: -m ipsc860 -n 4
  * run: -m paragon -n 3
  */

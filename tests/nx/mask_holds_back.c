@@ -1,5 +1,5 @@
-/* masktrap(1) holds handlers back, in computing and in calls that wait; masktrap(0) lets them run, held ones at once, in the order
- * in which their messages came. It returns the state before.
+/* masktrap(1) holds handlers back, in computing and in calls that wait; masktrap(0) lets them run, held ones
+ * at once, in the order in which their messages came. It returns the state before.
  * run: all
  */
 #include "rule.h"

@@ -1,5 +1,5 @@
-/* Messages of one type between two nodes arrive in the order sent, whatever their lengths, to one node or to all, received
- * late or early.
+/* Messages of one type between two nodes arrive in the order sent, whatever their lengths, to one node or to
+ * all, received late or early.
  * run: all
  */
 #include <string.h>

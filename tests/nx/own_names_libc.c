@@ -1,4 +1,5 @@
-/* The same for names of the C library: variables and functions of a program's own, which it defines or leaves common.
+/* The same for names of the C library: variables and functions of a program's own, which it defines or leaves
+ * common.
  * compile: -w
  * run: -m ipsc860 -n 2
  */

@@ -1,4 +1,5 @@
-/* What programs for the Paragon ask: of the machine and its partitions, and of the Parallel File System and its stripes.
+/* What programs for the Paragon ask: of the machine and its partitions, and of the Parallel File System and
+ * its stripes.
  * run: all
  * run: -m paragon -n 6
  * run: -m paragon95 -n 5

@@ -1,4 +1,5 @@
-/* Loops that only ask - iprobe, msgdone, flick, mclock, dclock - let time pass, so that what they wait for comes.
+/* Loops that only ask - iprobe, msgdone, flick, mclock, dclock - let time pass, so that what they wait for
+ * comes.
  * run: all
  */
 #include "rule.h"

@@ -1,4 +1,5 @@
-/* Every node has globals, random numbers, strtok and errno of its own; output comes in the order of virtual time.
+/* Every node has globals, random numbers, strtok and errno of its own; output comes in the order of virtual
+ * time.
  * run: -m delta -n 4
  */
 #include <errno.h>

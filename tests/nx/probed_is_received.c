@@ -1,5 +1,6 @@
-/* A probe and the receive of the same kind behind it take the same message, whatever comes in between; and one sender's messages of one
- * type are found in the order sent, although short ones come whole before long ones that were sent earlier.
+/* A probe and the receive of the same kind behind it take the same message, whatever comes in between; and
+ * one sender's messages of one type are found in the order sent, although short ones come whole before long
+ * ones that were sent earlier.
  * run: all
  * run: -m paragon -n 8
  * run: -m cluster2026 -n 8

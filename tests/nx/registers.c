@@ -1,5 +1,5 @@
-/* A check loses nothing of what a program has in registers, however wide: sums in a loop that handlers interrupt, which use
- * the same registers, are those of a loop that none does.
+/* A poll loses nothing of what a program has in registers, however wide: sums in a loop that handlers
+ * interrupt, which use the same registers, are those of a loop that none does.
  * run: -m delta -n 2
  * run: -m delta -n 2 --slice 0.000001
  */

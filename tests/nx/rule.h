@@ -1,5 +1,5 @@
-/* rule.h - for the programs of this folder that print the same on any number of nodes. All nodes call rule(); node 0 says
- * whether it holds on all of them, and those where it does not say so, too. */
+/* rule.h - for the programs of this folder that print the same on any number of nodes. All nodes call rule();
+ * node 0 says whether it holds on all of them, and those where it does not say so, too. */
 #ifndef RULE_H
 #define RULE_H
 #include <nx.h>

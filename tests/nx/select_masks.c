@@ -1,5 +1,6 @@
-/* typesel: a type of 0 or more selects that type; -1 any; other negative values are a mask, whose bits 0 to 29 select the
- * types 0 to 29, and bit 30 all from 30 up, force types too. The messages of a type keep their order.
+/* typesel: a type of 0 or more selects that type; -1 any; other negative values are a mask, whose bits 0 to
+ * 29 select the types 0 to 29, and bit 30 all from 30 up, force types too. The messages of a type keep their
+ * order.
  * run: all
  */
 #include "rule.h"

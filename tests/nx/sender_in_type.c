@@ -1,5 +1,5 @@
-/* Selection is by type alone, so programs put the sender's number into it: node * 32768 and something, below 2^30. Messages
- * that come in any order are received in the order of the nodes.
+/* Selection is by type alone, so programs put the sender's number into it: node * 32768 and something, below
+ * 2^30. Messages that come in any order are received in the order of the nodes.
  * run: all
  */
 #include "rule.h"

@@ -1,5 +1,5 @@
-/* csendrecv, isendrecv and hsendrecv: a question and its answer. All nodes ask node 0, which answers with as many bytes as
- * the question had, and one more.
+/* csendrecv, isendrecv and hsendrecv: a question and its answer. All nodes ask node 0, which answers with as
+ * many bytes as the question had, and one more.
  * run: -m ipsc860 -n 2
  * run: -m ipsc860 -n 3
  * run: -m ipsc860 -n 8

@@ -1,5 +1,5 @@
-/* What a program may ask of the machine: its number, the number of nodes, the cube's dimension, the shape of the submesh, the
- * host's number; and Gray codes, in which neighbours differ in one bit.
+/* What a program may ask of the machine: its number, the number of nodes, the cube's dimension, the shape of
+ * the submesh, the host's number; and Gray codes, in which neighbours differ in one bit.
  * run: all
  */
 #include "rule.h"

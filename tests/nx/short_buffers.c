@@ -1,5 +1,5 @@
-/* A receive buffer shorter than the message is an error, EQMSGLONG, in crecv and in what completes an irecv. The message is
- * lost, the buffer as it was, and all goes on.
+/* A receive buffer shorter than the message is an error, EQMSGLONG, in crecv and in what completes an irecv.
+ * The message is lost, the buffer as it was, and all goes on.
  * run: all
  */
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Functions that are called, or declared without static, before they turn out to be static; and static declarations in blocks.
+/* Functions that are called, or declared without static, before they turn out to be static; and static
+ * declarations in blocks.
  * compile: -w
  * run: -m ipsc860 -n 1
  * run: -m delta -n 2

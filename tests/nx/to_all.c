@@ -1,5 +1,5 @@
-/* A message to node -1 reaches every other node once, whole, with the sender's number, from any sender and on any number
- * of nodes; and the sender's later message of the same type does not overtake it.
+/* A message to node -1 reaches every other node once, whole, with the sender's number, from any sender and on
+ * any number of nodes; and the sender's later message of the same type does not overtake it.
  * run: -m ipsc860 -n 16
  * run: -m delta -n 1
  * run: -m delta -n 12

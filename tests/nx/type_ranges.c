@@ -1,5 +1,5 @@
-/* Types: 0 to 999,999,999 are the program's, 1,073,741,824 to 1,999,999,999 force types, whether written as type | 1 << 30 or as a
- * plain constant; negative ones and those above are errors (EQTYPE).
+/* Types: 0 to 999,999,999 are the program's, 1,073,741,824 to 1,999,999,999 force types, whether written as
+ * type | 1 << 30 or as a plain constant; negative ones and those above are errors (EQTYPE).
  * run: all
  */
 #include "rule.h"

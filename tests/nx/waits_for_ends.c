@@ -1,5 +1,5 @@
-/* A node that has ended stays so until somebody has waited for it: waitall waits for one or for all others; each end is told of
- * once.
+/* A node that has ended stays so until somebody has waited for it: waitall waits for one or for all others;
+ * each end is told of once.
  * run: all
  */
 #include "rule.h"

@@ -1,5 +1,5 @@
-/* The Paragon's x calls select the sending node and its ptype, and put what they find into info; info's last four longs
- * stay as they are.
+/* The Paragon's x calls select the sending node and its ptype, and put what they find into info; info's last
+ * four longs stay as they are.
  * run: -m ipsc860 -n 3
  * run: -m ipsc860 -n 8
  * run: -m delta -n 33

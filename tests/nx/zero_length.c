@@ -1,4 +1,5 @@
-/* A message may have no bytes; buffers may then be null pointers. It is sent, probed for, received and handled as any other.
+/* A message may have no bytes; buffers may then be null pointers. It is sent, probed for, received and
+ * handled as any other.
  * run: all
  */
 #include "rule.h"

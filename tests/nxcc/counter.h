@@ -3,7 +3,7 @@
 #ifndef COUNTER_H
 #define COUNTER_H
 #include <stdint.h>
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 
 extern struct nxc_image nxc_image;
 

@@ -3,7 +3,7 @@ NXCC_TEST := $B/tests/nxcc
 UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(addprefix $(NXCC_TEST)/test_,driver random lookahead)
 
 # runtime.o without _start, for programs that are not node programs
-$(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/nxcc/image.h
+$(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -fPIE -DNXC_HOSTED -c -o $@ $<
 
@@ -34,7 +34,7 @@ $(NXCC_TEST)/random: tests/nxcc/random.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $<
 
-$(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h nx_api/nxcc/image.h
+$(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -I. -c -o $@ $<
 

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
-#include "nx_api/nxcc/image.h"
+#include "nx_api/contract/program_image.h"
 #include "kernels.h"
 
 #define DECLARE_AT(place, name)                                                                              \

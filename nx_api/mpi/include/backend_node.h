@@ -1,0 +1,80 @@
+/* backend_node.h - MPI's part of nx_api/contract/backend.h: its node, which is one process and one rank, and
+ * its messages.
+ *
+ * The program's own thread makes all MPI calls: in NX calls (node_enter, node_wait, node_leave) and at the
+ * polls that nxcc puts into loops and functions (nxc_preempt). There, and only there, messages are taken from
+ * MPI into the mailbox and handlers run; so no handler can interrupt the C library. A second thread makes the
+ * polls strike now and then (tick.h).
+ */
+#ifndef MPI_BACKEND_NODE_H
+#define MPI_BACKEND_NODE_H
+#include "nx_api/contract/backend.h"
+#include "nx_api/include/host.h"
+#include "nx_api/include/nx.h"
+
+struct mpi_system {
+    uint32_t count;
+    struct node *host; /* NULL: no host program runs */
+};
+
+/* The end of a process, as its node has reported. */
+struct mpi_end {
+    bool ended, noticed; /* noticed: waitall or waitone has reported the end */
+    long pid, status;
+    uint64_t order; /* 1: the first end that this node heard of */
+};
+
+struct node {
+    long id, pid;
+    struct mpi_system *sys;
+    struct node_info info;
+    struct node_error error[1];
+    const char *call; /* NULL while the program computes */
+    long call_type;   /* the type, typesel or id the call is about, if call_has_type */
+    bool call_has_type;
+    int saved_errno;
+    bool masked, in_handler;
+    bool killed; /* is to end at its next call or poll */
+    bool over;   /* its program has ended; messages are thrown away */
+    bool returned;
+    long exit_code; /* of main, if returned */
+    struct mpi_mailbox *mailbox;
+    struct receive receive; /* of the blocking call that the program is in, outside of handlers */
+    struct own_calls own;   /* of other calls */
+    struct mpi_end *ends;   /* by node */
+    uint64_t ended;         /* how many of them have */
+};
+
+/* A message that has come whole. */
+struct message {
+    struct message *next;
+    long type, pid;
+    uint32_t source;
+    size_t bytes;
+    const char *data; /* inside block */
+    void *block;      /* malloc'd: freed with the message */
+};
+
+extern struct node mpi_me;
+
+static inline struct node *node_self(void)
+{
+    return &mpi_me;
+}
+
+/* How programs reach the entry points of calls (nx_api/calls/call.c), and what libnx.a has in place of the C
+ * library's functions. Weak: a program may have names of its own. */
+#define NX_EXPORT(name) __asm__(name) __attribute__((weak, visibility("default")))
+#define NX_EXPORT_LONG32(name) __asm__(name) __attribute__((visibility("default")))
+#define NX_CALL(name, parameters, arguments)                                                                 \
+    long node_##name parameters NX_EXPORT(#name);                                                            \
+    long node__##name parameters NX_EXPORT("_" #name);
+#define NX_VALUE(name, expression)                                                                           \
+    long node_##name(void) NX_EXPORT(#name);                                                                 \
+    long node__##name(void) NX_EXPORT("_" #name);
+#define NX_OTHER(name)
+#include "nx_api/contract/calls.def"
+#undef NX_CALL
+#undef NX_VALUE
+#undef NX_OTHER
+#endif

@@ -1,0 +1,393 @@
+/* mpi_files.c - the NX calls on files. Files under /cfs lie in a folder of the host's (mpi_paths.h); all
+ * others are the host's own. iread and iwrite return when all bytes have been moved, so that iowait never
+ * waits. */
+#include "nx_api/mpi/mpi_files.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#include "nx_api/calls/file_calls.h"
+#include "nx_api/mpi/mpi_paths.h"
+#include "nx_api/mpi/shared_pointer.h"
+
+enum { IO_IDS = 128 };
+
+static struct open_file *table;
+static int table_size;
+static int32_t pointers; /* how many shared pointers have been numbered */
+static struct {
+    bool used;
+    long moved;
+} io_ids[IO_IDS];
+
+/* --- open files --- */
+
+struct open_file *files_find(int fd)
+{
+    if (fd < 0 || syscall(SYS_fcntl, fd, F_GETFD) < 0)
+        return NULL;
+    if (fd >= table_size) {
+        struct open_file *more = realloc(table, ((size_t)fd + 1) * sizeof *table);
+        if (!more)
+            node_fail(node_self(), "out of memory");
+        memset(more + table_size, 0, (size_t)(fd + 1 - table_size) * sizeof *table);
+        table = more;
+        table_size = fd + 1;
+    }
+    return &table[fd];
+}
+
+static void forget(struct open_file *f)
+{
+    free(f->path);
+    *f = (struct open_file){0};
+}
+
+void files_opened(int fd, const char *path)
+{
+    struct open_file *f = files_find(fd);
+    if (!f)
+        return;
+    forget(f);
+    f->path = strdup(path);
+}
+
+static const char *name_of(const struct open_file *f)
+{
+    return f->path ? f->path : "the file";
+}
+
+/* Do calls in the file's I/O mode depend on other nodes' calls? */
+static bool shares(const struct open_file *f)
+{
+    return f->mode != M_UNIX && f->mode != M_ASYNC;
+}
+
+static bool is_cfs(const struct open_file *f)
+{
+    return path_is_cfs(f->path);
+}
+
+/* --- errors --- */
+
+/* The error of errno. */
+static long fail(const char *what)
+{
+    int why = errno;
+    return node_error(node_self(), why, "%s: %s", what, strerrordesc_np(why));
+}
+
+static struct open_file *file_of(int fd)
+{
+    struct open_file *f = files_find(fd);
+    if (!f)
+        node_error(node_self(), EBADF, "%d is not an open file", fd);
+    return f;
+}
+
+/* --- reading and writing --- */
+
+/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be. */
+static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t offset)
+{
+    size_t moved = 0;
+    while (moved < len) {
+        ssize_t r = offset < 0 ? syscall(write_it ? SYS_write : SYS_read, fd, at + moved, len - moved)
+                    : write_it ? pwrite(fd, at + moved, len - moved, offset + (int64_t)moved)
+                               : pread(fd, at + moved, len - moved, offset + (int64_t)moved);
+        if (r < 0 && errno == EINTR)
+            continue;
+        if (r < 0)
+            return moved > 0 ? (ssize_t)moved : -1;
+        if (r == 0)
+            break;
+        moved += (size_t)r;
+    }
+    return (ssize_t)moved;
+}
+
+static ssize_t move_parts(bool write_it, int fd, const struct iovec *parts, int count, int64_t offset)
+{
+    ssize_t moved = 0;
+    for (int i = 0; i < count; i++) {
+        ssize_t r =
+            move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, offset < 0 ? -1 : offset + moved);
+        if (r < 0)
+            return moved > 0 ? moved : -1;
+        moved += r;
+        if ((size_t)r < parts[i].iov_len)
+            break;
+    }
+    return moved;
+}
+
+static int64_t length(const struct iovec *parts, int count)
+{
+    int64_t sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += (int64_t)parts[i].iov_len;
+    return sum;
+}
+
+/* M_GLOBAL: all nodes make the same call. Each node reads for itself; node 0 writes, and the others wait for
+ * node 0. */
+static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    struct open_file *f = files_find(fd);
+    int32_t pointer = f->pointer;
+    int64_t offset = lseek(fd, 0, SEEK_CUR), bytes = length(parts, count);
+    shared_check(n, pointer, f->round, bytes);
+    table[fd].round++;
+    if (write_it)
+        shared_borrow(n, M_SYNC, pointer, 0);
+    ssize_t moved = write_it && n->id != 0 ? bytes : move_parts(write_it, fd, parts, count, offset);
+    int why = errno;
+    if (write_it)
+        shared_give_back(n, M_SYNC, pointer, 0);
+    lseek(fd, offset + (moved > 0 ? moved : 0), SEEK_SET);
+    errno = why;
+    return moved;
+}
+
+/* At the shared pointer. The file's own pointer follows, for iseof. */
+static ssize_t move_at_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    struct open_file f = *files_find(fd);
+    int64_t bytes = length(parts, count), offset, behind;
+    if (f.mode == M_RECORD) {
+        shared_check(n, f.pointer, f.round, bytes);
+        offset = f.next + n->id * bytes;
+        behind = f.next + (int64_t)n->sys->count * bytes;
+        table[fd].next = behind;
+        table[fd].round++;
+    } else {
+        offset = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
+    }
+    ssize_t moved = move_parts(write_it, fd, parts, count, offset);
+    int why = errno;
+    if (f.mode != M_RECORD) {
+        behind = offset + (moved > 0 ? moved : 0);
+        shared_give_back(n, f.mode, f.pointer, behind);
+    }
+    lseek(fd, behind, SEEK_SET);
+    errno = why;
+    return moved;
+}
+
+static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    return files_find(fd)->mode == M_GLOBAL ? move_alike(n, write_it, fd, parts, count)
+                                            : move_at_shared(n, write_it, fd, parts, count);
+}
+
+long nx_move(bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
+{
+    struct open_file *f = file_of(fd);
+    if (!f || nx_check_parts(node_self(), parts, count) < 0)
+        return -1;
+    ssize_t moved = at != AT_POINTER || !shares(f) ? move_parts(write_it, fd, parts, count, at)
+                                                   : move_shared(node_self(), write_it, fd, parts, count);
+    return moved < 0 ? fail(name_of(files_find(fd))) : moved;
+}
+
+long nx_move_later(bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
+{
+    long id = 0;
+    while (id < IO_IDS && io_ids[id].used)
+        id++;
+    if (id == IO_IDS)
+        return node_error(node_self(), EQNOMID, "out of ids (%d): iowait or iodone give them back", IO_IDS);
+    if ((io_ids[id].moved = nx_move(write_it, fd, at, parts, count)) < 0)
+        return -1;
+    io_ids[id].used = true;
+    return id + 1; /* 0 is none, for programs */
+}
+
+long nxs_iowait(word id)
+{
+    if (id < 1 || id > IO_IDS || !io_ids[id - 1].used)
+        return node_error(node_self(), EQMID, "%d is no id in use", id);
+    io_ids[id - 1].used = false;
+    return io_ids[id - 1].moved;
+}
+
+long nxs_iodone(word id)
+{
+    return nxs_iowait(id) < 0 ? -1 : 1;
+}
+
+/* --- the C library's calls, for files whose pointer is shared --- */
+
+ssize_t node_read(int fd, void *buf, size_t len) NX_EXPORT("read");
+ssize_t node_write(int fd, const void *buf, size_t len) NX_EXPORT("write");
+int node_close(int fd) NX_EXPORT("close");
+
+static bool is_shared(int fd)
+{
+    return fd >= 0 && fd < table_size && shares(&table[fd]);
+}
+
+ssize_t node_read(int fd, void *buf, size_t len)
+{
+    struct iovec part = {buf, len};
+    return is_shared(fd) ? move_shared(node_self(), false, fd, &part, 1) : syscall(SYS_read, fd, buf, len);
+}
+
+ssize_t node_write(int fd, const void *buf, size_t len)
+{
+    struct iovec part = {(void *)(uintptr_t)buf, len};
+    return is_shared(fd) ? move_shared(node_self(), true, fd, &part, 1) : syscall(SYS_write, fd, buf, len);
+}
+
+int node_close(int fd)
+{
+    if (fd >= 0 && fd < table_size)
+        forget(&table[fd]);
+    return (int)syscall(SYS_close, fd);
+}
+
+/* --- opening and modes --- */
+
+static long set_mode(int fd, long mode)
+{
+    struct node *n = node_self();
+    struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    if (nx_check_io_mode(n, name_of(f), is_cfs(f), mode) < 0)
+        return -1;
+    if (!is_cfs(f))
+        mode = M_UNIX;
+    if (f->mode == mode)
+        return 0;
+    f->mode = (int)mode;
+    if (!shares(f))
+        return 0;
+    f->pointer = pointers++;
+    f->next = lseek(fd, 0, SEEK_CUR);
+    f->round = 0;
+    if ((mode == M_SYNC || mode == M_GLOBAL) && n->id == 0) /* the pointer starts at node 0 */
+        shared_start(n, f->pointer, f->next);
+    return 0;
+}
+
+static long open_one(const char *path, int flags, int mode, unsigned permissions)
+{
+    int fd = path_open(path, flags, permissions);
+    if (fd < 0)
+        return fail(path);
+    return set_mode(fd, mode) < 0 ? -1 : fd;
+}
+
+long nx_open_one(const char *call, const char *path, int flags, int mode, unsigned permissions, nx_end *end)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    return end(n, open_one(path, flags, mode, permissions));
+}
+
+long nxs_setiomode(word fd, word mode)
+{
+    return set_mode(fd, mode);
+}
+
+long nxs_iomode(word fd)
+{
+    const struct open_file *f = file_of(fd);
+    return f ? f->mode : -1;
+}
+
+/* --- pointers and sizes --- */
+
+int64_t nx_seek(struct node *n, int fd, int64_t offset, int whence)
+{
+    const struct open_file *f = file_of(fd);
+    (void)n;
+    if (!f)
+        return -1;
+    int64_t at = lseek(fd, offset, whence);
+    return at < 0 ? fail(name_of(f)) : at;
+}
+
+/* Makes a file at least so large. */
+static int64_t grow(int fd, int64_t offset, int whence)
+{
+    struct stat st;
+    if (fstat(fd, &st))
+        return -1;
+    int64_t from = whence == SIZE_SET   ? 0
+                   : whence == SIZE_CUR ? lseek(fd, 0, SEEK_CUR)
+                   : whence == SIZE_END ? st.st_size
+                                        : -1;
+    if (from < 0 || from + offset < 0) {
+        errno = EINVAL;
+        return -1;
+    }
+    if (from + offset <= st.st_size)
+        return st.st_size;
+    return ftruncate(fd, from + offset) ? -1 : from + offset;
+}
+
+int64_t nx_resize(struct node *n, int fd, int64_t offset, int whence)
+{
+    const struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    if (!is_cfs(f))
+        return node_error(n, EINVAL, "%s: only files under /cfs or /pfs can be sized", name_of(f));
+    int64_t size = grow(fd, offset, whence);
+    return size < 0 ? fail(name_of(f)) : size;
+}
+
+long nxs_iseof(word fd)
+{
+    const struct open_file *f = file_of(fd);
+    struct stat st;
+    if (!f)
+        return -1;
+    if (fstat(fd, &st))
+        return fail(name_of(f));
+    return lseek(fd, 0, SEEK_CUR) >= st.st_size;
+}
+
+/* All disks are one. */
+long nxs_restrictvol(word fd, word count, const int disks[])
+{
+    const struct open_file *f = file_of(fd);
+    if (!f)
+        return -1;
+    if (is_cfs(f) && count >= 1 && disks)
+        return 0;
+    errno = EINVAL;
+    return fail(name_of(f));
+}
+
+/* --- state --- */
+
+long nx_stat_path(const char *call, bool link, const char *path, struct estat *e, nx_end *end)
+{
+    struct node *n = node_self();
+    struct stat st;
+    char space[PATH_MAX];
+    node_enter(n, call);
+    const char *here = path_here(path, space);
+    if (!here || fstatat(AT_FDCWD, here, &st, link ? AT_SYMLINK_NOFOLLOW : 0))
+        return end(n, fail(path));
+    nx_put_estat(n, e, &st);
+    return end(n, 0);
+}
+
+long nxs_festat(word fd, struct estat *e)
+{
+    const struct open_file *f = file_of(fd);
+    struct stat st;
+    if (!f)
+        return -1;
+    if (fstat(fd, &st))
+        return fail(name_of(f));
+    nx_put_estat(node_self(), e, &st);
+    return 0;
+}

@@ -1,0 +1,249 @@
+/* mpi_mailbox.c - see mpi_mailbox.h. */
+#include "nx_api/mpi/mpi_mailbox.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include "nx_api/contract/ids.h"
+#include "nx_api/contract/matching.h"
+#include "nx_api/mpi/tick.h"
+
+/* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
+struct mpi_due {
+    struct receive *receive;
+    struct send *send;
+    struct mpi_due *next;
+};
+
+struct mpi_mailbox {
+    struct posted posted;
+    struct message *unexpected, **unexpected_end;
+    struct mpi_due *due, **due_end;
+    uint32_t handlers; /* posted or due */
+    struct mailbox_ids ids;
+    struct id_block first_ids;
+};
+
+static void *must(void *p)
+{
+    if (!p)
+        node_fail(node_self(), "out of memory");
+    return p;
+}
+
+struct mpi_mailbox *mpi_mailbox_new(void)
+{
+    struct mpi_mailbox *b = must(aligned_alloc(_Alignof(struct mpi_mailbox), sizeof *b));
+    *b = (struct mpi_mailbox){0};
+    ids_begin(&b->ids, &b->first_ids);
+    posted_begin(&b->posted);
+    b->unexpected_end = &b->unexpected;
+    b->due_end = &b->due;
+    return b;
+}
+
+struct mailbox_ids *mailbox_ids(const struct node *n)
+{
+    return &n->mailbox->ids;
+}
+
+long nx_sender(const struct node *n, const struct message *m)
+{
+    (void)n;
+    return m->source;
+}
+
+/* For the caller's error message: overwritten by the next call. */
+const char *nx_sender_name(const struct node *n, const struct message *m)
+{
+    static char name[24];
+    (void)n;
+    snprintf(name, sizeof name, "node %u", m->source);
+    return name;
+}
+
+static void message_free(struct message *m)
+{
+    free(m->block);
+    free(m);
+}
+
+/* --- queues --- */
+
+static void unkeep(struct mpi_mailbox *b, struct message **link)
+{
+    struct message *m = *link;
+    *link = m->next;
+    if (b->unexpected_end == &m->next)
+        b->unexpected_end = link;
+}
+
+static void add_due(struct mpi_mailbox *b, struct receive *r, struct send *s)
+{
+    struct mpi_due *d = must(calloc(1, sizeof *d));
+    d->receive = r, d->send = s;
+    *b->due_end = d;
+    b->due_end = &d->next;
+}
+
+static void give(struct mpi_mailbox *b, struct receive *r, struct message *m)
+{
+    r->m = m;
+    if (r->handler)
+        add_due(b, r, NULL);
+}
+
+/* --- messages come in --- */
+
+void mpi_mailbox_deliver(struct node *n, struct message *m)
+{
+    enum { FORCED = 1 << 30 };
+    struct mpi_mailbox *b = n->mailbox;
+    struct receive *r = posted_take(n, &b->posted, m);
+    if (r) {
+        give(b, r, m);
+        return;
+    }
+    if (m->type >= FORCED || n->over) {
+        message_free(m);
+        return;
+    }
+    m->next = NULL;
+    *b->unexpected_end = m;
+    b->unexpected_end = &m->next;
+}
+
+void mpi_mailbox_flush(struct node *n, int64_t typesel)
+{
+    for (struct message **link = &n->mailbox->unexpected, *m; (m = *link);) {
+        if (!mailbox_selects(typesel, m->type)) {
+            link = &m->next;
+            continue;
+        }
+        unkeep(n->mailbox, link);
+        message_free(m);
+    }
+}
+
+/* --- receiving --- */
+
+void mailbox_post(struct node *n, struct receive *r)
+{
+    struct mpi_mailbox *b = n->mailbox;
+    struct message *m = matching_first(n, &r->select, b->unexpected), **link = &b->unexpected;
+    if (!m) {
+        posted_append(&b->posted, r);
+        return;
+    }
+    while (*link != m)
+        link = &(*link)->next;
+    unkeep(b, link);
+    give(b, r, m);
+}
+
+void mailbox_withdraw(struct node *n, struct receive *r)
+{
+    struct mpi_mailbox *b = n->mailbox;
+    if (posted_remove(&b->posted, r))
+        return;
+    struct message *m = r->m;
+    r->m = NULL;
+    m->next = b->unexpected;
+    if (!b->unexpected)
+        b->unexpected_end = &m->next;
+    b->unexpected = m;
+}
+
+bool mailbox_complete(struct node *n, const struct receive *r)
+{
+    (void)n;
+    return r->m;
+}
+
+long mailbox_take(struct node *n, struct receive *r)
+{
+    long result = matching_take(n, r);
+    message_free(r->m);
+    r->m = NULL;
+    return result;
+}
+
+const struct message *mailbox_probe(struct node *n, const struct selector *select)
+{
+    return matching_first(n, select, n->mailbox->unexpected);
+}
+
+void mailbox_drop(struct receive *r)
+{
+    if (r->m)
+        message_free(r->m);
+}
+
+void mailbox_unfollow(struct send *s)
+{
+    (void)s; /* no message is linked: a send is done at once, since the message is a copy */
+}
+
+/* --- handlers --- */
+
+static void count_handlers(struct mpi_mailbox *b, int change)
+{
+    b->handlers += (uint32_t)change;
+    tick_often(b->handlers > 0);
+}
+
+void mailbox_post_handler(struct node *n, const struct receive *what)
+{
+    struct receive *r = must(calloc(1, sizeof *r));
+    *r = *what;
+    count_handlers(n->mailbox, 1);
+    mailbox_post(n, r);
+}
+
+/* Due at once: the buffer is free when the call has copied it. */
+struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long param)
+{
+    struct send *s = must(calloc(1, sizeof *s));
+    s->handler = handler, s->param = param;
+    count_handlers(n->mailbox, 1);
+    add_due(n->mailbox, NULL, s);
+    return s;
+}
+
+static void call_handler(struct node *n, const struct mpi_due *d)
+{
+    mailbox_handler *handler = d->receive ? d->receive->handler : d->send->handler;
+    long param = d->receive ? d->receive->param : d->send->param;
+    if (d->send)
+        n->info = d->send->info;
+    else if (mailbox_take(n, d->receive) < 0)
+        node_fail(n, "hrecv: %s", n->error->text);
+    free(d->receive);
+    free(d->send);
+    handler(n->info.type, n->info.count, n->info.node, n->info.pid, param);
+}
+
+bool mpi_mailbox_run_handler(struct node *n)
+{
+    struct mpi_mailbox *b = n->mailbox;
+    if (!b->due || n->masked || n->in_handler)
+        return false;
+    struct mpi_due d = *b->due;
+    struct node_info info = n->info;
+    const char *call = n->call;
+    long type = n->call_type;
+    bool has_type = n->call_has_type;
+    int saved_errno = n->saved_errno;
+    free(b->due);
+    b->due = d.next;
+    if (!b->due)
+        b->due_end = &b->due;
+    count_handlers(b, -1);
+    n->in_handler = true;
+    n->call = NULL;
+    call_handler(n, &d);
+    n->in_handler = false;
+    n->call = call, n->call_type = type, n->call_has_type = has_type;
+    n->info = info;
+    n->saved_errno = saved_errno;
+    return true;
+}

@@ -1,0 +1,14 @@
+/* mpi_mailbox.h - the messages of a node on MPI, all of which have come whole. What calls do with them:
+ * contract/message.h; which message a receive takes: contract/matching.h. */
+#ifndef MPI_MAILBOX_H
+#define MPI_MAILBOX_H
+#include "backend_node.h"
+
+struct mpi_mailbox *mpi_mailbox_new(void);
+/* Gives a message, which the mailbox is to free, to the receive that selects it. If none does the message is
+ * unexpected; a forced one is thrown away. */
+void mpi_mailbox_deliver(struct node *n, struct message *m);
+void mpi_mailbox_flush(struct node *n, int64_t typesel);
+/* Runs the first handler that is due; false if none is, or may run now. */
+bool mpi_mailbox_run_handler(struct node *n);
+#endif

@@ -1,0 +1,356 @@
+/* mpi_node.c - a process's beginning and end, its waiting, and its errors. See mpi_node.h.
+ *
+ * A process whose program has ended keeps taking messages in until all programs have ended: no send may fail
+ * because its receiver was quick. */
+#include "nx_api/mpi/mpi_node.h"
+#include <cpuid.h>
+#include <errno.h>
+#include <sched.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+#include "nx_api/calls/call.h"
+#include "nx_api/mpi/mpi_mailbox.h"
+#include "nx_api/mpi/signals.h"
+#include "nx_api/mpi/tick.h"
+#include "nx_api/mpi/mpi_wire.h"
+
+enum { MESSAGE_IDS = 500, PATIENCE_S = 5 };
+
+static struct mpi_system all;
+struct node mpi_me = {.sys = &all, .info = {-1, -1, -1, -1}};
+static struct timespec began;
+static pid_t process; /* of the program itself, not of its children */
+
+static void nap(long ns)
+{
+    nanosleep(&(struct timespec){.tv_nsec = ns}, NULL);
+}
+
+double mpi_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - began.tv_sec) + 1e-9 * (double)(now.tv_nsec - began.tv_nsec);
+}
+
+/* --- ends --- */
+
+/* Tells all nodes of this process's end and waits for theirs; after `patience` seconds (0: never) aborts
+ * them. */
+static void finish(struct node *n, int status, double patience)
+{
+    double begin = mpi_seconds();
+    n->over = true;
+    n->ends[n->id].ended = true;
+    n->ended++;
+    wire_send(n, ALL_NODES, (struct wire_head){WIRE_END, status, (int32_t)n->pid, 0}, NULL, 0);
+    for (long pause = 1000; n->ended < n->sys->count || !wire_is_empty();) {
+        if (wire_progress(n))
+            pause = 1000;
+        nap(pause);
+        pause += pause < 1000000 ? pause / 4 : 0;
+        if (patience > 0 && mpi_seconds() - begin > patience)
+            wire_abort(status);
+    }
+    wire_end();
+}
+
+static void kill_others(struct node *n)
+{
+    wire_send(n, ALL_NODES, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);
+}
+
+/* The program has called exit or _exit. A status other than 0 ends all nodes, so that none waits in vain. */
+static void exits(struct node *n, int status)
+{
+    if (n->over || getpid() != process)
+        return;
+    if (status == 0) {
+        finish(n, 0, 0);
+        return;
+    }
+    fprintf(stderr, "nx: node %ld, at %.6f s: exit(%d), which ends the program on all nodes\n", n->id,
+            mpi_seconds(), status);
+    kill_others(n);
+    finish(n, status, PATIENCE_S);
+}
+
+/* Runs when main has returned, too. What main returns is no exit status. */
+static void at_exit(int status, void *unused)
+{
+    struct node *n = node_self();
+    (void)unused;
+    fflush(NULL);
+    if (n->returned && !n->over)
+        finish(n, (int)n->exit_code, 0);
+    exits(n, status);
+}
+
+_Noreturn void node__exit(int status) NX_EXPORT("_exit");
+_Noreturn void node__exit(int status)
+{
+    exits(node_self(), status);
+    syscall(SYS_exit_group, status);
+    __builtin_unreachable();
+}
+
+_Noreturn void mpi_end_here(struct node *n)
+{
+    fflush(NULL);
+    finish(n, 0, PATIENCE_S);
+    node__exit(0);
+}
+
+/* --- longs --- */
+
+/* mpi_long32.c defines another, which precedes this one. */
+__attribute__((weak)) int mpi_long_bytes = sizeof(long);
+
+size_t node_long_bytes(const struct node *n)
+{
+    (void)n;
+    return (size_t)mpi_long_bytes;
+}
+
+long node_get_long(const struct node *n, const long *array, size_t i)
+{
+    (void)n;
+    return mpi_long_bytes == sizeof(int32_t) ? ((const int32_t *)array)[i] : array[i];
+}
+
+void node_put_long(const struct node *n, long *array, size_t i, long value)
+{
+    (void)n;
+    if (mpi_long_bytes == sizeof(int32_t))
+        ((int32_t *)array)[i] = (int32_t)value;
+    else
+        array[i] = value;
+}
+
+/* --- errors --- */
+
+long node_error(struct node *n, int code, const char *fmt, ...)
+{
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(n->error->text, sizeof n->error->text, fmt, ap);
+    va_end(ap);
+    n->error->code = code;
+    return -1;
+}
+
+_Noreturn void node_fail(struct node *n, const char *fmt, ...)
+{
+    va_list ap;
+    char text[512];
+    va_start(ap, fmt);
+    vsnprintf(text, sizeof text, fmt, ap);
+    va_end(ap);
+    fflush(stdout);
+    fprintf(stderr, "nx: node %ld, at %.6f s: %s\n", n->id, mpi_seconds(), text);
+    if (n->over || !n->ends)
+        wire_abort(1);
+    fflush(NULL);
+    kill_others(n);
+    finish(n, 1, PATIENCE_S);
+    node__exit(1);
+}
+
+/* --- calls --- */
+
+static void heed(struct node *n)
+{
+    if (n->killed && !n->over)
+        mpi_end_here(n);
+}
+
+static bool run_handlers(struct node *n)
+{
+    bool any = false;
+    while (mpi_mailbox_run_handler(n))
+        any = true;
+    return any;
+}
+
+void node_enter(struct node *n, const char *call)
+{
+    n->saved_errno = errno;
+    n->call = call;
+    n->call_has_type = false;
+    wire_progress(n);
+    heed(n);
+}
+
+void node_enter_early(struct node *n, const char *call)
+{
+    node_enter(n, call);
+}
+
+void node_leave(struct node *n)
+{
+    run_handlers(n);
+    n->call = NULL;
+    errno = n->saved_errno;
+}
+
+void node_order(struct node *n)
+{
+    (void)n; /* node_enter has taken in what has come */
+}
+
+/* Polls without a pause at first, then yields the processor, and at last sleeps a little. */
+static void pause_after(unsigned polls)
+{
+    enum { YIELDING = 200, SLEEPING = 4000 };
+    if (polls > SLEEPING)
+        nap(50000);
+    else if (polls > YIELDING)
+        sched_yield();
+}
+
+void node_wait(struct node *n, bool (*ready)(struct node *, void *), void *arg)
+{
+    tick_rest(true);
+    for (unsigned polls = 0;; polls++) {
+        bool any = wire_progress(n);
+        heed(n);
+        if (run_handlers(n)) {
+            any = true;
+            tick_rest(true); /* a handler may have waited, too */
+        }
+        if (ready(n, arg))
+            break;
+        if (any)
+            polls = 0;
+        pause_after(polls);
+    }
+    tick_rest(false);
+}
+
+/* A poll of the program has found nxc_due set: tick.c. */
+void nxc_preempt(void);
+void nxc_preempt(void)
+{
+    struct node *n = node_self();
+    int saved = errno;
+    nxc_due = 0;
+    if (!n->over) {
+        wire_progress(n);
+        heed(n);
+        run_handlers(n);
+    }
+    errno = saved;
+}
+
+/* --- for calls: contract/backend.h --- */
+
+void nx_about(struct node *n, long what)
+{
+    n->call_type = what;
+    n->call_has_type = true;
+}
+
+void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
+{
+    (void)n, (void)r, (void)s;
+}
+
+void nx_spend_call(struct node *n)
+{
+    (void)n; /* time is real */
+}
+
+void nx_spend_kernel(struct node *n)
+{
+    (void)n;
+}
+
+struct own_calls *nx_own_calls(struct node *n)
+{
+    return &n->own;
+}
+
+uint32_t nx_message_ids(const struct node *n)
+{
+    (void)n;
+    return MESSAGE_IDS;
+}
+
+long nx_check_way(struct node *n, long node)
+{
+    (void)n, (void)node;
+    return 0;
+}
+
+bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
+{
+    (void)n, (void)o;
+    return true;
+}
+
+void nx_send(struct node *n, const struct outgoing *o, struct send *s)
+{
+    const struct wire_head head = {WIRE_DATA, (int32_t)o->type, (int32_t)n->pid, 0};
+    wire_send(n, o->node, head, o->buf, (size_t)o->len);
+    if (s)
+        s->done = true;
+}
+
+void nx_flush(struct node *n, long node, int64_t typesel)
+{
+    if (node == ALL_NODES || node == n->id)
+        mpi_mailbox_flush(n, typesel);
+    if (node != n->id)
+        wire_send(n, node, (struct wire_head){WIRE_FLUSH, (int32_t)typesel, 0, 0}, NULL, 0);
+}
+
+/* --- beginning --- */
+
+extern unsigned nxc_saved;
+
+/* The parts of the processor's state that a poll has to save: those of x87, SSE, AVX, AVX-512 that this
+ * processor has. */
+static unsigned state_to_save(void)
+{
+    enum { OSXSAVE = 1 << 27, WANTED = 0xe7 };
+    unsigned a, b, c, d, low, high;
+    if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & OSXSAVE))
+        return 0;
+    __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+    (void)high;
+    return low & WANTED;
+}
+
+static void begin(struct node *n, int *argc, char ***argv)
+{
+    process = getpid();
+    clock_gettime(CLOCK_MONOTONIC, &began);
+    wire_begin(n, argc, argv);
+    clock_gettime(CLOCK_MONOTONIC, &began);
+    n->ends = calloc(n->sys->count, sizeof *n->ends);
+    n->mailbox = mpi_mailbox_new();
+    nxc_saved = state_to_save();
+    signals_begin();
+    if (!n->ends || !tick_start())
+        node_fail(n, "the node cannot start: %s", strerror(errno));
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
+    on_exit(at_exit, NULL);
+    errno = 0;
+}
+
+/* nxcc links with --wrap=main. */
+int __real_main(int argc, char **argv, char **envp);
+__attribute__((visibility("default"))) int __wrap_main(int argc, char **argv, char **envp);
+int __wrap_main(int argc, char **argv, char **envp)
+{
+    struct node *n = node_self();
+    begin(n, &argc, &argv);
+    n->exit_code = __real_main(argc, argv, envp);
+    n->returned = true;
+    return 0;
+}

@@ -1,0 +1,82 @@
+/* sim_stripes.c - how files are striped over the machine's disks (pfs/pfs.h), and fcntl(). */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include "cfs/cfs.h"
+#include "guest/libc_parts.h"
+#include "nx_api/calls/call.h"
+#include "nx_api/calls/statpfs.h"
+
+enum { OTHER_BLOCK = 8192 };
+static const int64_t OTHER_CAPACITY =
+    INT64_C(2) << 30; /* of the host's file system: its real size must not change a run */
+
+static void other_file_system(struct stripes *s)
+{
+    *s = (struct stripes){.capacity = OTHER_CAPACITY, .free = OTHER_CAPACITY, .block = OTHER_BLOCK};
+}
+
+static void own_file_system(const struct node *n, struct stripes *s)
+{
+    const struct cfg_cfs *c = &n->sys->cfg->cfs;
+    int64_t bytes = (int64_t)(c->disks * c->cylinders * c->cylinder_blocks * c->block_bytes);
+    *s = (struct stripes){.own = true, .capacity = bytes, .free = bytes, .block = (long)c->block_bytes};
+    s->unit = (int)c->block_bytes;
+    s->factor = (int)c->disks;
+}
+
+int stripes_of_path(struct node *n, const char *path, struct stripes *s)
+{
+    struct stat st;
+    if (file_stat_within(n, path, &st))
+        return -1;
+    if (file_is_simulated(path))
+        own_file_system(n, s);
+    else
+        other_file_system(s);
+    return 0;
+}
+
+int stripes_of_file(struct node *n, int fd, struct stripes *s)
+{
+    struct node_file *f = descriptor_file(n, fd);
+    if (!f)
+        return -1;
+    const struct cfs_file *file = cfs_file_of(f);
+    if (!file) {
+        other_file_system(s);
+        return 0;
+    }
+    own_file_system(n, s);
+    cfs_disks(file, &s->factor, &s->start);
+    return 0;
+}
+
+int stripes_set(struct node *n, int fd, int factor, int start)
+{
+    uint32_t list[4096]; /* as many as a machine file allows */
+    int disks = (int)n->sys->cfg->cfs.disks;
+    errno = EINVAL;
+    if (factor < 1 || factor > disks || start < 0 || start >= disks)
+        return -1;
+    for (int i = 0; i < factor; i++)
+        list[i] = (uint32_t)((start + i) % disks);
+    return cfs_restrict(cfs_file_of(descriptor_file(n, fd)), list, (uint32_t)factor);
+}
+
+/* Of other requests only those that every descriptor serves. */
+int node_fcntl(int fd, int what, ...)
+{
+    va_list ap;
+    va_start(ap, what);
+    void *argument = nx_is_of_stripes(what) ? va_arg(ap, void *) : NULL;
+    va_end(ap);
+    if (nx_is_of_stripes(what))
+        return nx_stripes_control(fd, what, argument);
+    if (!descriptor_file(node_self(), fd))
+        return -1;
+    if (what == F_GETFD || what == F_SETFD)
+        return 0;
+    errno = EINVAL;
+    return -1;
+}
