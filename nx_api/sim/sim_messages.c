@@ -76,8 +76,9 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
     word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
-    struct message *m = all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
-                            : protocol_message(p, n->lp.address, address_of(n, o->node), type, pid, o->buf, len);
+    struct message *m =
+        all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
+            : protocol_message(p, n->lp.address, address_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     if (s && (!m || nx_goes_at_once(n, o))) {
         s->done = true;

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "cfs/cfs_state.h"
 #include "kernel/xalloc.h"
-#include "os/fail.h"
+#include "os/first_failure.h"
 
 uint32_t cfs_services(const struct cfg_machine *cfg)
 {
@@ -14,8 +14,8 @@ uint32_t cfs_services(const struct cfg_machine *cfg)
 static void broken(void *ctx, const struct store_file *f, int error)
 {
     struct cfs *c = ctx;
-    node_system_fail(c->sys, STOP_FAILED, c->sys->schedule.present, "/cfs/%s cannot be read or written here: %s", f->path,
-                     strerror(error));
+    node_system_fail(c->sys, STOP_FAILED, c->sys->schedule.present,
+                     "/cfs/%s cannot be read or written here: %s", f->path, strerror(error));
 }
 
 struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error)
@@ -29,7 +29,8 @@ struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error)
         return NULL;
     }
     c->first_address = sys->topo.positions;
-    c->directory = directory_new(sys->schedule.protocol, sys->schedule.q, c->first_address + (uint32_t)c->cfg->io_nodes);
+    c->directory =
+        directory_new(sys->schedule.protocol, sys->schedule.q, c->first_address + (uint32_t)c->cfg->io_nodes);
     c->io = xcalloc(c->cfg->io_nodes, sizeof *c->io);
     struct ionode_up up = {c, cfs_answer, cfs_room, broken};
     for (uint32_t i = 0; i < c->cfg->io_nodes; i++)

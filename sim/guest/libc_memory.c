@@ -6,7 +6,7 @@
 #include "guest/heap.h"
 #include "node/node.h"
 #include "node/self.h"
-#include "os/fail.h"
+#include "nx_api/contract/backend.h"
 
 void *node_malloc(size_t bytes);
 int node_getpagesize(void);

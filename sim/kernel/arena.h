@@ -10,11 +10,11 @@
 struct arena_chunk; /* what blocks are cut from */
 
 struct arena {
-    size_t bytes;             /* of a block, at most 64 KB; the rest is the arena's own */
-    void *last;               /* the block given back last. NULL: it has been taken */
+    size_t bytes;              /* of a block, at most 64 KB; the rest is the arena's own */
+    void *last;                /* the block given back last. NULL: it has been taken */
     struct arena_chunk *first; /* with unused blocks. NULL: there is none */
-    size_t stride;            /* from one block to the next */
-    uint64_t a_block;         /* 2^32 / stride, rounded up */
+    size_t stride;             /* from one block to the next */
+    uint64_t a_block;          /* 2^32 / stride, rounded up */
     struct arena_chunk **chunks;
     uint64_t *roomy; /* bit B of word W: chunk 64 * W + B has unused blocks */
     size_t count;    /* of chunks */

@@ -43,7 +43,7 @@ struct workers_calls {
 /* How the tasks went, for those who tune that. The figures differ from run to run. */
 struct workers_stats {
     uint64_t submitted, away, helped; /* tasks; runs on the threads, runs on the coordinator */
-    uint64_t waits;                /* times that the coordinator had nothing to do */
+    uint64_t waits;                   /* times that the coordinator had nothing to do */
     double away_s, helped_s, waited_s;
 };
 

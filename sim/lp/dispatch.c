@@ -6,7 +6,6 @@
 #include "lp/commit.h"
 #include "lp/engine.h"
 #include "lp/lookahead.h"
-#include "lp/offload.h"
 #include "lp/prefetch_coming.h"
 #include "lp/upcalls.h"
 
@@ -304,31 +303,8 @@ void lp_start(struct lp *lp, vtime t)
     lp_schedule(lp, t);
 }
 
-bool lp_roll_back(struct lp *lp, struct instant at)
+void lp_message_kept(struct lp *lp)
 {
-    offload_drop(lp);
-    lp_apply_deferred(lp, instant_later(at, schedule_reached(lp->schedule)));
-    lp->lazily_blocked = false;
-    up_roll_back_deferred(lp);
-    lp_catch_up(lp, at.time);
-    lp_leave_poll(lp);
-    vtime commits = clock_sync(lp) + lp->clock.stolen;
-    if (lp->state == LP_BLOCKED)
-        up_wait_ends(lp, at.time);
-    else if (commits > at.time)
-        clock_roll_back(lp, commits - at.time);
-    clock_drop_stolen(lp);
-    return lp->state == LP_COMPUTING;
-}
-
-void lp_forget(struct lp *lp)
-{
-    up_drop_deferred(lp);
-}
-
-void engine_settle(struct lp *lp, struct instant end)
-{
-    lp_apply_deferred(lp, instant_later(end, schedule_reached(lp->schedule)));
-    if (lp->state != LP_ENDED)
-        up_roll_back_deferred(lp);
+    if (up_has_deferred(lp))
+        up_deferred_may_select(lp);
 }

@@ -20,6 +20,8 @@ void lp_wake(struct lp *lp, vtime t);
 void lp_notify(struct lp *lp, vtime t);
 /* To be called before anything is done to the node, at the present moment, that depends on how far its program has come. */
 void lp_synchronise(struct lp *lp);
+/* A message has come to the node that no receive selects: a deferred one may. */
+void lp_message_kept(struct lp *lp);
 /* The program is killed, or the machine stops, at this moment: what it has done ahead of it has not happened. True: it was
  * computing; false: it waited, or had ended. */
 bool lp_roll_back(struct lp *lp, struct instant at);

@@ -18,6 +18,8 @@ void up_commit_deferred(struct lp *lp, struct instant before);
 vtime up_next_deferred(const struct lp *lp, void **sends);
 /* The commit time of the last, or when the program goes on after it; there is one. */
 vtime up_last_deferred(const struct lp *lp);
+/* A message has come that deferred receives may select. */
+void up_deferred_may_select(struct lp *lp);
 /* Those not committed have not happened, nor what came after. */
 void up_roll_back_deferred(struct lp *lp);
 /* The same for a node that has no program any more: nothing is given back to it. */

@@ -15,7 +15,7 @@
 #include "machine/assemble.h"
 #include "node/self.h"
 #include "os/end.h"
-#include "os/fail.h"
+#include "os/first_failure.h"
 #include "os/gate.h"
 
 static double wall_clock(void)

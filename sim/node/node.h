@@ -131,7 +131,6 @@ struct deferred_cold {
     int32_t type[DEFERRED_MOST]; /* in node.call_type when the caller resumes, if it has any */
 };
 
-
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close together. */
 struct node_cold {
     struct id_block ids; /* the first of the mailbox's */

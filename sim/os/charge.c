@@ -3,7 +3,7 @@
 #include "lp/clock.h"
 #include "lp/engine.h"
 #include "node/system.h"
-#include "os/handlers.h"
+#include "os/share.h"
 
 static void add(struct node *n, enum node_task task, vtime t)
 {
@@ -14,7 +14,7 @@ static void add(struct node *n, enum node_task task, vtime t)
 void node_account(struct node *n, enum node_task task, vtime t)
 {
     add(n, task, t);
-    handlers_share_used(n, t);
+    share_use(n, t);
 }
 
 void charge_undo(struct node *n, enum node_task task, vtime t)

@@ -300,7 +300,7 @@ static void unsend(struct node *n, const struct deferred_call *c, struct message
 {
     n->stats.sent--, n->stats.sent_bytes -= m->bytes;
     if (m->followed)
-        mailbox_unfollow(m->send);
+        match_unfollow(m->send);
     if (!c->sends) {
         protocol_message_free(m);
         return;
@@ -318,7 +318,7 @@ static void unmake(struct node *n)
     if (c->has_message)
         unsend(n, c, message_of(n, n->deferred.count - 1));
     if (c->selected && c->receive->m)
-        mailbox_withdraw(n, c->receive);
+        match_withdraw(n, c->receive);
     charge_undo(n, NODE_CALL, c->spent);
 }
 

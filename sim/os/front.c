@@ -46,9 +46,3 @@ void front_received(struct node *n, struct message *m)
     node_spend_on(n, NODE_COPYING, match_copying(n, m));
     match_done_with(n, m, node_now(n));
 }
-
-void front_message_kept(struct node *n)
-{
-    if (n->deferred.count)
-        deferred_may_select(n);
-}

@@ -16,6 +16,4 @@ static inline void node_spend(struct node *n, vtime t)
 void front_post(struct node *n, struct receive *r);
 void front_send(struct node *n, struct message *first);
 void front_received(struct node *n, struct message *m);
-/* A message has come that no receive selects. */
-void front_message_kept(struct node *n);
 #endif

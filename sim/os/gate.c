@@ -11,6 +11,7 @@
 #include "os/handlers.h"
 #include "os/match.h"
 #include "os/memory.h"
+#include "os/order.h"
 #include "lp/clock.h"
 #include "node/self.h"
 
@@ -18,36 +19,6 @@
 enum { MOST_UNSEEN = 4096, POLL_CALLS = 64 };
 
 /* --- calls --- */
-
-/* What the program may spend was reckoned before the system took time from it. */
-static void allow_anew(struct node *n)
-{
-    if (!n->call)
-        clock_allow(&n->lp, lp_deadline(&n->lp));
-}
-
-/* Is something else to be committed before the node's call at `now`? */
-static bool must_yield(struct node *n, vtime now)
-{
-    return n->deferred.count || lp_must_yield(&n->lp, now);
-}
-
-void node_order(struct node *n)
-{
-    vtime now = node_now(n);
-    n->deferred.open = false;
-    bool yielded = false;
-    while (must_yield(n, now)) {
-        lp_prepare_yield(&n->lp, now);
-        n->frame = (uintptr_t)__builtin_frame_address(0);
-        lp_yield(&n->lp);
-        now = node_now(n);
-        yielded = true;
-    }
-    lp_commit(&n->lp, now);
-    if (yielded)
-        allow_anew(n);
-}
 
 /* A call has come before the end of its program's lookahead, on which other nodes may have relied. */
 static __attribute__((noinline, cold)) void fail_lookahead(struct node *n)
@@ -220,7 +191,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     struct lp *lp = &n->lp;
     vtime now = clock_sync(lp);
     n->deferred.open = false;
-    bool yields = must_yield(n, now), early = n->hands_over;
+    bool yields = order_must_yield(n, now), early = n->hands_over;
     if (yields && early && may_resume_early(n, now, ready, arg)) {
         deferred_resume_caller(n);
         return;

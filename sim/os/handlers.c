@@ -1,68 +1,21 @@
-/* handlers.c - the handlers of a node: those of hrecv, hsend and their kin. One that is due runs on its program's stack, where the
+/* handlers.c - the handlers of a node: those of hrecv, hsend and their variants. One that is due runs on its program's stack, where the
  * program can be interrupted: between two parts of its computing, or in a call; not inside of another. See handlers.h. */
 #include "os/handlers.h"
 #include <stdlib.h>
+#include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "lp/engine.h"
-#include "os/match.h"
 #include "node/system.h"
+#include "os/due.h"
 #include "os/fail.h"
 #include "os/front.h"
 #include "os/gate.h"
-
-/* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
-struct due {
-    vtime at;
-    struct receive *receive;
-    struct send *send;
-    struct due *next;
-};
-
-static const struct due *first_due(const struct mailbox *b)
-{
-    return b->last_due ? b->last_due->next : NULL;
-}
-
-static struct due take_due(struct mailbox *b)
-{
-    struct due *first = b->last_due->next, d = *first;
-    b->last_due->next = first->next;
-    if (b->last_due == first)
-        b->last_due = NULL;
-    free(first);
-    return d;
-}
-
-void handlers_free(struct mailbox *b)
-{
-    while (b->last_due) {
-        struct due d = take_due(b);
-        if (d.receive && d.receive->m)
-            protocol_message_free(d.receive->m);
-        free(d.receive);
-        free(d.send);
-    }
-}
-
-void handlers_add(struct node *n, vtime at, struct receive *r, struct send *s)
-{
-    lp_synchronise(&n->lp);
-    struct mailbox *b = &n->mailbox;
-    struct due *d = calloc(1, sizeof *d);
-    if (!d)
-        abort();
-    *d = (struct due){.at = at, .receive = r, .send = s, .next = d};
-    if (b->last_due)
-        d->next = b->last_due->next, b->last_due->next = d;
-    b->last_due = d;
-    lp_wake(&n->lp, at);
-}
+#include "os/order.h"
+#include "os/share.h"
 
 void mailbox_post_handler(struct node *n, const struct receive *what)
 {
-    struct receive *r = calloc(1, sizeof *r);
-    if (!r)
-        abort();
+    struct receive *r = xmalloc(sizeof *r);
     *r = *what;
     n->mailbox.handlers++;
     n->armed = true;
@@ -71,30 +24,11 @@ void mailbox_post_handler(struct node *n, const struct receive *what)
 
 struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long param)
 {
-    struct send *s = calloc(1, sizeof *s);
-    if (!s)
-        abort();
+    struct send *s = xcalloc(1, sizeof *s);
     s->handler = handler, s->param = param;
     n->mailbox.handlers++;
     n->armed = true;
     return s;
-}
-
-bool handlers_armed(const struct node *n)
-{
-    return n->mailbox.handlers > 0 && !n->masked && !n->in_handler;
-}
-
-vtime handlers_next_due(const struct node *n)
-{
-    const struct due *first = first_due(&n->mailbox);
-    return first ? vt_max(first->at, clock_when(&n->lp, n->share_until)) : VT_NEVER;
-}
-
-bool handlers_due(const struct node *n, vtime now)
-{
-    const struct due *first = first_due(&n->mailbox);
-    return first && first->at <= now && !n->masked && !n->in_handler;
 }
 
 /* Handlers are let run from now on. */
@@ -116,7 +50,7 @@ static vtime delay(struct node *n, vtime due)
 static void run_first(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
-    struct due d = take_due(b);
+    struct due d = due_take(b);
     struct node_info before = n->info;
     b->handlers--;
     n->stats.handlers++;
@@ -161,35 +95,19 @@ bool handlers_mask(struct node *n, bool masked)
     return before;
 }
 
-void handlers_need_no_share(struct node *n)
-{
-    n->share_until = 0;
-}
-
-void handlers_share_used(struct node *n, vtime t)
-{
-    uint64_t left = n->share_until > n->lp.clock.units ? n->share_until - n->lp.clock.units : 0, used;
-    if (!left || n->in_handler)
-        return;
-    used = clock_units_in(&n->lp, t);
-    n->share_until -= used < left ? used : left;
-}
-
 /* Runs it; the program, which would have gone on meanwhile, has its share before the next. */
 static void interrupt(struct node *n)
 {
-    const uint64_t share = n->sys->cfg->program_milli;
     vtime begun = node_now(n);
     run_within(n);
     vtime stood = node_now(n) - begun;
     n->stats.stood += stood;
-    n->share_until = (n->share_until > n->lp.clock.units ? n->share_until : n->lp.clock.units) +
-                     clock_units_in(&n->lp, stood / (1000 - share) * share);
+    share_give(n, stood);
 }
 
 bool handlers_run(struct node *n, bool waits)
 {
-    if (!first_due(&n->mailbox) || !handlers_due(n, node_now(n)))
+    if (!due_first(&n->mailbox) || !due_now(n, node_now(n)))
         return false;
     if (waits)
         run_within(n);
@@ -202,7 +120,7 @@ bool handlers_run(struct node *n, bool waits)
 
 bool handlers_run_held(struct node *n, vtime t)
 {
-    if (!handlers_due(n, t))
+    if (!due_now(n, t))
         return false;
     interrupt(n);
     return true;

@@ -8,7 +8,7 @@
 #include "os/end.h"
 #include "os/front.h"
 #include "os/gate.h"
-#include "os/longs.h"
+#include "nx_api/contract/backend.h"
 #include "os/match.h"
 #include "os/unexpected.h"
 #include "os/fail.h"
@@ -36,16 +36,6 @@ bool mailbox_complete(struct node *n, const struct receive *r)
     return true;
 }
 
-long nx_sender(const struct node *n, const struct message *m)
-{
-    return (long)node_number(n->sys, m->source);
-}
-
-const char *nx_sender_name(const struct node *n, const struct message *m)
-{
-    return node_at(n->sys, m->source)->name;
-}
-
 long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
@@ -71,6 +61,5 @@ void mailbox_drop(struct receive *r)
 
 void mailbox_unfollow(struct send *s)
 {
-    if (s->m)
-        s->m->followed = false;
+    match_unfollow(s);
 }

@@ -4,8 +4,7 @@
 #include "lp/engine.h"
 #include "node/system.h"
 #include "os/charge.h"
-#include "os/front.h"
-#include "os/handlers.h"
+#include "os/due.h"
 #include "os/history.h"
 #include "os/memory.h"
 #include "os/unexpected.h"
@@ -44,7 +43,7 @@ void match_end(struct node *n)
     free_messages(b->whole);
     free_messages(n->coming);
     unexpected_end(n);
-    handlers_free(b);
+    due_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */
 }
@@ -111,7 +110,7 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
     if (m->forced)
         return false;
     unexpected_add(n, m);
-    front_message_kept(n);
+    lp_message_kept(&n->lp);
     if (m->is_long && !room_for(n, m)) {
         b->waiting++;
         return false;
@@ -135,7 +134,7 @@ void match_arrived(void *ctx, struct message *m, vtime now)
     if (m->unwanted)
         protocol_message_free(m);
     else if (r && r->handler)
-        handlers_add(n, m->complete, r, NULL);
+        due_add(n, m->complete, r, NULL);
     else
         lp_notify(&n->lp, m->complete);
 }
@@ -148,7 +147,7 @@ void match_sent(void *ctx, struct message *m, vtime now)
     s->m = NULL;
     s->done = true;
     if (s->handler)
-        handlers_add(n, now, NULL, s);
+        due_add(n, now, NULL, s);
     else
         lp_notify(&n->lp, now);
 }
@@ -158,6 +157,12 @@ void match_follow(struct message *m, struct send *s)
     m->send = s;
     m->followed = true;
     s->m = m;
+}
+
+void match_unfollow(struct send *s)
+{
+    if (s->m)
+        s->m->followed = false;
 }
 
 /* --- sending --- */
@@ -195,7 +200,7 @@ void match_post(struct node *n, struct receive *r, vtime now)
         protocol_clear_to_send(m->protocol, m, now);
     }
     if (m->arrived && r->handler)
-        handlers_add(n, vt_max(m->complete, now), r, NULL);
+        due_add(n, vt_max(m->complete, now), r, NULL);
 }
 
 void match_put_back(struct node *n, struct message *m)
@@ -283,12 +288,14 @@ static void drop_receive(struct message *m)
 void match_abandon(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
-    for (struct message *m = protocol_from(n->sys->schedule.protocol, n->lp.address); m; m = protocol_next_from(m))
+    for (struct message *m = protocol_from(n->sys->schedule.protocol, n->lp.address); m;
+         m = protocol_next_from(m))
         drop_send(m);
-    for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m; m = protocol_next_to(m))
+    for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m;
+         m = protocol_next_to(m))
         if (m->receive)
             drop_receive(m);
-    handlers_free(b);
+    due_free(b);
     free_posted(b);
     posted_begin(&b->posted);
 }
@@ -306,7 +313,8 @@ void match_empty(struct node *n, vtime now)
 {
     throw_away_list(n, &n->coming, now);
     throw_away_list(n, &n->mailbox.whole, now);
-    for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m; m = protocol_next_to(m))
+    for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m;
+         m = protocol_next_to(m))
         m->unwanted = m->unwanted || !m->serves;
 }
 

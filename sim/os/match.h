@@ -42,6 +42,8 @@ void match_put_back(struct node *n, struct message *m);
 bool match_may_grant(const struct node *n);
 /* Follow a message for s until its buffer is free. */
 void match_follow(struct message *m, struct send *s);
+/* The message that s follows shall tell it no more. */
+void match_unfollow(struct send *s);
 /* Has the node ids that the program has told it to look after? */
 bool match_ignores(const struct node *n);
 

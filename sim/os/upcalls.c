@@ -2,13 +2,14 @@
 #include "lp/upcalls.h"
 #include "node/system.h"
 #include "os/charge.h"
-#include "os/fail.h"
-#include "os/handlers.h"
+#include "os/first_failure.h"
+#include "os/due.h"
 #include "os/isolate.h"
+#include "os/share.h"
 
 bool up_is_interruptible(const struct lp *lp)
 {
-    return handlers_armed(node_of(lp));
+    return due_may_interrupt(node_of(lp));
 }
 
 bool up_in_handler(const struct lp *lp)
@@ -18,19 +19,19 @@ bool up_in_handler(const struct lp *lp)
 
 vtime up_next_interrupt(const struct lp *lp)
 {
-    return handlers_next_due(node_of(lp));
+    return due_next(node_of(lp));
 }
 
 bool up_may_resume(struct lp *lp, vtime now)
 {
     struct node *n = node_of(lp);
-    return !n->wait.ready || handlers_due(n, now) || n->wait.ready(n, n->wait.arg);
+    return !n->wait.ready || due_now(n, now) || n->wait.ready(n, n->wait.arg);
 }
 
 void up_wait_begins(struct lp *lp)
 {
     charge_wait_begins(node_of(lp));
-    handlers_need_no_share(node_of(lp));
+    share_end(node_of(lp));
 }
 
 void up_wait_ends(struct lp *lp, vtime t)

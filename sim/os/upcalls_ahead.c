@@ -35,6 +35,11 @@ vtime up_last_deferred(const struct lp *lp)
     return deferred_last(node_of(lp));
 }
 
+void up_deferred_may_select(struct lp *lp)
+{
+    deferred_may_select(node_of(lp));
+}
+
 void up_roll_back_deferred(struct lp *lp)
 {
     deferred_roll_back(node_of(lp));

@@ -247,9 +247,9 @@ void lp_synchronise(struct lp *lp)
     (void)lp;
 }
 
-void front_message_kept(struct node *n)
+void lp_message_kept(struct lp *lp)
 {
-    (void)n;
+    (void)lp;
 }
 
 void lp_forget(struct lp *lp)

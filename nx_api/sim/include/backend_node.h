@@ -8,7 +8,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "os/handlers.h"
-#include "os/longs.h"
+#include "nx_api/contract/backend.h"
 #include "os/match.h"
 
 /* The simulator binds names when it loads a program: sim/guest/exports.def. */

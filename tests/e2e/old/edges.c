@@ -3,8 +3,7 @@
 
 extern int left, right;
 
-edges(t, n)
-double *t;
+edges(t, n) double *t;
 {
     long from_left, from_right;
 

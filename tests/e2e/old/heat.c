@@ -10,8 +10,7 @@ int me, nodes, right, left;
 
 double dasum_();
 
-main(argc, argv)
-int argc;
+main(argc, argv) int argc;
 char *argv[];
 {
     int i, n = N, one = 1;

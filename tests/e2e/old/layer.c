@@ -13,8 +13,7 @@ l_init()
     l_nodes = numnodes();
 }
 
-l_send(type, bytes, length, to)
-char *bytes;
+l_send(type, bytes, length, to) char *bytes;
 {
     csend(type, bytes, length, to, 0);
 }
@@ -34,8 +33,7 @@ struct message *l_receive(type)
     return m;
 }
 
-l_release(m)
-struct message *m;
+l_release(m) struct message *m;
 {
     free(m->bytes);
     free(m);

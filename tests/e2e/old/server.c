@@ -9,8 +9,7 @@
 long who, next;
 int served, told;
 
-serve(type, count, node, pid)
-long type, count, node, pid;
+serve(type, count, node, pid) long type, count, node, pid;
 {
     long job = next < JOBS ? next++ : -1;
     csend(ANSWER, &job, sizeof job, node, pid);
@@ -35,7 +34,7 @@ main()
         while (told < numnodes() - 1) {
             for (i = 1; i < 1000; i++)
                 x += 1.0 / i;
-            old = masktrap(1);  /* nobody else takes one meanwhile */
+            old = masktrap(1); /* nobody else takes one meanwhile */
             if (next < JOBS) {
                 next++;
                 done++;
@@ -58,5 +57,6 @@ main()
     if (x < 0)
         printf("never\n");
     if (me == 0)
-        printf("server: %ld jobs done, %s\n", work, done + served == JOBS && work == JOBS ? "each once" : "not each once");
+        printf("server: %ld jobs done, %s\n", work,
+               done + served == JOBS && work == JOBS ? "each once" : "not each once");
 }

@@ -22,8 +22,7 @@ t_begin()
     t_yield();
 }
 
-t_create(entry, argument)
-int (*entry)();
+t_create(entry, argument) int (*entry)();
 {
     struct thread *t = &threads[++count];
     t->entry = entry;
@@ -41,8 +40,7 @@ t_yield()
     thread_switch(&threads[old].sp, threads[current].sp);
 }
 
-t_receive(type, buf, n)
-char *buf;
+t_receive(type, buf, n) char *buf;
 {
     while (!iprobe(type))
         t_yield();

@@ -1,5 +1,6 @@
-/* longs.c - see longs.h. */
-#include "os/longs.h"
+/* program_longs.c - an element of a program's array of longs: nx_api/contract/backend.h. */
+#include "node/node.h"
+#include "nx_api/contract/backend.h"
 #include "nx_api/contract/program_image.h"
 
 size_t node_long_bytes(const struct node *n)

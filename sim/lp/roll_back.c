@@ -1,0 +1,35 @@
+/* roll_back.c - what a program has done ahead of a moment, and of what has not happened: lp/engine.h. */
+#include "lp/clock.h"
+#include "lp/dispatch.h"
+#include "lp/engine.h"
+#include "lp/offload.h"
+#include "lp/upcalls.h"
+
+bool lp_roll_back(struct lp *lp, struct instant at)
+{
+    offload_drop(lp);
+    lp_apply_deferred(lp, instant_later(at, schedule_reached(lp->schedule)));
+    lp->lazily_blocked = false;
+    up_roll_back_deferred(lp);
+    lp_catch_up(lp, at.time);
+    lp_leave_poll(lp);
+    vtime commits = clock_sync(lp) + lp->clock.stolen;
+    if (lp->state == LP_BLOCKED)
+        up_wait_ends(lp, at.time);
+    else if (commits > at.time)
+        clock_roll_back(lp, commits - at.time);
+    clock_drop_stolen(lp);
+    return lp->state == LP_COMPUTING;
+}
+
+void lp_forget(struct lp *lp)
+{
+    up_drop_deferred(lp);
+}
+
+void engine_settle(struct lp *lp, struct instant end)
+{
+    lp_apply_deferred(lp, instant_later(end, schedule_reached(lp->schedule)));
+    if (lp->state != LP_ENDED)
+        up_roll_back_deferred(lp);
+}

@@ -1,0 +1,57 @@
+/* due.c - see due.h. The handlers due are a ring; the mailbox has the last. */
+#include "os/due.h"
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+#include "lp/clock.h"
+#include "lp/engine.h"
+#include "net/protocol.h"
+
+struct due due_take(struct mailbox *b)
+{
+    struct due *first = b->last_due->next, d = *first;
+    b->last_due->next = first->next;
+    if (b->last_due == first)
+        b->last_due = NULL;
+    free(first);
+    return d;
+}
+
+void due_free(struct mailbox *b)
+{
+    while (b->last_due) {
+        struct due d = due_take(b);
+        if (d.receive && d.receive->m)
+            protocol_message_free(d.receive->m);
+        free(d.receive);
+        free(d.send);
+    }
+}
+
+void due_add(struct node *n, vtime at, struct receive *r, struct send *s)
+{
+    lp_synchronise(&n->lp);
+    struct mailbox *b = &n->mailbox;
+    struct due *d = xmalloc(sizeof *d);
+    *d = (struct due){.at = at, .receive = r, .send = s, .next = d};
+    if (b->last_due)
+        d->next = b->last_due->next, b->last_due->next = d;
+    b->last_due = d;
+    lp_wake(&n->lp, at);
+}
+
+bool due_may_interrupt(const struct node *n)
+{
+    return n->mailbox.handlers > 0 && !n->masked && !n->in_handler;
+}
+
+vtime due_next(const struct node *n)
+{
+    const struct due *first = due_first(&n->mailbox);
+    return first ? vt_max(first->at, clock_when(&n->lp, n->share_until)) : VT_NEVER;
+}
+
+bool due_now(const struct node *n, vtime now)
+{
+    const struct due *first = due_first(&n->mailbox);
+    return first && first->at <= now && !n->masked && !n->in_handler;
+}
