@@ -1,10 +1,11 @@
 /* c3.c - C0 and C3 data of the grid points by finite differences.
  *
- * A derivative along one axis is the difference of the two neighbouring pixels over their distance: 2 inside, 1 at
- * the edge of the volume, where the pixel itself stands for the neighbour that is missing. Mixed derivatives are
- * the products of these differences (all 27 pixels around a point take part), so they are exact for polynomials
- * that are at most quadratic in each variable inside, and linear at the edge. The paper's text counts 27 pixels too; the
- * formulas it prints for mixed derivatives take two opposite ones, and would find one of 1 in F = x + y.
+ * A derivative along one axis is the difference of the two neighbouring pixels over their distance: 2 inside,
+ * 1 at the edge of the volume, where the pixel itself stands for the neighbour that is missing. Mixed
+ * derivatives are the products of these differences (all 27 pixels around a point take part), so they are
+ * exact for polynomials that are at most quadratic in each variable inside, and linear at the edge. The
+ * paper's text counts 27 pixels too; the formulas it prints for mixed derivatives take two opposite ones, and
+ * would find one of 1 in F = x + y.
  */
 #include <stddef.h>
 #include "c3.h"

@@ -1,8 +1,8 @@
 /* grid.h - the cuberille grid: which pixels are grid points, how many subcubes a layer has.
  *
- * Grid lines lie every `step` pixels, and on the last pixel, so that no part of the image is lost. The last column
- * (row) of subcubes is narrower when step does not divide the side: 512 pixels at step 4 give 128 subcubes, the
- * last of them 3 pixels wide. Layer j lies between slices j and j+1.
+ * Grid lines lie every `step` pixels, and on the last pixel, so that no part of the image is lost. The last
+ * column (row) of subcubes is narrower when step does not divide the side: 512 pixels at step 4 give 128
+ * subcubes, the last of them 3 pixels wide. Layer j lies between slices j and j+1.
  */
 #ifndef GRID_H
 #define GRID_H
@@ -15,8 +15,8 @@ struct grid {
     double dz;  /* distance of two slices; pixels have distance 1 */
 };
 
-/* One subcube: its lower corner and widths in pixels; z is counted in slices, so that a face between two layers has
- * the same z, to the bit, from both sides. */
+/* One subcube: its lower corner and widths in pixels; z is counted in slices, so that a face between two
+ * layers has the same z, to the bit, from both sides. */
 struct cell {
     double x, y, layer;
     double wx, wy, dz;

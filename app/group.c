@@ -1,10 +1,11 @@
-/* group.c - what hosts tell each other: news of their groups, the dealing of a finished group's nodes, the end.
+/* group.c - what hosts tell each other: news of their groups, the dealing of a finished group's nodes, the
+ * end.
  *
- * Each group works for itself. A host that is done registers with node 0 and deals its nodes, itself included, to
- * the groups that still have work. Two groups that finish at the same time may deal nodes to each other; so a
- * finished host answers newcomers with DISCARD, and these orphans wait for the end. When all groups have registered
- * node 0 tells every node that the program ends. Nobody leaves before: the global sums in main.c need all nodes, and
- * finished hosts answer through their handlers until then.
+ * Each group works for itself. A host that is done registers with node 0 and deals its nodes, itself
+ * included, to the groups that still have work. Two groups that finish at the same time may deal nodes to
+ * each other; so a finished host answers newcomers with DISCARD, and these orphans wait for the end. When all
+ * groups have registered node 0 tells every node that the program ends. Nobody leaves before: the global sums
+ * in main.c need all nodes, and finished hosts answer through their handlers until then.
  */
 #include <string.h>
 #include <nx.h>
@@ -39,9 +40,11 @@ void group_tell_all(int kind, int value)
             tell(i, kind, value);
 }
 
-/* --- node 0 ---------------------------------------------------------------------------------------------- */
+/* --- node 0 ----------------------------------------------------------------------------------------------
+ */
 
-/* One more group is done. With the last one the program ends: every node waits for an order by now, or will. */
+/* One more group is done. With the last one the program ends: every node waits for an order by now, or will.
+ */
 static void add_to_register(const struct totals *t)
 {
     static const struct order_message end = {NOBODY};
@@ -81,7 +84,8 @@ void group_register(void)
     masktrap(0);
 }
 
-/* --- all hosts ------------------------------------------------------------------------------------------- */
+/* --- all hosts -------------------------------------------------------------------------------------------
+ */
 
 struct span group_share(int group)
 {
@@ -152,9 +156,11 @@ void group_handle_control(const struct control_message *m)
     }
 }
 
-/* --- dealing ---------------------------------------------------------------------------------------------- */
+/* --- dealing ----------------------------------------------------------------------------------------------
+ */
 
-/* Ask the groups that may want nodes, one after the other, so that an answer's sender need not be told apart. */
+/* Ask the groups that may want nodes, one after the other, so that an answer's sender need not be told apart.
+ */
 static void ask_weights(double *weight)
 {
     struct answer_message a;

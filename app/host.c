@@ -1,9 +1,9 @@
 /* host.c - the main program of a group's host.
  *
- * For each layer: open it, so that handlers may hand out its subcubes in the background; read the slice of the next
- * layer meanwhile; help computing subcubes until only those are left that the slaves shall have; wait until these
- * are asked for. Then the next layer. The last layer is followed by the drain: each slave's request is answered with
- * NO_MORE, it sends the polygons it still has and a FIN.
+ * For each layer: open it, so that handlers may hand out its subcubes in the background; read the slice of
+ * the next layer meanwhile; help computing subcubes until only those are left that the slaves shall have;
+ * wait until these are asked for. Then the next layer. The last layer is followed by the drain: each slave's
+ * request is answered with NO_MORE, it sends the polygons it still has and a FIN.
  *
  * Why this cannot stop halfway. The main program waits for two things only.
  *  - FOR_REQUESTS: subcubes are left (at most `keep`) and the group has slaves. Every slave of the group that is not
@@ -12,8 +12,8 @@
  *  - FOR_SLAVES: only slaves that have asked at least once are waited for. They hold one chunk or wait for the answer
  *    to one request; both end with their asking again, NO_MORE, and FIN. A slave that asks for the first time when
  *    we drain or are finished is discarded instead: it waits for nobody but node 0's word that all is over.
- * Handlers wait as well, but only for what is on its way without anybody's doing: the body of a polygon message is
- * sent at once after its header, and a chunk's receive was posted before its request.
+ * Handlers wait as well, but only for what is on its way without anybody's doing: the body of a polygon
+ * message is sent at once after its header, and a chunk's receive was posted before its request.
  */
 #include <string.h>
 #include <nx.h>
@@ -66,8 +66,8 @@ void host_prepare(const struct options *o)
     slices_begin(o, span.first);
 }
 
-/* The slices of the first layer: two of C0 data, or of C3 data, which take a third slice, and a fourth below where
- * there is one. */
+/* The slices of the first layer: two of C0 data, or of C3 data, which take a third slice, and a fourth below
+ * where there is one. */
 void host_read_first(void)
 {
     enum activity before = times_enter(READING);
@@ -138,7 +138,8 @@ static void help(void)
     }
 }
 
-/* Sleep until a handler sees that what we wait for has come. Answers the seconds of waiting, without the handlers'. */
+/* Sleep until a handler sees that what we wait for has come. Answers the seconds of waiting, without the
+ * handlers'. */
 static double wait_for(enum waiting what)
 {
     double start, served;

@@ -1,8 +1,8 @@
 /* host.h - the state of a group's host, shared by its main program and its handlers.
  *
- * Handlers interrupt the main program at any point where they are not held back, never each other. So the main
- * program holds them back (masktrap) around every use of the fields below, of the collection, and of the C library;
- * a handler needs no protection.
+ * Handlers interrupt the main program at any point where they are not held back, never each other. So the
+ * main program holds them back (masktrap) around every use of the fields below, of the collection, and of the
+ * C library; a handler needs no protection.
  */
 #ifndef HOST_H
 #define HOST_H
@@ -80,7 +80,8 @@ struct registered {
 
 extern struct registered registered;
 
-/* host.c: a whole group, from its first slice to the dealing out of its nodes. Answers the node's next host. */
+/* host.c: a whole group, from its first slice to the dealing out of its nodes. Answers the node's next host.
+ */
 void host_prepare(const struct options *o);
 void host_read_first(void);
 int host_run(void);

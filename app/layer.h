@@ -10,8 +10,8 @@ struct layer {
     int row;
 };
 
-/* Prepare what the subcubes that are computed together have in common. Called before each of them, whose number among
- * them is nth, from 0 on; what this does is the policy's. system is of zeros at first. */
+/* Prepare what the subcubes that are computed together have in common. Called before each of them, whose
+ * number among them is nth, from 0 on; what this does is the policy's. system is of zeros at first. */
 void layer_prepare(const struct options *o, struct fit_system *system, int nth);
 
 /* Find the polygons of subcube `cell` (row * nx + column) of a layer. */
@@ -30,7 +30,8 @@ struct chunk {
 /* Greatest length of a chunk. */
 long chunk_bytes_max(const struct options *o);
 
-/* Pack subcubes [first, first + count) of a layer; the grid points that they share go in once. Answers the bytes. */
+/* Pack subcubes [first, first + count) of a layer; the grid points that they share go in once. Answers the
+ * bytes. */
 long chunk_pack(const struct grid *g, const struct layer *l, int first, int count, double *message);
 
 /* Pack a message without subcubes. */

@@ -1,8 +1,8 @@
 /* main.c - scalar field modelling: isosurfaces of a volume by trivariate approximation, on groups of nodes.
  *
- * One program for all nodes. The first node of each group is its host, the others are its slaves; when a group has
- * finished, its nodes serve the hosts of other groups. Written after C. Bajaj and K.-N. Lin, "Scalar Field Modeling
- * and Visualization on the Intel Delta".
+ * One program for all nodes. The first node of each group is its host, the others are its slaves; when a
+ * group has finished, its nodes serve the hosts of other groups. Written after C. Bajaj and K.-N. Lin,
+ * "Scalar Field Modeling and Visualization on the Intel Delta".
  */
 #include <stdio.h>
 #include <stdlib.h>

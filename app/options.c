@@ -8,9 +8,9 @@
 #include "options.h"
 #include "slice.h"
 
-/* Isovalues are moved up by this much. Gray levels are whole numbers and the cubic at lattice points mostly multiples of
- * 1/4096, so that F does not equal an isovalue there: neighbouring subcubes agree which points are inside although
- * they round differently, and no polygon shrinks to a point. */
+/* Isovalues are moved up by this much. Gray levels are whole numbers and the cubic at lattice points mostly
+ * multiples of 1/4096, so that F does not equal an isovalue there: neighbouring subcubes agree which points
+ * are inside although they round differently, and no polygon shrinks to a point. */
 #define OFF_LATTICE (9.5 / 4096)
 
 struct parser {

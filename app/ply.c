@@ -48,7 +48,8 @@ void ply_part_end(FILE *part)
         fail("cannot write a part file: is the disk full?");
 }
 
-/* --- joining --------------------------------------------------------------------------------------------- */
+/* --- joining ---------------------------------------------------------------------------------------------
+ */
 
 /* Reads the polygons of all parts of one surface in turn. */
 struct reader {

@@ -1,7 +1,7 @@
 /* ply.h - surfaces as PLY files.
  *
- * Each host writes the polygons it receives to part files, one per isovalue; at the end node 0 joins them. A PLY file
- * appears under its name only when it is complete.
+ * Each host writes the polygons it receives to part files, one per isovalue; at the end node 0 joins them. A
+ * PLY file appears under its name only when it is complete.
  */
 #ifndef PLY_H
 #define PLY_H

@@ -1,8 +1,9 @@
 /* polygon.c - links edge crossings into polygons; see polygon.h.
  *
- * Walk around each face counterclockwise, seen from outside the cube. Each edge where the walk comes into the inside is
- * linked to the edge where it next leaves it. An edge belongs to two faces, which walk it in opposite directions: so
- * every crossed edge has exactly one link from it and one to it, and the links close to loops.
+ * Walk around each face counterclockwise, seen from outside the cube. Each edge where the walk comes into the
+ * inside is linked to the edge where it next leaves it. An edge belongs to two faces, which walk it in
+ * opposite directions: so every crossed edge has exactly one link from it and one to it, and the links close
+ * to loops.
  */
 #include <math.h>
 #include <string.h>

@@ -1,13 +1,15 @@
 /* service.c - the handlers of a host: requests, polygons, FINs, control messages.
  *
- * Each handler takes its message, posts itself again, and last looks whether what the main program waits for has come.
+ * Each handler takes its message, posts itself again, and last looks whether what the main program waits for
+ * has come.
  */
 #include <nx.h>
 #include "fail.h"
 #include "host.h"
 #include "times.h"
 
-/* Chunks under way: the host alternates between a few buffers and waits only when the next one is still being sent. */
+/* Chunks under way: the host alternates between a few buffers and waits only when the next one is still being
+ * sent. */
 struct outgoing {
     double *message;
     long id; /* of its send, or -1 */

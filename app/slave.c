@@ -1,8 +1,8 @@
 /* slave.c - requests chunks of subcubes, computes them, sends their polygons.
  *
- * At most one request is under way, and one chunk stored ahead: the receive for the next chunk is posted before the
- * request is sent, so a host never waits for us. The polygons of each surface are kept by themselves, in two buffers
- * by turns, and sent when a buffer is full or the node is about to wait.
+ * At most one request is under way, and one chunk stored ahead: the receive for the next chunk is posted
+ * before the request is sent, so a host never waits for us. The polygons of each surface are kept by
+ * themselves, in two buffers by turns, and sent when a buffer is full or the node is about to wait.
  */
 #include <stddef.h>
 #include <nx.h>
@@ -78,8 +78,9 @@ static void claim_buffer(struct surface *s, int buffer)
     s->send[buffer] = -1;
 }
 
-/* All sets are sent, unless -noempty is given empty ones too: the host is told of every surface each time. But not before the first chunk: a
- * host that discards us does not wait for our messages, and must not get any. The buffers are free again afterwards. */
+/* All sets are sent, unless -noempty is given empty ones too: the host is told of every surface each time.
+ * But not before the first chunk: a host that discards us does not wait for our messages, and must not get
+ * any. The buffers are free again afterwards. */
 static void flush_polygons(void)
 {
     int iso, i;

@@ -6,7 +6,8 @@
 /* Get the buffers. */
 void slave_prepare(const struct options *o);
 
-/* Serve `host`, then whichever host the node is dealt to, until the program ends. NOBODY: wait for an order at once. */
+/* Serve `host`, then whichever host the node is dealt to, until the program ends. NOBODY: wait for an order
+ * at once. */
 void slave_run(int host);
 
 /* Seconds the slave has waited for messages. */

@@ -9,7 +9,8 @@ void slices_begin(const struct options *o, int first);
 /* Read what is needed and make the grid data of slice k; ask for slices in rising order. Three are kept. */
 void slices_prepare(int k);
 
-/* After a group's last slice: read the one above it, the boundary where groups overlap, if that has not been done. */
+/* After a group's last slice: read the one above it, the boundary where groups overlap, if that has not been
+ * done. */
 void slices_overlap(void);
 
 /* The layer between slices k and k + 1, both prepared. */

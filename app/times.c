@@ -103,7 +103,8 @@ static void print_class(const char *name, const double *sum)
         printf("times_%s_%s_s %.9f\n", name, names[a], sum[SPENT + a]);
 }
 
-/* One line a layer: when it was opened, its length, and of that reading, helping, serving slaves, packing, waiting. */
+/* One line a layer: when it was opened, its length, and of that reading, helping, serving slaves, packing,
+ * waiting. */
 static void print_layers(void)
 {
     int i, k;

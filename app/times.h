@@ -1,10 +1,10 @@
-/* times.h - where a node's time goes, as the program itself can tell: with -times, every change of what it does is
- * stamped with dclock(). Without, nothing is measured and nothing printed.
+/* times.h - where a node's time goes, as the program itself can tell: with -times, every change of what it
+ * does is stamped with dclock(). Without, nothing is measured and nothing printed.
  *
- * A node does one thing at a time, so its seconds add up to its time from times_begin() to times_end(). What interrupts
- * an activity without the program's doing (messages that are received, the way into and out of a handler) counts as
- * part of it. On a machine that takes an interrupt between two instructions of times_enter() a stretch may be booked on
- * the wrong activity; the sum stays right.
+ * A node does one thing at a time, so its seconds add up to its time from times_begin() to times_end(). What
+ * interrupts an activity without the program's doing (messages that are received, the way into and out of a
+ * handler) counts as part of it. On a machine that takes an interrupt between two instructions of
+ * times_enter() a stretch may be booked on the wrong activity; the sum stays right.
  */
 #ifndef TIMES_H
 #define TIMES_H

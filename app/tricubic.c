@@ -1,9 +1,10 @@
 /* tricubic.c - the (3,3,3) approximation: F is a trivariate cubic in each subcube, and C1 across their faces.
  *
- * A cubic piece can bend within its subcube, so it is polygonised on a lattice of m x m x m small cubes. Whether a
- * lattice point is inside is decided once, from its value of F; isovalues are such that F never equals them there
- * (options.c), so that neighbouring subcubes decide alike although their coefficients are rounded differently. F is
- * restricted to each lattice edge once; for each isovalue its root is then sought along every edge.
+ * A cubic piece can bend within its subcube, so it is polygonised on a lattice of m x m x m small cubes.
+ * Whether a lattice point is inside is decided once, from its value of F; isovalues are such that F never
+ * equals them there (options.c), so that neighbouring subcubes decide alike although their coefficients are
+ * rounded differently. F is restricted to each lattice edge once; for each isovalue its root is then sought
+ * along every edge.
  */
 #include <math.h>
 #include <string.h>
@@ -12,8 +13,8 @@
 
 #define POINTS_MAX ((LATTICE_MAX + 1) * (LATTICE_MAX + 1) * (LATTICE_MAX + 1))
 
-/* Lattice point (i, j, k) has number i * stride[0] + j * stride[1] + k * stride[2]; the edge from it along axis d has
- * the same number in edge[d]. */
+/* Lattice point (i, j, k) has number i * stride[0] + j * stride[1] + k * stride[2]; the edge from it along
+ * axis d has the same number in edge[d]. */
 struct lattice {
     int m, search, stride[3];
     double value[POINTS_MAX];
@@ -80,7 +81,8 @@ void tricubic_gradient(const double b[64], const double at[3], double gradient[3
     gradient[2] = contract(b, w[0], w[1], dw[2]);
 }
 
-/* A univariate cubic by de Casteljau's algorithm; with different parameters in its three steps: its blossom. */
+/* A univariate cubic by de Casteljau's algorithm; with different parameters in its three steps: its blossom.
+ */
 static double blossom(const double q[4], double r, double s, double t)
 {
     double a = mix(q[0], q[1], r), b = mix(q[1], q[2], r), c = mix(q[2], q[3], r);
@@ -162,8 +164,8 @@ static double draw_together(const double q[4], double c, double t0, double f0, d
     return t;
 }
 
-/* Seek the roots of q - c from one end of an edge to the other, a part of it at a time; answers how many changes of sign there are, and the
- * place of the first. */
+/* Seek the roots of q - c from one end of an edge to the other, a part of it at a time; answers how many
+ * changes of sign there are, and the place of the first. */
 static int seek(const double q[4], double c, int parts, double *root)
 {
     double last = q[0] - c, now, part = 1.0 / parts;
@@ -192,8 +194,8 @@ static void place(const struct cell *cell, const double b[64], const double at[3
     polygon_normalise(v + 3);
 }
 
-/* Find the vertices of F = c on all lattice edges. An even number of roots on an edge is no crossing: the surface turns
- * back between two lattice points, and only a finer lattice would show it. */
+/* Find the vertices of F = c on all lattice edges. An even number of roots on an edge is no crossing: the
+ * surface turns back between two lattice points, and only a finer lattice would show it. */
 static void cross_edges(const struct cell *cell, const double b[64], const struct lattice *l, double c,
                         vertex crossing[3][POINTS_MAX])
 {

@@ -1,8 +1,8 @@
 /* trilinear.c - the (1,1,1) approximation: F is trilinear in each subcube, and continuous (C0).
  *
- * Its Bernstein-Bezier coefficients are the gray levels in the corners. F is linear along an edge: where F - c changes
- * its sign between the ends of an edge, one division gives the root. Every edge of every subcube is looked at for every
- * isovalue, as in the (3,3,3) approximation.
+ * Its Bernstein-Bezier coefficients are the gray levels in the corners. F is linear along an edge: where F -
+ * c changes its sign between the ends of an edge, one division gives the root. Every edge of every subcube is
+ * looked at for every isovalue, as in the (3,3,3) approximation.
  */
 #include "subcube.h"
 

@@ -1,4 +1,5 @@
-/* volume.c - reads slices from a raw file through zlib, which reads plain files as well, or generates them. */
+/* volume.c - reads slices from a raw file through zlib, which reads plain files as well, or generates them.
+ */
 #include <stdio.h>
 #include <stdlib.h>
 #include <zlib.h>

@@ -14,8 +14,8 @@ struct volume {
 /* 0, or -1 with the reason in error. The file may be gzip-compressed or plain. */
 int volume_open(struct volume *v, const struct options *o, char *error, int size);
 
-/* 0 if the file holds as many bytes as the options say, neither less nor more; else -1 with the reason in error. A
- * compressed file is read to its end. */
+/* 0 if the file holds as many bytes as the options say, neither less nor more; else -1 with the reason in
+ * error. A compressed file is read to its end. */
 int volume_check(const struct options *o, char *error, int size);
 
 /* Read slice k; slices are cheapest to read in rising order. Handlers are held back only within a row. */

@@ -6,8 +6,8 @@ typedef float weld_vertex[6]; /* x y z and normal */
 
 struct weld;
 
-/* Ready for at most `corners` vertices of polygons. Without memory for its table each corner becomes a vertex of its
- * own: the surface looks the same, and takes more room. */
+/* Ready for at most `corners` vertices of polygons. Without memory for its table each corner becomes a vertex
+ * of its own: the surface looks the same, and takes more room. */
 struct weld *weld_begin(long corners);
 
 /* The number of the vertex at v's place; the next free one when it has none yet. */

@@ -1,5 +1,5 @@
-/* Calls that send nothing: microseconds each, of the program and the system together. Some go into the node's kernel, others stay
- * in the library. */
+/* Calls that send nothing: microseconds each, of the program and the system together. Some go into the node's
+ * kernel, others stay in the library. */
 #include "bench.h"
 
 enum { TIMES = 100, TYPE = 1, NEVER = 2 };

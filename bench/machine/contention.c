@@ -2,8 +2,8 @@
  *
  *     contention NAME=FROM-TO,FROM-TO... ...
  *
- * All receives are posted before anybody sends. The clocks of simulated nodes agree, so that the first beginning and the
- * last end can be compared.
+ * All receives are posted before anybody sends. The clocks of simulated nodes agree, so that the first
+ * beginning and the last end can be compared.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,11 @@
-/* The echo test: node 0 sends n bytes to a node, which sends them back; half the time of a round, over n and distance.
+/* The echo test: node 0 sends n bytes to a node, which sends them back; half the time of a round, over n and
+ * distance.
  *
  *     echo posted NODE:HOPS...    the receive is posted before the message comes, as in the published tests
  *     echo late NODE:HOPS...      it is posted when the message lies in a system buffer already
  *
- * Each side posts the receive for its next message while the one it has sent is on its way, so that posting, which takes
- * a call of its own, is not in the time measured.
+ * Each side posts the receive for its next message while the one it has sent is on its way, so that posting,
+ * which takes a call of its own, is not in the time measured.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
-/* Operations of all nodes: gsync, gdsum of 1 and 1,000 elements, and messages to node -1, each against the number of
- * nodes. A broadcast's time is from the sender's call to the last receiver's return; the clocks of simulated nodes agree.
+/* Operations of all nodes: gsync, gdsum of 1 and 1,000 elements, and messages to node -1, each against the
+ * number of nodes. A broadcast's time is from the sender's call to the last receiver's return; the clocks of
+ * simulated nodes agree.
  */
 #include "bench.h"
 

@@ -1,5 +1,5 @@
-/* Loops of a kind that compute most of the time in numerical programs, in cache and out of it: millions of floating-point
- * operations a second on one node.
+/* Loops of a kind that compute most of the time in numerical programs, in cache and out of it: millions of
+ * floating-point operations a second on one node.
  */
 #include "bench.h"
 

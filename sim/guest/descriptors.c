@@ -1,5 +1,5 @@
-/* descriptors.c - see descriptors.h; and the POSIX calls on descriptors and on names of files. Functions named
- * node_<name> serve the node program's <name>. */
+/* descriptors.c - see descriptors.h; and the POSIX calls on descriptors and on names of files. Functions
+ * named node_<name> serve the node program's <name>. */
 #include "guest/descriptors.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -157,8 +157,8 @@ ssize_t node_writev(int fd, const struct iovec *parts, int count)
     return done;
 }
 
-/* The standard descriptors are a terminal, whatever the simulator's are: what a program prints, and when, must not depend
- * on that. */
+/* The standard descriptors are a terminal, whatever the simulator's are: what a program prints, and when,
+ * must not depend on that. */
 int node_isatty(int fd)
 {
     if (standard(node_self(), fd))
@@ -191,8 +191,8 @@ int node_ftruncate(int fd, off_t size)
     return f ? file_truncate(f, (int32_t)size) : -1;
 }
 
-/* As open() with O_EXCL, under names that differ from node to node and are the same in each run; those taken are passed
- * over. */
+/* As open() with O_EXCL, under names that differ from node to node and are the same in each run; those taken
+ * are passed over. */
 int node_mkostemp(char *pattern, int flags)
 {
     size_t len = strlen(pattern);

@@ -86,7 +86,8 @@ struct node_file *file_of_host(struct node *n, int fd)
     return &f->base;
 }
 
-/* --- /cfs and /pfs on a machine that has no such file system, and on the host, which is not on its network --- */
+/* --- /cfs and /pfs on a machine that has no such file system, and on the host, which is not on its network
+ * --- */
 
 static int refuse(void)
 {
@@ -134,8 +135,8 @@ bool file_is_simulated(const char *path)
            (path[4] == '/' || path[4] == 0);
 }
 
-/* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The deadline
- * that node_leave() sets must be the one without that. */
+/* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The
+ * deadline that node_leave() sets must be the one without that. */
 static bool enter(struct node *n, const char *call)
 {
     bool masked = handlers_mask(n, true);

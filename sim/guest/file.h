@@ -1,12 +1,12 @@
 /* file.h - an open file of a node: of this computer, or of the simulated machine's file system.
  *
- * Paths under /cfs, and under /pfs, another name for it, belong to the machine's file system (node_system.fs; ENODEV if it has
- * none): opening, reading and writing there takes virtual time. All other paths are this computer's, relative ones from the node's
- * folder (folder.h), at first where the simulator was started;
- * they take no virtual time, but are opened, read and written in its order.
+ * Paths under /cfs, and under /pfs, another name for it, belong to the machine's file system (node_system.fs;
+ * ENODEV if it has none): opening, reading and writing there takes virtual time. All other paths are this
+ * computer's, relative ones from the node's folder (folder.h), at first where the simulator was started; they
+ * take no virtual time, but are opened, read and written in its order.
  *
- * file_* functions run on the node's stack and answer as their namesakes in POSIX do: -1 (NULL) with errno. Handlers
- * are held back meanwhile: the C library is no place to interrupt.
+ * file_* functions run on the node's stack and answer as their namesakes in POSIX do: -1 (NULL) with errno.
+ * Handlers are held back meanwhile: the C library is no place to interrupt.
  */
 #ifndef NODE_FILE_H
 #define NODE_FILE_H
@@ -18,8 +18,9 @@
 struct node;
 struct node_file;
 
-/* What a kind of file does. Times and order are the caller's affair on this computer's files, and the function's own
- * in the machine's file system (it may wait: it is called between node_enter and node_leave). */
+/* What a kind of file does. Times and order are the caller's affair on this computer's files, and the
+ * function's own in the machine's file system (it may wait: it is called between node_enter and node_leave).
+ */
 struct node_file_class {
     bool simulated;
     ssize_t (*read)(struct node_file *f, void *buf, size_t bytes);

@@ -1,6 +1,7 @@
-/* gzip.c - zlib's gzopen and its kin for node programs, over the node's own files: so that reading a compressed file
- * of the Concurrent File System takes that file system's time. Reading only; a plain file is seen through, as zlib does.
- * The decompressor's memory is the node's. The processor's time is in the compiler's table of calls (gzread). */
+/* gzip.c - zlib's gzopen and its kin for node programs, over the node's own files: so that reading a
+ * compressed file of the Concurrent File System takes that file system's time. Reading only; a plain file is
+ * seen through, as zlib does. The decompressor's memory is the node's. The processor's time is in the
+ * compiler's table of calls (gzread). */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,9 +6,10 @@
  *     | size prev tag asked | program's bytes, rest | size prev tag | free: links | ... |        not in use
  *
  * size is that of the block, head included, and prev that of the block before it, so that both neighbours can
- * be found. tag tells used from free blocks and foreign pointers from both. The program has asked for `asked` bytes; the rest
- * of the block, if there is any, holds REST, so that writing past the end is seen. Invariants: no two free blocks
- * touch, and the block below top is in use: top - base is what the heap takes of the node's memory.
+ * be found. tag tells used from free blocks and foreign pointers from both. The program has asked for `asked`
+ * bytes; the rest of the block, if there is any, holds REST, so that writing past the end is seen.
+ * Invariants: no two free blocks touch, and the block below top is in use: top - base is what the heap takes
+ * of the node's memory.
  *
  * Free blocks are kept in bins by size: one bin for each size below 512 bytes, then one for each power of
  * two. A request takes the best block of its own bin, else the first of the next bin that has any, else moves
@@ -246,7 +247,8 @@ void *node_heap_alloc(struct node_heap *h, size_t bytes)
     return (char *)b + HEAD;
 }
 
-/* From a block that is large enough anywhere; what is in front of the multiple is given back, and what is behind. */
+/* From a block that is large enough anywhere; what is in front of the multiple is given back, and what is
+ * behind. */
 void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes)
 {
     if (align <= HEAD || align > h->limit || bytes > h->limit)

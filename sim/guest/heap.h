@@ -20,8 +20,8 @@ void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes);
 void *node_heap_resize(struct node_heap *h, void *p, size_t bytes);
 bool node_heap_owns(const struct node_heap *h, const void *p); /* p is a block in use, and undamaged */
 int node_heap_release(struct node_heap *h, void *p); /* 0, or -1 when p is not a block of this heap */
-/* Looks for a block that was written past its end, or before its start: *block is what the program has of it, NULL if there is
- * none. Returns the bytes that the program had asked for there. */
+/* Looks for a block that was written past its end, or before its start: *block is what the program has of it,
+ * NULL if there is none. Returns the bytes that the program had asked for there. */
 size_t node_heap_check(const struct node_heap *h, const void **block);
 size_t node_heap_used(const struct node_heap *h); /* bytes up to the end of the highest block in use */
 #endif

@@ -352,8 +352,8 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     return true;
 }
 
-/* Writes the source line of an address, "FILE:LINE" without the file's folder; false if it is not known. *library: is the
- * line in NX's library? */
+/* Writes the source line of an address, "FILE:LINE" without the file's folder; false if it is not known.
+ * *library: is the line in NX's library? */
 static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
 {
     int line;

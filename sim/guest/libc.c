@@ -1,6 +1,6 @@
 /* libc.c - a node's part of the C library: what is made and freed with it, its ending, and its small state.
- * Its surroundings are in libc_system.c. Functions named node_<name> serve the node program's <name>; they run on the
- * node's stack. */
+ * Its surroundings are in libc_system.c. Functions named node_<name> serve the node program's <name>; they
+ * run on the node's stack. */
 #include <errno.h>
 #include <stdint.h>
 #include <stdio.h>

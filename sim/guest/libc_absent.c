@@ -1,5 +1,5 @@
-/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS, and the report says
- * which of them a program called. */
+/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS, and
+ * the report says which of them a program called. */
 #include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, its environment, signals.
- * The answers are the same on every computer, but for the environment, which is the user's. Functions named node_<name> serve
- * the node program's <name>.
+/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, its environment,
+ * signals. The answers are the same on every computer, but for the environment, which is the user's.
+ * Functions named node_<name> serve the node program's <name>.
  */
 #include <errno.h>
 #include <signal.h>
@@ -257,7 +257,8 @@ int node_getlogin_r(char *buf, size_t size)
     return 0;
 }
 
-/* --- signals: none comes to a node's program but those that end it, so what is set is what was: the default --- */
+/* --- signals: none comes to a node's program but those that end it, so what is set is what was: the default
+ * --- */
 
 void (*node_signal(int number, void (*f)(int)))(int)
 {

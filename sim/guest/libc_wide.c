@@ -1,6 +1,6 @@
-/* libc_wide.c - wide characters. A node's streams have bytes in them, and in the "C" locale a wide character is one: what
- * reads or writes wide ones narrows them. Formats narrow as a whole, since %s and %ls mean the same in both worlds.
- * Functions named node_<name> serve the node program's <name>.
+/* libc_wide.c - wide characters. A node's streams have bytes in them, and in the "C" locale a wide character
+ * is one: what reads or writes wide ones narrows them. Formats narrow as a whole, since %s and %ls mean the
+ * same in both worlds. Functions named node_<name> serve the node program's <name>.
  */
 #include <errno.h>
 #include <stdarg.h>

@@ -1,5 +1,6 @@
-/* long32.c - the C library for programs whose long has 32 bits (nxcc --long32). The loader binds a program's NAME to
- * node_long32_NAME where there is one. Those that read or write by a format are in nx_api/calls/long32_formats.c.
+/* long32.c - the C library for programs whose long has 32 bits (nxcc --long32). The loader binds a program's
+ * NAME to node_long32_NAME where there is one. Those that read or write by a format are in
+ * nx_api/calls/long32_formats.c.
  */
 #include <time.h>
 #include "guest/libc_parts.h"

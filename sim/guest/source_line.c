@@ -12,7 +12,8 @@ struct question {
     int line;
 };
 
-/* Every compiled unit is asked whether it contains the address: an index by address (.debug_aranges) may be missing. */
+/* Every compiled unit is asked whether it contains the address: an index by address (.debug_aranges) may be
+ * missing. */
 static bool unit_of(Dwarf *dwarf, Dwarf_Addr address, Dwarf_Die *unit)
 {
     for (Dwarf_CU *cu = NULL; dwarf_get_units(dwarf, cu, &cu, NULL, NULL, unit, NULL) == 0;)

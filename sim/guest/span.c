@@ -117,8 +117,8 @@ static void *reserve_between(uintptr_t from, uintptr_t to)
     return NULL;
 }
 
-/* Where hosts have nothing of their own: so that programs find the same addresses in every run, whatever they do with them.
- * (ThreadSanitizer has its tables there.) */
+/* Where hosts have nothing of their own: so that programs find the same addresses in every run, whatever they
+ * do with them. (ThreadSanitizer has its tables there.) */
 #ifdef __SANITIZE_THREAD__
 static const uintptr_t FIRST_REGION = UINT64_C(1) << 36;
 #else
@@ -199,9 +199,10 @@ static bool make_guards(const struct node_region *r, const struct node *n, size_
                                         (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
 }
 
-/* Else all nodes' frames would want the same few sets of the caches, and so would the entries of the page tables: the stack's
- * top keeps off the program's start by some lines, as many as neighbours do not; and the program begins so many pages further
- * on in the span, as far as there is room, that its entries lie in another line. */
+/* Else all nodes' frames would want the same few sets of the caches, and so would the entries of the page
+ * tables: the stack's top keeps off the program's start by some lines, as many as neighbours do not; and the
+ * program begins so many pages further on in the span, as far as there is room, that its entries lie in
+ * another line. */
 static void lay_out(struct node *n, size_t slot, size_t used_bytes)
 {
     const struct node_region *r = n->region;

@@ -23,7 +23,8 @@ static bool on_its_node(const struct stream *s)
     return node_is_self(s->node);
 }
 
-/* The host program and node 0 take turns at one input: neither takes more than a line that the other may want. */
+/* The host program and node 0 take turns at one input: neither takes more than a line that the other may
+ * want. */
 static ssize_t read_line(struct node_file *f, char *buf, size_t size)
 {
     size_t done = 0;

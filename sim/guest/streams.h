@@ -1,10 +1,10 @@
 /* streams.h - a node's stdio streams: FILEs of the host whose reading and writing go through its node.
  *
  * Everything that leaves or enters a node program does so at the node's place in the machine's order
- * (node_order): what it prints is handed to node_output, and files are opened, read, written and closed in the order
- * of virtual time (file.h). The FILEs take no locks (FSETLOCKING_BYCALLER): a fiber may be switched away
- * in the middle of one. A program that ends leaves its streams in the list, and streams_close() discards what
- * they still hold.
+ * (node_order): what it prints is handed to node_output, and files are opened, read, written and closed in
+ * the order of virtual time (file.h). The FILEs take no locks (FSETLOCKING_BYCALLER): a fiber may be switched
+ * away in the middle of one. A program that ends leaves its streams in the list, and streams_close() discards
+ * what they still hold.
  */
 #ifndef NODE_STREAMS_H
 #define NODE_STREAMS_H

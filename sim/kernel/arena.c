@@ -47,7 +47,8 @@ void arena_free(struct arena *p)
 enum { CHUNK = 256 << 10, WORD = 64, WORDS = CHUNK / CACHE_PAIR / WORD };
 enum { AHEAD = 4 }; /* a block is loaded so many before it is taken */
 
-/* Behind the first few, chunks come in groups that fill a large page, if the system has any: then a TLB holds them. */
+/* Behind the first few, chunks come in groups that fill a large page, if the system has any: then a TLB holds
+ * them. */
 enum { LARGE_PAGE = 2 << 20, GROUP = LARGE_PAGE / CHUNK, SINGLE = 4 };
 
 /* At a multiple of its size, so that a block's chunk is found from its address. */

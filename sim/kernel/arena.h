@@ -1,7 +1,7 @@
-/* arena.h - blocks of memory of one size, which come and go often. Taken is the one given back last, which the caches still
- * hold, else of those that are unused the first by address: so the blocks in use lie close together, and those taken one after
- * the other side by side, in whatever order they were given back. With AddressSanitizer each is the heap's own, so that it
- * sees a use after the end. */
+/* arena.h - blocks of memory of one size, which come and go often. Taken is the one given back last, which
+ * the caches still hold, else of those that are unused the first by address: so the blocks in use lie close
+ * together, and those taken one after the other side by side, in whatever order they were given back. With
+ * AddressSanitizer each is the heap's own, so that it sees a use after the end. */
 #ifndef KERNEL_ARENA_H
 #define KERNEL_ARENA_H
 #include <stddef.h>
@@ -20,7 +20,8 @@ struct arena {
     size_t count;    /* of chunks */
 };
 
-/* At the beginning of a pair of lines (prefetch.h), or of a block if it has whole ones. Not cleared. Never NULL. */
+/* At the beginning of a pair of lines (prefetch.h), or of a block if it has whole ones. Not cleared. Never
+ * NULL. */
 void *arena_take(struct arena *p);
 /* Does not look at the block. */
 void arena_give(struct arena *p, void *block);

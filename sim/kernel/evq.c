@@ -1,18 +1,20 @@
-/* evq.c - see evq.h. No event is put before the present, so an event's slot is found without a look at others: the time
- * is read in digits of 6 bits; the first digit, from the top, in which it differs from the present time chooses the level,
- * and what that digit is, the slot. Such a queue is called a radix heap (Ahuja, Mehlhorn, Orlin, Tarjan, JACM 37, 1990).
+/* evq.c - see evq.h. No event is put before the present, so an event's slot is found without a look at
+ * others: the time is read in digits of 6 bits; the first digit, from the top, in which it differs from the
+ * present time chooses the level, and what that digit is, the slot. Such a queue is called a radix heap
+ * (Ahuja, Mehlhorn, Orlin, Tarjan, JACM 37, 1990).
  *
  *      the present time   0 0 3 17 60 41  2
- *      an event's         0 0 3 22  5 11  9    lies in slot 22 of level 3, the digits being counted from the right
+ *      an event's         0 0 3 22  5 11  9    lies in slot 22 of level 3 (digits count from the right)
  *
- * The first slot of the lowest level that has any holds the next events. When the present is over, they are spread over
- * lower levels: the first of them is the new present, from which the others differ in lower digits. So an event moves three
- * or four times with 100,000 pending, and most often not at all: nodes that do the same put events of one time in the order
- * of their places, and such a slot is the new present as it lies. bench/speed/NOTES.md has all that beside other structures.
+ * The first slot of the lowest level that has any holds the next events. When the present is over, they are
+ * spread over lower levels: the first of them is the new present, from which the others differ in lower
+ * digits. So an event moves three or four times with 100,000 pending, and most often not at all: nodes that
+ * do the same put events of one time in the order of their places, and such a slot is the new present as it
+ * lies. bench/speed/NOTES.md has all that beside other structures.
  *
- * The events of the present time that came in order are a list, the run. Lists are made of chunks, for memory in order of
- * use. Beside the lists is a heap, for what came out of order in the present, and for a few events of any time: with as few
- * as that, there is nothing else.
+ * The events of the present time that came in order are a list, the run. Lists are made of chunks, for memory
+ * in order of use. Beside the lists is a heap, for what came out of order in the present, and for a few
+ * events of any time: with as few as that, there is nothing else.
  */
 #include "kernel/evq.h"
 #include <assert.h>
@@ -20,8 +22,9 @@
 #include "kernel/prefetch.h"
 #include "kernel/arena.h"
 
-/* An event's place in the order is one number of 128 bits, compared without branches:
- * time (64) | place (20) | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
+/* An event's place in the order is one number of 128 bits, compared without branches: time (64) | place (20)
+ * | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22).
+ */
 struct key {
     vtime time;
     uint64_t rank;
@@ -189,7 +192,8 @@ static struct event *add_present(struct evq *q, struct key k)
     return before(k, q->run.end[-1].key) ? add_heap(q, k) : append(q, &q->run);
 }
 
-/* The event so many after the next of the run, if that is not too far away. NULL: unknown, or there is none. */
+/* The event so many after the next of the run, if that is not too far away. NULL: unknown, or there is none.
+ */
 static inline const struct event *coming(const struct evq *q, unsigned after)
 {
     const struct chunk *c = q->run.first;

@@ -1,13 +1,15 @@
 /* evq.h - the event queue: all that is going to happen, in one total order.
  *
- * Order: (time, place, late, ordinary, sequence). place is the number of the thing the event happens at; sequence
- * counts the events in the order they were put in, which is itself part of the order and so the same in every
- * run. A late event comes after all others of its time and place, whenever it was put in: a processor goes on
- * only after all that reaches it at that moment, so that cutting its work into slices changes no order. Late
- * events are counted by themselves. What programs send may be put in at any time before it happens: such events come before
- * the ordinary ones of their time and place, in the order of the senders' numbers and then of their own.
+ * Order: (time, place, late, ordinary, sequence). place is the number of the thing the event happens at;
+ * sequence counts the events in the order they were put in, which is itself part of the order and so the same
+ * in every run. A late event comes after all others of its time and place, whenever it was put in: a
+ * processor goes on only after all that reaches it at that moment, so that cutting its work into slices
+ * changes no order. Late events are counted by themselves. What programs send may be put in at any time
+ * before it happens: such events come before the ordinary ones of their time and place, in the order of the
+ * senders' numbers and then of their own.
  *
- * Where much happens at one time, what ctx and arg point to is loaded some events ahead (prefetch.h): so arg may be a hint, too.
+ * Where much happens at one time, what ctx and arg point to is loaded some events ahead (prefetch.h): so arg
+ * may be a hint, too.
  */
 #ifndef EVQ_EVQ_H
 #define EVQ_EVQ_H
@@ -25,7 +27,8 @@ void evq_free(struct evq *q);
 void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
 void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
 
-/* number: its low 22 bits count, and are different for what this sender has in the queue for one time and place. */
+/* number: its low 22 bits count, and are different for what this sender has in the queue for one time and
+ * place. */
 struct evq_sender {
     uint32_t place;
     uint64_t number;
@@ -39,9 +42,11 @@ vtime evq_next(const struct evq *q);
 uint32_t evq_next_place(const struct evq *q);
 /* Would a late event at (time, place) be the earliest of all? */
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
-/* Takes the earliest event out and lets it happen; before that, *present is its moment. False when there is none. */
+/* Takes the earliest event out and lets it happen; before that, *present is its moment. False when there is
+ * none. */
 bool evq_step(struct evq *q, struct instant *present);
-/* What happens so many events (at most 22) after the next, its ctx and *fire, if that is of the present time and came in
- * order; else NULL and NULL. For hints only, such as what to load into the caches: events may still come in between. */
+/* What happens so many events (at most 22) after the next, its ctx and *fire, if that is of the present time
+ * and came in order; else NULL and NULL. For hints only, such as what to load into the caches: events may
+ * still come in between. */
 void *evq_coming(const struct evq *q, unsigned after, evq_fire **fire);
 #endif

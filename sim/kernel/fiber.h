@@ -25,8 +25,8 @@ void fiber_end(struct fiber *f);
 
 /* From the scheduler: run f until it calls fiber_yield or fiber_finish. */
 void fiber_resume(struct fiber *f);
-/* From inside f: back to whoever resumed it. f is not to be resumed any more when it has finished, which it may do in a
- * handler of a signal. */
+/* From inside f: back to whoever resumed it. f is not to be resumed any more when it has finished, which it
+ * may do in a handler of a signal. */
 void fiber_yield(struct fiber *f);
 _Noreturn void fiber_finish(struct fiber *f);
 /* The one that runs on the calling thread, NULL: none; and the arg it was made with. */

@@ -1,12 +1,13 @@
-/* mintree.h - the least of many times, each at a place that has one or none; of equal times that at the lowest place. To
- * set one takes as many steps as the number of places has bits, to find the least takes none. */
+/* mintree.h - the least of many times, each at a place that has one or none; of equal times that at the
+ * lowest place. To set one takes as many steps as the number of places has bits, to find the least takes
+ * none. */
 #ifndef KERNEL_MINTREE_H
 #define KERNEL_MINTREE_H
 #include <stdint.h>
 #include "kernel/vtime.h"
 
-/* A tournament: first[1] is the place of the least time of all, first[i] that of first[2 i] and first[2 i + 1]; the
- * places themselves are the last half. All zero: no place has a time. */
+/* A tournament: first[1] is the place of the least time of all, first[i] that of first[2 i] and first[2 i +
+ * 1]; the places themselves are the last half. All zero: no place has a time. */
 struct mintree {
     vtime *time; /* by place; VT_NEVER: none */
     uint32_t *first;

@@ -1,6 +1,6 @@
-/* queues.h - many queues, each found by a number: of messages, say, by sender or by type. What is in a queue has its order there;
- * mostly it is added behind the last and taken as the first. For lists that have become long: a few things are looked through
- * sooner. */
+/* queues.h - many queues, each found by a number: of messages, say, by sender or by type. What is in a queue
+ * has its order there; mostly it is added behind the last and taken as the first. For lists that have become
+ * long: a few things are looked through sooner. */
 #ifndef KERNEL_QUEUES_H
 #define KERNEL_QUEUES_H
 #include <stdint.h>

@@ -1,4 +1,5 @@
-/* slow_assert.h - assertions that would cost too much in every build: the builds with sanitizers check them. */
+/* slow_assert.h - assertions that would cost too much in every build: the builds with sanitizers check them.
+ */
 #ifndef KERNEL_SLOW_ASSERT_H
 #define KERNEL_SLOW_ASSERT_H
 #include <assert.h>

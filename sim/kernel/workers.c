@@ -1,6 +1,6 @@
-/* workers.c - see workers.h. One lock guards everything but tasks' lower bounds and the flags that are looked at without it;
- * the coordinator remembers the bound it found last, which can only have risen since (but for what it submits
- * itself), so that it takes the lock seldom. */
+/* workers.c - see workers.h. One lock guards everything but tasks' lower bounds and the flags that are looked
+ * at without it; the coordinator remembers the bound it found last, which can only have risen since (but for
+ * what it submits itself), so that it takes the lock seldom. */
 #include "kernel/workers.h"
 #include <assert.h>
 #include <pthread.h>
@@ -19,9 +19,9 @@ enum {
     SHUFFLED_DELAY_US = 20
 };
 
-/* A coordinator that may not commit its event goes on with the task it helps with for so long, and again for each task that
- * waits: while the threads have enough to do there is no hurry, and a task that is gone on with elsewhere or later finds
- * nothing of its own in the caches. 8 us of host time. */
+/* A coordinator that may not commit its event goes on with the task it helps with for so long, and again for
+ * each task that waits: while the threads have enough to do there is no hurry, and a task that is gone on
+ * with elsewhere or later finds nothing of its own in the caches. 8 us of host time. */
 #define HELP_ON (8 * VT_MILLISECOND)
 
 struct bound {
@@ -333,8 +333,8 @@ void workers_free(struct workers *ws)
 
 /* --- is it worth while? --- */
 
-/* An episode begins when the first task goes out and ends when none is out. What was gained is the time that the
- * threads computed, less the time that the coordinator waited for them. */
+/* An episode begins when the first task goes out and ends when none is out. What was gained is the time that
+ * the threads computed, less the time that the coordinator waited for them. */
 static double gain(struct workers *ws)
 {
     pthread_mutex_lock(&ws->lock);
@@ -388,7 +388,8 @@ void workers_submit(struct workers *ws, struct task *w)
     lower(&ws->bound, w);
     pthread_mutex_lock(&ws->lock);
     put(ws, w);
-    /* To wake a thread takes as long as a short task: not for one that this thread may have to run at once. */
+    /* To wake a thread takes as long as a short task: not for one that this thread may have to run at once.
+     */
     if (ws->sleepers > 0 && (ws->waiting_count > 1 || ws->shuffled))
         pthread_cond_signal(&ws->more);
     pthread_mutex_unlock(&ws->lock);

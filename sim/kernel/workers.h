@@ -1,15 +1,17 @@
 /* workers.h - threads that run tasks ahead of the coordinator, the one thread that commits events.
  *
- * A task is computing that began at some time and ends with an event at a later one, not known before. Until then its lower bound
- * tells: the event is not earlier. A task is out from its submission until it is taken back: it waits for a thread, runs, or is done.
+ * A task is computing that began at some time and ends with an event at a later one, not known before. Until
+ * then its lower bound tells: the event is not earlier. A task is out from its submission until it is taken
+ * back: it waits for a thread, runs, or is done.
  *
  *     submit ---> waiting ---> running ---> done ---> take        commit an event at (time, place) only
  *                    ^            |                               if it is not after (lower bound, place)
  *                    +-- paused --+                               of any task that is out
  *
- * Which thread runs what, and when, changes no result: the rule above makes the order of events the same. The task
- * with the least lower bound is run first, because the others wait for it. A coordinator that has to wait
- * runs a task itself (help first); that pauses when there is more need of events, which bring more tasks, than of getting on with it.
+ * Which thread runs what, and when, changes no result: the rule above makes the order of events the same. The
+ * task with the least lower bound is run first, because the others wait for it. A coordinator that has to
+ * wait runs a task itself (help first); that pauses when there is more need of events, which bring more
+ * tasks, than of getting on with it.
  *
  * All functions are the coordinator's, but for workers_report(), which is the task's.
  */
@@ -47,8 +49,9 @@ struct workers_stats {
     double away_s, helped_s, waited_s;
 };
 
-/* threads: at least 1, beside the coordinator. shuffle: not 0: submit and pause at random, by this seed, to test
- * that it does not matter. here: what begin() would return, for the coordinator. NULL: no threads to be had. */
+/* threads: at least 1, beside the coordinator. shuffle: not 0: submit and pause at random, by this seed, to
+ * test that it does not matter. here: what begin() would return, for the coordinator. NULL: no threads to be
+ * had. */
 struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct workers_calls *calls,
                             void *here);
 /* Ends the threads; nothing may be running (workers_halt). */
@@ -60,23 +63,24 @@ void workers_submit(struct workers *ws, struct task *w);
 bool workers_busy(const struct workers *ws);
 /* May an event at (time, place) be committed? */
 bool workers_allow(struct workers *ws, vtime time, uint32_t place);
-/* No task that is out makes an event before this time. It may be earlier than the tasks' lower bounds, never later. VT_NEVER: none
- * is out. */
+/* No task that is out makes an event before this time. It may be earlier than the tasks' lower bounds, never
+ * later. VT_NEVER: none is out. */
 vtime workers_bound(const struct workers *ws);
 /* Takes back a task that is done; NULL: none at the moment. */
 struct task *workers_take(struct workers *ws);
-/* An event at (time, place) is not allowed yet: runs a task, or waits until there is one to take back or the event may be
- * allowed. */
+/* An event at (time, place) is not allowed yet: runs a task, or waits until there is one to take back or the
+ * event may be allowed. */
 void workers_advance(struct workers *ws, vtime time, uint32_t place);
 /* Stops w, which is out and not wanted any more, and takes it back. */
 void workers_drop(struct workers *ws, struct task *w);
 /* Stops all: returns when nothing runs. Nothing is taken after it. */
 void workers_halt(struct workers *ws);
 struct workers_stats workers_stats(const struct workers *ws);
-/* Is it worth while to submit a task? Only if it will take a while, is_long, and not if lately the coordinator had nothing else to
- * do meanwhile. */
+/* Is it worth while to submit a task? Only if it will take a while, is_long, and not if lately the
+ * coordinator had nothing else to do meanwhile. */
 bool workers_worth(struct workers *ws, bool is_long);
 
-/* From inside w, wherever it can pause: its lower bound is this from now on, no less than before. True: it should pause. */
+/* From inside w, wherever it can pause: its lower bound is this from now on, no less than before. True: it
+ * should pause. */
 bool workers_report(struct workers *ws, struct task *w, vtime lower_bound);
 #endif

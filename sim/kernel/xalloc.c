@@ -4,7 +4,8 @@
 #include <unistd.h>
 #include "kernel/xalloc.h"
 
-/* Not exit(): its handlers must not run on a fiber or beside running threads. dprintf() has its buffer on the stack. */
+/* Not exit(): its handlers must not run on a fiber or beside running threads. dprintf() has its buffer on the
+ * stack. */
 noreturn void xexhausted(void)
 {
     dprintf(STDERR_FILENO,

@@ -1,7 +1,8 @@
-/* xalloc.h - memory of the host, for the simulator itself. None of these functions returns without memory: they write
- * to standard error that the host's memory is exhausted and end the process with status 1. Callable from any thread and
- * any fiber. The caller frees what it gets with free(). (What a simulated node allocates is counted against the node
- * and may run out: guest programs get NULL from their own heap, never from here.) */
+/* xalloc.h - memory of the host, for the simulator itself. None of these functions returns without memory:
+ * they write to standard error that the host's memory is exhausted and end the process with status 1.
+ * Callable from any thread and any fiber. The caller frees what it gets with free(). (What a simulated node
+ * allocates is counted against the node and may run out: guest programs get NULL from their own heap, never
+ * from here.) */
 #ifndef KERNEL_XALLOC_H
 #define KERNEL_XALLOC_H
 #include <stdarg.h>
@@ -22,7 +23,8 @@ void *xaligned(size_t alignment, size_t bytes);
 char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvasprintf(const char *format, va_list list) __attribute__((format(printf, 1, 0)));
 
-/* Returns what a library has just allocated (jansson, libevent, open_memstream); ends the process if it is NULL. */
+/* Returns what a library has just allocated (jansson, libevent, open_memstream); ends the process if it is
+ * NULL. */
 void *xchecked(void *made);
 /* For libraries that report the lack of memory otherwise. */
 noreturn void xexhausted(void);

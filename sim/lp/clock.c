@@ -3,8 +3,8 @@
 
 #define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
 
-/* The first slice ends after a quarter of a millisecond of an i860, each further one after as much again as has passed, at
- * most 8 ms. */
+/* The first slice ends after a quarter of a millisecond of an i860, each further one after as much again as
+ * has passed, at most 8 ms. */
 #define FIRST_SLICE (10000 * UNITS_PER_CLOCK)
 #define LONGEST_SLICE (320000 * UNITS_PER_CLOCK)
 

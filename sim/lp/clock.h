@@ -1,7 +1,8 @@
 /* clock.h - a node's processor clock: the cost units that its program counts, and the rest of its time.
  *
- * A computing program comes to a slice boundary now and then: the first poll at or past certain numbers of units since it got
- * control calls nxc_preempt. Slice boundaries are at the same polls in every run, whatever else stops the program. */
+ * A computing program comes to a slice boundary now and then: the first poll at or past certain numbers of
+ * units since it got control calls nxc_preempt. Slice boundaries are at the same polls in every run, whatever
+ * else stops the program. */
 #ifndef LP_CLOCK_H
 #define LP_CLOCK_H
 #include "kernel/slow_assert.h"
@@ -88,23 +89,25 @@ static inline void clock_note_committed(struct lp *lp, uint64_t units)
 {
     lp->segment.committed = units;
 }
-/* Starts the program's clock: it may spend until `deadline` (VT_NEVER: any time), or the next slice boundary: the first poll at or
- * past it calls nxc_preempt. Call after clock_sync. */
+/* Starts the program's clock: it may spend until `deadline` (VT_NEVER: any time), or the next slice boundary:
+ * the first poll at or past it calls nxc_preempt. Call after clock_sync. */
 void clock_allow(struct lp *lp, vtime deadline);
-/* In nxc_preempt, after clock_sync: notes a slice boundary that is reached, and where in the program the poll is. */
+/* In nxc_preempt, after clock_sync: notes a slice boundary that is reached, and where in the program the poll
+ * is. */
 void clock_reach_boundary(struct lp *lp, uintptr_t at);
 /* And the lookahead that the program has stated. */
 void clock_take_lookahead(struct lp *lp);
-/* Where the program, which only computes, was at the last slice boundary before now; 0: none since it got control, or too
- * many since then. */
+/* Where the program, which only computes, was at the last slice boundary before now; 0: none since it got
+ * control, or too many since then. */
 uintptr_t clock_last_place(const struct lp *lp);
-/* The program makes no call, and comes to no slice boundary, before this time, which is not before its clock's. */
+/* The program makes no call, and comes to no slice boundary, before this time, which is not before its
+ * clock's. */
 vtime clock_lookahead(const struct lp *lp);
 /* Units that the program has yet to spend before its next call; and sets that, after handlers have run. */
 uint64_t clock_lookahead_units(const struct lp *lp);
 void clock_set_lookahead(struct lp *lp, uint64_t units);
-/* On entering a call, after clock_stop: does the call come before the end of the lookahead that a poll has given? That is a bug
- * of nxcc's plugin (nx_api/nxcc/lookahead.h). */
+/* On entering a call, after clock_stop: does the call come before the end of the lookahead that a poll has
+ * given? That is a bug of nxcc's plugin (nx_api/nxcc/lookahead.h). */
 static inline bool clock_lookahead_is_broken(const struct lp *lp)
 {
     return __builtin_expect(lp->segment.lookahead > lp->clock.units, 0);
@@ -115,8 +118,9 @@ vtime clock_when(const struct lp *lp, uint64_t units);
 uint64_t clock_units_in(const struct lp *lp, vtime t);
 /* Units spent since the program got control. */
 uint64_t clock_segment_units(const struct lp *lp);
-/* The program has crashed while it computed, some time after its last slice boundary. How far it had come is unknown. It counts as
- * having computed up to its next slice boundary, which is the same however it was stopped before. */
+/* The program has crashed while it computed, some time after its last slice boundary. How far it had come is
+ * unknown. It counts as having computed up to its next slice boundary, which is the same however it was
+ * stopped before. */
 void clock_crash(struct lp *lp);
 /* Take back so much computing, or all there is. */
 void clock_roll_back(struct lp *lp, vtime t);

@@ -7,7 +7,8 @@
 
 const char ENGINE_NAME[] = "fast";
 
-/* The earliest event, of the queue or a node's poll time: its time, VT_NEVER if there is none, and address. */
+/* The earliest event, of the queue or a node's poll time: its time, VT_NEVER if there is none, and address.
+ */
 static vtime next_event(const struct schedule *s, uint32_t *address)
 {
     vtime time = evq_next(s->q);
@@ -32,7 +33,8 @@ static bool commit_next(struct schedule *s)
     return evq_step(s->q, &s->present);
 }
 
-/* Commits the earliest event, unless a task that is out may cause an earlier one: then helps with that. False: there is neither. */
+/* Commits the earliest event, unless a task that is out may cause an earlier one: then helps with that.
+ * False: there is neither. */
 static bool commit_or_help(struct schedule *s)
 {
     bool out = s->workers && workers_busy(s->workers);

@@ -51,8 +51,8 @@ static vtime commit_time(struct lp *lp)
 
 /* --- the program's side --- */
 
-/* Is the machine to stop, or the node at the limit of time? Then the coordinator wants to know; and now and then in any case,
- * for limits of host time and signals. */
+/* Is the machine to stop, or the node at the limit of time? Then the coordinator wants to know; and now and
+ * then in any case, for limits of host time and signals. */
 static bool must_stop(struct lp *lp, vtime now)
 {
     enum { MOST_UNSEEN = 4096 };
@@ -127,8 +127,8 @@ static bool will_be_ready(struct lp *lp)
     return ready;
 }
 
-/* A lazily blocked program goes on at its commit time, if what it waits for is there. What is deferred before that and has an
- * event is committed first: messages may put that off, and the commit time with it. */
+/* A lazily blocked program goes on at its commit time, if what it waits for is there. What is deferred before
+ * that and has an event is committed first: messages may put that off, and the commit time with it. */
 static void unblock_lazily(struct lp *lp)
 {
     if (!lp->lazily_blocked || lp->scheduled_at || !will_be_ready(lp))

@@ -1,13 +1,16 @@
-/* engine.h - what puts the machine's events, and its programs' computing, in order: for what happens to a node.
+/* engine.h - what puts the machine's events, and its programs' computing, in order: for what happens to a
+ * node.
  *
  * There are two engines, and touchstone is linked once with each:
  *
- *   sim/reference         the rules of time in their plainest form: one event at a time, on one thread. It defines every result.
- *   sim/lp, os/gate.c,    the fast one. Programs compute ahead, on several threads, and calls are committed before or after the
- *   os/deferred.c         programs leave them. Its results equal the reference's, to the last digit.
+ *   sim/reference        the rules of time in their plainest form: one event at a time, on one thread. It
+ *                        defines every result.
+ *   sim/lp, os/gate.c,   the fast one. Programs compute ahead, on several threads, and calls are committed
+ *   os/deferred.c, ...   before or after the programs leave them. Its results equal the reference's, to the
+ *                        last digit.
  *
- * All else is shared, and has no schedule in it: it is told what happens, and at what time. os/gate.h declares the other half of
- * an engine, for what programs do. */
+ * All else is shared, and has no schedule in it: it is told what happens, and at what time. os/gate.h
+ * declares the other half of an engine, for what programs do. */
 #ifndef LP_ENGINE_H
 #define LP_ENGINE_H
 #include "lp/lp.h"
@@ -16,14 +19,16 @@
 void lp_start(struct lp *lp, vtime t);
 /* At time t a blocked node is asked whether it may resume. */
 void lp_wake(struct lp *lp, vtime t);
-/* The same, where what the node may wait for is there from time t on: the engine may know that nobody need ask. */
+/* The same, where what the node may wait for is there from time t on: the engine may know that nobody need
+ * ask. */
 void lp_notify(struct lp *lp, vtime t);
-/* To be called before anything is done to the node, at the present moment, that depends on how far its program has come. */
+/* To be called before anything is done to the node, at the present moment, that depends on how far its
+ * program has come. */
 void lp_synchronise(struct lp *lp);
 /* A message has come to the node that no receive selects: a deferred one may. */
 void lp_message_kept(struct lp *lp);
-/* The program is killed, or the machine stops, at this moment: what it has done ahead of it has not happened. True: it was
- * computing; false: it waited, or had ended. */
+/* The program is killed, or the machine stops, at this moment: what it has done ahead of it has not happened.
+ * True: it was computing; false: it waited, or had ended. */
 bool lp_roll_back(struct lp *lp, struct instant at);
 /* What the program has asked for is not going to happen: nothing of it is wanted any more. */
 void lp_forget(struct lp *lp);
@@ -33,7 +38,8 @@ void lp_forget(struct lp *lp);
 /* "reference" or "fast": which one this is. */
 extern const char ENGINE_NAME[];
 
-/* How many threads compute, and how: shuffle as in kernel/workers.h. begin and end are called on each thread that does. */
+/* How many threads compute, and how: shuffle as in kernel/workers.h. begin and end are called on each thread
+ * that does. */
 struct engine_threads {
     unsigned count; /* 0 or 1: only the calling one */
     uint64_t shuffle;
@@ -42,7 +48,8 @@ struct engine_threads {
     void *own; /* of the calling thread */
 };
 
-/* Commits the machine's events until there are none, or schedule.stop is set. The threads' figures differ from run to run. */
+/* Commits the machine's events until there are none, or schedule.stop is set. The threads' figures differ
+ * from run to run. */
 struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads);
 /* Behind it: the node's books up to the moment at which the machine has stopped. */
 void engine_settle(struct lp *lp, struct instant end);

@@ -1,7 +1,8 @@
 /* lookahead.h - what may reach a node, and until when it may compute.
  *
- *     horizon    nothing reaches the node before: the earliest of the queue's events, the other nodes' poll times and the tasks'
- *                lower bounds, and what a message takes at least from there (protocol_horizon)
+ *     horizon    nothing reaches the node before: the earliest of the queue's events, the other nodes' poll
+ *                times and the tasks' lower bounds, and what a message takes at least from there
+ *                (protocol_horizon)
  *     deadline   an interruptible program computes up to its horizon, others to the limit of virtual time */
 #ifndef LP_LOOKAHEAD_H
 #define LP_LOOKAHEAD_H

@@ -1,40 +1,53 @@
-/* lp.h - a node as a logical process: what has a clock of its own and changes only by its events (Chandy & Misra 1979).
+/* lp.h - a node as a logical process: what has a clock of its own and changes only by its events
+ * (Chandy & Misra 1979).
  *
- * Read this file first. The rules of time are sim/reference/reference.c, 270 lines without a trick; sim/lp does the same faster.
+ * Read this file first. The rules of time are sim/reference/reference.c, 270 lines without a trick; sim/lp
+ * does the same faster.
  *
- * A program computes ahead of the machine. Its computing up to its next call, a compute segment, is executed at once; the call
- * is committed at its commit time, when the machine has committed all that comes before in the total order. A program that
- * handlers may interrupt computes up to its horizon only: the earliest time at which anything may reach it. There it pauses at a
- * poll, and goes on when all others have come so far. Its lookahead, computing that is certain before its next call, tells how
- * long nobody need wait for it.
+ * A program computes ahead of the machine. Its computing up to its next call, a compute segment, is
+ * executed at once. The call is committed at its commit time, when the machine has committed all that comes
+ * before in the total order. A program that handlers may interrupt computes up to its horizon only: the
+ * earliest time at which anything may reach it. There it pauses at a poll, and goes on when all others have
+ * come so far. Its lookahead, computing that is certain before its next call, tells how long nobody need
+ * wait for it.
  *
- * A node is in one of these states, and what happens to it has these effects (dispatch.c, block.c, offload.c):
+ * A node is in one of these states, and what happens to it has these effects (dispatch.c, block.c,
+ * offload.c):
  *
- *                     its commit time      its poll time    it is woken          system time taken     it is killed
- *    computing        makes its call       -                -                    commit time later     is rolled back
- *    paused at poll   -                    computes on      catches up           catches up, later     is rolled back
- *    offloaded        -                    -                -                    added when back       its task is dropped
- *    lazily blocked   blocked: no event    -                blocked, or ready:   commit time later     is rolled back
- *                                                           a commit time
- *    blocked          -                    -                resumes if ready     idle time is less     idle until then
- *    ended            -                    -                -                    nobody's              -
+ *                 its commit     its poll     it is woken            system time     it is killed
+ *                 time           time                                is taken
+ *    computing    makes its      -            -                      commits later   is rolled back
+ *                 call
+ *    paused at    -              computes on  catches up             catches up,     is rolled back
+ *    a poll                                                          goes on later
+ *    offloaded    -              -            -                      commits later   its task is dropped
+ *    lazily       blocked:       -            blocked; or, if what   commits later   is rolled back
+ *    blocked      no event                    it waits for is there,
+ *                                             an event at its
+ *                                             commit time
+ *    blocked      -              -            resumes if ready       idles less      has idled until then
+ *    ended        -              -            -                      nobody's time   -
  *
- *    computing       the program has control on the coordinator, or an event at its commit time is in the queue
- *    paused at poll  schedule.polls has the time at which it goes on
- *    offloaded       a worker runs its task up to its next call; only that worker may touch clock (but for stolen), memory,
- *                    C library and errno of the program. The coordinator has all else: mailbox, statistics, state
- *    lazily blocked  it will block at its commit time, as far as is known; no event is queued for that
- *    blocked         it waits in a call for a message, a handler or a time
+ *    computing       the program has control on the coordinator, or its commit time is in the queue
+ *    paused at poll  schedule.polls has the time at which the program goes on
+ *    offloaded       a worker runs its task up to its next call. Only that worker may touch the clock (but
+ *                    for `stolen`), memory, C library and errno of the program. The coordinator has all else:
+ *                    mailbox, statistics, state
+ *    lazily blocked  the node will block at its commit time, as far as is known; no event is queued for that
+ *    blocked         the node waits in a call for a message, a handler or a time
  *
- * Calls are committed on the coordinator only, in the total order; so are library calls that show something to the outside.
+ * Calls are committed on the coordinator only, in the total order. So are library calls that show something
+ * to the outside.
  *
- * System time. A message takes a computing node's processor for a while. That time is noted as stolen, and the node's commit
- * time or poll time is so much later. The horizon is never later than such a moment, so that slices change nothing.
+ * System time. A message takes a computing node's processor for a while. That time is noted as stolen, and
+ * the node's commit time or poll time is so much later. The horizon is never later than such a moment, so
+ * that slices change nothing.
  *
- * Commit times without an event (lazily blocked, deferred calls, polls) count as come when the machine has reached a later moment.
- * Where events follow each other in no time, the machine may come back to a smaller address at the same time; so the latest
- * moment counts, schedule_reached. A commit time before it is put into the queue as an event (lp_is_passed). Polls need no
- * such care: a program always computes something before a poll. */
+ * Commit times without an event (of lazily blocked nodes, deferred calls and polls) have come when the
+ * machine has reached a later moment. Where events follow each other in no time, the machine may come back
+ * to a smaller address at the same time; so the latest moment counts, schedule_reached(). A commit time
+ * before it is put into the queue as an event (lp_is_passed). Polls need no such care: a program always
+ * computes something before a poll. */
 #ifndef LP_LP_H
 #define LP_LP_H
 #include "kernel/fiber.h"
@@ -94,8 +107,7 @@ struct lp {
     bool crashed;        /* to be reported at its commit time */
     vtime scheduled_at;  /* the queue has an event for its deferred calls then; 0: none */
     vtime blocked_since; /* VT_NEVER: not blocked since its call began */
-    int64_t *
-        budget; /* in its program: units that it may spend before the next poll gives control back. NULL: no program */
+    int64_t *budget;    /* in its program: units to spend until a poll gives control back. NULL: no program */
     int64_t *lookahead; /* in its program: what *budget is at its next call, at most */
     struct lp_segment segment;
     int saved_errno;
@@ -105,7 +117,8 @@ struct lp {
     struct lp_ahead ahead;
 };
 
-/* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as long. */
+/* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as
+ * long. */
 void lp_begin(struct lp *lp, struct schedule *s, uint32_t address, struct lp_cold *cold);
 /* The words through which its program and its clock share the count (nx_api/contract/program_image.h). */
 void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead);

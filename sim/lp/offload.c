@@ -7,8 +7,8 @@
 #include "lp/lookahead.h"
 #include "lp/upcalls.h"
 
-/* In cost units. A segment is worth a thread of its own when it takes a few microseconds of host time; a paused program is when it
- * takes half as long as the longest slice. */
+/* In cost units. A segment is worth a thread of its own when it takes a few microseconds of host time; a
+ * paused program is when it takes half as long as the longest slice. */
 #define LONG_SEGMENT (UINT64_C(80000) * NXC_UNITS_PER_CLOCK)
 #define LONG_WAY (UINT64_C(160000) * NXC_UNITS_PER_CLOCK)
 
@@ -120,8 +120,8 @@ void offload_drop(struct lp *lp)
 
 /* --- programs paused at polls --- */
 
-/* Does the program compute so many units at least before it makes a call, or anything reaches it, if no poll time comes before
- * `bound`? */
+/* Does the program compute so many units at least before it makes a call, or anything reaches it, if no poll
+ * time comes before `bound`? */
 static bool has_so_far(const struct lp *lp, vtime bound, uint64_t units)
 {
     const struct schedule *s = lp->schedule;
@@ -139,7 +139,8 @@ static void offload_one(struct lp *lp, vtime bound)
     workers_submit(s->workers, &lp->ahead.task);
 }
 
-/* The next that has so many units to compute at least, from an address on, which becomes the one behind it. NULL: none. */
+/* The next that has so many units to compute at least, from an address on, which becomes the one behind it.
+ * NULL: none. */
 static struct lp *next_with(struct schedule *s, uint32_t *address, vtime bound, uint64_t units)
 {
     while (*address < s->polls.room) {

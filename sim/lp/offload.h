@@ -1,7 +1,7 @@
 /* offload.h - compute segments as tasks that any thread may run (kernel/workers.h).
  *
- * Offloaded are a program that no handler may interrupt, when its segment will probably be long; and programs paused at polls, when
- * two of them at least have far to compute before anything can reach any of them. */
+ * Offloaded are a program that no handler may interrupt, when its segment will probably be long; and programs
+ * paused at polls, when two of them at least have far to compute before anything can reach any of them. */
 #ifndef LP_OFFLOAD_H
 #define LP_OFFLOAD_H
 #include "lp/lp.h"
@@ -14,14 +14,14 @@ void offload_note_segment(struct lp *lp, const char *call);
 bool offload_is_long_next(const struct lp *lp);
 /* When the program has left its call: offloads it if that is worth while. */
 void offload_at_leave(struct lp *lp);
-/* At a poll where the program is not to be interrupted, at `now`: offloads it if the segment has become long. True: it is offloaded,
- * or has been; others have gone on meanwhile. */
+/* At a poll where the program is not to be interrupted, at `now`: offloads it if the segment has become long.
+ * True: it is offloaded, or has been; others have gone on meanwhile. */
 bool offload_at_poll(struct lp *lp, vtime now);
 
 /* --- the coordinator's side --- */
 
-/* The next poll time is the node's. If it has far to compute until its next call, others may have, too: offloads them all. False:
- * that is not worth while. */
+/* The next poll time is the node's. If it has far to compute until its next call, others may have, too:
+ * offloads them all. False: that is not worth while. */
 bool offload_paused(struct lp *lp);
 /* Takes an offloaded program back that has come to its next call or poll, or has crashed. */
 void offload_take_back(struct task *t);

@@ -1,7 +1,8 @@
-/* schedule.h - what all logical processes of one machine share: the events to come, and how far the machine has come.
+/* schedule.h - what all logical processes of one machine share: the events to come, and how far the machine
+ * has come.
  *
- * The next event is the earliest of two: of the queue, and of the polls, which are the times at which nodes paused at a poll go
- * on. It is committed when no task that is offloaded may still cause an earlier one. */
+ * The next event is the earliest of two: of the queue, and of the polls, which are the times at which nodes
+ * paused at a poll go on. It is committed when no task that is offloaded may still cause an earlier one. */
 #ifndef LP_SCHEDULE_H
 #define LP_SCHEDULE_H
 #include "kernel/evq.h"
@@ -34,8 +35,8 @@ struct schedule {
     void *look_ctx;
 };
 
-/* The latest moment that the machine has reached. Where events follow each other in no time, the machine may come back from an
- * address to a smaller one at the same time; so this is not always `present`. */
+/* The latest moment that the machine has reached. Where events follow each other in no time, the machine may
+ * come back from an address to a smaller one at the same time; so this is not always `present`. */
 static inline struct instant schedule_reached(const struct schedule *s)
 {
     return instant_later(s->present, s->reached);

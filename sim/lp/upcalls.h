@@ -1,7 +1,7 @@
 /* upcalls.h - what sim/lp asks of the operating system above it (sim/os/upcalls.c): the only calls up.
  *
- * A node's deferred calls (os/deferred.h) and handlers (os/handlers.h) are the operating system's; sim/lp decides when their
- * moments have come. */
+ * A node's deferred calls (os/deferred.h) and handlers (os/handlers.h) are the operating system's; sim/lp
+ * decides when their moments have come. */
 #ifndef LP_UPCALLS_H
 #define LP_UPCALLS_H
 #include "lp/lp.h"
@@ -14,7 +14,8 @@ struct lp *up_lp_at(struct schedule *s, uint32_t address);
 bool up_has_deferred(const struct lp *lp);
 /* Commits those whose commit time comes before; there may be none. */
 void up_commit_deferred(struct lp *lp, struct instant before);
-/* The commit time of the first that needs an event, and what it sends, for loading ahead: NULL nothing. VT_NEVER: none. */
+/* The commit time of the first that needs an event, and what it sends, for loading ahead: NULL nothing.
+ * VT_NEVER: none. */
 vtime up_next_deferred(const struct lp *lp, void **sends);
 /* The commit time of the last, or when the program goes on after it; there is one. */
 vtime up_last_deferred(const struct lp *lp);
@@ -32,7 +33,8 @@ bool up_is_interruptible(const struct lp *lp);
 bool up_in_handler(const struct lp *lp);
 /* When the next handler is to interrupt the program, if that computes until then; VT_NEVER: none is due. */
 vtime up_next_interrupt(const struct lp *lp);
-/* At `now`: is a handler due, or is there what the program waits for? True, too, when it waits for nothing. */
+/* At `now`: is a handler due, or is there what the program waits for? True, too, when it waits for nothing.
+ */
 bool up_may_resume(struct lp *lp, vtime now);
 /* The program begins to wait; it has waited until t, since lp.blocked_since. */
 void up_wait_begins(struct lp *lp);
@@ -45,7 +47,8 @@ void up_program_resumes(struct lp *lp);
 bool up_program_returns(struct lp *lp);
 /* Reports the crash noted, at its moment. */
 void up_report_crash(struct lp *lp);
-/* Another program is going to run within a call of the one that runs, which is returned; then that goes on. */
+/* Another program is going to run within a call of the one that runs, which is returned; then that goes on.
+ */
 void *up_nest(struct schedule *s);
 void up_unnest(struct schedule *s, void *outer);
 /* The limit of virtual time is reached: stops the machine. */
@@ -53,7 +56,8 @@ void up_end_at_limit(struct schedule *s);
 
 /* --- loading ahead: kernel/prefetch.h --- */
 
-/* What every program needs of its node; what its next call will look at; messages in these; its stack and variables. */
+/* What every program needs of its node; what its next call will look at; messages in these; its stack and
+ * variables. */
 void up_prefetch_node(const struct lp *lp);
 void up_prefetch_receives(const struct lp *lp);
 void up_prefetch_messages(const struct lp *lp);

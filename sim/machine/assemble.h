@@ -12,7 +12,7 @@ struct node *node_new_empty(struct node_system *sys, uint32_t id);
 /* The host, at its address. */
 struct node *node_new_host(struct node_system *sys, uint32_t address, const struct node_image *img, int argc,
                            char **argv, char **envp, char **error);
-/* Makes n, a new node, the one that comes after `before`, whose program has ended: its books go on in n, and n gets the
- * messages that wait. Time is t. */
+/* Makes n, a new node, the one that comes after `before`, whose program has ended: its books go on in n, and
+ * n gets the messages that wait. Time is t. */
 void node_succeed(struct node *n, struct node *before, vtime t);
 #endif

@@ -171,7 +171,8 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->failed_malloc);
 }
 
-/* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by frames. */
+/* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by
+ * frames. */
 static bool has_frame(const struct node *n, uintptr_t pc)
 {
     enum { PUSH_RBP = 0x55 };

@@ -1,9 +1,10 @@
 /* crash.h - a node program's fault (SIGSEGV and its kin) caught and told as the node's error.
  *
- * Each thread that runs programs watches, with a guard of its own. A fault while a node's fiber runs writes down what
- * is known, in n->crash, and ends the fiber; any other fault takes the usual course. Where the program has called a
- * library, GCC's unwinder (libgcc) finds the way back to it: libraries have no frame pointers. Signal handlers are given nothing but the
- * signal: so the guard in force and the fiber that runs are what the simulator has of thread-local state. */
+ * Each thread that runs programs watches, with a guard of its own. A fault while a node's fiber runs writes
+ * down what is known, in n->crash, and ends the fiber; any other fault takes the usual course. Where the
+ * program has called a library, GCC's unwinder (libgcc) finds the way back to it: libraries have no frame
+ * pointers. Signal handlers are given nothing but the signal: so the guard in force and the fiber that runs
+ * are what the simulator has of thread-local state. */
 #ifndef MACHINE_CRASH_H
 #define MACHINE_CRASH_H
 #include "node/system.h"

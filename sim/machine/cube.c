@@ -186,9 +186,9 @@ static char *beside_host(const struct cube *c, const char *name)
     return path;
 }
 
-/* The file that a host program means: the command line's node program if the last part of its name is the same, so that
- * paths of another computer do; then the path from the host program's folder, the file of that name there, and the path
- * from here. NULL: none. */
+/* The file that a host program means: the command line's node program if the last part of its name is the
+ * same, so that paths of another computer do; then the path from the host program's folder, the file of that
+ * name there, and the path from here. NULL: none. */
 static char *find_program(const struct cube *c, const char *path)
 {
     const char *given = c->options.program;

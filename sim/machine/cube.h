@@ -1,12 +1,12 @@
-/* cube.h - what a host program does with nodes: it gets a cube of them, loads programs on it, waits for their ends, kills
- * what is left, and gives the cube back.
+/* cube.h - what a host program does with nodes: it gets a cube of them, loads programs on it, waits for their
+ * ends, kills what is left, and gives the cube back.
  *
  *     getcube        load           (ends)        load          killcube, relcube
  *        empty ------> runs -------> ended ------> runs -------> ended
  *
- * A node on which a program is loaded again is a new struct node: its memory, image and output are new, its books go on
- * (node_succeed). The old one is kept, empty, as long as the machine, for events that still name it. A machine without a
- * host program has no cube: its nodes are loaded when it is made.
+ * A node on which a program is loaded again is a new struct node: its memory, image and output are new, its
+ * books go on (node_succeed). The old one is kept, empty, as long as the machine, for events that still name
+ * it. A machine without a host program has no cube: its nodes are loaded when it is made.
  *
  * The calls below are made by the host program, from one of its NX calls; the errors are node_error's: -1.
  */
@@ -36,7 +36,8 @@ const char *cube_name(const struct cube *c); /* NULL: no cube */
 
 /* Loads a program on a node, or with -1 on all, and starts it. */
 long cube_load(struct node *host, const char *path, long node, long pid);
-/* Ends the program of a node, or with -1 of all, except the caller's own; flush: with all messages on their way to it. */
+/* Ends the program of a node, or with -1 of all, except the caller's own; flush: with all messages on their
+ * way to it. */
 void cube_kill(struct node *caller, long node, bool flush);
 /* May the host send there? 0, or -1 with the error when there is no cube or nobody to get it. */
 long cube_check_send(struct node *host, long node);

@@ -1,5 +1,5 @@
-/* endpoints.c - see endpoints.h. Places are nodes, services, or the host (topo.h); a message between a node and a service is known
- * by m->serves, in both directions. */
+/* endpoints.c - see endpoints.h. Places are nodes, services, or the host (topo.h); a message between a node
+ * and a service is known by m->serves, in both directions. */
 #include "machine/endpoints.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"

@@ -1,4 +1,5 @@
-/* endpoints.h - who lives where on the network: messages go to nodes, or to services of the machine and back. */
+/* endpoints.h - who lives where on the network: messages go to nodes, or to services of the machine and back.
+ */
 #ifndef MACHINE_ENDPOINTS_H
 #define MACHINE_ENDPOINTS_H
 #include "node/system.h"

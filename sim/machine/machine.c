@@ -189,8 +189,8 @@ void machine_free(struct machine *m)
 
 /* --- running --- */
 
-/* Signals that end a run. While it goes on they wait, and are looked at now and then: so what the nodes have printed is not
- * lost, and it can be said where each is. */
+/* Signals that end a run. While it goes on they wait, and are looked at now and then: so what the nodes have
+ * printed is not lost, and it can be said where each is. */
 static const int ENDING[] = {SIGINT, SIGTERM, SIGHUP};
 enum { ENDINGS = sizeof ENDING / sizeof *ENDING };
 
@@ -207,8 +207,8 @@ static sigset_t ending_signals(void)
     return set;
 }
 
-/* The world outside: the wall clock's limit, and who wants the run to end. Neither changes a result, they only end the
- * run. */
+/* The world outside: the wall clock's limit, and who wants the run to end. Neither changes a result, they
+ * only end the run. */
 static void look_outside(void *ctx)
 {
     struct machine *m = ctx;
@@ -258,8 +258,9 @@ static void run_events(struct machine *m)
     crash_unwatch(guard);
 }
 
-/* The source line in which the node is, NULL: unknown. One that computes may have run on before it was known that the system
- * takes time from it: at a limit of virtual time, where a report is always the same, it is the line at its last look. */
+/* The source line in which the node is, NULL: unknown. One that computes may have run on before it was known
+ * that the system takes time from it: at a limit of virtual time, where a report is always the same, it is
+ * the line at its last look. */
 static const char *line_of(const struct node *n, struct trace_lines *lines)
 {
     if (n->call)

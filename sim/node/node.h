@@ -1,14 +1,14 @@
 /* node.h - one simulated node, composed of its parts. Each part belongs to a folder, which alone assigns it:
  *
  *     lp                        sim/lp       the node as a logical process: clock, state, commit times
- *     os: mailbox, deferred,    sim/os       messages, buffers, interrupts, deferred calls, memory account, the call under way
- *         stats, call, memory
+ *     os: mailbox, deferred,    sim/os       messages, buffers, interrupts, deferred calls, memory account,
+ *         stats, call, memory                the call under way
  *     guest: image, heap,       sim/guest    the loaded program and its address space
  *         libc, region
  *     the rest                  sim/machine  what the node is: set when it is made
  *
- * A node's program, stack and heap lie in a region of address space (span.h), so that a call finds its node from the stack
- * pointer (self.h), and no state is global or thread-local. */
+ * A node's program, stack and heap lie in a region of address space (span.h), so that a call finds its node
+ * from the stack pointer (self.h), and no state is global or thread-local. */
 #ifndef NODE_NODE_H
 #define NODE_NODE_H
 #include <stdbool.h>
@@ -43,9 +43,9 @@ enum node_task {
     NODE_TASKS
 };
 
-/* The system's time. A node's time, less that without a program, is the sum of computing (its cost units), idle and system, to the
- * picosecond. The sum of the tasks is system and overlapped: a wait may be over while the processor still moves bytes, which does not
- * hold up the program. */
+/* The system's time. A node's time, less that without a program, is the sum of computing (its cost units),
+ * idle and system, to the picosecond. The sum of the tasks is system and overlapped: a wait may be over while
+ * the processor still moves bytes, which does not hold up the program. */
 struct node_times {
     vtime system; /* in the operating system: calls, messages, interrupts */
     vtime tasks[NODE_TASKS];
@@ -61,9 +61,9 @@ struct node_stats {
     vtime stood;  /* that the program stood still for handlers, and did not wait */
     vtime latest; /* longest delay between an interrupt being due and its handler starting, unmasked */
     vtime ended_at;
-    vtime
-        away; /* without a program: before it was loaded, between two, and what is less than a unit's time when one is killed.
-                 * Modulo 2^64: system time that a killed program had begun counts as spent. */
+    /* Without a program: before it was loaded, between two, and less than a unit's time of a killed one.
+     * Modulo 2^64: system time that a killed program had begun counts as spent. */
+    vtime away;
 };
 
 /* Messages and what they are for: os/mailbox.h. A line of the cache. */
@@ -83,8 +83,8 @@ enum { DEFERRED_TIME_BITS = 56 };
 /* A node's messages that wait to be committed should still be in the caches then. */
 enum { DEFERRED_MOST = 16 };
 
-/* A call that the program has left before its commit time: os/deferred.h. What the call takes is in the node's books at
- * once, and comes out of them if the call is rolled back. */
+/* A call that the program has left before its commit time: os/deferred.h. What the call takes is in the
+ * node's books at once, and comes out of them if the call is rolled back. */
 struct deferred_call {
     uint64_t commits : DEFERRED_TIME_BITS; /* commit time, less deferred.shift at its beginning */
     bool has_type : 1;                     /* deferred_cold.type */
@@ -131,7 +131,8 @@ struct deferred_cold {
     int32_t type[DEFERRED_MOST]; /* in node.call_type when the caller resumes, if it has any */
 };
 
-/* What hardly any program uses, or not for each message: in another place, so that what all use lies close together. */
+/* What hardly any program uses, or not for each message: in another place, so that what all use lies close
+ * together. */
 struct node_cold {
     struct id_block ids; /* the first of the mailbox's */
     struct deferred_cold calls;
@@ -140,8 +141,8 @@ struct node_cold {
     struct node_error error;
 };
 
-/* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what else most calls need, up
- * to `stats`. So the order is not that of the owners. */
+/* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what
+ * else most calls need, up to `stats`. So the order is not that of the owners. */
 struct node {
     struct mailbox mailbox;   /* os */
     struct deferred deferred; /* os */
@@ -168,7 +169,7 @@ struct node {
     long call_type;     /* os: type, typesel or id it was given, if call_has_type */
     long awaited;       /* os: type or typesel of the message the call is about, if awaits */
     uintptr_t
-        frame; /* os: on the stack: of the call, while it is blocked, or of the poll at which it has stopped */
+        frame; /* os: on the stack: of the call while it is blocked, or of the poll where it has stopped */
     bool masked, in_handler; /* os */
     bool at_poll;            /* os: it has stopped at one, at `frame` */
     struct node_info info;   /* os */
@@ -181,8 +182,8 @@ struct node {
     uint32_t whole_count;
     int64_t whole_order; /* of the last, in by_type */
     size_t buffered;     /* os: bytes of unexpected messages held */
-    /* os: messages come while the program computes ahead. Each of the two sees what the other had when the program was last
-     * in a call. */
+    /* os: messages come while the program computes ahead. Each of the two sees what the other had when the
+     * program was last in a call. */
     size_t buffered_known;
     long pid;               /* os: process type: 0, unless the program has set it */
     struct receive receive; /* os: of the blocking call that the program is in, outside of handlers */
@@ -213,10 +214,9 @@ struct node {
     bool end_noticed;  /* os: such a call has told of this one's */
     struct {
         vtime at;
-        uint64_t units; /* what the program had computed then */
-    } opened;           /* os: when handlers were last let run */
-    uint64_t
-        share_until; /* os: no handler interrupts the program before its clock has so many units: handlers.h */
+        uint64_t units;     /* what the program had computed then */
+    } opened;               /* os: when handlers were last let run */
+    uint64_t share_until;   /* os: no handler interrupts the program before its clock has so many units */
     struct node_libc *libc; /* guest: stdio, random numbers, strtok: libc.h */
     size_t failed_malloc;   /* guest: size of the last allocation refused, 0: none */
 };

@@ -20,7 +20,8 @@ struct node_region {
     struct node *node[];                 /* by span */
 };
 
-/* The node in whose memory an address lies: in the program, its stack or its heap. It has to lie in some node's region. */
+/* The node in whose memory an address lies: in the program, its stack or its heap. It has to lie in some
+ * node's region. */
 static inline struct node *node_at_address(uintptr_t address)
 {
     const struct node_region *r = (const struct node_region *)(address & ~(NODE_REGION - 1));

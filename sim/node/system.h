@@ -44,8 +44,7 @@ struct node_system {
     uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
     FILE *history;            /* the same as text, a line for each; NULL: not wanted */
     uint64_t messages, bytes; /* received */
-    char **
-        host_files; /* names of files outside of /cfs that programs have used, each once; ended by NULL, or NULL */
+    char **host_files; /* names of host files that programs have used, each once; ended by NULL, or NULL */
     struct node_absent *absent; /* functions that nodes do not have, and programs called; by first call */
     size_t absent_count;
     size_t host_file_count; /* at most NODE_HOST_FILES: of more, the first */

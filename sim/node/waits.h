@@ -1,4 +1,5 @@
-/* waits.h - where a node's idle time went: a small table, an entry for each call and message type it has waited in. */
+/* waits.h - where a node's idle time went: a small table, an entry for each call and message type it has
+ * waited in. */
 #ifndef NODE_WAITS_H
 #define NODE_WAITS_H
 #include <stdbool.h>

@@ -63,7 +63,8 @@ void deferred_begin(struct node *n)
     n->heap_moved = false;
 }
 
-/* Nothing reaches the node before the call that has waited is committed: its program knows what is in its buffers then. */
+/* Nothing reaches the node before the call that has waited is committed: its program knows what is in its
+ * buffers then. */
 static void know_buffers(struct node *n)
 {
     n->buffered_known = n->buffered - n->taken;
@@ -204,7 +205,8 @@ vtime deferred_last(const struct node *n)
 
 /* --- making them --- */
 
-/* What has been stolen puts off the first, which begins now, and with it all that the program has done after it. */
+/* What has been stolen puts off the first, which begins now, and with it all that the program has done after
+ * it. */
 static void put_off(struct node *n, vtime now)
 {
     vtime late = clock_add_stolen(&n->lp), begun = now - late;

@@ -1,26 +1,30 @@
 /* deferred.h - calls that a program has left before they are committed.
  *
- * A call that only hands something over, a message to send or a receive to post, tells its program nothing. When the machine has not
- * come to the call's commit time yet, the program does not wait for it: the call is noted, with the node's clock, and
- * the program goes on:
+ * A call that only hands something over, a message to send or a receive to post, tells its program nothing.
+ * When the machine has not come to the call's commit time yet, the program does not wait for it: the call is
+ * noted, with the node's clock, and the program goes on:
  *
  *     program    irecv, csend ------> computes ----> crecv ---> waits
  *     machine            ...... irecv, csend .................. crecv ......
  *
- * A message is sent at the call's commit time, by an event, without switching to the program; or at once, with the time of then, if
- * nothing can reach the node before (lp/lookahead.h). A receive that selects an unexpected message has it at once. Other receives are
- * posted without an event, before anything reaches the node after their commit time (deferred_commit_until). If a message comes
- * before that they may select, they get an event, too.
+ * A message is sent at the call's commit time, by an event, without switching to the program; or at once,
+ * with the time of then, if nothing can reach the node before (lp/lookahead.h). A receive that selects an
+ * unexpected message has it at once. Other receives are posted without an event, before anything reaches the
+ * node after their commit time (deferred_commit_until). If a message comes before that they may select, they
+ * get an event, too.
  *
- * When messages take the processor meanwhile, the deferred calls, and all that the program has done since, come so much later. Where
- * the program must know that its moment is committed (node_order, node_wait), all its deferred calls have been.
+ * When messages take the processor meanwhile, the deferred calls, and all that the program has done since,
+ * come so much later. Where the program must know that its moment is committed (node_order, node_wait), all
+ * its deferred calls have been.
  *
- * A call that waits is deferred, too, if the message it waits for has arrived and nothing can reach the node before its commit time:
- * the caller resumes at once.
+ * A call that waits is deferred, too, if the message it waits for has arrived and nothing can reach the node
+ * before its commit time: the caller resumes at once.
  *
- * What is not committed when the program is killed, or the machine stops, has not happened: it is rolled back, and the clock with it.
+ * What is not committed when the program is killed, or the machine stops, has not happened: it is rolled
+ * back, and the clock with it.
  *
- * Not for nodes with handlers, which interrupt at commit times, nor where programs can throw away others' messages or end them. */
+ * Not for nodes with handlers, which interrupt at commit times, nor where programs can throw away others'
+ * messages or end them. */
 #ifndef OS_DEFERRED_H
 #define OS_DEFERRED_H
 #include "node/node.h"
@@ -45,7 +49,8 @@ void deferred_received(struct node *n, struct message *m);
 
 /* --- the coordinator's side --- */
 
-/* The commit time of the first that needs an event, and what it sends, which may be NULL; VT_NEVER: there is none. */
+/* The commit time of the first that needs an event, and what it sends, which may be NULL; VT_NEVER: there is
+ * none. */
 vtime deferred_next(const struct node *n, struct message **sends);
 /* That of the last of all, or when its caller resumes; there is one. */
 vtime deferred_last(const struct node *n);

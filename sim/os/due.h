@@ -1,5 +1,5 @@
-/* due.h - the handlers of a node that are to run: for a receive that is complete, or a send whose buffer is free. They run in the
- * order in which they became due: handlers.h. */
+/* due.h - the handlers of a node that are to run: for a receive that is complete, or a send whose buffer is
+ * free. They run in the order in which they became due: handlers.h. */
 #ifndef OS_DUE_H
 #define OS_DUE_H
 #include "node/node.h"
@@ -27,7 +27,8 @@ static inline const struct due *due_first(const struct mailbox *b)
 }
 /* May one have to run before the program's next call? */
 bool due_may_interrupt(const struct node *n);
-/* When the next is to interrupt the program, if that computes until then; VT_NEVER: none is known to be due. */
+/* When the next is to interrupt the program, if that computes until then; VT_NEVER: none is known to be due.
+ */
 vtime due_next(const struct node *n);
 /* Is one due that a program which waits lets run at this time? */
 bool due_now(const struct node *n, vtime now);

@@ -11,7 +11,7 @@ void node_stop(struct node *n, struct instant at);
 void node_end_other(struct node *n, struct node *victim);
 /* Its program has crashed, at its clock's time, which is committed. */
 void node_end_crashed(struct node *n);
-/* The machine has stopped at a moment, after which nothing has happened: the node's books are those of then. at_a_time: stopped by a
- * moment of virtual time; a node that computes may have been ahead of it. */
+/* The machine has stopped at a moment, after which nothing has happened: the node's books are those of then.
+ * at_a_time: stopped by a moment of virtual time; a node that computes may have been ahead of it. */
 void node_settle(struct node *n, struct instant end, bool at_a_time);
 #endif

@@ -15,7 +15,8 @@
 #include "lp/clock.h"
 #include "node/self.h"
 
-/* For limits of host time and signals: a poll stands for so many calls, of which the coordinator looks at them now and then. */
+/* For limits of host time and signals: a poll stands for so many calls, of which the coordinator looks at
+ * them now and then. */
 enum { MOST_UNSEEN = 4096, POLL_CALLS = 64 };
 
 /* --- calls --- */
@@ -60,8 +61,8 @@ void node_enter(struct node *n, const char *call)
     await_commit(n);
 }
 
-/* Can the call that the program is in be deferred, while the program goes on? A program worth a thread of its own gets it when its
- * call is committed. (Where programs come and go, few messages are worth it.) */
+/* Can the call that the program is in be deferred, while the program goes on? A program worth a thread of its
+ * own gets it when its call is committed. (Where programs come and go, few messages are worth it.) */
 static bool may_defer(const struct node *n)
 {
     const struct node_system *s = n->sys;
@@ -156,7 +157,8 @@ void node_nxc_preempt(void)
 
 /* --- waiting --- */
 
-/* Runs handlers that have become due while the node came here; others will wake it. Is what it waits for there? */
+/* Runs handlers that have become due while the node came here; others will wake it. Is what it waits for
+ * there? */
 static bool run_handlers(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     bool is_ready = ready(n, arg);
@@ -167,8 +169,8 @@ static bool run_handlers(struct node *n, bool (*ready)(struct node *n, void *arg
     return is_ready;
 }
 
-/* Switches away until the program has something to do, of which lp/dispatch.c sees to. True if it has been blocked: then all earlier
- * events have been committed. */
+/* Switches away until the program has something to do, of which lp/dispatch.c sees to. True if it has been
+ * blocked: then all earlier events have been committed. */
 static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     n->wait.ready = ready, n->wait.arg = arg;
@@ -178,8 +180,8 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
     return n->lp.blocked_since != VT_NEVER;
 }
 
-/* Is what the call waits for there already, so that the program can go on with it? Nothing may reach the node before the call's
- * commit time, nor may the call itself make room for others' messages. */
+/* Is what the call waits for there already, so that the program can go on with it? Nothing may reach the node
+ * before the call's commit time, nor may the call itself make room for others' messages. */
 static bool may_resume_early(struct node *n, vtime now, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     return ready(n, arg) && may_defer(n) && now <= n->sys->schedule.max_time && !match_may_grant(n) &&

@@ -1,14 +1,15 @@
-/* gate.h - the way of a program into the operating system and back: entering and leaving calls, waiting in them, and the polls at
- * which the program may be interrupted. All functions are called on the node's stack.
+/* gate.h - the way of a program into the operating system and back: entering and leaving calls, waiting in
+ * them, and the polls at which the program may be interrupted. All functions are called on the node's stack.
  *
- * node_enter(), node_leave(), node_wait() are nx_api/contract/backend.h's. They are an engine's half for what programs do;
- * lp/engine.h is the other, and tells of the two engines. */
+ * node_enter(), node_leave(), node_wait() are nx_api/contract/backend.h's. They are an engine's half for what
+ * programs do; lp/engine.h is the other, and tells of the two engines. */
 #ifndef OS_GATE_H
 #define OS_GATE_H
 #include "nx_api/contract/backend.h"
 #include "os/order.h"
 
-/* What the call is about, for reports: a type, typesel or id; and that it waits for a message of this type or typesel. */
+/* What the call is about, for reports: a type, typesel or id; and that it waits for a message of this type or
+ * typesel. */
 static inline void gate_about(struct node *n, long type)
 {
     n->call_type = type, n->call_has_type = true;

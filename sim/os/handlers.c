@@ -1,5 +1,6 @@
-/* handlers.c - the handlers of a node: those of hrecv, hsend and their variants. One that is due runs on its program's stack, where the
- * program can be interrupted: between two parts of its computing, or in a call; not inside of another. See handlers.h. */
+/* handlers.c - the handlers of a node: those of hrecv, hsend and their variants. One that is due runs on its
+ * program's stack, where the program can be interrupted: between two parts of its computing, or in a call;
+ * not inside of another. See handlers.h. */
 #include "os/handlers.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"
@@ -38,8 +39,8 @@ void handlers_open(struct node *n)
     n->opened.units = n->lp.clock.units;
 }
 
-/* By how much a handler is late that was due at a time: none if its program has done nothing since handlers were let run, else
- * from then on at most. */
+/* By how much a handler is late that was due at a time: none if its program has done nothing since handlers
+ * were let run, else from then on at most. */
 static vtime delay(struct node *n, vtime due)
 {
     vtime now = node_now(n), from = vt_max(due, n->opened.at);

@@ -1,13 +1,13 @@
-/* handlers.h - the handlers of a node: those of hrecv, hsend and their variants. They run in the order in which they became due
- * (due.h), on the program's stack, one at a time, and not while they are masked; between two of them the program has its share
- * (share.h). */
+/* handlers.h - the handlers of a node: those of hrecv, hsend and their variants. They run in the order in
+ * which they became due (due.h), on the program's stack, one at a time, and not while they are masked;
+ * between two of them the program has its share (share.h). */
 #ifndef OS_HANDLERS_H
 #define OS_HANDLERS_H
 #include "node/node.h"
 
-/* On the node's stack, at a committed moment: runs the first that is due, if it may interrupt the program; one that waits for something
- * that is not there may be interrupted at any time. False: none. When one has run, the program's time is later, and what comes before
- * is to be committed before the next (node_order). */
+/* On the node's stack, at a committed moment: runs the first that is due, if it may interrupt the program;
+ * one that waits for something that is not there may be interrupted at any time. False: none. When one has
+ * run, the program's time is later, and what comes before is to be committed before the next (node_order). */
 bool handlers_run(struct node *n, bool waits);
 /* Runs the first if it was due at time t, until which it was held back. */
 bool handlers_run_held(struct node *n, vtime t);

@@ -1,4 +1,5 @@
-/* history.h - all messages that have arrived, in the order of events: their digest, and touchstone run --history. */
+/* history.h - all messages that have arrived, in the order of events: their digest, and touchstone run
+ * --history. */
 #ifndef OS_HISTORY_H
 #define OS_HISTORY_H
 #include "node/system.h"

@@ -1,11 +1,13 @@
-/* match.h - which message a receive gets, and when: receives posted, messages come in unexpected, system buffers and grants.
+/* match.h - which message a receive gets, and when: receives posted, messages come in unexpected, system
+ * buffers and grants.
  *
- *   an envelope comes:  a posted receive selects it  ->  it is that receive's, and goes straight to its buffer
+ *   an envelope comes:  a posted receive selects it  ->  it is that receive's, and goes to its buffer
  *                       none does                    ->  it waits, unexpected, in a system buffer
- *   a receive is made:  the first unexpected message it selects, else it is posted (first posted, first served)
+ *   a receive is made:  the first unexpected message it selects, else it is posted (first come, first served)
  *
- * unexpected.h says which is the first. A message is complete when it has arrived and the operating system is done with it
- * (message.complete). Functions are told at what time they happen; whether a call is deferred is asked in front.c. */
+ * unexpected.h says which is the first. A message is complete when it has arrived and the operating system is
+ * done with it (message.complete). Functions are told at what time they happen; whether a call is deferred is
+ * asked in front.c. */
 #ifndef OS_MATCH_H
 #define OS_MATCH_H
 #include "net/protocol.h"
@@ -15,25 +17,28 @@
 void match_begin(struct node *n, struct id_block *ids);
 void match_end(struct node *n);
 
-/* Throws away the unexpected messages that typesel selects, also those still under way whose envelope has come. */
+/* Throws away the unexpected messages that typesel selects, also those still under way whose envelope has
+ * come. */
 void match_flush(struct node *n, int64_t typesel, vtime now);
 
-/* The node's program is gone, and what it has posted, too: what one of its receives had selected is lost; what it had sent
- * goes on. Then: throws away all unexpected messages, and those on their way; or hands them to the node's next program. */
+/* The node's program is gone, and what it has posted, too: what one of its receives had selected is lost;
+ * what it had sent goes on. Then: throws away all unexpected messages, and those on their way; or hands them
+ * to the node's next program. */
 void match_abandon(struct node *n);
 void match_empty(struct node *n, vtime now);
 void match_inherit(struct node *n, struct node *before);
 
-/* Posts r at time now, or gives it the unexpected message that it selects. Withdraws it, with a message that it may have selected. */
+/* Posts r at time now, or gives it the unexpected message that it selects. Withdraws it, with a message that
+ * it may have selected. */
 void match_post(struct node *n, struct receive *r, vtime now);
 void match_withdraw(struct node *n, struct receive *r);
-/* Sends messages, linked by next, from time now on; returns when the last has left the program. One takes the processor so
- * long. */
+/* Sends messages, linked by next, from time now on; returns when the last has left the program. One takes the
+ * processor so long. */
 vtime match_send(struct node *n, struct message *first, vtime now);
 vtime match_send_time(const struct node *n, const struct message *m);
 
-/* What an ordinary node's system takes to copy m to its program's buffer. A program is done with m: a waiting one may get its
- * room. */
+/* What an ordinary node's system takes to copy m to its program's buffer. A program is done with m: a waiting
+ * one may get its room. */
 vtime match_copying(const struct node *n, const struct message *m);
 void match_done_with(struct node *n, struct message *m, vtime now);
 /* m, which a receive had selected, is unexpected again, the first. */

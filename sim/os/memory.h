@@ -1,5 +1,6 @@
-/* memory.h - the account of a node's memory. What counts against it (machine file: memory_mb): the operating system, the program's
- * image, its stack, its heap up to the highest block in use, and unexpected messages in system buffers. */
+/* memory.h - the account of a node's memory. What counts against it (machine file: memory_mb): the operating
+ * system, the program's image, its stack, its heap up to the highest block in use, and unexpected messages in
+ * system buffers. */
 #ifndef OS_MEMORY_H
 #define OS_MEMORY_H
 #include "node/node.h"
@@ -9,7 +10,8 @@ size_t node_memory_used(const struct node *n);
 size_t node_memory_limit(const struct node *n);
 /* Notes the high-water mark after a message has come. */
 void node_memory_changed(struct node *n);
-/* In a call: messages see all of the program's memory, and unless the call may be deferred, the program theirs. */
+/* In a call: messages see all of the program's memory, and unless the call may be deferred, the program
+ * theirs. */
 void node_memory_settle(struct node *n);
 /* The program's memory as it is; and for messages to see, as it was in a call that they have come to. */
 struct node_memory node_memory_now(const struct node *n);

@@ -1,5 +1,6 @@
-/* unexpected.c - see unexpected.h. The whole ones are linked both ways: one in their midst may be wanted. Where they are many they can be
- * found by type, too, so that a receive need not look through those of other types. */
+/* unexpected.c - see unexpected.h. The whole ones are linked both ways: one in their midst may be wanted.
+ * Where they are many they can be found by type, too, so that a receive need not look through those of other
+ * types. */
 #include "os/unexpected.h"
 #include "kernel/prefetch.h"
 #include "kernel/queues.h"

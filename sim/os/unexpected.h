@@ -1,12 +1,12 @@
-/* unexpected.h - the messages that have come to a node and that no receive has selected, in the order in which receives and probes
- * find them:
+/* unexpected.h - the messages that have come to a node and that no receive has selected, in the order in
+ * which receives and probes find them:
  *
  *     whole    all their bytes are here; in the order in which they came whole
  *     coming   their envelope has come, some of their bytes have not; in the order of envelopes
  *
- * Of the messages of one program and one type the one sent first is found first, whatever comes whole first: one that is whole
- * before an earlier one is among the coming until that is whole, too. So a probe and the receive behind it find the same
- * message: what comes whole between them comes behind it. */
+ * Of the messages of one program and one type the one sent first is found first, whatever comes whole first:
+ * one that is whole before an earlier one is among the coming until that is whole, too. So a probe and the
+ * receive behind it find the same message: what comes whole between them comes behind it. */
 #ifndef NODE_UNEXPECTED_H
 #define NODE_UNEXPECTED_H
 #include "node/node.h"

@@ -1,4 +1,5 @@
-/* upcalls_ahead.c - the operating system's answers to lp/upcalls.h: those that only an engine needs which computes ahead. */
+/* upcalls_ahead.c - the operating system's answers to lp/upcalls.h: those that only an engine needs which
+ * computes ahead. */
 #include "kernel/prefetch.h"
 #include "lp/upcalls.h"
 #include "node/system.h"
@@ -106,8 +107,8 @@ void up_prefetch_messages(const struct lp *lp)
     keep();
 }
 
-/* Of the stack: from a program's call to the switch, some functions. Beside its counter lie its other small variables, and
- * where it has its calls' addresses. */
+/* Of the stack: from a program's call to the switch, some functions. Beside its counter lie its other small
+ * variables, and where it has its calls' addresses. */
 void up_prefetch_program(const struct lp *lp)
 {
     enum { LINE = CACHE_LINE, STACK = 7 * LINE, BESIDE = 2 * LINE };

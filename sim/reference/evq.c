@@ -30,7 +30,8 @@ void evq_free(struct evq *q)
     free(q);
 }
 
-/* Time, place, those that are not late, those that were sent, by sender and his number; the others as they were put. */
+/* Time, place, those that are not late, those that were sent, by sender and his number; the others as they
+ * were put. */
 static bool before(const struct event *a, const struct event *b)
 {
     if (a->time != b->time)

@@ -1,22 +1,28 @@
-/* reference.c - the rules of time, in their plainest form. Everything that touchstone reports of a run is, by definition, what
- * this file makes of it. The fast engine (sim/lp) has to give the same, and `make prove` looks for a program where it does not.
+/* reference.c - the rules of time, in their plainest form. Everything that touchstone reports of a run is,
+ * by definition, what this file makes of it. The fast engine (sim/lp) has to give the same, and `make
+ * prove` looks for a program where it does not.
  *
- * 1. Events happen one at a time, in one order: by time; at one time by address (nodes' numbers), at one address as kernel/evq.h has it.
- *    What happens may put further events into the queue, at the same time or later.
- * 2. A program computes until it comes to a call, or to the first poll at or after the time of the next event. Polls are the
- *    places where nxcc lets a program look at its clock: function entries and loops. Nothing can happen before the next event: so
- *    the program may compute up to there, and has to stop then. (It stops at the first poll of all if a handler waits.)
- * 3. Wherever it has stopped, its commit time is a late event at the time of its clock: it goes on after all that happens before, and
- *    after all else that happens to its node at that time.
- * 4. When the operating system needs the processor for a message, the program is put off by as long: its commit time, when
- *    it has come, is put into the queue again, so much later. That is repeated until nothing has put it off.
- * 5. A call is committed at its commit time, at once and as a whole. The time it takes is added to the clock, and the program goes on from there.
- * 6. A handler that is due by the program's time runs at the commit time of a poll, when it enters a call, and while it waits in
- *    one; not while another runs, nor while they are masked. Between two of them the program has its share (os/handlers.h).
- * 7. A call that waits does so until what it waits for is there: that is asked at its commit time, and then whenever something comes
- *    to the node.
- * 8. A program that crashes while it computes is known to have done so at its next slice boundary (lp/clock.h): the poll at which it had
- *    last stopped depends on what else happened.
+ * 1. Events happen one at a time, in one order: by time; at one time by address (nodes' numbers); at one
+ *    address as kernel/evq.h has it. What happens may put further events into the queue, at the same time
+ *    or later.
+ * 2. A program computes until it comes to a call, or to the first poll at or after the time of the next
+ *    event. Polls are the places where nxcc lets a program look at its clock: function entries and loops.
+ *    Nothing can happen before the next event: so the program may compute up to there, and has to stop
+ *    then. (It stops at the first poll of all if a handler waits.)
+ * 3. Wherever a program has stopped, its commit time is a late event at the time of its clock: the program
+ *    goes on after all that happens before, and after all else that happens to its node at that time.
+ * 4. When the operating system needs the processor for a message, the program is put off by as long: its
+ *    commit time, when it has come, is put into the queue again, so much later. That is repeated until
+ *    nothing has put the program off.
+ * 5. A call is committed at its commit time, at once and as a whole. The time that the call takes is added
+ *    to the clock, and the program goes on from there.
+ * 6. A handler that is due by the program's time runs at the commit time of a poll, when the program
+ *    enters a call, and while it waits in one; not while another runs, nor while they are masked. Between
+ *    two handlers the program has its share (os/share.h).
+ * 7. A call that waits does so until what it waits for is there: that is asked at its commit time, and
+ *    then whenever something comes to the node.
+ * 8. A program that crashes while it computes is known to have done so at its next slice boundary
+ *    (lp/clock.h): the poll at which it had last stopped depends on what else happened.
  */
 #include <errno.h>
 #include "lp/block.h"
@@ -84,8 +90,8 @@ void lp_start(struct lp *lp, vtime t)
 
 /* --- computing: rules 2, 3 and 6 --- */
 
-/* Up to the next event or the limit of time, or at once if a handler waits, which a call has held back; and no longer than to the
- * next slice boundary. */
+/* Up to the next event or the limit of time, or at once if a handler waits, which a call has held back; and
+ * no longer than to the next slice boundary. */
 static void compute_on(struct lp *lp)
 {
     vtime due = up_is_interruptible(lp) ? up_next_interrupt(lp) : VT_NEVER, end = lp->schedule->max_time;

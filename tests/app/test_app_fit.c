@@ -39,7 +39,8 @@ static void fit(struct data *d)
     fit_tricubic(&system, corner, d->b);
 }
 
-/* A mixed derivative of F along the axes for which order is 1, by central differences in the subcube's units. */
+/* A mixed derivative of F along the axes for which order is 1, by central differences in the subcube's units.
+ */
 static double derivative(const struct data *d, const double at[3], const int order[3])
 {
     const double h = 1e-3;
@@ -97,8 +98,8 @@ static void the_gradient_in_corners_is_the_data(void **state)
     }
 }
 
-/* Two subcubes that share the face at the upper end of `axis` of the first: the data on it are the same, all else
- * differs, even the widths across. */
+/* Two subcubes that share the face at the upper end of `axis` of the first: the data on it are the same, all
+ * else differs, even the widths across. */
 static void neighbours(struct data *first, struct data *second, int axis, unsigned *seed)
 {
     random_corners(first, seed);

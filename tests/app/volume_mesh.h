@@ -6,7 +6,8 @@
 #include "options.h"
 #include "slice.h"
 
-/* Options as from this command line, words separated by blanks. File names in them last until the next call. */
+/* Options as from this command line, words separated by blanks. File names in them last until the next call.
+ */
 struct options options_of(const char *line);
 
 /* The pixels of the whole volume, slice after slice: the sphere, or noise from a seed. */

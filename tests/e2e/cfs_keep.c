@@ -1,4 +1,5 @@
-/* Writes a line into a file of /cfs ("write"), or prints what it finds there ("read"); anything else is a name to open. */
+/* Writes a line into a file of /cfs ("write"), or prints what it finds there ("read"); anything else is a
+ * name to open. */
 #include <fcntl.h>
 #include <nx.h>
 #include <stdio.h>

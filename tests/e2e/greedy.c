@@ -1,4 +1,5 @@
-/* greedy.c - takes all the memory of its node, which is not the host's; told so, it does not look at malloc's answer. */
+/* greedy.c - takes all the memory of its node, which is not the host's; told so, it does not look at malloc's
+ * answer. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* old_style.c - a program of 1990: no prototypes, implicit int, old-style definitions, common variables, a main that falls
- * off its end. With old_style_part.c. */
+/* old_style.c - a program of 1990: no prototypes, implicit int, old-style definitions, common variables, a
+ * main that falls off its end. With old_style_part.c. */
 /* clang-format off */
 #include <cube.h>
 #include <stdio.h>

@@ -1,4 +1,5 @@
-/* old_style_part.c - the other file of old_style.c: it includes nothing, so that every call is implicitly declared. */
+/* old_style_part.c - the other file of old_style.c: it includes nothing, so that every call is implicitly
+ * declared. */
 int me, nodes;
 char buffer[128];
 

@@ -1,4 +1,5 @@
-/* parts.c - for the test of fitting: messages to and fro, and messages that interrupt a computation, so many of each. */
+/* parts.c - for the test of fitting: messages to and fro, and messages that interrupt a computation, so many
+ * of each. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "nx.h"

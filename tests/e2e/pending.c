@@ -1,5 +1,6 @@
-/* pending.c - pending WHEN kill|fail|crash|cube: nodes 1 and up send and receive, computing little in between, so that
- * calls of theirs are pending at most times; node 0 computes for a while, and then something ends. */
+/* pending.c - pending WHEN kill|fail|crash|cube: nodes 1 and up send and receive, computing little in
+ * between, so that calls of theirs are pending at most times; node 0 computes for a while, and then something
+ * ends. */
 #include <stdlib.h>
 #include "nx.h"
 

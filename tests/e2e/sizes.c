@@ -1,5 +1,5 @@
-/* sizes.c - mallocs each of the sizes it is given, in bytes, touches its last byte, and frees those given as -N again. With
- * -DFIELD=N it has N bytes of its own besides.
+/* sizes.c - mallocs each of the sizes it is given, in bytes, touches its last byte, and frees those given as
+ * -N again. With -DFIELD=N it has N bytes of its own besides.
  */
 #include <stdio.h>
 #include <stdlib.h>

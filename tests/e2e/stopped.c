@@ -1,4 +1,5 @@
-/* stopped.c - stopped HOW: node 1 does not end, in one way or another; or crashes in a library call; or is flooded. */
+/* stopped.c - stopped HOW: node 1 does not end, in one way or another; or crashes in a library call; or is
+ * flooded. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* wrong.c - a call that is given something wrong: ends the process with a message. The argument says which. */
+/* wrong.c - a call that is given something wrong: ends the process with a message. The argument says which.
+ */
 #include <errno.h>
 #include <signal.h>
 #include <nx.h>

@@ -1,4 +1,5 @@
-/* Blocks of a pool are as new memory is: aligned, apart from each other, and to be had again when they have been given back. */
+/* Blocks of a pool are as new memory is: aligned, apart from each other, and to be had again when they have
+ * been given back. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -73,8 +74,8 @@ static void the_last_given_is_the_next_taken(void **state)
 #endif
 }
 
-/* Behind that one the first by address, in whatever order they were given back: in more chunks than a group has, and than
- * have a word of bits. */
+/* Behind that one the first by address, in whatever order they were given back: in more chunks than a group
+ * has, and than have a word of bits. */
 static void the_others_are_taken_by_address(void **state)
 {
 #if defined(__SANITIZE_ADDRESS__)

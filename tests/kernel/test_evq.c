@@ -1,4 +1,5 @@
-/* The order of events: (time, place, sent or ordinary or late, sequence), whatever the order they were put in. */
+/* The order of events: (time, place, sent or ordinary or late, sequence), whatever the order they were put
+ * in. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
-/* Memory of the host: what is asked for is there; without memory the process ends with a message and status 1. */
+/* Memory of the host: what is asked for is there; without memory the process ends with a message and status
+ * 1. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>

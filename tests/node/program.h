@@ -1,7 +1,8 @@
 /* program.h - builds small node programs while a test runs, and runs them on nodes without a network.
  *
- * The programs are linked as nxcc links them (its runtime, the library of exported names) but compiled by plain gcc:
- * what is tested here is the loader and the C library, not the counting. Tests run in the root of the checkout.
+ * The programs are linked as nxcc links them (its runtime, the library of exported names) but compiled by
+ * plain gcc: what is tested here is the loader and the C library, not the counting. Tests run in the root of
+ * the checkout.
  */
 #ifndef TESTS_NODE_PROGRAM_H
 #define TESTS_NODE_PROGRAM_H
@@ -16,6 +17,7 @@
 #include <cmocka.h>
 #include "guest/image.h"
 #include "guest/libc.h"
+#include "guest/trace.h"
 #include "lp/engine.h"
 #include "machine/assemble.h"
 #include "node/system.h"
@@ -89,7 +91,8 @@ static inline const char *build_as_nxcc(struct workshop *w, const char *source)
     return build(w, LINKED_AS_BY_NXCC " " RUNTIME, source);
 }
 
-/* --- nodes that run a program ------------------------------------------------------------------------------- */
+/* --- nodes that run a program
+ * ------------------------------------------------------------------------------- */
 
 enum { MOST_NODES = 4 };
 

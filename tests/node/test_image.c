@@ -4,9 +4,11 @@
 #include "guest/elffile.h"
 #include "nx_api/contract/program_image.h"
 
-/* --- programs ----------------------------------------------------------------------------------------------- */
+/* --- programs
+ * ----------------------------------------------------------------------------------------------- */
 
-/* Builds and loads a program into n nodes and calls main(argc, argv) of node i right here. It may not use calls. */
+/* Builds and loads a program into n nodes and calls main(argc, argv) of node i right here. It may not use
+ * calls. */
 static int call_main(const struct nodes *x, int i, int argc, char **argv)
 {
     return x->node[i]->image->main(argc, argv, NULL);
@@ -123,7 +125,8 @@ static void addresses_have_names_and_lines(void **state)
     nodes_free(&x);
 }
 
-/* --- files that are refused --------------------------------------------------------------------------------- */
+/* --- files that are refused
+ * --------------------------------------------------------------------------------- */
 
 static void assert_refused(const char *path, const char *text)
 {
@@ -179,7 +182,7 @@ static void other_image_versions_are_refused(void **state)
 {
     assert_refused(
         build(*state, LINKED_AS_BY_NXCC,
-              "#include \"image.h\"\nint64_t left; int main() { return 0; }\n"
+              "#include \"program_image.h\"\nint64_t left; int main() { return 0; }\n"
               "struct nxc_image nxc_image = {NXC_IMAGE_MAGIC, NXC_IMAGE_VERSION + 1, &left, main};"),
         "another version of nxcc");
     assert_refused(
@@ -201,7 +204,8 @@ static void programs_larger_than_a_span_are_refused(void **state)
                    "more than a node can address");
 }
 
-/* --- files that are damaged --------------------------------------------------------------------------------- */
+/* --- files that are damaged
+ * --------------------------------------------------------------------------------- */
 
 struct bytes {
     unsigned char *p;

@@ -1,4 +1,5 @@
-/* The address space of nodes: guards between all parts, as far as the host allows mappings, and parts near to each other. */
+/* The address space of nodes: guards between all parts, as far as the host allows mappings, and parts near to
+ * each other. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -20,7 +21,8 @@ struct machine {
     struct node node[NODES];
 };
 
-/* count: how many nodes the machine says it has. most: mappings; 0: as many as there are, and lighter guards. */
+/* count: how many nodes the machine says it has. most: mappings; 0: as many as there are, and lighter guards.
+ */
 static void take(struct machine *m, uint32_t count, size_t most, bool long32)
 {
     m->sys =

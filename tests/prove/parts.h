@@ -1,4 +1,5 @@
-/* parts.h - what the operations of ops.def use, in C for nodes. A program that `make prove` prints begins with this text. */
+/* parts.h - what the operations of ops.def use, in C for nodes. A program that `make prove` prints begins
+ * with this text. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>

@@ -234,7 +234,8 @@ static int choose_family(struct chooser *c)
     return i;
 }
 
-/* A message that is sent, and received: those who wait for one another do so in one order, so that they do not hang. */
+/* A message that is sent, and received: those who wait for one another do so in one order, so that they do
+ * not hang. */
 static void add_transfer(struct chooser *c, double from, double to)
 {
     static const char *const SEND[] = {"csend", "csend", "isend", "hsend"};
@@ -296,7 +297,8 @@ static void set_number(struct program *p, const char *key, double x)
     snprintf(p->set[p->set_count++], sizeof p->set[0], "%s=%.10g", key, x);
 }
 
-/* Machines on which much takes no time, so that much happens at once; on which memory is short; with faster nodes. */
+/* Machines on which much takes no time, so that much happens at once; on which memory is short; with faster
+ * nodes. */
 static void choose_numbers(struct chooser *c)
 {
     static const char *const TIMES[] = {

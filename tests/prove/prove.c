@@ -1,12 +1,13 @@
-/* prove.c - looks for a program on which the fast engine gives other results than the reference, which defines them: `make prove`.
+/* prove.c - looks for a program on which the fast engine gives other results than the reference, which
+ * defines them: `make prove`.
  *
  *   prove --build DIR [--seed N] [--count N | --seconds S] [--jobs J] [--load L] [--all]
  *   prove --print --seed N                                                          the program of a seed
  *
- * Random programs (program.h), each run by the reference and then by the fast engine with one thread and several, threads that take
- * turns at random, and slices, while L processes that only compute take turns with them. The first difference is made as small
- * as it can be, and printed as a C program, the command that runs it, and where the results part. Exit status 1 then; 0 if there was
- * none; 2: it could not be tried. */
+ * Random programs (program.h), each run by the reference and then by the fast engine with one thread and
+ * several, threads that take turns at random, and slices, while L processes that only compute take turns with
+ * them. The first difference is made as small as it can be, and printed as a C program, the command that runs
+ * it, and where the results part. Exit status 1 then; 0 if there was none; 2: it could not be tried. */
 #include <getopt.h>
 #include <inttypes.h>
 #include <math.h>

@@ -1,4 +1,5 @@
-/* shrink.c - see shrink.h. Whatever can be left out is, until nothing can (delta debugging; Zeller & Hildebrandt, 2002). */
+/* shrink.c - see shrink.h. Whatever can be left out is, until nothing can (delta debugging; Zeller &
+ * Hildebrandt, 2002). */
 #include "shrink.h"
 #include <stdlib.h>
 #include <string.h>

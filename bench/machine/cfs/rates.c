@@ -3,8 +3,9 @@
  *   rates PATTERN MB RECORD_KB     PATTERN: records       one file, node i has every n-th record (I/O mode 3)
  *                                           partitions    one file, node i has its own n-th of it (mode 0)
  *
- * Writes a file of MB megabytes (10^6 bytes, to whole rounds of records), then reads it, and prints both rates. A rate is
- * taken over the second half, when caches are full and behind each byte taken one has gone to disk.
+ * Writes a file of MB megabytes (10^6 bytes, to whole rounds of records), then reads it, and prints both
+ * rates. A rate is taken over the second half, when caches are full and behind each byte taken one has gone
+ * to disk.
  */
 #include <fcntl.h>
 #include <nx.h>

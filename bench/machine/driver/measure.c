@@ -1,4 +1,5 @@
-/* measure.c - runs the programs of a plan on the simulator, one after the other, and reads their figures and points. */
+/* measure.c - runs the programs of a plan on the simulator, one after the other, and reads their figures and
+ * points. */
 #include "validate.h"
 #include <stdlib.h>
 #include <string.h>

@@ -44,7 +44,8 @@ struct figure {
     enum verdict verdict;
 };
 
-/* A formula as published, held against every point of a series: for x[0] <= most, constant + per_x x[0] + per_y x[1]. */
+/* A formula as published, held against every point of a series: for x[0] <= most, constant + per_x x[0] +
+ * per_y x[1]. */
 struct piece {
     double most, constant, per_x, per_y;
 };
@@ -81,7 +82,8 @@ struct plan {
 
 /* Reads what is to be done. False with *error set. */
 bool plan_read(struct plan *p, const char *path, char **error);
-/* Runs everything: touchstone and programs from build, raw output and points into out. False with *error set. */
+/* Runs everything: touchstone and programs from build, raw output and points into out. False with *error set.
+ */
 bool measure(struct plan *p, const char *build, const char *out, char **error);
 /* Sets errors and verdicts; true if nothing is outside. */
 bool judge(struct plan *p);

@@ -43,7 +43,8 @@ static const char *output(const struct study *s, size_t i)
     return json_string_value(json_array_get(s->outputs, i));
 }
 
-/* The figure at the x'th number of nodes or clock, the out'th output and the group'th group; NAN if there is none. */
+/* The figure at the x'th number of nodes or clock, the out'th output and the group'th group; NAN if there is
+ * none. */
 static double figure(const struct study *s, size_t x, size_t out, size_t group, const char *key)
 {
     size_t i;
@@ -75,7 +76,8 @@ static size_t best(const struct study *s, size_t x, size_t out, const char *key,
     return at;
 }
 
-/* --- counting -------------------------------------------------------------------------------------------- */
+/* --- counting --------------------------------------------------------------------------------------------
+ */
 
 struct count {
     int smaller, same, larger;
@@ -99,7 +101,8 @@ static void print_count(const struct count *c)
     printf("smaller %d times, the same %d times, larger %d times", c->smaller, c->same, c->larger);
 }
 
-/* --- tables ---------------------------------------------------------------------------------------------- */
+/* --- tables ----------------------------------------------------------------------------------------------
+ */
 
 static void print_seconds(double s)
 {
@@ -173,7 +176,8 @@ static void print_idle(const struct study *s)
     }
 }
 
-/* --- the page -------------------------------------------------------------------------------------------- */
+/* --- the page --------------------------------------------------------------------------------------------
+ */
 
 static void page_best(const struct study study[])
 {

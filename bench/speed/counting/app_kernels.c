@@ -1,4 +1,5 @@
-/* app_kernels.c - the model program's own numeric code as kernels of the counting benchmark. See kernels.c. */
+/* app_kernels.c - the model program's own numeric code as kernels of the counting benchmark. See kernels.c.
+ */
 #include <stddef.h>
 #include "app/c3.h"
 #include "app/fit.h"

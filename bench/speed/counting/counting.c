@@ -1,9 +1,10 @@
 /* counting.c - what counting costs: each kernel by gcc, by nxcc and by nxcc --profile, in turn, in one run.
  *
- * Prints for each kernel the ratio time counted / time plain: the median over all rounds, and the least and greatest of
- * the medians at the places (counting.mk says what those are); and time profiled / time counted. Then the simulated processor's clocks for the kernel,
- * how many it does in a second of the host, and the most by which a check came after the time it was due, in microseconds
- * of a 40 MHz processor: the accuracy of interrupts. Results and clocks must be equal at all places.
+ * Prints for each kernel the ratio time counted / time plain: the median over all rounds, and the least and
+ * greatest of the medians at the places (counting.mk says what those are); and time profiled / time counted.
+ * Then the simulated processor's clocks for the kernel, how many it does in a second of the host, and the
+ * most by which a check came after the time it was due, in microseconds of a 40 MHz processor: the accuracy
+ * of interrupts. Results and clocks must be equal at all places.
  */
 #include <math.h>
 #include <stdio.h>

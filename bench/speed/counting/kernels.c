@@ -1,7 +1,8 @@
-/* kernels.c - the work of the counting benchmark, compiled by gcc (SIDE plain_PLACE) and by nxcc (SIDE counted_PLACE).
+/* kernels.c - the work of the counting benchmark, compiled by gcc (SIDE plain_PLACE) and by nxcc (SIDE
+ * counted_PLACE).
  *
- * Each kernel does a fixed amount of work on its own data and returns a number that depends on all of it, so that
- * both sides can be compared and nothing is optimised away.
+ * Each kernel does a fixed amount of work on its own data and returns a number that depends on all of it, so
+ * that both sides can be compared and nothing is optimised away.
  */
 #include <math.h>
 #include <string.h>
@@ -47,7 +48,8 @@ double KERNEL(cholesky)(void)
     return sum;
 }
 
-/* --- roots of cubics by scanning for a change of sign, then bisection (Horner and de Casteljau) ----------- */
+/* --- roots of cubics by scanning for a change of sign, then bisection (Horner and de Casteljau) -----------
+ */
 
 static double casteljau(const double b[4], double t)
 {
@@ -103,7 +105,8 @@ double KERNEL(roots)(void)
     return sum;
 }
 
-/* --- slices of a sphere: a square root for each pixel ---------------------------------------------------- */
+/* --- slices of a sphere: a square root for each pixel ----------------------------------------------------
+ */
 
 double KERNEL(slices)(void)
 {
@@ -119,7 +122,8 @@ double KERNEL(slices)(void)
     return (double)sum;
 }
 
-/* --- LINPACK's elimination, order 100, by columns -------------------------------------------------------- */
+/* --- LINPACK's elimination, order 100, by columns --------------------------------------------------------
+ */
 
 #define ORDER 100
 
@@ -165,7 +169,8 @@ double KERNEL(linpack)(void)
     return sum;
 }
 
-/* --- sorting integers: short blocks, unpredictable branches ---------------------------------------------- */
+/* --- sorting integers: short blocks, unpredictable branches ----------------------------------------------
+ */
 
 static void quicksort(int *a, int lo, int hi)
 {

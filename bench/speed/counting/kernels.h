@@ -1,5 +1,5 @@
-/* kernels.h - the kernels of the counting benchmark. Each exists as plain_PLACE_NAME and counted_PLACE_NAME for each of
- * the places of counting.mk. */
+/* kernels.h - the kernels of the counting benchmark. Each exists as plain_PLACE_NAME and counted_PLACE_NAME
+ * for each of the places of counting.mk. */
 #ifndef KERNELS_H
 #define KERNELS_H
 #define KERNELS(K)                                                                                           \

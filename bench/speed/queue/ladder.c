@@ -1,6 +1,7 @@
-/* ladder.c - a ladder queue: events far off lie unsorted in a heap of leaves (top), nearer ones in buckets by time
- * (rungs, each dividing one bucket of the rung above), and only the nearest few are sorted (bottom). Tang, Goh, Thng,
- * ACM TOMACS 15 (2005). Events of one time cannot be divided by time: such a bucket is sorted whatever its size. */
+/* ladder.c - a ladder queue: events far off lie unsorted in a heap of leaves (top), nearer ones in buckets by
+ * time (rungs, each dividing one bucket of the rung above), and only the nearest few are sorted (bottom).
+ * Tang, Goh, Thng, ACM TOMACS 15 (2005). Events of one time cannot be divided by time: such a bucket is
+ * sorted whatever its size. */
 #include <stdlib.h>
 #include <string.h>
 #include "queues.h"

@@ -1,5 +1,5 @@
-/* pairing.c - a pairing heap: putting in is one comparison, taking out pairs the children up. Fredman, Sedgewick,
- * Sleator, Tarjan, Algorithmica 1 (1986). */
+/* pairing.c - a pairing heap: putting in is one comparison, taking out pairs the children up. Fredman,
+ * Sedgewick, Sleator, Tarjan, Algorithmica 1 (1986). */
 #include <stdlib.h>
 #include "queues.h"
 

@@ -1,5 +1,6 @@
-/* queues.h - the structures that were tried for the event queue, behind one face, to be measured beside the product's
- * (sim/kernel/evq.c). All give the same order: by time, then rank. Small and without the product's checks. */
+/* queues.h - the structures that were tried for the event queue, behind one face, to be measured beside the
+ * product's (sim/kernel/evq.c). All give the same order: by time, then rank. Small and without the product's
+ * checks. */
 #ifndef BENCH_QUEUES_H
 #define BENCH_QUEUES_H
 #include <stddef.h>

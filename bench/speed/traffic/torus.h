@@ -1,5 +1,5 @@
-/* torus.h - the torus of the pattern halo, as square as can be: a node's neighbours in the east, west, south and north. What
- * goes to to[k] comes from to[k ^ 1]. */
+/* torus.h - the torus of the pattern halo, as square as can be: a node's neighbours in the east, west, south
+ * and north. What goes to to[k] comes from to[k ^ 1]. */
 #ifndef TRAFFIC_TORUS_H
 #define TRAFFIC_TORUS_H
 

@@ -1,5 +1,5 @@
-/* computing.c - programs that gain little or nothing from threads: computing PATTERN MICROSECONDS ROUNDS, as an NX program.
- * A round is
+/* computing.c - programs that gain little or nothing from threads: computing PATTERN MICROSECONDS ROUNDS, as
+ * an NX program. A round is
  *
  *   turns    nodes 0 and 1: one computes, then the other
  *   armed    every node: computes with a handler armed, and sends a message to the next node's
