@@ -122,7 +122,8 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
                              .schedule = {.q = evq_new(), .max_time = VT_NEVER, .longest_slice = VT_SECOND},
                              .nodes = x->node,
                              .count = count,
-                             .running = count};
+                             .running = count,
+                             .print_calls = trace_print_calls};
     for (int i = 0; i < 2; i++)
         x->sys.out[i] = open_memstream(&x->text[i], &x->length[i]);
     x->image = node_image_open(path, &error);
