@@ -6,6 +6,8 @@
 
 /* Nobody else's business: here so that a fiber can lie where its owner wants it. */
 struct fiber {
+    /* first, for what lies before it: what a switch wants */
+    void *self, *back; /* where it goes on, and who resumed it */
     void *stack;
     size_t size;
     void (*entry)(void *);
@@ -14,8 +16,6 @@ struct fiber {
     size_t back_size;
     void *fake;                 /* the sanitizers' shadow of the side not running */
     void *thread, *back_thread; /* ThreadSanitizer takes each fiber to be a thread */
-    /* last, for what lies behind it: what a switch wants */
-    void *self, *back; /* where it goes on, and who resumed it */
 };
 
 /* Makes f a fiber that will run entry(arg) on [stack, stack + size). entry must end with fiber_finish(). */

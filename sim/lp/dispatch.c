@@ -26,7 +26,7 @@ void lp_schedule(struct lp *lp, vtime t)
 void lp_pause_at_poll(struct lp *lp, vtime poll_time, vtime t)
 {
     lp->paused_at_poll = true;
-    lp->ahead.poll_time = poll_time;
+    lp->poll_time = poll_time;
     mintree_set(&lp->schedule->polls, lp->address, vt_max(poll_time, t));
 }
 
@@ -69,16 +69,16 @@ bool lp_is_next(struct lp *lp, vtime now)
 
 bool lp_must_yield(struct lp *lp, vtime now)
 {
-    if (lp->ahead.until)
-        return !lp->clock.runs || now >= lp->ahead.until;
+    if (lp->until)
+        return !lp->clock.runs || now >= lp->until;
     return lp->offloaded || lp->clock.stolen || !lp_is_next(lp, now) || must_stop(lp, now);
 }
 
 void lp_prepare_yield(struct lp *lp, vtime now)
 {
     if (lp->offloaded)
-        lp->ahead.arrived = now; /* for offload_take_back */
-    else if (lp->clock.runs && lp->ahead.interruptible)
+        lp->arrived = now; /* for offload_take_back */
+    else if (lp->clock.runs && lp->interruptible)
         lp_pause_at_poll(lp, now, lp_lookahead(lp));
     else
         lp_schedule(lp, now);
@@ -86,7 +86,7 @@ void lp_prepare_yield(struct lp *lp, vtime now)
 
 void lp_commit(struct lp *lp, vtime now)
 {
-    if (!lp->ahead.until && !lp_is_passed(lp, now))
+    if (!lp->until && !lp_is_passed(lp, now))
         schedule_commit(lp->schedule, now, lp->address);
 }
 
@@ -186,7 +186,7 @@ static void run_here(struct lp *lp)
     if (lp->crashed)
         lp_crash(lp);
     else if (lp->offloaded)
-        workers_submit(lp->schedule->workers, &lp->ahead.task);
+        workers_submit(lp->schedule->workers, &lp->offload.task);
 }
 
 static void run_on(struct lp *lp)
@@ -241,7 +241,7 @@ void lp_go_on_from_poll(struct lp *lp)
 {
     lp_leave_poll(lp);
     if (lp->clock.stolen)
-        go_on(lp, NULL, lp->ahead.poll_time);
+        go_on(lp, NULL, lp->poll_time);
     else
         run_here(lp);
 }
@@ -262,15 +262,15 @@ void lp_catch_up(struct lp *lp, vtime t)
 {
     if (!lp->paused_at_poll)
         return;
-    if (lp->ahead.poll_time < t && !lp->clock.stolen) {
+    if (lp->poll_time < t && !lp->clock.stolen) {
         void *outer = up_nest(lp->schedule);
-        lp->ahead.until = t;
+        lp->until = t;
         lp_go_on_from_poll(lp);
-        lp->ahead.until = 0;
+        lp->until = 0;
         up_unnest(lp->schedule, outer);
     }
     if (lp->paused_at_poll)
-        lp_pause_at_poll(lp, lp->ahead.poll_time, 0);
+        lp_pause_at_poll(lp, lp->poll_time, 0);
 }
 
 void lp_synchronise(struct lp *lp)

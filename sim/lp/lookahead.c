@@ -26,11 +26,11 @@ vtime lp_end_of_time(const struct lp *lp)
 vtime lp_deadline(struct lp *lp)
 {
     vtime end = lp_end_of_time(lp);
-    lp->ahead.interruptible = up_is_interruptible(lp);
-    if (!lp->ahead.interruptible)
+    lp->interruptible = up_is_interruptible(lp);
+    if (!lp->interruptible)
         return end;
-    if (lp->ahead.until)
-        return lp->ahead.until;
+    if (lp->until)
+        return lp->until;
     return vt_min(end, vt_min(up_next_interrupt(lp), horizon(lp)));
 }
 

@@ -84,18 +84,14 @@ struct lp_cold {
     uint32_t count; /* of all */
 };
 
-/* A program that computes ahead, on any thread: offload.c. */
-struct lp_ahead {
-    bool paused;        /* its task ended at a poll, and is to be gone on with */
-    bool interruptible; /* by a handler: it computes up to its horizon only */
-    vtime until;        /* not 0: it catches up, or is offloaded, until this time only */
+/* A program whose task may run on any thread: offload.c. */
+struct lp_offload {
     struct task task;
-    vtime poll_time;     /* paused at a poll: the clock's time */
-    vtime arrived;       /* offloaded, and at its next call: its time; or of the poll at `until` */
     uint64_t last;       /* set of calls: the last */
     uint64_t long_after; /* set of calls: those behind which the program computed for long the last time */
 };
 
+/* What most calls need comes first, in the order of the lines of the cache. */
 struct lp {
     struct lp_clock clock;
     struct schedule *schedule;
@@ -103,18 +99,23 @@ struct lp {
     enum lp_state state : 8;
     bool offloaded, paused_at_poll, lazily_blocked;
     /* Up to here a message needs it: node/node.h. */
-    bool drains;         /* it goes on when no deferred call is left, whatever its time */
+    bool drains;         /* the program goes on when no deferred call is left, whatever its time */
     bool crashed;        /* to be reported at its commit time */
+    bool interruptible;  /* by a handler: the program computes up to its horizon only */
+    bool task_paused;    /* its task ended at a poll, and is to be gone on with */
+    int saved_errno;     /* of the program, while it does not run */
     vtime scheduled_at;  /* the queue has an event for its deferred calls then; 0: none */
     vtime blocked_since; /* VT_NEVER: not blocked since its call began */
     int64_t *budget;    /* in its program: units to spend until a poll gives control back. NULL: no program */
     int64_t *lookahead; /* in its program: what *budget is at its next call, at most */
     struct lp_segment segment;
-    int saved_errno;
+    vtime until; /* not 0: the program catches up, or is offloaded, until this time only */
+    struct fiber fiber;
+    vtime poll_time; /* paused at a poll: the clock's time */
+    vtime arrived;   /* offloaded, and at its next call: its time; or of the poll at `until` */
+    struct lp_offload offload;
     uint64_t clock_hz;
     struct lp_cold *cold;
-    struct fiber fiber;
-    struct lp_ahead ahead;
 };
 
 /* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as

@@ -14,14 +14,14 @@
 
 static struct lp *lp_of(struct task *t)
 {
-    return (struct lp *)((char *)t - offsetof(struct lp, ahead.task));
+    return (struct lp *)((char *)t - offsetof(struct lp, offload.task));
 }
 
 static void offload(struct lp *lp, vtime lower_bound)
 {
     lp->offloaded = true;
-    lp->ahead.task.place = lp->address;
-    atomic_store_explicit(&lp->ahead.task.lower_bound, lower_bound, memory_order_relaxed);
+    lp->offload.task.place = lp->address;
+    atomic_store_explicit(&lp->offload.task.lower_bound, lower_bound, memory_order_relaxed);
 }
 
 /* --- segments that are probably long: those behind the same call as a long one before --- */
@@ -35,32 +35,32 @@ static uint64_t set_of(const char *call)
 /* (Segments that could not be offloaded do not count.) */
 void offload_note_segment(struct lp *lp, const char *call)
 {
-    struct lp_ahead *a = &lp->ahead;
+    struct lp_offload *o = &lp->offload;
     if (!lp->schedule->workers)
         return;
-    if (!a->interruptible && clock_segment_units(lp) >= LONG_SEGMENT)
-        a->long_after |= a->last;
-    else if (!a->interruptible)
-        a->long_after &= ~a->last;
-    a->last = set_of(call);
+    if (!lp->interruptible && clock_segment_units(lp) >= LONG_SEGMENT)
+        o->long_after |= o->last;
+    else if (!lp->interruptible)
+        o->long_after &= ~o->last;
+    o->last = set_of(call);
 }
 
 bool offload_is_long_next(const struct lp *lp)
 {
-    return lp->schedule->workers && (lp->ahead.long_after & lp->ahead.last);
+    return lp->schedule->workers && (lp->offload.long_after & lp->offload.last);
 }
 
 /* Is the program one that any thread may run until its next call? */
 static bool may_offload(const struct lp *lp, bool is_long)
 {
     const struct schedule *s = lp->schedule;
-    return s->workers && !lp->ahead.interruptible && !up_in_handler(lp) && workers_worth(s->workers, is_long);
+    return s->workers && !lp->interruptible && !up_in_handler(lp) && workers_worth(s->workers, is_long);
 }
 
 /* What comes next may be on another thread. */
 static void offload_here(struct lp *lp)
 {
-    lp->ahead.paused = true;
+    lp->task_paused = true;
     offload(lp, clock_sync(lp));
     lp_yield(lp);
 }
@@ -74,8 +74,8 @@ void offload_at_leave(struct lp *lp)
 bool offload_at_poll(struct lp *lp, vtime now)
 {
     if (lp->offloaded) {
-        lp->ahead.paused = workers_report(lp->schedule->workers, &lp->ahead.task, now);
-        if (lp->ahead.paused)
+        lp->task_paused = workers_report(lp->schedule->workers, &lp->offload.task, now);
+        if (lp->task_paused)
             lp_yield(lp);
         return true;
     }
@@ -91,31 +91,31 @@ bool offload_at_poll(struct lp *lp, vtime now)
 bool offload_run(struct task *t)
 {
     struct lp *lp = lp_of(t);
-    lp->ahead.paused = false;
+    lp->task_paused = false;
     up_prefetch_node(lp);
     up_prefetch_program(lp);
     lp_run(lp);
-    return lp->crashed || !lp->ahead.paused;
+    return lp->crashed || !lp->task_paused;
 }
 
 void offload_take_back(struct task *t)
 {
     struct lp *lp = lp_of(t);
-    assert(lp->crashed || lp->ahead.arrived >= t->lower_bound);
+    assert(lp->crashed || lp->arrived >= t->lower_bound);
     lp->offloaded = false;
-    lp->ahead.until = 0;
+    lp->until = 0;
     if (lp->crashed)
         lp_crash(lp);
     else
-        lp_prepare_yield(lp, lp->ahead.arrived);
+        lp_prepare_yield(lp, lp->arrived);
 }
 
 void offload_drop(struct lp *lp)
 {
     if (lp->offloaded && lp->schedule->workers)
-        workers_drop(lp->schedule->workers, &lp->ahead.task);
+        workers_drop(lp->schedule->workers, &lp->offload.task);
     lp->offloaded = false;
-    lp->ahead.until = 0;
+    lp->until = 0;
 }
 
 /* --- programs paused at polls --- */
@@ -125,7 +125,7 @@ void offload_drop(struct lp *lp)
 static bool has_so_far(const struct lp *lp, vtime bound, uint64_t units)
 {
     const struct schedule *s = lp->schedule;
-    vtime then = lp->ahead.poll_time + clock_of_units(lp, units);
+    vtime then = lp->poll_time + clock_of_units(lp, units);
     return s->polls.time[lp->address] >= then && !lp->clock.stolen &&
            protocol_horizon(s->protocol, lp->address, bound) >= then;
 }
@@ -133,10 +133,10 @@ static bool has_so_far(const struct lp *lp, vtime bound, uint64_t units)
 static void offload_one(struct lp *lp, vtime bound)
 {
     const struct schedule *s = lp->schedule;
-    lp->ahead.until = vt_min(s->polls.time[lp->address], protocol_horizon(s->protocol, lp->address, bound));
+    lp->until = vt_min(s->polls.time[lp->address], protocol_horizon(s->protocol, lp->address, bound));
     lp_leave_poll(lp);
-    offload(lp, lp->ahead.poll_time);
-    workers_submit(s->workers, &lp->ahead.task);
+    offload(lp, lp->poll_time);
+    workers_submit(s->workers, &lp->offload.task);
 }
 
 /* The next that has so many units to compute at least, from an address on, which becomes the one behind it.

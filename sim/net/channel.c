@@ -6,9 +6,9 @@
 
 struct channel {
     struct channel_transit
-        *last; /* of the waiting ones, which are a ring: its next is the first. NULL: none waits */
-    const struct channel_transit *holder; /* NULL: the channel is free */
-    uint32_t next;                        /* the holder's channel after this one, if it has come so far */
+        *last;     /* of the waiting ones, which are a ring: its next is the first. NULL: none waits */
+    uint32_t next; /* the channel after this one of the transit that holds it, if it has come so far */
+    bool held;
 };
 
 struct channels {
@@ -101,12 +101,12 @@ static void advance(struct channels *net, struct channel_transit *t, struct topo
     bool is_first = !walk.entered;
     for (uint32_t channel; topo_step(&net->topo, &walk, &channel); is_first = false) {
         struct channel *c = append(net, t, channel, is_first);
-        if (c->holder) {
+        if (c->held) {
             t->walk = walk;
             begin_wait(net, c, t, now);
             return;
         }
-        c->holder = t;
+        c->held = true;
     }
     if (gives_early(t))
         evq_put(net->q, now + t->holds, t->to, give_links_early, net, t);
@@ -114,15 +114,15 @@ static void advance(struct channels *net, struct channel_transit *t, struct topo
     net->calls.started(net->calls.ctx, t, now);
 }
 
-/* Gives t's channel to the first transit that waits for it, which goes on along its route. */
-static void give(struct channels *net, struct channel *c, const struct channel_transit *t, vtime now)
+/* Gives a channel to the first transit that waits for it, which goes on along its route. */
+static void give(struct channels *net, struct channel *c, vtime now)
 {
-    assert(c->holder == t);
-    c->holder = NULL;
+    assert(c->held);
+    c->held = false;
     if (!c->last)
         return;
     struct channel_transit *next = end_wait(net, c, now);
-    c->holder = next;
+    c->held = true;
     advance(net, next, next->walk, now);
 }
 
@@ -132,7 +132,7 @@ static void give_links(struct channels *net, const struct channel_transit *t, ui
     const struct channel *end = &net->channels[t->last];
     for (struct channel *c = &net->channels[from]; c != end;) {
         uint32_t next = c->next;
-        give(net, c, t, now);
+        give(net, c, now);
         c = &net->channels[next];
     }
 }
@@ -149,10 +149,10 @@ static void finish(void *ctx, void *arg, vtime now)
     struct channels *net = ctx;
     struct channel_transit *t = arg;
     uint32_t inner = net->channels[t->first].next;
-    give(net, &net->channels[t->first], t, now);
+    give(net, &net->channels[t->first], now);
     if (!gives_early(t))
         give_links(net, t, inner, now);
-    give(net, &net->channels[t->last], t, now);
+    give(net, &net->channels[t->last], now);
     net->calls.done(net->calls.ctx, t, now);
 }
 

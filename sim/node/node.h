@@ -173,27 +173,26 @@ struct node {
     bool masked, in_handler; /* os */
     bool at_poll;            /* os: it has stopped at one, at `frame` */
     struct node_info info;   /* os */
-    struct node_stats stats; /* os */
-    _Alignas(CACHE_LINE) struct deferred_call calls[DEFERRED_MOST]; /* os: a ring */
-
-    struct node_crash *crash; /* guest. NULL: none */
-    struct message *coming;   /* os: unexpected.h, as the next three */
-    struct queues *by_type;   /* the whole ones; NULL: they are few */
+    struct message *coming;  /* os: unexpected.h, as the next three */
+    struct queues *by_type;  /* the whole ones; NULL: they are few */
     uint32_t whole_count;
     int64_t whole_order; /* of the last, in by_type */
     size_t buffered;     /* os: bytes of unexpected messages held */
     /* os: messages come while the program computes ahead. Each of the two sees what the other had when the
      * program was last in a call. */
     size_t buffered_known;
-    long pid;               /* os: process type: 0, unless the program has set it */
-    struct receive receive; /* os: of the blocking call that the program is in, outside of handlers */
+    long pid;                /* os: process type: 0, unless the program has set it */
+    struct receive receive;  /* os: of the blocking call that the program is in, outside of handlers */
+    size_t taken;            /* os: of `buffered`: what the program has received from in deferred calls */
+    struct node_stats stats; /* os */
+    _Alignas(CACHE_LINE) struct deferred_call calls[DEFERRED_MOST]; /* os: a ring */
 
+    struct node_crash *crash;     /* guest. NULL: none */
     struct node_heap *heap;       /* guest */
     size_t heap_used, heap_known; /* os: of it; known: as buffered_known */
-    size_t taken;            /* os: of `buffered`: what the program has received from in deferred calls */
-    size_t peak_ahead;       /* os: memory_peak as the program sees it */
-    size_t image_bytes;      /* guest: program text, data and bss, page rounded */
-    struct nxc_image *image; /* guest: of the program */
+    size_t peak_ahead;            /* os: memory_peak as the program sees it */
+    size_t image_bytes;           /* guest: program text, data and bss, page rounded */
+    struct nxc_image *image;      /* guest: of the program */
     struct node_cold *cold;
     struct node_error *error; /* os: cold's */
     char name[16];            /* for people: "node 3", "host" */

@@ -145,13 +145,13 @@ void node_nxc_preempt(void)
     clock_reach_boundary(lp, poll_of(__builtin_frame_address(0)));
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
-    if (lp->ahead.interruptible && !(lp->offloaded && now < lp->ahead.until))
+    if (lp->interruptible && !(lp->offloaded && now < lp->until))
         listen(n);
     else if (now > lp->schedule->max_time)
         node_order(n);
     else if (!offload_at_poll(lp, now))
         look(n);
-    clock_allow(lp, lp->offloaded && !lp->ahead.interruptible ? lp_end_of_time(lp) : lp_deadline(lp));
+    clock_allow(lp, lp->offloaded && !lp->interruptible ? lp_end_of_time(lp) : lp_deadline(lp));
     n->at_poll = false;
 }
 
