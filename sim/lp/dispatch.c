@@ -279,7 +279,7 @@ void lp_synchronise(struct lp *lp)
         return;
     struct instant at = schedule_reached(lp->schedule);
     if (lp->paused_at_poll)
-        lp_catch_up(lp, at.time + (lp->address < at.place));
+        lp_catch_up(lp, at.time + (lp->address < at.address));
     lp_apply_deferred(lp, at);
 }
 

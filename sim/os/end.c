@@ -63,7 +63,7 @@ void node_settle(struct node *n, struct instant end, bool at_a_time)
         node_stop(n, end);
         n->stats.ended_at = end.time;
         if (n->call && !instant_before(n->call_since, n->lp.address, end))
-            n->call = NULL; /* it has not come so far */
+            n->call = NULL; /* the program has not come to the call */
     } else if (n->lp.state != LP_ENDED) {
         n->stats.ended_at = node_now(n);
     }
