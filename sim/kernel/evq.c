@@ -9,8 +9,8 @@
  * The first slot of the lowest level that has any holds the next events. When the present is over, they are
  * spread over lower levels: the first of them is the new present, from which the others differ in lower
  * digits. So an event moves three or four times with 100,000 pending, and most often not at all: nodes that
- * do the same put events of one time in the order of their addresses, and such a slot is the new present as it
- * lies. bench/speed/NOTES.md has all that beside other structures.
+ * do the same put events of one time in the order of their addresses, and such a slot is the new present as
+ * it lies. bench/speed/NOTES.md compares this queue with others.
  *
  * The events of the present time that came in order are a list, the run. Lists are made of chunks, for memory
  * in order of use. Beside the lists is a heap, for what came out of order in the present, and for a few
@@ -23,9 +23,8 @@
 #include "kernel/arena.h"
 #include "kernel/xalloc.h"
 
-/* An event's address in the order is one number of 128 bits, compared without branches: time (64) | address (20)
- * | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22).
- */
+/* An event's key is one number of 128 bits, compared without branches: time (64) | address (20) | late (1)
+ * | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
 struct key {
     vtime time;
     uint64_t rank;

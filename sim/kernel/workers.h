@@ -68,8 +68,8 @@ bool workers_allow(struct workers *ws, vtime time, uint32_t address);
 vtime workers_bound(const struct workers *ws);
 /* Takes back a task that is done; NULL: none at the moment. */
 struct task *workers_take(struct workers *ws);
-/* An event at (time, address) is not allowed yet: runs a task, or waits until there is one to take back or the
- * event may be allowed. */
+/* An event at (time, address) is not allowed yet: runs a task, or waits until there is one to take back or
+ * the event may be allowed. */
 void workers_advance(struct workers *ws, vtime time, uint32_t address);
 /* Stops w, which is out and not wanted any more, and takes it back. */
 void workers_drop(struct workers *ws, struct task *w);
