@@ -57,9 +57,8 @@ static vtime commit_time(struct lp *lp)
  * then in any case, for limits of host time and signals. */
 static bool must_stop(struct lp *lp, vtime now)
 {
-    enum { MOST_UNSEEN = 4096 };
     struct schedule *s = lp->schedule;
-    return s->stop || now > s->max_time || ++s->unseen > MOST_UNSEEN;
+    return s->stop || now > s->max_time || schedule_has_not_looked(s, 1);
 }
 
 bool lp_is_next(struct lp *lp, vtime now)

@@ -10,6 +10,11 @@ void node_account(struct node *n, enum node_task task, vtime t);
 /* Takes back a charge, of a call that is rolled back. */
 void charge_undo(struct node *n, enum node_task task, vtime t);
 
+/* The program has sent so many messages, of so many bytes in all. */
+static inline void charge_sent(struct node *n, uint64_t messages, uint64_t bytes)
+{
+    n->stats.sent += messages, n->stats.sent_bytes += bytes;
+}
 /* The program begins to wait. The program has waited until t. */
 void charge_wait_begins(struct node *n);
 void charge_wait_ends(struct node *n, vtime t);

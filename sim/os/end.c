@@ -48,6 +48,17 @@ void node_end_other(struct node *n, struct node *victim)
     has_ended(victim, NODE_KILLED, 0, now);
 }
 
+void node_awaits_end(struct node *n, bool awaits)
+{
+    n->sys->await_ends += (uint32_t)awaits - n->awaits_end;
+    n->awaits_end = awaits;
+}
+
+void node_notice_end(struct node *n)
+{
+    n->end_noticed = true;
+}
+
 void node_end_crashed(struct node *n)
 {
     lp_end(&n->lp);

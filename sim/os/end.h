@@ -5,6 +5,11 @@
 
 /* Ends the program from inside one of its calls; never returns. */
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code);
+/* The program is in a call that waits for other programs' ends, and is woken whenever one ends; or is not any
+ * more. */
+void node_awaits_end(struct node *n, bool awaits);
+/* Such a call has reported the end of n's program. */
+void node_notice_end(struct node *n);
 /* Another program ends the node's, or the machine stops, at a moment: what the program has done after it has
  * not happened. */
 void node_stop(struct node *n, struct instant at);

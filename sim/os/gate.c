@@ -15,8 +15,8 @@
 #include "lp/clock.h"
 #include "node/self.h"
 
-/* The coordinator looks at host time and signals once in so many calls; a poll counts as so many. */
-enum { MOST_UNSEEN = 4096, POLL_CALLS = 64 };
+/* The coordinator looks at host time and signals now and then: a poll counts as so many calls. */
+enum { POLL_CALLS = 64 };
 
 /* --- calls --- */
 
@@ -99,12 +99,7 @@ void node_leave(struct node *n)
 /* Looks at host time and signals, if nobody has for long. */
 static void look(struct node *n)
 {
-    struct schedule *s = &n->sys->schedule;
-    if (!s->look || (s->unseen += POLL_CALLS) <= MOST_UNSEEN)
-        return;
-    s->unseen = 0;
-    s->look(s->look_ctx);
-    if (s->stop)
+    if (schedule_look_after(&n->sys->schedule, POLL_CALLS) && n->sys->schedule.stop)
         node_order(n);
 }
 
@@ -114,7 +109,7 @@ static void listen(struct node *n)
     bool any = false;
     uint64_t lookahead = clock_lookahead_units(&n->lp);
     if (!n->lp.offloaded)
-        n->sys->schedule.unseen += POLL_CALLS / 8;
+        schedule_has_not_looked(&n->sys->schedule, POLL_CALLS / 8);
     do
         node_order(n);
     while (handlers_run(n, false) && (any = true));
