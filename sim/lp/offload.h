@@ -1,7 +1,7 @@
 /* offload.h - compute segments as tasks that any thread may run (kernel/workers.h).
  *
- * Offloaded are a program that no handler may interrupt, when its segment will probably be long; and programs
- * paused at polls, when two of them at least have far to compute before anything can reach any of them. */
+ * A program that no handler may interrupt is offloaded when its segment will probably be long. Programs
+ * paused at polls are when at least two of them have far to compute before anything can reach any of them. */
 #ifndef LP_OFFLOAD_H
 #define LP_OFFLOAD_H
 #include "lp/lp.h"
@@ -25,7 +25,7 @@ bool offload_at_poll(struct lp *lp, vtime now);
 bool offload_paused(struct lp *lp);
 /* Takes an offloaded program back that has come to its next call or poll, or has crashed. */
 void offload_take_back(struct task *t);
-/* The program is not wanted any more: its task, if it has one, is stopped. */
+/* Stops the program's task, if there is one: the program is not wanted any more. */
 void offload_drop(struct lp *lp);
 
 /* --- on any thread --- */

@@ -14,16 +14,16 @@ struct lp *up_lp_at(struct schedule *s, uint32_t address);
 bool up_has_deferred(const struct lp *lp);
 /* Commits those whose commit time comes before; there may be none. */
 void up_commit_deferred(struct lp *lp, struct instant before);
-/* The commit time of the first that needs an event, and what it sends, for loading ahead: NULL nothing.
- * VT_NEVER: none. */
+/* The commit time of the first that needs an event; VT_NEVER: none does. *sends: the message that it sends,
+ * for loading ahead, or NULL. */
 vtime up_next_deferred(const struct lp *lp, void **sends);
-/* The commit time of the last, or when the program goes on after it; there is one. */
+/* The commit time of the last, or when its caller resumes; there must be one. */
 vtime up_last_deferred(const struct lp *lp);
 /* A message has come that deferred receives may select. */
 void up_deferred_may_select(struct lp *lp);
-/* Those not committed have not happened, nor what came after. */
+/* Rolls back the calls that are not committed, and all that the program has done since. */
 void up_roll_back_deferred(struct lp *lp);
-/* The same for a node that has no program any more: nothing is given back to it. */
+/* The same for a node without a program: only messages and times are given back. */
 void up_drop_deferred(struct lp *lp);
 
 /* --- handlers and waits --- */
@@ -42,13 +42,14 @@ void up_wait_ends(struct lp *lp, vtime t);
 
 /* --- programs --- */
 
-/* The program is going to run on the calling thread. It has run; true: it has crashed, which is noted. */
+/* The program is going to run on the calling thread. The program has run; true: it has crashed, and the crash
+ * is noted. */
 void up_program_resumes(struct lp *lp);
 bool up_program_returns(struct lp *lp);
 /* Reports the crash noted, at its moment. */
 void up_report_crash(struct lp *lp);
-/* Another program is going to run within a call of the one that runs, which is returned; then that goes on.
- */
+/* Another program is going to run within a call of the one that runs: returns the latter. Then the latter
+ * goes on. */
 void *up_nest(struct schedule *s);
 void up_unnest(struct schedule *s, void *outer);
 /* The limit of virtual time is reached: stops the machine. */
