@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/uio.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/self.h"
@@ -16,8 +17,8 @@
 struct open_files *descriptors_open(struct node *n)
 {
     struct descriptors *d = &n->libc->descriptors;
-    if (!d->open && !(d->open = calloc(1, sizeof *d->open)))
-        abort();
+    if (!d->open)
+        d->open = xcalloc(1, sizeof *d->open);
     return d->open;
 }
 
@@ -29,7 +30,7 @@ int descriptor_new(struct node *n, struct node_file *f, const char *path)
     for (int fd = 3; fd < NODE_DESCRIPTORS; fd++)
         if (!d->file[fd]) {
             d->file[fd] = f;
-            d->path[fd] = strdup(path);
+            d->path[fd] = xstrdup(path);
             return fd;
         }
     file_close(f);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/folder.h"
 #include "os/handlers.h"
 #include "node/node.h"
@@ -76,12 +77,9 @@ static const struct node_file_class HOST_FILE = {.read = host_read,
 
 struct node_file *file_of_host(struct node *n, int fd)
 {
-    struct host_file *f = fd < 0 ? NULL : malloc(sizeof *f);
-    if (!f) {
-        if (fd >= 0)
-            close(fd);
+    if (fd < 0)
         return NULL;
-    }
+    struct host_file *f = xmalloc(sizeof *f);
     *f = (struct host_file){{&HOST_FILE, n}, fd};
     return &f->base;
 }
@@ -162,10 +160,9 @@ static void note_host_file(struct node_system *s, const char *path)
             return;
     if (s->host_file_count == NODE_HOST_FILES)
         return;
-    if (!s->host_files && !(s->host_files = calloc(NODE_HOST_FILES + 1, sizeof *s->host_files)))
-        abort();
-    if (!(s->host_files[s->host_file_count++] = strdup(path)))
-        abort();
+    if (!s->host_files)
+        s->host_files = xcalloc(NODE_HOST_FILES + 1, sizeof *s->host_files);
+    s->host_files[s->host_file_count++] = xstrdup(path);
 }
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)

@@ -6,19 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/file.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "guest/host_errno.h"
 #include "node/self.h"
-
-static char *joined(const char *folder, const char *path)
-{
-    char *whole;
-    if (asprintf(&whole, "%s/%s", folder, path) < 0)
-        abort();
-    return whole;
-}
 
 const char *folder_path(struct node *n, const char *path, int slot)
 {
@@ -26,7 +19,7 @@ const char *folder_path(struct node *n, const char *path, int slot)
     if (c->folder == NULL || *path == '/' || *path == 0)
         return path;
     free(c->whole[slot]);
-    return c->whole[slot] = joined(c->folder, path);
+    return c->whole[slot] = xasprintf("%s/%s", c->folder, path);
 }
 
 void folder_free(struct node_libc *c)
@@ -74,14 +67,14 @@ static int check_is_folder(struct node *n, const char *path)
 /* The folder in use, for free(). NULL: errno says why. */
 static char *present(struct node *n)
 {
-    return n->libc->folder ? strdup(n->libc->folder) : getcwd(NULL, 0);
+    return n->libc->folder ? xstrdup(n->libc->folder) : getcwd(NULL, 0);
 }
 
 int node_chdir(const char *path)
 {
     struct node *n = node_self();
-    char *now = *path == '/' ? strdup("") : present(n);
-    char *to = now ? joined(now, path) : NULL;
+    char *now = *path == '/' ? xstrdup("") : present(n);
+    char *to = now ? xasprintf("%s/%s", now, path) : NULL;
     free(now);
     if (to == NULL || *path == 0 || check_is_folder(n, to) != 0) {
         int why = *path == 0 ? ENOENT : node_errno();

@@ -20,6 +20,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/heap.h"
 
 #define HEAD 16u
@@ -50,9 +51,7 @@ struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx,
                                 void (*grown)(void *ctx, size_t used), void *ctx)
 {
     assert((uintptr_t)base % HEAD == 0 && limit <= UINT32_MAX / 2);
-    struct node_heap *h = calloc(1, sizeof *h);
-    if (h == NULL)
-        abort();
+    struct node_heap *h = xcalloc(1, sizeof *h);
     h->base = h->top = base;
     h->limit = limit;
     h->room = room;

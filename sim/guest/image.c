@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include "kernel/xalloc.h"
 #include "guest/elffile.h"
 #include "guest/exports.h"
 #include "guest/image.h"
@@ -55,14 +56,6 @@ struct node_image {
     bool long32;     /* its long has 32 bits */
 };
 
-static void *zeroed(size_t count, size_t size)
-{
-    void *p = calloc(count + 1, size);
-    if (p == NULL)
-        abort();
-    return p;
-}
-
 static uint64_t page_down(uint64_t x)
 {
     return x & ~(PAGE - 1);
@@ -100,7 +93,7 @@ static bool lay_out(struct node_image *img, char **error)
     const struct elf_file *f = img->elf;
     const Elf64_Phdr *p = f->loads, *end = f->loads + f->load_count;
     uint64_t shared_end = 0;
-    img->shared = zeroed(f->load_count, sizeof *img->shared);
+    img->shared = xcalloc(f->load_count, sizeof *img->shared);
     for (; p < end && !(p->p_flags & PF_W); p++) {
         add_shared(img, p);
         shared_end = page_up(p->p_vaddr + p->p_memsz);
@@ -118,7 +111,7 @@ static bool lay_out(struct node_image *img, char **error)
             return elf_fail(error, "%s: has code that may be written to: link it with nxcc", f->path);
         img->template_bytes = q->p_vaddr + q->p_filesz - img->data_at;
     }
-    img->template = zeroed(img->template_bytes, 1);
+    img->template = xcalloc(img->template_bytes, 1);
     for (; p < end; p++)
         memcpy(img->template + (p->p_vaddr - img->data_at), f->bytes + p->p_offset, p->p_filesz);
     return true;
@@ -226,8 +219,8 @@ static bool relocate(struct node_image *img, const struct elf_relocations *t, ch
 static bool prepare(struct node_image *img, char **error)
 {
     size_t count = img->elf->data.count + img->elf->calls.count;
-    img->addresses = zeroed(count, sizeof *img->addresses);
-    img->own = zeroed(count, sizeof *img->own);
+    img->addresses = xcalloc(count, sizeof *img->addresses);
+    img->own = xcalloc(count, sizeof *img->own);
     return lay_out(img, error) && find_object(img, error) && relocate(img, &img->elf->data, error) &&
            relocate(img, &img->elf->calls, error);
 }
@@ -237,7 +230,7 @@ struct node_image *node_image_open(const char *path, char **error)
     struct elf_file *f = elf_open(path, error);
     if (f == NULL)
         return NULL;
-    struct node_image *img = zeroed(1, sizeof *img);
+    struct node_image *img = xcalloc(1, sizeof *img);
     img->elf = f;
     if (prepare(img, error))
         return img;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/heap.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
@@ -17,9 +18,7 @@
 
 struct node_libc *node_libc_new(struct node *n)
 {
-    struct node_libc *c = calloc(1, sizeof *c);
-    if (c == NULL)
-        abort();
+    struct node_libc *c = xcalloc(1, sizeof *c);
     streams_open(&c->streams, n);
     initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
     return c;
@@ -58,10 +57,7 @@ void node_libc_free(struct node *n)
 int node_atexit(void (*f)(void))
 {
     struct node_libc *c = node_self()->libc;
-    void (**more)(void) = realloc(c->atexit, (c->atexit_count + 1) * sizeof *more);
-    if (more == NULL)
-        return -1;
-    c->atexit = more;
+    c->atexit = xreallocarray(c->atexit, c->atexit_count + 1, sizeof *c->atexit);
     c->atexit[c->atexit_count++] = f;
     return 0;
 }

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/host_errno.h"
 #include "node/system.h"
 #include "os/gate.h"
@@ -32,10 +33,8 @@ static void note(struct node_system *sys, const char *function, const char *node
     while (i < sys->absent_count && strcmp(sys->absent[i].function, function) != 0)
         i++;
     if (i == sys->absent_count) {
-        sys->absent = reallocarray(sys->absent, i + 1, sizeof *sys->absent);
-        if (!sys->absent)
-            abort();
-        sys->absent[sys->absent_count++] = (struct node_absent){strdup(function), strdup(node), 0};
+        sys->absent = xreallocarray(sys->absent, i + 1, sizeof *sys->absent);
+        sys->absent[sys->absent_count++] = (struct node_absent){xstrdup(function), xstrdup(node), 0};
     }
     sys->absent[i].calls++;
 }

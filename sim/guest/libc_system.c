@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/utsname.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/system.h"
@@ -166,40 +167,30 @@ static size_t count_variables(const struct node *n)
 }
 
 /* Makes the list the program's own, with room for one more. */
-static bool own_environment(struct node *n)
+static void own_environment(struct node *n)
 {
     size_t count = count_variables(n);
-    char **list = calloc(count + 2, sizeof *list);
-    if (list == NULL)
-        return false;
+    char **list = xcalloc(count + 2, sizeof *list);
     if (count > 0)
         memcpy(list, n->envp, count * sizeof *list);
     free(n->libc->environment);
     n->envp = n->libc->environment = list;
-    return true;
 }
 
-static int put_variable(struct node *n, char *text, size_t name_len)
+static void put_variable(struct node *n, char *text, size_t name_len)
 {
-    if (!own_environment(n)) {
-        errno = ENOMEM;
-        return -1;
-    }
+    own_environment(n);
     char **e = find_variable(n, text, name_len);
     if (e == NULL)
         e = n->envp + count_variables(n);
     *e = text;
-    return 0;
 }
 
 int node_unsetenv(const char *name)
 {
     struct node *n = node_self();
     size_t len = strlen(name);
-    if (!own_environment(n)) {
-        errno = ENOMEM;
-        return -1;
-    }
+    own_environment(n);
     for (char **e; (e = find_variable(n, name, len)) != NULL;)
         for (; *e != NULL; e++)
             *e = e[1];
@@ -209,7 +200,10 @@ int node_unsetenv(const char *name)
 int node_putenv(char *text)
 {
     const char *equals = strchr(text, '=');
-    return equals ? put_variable(node_self(), text, (size_t)(equals - text)) : node_unsetenv(text);
+    if (!equals)
+        return node_unsetenv(text);
+    put_variable(node_self(), text, (size_t)(equals - text));
+    return 0;
 }
 
 /* Its texts last as long as the node. */
@@ -219,12 +213,11 @@ int node_setenv(const char *name, const char *value, int replaces)
     struct node_libc *c = n->libc;
     if (!replaces && find_variable(n, name, strlen(name)) != NULL)
         return 0;
-    char *text, **more = realloc(c->set, (c->set_count + 1) * sizeof *more);
-    if (more == NULL || asprintf(&text, "%s=%s", name, value) < 0)
-        abort();
-    c->set = more;
+    char *text = xasprintf("%s=%s", name, value);
+    c->set = xreallocarray(c->set, c->set_count + 1, sizeof *c->set);
     c->set[c->set_count++] = text;
-    return put_variable(n, text, strlen(name));
+    put_variable(n, text, strlen(name));
+    return 0;
 }
 
 void node_libc_free_environment(struct node_libc *c)

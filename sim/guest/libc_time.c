@@ -12,6 +12,7 @@
 #include <sys/times.h>
 #include <time.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "lp/engine.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
@@ -115,9 +116,7 @@ unsigned node_alarm(unsigned seconds)
 static char *without_seconds(const char *format, const struct tm *tm)
 {
     struct tm copy = *tm;
-    char seconds[24], *made = malloc(strlen(format) * sizeof seconds + 1), *to = made;
-    if (made == NULL)
-        abort();
+    char seconds[24], *made = xmalloc(strlen(format) * sizeof seconds + 1), *to = made;
     snprintf(seconds, sizeof seconds, "%lld", (long long)timegm(&copy));
     for (; *format; format++) {
         if (format[0] == '%' && format[1] == 's')

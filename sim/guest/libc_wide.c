@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <wchar.h>
+#include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/self.h"
@@ -20,7 +21,7 @@ static struct streams *streams(void)
 static char *narrowed(const wchar_t *text)
 {
     size_t len = wcstombs(NULL, text, 0);
-    char *narrow = len == (size_t)-1 ? NULL : malloc(len + 1);
+    char *narrow = len == (size_t)-1 ? NULL : xmalloc(len + 1);
     if (narrow != NULL)
         wcstombs(narrow, text, len + 1);
     return narrow;

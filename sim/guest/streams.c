@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/file.h"
 #include "node/node.h"
 #include "guest/streams.h"
@@ -112,14 +113,8 @@ static struct stream *add_stream(struct streams *list, struct node *n, enum stre
                                  struct node_file *target, const char *mode)
 {
     static const cookie_io_functions_t functions = {stream_read, stream_write, stream_seek, stream_close};
-    struct stream *s = calloc(1, sizeof *s);
-    if (s == NULL)
-        return NULL;
-    s->file = fopencookie(s, mode, functions);
-    if (s->file == NULL) {
-        free(s);
-        return NULL;
-    }
+    struct stream *s = xcalloc(1, sizeof *s);
+    s->file = xchecked(fopencookie(s, mode, functions));
     __fsetlocking(s->file, FSETLOCKING_BYCALLER);
     s->node = n;
     s->kind = kind;
@@ -150,8 +145,6 @@ static struct stream *add_standard(struct streams *list, struct node *n, enum st
                                    struct node_file *target, const char *mode)
 {
     struct stream *s = add_stream(list, n, kind, target, mode);
-    if (s == NULL)
-        abort();
     s->standard = true;
     return s;
 }
@@ -222,10 +215,7 @@ static struct node_file *open_file(struct node *n, const char *path, const char 
 
 static FILE *file_of(struct streams *list, struct node *n, struct node_file *f, const char *mode)
 {
-    struct stream *s = f == NULL ? NULL : add_stream(list, n, STREAM_FILE, f, mode);
-    if (s == NULL && f != NULL)
-        file_close(f);
-    return s == NULL ? NULL : s->file;
+    return f == NULL ? NULL : add_stream(list, n, STREAM_FILE, f, mode)->file;
 }
 
 FILE *stream_fopen(struct streams *list, struct node *n, const char *path, const char *mode)

@@ -2,6 +2,7 @@
 #include "guest/trace.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/exports.h"
 #include "guest/image.h"
 
@@ -111,10 +112,7 @@ struct trace_lines {
 
 struct trace_lines *trace_lines_new(void)
 {
-    struct trace_lines *t = calloc(1, sizeof *t);
-    if (!t)
-        abort();
-    return t;
+    return xcalloc(1, sizeof(struct trace_lines));
 }
 
 void trace_lines_free(struct trace_lines *t)

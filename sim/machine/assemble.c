@@ -2,6 +2,7 @@
 #include "machine/assemble.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/heap.h"
 #include "guest/image.h"
 #include "guest/libc.h"
@@ -34,11 +35,9 @@ static bool fits(const struct node *n, const struct node_image *img, char **erro
     size_t program = node_image_bytes(img), stack = n->sys->cfg->stack_bytes;
     if (program + stack <= node_memory_limit(n))
         return true;
-    if (asprintf(
-            error,
-            "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs",
-            node_image_path(img), program, stack, n->sys->cfg->name, node_memory_limit(n)) < 0)
-        abort();
+    *error = xasprintf(
+        "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs",
+        node_image_path(img), program, stack, n->sys->cfg->name, node_memory_limit(n));
     return false;
 }
 
@@ -47,8 +46,7 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     if (!fits(n, img, error))
         return false;
     if (!span_take(n, node_image_bytes(img), node_image_is_long32(img))) {
-        if (asprintf(error, "%s: no address space left on this computer", n->name) < 0)
-            abort();
+        *error = xasprintf("%s: no address space left on this computer", n->name);
         return false;
     }
     n->libc = node_libc_new(n);

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <ucontext.h>
 #include <unwind.h>
+#include "kernel/xalloc.h"
 #include "kernel/fiber.h"
 #include "guest/image.h"
 #include "guest/trace.h"
@@ -90,9 +91,7 @@ void crash_ignore(void)
 
 struct crash_guard *crash_watch(void)
 {
-    guard = calloc(1, sizeof *guard);
-    if (!guard)
-        abort();
+    guard = xcalloc(1, sizeof *guard);
     stack_t s = {.ss_sp = guard->stack, .ss_size = sizeof guard->stack};
     sigaltstack(&s, NULL);
     return guard;
@@ -108,9 +107,7 @@ void crash_unwatch(struct crash_guard *g)
 
 void crash_keep(struct node *n)
 {
-    struct node_crash *kept = malloc(sizeof *kept);
-    if (!kept)
-        abort();
+    struct node_crash *kept = xmalloc(sizeof *kept);
     *kept = *n->crash;
     n->crash = kept;
 }
@@ -187,7 +184,7 @@ char *crash_report(const struct node *n)
     const struct node_crash *g = n->crash;
     char *text = NULL;
     size_t size;
-    FILE *f = open_memstream(&text, &size);
+    FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s crashed at %s%.9f s, %s%s: ", n->name, n->call ? "" : "or shortly before ",
             vt_seconds(n->stats.ended_at), n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, n);

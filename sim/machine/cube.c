@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "config/cube_type.h"
 #include "lp/engine.h"
 #include "guest/image.h"
@@ -49,10 +50,8 @@ static void set_count(struct cube *c, uint32_t count)
 
 void cube_new(struct node_system *sys, const struct cube_options *options)
 {
-    struct cube *c = calloc(1, sizeof *c);
-    sys->nodes = calloc(options->most, sizeof *sys->nodes);
-    if (!c || !sys->nodes)
-        abort();
+    struct cube *c = xcalloc(1, sizeof *c);
+    sys->nodes = xcalloc(options->most, sizeof *sys->nodes);
     c->sys = sys;
     c->options = *options;
     c->there = options->given;
@@ -180,10 +179,7 @@ static const char *base_name(const char *path)
 static char *beside_host(const struct cube *c, const char *name)
 {
     int dir = (int)(base_name(c->options.host) - c->options.host);
-    char *path;
-    if (asprintf(&path, "%.*s%s", dir, c->options.host, name) < 0)
-        abort();
-    return path;
+    return xasprintf("%.*s%s", dir, c->options.host, name);
 }
 
 /* The file that a host program means: the command line's node program if the last part of its name is the
@@ -193,9 +189,9 @@ static char *find_program(const struct cube *c, const char *path)
 {
     const char *given = c->options.program;
     if (given && !strcmp(base_name(given), base_name(path)))
-        return strdup(given);
-    char *choice[] = {*path == '/' ? strdup(path) : beside_host(c, path), beside_host(c, base_name(path)),
-                      strdup(path)};
+        return xstrdup(given);
+    char *choice[] = {*path == '/' ? xstrdup(path) : beside_host(c, path), beside_host(c, base_name(path)),
+                      xstrdup(path)};
     char *found = NULL;
     for (int i = 0; i < 3; i++)
         if (!found && access(choice[i], R_OK) == 0)
@@ -228,9 +224,7 @@ static struct program *open_program(struct node *host, const char *path)
         free(file);
         return NULL;
     }
-    struct program *p = calloc(1, sizeof *p);
-    if (!p)
-        abort();
+    struct program *p = xcalloc(1, sizeof *p);
     *p = (struct program){{file, NULL}, image, c->programs};
     return c->programs = p;
 }
@@ -267,9 +261,7 @@ static long load_one(struct node *host, struct program *p, uint32_t i, long pid)
         free(error);
         return -1;
     }
-    struct former *f = calloc(1, sizeof *f);
-    if (!f)
-        abort();
+    struct former *f = xcalloc(1, sizeof *f);
     *f = (struct former){before, s->cube->former};
     s->cube->former = f;
     node_succeed(n, before, node_now(host));
