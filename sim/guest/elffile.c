@@ -24,8 +24,8 @@ static bool truncated(const struct elf_file *f, char **error)
     return elf_fail(error, "%s: the file is truncated: build it again", f->path);
 }
 
-/* count items of size bytes at offset; NULL unless all of them are in the file and aligned for their tables.
- */
+/* An array of count items of size bytes at offset; NULL unless all of the array is in the file, and
+ * aligned. */
 static const void *table_at(const struct elf_file *f, uint64_t offset, uint64_t count, uint64_t size)
 {
     if (offset % 8 != 0 || offset > f->size || count > (f->size - offset) / size)
@@ -73,7 +73,7 @@ static bool check_head(const struct elf_file *f, char **error)
     return true;
 }
 
-/* Collects the PT_LOAD entries and refuses what the loader does not do. */
+/* Collects the PT_LOAD entries, and refuses a file that the loader cannot load. */
 static bool find_loads(struct elf_file *f, char **error)
 {
     const Elf64_Ehdr *h = (const Elf64_Ehdr *)f->bytes;

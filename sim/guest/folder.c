@@ -29,7 +29,7 @@ void folder_free(struct node_libc *c)
         free(c->whole[i]);
 }
 
-/* Takes "//", "." and ".." out of a path that begins with /. */
+/* Takes "//", "." and ".." out of an absolute path. */
 static void tidy(char *path)
 {
     char *end = path;
@@ -50,7 +50,7 @@ static void tidy(char *path)
     *end = 0;
 }
 
-/* The machine's file system has no folders: every name there may begin one. */
+/* The machine's file system has no folders: any name there may be the beginning of others. */
 static int check_is_folder(struct node *n, const char *path)
 {
     struct stat st;
@@ -64,7 +64,7 @@ static int check_is_folder(struct node *n, const char *path)
     return -1;
 }
 
-/* The folder in use, for free(). NULL: errno says why. */
+/* The folder in use, for free(); NULL with errno if it is not known. */
 static char *present(struct node *n)
 {
     return n->libc->folder ? xstrdup(n->libc->folder) : getcwd(NULL, 0);
@@ -90,7 +90,7 @@ int node_chdir(const char *path)
 
 void *node_malloc(size_t bytes);
 
-/* With NULL: in memory of the program's own, as GNU has it. */
+/* If buf is NULL, the path goes into memory of the program's own, as in glibc. */
 char *node_getcwd(char *buf, size_t size)
 {
     char *now = present(node_self());

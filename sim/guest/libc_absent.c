@@ -1,5 +1,5 @@
-/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS, and
- * the report says which of them a program called. */
+/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS,
+ * and the run's report names those that a program called. */
 #include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "os/gate.h"
 #include "node/self.h"
 
-/* Does it fail by NULL, and not by -1? A stub does not know what its function returns. */
+/* Does the function fail by returning NULL, not -1? A stub does not know its function's type. */
 static bool returns_pointer(const char *name)
 {
     static const char *const names[] = {
@@ -26,7 +26,7 @@ static bool returns_pointer(const char *name)
     return false;
 }
 
-/* In the order of events. */
+/* Notes a call of an absent function; called in the total order. */
 static void note(struct node_system *sys, const char *function, const char *node)
 {
     size_t i = 0;
@@ -49,13 +49,14 @@ static long absent(const char *name)
     return returns_pointer(name) ? 0 : -1;
 }
 
-/* There is no command processor. */
+/* A node has no command processor. */
 int node_system(const char *command)
 {
     return command == NULL ? 0 : (int)absent("system");
 }
 
-/* What a program linked by nxcc --stubs comes to by a name that it does not have: nx_api/driver/stubs.c. */
+/* Called by a program linked by nxcc --stubs in place of a function that does not exist:
+ * nx_api/driver/stubs.c. */
 long node_nx_absent(const char *name)
 {
     return absent(name);

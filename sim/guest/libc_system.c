@@ -1,7 +1,6 @@
-/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, its environment,
- * signals. The answers are the same on every computer, but for the environment, which is the user's.
- * Functions named node_<name> serve the node program's <name>.
- */
+/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, the
+ * environment, signals. The answers are equal on every computer, except for the environment, which is the
+ * user's. A function node_NAME serves a node program's NAME. */
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -18,7 +17,7 @@
 
 /* --- names and numbers --- */
 
-/* "node3": a name without blanks, of which programs make names of files. */
+/* Writes "node3": programs make names of files of it, so it has no blanks. */
 static void host_name(char *buf, size_t size)
 {
     const struct node *n = node_self();
@@ -40,7 +39,7 @@ int node_gethostname(char *buf, size_t size)
     return -1;
 }
 
-/* None, which is no text. */
+/* A node has no domain: the name is empty. */
 int node_getdomainname(char *buf, size_t size)
 {
     if (size > 0)
@@ -65,7 +64,7 @@ int node_getpid(void)
     return (int)node_self()->id + 1;
 }
 
-/* The one process of the system beside the program's. */
+/* Beside the program there is one process, the system's. */
 int node_getppid(void)
 {
     return 1;
@@ -76,7 +75,7 @@ int node_getpgrp(void)
     return node_getpid();
 }
 
-/* One user, in one group. */
+/* There is one user, in one group. */
 static int user_id(void)
 {
     return 100;
@@ -100,11 +99,11 @@ gid_t node_getegid(void)
 
 int node_nice(int by)
 {
-    (void)by; /* there is nobody to be nice to */
+    (void)by; /* a node runs one process */
     return 0;
 }
 
-/* The i860's. */
+/* The page size of the i860. */
 int node_getpagesize(void)
 {
     return 4096;
@@ -119,7 +118,7 @@ long node_sysconf(int name)
 {
     switch (name) {
     case _SC_CLK_TCK:
-        return sysconf(_SC_CLK_TCK); /* which the header promises; times() counts so */
+        return sysconf(_SC_CLK_TCK); /* as the header says; times() counts in it */
     case _SC_PAGESIZE:
         return node_getpagesize();
     case _SC_OPEN_MAX:
@@ -136,7 +135,7 @@ long node_sysconf(int name)
     }
 }
 
-/* --- the environment: as it was given, until the program changes it; then a list of its own --- */
+/* --- the environment: the given list, until the program changes it; then a list of the program's own --- */
 
 static char **find_variable(const struct node *n, const char *name, size_t len)
 {
@@ -166,7 +165,7 @@ static size_t count_variables(const struct node *n)
     return count;
 }
 
-/* Makes the list the program's own, with room for one more. */
+/* Copies the list for the program, with room for one more variable. */
 static void own_environment(struct node *n)
 {
     size_t count = count_variables(n);
@@ -206,7 +205,7 @@ int node_putenv(char *text)
     return 0;
 }
 
-/* Its texts last as long as the node. */
+/* The texts last as long as the node. */
 int node_setenv(const char *name, const char *value, int replaces)
 {
     struct node *n = node_self();
@@ -228,7 +227,7 @@ void node_libc_free_environment(struct node_libc *c)
     free(c->environment);
 }
 
-/* The user's, as his environment says. */
+/* The user's name, as the environment has it. */
 static const char *login(void)
 {
     const char *name = node_getenv("LOGNAME");
@@ -250,8 +249,7 @@ int node_getlogin_r(char *buf, size_t size)
     return 0;
 }
 
-/* --- signals: none comes to a node's program but those that end it, so what is set is what was: the default
- * --- */
+/* --- signals: a node's program gets none but those that end it, so handlers always are the default --- */
 
 void (*node_signal(int number, void (*f)(int)))(int)
 {
@@ -259,7 +257,7 @@ void (*node_signal(int number, void (*f)(int)))(int)
     return SIG_DFL;
 }
 
-/* The same under -std=c90. */
+/* As signal(), for programs compiled with -std=c90. */
 void (*node___sysv_signal(int number, void (*f)(int)))(int)
 {
     return node_signal(number, f);

@@ -1,5 +1,6 @@
 /* assemble.c - see assemble.h. */
 #include "machine/assemble.h"
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
@@ -29,7 +30,7 @@ static void run_program(void *arg)
     node_end_here(n, NODE_RETURNED, code);
 }
 
-/* Enough for the node's memory, which bounds its program, heap and stack. */
+/* Does the node's memory, which bounds its program, heap and stack together, hold program and stack? */
 static bool fits(const struct node *n, const struct node_image *img, char **error)
 {
     size_t program = node_image_bytes(img), stack = n->sys->cfg->stack_bytes;
@@ -120,7 +121,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t address, const stru
     return load(n, img, argc, argv, envp, error);
 }
 
-/* All but what messages and events may still refer to. */
+/* Frees all of a node except what messages and events may still refer to. */
 static void strip(struct node *n)
 {
     if (n->stripped)
@@ -128,7 +129,7 @@ static void strip(struct node *n)
     n->stripped = true;
     lp_forget(&n->lp);
     if (n->sys->schedule.protocol)
-        match_abandon(n); /* what its messages under way would tell */
+        match_abandon(n); /* what its messages under way would report to */
     match_end(n);
     waits_free(&n->stats.waits);
     free(n->crash);
@@ -147,6 +148,7 @@ static void strip(struct node *n)
 
 void node_succeed(struct node *n, struct node *before, vtime t)
 {
+    assert(before != n && before->lp.state == LP_ENDED);
     size_t peak = n->stats.memory_peak;
     clock_set_units(&n->lp, before->lp.clock.units);
     n->times = before->times;

@@ -10,7 +10,7 @@
 #include "machine/cube.h"
 #include "machine/endpoints.h"
 
-/* Those there are room for. */
+/* The number of nodes asked for, or all that the machine has. */
 static uint32_t nodes_of(const struct machine_options *o)
 {
     const struct cfg_machine *c = o->cfg;
@@ -64,7 +64,7 @@ static bool make_file_system(struct machine *m, char **error)
     return s->cfs;
 }
 
-/* The host program, and nodes without programs. */
+/* Makes the host with its program, and nodes without programs. */
 static bool make_host(struct machine *m, char **error)
 {
     const struct machine_options *o = &m->options;
@@ -134,7 +134,7 @@ void machine_free(struct machine *m)
 {
     if (!m)
         return;
-    /* Latest first: the C library finds the streams made last soonest. */
+    /* Latest first: the C library searches its streams from the one made last. */
     node_delete(m->sys.host);
     for (uint32_t i = m->sys.nodes && !m->sys.cube ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);

@@ -1,5 +1,5 @@
-/* machine_run.c - runs a machine (machine.h): starts its threads, watches what may end the run from outside, and
- * closes the nodes' accounts at the end. */
+/* machine_run.c - runs a machine (machine.h): starts its threads, polls what may end the run from outside,
+ * and settles the nodes' accounts at the end. */
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,12 +13,12 @@
 #include "os/end.h"
 #include "os/first_failure.h"
 
-/* Signals that end a run. While it goes on they wait, and are looked at now and then: so what the nodes have
- * printed is not lost, and it can be said where each is. */
+/* Signals that end a run. They are blocked during the run, and polled now and then, so that the nodes'
+ * output is not lost and the user is told where each node is. */
 static const int ENDING[] = {SIGINT, SIGTERM, SIGHUP};
 enum { ENDINGS = sizeof ENDING / sizeof *ENDING };
 
-/* Those that are not ignored, as under nohup. */
+/* Those of the signals that are not ignored, as they are under nohup. */
 static sigset_t ending_signals(void)
 {
     sigset_t set;
@@ -31,9 +31,9 @@ static sigset_t ending_signals(void)
     return set;
 }
 
-/* The world outside: the wall clock's limit, and who wants the run to end. Neither changes a result, they
- * only end the run. */
-static void look_outside(void *ctx)
+/* Ends the run if the limit of host time is reached, or a signal asks for its end. Results up to then do
+ * not depend on either. */
+static void poll_host(void *ctx)
 {
     struct machine *m = ctx;
     sigset_t pending;
@@ -49,7 +49,7 @@ static void look_outside(void *ctx)
                          m->options.max_wall_s);
 }
 
-/* At the crash's place in the order of events. */
+/* Reports a crash; called at the crash's place in the total order. */
 static void show_crash(struct node *n)
 {
     node_end_crashed(n);
@@ -74,7 +74,7 @@ static void run_events(struct machine *m)
     struct crash_guard *guard = crash_watch();
     crash_catch();
     s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = trace_print_calls;
-    s->schedule.look = look_outside, s->schedule.look_ctx = m;
+    s->schedule.look = poll_host, s->schedule.look_ctx = m;
     m->workers = engine_run(&s->schedule,
                             &(struct engine_threads){s->isolate ? 1 : m->options.workers, m->options.shuffle,
                                                      thread_begins, thread_ends, guard});
@@ -87,7 +87,7 @@ static bool stops_at_a_time(const struct schedule *s)
     return s->stop == STOP_FAILED || s->stop == STOP_VIRTUAL_TIME;
 }
 
-/* What comes before has happened. */
+/* The moment at which the run ended: what comes before it in the total order has happened. */
 static struct instant end_of(const struct schedule *s)
 {
     return stops_at_a_time(s) ? s->stop_at : s->stop ? s->present : (struct instant){VT_NEVER, 0};

@@ -9,7 +9,7 @@ static bool exited_badly(const struct node *n)
     return n->end == NODE_EXITED && n->exit_code != 0;
 }
 
-/* The first node that called exit or abort with an error; NULL none. */
+/* The first node whose program ended by exit or abort with an error; NULL if there is none. */
 static struct node *bad_exit(const struct machine *m)
 {
     for (uint32_t i = 0; i < m->sys.count; i++)

@@ -5,9 +5,9 @@
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 
-/* The source line in which the node is, NULL: unknown. One that computes may have run on before it was known
- * that the system takes time from it: at a limit of virtual time, where a report is always the same, it is
- * the line at its last look. */
+/* The source line in which a node's program is; NULL if it is not known. At a limit of virtual time, a
+ * computing program's line is that of its last slice boundary: the program may have computed past the limit
+ * before it was known that the system takes time from it, and the report must be equal in every run. */
 static const char *line_of(const struct node *n, struct trace_lines *lines)
 {
     if (n->call)

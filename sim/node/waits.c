@@ -4,7 +4,7 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 
-/* Calls' names are mostly the same text, not only equal. */
+/* Most names of one call are one text, so comparing addresses settles most cases. */
 static bool is_call(const char *a, const char *b)
 {
     return a == b || strcmp(a, b) == 0;
