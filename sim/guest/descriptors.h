@@ -1,6 +1,6 @@
 /* descriptors.h - a node's file descriptors: 0, 1 and 2 are its standard streams, the others open files. */
-#ifndef NODE_DESCRIPTORS_H
-#define NODE_DESCRIPTORS_H
+#ifndef GUEST_DESCRIPTORS_H
+#define GUEST_DESCRIPTORS_H
 #include "guest/file.h"
 
 struct cfs_op; /* cfs/cfs.h */

@@ -3,8 +3,8 @@
  * elf_open() reads the whole file and makes sure that its tables lie inside it, so that the loader
  * (image.c) need not check them again. Only 64-bit x86-64 position-independent executables pass. Knows
  * nothing of nodes. */
-#ifndef NODE_ELFFILE_H
-#define NODE_ELFFILE_H
+#ifndef GUEST_ELFFILE_H
+#define GUEST_ELFFILE_H
 #include <elf.h>
 #include <stdbool.h>
 #include <stddef.h>

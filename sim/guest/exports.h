@@ -1,6 +1,6 @@
 /* exports.h - the names of exports.def with their addresses in this simulator. */
-#ifndef NODE_EXPORTS_H
-#define NODE_EXPORTS_H
+#ifndef GUEST_EXPORTS_H
+#define GUEST_EXPORTS_H
 #include <stdbool.h>
 #include <stdint.h>
 

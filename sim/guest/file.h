@@ -8,8 +8,8 @@
  *
  * The file_* functions run on the node's stack and answer as their namesakes in POSIX do: -1 or NULL with
  * errno. Handlers are masked meanwhile: the C library must not be interrupted. */
-#ifndef NODE_FILE_H
-#define NODE_FILE_H
+#ifndef GUEST_FILE_H
+#define GUEST_FILE_H
 #include <stdbool.h>
 #include <stdint.h>
 #include <sys/stat.h>

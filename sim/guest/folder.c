@@ -1,5 +1,6 @@
 /* folder.c - see folder.h. */
 #include "guest/folder.h"
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
@@ -15,6 +16,7 @@
 
 const char *folder_path(struct node *n, const char *path, int slot)
 {
+    assert(slot >= 0 && slot < FOLDER_SLOTS);
     struct node_libc *c = n->libc;
     if (c->folder == NULL || *path == '/' || *path == 0)
         return path;

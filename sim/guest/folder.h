@@ -1,7 +1,7 @@
 /* folder.h - the folder from which a node's relative paths start. Each node has its own: chdir() on one
  * node does not move the others. */
-#ifndef NODE_FOLDER_H
-#define NODE_FOLDER_H
+#ifndef GUEST_FOLDER_H
+#define GUEST_FOLDER_H
 
 struct node;
 struct node_libc;

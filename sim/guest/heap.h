@@ -1,7 +1,7 @@
 /* heap.h - malloc for one node: blocks inside the node's span, bounded by the node's memory. Deterministic:
  * addresses depend on the program's calls only. Memory freed at the top no longer counts as used. */
-#ifndef NODE_HEAP_H
-#define NODE_HEAP_H
+#ifndef GUEST_HEAP_H
+#define GUEST_HEAP_H
 #include <stdbool.h>
 #include <stddef.h>
 

@@ -1,8 +1,8 @@
 /* image.h - a node program: an ELF file built by nxcc, read once and mapped into every node. Text and
  * constants are mapped from the file and shared; data are private to each node; undefined symbols are
  * resolved against exports.def and nothing else. Error messages name the file and what to do. */
-#ifndef NODE_IMAGE_H
-#define NODE_IMAGE_H
+#ifndef GUEST_IMAGE_H
+#define GUEST_IMAGE_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,7 @@
 /* libc.c - a node's part of the C library: its making, its end, and its small state. The node's
  * surroundings are in libc_system.c. A function node_NAME serves a node program's NAME and runs on the
  * node's stack. */
+#include <assert.h>
 #include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -38,11 +39,13 @@ void *node_libc_data(struct node *n, const char *name)
 
 void node_libc_flush(struct node *n)
 {
+    assert(node_is_self(n));
     streams_flush(&n->libc->streams);
 }
 
 void node_libc_free(struct node *n)
 {
+    assert(!node_is_self(n));
     streams_close(&n->libc->streams);
     descriptors_close(&n->libc->descriptors);
     free(n->libc->atexit);

@@ -1,7 +1,7 @@
 /* libc.h - the part of the C library that each node has for itself: streams, random numbers, strtok, the
  * program's end. */
-#ifndef NODE_LIBC_H
-#define NODE_LIBC_H
+#ifndef GUEST_LIBC_H
+#define GUEST_LIBC_H
 
 struct node;
 struct node_libc;

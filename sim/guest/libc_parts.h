@@ -1,6 +1,6 @@
 /* libc_parts.h - struct node_libc, for the files that serve the C library's calls: libc*.c and stdio.c. */
-#ifndef NODE_LIBC_PARTS_H
-#define NODE_LIBC_PARTS_H
+#ifndef GUEST_LIBC_PARTS_H
+#define GUEST_LIBC_PARTS_H
 #include <stddef.h>
 #include <stdlib.h>
 #include <wchar.h>

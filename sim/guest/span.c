@@ -257,11 +257,13 @@ void span_release(struct node *n)
     struct node_region *r = n->region;
     if (!r)
         return;
+    size_t slot = (size_t)(n->span - (char *)r) >> r->shift;
+    assert(r->used > 0 && r->node[slot] == n);
     if (r->used-- == r->spans) {
         r->next = n->sys->roomy;
         n->sys->roomy = r;
     }
-    r->node[(size_t)(n->span - (char *)r) >> r->shift] = NULL;
+    r->node[slot] = NULL;
     n->region = NULL;
     if (r->used)
         return;

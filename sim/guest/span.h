@@ -23,8 +23,8 @@
  * another in two; a process may have vm.max_map_count mappings, by default 65,530. So on older kernels some
  * 10,000 nodes have all guards and share the text; 15,000 have all guards and copies of the text; of
  * 31,000, only the stacks are guarded; of more, nothing is. */
-#ifndef NODE_SPAN_H
-#define NODE_SPAN_H
+#ifndef GUEST_SPAN_H
+#define GUEST_SPAN_H
 #include <stdbool.h>
 #include <stddef.h>
 #include "node/node.h"

@@ -4,8 +4,8 @@
  * is written, and files are opened, read, written and closed, in the order of virtual time (file.h). The
  * FILEs take no locks (FSETLOCKING_BYCALLER), since a fiber may be switched away while it is in one. A
  * program that ends leaves its streams in the list, and streams_close() discards their buffers. */
-#ifndef NODE_STREAMS_H
-#define NODE_STREAMS_H
+#ifndef GUEST_STREAMS_H
+#define GUEST_STREAMS_H
 #include <stdbool.h>
 #include <stdio.h>
 

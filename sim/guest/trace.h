@@ -1,7 +1,7 @@
 /* trace.h - where a program is: the calls under way on its node's stack, found by the frame pointers that
  * nxcc keeps. */
-#ifndef NODE_TRACE_H
-#define NODE_TRACE_H
+#ifndef GUEST_TRACE_H
+#define GUEST_TRACE_H
 #include <stdio.h>
 #include "node/node.h"
 

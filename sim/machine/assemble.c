@@ -113,6 +113,7 @@ struct node *node_new_empty(struct node_system *sys, uint32_t id)
 struct node *node_new_host(struct node_system *sys, uint32_t address, const struct node_image *img, int argc,
                            char **argv, char **envp, char **error)
 {
+    assert(!sys->host);
     struct node *n = make(sys, sys->count, address);
     n->is_host = true;
     clock_set(&n->lp, sys->cfg->host.clock_hz);

@@ -92,6 +92,7 @@ void crash_ignore(void)
 
 struct crash_guard *crash_watch(void)
 {
+    assert(!guard);
     guard = xcalloc(1, sizeof *guard);
     stack_t s = {.ss_sp = guard->stack, .ss_size = sizeof guard->stack};
     sigaltstack(&s, NULL);
@@ -100,6 +101,7 @@ struct crash_guard *crash_watch(void)
 
 void crash_unwatch(struct crash_guard *g)
 {
+    assert(g == guard);
     stack_t none = {.ss_flags = SS_DISABLE};
     sigaltstack(&none, NULL);
     guard = NULL;

@@ -11,8 +11,8 @@
  *
  * The calls from cube_get on are made by the host program, inside one of its NX calls. They return 0, or -1
  * with the error that node_error() sets. */
-#ifndef NODE_CUBE_H
-#define NODE_CUBE_H
+#ifndef MACHINE_CUBE_H
+#define MACHINE_CUBE_H
 #include "node/system.h"
 
 struct cube_options {

@@ -1,5 +1,6 @@
 /* machine.c - see machine.h. */
 #include "machine/machine.h"
+#include <assert.h>
 #include <stdlib.h>
 #include "cfs/cfs.h"
 #include "guest/image.h"
@@ -103,6 +104,7 @@ static bool make_nodes(struct machine *m, char **error)
 
 struct machine *machine_new(const struct machine_options *options, char **error)
 {
+    assert(options->cfg && options->argc > 0);
     double begin = hostclock_s();
     struct machine *m = xcalloc(1, sizeof *m);
     m->options = *options;

@@ -15,7 +15,7 @@ struct machine_options {
     double slice_s;       /* longest slice of computing; 0: no slices. For tests: changes no result */
     unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
     uint64_t shuffle;     /* not 0: seeds random choices of the threads, for tests. Changes no result */
-    bool isolate;         /* a node that writes to another's memory crashes; needs one thread */
+    bool isolate;         /* a node that writes to another's memory crashes; the run uses one thread */
     FILE *out, *err;      /* the programs' output */
     FILE *history;        /* gets a line for each message received; NULL: no history */
     const char *cfs_dir;  /* the folder that holds the files of /cfs; NULL: a temporary one */

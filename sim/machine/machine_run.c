@@ -1,5 +1,6 @@
 /* machine_run.c - runs a machine (machine.h): starts its threads, polls what may end the run from outside,
  * and settles the nodes' accounts at the end. */
+#include <assert.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,6 +103,7 @@ static void note_end(struct machine *m, struct node *n)
 
 void machine_run(struct machine *m)
 {
+    assert(m->begin == 0);
     m->begin = hostclock_s();
     sigset_t ending = ending_signals(), before;
     sigprocmask(SIG_BLOCK, &ending, &before);

@@ -1,5 +1,6 @@
 /* verdict.c - see verdict.h. */
 #include "machine/verdict.h"
+#include <assert.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 #include "machine/whereabouts.h"
@@ -20,6 +21,7 @@ static struct node *bad_exit(const struct machine *m)
 
 void verdict(struct machine *m)
 {
+    assert(!m->message);
     struct node_system *s = &m->sys;
     const struct node *bad = bad_exit(m);
     enum stop stop = s->schedule.stop;
