@@ -2,7 +2,7 @@
  * pending.
  *
  * Three loads. Spread: each next event lies at a random distance, no two at one time. Lockstep: all events at
- * one time, told apart by their place, as when nodes do the same. Traffic: what runs of rings, halos and
+ * one time, told apart by their address, as when nodes do the same. Traffic: what runs of rings, halos and
  * all-to-all put into the queue (traffic/traffic.c): a node has two events, one of its program and one of a
  * message, at different steps of the way; the distances are those of a ring's message; and one node in 16 is
  * up to 1.6 us behind, as if it had waited for a channel, and catches up. Times are nanoseconds a hold; each

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 struct item {
-    uint64_t time, rank; /* rank: place, late and sequence in one word, as in evq.c */
+    uint64_t time, rank; /* rank: address, late and sequence in one word, as in evq.c */
 };
 
 struct queue {
