@@ -1,5 +1,5 @@
-/* descriptors.c - see descriptors.h; and the POSIX calls on descriptors and on names of files. Functions
- * named node_<name> serve the node program's <name>. */
+/* descriptors.c - a node's file descriptors (descriptors.h), and the POSIX calls on descriptors and on
+ * names of files. A function node_NAME serves a node program's NAME. */
 #include "guest/descriptors.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/uio.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/self.h"
@@ -16,8 +17,8 @@
 struct open_files *descriptors_open(struct node *n)
 {
     struct descriptors *d = &n->libc->descriptors;
-    if (!d->open && !(d->open = calloc(1, sizeof *d->open)))
-        abort();
+    if (!d->open)
+        d->open = xcalloc(1, sizeof *d->open);
     return d->open;
 }
 
@@ -29,7 +30,7 @@ int descriptor_new(struct node *n, struct node_file *f, const char *path)
     for (int fd = 3; fd < NODE_DESCRIPTORS; fd++)
         if (!d->file[fd]) {
             d->file[fd] = f;
-            d->path[fd] = strdup(path);
+            d->path[fd] = xstrdup(path);
             return fd;
         }
     file_close(f);
@@ -63,7 +64,7 @@ void descriptors_close(struct descriptors *d)
     free(d->open);
 }
 
-/* The FILE of a standard descriptor that is not closed, else NULL. */
+/* The stream of a standard descriptor; NULL for any other, and for one that the program has closed. */
 static FILE *standard(struct node *n, int fd)
 {
     struct node_libc *c = n->libc;
@@ -72,7 +73,7 @@ static FILE *standard(struct node *n, int fd)
     return fd == 0 ? c->streams.in : fd == 1 ? c->streams.out : c->streams.err;
 }
 
-/* --- POSIX. Lengths and offsets are the machine's: 32 bits, offsets with a sign. --- */
+/* --- POSIX calls. As on the i860, a length is an unsigned number of 32 bits, an offset a signed one. --- */
 
 int node_open(const char *path, int flags, ...)
 {
@@ -106,7 +107,7 @@ int node_close(int fd)
     return file_close(f);
 }
 
-/* From standard input: what stdio has not taken, no more than a line. */
+/* Reads from standard input what stdio has not taken, at most one line. */
 static ssize_t read_standard(FILE *in, char *buf, size_t bytes)
 {
     size_t done = 0;
@@ -157,8 +158,8 @@ ssize_t node_writev(int fd, const struct iovec *parts, int count)
     return done;
 }
 
-/* The standard descriptors are a terminal, whatever the simulator's are: what a program prints, and when,
- * must not depend on that. */
+/* A standard descriptor is a terminal, whatever the simulator's own is: what a program prints, and when,
+ * must not depend on how the simulator is run. */
 int node_isatty(int fd)
 {
     if (standard(node_self(), fd))
@@ -170,7 +171,7 @@ int node_isatty(int fd)
 int node_ttyname_r(int fd, char *buf, size_t size)
 {
     (void)buf, (void)size;
-    return node_isatty(fd) ? ENODEV : errno; /* which has no name */
+    return node_isatty(fd) ? ENODEV : errno; /* the terminal has no name */
 }
 
 int node_fstat(int fd, struct stat *st)
@@ -191,8 +192,8 @@ int node_ftruncate(int fd, off_t size)
     return f ? file_truncate(f, (int32_t)size) : -1;
 }
 
-/* As open() with O_EXCL, under names that differ from node to node and are the same in each run; those taken
- * are passed over. */
+/* Opens a new file with O_EXCL. The names tried differ from node to node and are equal in each run; names
+ * of existing files are skipped. */
 int node_mkostemp(char *pattern, int flags)
 {
     size_t len = strlen(pattern);
@@ -217,7 +218,7 @@ int node_mkstemp(char *pattern)
     return node_mkostemp(pattern, 0);
 }
 
-/* The first name that is free. */
+/* Returns the first name that no file has. */
 char *node_mktemp(char *pattern)
 {
     int fd = node_mkostemp(pattern, 0);
@@ -230,7 +231,7 @@ char *node_mktemp(char *pattern)
     return pattern;
 }
 
-/* Permissions are those asked for, less what the user of the simulator takes off. */
+/* A file's permissions are those that the program asks for, less the umask of the simulator's user. */
 mode_t node_umask(mode_t mask)
 {
     (void)mask;
@@ -259,7 +260,7 @@ int node_rmdir(const char *path)
     return file_remove_folder(node_self(), path);
 }
 
-/* What is written is in its file at once. */
+/* Nothing is to be done: a written byte is in its file at once. */
 int node_fsync(int fd)
 {
     return standard(node_self(), fd) || descriptor_file(node_self(), fd) ? 0 : -1;

@@ -1,6 +1,6 @@
 /* descriptors.h - a node's file descriptors: 0, 1 and 2 are its standard streams, the others open files. */
-#ifndef NODE_DESCRIPTORS_H
-#define NODE_DESCRIPTORS_H
+#ifndef GUEST_DESCRIPTORS_H
+#define GUEST_DESCRIPTORS_H
 #include "guest/file.h"
 
 struct cfs_op; /* cfs/cfs.h */
@@ -16,23 +16,25 @@ struct io_id {
 
 struct open_files {
     struct node_file *file[NODE_DESCRIPTORS];
-    char *path[NODE_DESCRIPTORS]; /* that it was opened by */
+    char *path[NODE_DESCRIPTORS]; /* the name by which the file was opened */
     struct io_id io[NODE_IO_IDS];
 };
 
-/* Most programs open no files: then a node has no room for them. */
+/* Most programs open no files, so the table is made when a program opens its first. */
 struct descriptors {
-    struct open_files *open; /* NULL: there has been none yet */
-    bool closed[3];          /* of the standard ones, by the program */
+    struct open_files *open; /* NULL: not made yet */
+    bool closed[3];          /* the program has closed this standard descriptor */
 };
 
-struct open_files *descriptors_open(struct node *n); /* makes room if there is none */
+struct open_files *descriptors_open(struct node *n); /* makes the table if needed */
 
-/* The lowest free number for f; -1 with errno EMFILE (f is closed). f NULL: -1. */
+/* Gives f the lowest free number and returns it. If no number is free, closes f and returns -1 with errno
+ * EMFILE. Returns -1 if f is NULL. */
 int descriptor_new(struct node *n, struct node_file *f, const char *path);
-/* Its file; NULL with errno EBADF when it has none. */
+/* The file of a descriptor; NULL with errno EBADF if the descriptor is not open. */
 struct node_file *descriptor_file(struct node *n, int fd);
-/* What it was opened by, for messages; "?" when it is not open. */
+/* The name by which a descriptor was opened, for messages; "?" if the descriptor is not open. */
 const char *descriptor_path(const struct node *n, int fd);
-void descriptors_close(struct descriptors *d); /* off the node */
+/* Closes all files without taking virtual time. Called when the program does not run any more. */
+void descriptors_close(struct descriptors *d);
 #endif

@@ -7,14 +7,14 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/elffile.h"
 
 bool elf_fail(char **error, const char *fmt, ...)
 {
     va_list ap;
     va_start(ap, fmt);
-    if (vasprintf(error, fmt, ap) < 0)
-        *error = NULL;
+    *error = xvasprintf(fmt, ap);
     va_end(ap);
     return false;
 }
@@ -24,8 +24,8 @@ static bool truncated(const struct elf_file *f, char **error)
     return elf_fail(error, "%s: the file is truncated: build it again", f->path);
 }
 
-/* count items of size bytes at offset; NULL unless all of them are in the file and aligned for their tables.
- */
+/* An array of count items of size bytes at offset; NULL unless all of the array is in the file, and
+ * aligned. */
 static const void *table_at(const struct elf_file *f, uint64_t offset, uint64_t count, uint64_t size)
 {
     if (offset % 8 != 0 || offset > f->size || count > (f->size - offset) / size)
@@ -73,16 +73,14 @@ static bool check_head(const struct elf_file *f, char **error)
     return true;
 }
 
-/* Collects the PT_LOAD entries and refuses what the loader does not do. */
+/* Collects the PT_LOAD entries, and refuses a file that the loader cannot load. */
 static bool find_loads(struct elf_file *f, char **error)
 {
     const Elf64_Ehdr *h = (const Elf64_Ehdr *)f->bytes;
     const Elf64_Phdr *ph = table_at(f, h->e_phoff, h->e_phnum, sizeof *ph);
     if (ph == NULL || h->e_phentsize != sizeof *ph)
         return truncated(f, error);
-    Elf64_Phdr *loads = calloc(h->e_phnum + 1u, sizeof *loads);
-    if (loads == NULL)
-        return elf_fail(error, "%s: %s", f->path, strerror(ENOMEM));
+    Elf64_Phdr *loads = xcalloc(h->e_phnum + 1u, sizeof *loads);
     f->loads = loads;
     uint64_t end = 0;
     for (size_t i = 0; i < h->e_phnum; i++) {
@@ -178,11 +176,9 @@ static bool find_relocations(struct elf_file *f, char **error)
 
 struct elf_file *elf_open(const char *path, char **error)
 {
-    struct elf_file *f = calloc(1, sizeof *f);
-    if (f == NULL)
-        return NULL;
+    struct elf_file *f = xcalloc(1, sizeof *f);
     f->fd = -1;
-    f->path = strdup(path);
+    f->path = xstrdup(path);
     if (read_bytes(f, error) && check_head(f, error) && find_loads(f, error) && find_symbols(f, error) &&
         find_relocations(f, error))
         return f;

@@ -1,11 +1,12 @@
-/* exports.c - exports.def as a table. Searched from its start: a program asks for a few dozen names, once. */
+/* exports.c - exports.def as a table. It is searched from its start: a program asks for a few dozen names,
+ * once. */
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include "guest/exports.h"
 
-/* The functions are declared under names of our own and bound by assembler name, because their C declarations
- * (and macros of the same name) do not matter here and differ from void (*)(void). */
+/* The functions are declared under other names and bound by assembler name: their C declarations, and
+ * macros of the same name, do not matter here and differ from void (*)(void). */
 #define CALL(name) extern void call_##name(void) __asm__("node_" #name);
 #define LIBC(name) extern void libc_##name(void) __asm__(#name);
 #define DATA(name)

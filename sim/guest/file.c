@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/folder.h"
 #include "os/handlers.h"
 #include "node/node.h"
@@ -76,18 +77,14 @@ static const struct node_file_class HOST_FILE = {.read = host_read,
 
 struct node_file *file_of_host(struct node *n, int fd)
 {
-    struct host_file *f = fd < 0 ? NULL : malloc(sizeof *f);
-    if (!f) {
-        if (fd >= 0)
-            close(fd);
+    if (fd < 0)
         return NULL;
-    }
+    struct host_file *f = xmalloc(sizeof *f);
     *f = (struct host_file){{&HOST_FILE, n}, fd};
     return &f->base;
 }
 
-/* --- /cfs and /pfs on a machine that has no such file system, and on the host, which is not on its network
- * --- */
+/* --- /cfs and /pfs on a machine without a file system, and on the host, which cannot reach one --- */
 
 static int refuse(void)
 {
@@ -122,7 +119,7 @@ static int no_stat(void *ctx, struct node *n, const char *path, struct stat *st)
 
 static const struct node_fs NO_FS = {NULL, no_open, no_unlink, no_rename, no_stat};
 
-/* --- which of the two --- */
+/* --- which file system a path belongs to --- */
 
 static const struct node_fs *fs_of(const struct node *n)
 {
@@ -135,8 +132,8 @@ bool file_is_simulated(const char *path)
            (path[4] == '/' || path[4] == 0);
 }
 
-/* A call into the machine's file system is entered and left as an NX call is, but holds handlers back. The
- * deadline that node_leave() sets must be the one without that. */
+/* A call into the machine's file system is entered and left as an NX call, with handlers masked. They are
+ * unmasked before node_leave(), whose deadline must not be that of a masked program. */
 static bool enter(struct node *n, const char *call)
 {
     bool masked = handlers_mask(n, true);
@@ -154,7 +151,7 @@ static void leave(struct node *n, bool masked)
     node_set_errno(why);
 }
 
-/* What a run's results may depend on beside program and machine is in its figures. */
+/* Results of a run may depend on files of this computer, so the run's report names the files. */
 static void note_host_file(struct node_system *s, const char *path)
 {
     for (size_t i = 0; i < s->host_file_count; i++)
@@ -162,10 +159,9 @@ static void note_host_file(struct node_system *s, const char *path)
             return;
     if (s->host_file_count == NODE_HOST_FILES)
         return;
-    if (!s->host_files && !(s->host_files = calloc(NODE_HOST_FILES + 1, sizeof *s->host_files)))
-        abort();
-    if (!(s->host_files[s->host_file_count++] = strdup(path)))
-        abort();
+    if (!s->host_files)
+        s->host_files = xcalloc(NODE_HOST_FILES + 1, sizeof *s->host_files);
+    s->host_files[s->host_file_count++] = xstrdup(path);
 }
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
@@ -210,7 +206,7 @@ int64_t file_seek(struct node_file *f, int64_t offset, int whence)
 {
     if (!f->class->simulated) {
         if (whence == SEEK_END)
-            node_order(f->node); /* where the end is depends on what others have written */
+            node_order(f->node); /* other nodes may have moved the end */
         return f->class->seek(f, offset, whence);
     }
     bool masked = enter(f->node, "lseek");
@@ -333,7 +329,8 @@ int file_rename(struct node *n, const char *from, const char *to)
     return r;
 }
 
-/* On this computer only: the machine's file system has names with / in them, and no folders. */
+/* Only this computer has folders: in the machine's file system, names may contain / without any folder
+ * being made. */
 int file_make_folder(struct node *n, const char *path, mode_t permissions)
 {
     path = folder_path(n, path, 0);

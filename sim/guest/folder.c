@@ -1,32 +1,27 @@
 /* folder.c - see folder.h. */
 #include "guest/folder.h"
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/file.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "guest/host_errno.h"
 #include "node/self.h"
 
-static char *joined(const char *folder, const char *path)
-{
-    char *whole;
-    if (asprintf(&whole, "%s/%s", folder, path) < 0)
-        abort();
-    return whole;
-}
-
 const char *folder_path(struct node *n, const char *path, int slot)
 {
+    assert(slot >= 0 && slot < FOLDER_SLOTS);
     struct node_libc *c = n->libc;
     if (c->folder == NULL || *path == '/' || *path == 0)
         return path;
     free(c->whole[slot]);
-    return c->whole[slot] = joined(c->folder, path);
+    return c->whole[slot] = xasprintf("%s/%s", c->folder, path);
 }
 
 void folder_free(struct node_libc *c)
@@ -36,7 +31,7 @@ void folder_free(struct node_libc *c)
         free(c->whole[i]);
 }
 
-/* Takes "//", "." and ".." out of a path that begins with /. */
+/* Takes "//", "." and ".." out of an absolute path. */
 static void tidy(char *path)
 {
     char *end = path;
@@ -57,7 +52,7 @@ static void tidy(char *path)
     *end = 0;
 }
 
-/* The machine's file system has no folders: every name there may begin one. */
+/* The machine's file system has no folders: any name there may be the beginning of others. */
 static int check_is_folder(struct node *n, const char *path)
 {
     struct stat st;
@@ -71,17 +66,17 @@ static int check_is_folder(struct node *n, const char *path)
     return -1;
 }
 
-/* The folder in use, for free(). NULL: errno says why. */
+/* The folder in use, for free(); NULL with errno if it is not known. */
 static char *present(struct node *n)
 {
-    return n->libc->folder ? strdup(n->libc->folder) : getcwd(NULL, 0);
+    return n->libc->folder ? xstrdup(n->libc->folder) : getcwd(NULL, 0);
 }
 
 int node_chdir(const char *path)
 {
     struct node *n = node_self();
-    char *now = *path == '/' ? strdup("") : present(n);
-    char *to = now ? joined(now, path) : NULL;
+    char *now = *path == '/' ? xstrdup("") : present(n);
+    char *to = now ? xasprintf("%s/%s", now, path) : NULL;
     free(now);
     if (to == NULL || *path == 0 || check_is_folder(n, to) != 0) {
         int why = *path == 0 ? ENOENT : node_errno();
@@ -97,7 +92,7 @@ int node_chdir(const char *path)
 
 void *node_malloc(size_t bytes);
 
-/* With NULL: in memory of the program's own, as GNU has it. */
+/* If buf is NULL, the path goes into memory of the program's own, as in glibc. */
 char *node_getcwd(char *buf, size_t size)
 {
     char *now = present(node_self());

@@ -1,7 +1,7 @@
-/* gzip.c - zlib's gzopen and its kin for node programs, over the node's own files: so that reading a
- * compressed file of the Concurrent File System takes that file system's time. Reading only; a plain file is
- * seen through, as zlib does. The decompressor's memory is the node's. The processor's time is in the
- * compiler's table of calls (gzread). */
+/* gzip.c - zlib's gzopen and its related calls for node programs, over the node's own files: reading a
+ * compressed file of the Concurrent File System takes that file system's time. Files can only be read; a
+ * plain file is read as it is, as by zlib. The decompressor's memory comes from the node's heap. The
+ * processor's time is in the compiler's table of calls (gzread). */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +14,8 @@
 struct gz {
     FILE *file;
     z_stream z;
-    bool packed;   /* else plain */
-    bool end, bad; /* of the data; of their format */
+    bool packed;   /* otherwise plain */
+    bool end, bad; /* end: no more data; bad: the data are damaged */
     z_off_t at;
     unsigned char in[8192];
 };
@@ -37,7 +37,7 @@ static size_t fill(struct gz *g)
     return g->z.avail_in;
 }
 
-/* From the beginning of the file: is it packed? */
+/* Starts at the beginning of the file, and finds out whether the file is packed. */
 static bool start(struct gz *g)
 {
     g->end = g->bad = false;
@@ -73,7 +73,7 @@ fail:
     return NULL;
 }
 
-/* Bytes of a member after a member go on; anything else after one is the end. */
+/* A file may have several gzip members, one behind the other. Anything else behind a member ends the data. */
 static bool next_member(struct gz *g)
 {
     if (g->z.avail_in == 0 && fill(g) == 0)
@@ -87,7 +87,7 @@ static size_t read_packed(struct gz *g, void *buf, size_t size)
     g->z.avail_out = (uInt)size;
     while (g->z.avail_out > 0 && !g->end && !g->bad) {
         if (g->z.avail_in == 0 && fill(g) == 0) {
-            g->bad = true; /* it ends in the middle */
+            g->bad = true; /* the file ends within a member */
             break;
         }
         int r = inflate(&g->z, Z_NO_FLUSH);

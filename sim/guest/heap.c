@@ -1,25 +1,26 @@
 /* heap.c - malloc for one node: see heap.h.
  *
- * Blocks lie without gaps from base to top. Each has a 16-byte head in front of what the program gets:
+ * Blocks lie without gaps from base to top. Each begins with a head of 16 bytes, followed by the program's
+ * bytes:
  *
  *     base                                                                         top
  *     | size prev tag asked | program's bytes, rest | size prev tag | free: links | ... |        not in use
  *
- * size is that of the block, head included, and prev that of the block before it, so that both neighbours can
- * be found. tag tells used from free blocks and foreign pointers from both. The program has asked for `asked`
- * bytes; the rest of the block, if there is any, holds REST, so that writing past the end is seen.
- * Invariants: no two free blocks touch, and the block below top is in use: top - base is what the heap takes
- * of the node's memory.
+ * size is the block's, head included; prev is the size of the block before, so that both neighbours can be
+ * found. tag tells used blocks, free blocks and foreign pointers apart. The program has asked for `asked`
+ * bytes; the rest of the block, if any, is filled with REST, so that a write past the end is noticed.
+ * Invariants: no two free blocks are neighbours, and the block below top is in use; top - base is what the
+ * heap takes of the node's memory.
  *
- * Free blocks are kept in bins by size: one bin for each size below 512 bytes, then one for each power of
- * two. A request takes the best block of its own bin, else the first of the next bin that has any, else moves
- * top.
- */
+ * Free blocks are kept in bins: one bin for each size below 512 bytes, then one for each power of two. A
+ * request takes the best block of its own bin, otherwise the first of the next bin that is not empty,
+ * otherwise moves top. */
 #include <assert.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/heap.h"
 
 #define HEAD 16u
@@ -38,7 +39,7 @@ struct block {
 struct node_heap {
     char *base, *top;
     size_t limit;
-    uint32_t last;   /* size of the block below top, 0 when there is none */
+    uint32_t last;   /* size of the block below top; 0: no block */
     uint64_t filled; /* bit b: bins[b] is not empty */
     struct block *bins[BINS];
     int (*room)(void *ctx, size_t bytes);
@@ -50,9 +51,7 @@ struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx,
                                 void (*grown)(void *ctx, size_t used), void *ctx)
 {
     assert((uintptr_t)base % HEAD == 0 && limit <= UINT32_MAX / 2);
-    struct node_heap *h = calloc(1, sizeof *h);
-    if (h == NULL)
-        abort();
+    struct node_heap *h = xcalloc(1, sizeof *h);
     h->base = h->top = base;
     h->limit = limit;
     h->room = room;
@@ -71,7 +70,7 @@ size_t node_heap_used(const struct node_heap *h)
     return (size_t)(h->top - h->base);
 }
 
-/* The tag depends on the address, so that a copied head does not pass for a block. */
+/* The tag depends on the address, so that a copied head is no valid head. */
 static uint32_t tag_at(const struct block *b, uint32_t kind)
 {
     return kind ^ (uint32_t)((uintptr_t)b >> 4);
@@ -119,16 +118,17 @@ static void take_from_bin(struct node_heap *h, struct block *b)
     b->tag = 0;
 }
 
-/* --- what was written where it must not be --- */
+/* --- detection of writes past a block's end --- */
 
 static unsigned char *bytes_of(struct block *b)
 {
     return (unsigned char *)b + HEAD;
 }
 
-/* The program has asked for so many bytes of a block. */
+/* Notes that the program has asked for so many bytes of a block. */
 static void set_asked(struct block *b, size_t asked)
 {
+    assert(asked <= b->size - HEAD);
     b->asked = (uint32_t)asked;
     memset(bytes_of(b) + asked, REST, b->size - HEAD - asked);
 }
@@ -144,7 +144,7 @@ static bool is_within(const struct block *b)
     return true;
 }
 
-/* A free block of at least size bytes, the best of its bin; NULL when there is none. */
+/* A free block of at least size bytes, the best of its bin; NULL if there is none. */
 static struct block *find_free(const struct node_heap *h, uint32_t size)
 {
     unsigned i = bin_of(size);
@@ -158,7 +158,7 @@ static struct block *find_free(const struct node_heap *h, uint32_t size)
     return best;
 }
 
-/* Sets a block's size where the block above it, or the heap for the last one, looks for it. */
+/* Sets a block's size, also in the block above it, or in the heap if the block is the last. */
 static void set_size(struct node_heap *h, struct block *b, uint32_t size)
 {
     b->size = size;
@@ -168,7 +168,7 @@ static void set_size(struct node_heap *h, struct block *b, uint32_t size)
         after(b)->prev = size;
 }
 
-/* Moves top up to end; false when the node's memory does not allow it. */
+/* Moves top up to end; returns false if the node's memory does not allow it. */
 static bool raise_top(struct node_heap *h, char *end)
 {
     size_t bytes = (size_t)(end - h->base);
@@ -179,7 +179,8 @@ static bool raise_top(struct node_heap *h, char *end)
     return true;
 }
 
-/* Gives a block that is in no bin back: merges it with free neighbours, lowers top when it was the last. */
+/* Frees a block that is in no bin: merges it with free neighbours, and lowers top if it was the last block.
+ */
 static void give_back(struct node_heap *h, struct block *b)
 {
     uint32_t size = b->size;
@@ -203,7 +204,7 @@ static void give_back(struct node_heap *h, struct block *b)
     }
 }
 
-/* Cuts a used block down to size when the rest is worth a block. */
+/* Shortens a used block to size if the rest is large enough for a block. */
 static void trim(struct node_heap *h, struct block *b, uint32_t size)
 {
     if (b->size - size < LEAST)
@@ -215,7 +216,7 @@ static void trim(struct node_heap *h, struct block *b, uint32_t size)
     give_back(h, rest);
 }
 
-/* Size of the block for a request, 0 when no heap could hold it. */
+/* The size of the block for a request; 0 if no heap could hold it. */
 static uint32_t block_size(const struct node_heap *h, size_t bytes)
 {
     if (bytes > h->limit)
@@ -247,10 +248,11 @@ void *node_heap_alloc(struct node_heap *h, size_t bytes)
     return (char *)b + HEAD;
 }
 
-/* From a block that is large enough anywhere; what is in front of the multiple is given back, and what is
+/* Allocates a block that contains an aligned address with enough room, and frees what lies before and
  * behind. */
 void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes)
 {
+    assert(align && !(align & (align - 1)));
     if (align <= HEAD || align > h->limit || bytes > h->limit)
         return node_heap_alloc(h, align <= HEAD ? bytes : SIZE_MAX);
     char *p = node_heap_alloc(h, bytes + align + LEAST);
@@ -274,7 +276,7 @@ void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes)
     return bytes_of(b);
 }
 
-/* The used block behind a pointer the program gave, NULL when it is not one or is damaged. */
+/* The used block of a pointer that the program passed; NULL if there is no such block or it is damaged. */
 static struct block *block_of(const struct node_heap *h, const void *p)
 {
     uintptr_t at = (uintptr_t)p - (uintptr_t)h->base;
@@ -283,7 +285,7 @@ static struct block *block_of(const struct node_heap *h, const void *p)
     struct block *b = (struct block *)((char *)p - HEAD);
     if (b->tag != tag_at(b, TAG_USED) || b->size > (size_t)(h->top - (char *)b) || b->size < LEAST)
         return NULL;
-    /* the neighbours agree: nothing was written over either head */
+    /* both neighbours agree: no write has reached either head */
     if ((char *)after(b) == h->top ? h->last != b->size : after(b)->prev != b->size)
         return NULL;
     if (!is_within(b))
@@ -291,7 +293,7 @@ static struct block *block_of(const struct node_heap *h, const void *p)
     return b->prev == 0 || (b->prev <= at - HEAD && before(b)->size == b->prev) ? b : NULL;
 }
 
-/* Is there a head where one has to be? */
+/* Is the head of a block valid? */
 static bool has_head(const struct node_heap *h, const struct block *b, uint32_t prev)
 {
     size_t room = (size_t)(h->top - (const char *)b);
@@ -308,7 +310,8 @@ size_t node_heap_check(const struct node_heap *h, const void **block)
         bool good = has_head(h, b, prev);
         if (good && (is_free(b) || is_within(b)))
             continue;
-        const struct block *culprit = good || !last ? b : last; /* who ran over a head is before it */
+        /* a damaged head was overrun from the block before */
+        const struct block *culprit = good || !last ? b : last;
         *block = (const char *)culprit + HEAD;
         size_t most = culprit->size - HEAD;
         return is_free(culprit) || culprit->asked > most ? most : culprit->asked;
@@ -331,7 +334,7 @@ int node_heap_release(struct node_heap *h, void *p)
     return 0;
 }
 
-/* Lets a used block grow upwards to size, into a free neighbour or past top. */
+/* Extends a used block to size, into a free neighbour or past top. */
 static bool widen(struct node_heap *h, struct block *b, uint32_t size)
 {
     if ((char *)after(b) == h->top) {

@@ -1,6 +1,6 @@
-/* host_errno.h - errno of the thread that runs the caller now. A program may go on on another thread after
- * node_leave() or any call that orders it, and compilers take the place of errno to be the same throughout a
- * function. */
+/* host_errno.h - errno of the thread that runs the caller now. After node_leave(), or any call that commits
+ * in the total order, a program may resume on another thread; but a compiler assumes that errno has one
+ * address throughout a function. */
 #ifndef GUEST_HOST_ERRNO_H
 #define GUEST_HOST_ERRNO_H
 

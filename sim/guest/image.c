@@ -4,16 +4,17 @@
  *     in a node | text: the file's pages, shared     | data: private copy of a template | bss, 0 |
  *                 one mapping                          one anonymous mapping
  *
- * All that is the same on every node is done once, in node_image_open: checks, symbols, and a template of the
- * data in which every relocation is applied as for a program at address 0. A node then gets two mappings, a
- * copy of the template, its own address added to the words that hold addresses, and the addresses of its own
- * streams.
- */
+ * What is equal on every node is done once, in node_image_open: the checks, the symbols, and a template of
+ * the data in which every relocation is applied as for a program at address 0. Each node then gets two
+ * mappings and a copy of the template; the words that hold addresses are moved by the node's own address,
+ * and the words that refer to the node's own streams are filled in. */
+#include <assert.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include "kernel/xalloc.h"
 #include "guest/elffile.h"
 #include "guest/exports.h"
 #include "guest/image.h"
@@ -25,17 +26,17 @@
 
 #define PAGE ((uint64_t)4096)
 
-/* Consecutive read-only segments that one mapping can serve. */
+/* Consecutive read-only segments in one mapping. */
 struct shared_part {
     uint64_t at, bytes, file_offset; /* page rounded */
     int protection;
 };
 
-/* A word that refers to a C library variable of which each node has its own. */
+/* A word that refers to a variable of the C library that each node has for itself. */
 struct own_word {
     uint64_t at; /* offset in the data */
     const char *name;
-    bool copy; /* it holds the variable's value, not its address */
+    bool copy; /* the word holds the variable's value, not its address */
     int64_t addend;
 };
 
@@ -45,7 +46,7 @@ struct node_image {
     struct shared_part *shared;
     size_t shared_count;
     uint64_t data_at, data_bytes; /* data and bss, page rounded */
-    unsigned char *template;      /* the first template_bytes of the data; the rest is zero */
+    unsigned char *template;      /* the first template_bytes of the data; the others are zero */
     uint64_t template_bytes;
     uint64_t *addresses; /* offsets in the data of words that hold an address in the program */
     size_t address_count;
@@ -54,14 +55,6 @@ struct node_image {
     uint64_t object; /* of nxc_image */
     bool long32;     /* its long has 32 bits */
 };
-
-static void *zeroed(size_t count, size_t size)
-{
-    void *p = calloc(count + 1, size);
-    if (p == NULL)
-        abort();
-    return p;
-}
 
 static uint64_t page_down(uint64_t x)
 {
@@ -77,8 +70,9 @@ static int protection_of(const Elf64_Phdr *p)
     return ((p->p_flags & PF_R) ? PROT_READ : 0) | ((p->p_flags & PF_X) ? PROT_EXEC : 0);
 }
 
-/* Adds a read-only segment, to the last part when the file continues there: fewer mappings a node matter more
- * than constants that could be executed, since the kernel allows a process only some 65,000. */
+/* Adds a read-only segment, to the last part if the file continues there. Constants may so become
+ * executable; that matters less than a mapping saved on each node, since the kernel allows a process only
+ * some 65,000. */
 static void add_shared(struct node_image *img, const Elf64_Phdr *p)
 {
     uint64_t at = page_down(p->p_vaddr), end = page_up(p->p_vaddr + p->p_memsz);
@@ -94,13 +88,13 @@ static void add_shared(struct node_image *img, const Elf64_Phdr *p)
     img->shared[img->shared_count++] = (struct shared_part){at, end - at, offset, protection_of(p)};
 }
 
-/* Everything from the first writable segment on is data. */
+/* From the first writable segment on, everything is data. */
 static bool lay_out(struct node_image *img, char **error)
 {
     const struct elf_file *f = img->elf;
     const Elf64_Phdr *p = f->loads, *end = f->loads + f->load_count;
     uint64_t shared_end = 0;
-    img->shared = zeroed(f->load_count, sizeof *img->shared);
+    img->shared = xcalloc(f->load_count, sizeof *img->shared);
     for (; p < end && !(p->p_flags & PF_W); p++) {
         add_shared(img, p);
         shared_end = page_up(p->p_vaddr + p->p_memsz);
@@ -118,13 +112,14 @@ static bool lay_out(struct node_image *img, char **error)
             return elf_fail(error, "%s: has code that may be written to: link it with nxcc", f->path);
         img->template_bytes = q->p_vaddr + q->p_filesz - img->data_at;
     }
-    img->template = zeroed(img->template_bytes, 1);
+    img->template = xcalloc(img->template_bytes, 1);
     for (; p < end; p++)
         memcpy(img->template + (p->p_vaddr - img->data_at), f->bytes + p->p_offset, p->p_filesz);
     return true;
 }
 
-/* Finds nxc_image and checks that the file was built to the contract this loader knows. */
+/* Finds nxc_image, and checks that the file was built to the version of the contract that this loader
+ * knows. */
 static bool find_object(struct node_image *img, char **error)
 {
     const struct elf_file *f = img->elf;
@@ -158,7 +153,7 @@ static void put_address(struct node_image *img, uint64_t at, uint64_t vaddr)
     img->addresses[img->address_count++] = at;
 }
 
-/* A word that is to hold the address of a symbol, or for R_X86_64_COPY the symbol's value. */
+/* Fills a word that is to hold the address of a symbol, or for R_X86_64_COPY the symbol's value. */
 static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at, char **error)
 {
     const struct elf_file *f = img->elf;
@@ -226,8 +221,8 @@ static bool relocate(struct node_image *img, const struct elf_relocations *t, ch
 static bool prepare(struct node_image *img, char **error)
 {
     size_t count = img->elf->data.count + img->elf->calls.count;
-    img->addresses = zeroed(count, sizeof *img->addresses);
-    img->own = zeroed(count, sizeof *img->own);
+    img->addresses = xcalloc(count, sizeof *img->addresses);
+    img->own = xcalloc(count, sizeof *img->own);
     return lay_out(img, error) && find_object(img, error) && relocate(img, &img->elf->data, error) &&
            relocate(img, &img->elf->calls, error);
 }
@@ -237,7 +232,7 @@ struct node_image *node_image_open(const char *path, char **error)
     struct elf_file *f = elf_open(path, error);
     if (f == NULL)
         return NULL;
-    struct node_image *img = zeroed(1, sizeof *img);
+    struct node_image *img = xcalloc(1, sizeof *img);
     img->elf = f;
     if (prepare(img, error))
         return img;
@@ -291,14 +286,14 @@ size_t node_image_load_bytes(const struct node_image *img)
     return img->data_at + img->template_bytes;
 }
 
-/* The file's bytes of a part; what its last page has beyond the end of the file is zero. */
+/* Copies a part's bytes from the file. The bytes of the last page behind the end of the file stay zero. */
 static void copy_part(const struct elf_file *f, const struct shared_part *s, char *at)
 {
     uint64_t there = f->size - s->file_offset;
     memcpy(at, f->bytes + s->file_offset, s->bytes < there ? s->bytes : there);
 }
 
-/* Data and bss are zero already. */
+/* Maps or copies text and constants. Data and bss are mapped already, and zero. */
 static bool map_pages(const struct node_image *img, const struct node *n)
 {
     for (size_t i = 0; i < img->shared_count; i++) {
@@ -334,6 +329,7 @@ static void fill_data(const struct node_image *img, struct node *n, char *base)
 bool node_image_map(const struct node_image *img, struct node *n, char **error)
 {
     char *base = n->program;
+    assert(base && n->libc);
     if (!map_pages(img, n))
         return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->name, strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
@@ -352,8 +348,8 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     return true;
 }
 
-/* Writes the source line of an address, "FILE:LINE" without the file's folder; false if it is not known.
- * *library: is the line in NX's library? */
+/* Writes the source line of an address as "FILE:LINE", without the file's folder; returns false if the line
+ * is not known. Sets *library if the line is in NX's library. */
 static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
 {
     int line;

@@ -1,11 +1,13 @@
-/* libc.c - a node's part of the C library: what is made and freed with it, its ending, and its small state.
- * Its surroundings are in libc_system.c. Functions named node_<name> serve the node program's <name>; they
- * run on the node's stack. */
+/* libc.c - a node's part of the C library: its making, its end, and its small state. The node's
+ * surroundings are in libc_system.c. A function node_NAME serves a node program's NAME and runs on the
+ * node's stack. */
+#include <assert.h>
 #include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/heap.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
@@ -17,9 +19,7 @@
 
 struct node_libc *node_libc_new(struct node *n)
 {
-    struct node_libc *c = calloc(1, sizeof *c);
-    if (c == NULL)
-        abort();
+    struct node_libc *c = xcalloc(1, sizeof *c);
     streams_open(&c->streams, n);
     initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
     return c;
@@ -39,11 +39,13 @@ void *node_libc_data(struct node *n, const char *name)
 
 void node_libc_flush(struct node *n)
 {
+    assert(node_is_self(n));
     streams_flush(&n->libc->streams);
 }
 
 void node_libc_free(struct node *n)
 {
+    assert(!node_is_self(n));
     streams_close(&n->libc->streams);
     descriptors_close(&n->libc->descriptors);
     free(n->libc->atexit);
@@ -58,15 +60,13 @@ void node_libc_free(struct node *n)
 int node_atexit(void (*f)(void))
 {
     struct node_libc *c = node_self()->libc;
-    void (**more)(void) = realloc(c->atexit, (c->atexit_count + 1) * sizeof *more);
-    if (more == NULL)
-        return -1;
-    c->atexit = more;
+    c->atexit = xreallocarray(c->atexit, c->atexit_count + 1, sizeof *c->atexit);
     c->atexit[c->atexit_count++] = f;
     return 0;
 }
 
-/* A function that is run is off the list already, so that it may call exit() or atexit() itself. */
+/* Takes each function off the list before running it, so that the function may call exit() or atexit()
+ * itself. */
 static void run_atexit(struct node *n)
 {
     struct node_libc *c = n->libc;
@@ -136,7 +136,7 @@ int node_raise(int number)
 
 /* --- random numbers, strtok, locale --- */
 
-/* Every run gets the same: other numbers on each node, from its own generator (splitmix64). */
+/* Every run gets equal numbers, each node its own, from a generator of the node's (splitmix64). */
 int node_getentropy(void *buf, size_t bytes)
 {
     uint64_t *state = &node_self()->libc->entropy;
@@ -151,7 +151,7 @@ int node_getentropy(void *buf, size_t bytes)
     return 0;
 }
 
-/* rand and random share one state, as in glibc. */
+/* As in glibc, rand and random share one state. */
 long node_random(void)
 {
     int32_t r;
@@ -219,7 +219,7 @@ long node_jrand48(unsigned short x[3])
     return r;
 }
 
-/* As glibc's: the state before, which the generator keeps. */
+/* As glibc, returns the state before, which the generator keeps. */
 unsigned short *node_seed48(unsigned short x[3])
 {
     struct drand48_data *d = &node_self()->libc->drand48;
@@ -232,7 +232,7 @@ void node_lcong48(unsigned short parameters[7])
     lcong48_r(parameters, &node_self()->libc->drand48);
 }
 
-/* The state is the program's own array from then on; the one before is returned. */
+/* From now on, the state is the program's own array. Returns the array used before. */
 char *node_initstate(unsigned seed, char *state, size_t bytes)
 {
     struct random_data *r = &node_self()->libc->random;
@@ -252,7 +252,7 @@ char *node_strtok(char *s, const char *delimiters)
     return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
 }
 
-/* There is one locale, "C"; asking for another gets it too. */
+/* There is one locale, "C". A program that asks for another gets this one. */
 static struct node_locale {
     char name;
 } only = {'C'};
@@ -280,7 +280,7 @@ char *node_strerror(int code)
     return text ? (char *)(uintptr_t)text : strerror(code);
 }
 
-/* GNU's, and POSIX's, which headers call so. */
+/* GNU's function; headers call POSIX's by the other name, below. */
 char *node_strerror_r(int code, char *buf, size_t size)
 {
     (void)buf, (void)size;

@@ -1,15 +1,16 @@
-/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS, and
- * the report says which of them a program called. */
+/* libc_absent.c - functions of the C library, or others, that a node cannot have. They fail with ENOSYS,
+ * and the run's report names those that a program called. */
 #include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/host_errno.h"
 #include "node/system.h"
 #include "os/gate.h"
 #include "node/self.h"
 
-/* Does it fail by NULL, and not by -1? A stub does not know what its function returns. */
+/* Does the function fail by returning NULL, not -1? A stub does not know its function's type. */
 static bool returns_pointer(const char *name)
 {
     static const char *const names[] = {
@@ -25,17 +26,15 @@ static bool returns_pointer(const char *name)
     return false;
 }
 
-/* In the order of events. */
+/* Notes a call of an absent function; called in the total order. */
 static void note(struct node_system *sys, const char *function, const char *node)
 {
     size_t i = 0;
     while (i < sys->absent_count && strcmp(sys->absent[i].function, function) != 0)
         i++;
     if (i == sys->absent_count) {
-        sys->absent = reallocarray(sys->absent, i + 1, sizeof *sys->absent);
-        if (!sys->absent)
-            abort();
-        sys->absent[sys->absent_count++] = (struct node_absent){strdup(function), strdup(node), 0};
+        sys->absent = xreallocarray(sys->absent, i + 1, sizeof *sys->absent);
+        sys->absent[sys->absent_count++] = (struct node_absent){xstrdup(function), xstrdup(node), 0};
     }
     sys->absent[i].calls++;
 }
@@ -50,13 +49,14 @@ static long absent(const char *name)
     return returns_pointer(name) ? 0 : -1;
 }
 
-/* There is no command processor. */
+/* A node has no command processor. */
 int node_system(const char *command)
 {
     return command == NULL ? 0 : (int)absent("system");
 }
 
-/* What a program linked by nxcc --stubs comes to by a name that it does not have: nx_api/driver/stubs.c. */
+/* Called by a program linked by nxcc --stubs in place of a function that does not exist:
+ * nx_api/driver/stubs.c. */
 long node_nx_absent(const char *name)
 {
     return absent(name);

@@ -1,5 +1,5 @@
-/* libc_memory.c - malloc and its kin, from the node's own heap. No handler can run inside them (none of them
- * enters a call), so a handler may use them too. */
+/* libc_memory.c - malloc and related calls, from the node's own heap. No handler can interrupt them, since
+ * none of them enters an NX call; so handlers may use them, too. */
 #include <errno.h>
 #include <stdint.h>
 #include <string.h>
@@ -11,7 +11,8 @@
 void *node_malloc(size_t bytes);
 int node_getpagesize(void);
 
-/* What an allocation answers; a refused one is noted for the report, since programs rarely check. */
+/* Returns p, the answer to an allocation. A refused allocation is noted for the report, since programs
+ * rarely check. */
 static void *answer(struct node *n, void *p, size_t bytes)
 {
     if (p == NULL) {
@@ -21,7 +22,7 @@ static void *answer(struct node *n, void *p, size_t bytes)
     return p;
 }
 
-/* Ends the program, which gave call a pointer that is not a block of its heap. */
+/* Ends the program: it passed to `call` a pointer that is not a block of its heap. */
 static _Noreturn void refuse(struct node *n, const char *call, const void *p)
 {
     node_fail(n, "%s: %p was not allocated, is freed already, or was written past its end", call, p);
@@ -80,7 +81,7 @@ void node_free(void *p)
         refuse(n, "free", p);
 }
 
-/* Size 0 frees, as in glibc. */
+/* Size 0 frees the block, as in glibc. */
 void *node_realloc(void *p, size_t bytes)
 {
     struct node *n = node_self();

@@ -1,6 +1,6 @@
 /* libc_parts.h - struct node_libc, for the files that serve the C library's calls: libc*.c and stdio.c. */
-#ifndef NODE_LIBC_PARTS_H
-#define NODE_LIBC_PARTS_H
+#ifndef GUEST_LIBC_PARTS_H
+#define GUEST_LIBC_PARTS_H
 #include <stddef.h>
 #include <stdlib.h>
 #include <wchar.h>
@@ -13,15 +13,15 @@
 struct node_libc {
     struct streams streams;
     struct descriptors descriptors;
-    struct random_data random; /* as glibc's rand() and random(): additive feedback over 31 words */
+    struct random_data random; /* as glibc's: additive feedback over 31 words */
     char random_state[128];
     struct drand48_data drand48;
     char *strtok_next;
     uint64_t entropy;
-    mbstate_t multibyte;       /* of the calls that are given none */
+    mbstate_t multibyte;       /* of calls that pass no state */
     char *folder;              /* where relative paths start; NULL: where the simulator was started */
     char *whole[FOLDER_SLOTS]; /* folder.h */
-    char **environment; /* the program's own, NULL: as it was given; its texts are the program's, or in set */
+    char **environment; /* the program's list; NULL: as given. The texts are the program's, or in set */
     char **set;         /* texts that setenv has made */
     size_t set_count;
     vtime alarm_at; /* 0: none is set */
@@ -30,9 +30,9 @@ struct node_libc {
     size_t atexit_count;
 };
 
-/* Frees what node_setenv and the like have made. */
+/* Frees what node_setenv and related calls have made. */
 void node_libc_free_environment(struct node_libc *c);
 
-/* strerror, with NX's errors. */
+/* As strerror, with NX's errors, too. */
 char *node_strerror(int code);
 #endif

@@ -1,7 +1,6 @@
-/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, its environment,
- * signals. The answers are the same on every computer, but for the environment, which is the user's.
- * Functions named node_<name> serve the node program's <name>.
- */
+/* libc_system.c - what a program learns of its surroundings: names and numbers of the node, the
+ * environment, signals. The answers are equal on every computer, except for the environment, which is the
+ * user's. A function node_NAME serves a node program's NAME. */
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -9,6 +8,7 @@
 #include <string.h>
 #include <sys/utsname.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/system.h"
@@ -17,7 +17,7 @@
 
 /* --- names and numbers --- */
 
-/* "node3": a name without blanks, of which programs make names of files. */
+/* Writes "node3": programs make names of files of it, so it has no blanks. */
 static void host_name(char *buf, size_t size)
 {
     const struct node *n = node_self();
@@ -39,7 +39,7 @@ int node_gethostname(char *buf, size_t size)
     return -1;
 }
 
-/* None, which is no text. */
+/* A node has no domain: the name is empty. */
 int node_getdomainname(char *buf, size_t size)
 {
     if (size > 0)
@@ -64,7 +64,7 @@ int node_getpid(void)
     return (int)node_self()->id + 1;
 }
 
-/* The one process of the system beside the program's. */
+/* Beside the program there is one process, the system's. */
 int node_getppid(void)
 {
     return 1;
@@ -75,7 +75,7 @@ int node_getpgrp(void)
     return node_getpid();
 }
 
-/* One user, in one group. */
+/* There is one user, in one group. */
 static int user_id(void)
 {
     return 100;
@@ -99,11 +99,11 @@ gid_t node_getegid(void)
 
 int node_nice(int by)
 {
-    (void)by; /* there is nobody to be nice to */
+    (void)by; /* a node runs one process */
     return 0;
 }
 
-/* The i860's. */
+/* The page size of the i860. */
 int node_getpagesize(void)
 {
     return 4096;
@@ -118,7 +118,7 @@ long node_sysconf(int name)
 {
     switch (name) {
     case _SC_CLK_TCK:
-        return sysconf(_SC_CLK_TCK); /* which the header promises; times() counts so */
+        return sysconf(_SC_CLK_TCK); /* as the header says; times() counts in it */
     case _SC_PAGESIZE:
         return node_getpagesize();
     case _SC_OPEN_MAX:
@@ -135,7 +135,7 @@ long node_sysconf(int name)
     }
 }
 
-/* --- the environment: as it was given, until the program changes it; then a list of its own --- */
+/* --- the environment: the given list, until the program changes it; then a list of the program's own --- */
 
 static char **find_variable(const struct node *n, const char *name, size_t len)
 {
@@ -165,41 +165,31 @@ static size_t count_variables(const struct node *n)
     return count;
 }
 
-/* Makes the list the program's own, with room for one more. */
-static bool own_environment(struct node *n)
+/* Copies the list for the program, with room for one more variable. */
+static void own_environment(struct node *n)
 {
     size_t count = count_variables(n);
-    char **list = calloc(count + 2, sizeof *list);
-    if (list == NULL)
-        return false;
+    char **list = xcalloc(count + 2, sizeof *list);
     if (count > 0)
         memcpy(list, n->envp, count * sizeof *list);
     free(n->libc->environment);
     n->envp = n->libc->environment = list;
-    return true;
 }
 
-static int put_variable(struct node *n, char *text, size_t name_len)
+static void put_variable(struct node *n, char *text, size_t name_len)
 {
-    if (!own_environment(n)) {
-        errno = ENOMEM;
-        return -1;
-    }
+    own_environment(n);
     char **e = find_variable(n, text, name_len);
     if (e == NULL)
         e = n->envp + count_variables(n);
     *e = text;
-    return 0;
 }
 
 int node_unsetenv(const char *name)
 {
     struct node *n = node_self();
     size_t len = strlen(name);
-    if (!own_environment(n)) {
-        errno = ENOMEM;
-        return -1;
-    }
+    own_environment(n);
     for (char **e; (e = find_variable(n, name, len)) != NULL;)
         for (; *e != NULL; e++)
             *e = e[1];
@@ -209,22 +199,24 @@ int node_unsetenv(const char *name)
 int node_putenv(char *text)
 {
     const char *equals = strchr(text, '=');
-    return equals ? put_variable(node_self(), text, (size_t)(equals - text)) : node_unsetenv(text);
+    if (!equals)
+        return node_unsetenv(text);
+    put_variable(node_self(), text, (size_t)(equals - text));
+    return 0;
 }
 
-/* Its texts last as long as the node. */
+/* The texts last as long as the node. */
 int node_setenv(const char *name, const char *value, int replaces)
 {
     struct node *n = node_self();
     struct node_libc *c = n->libc;
     if (!replaces && find_variable(n, name, strlen(name)) != NULL)
         return 0;
-    char *text, **more = realloc(c->set, (c->set_count + 1) * sizeof *more);
-    if (more == NULL || asprintf(&text, "%s=%s", name, value) < 0)
-        abort();
-    c->set = more;
+    char *text = xasprintf("%s=%s", name, value);
+    c->set = xreallocarray(c->set, c->set_count + 1, sizeof *c->set);
     c->set[c->set_count++] = text;
-    return put_variable(n, text, strlen(name));
+    put_variable(n, text, strlen(name));
+    return 0;
 }
 
 void node_libc_free_environment(struct node_libc *c)
@@ -235,7 +227,7 @@ void node_libc_free_environment(struct node_libc *c)
     free(c->environment);
 }
 
-/* The user's, as his environment says. */
+/* The user's name, as the environment has it. */
 static const char *login(void)
 {
     const char *name = node_getenv("LOGNAME");
@@ -257,8 +249,7 @@ int node_getlogin_r(char *buf, size_t size)
     return 0;
 }
 
-/* --- signals: none comes to a node's program but those that end it, so what is set is what was: the default
- * --- */
+/* --- signals: a node's program gets none but those that end it, so handlers always are the default --- */
 
 void (*node_signal(int number, void (*f)(int)))(int)
 {
@@ -266,7 +257,7 @@ void (*node_signal(int number, void (*f)(int)))(int)
     return SIG_DFL;
 }
 
-/* The same under -std=c90. */
+/* As signal(), for programs compiled with -std=c90. */
 void (*node___sysv_signal(int number, void (*f)(int)))(int)
 {
     return node_signal(number, f);

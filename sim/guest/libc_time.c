@@ -1,8 +1,7 @@
-/* libc_time.c - the C library's clocks, which are the node's virtual time.
+/* libc_time.c - the C library's clocks, which show the node's virtual time.
  *
- * The calendar starts at a fixed moment when the program starts: results must not depend on the day they were
- * made.
- */
+ * When a program starts, the calendar always shows the same date: results must not depend on the day on
+ * which they are made. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +11,7 @@
 #include <sys/times.h>
 #include <time.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "lp/engine.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
@@ -23,7 +23,7 @@
 
 #define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
 
-/* The time when a clock call returns to the program, and what it is made of. */
+/* The time at which a clock call returns to the program, and the node's idle and system time so far. */
 struct reading {
     vtime now, idle, system;
 };
@@ -51,7 +51,7 @@ time_t node_time(time_t *t)
     return now;
 }
 
-/* Processor time: what the node did not spend waiting. */
+/* Processor time is the node's time less its idle time. */
 clock_t node_clock(void)
 {
     struct reading r = read_clock("clock");
@@ -68,7 +68,7 @@ int node_gettimeofday(struct timeval *tv, void *zone)
     return 0;
 }
 
-/* All clocks are one: the calendar's, and those that count from the program's start. */
+/* All clocks show one time: CLOCK_REALTIME from EPOCH on, the others from the program's start. */
 int node_clock_gettime(clockid_t clock, struct timespec *ts)
 {
     struct reading r = read_clock("clock_gettime");
@@ -79,7 +79,7 @@ int node_clock_gettime(clockid_t clock, struct timespec *ts)
     return 0;
 }
 
-/* Only the two times; the others are 0. */
+/* Reports user and system time only; the other figures are 0. */
 int node_getrusage(int who, struct rusage *use)
 {
     struct reading r = read_clock("getrusage");
@@ -91,7 +91,7 @@ int node_getrusage(int who, struct rusage *use)
     return 0;
 }
 
-/* In ticks of sysconf(_SC_CLK_TCK), from the program's start. A program has no children. */
+/* Counts in ticks of sysconf(_SC_CLK_TCK), from the program's start. A program has no children. */
 clock_t node_times(struct tms *t)
 {
     struct reading r = read_clock("times");
@@ -102,7 +102,8 @@ clock_t node_times(struct tms *t)
     return (clock_t)(r.now / tick);
 }
 
-/* No signal comes, as none does but those that end a program: it says what was left of the alarm before. */
+/* The alarm's signal never comes: a program gets no signals but those that end it. The answer is what was
+ * left of the alarm before. */
 unsigned node_alarm(unsigned seconds)
 {
     vtime *at = &node_self()->libc->alarm_at, now = clock_call("alarm");
@@ -111,13 +112,12 @@ unsigned node_alarm(unsigned seconds)
     return (unsigned)((left + VT_SECOND - 1) / VT_SECOND);
 }
 
-/* The host's, but for GNU's %s, which takes the time zone from the host. For free(). */
+/* The format with GNU's %s replaced by the seconds: the host's strftime would compute them for the host's
+ * time zone. For free(). */
 static char *without_seconds(const char *format, const struct tm *tm)
 {
     struct tm copy = *tm;
-    char seconds[24], *made = malloc(strlen(format) * sizeof seconds + 1), *to = made;
-    if (made == NULL)
-        abort();
+    char seconds[24], *made = xmalloc(strlen(format) * sizeof seconds + 1), *to = made;
     snprintf(seconds, sizeof seconds, "%lld", (long long)timegm(&copy));
     for (; *format; format++) {
         if (format[0] == '%' && format[1] == 's')
@@ -150,7 +150,7 @@ static bool is_over(struct node *n, void *until)
     return node_now(n) >= *(vtime *)until;
 }
 
-/* Messages are handled and handlers run meanwhile. */
+/* Waits for t. Meanwhile messages are received and handlers run. */
 static void pause_for(const char *call, vtime t)
 {
     struct node *n = node_self();

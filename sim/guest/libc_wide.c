@@ -1,12 +1,12 @@
-/* libc_wide.c - wide characters. A node's streams have bytes in them, and in the "C" locale a wide character
- * is one: what reads or writes wide ones narrows them. Formats narrow as a whole, since %s and %ls mean the
- * same in both worlds. Functions named node_<name> serve the node program's <name>.
- */
+/* libc_wide.c - wide characters. A node's streams hold bytes, and in the "C" locale a wide character is one
+ * byte; so calls that read or write wide characters narrow them first. Formats are narrowed as a whole,
+ * since %s and %ls mean the same in both. A function node_NAME serves a node program's NAME. */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <wchar.h>
+#include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/self.h"
@@ -16,11 +16,11 @@ static struct streams *streams(void)
     return &node_self()->libc->streams;
 }
 
-/* For free(); NULL with errno: it has a character that "C" does not have. */
+/* The text in bytes, for free(); NULL with errno if a character is not in the "C" locale. */
 static char *narrowed(const wchar_t *text)
 {
     size_t len = wcstombs(NULL, text, 0);
-    char *narrow = len == (size_t)-1 ? NULL : malloc(len + 1);
+    char *narrow = len == (size_t)-1 ? NULL : xmalloc(len + 1);
     if (narrow != NULL)
         wcstombs(narrow, text, len + 1);
     return narrow;
@@ -72,7 +72,7 @@ WITH_LIST(__isoc99_vwscanf, (const wchar_t *format, va_list ap), scan(streams()-
 WITH_DOTS(__isoc99_fwscanf, (FILE * f, const wchar_t *format, ...), scan(f, format, ap))
 WITH_LIST(__isoc99_vfwscanf, (FILE * f, const wchar_t *format, va_list ap), scan(f, format, ap))
 
-/* --- by the character and the line --- */
+/* --- characters and lines --- */
 
 wint_t node_fgetwc(FILE *f)
 {
@@ -129,14 +129,14 @@ wchar_t *node_fgetws(wchar_t *s, int room, FILE *f)
     return s;
 }
 
-/* Streams take both. */
+/* A stream takes both bytes and wide characters. */
 int node_fwide(FILE *f, int to)
 {
     (void)f;
     return to;
 }
 
-/* --- conversions: with a state of the node's own where the program gives none --- */
+/* --- conversions, which use the node's own state if the program passes none --- */
 
 static mbstate_t *state(mbstate_t *of)
 {

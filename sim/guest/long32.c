@@ -1,7 +1,6 @@
-/* long32.c - the C library for programs whose long has 32 bits (nxcc --long32). The loader binds a program's
- * NAME to node_long32_NAME where there is one. Those that read or write by a format are in
- * nx_api/calls/long32_formats.c.
- */
+/* long32.c - the C library for programs whose long has 32 bits (nxcc --long32). The loader binds a
+ * program's NAME to node_long32_NAME if that exists. The calls that read or write by a format are in
+ * nx_api/calls/long32_formats.c. */
 #include <time.h>
 #include "guest/libc_parts.h"
 #include "node/node.h"
@@ -30,7 +29,7 @@ int nx_scan_text(const char *s, const char *format, va_list ap)
 
 time_t node_time(time_t *t);
 
-/* time_t is such a program's long. */
+/* time_t is a long, too, so it has 32 bits in such a program. */
 int node_long32_time(int *t)
 {
     int now = (int)node_time(NULL);

@@ -12,8 +12,8 @@ struct question {
     int line;
 };
 
-/* Every compiled unit is asked whether it contains the address: an index by address (.debug_aranges) may be
- * missing. */
+/* Every compiled unit is asked whether it contains the address, since an index by address (.debug_aranges)
+ * may be missing. */
 static bool unit_of(Dwarf *dwarf, Dwarf_Addr address, Dwarf_Die *unit)
 {
     for (Dwarf_CU *cu = NULL; dwarf_get_units(dwarf, cu, &cu, NULL, NULL, unit, NULL) == 0;)
@@ -44,7 +44,7 @@ static void *ask(void *arg)
     return NULL;
 }
 
-/* In a thread of its own: libdw takes more of the stack than a node may have left. */
+/* Asks libdw on a thread of its own: libdw takes more stack than a node may have left. */
 char *source_line(const void *file, size_t bytes, uint64_t address, int *line)
 {
     struct question q = {.file = (void *)file, .bytes = bytes, .address = address};

@@ -1,5 +1,6 @@
 /* span.c - see span.h. */
 #include "guest/span.h"
+#include <assert.h>
 #include <stdio.h>
 #include <sys/mman.h>
 #include "node/system.h"
@@ -12,13 +13,13 @@
 
 enum {
     PAGE = 4096,
-    HEAD = 16 * PAGE,  /* of a span: the region's table, and room for other things to run into */
-    TABLE = 4 * PAGE,  /* of the head, in a region's first span */
+    HEAD = 16 * PAGE,  /* at the start of a span: the region's table, and room to run into */
+    TABLE = 4 * PAGE,  /* part of the head of a region's first span */
     GUARD = 16 * PAGE, /* behind programs and heaps */
     LEAST_SHIFT = 20,  /* of a span */
-    COLOURS = 64,
-    LINE = 64,   /* stacks start at so many places of a page */
-    ENTRIES = 8, /* of the page tables, in a line */
+    COLOURS = 64,      /* stacks begin at so many different lines of a page */
+    LINE = 64,         /* bytes of a cache line */
+    ENTRIES = 8,       /* of a page table in a cache line */
 };
 
 _Static_assert(sizeof(struct node_region) + (NODE_REGION >> LEAST_SHIFT) * sizeof(struct node *) <= TABLE,
@@ -31,7 +32,7 @@ static size_t page_up(size_t bytes)
 
 /* --- guards --- */
 
-/* Mappings that this process may have, less what else it has. */
+/* The mappings that this process may have, less those that it has for other purposes. */
 static size_t most_mappings(const struct node_system *sys)
 {
     enum { USUAL = 65530, OTHERS = 2000 };
@@ -46,13 +47,14 @@ static size_t most_mappings(const struct node_system *sys)
     return most > OTHERS ? most - OTHERS : 0;
 }
 
-/* Has the kernel guards that are no mappings? Tried on memory of no use. */
+/* Has the kernel guards that are no mappings? Tried on a page that is not used otherwise. */
 static bool has_light_guards(void *page)
 {
     return madvise(page, PAGE, MADV_GUARD_INSTALL) == 0;
 }
 
-/* A node's mappings are, with guards of both kinds: guard, stack, text, data; heap, guard. */
+/* Chooses guards so that all nodes' mappings are allowed. With all guards a node has these mappings: guard,
+ * stack, text, data; heap, guard. */
 static void choose_mappings(struct node_region *r, struct node_system *sys)
 {
     size_t nodes = sys->count > sys->topo.positions ? sys->count : sys->topo.positions;
@@ -84,14 +86,14 @@ static uint32_t shift_for(size_t bytes)
     return shift;
 }
 
-/* Memory that is zero and costs nothing until it is touched. */
+/* Maps memory that is zero and costs nothing until it is touched. */
 static void *fresh(void *where, size_t bytes, int flags)
 {
     return mmap(where, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | flags, -1,
                 0);
 }
 
-/* At a multiple of its size, anywhere; NULL when there is no room. */
+/* Reserves a region at any multiple of its size; NULL if there is no room. */
 static void *reserve_anywhere(void)
 {
     char *wide = fresh(NULL, 2 * NODE_REGION, 0);
@@ -104,7 +106,7 @@ static void *reserve_anywhere(void)
     return region;
 }
 
-/* At the first place between two that is free. NULL: there is none. */
+/* Reserves a region at the first free address from `from` and below `to`; NULL if there is none. */
 static void *reserve_between(uintptr_t from, uintptr_t to)
 {
     for (uintptr_t at = from; at < to; at += NODE_REGION) {
@@ -112,13 +114,13 @@ static void *reserve_between(uintptr_t from, uintptr_t to)
         if (region == (void *)at)
             return region;
         if (region != MAP_FAILED)
-            munmap(region, NODE_REGION); /* an old kernel took it for a wish */
+            munmap(region, NODE_REGION); /* an old kernel takes the address as a hint */
     }
     return NULL;
 }
 
-/* Where hosts have nothing of their own: so that programs find the same addresses in every run, whatever they
- * do with them. (ThreadSanitizer has its tables there.) */
+/* Hosts have nothing of their own at these addresses, so programs find equal addresses in every run,
+ * whatever they do with them. (ThreadSanitizer has its tables at the other one.) */
 #ifdef __SANITIZE_THREAD__
 static const uintptr_t FIRST_REGION = UINT64_C(1) << 36;
 #else
@@ -175,7 +177,7 @@ static void unlink_region(struct node_system *sys, struct node_region *r)
 
 /* --- spans --- */
 
-/* A span and a heap that were another's before become as new. */
+/* Makes a span and a heap that another node has used as new. */
 static bool renew(const struct node_region *r, const struct node *n)
 {
     size_t kept = n->span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
@@ -185,7 +187,7 @@ static bool renew(const struct node_region *r, const struct node *n)
            fresh(n->heap_start, r->heap_stride, MAP_FIXED) != MAP_FAILED;
 }
 
-/* Below the stack, behind the program, and behind the heap. */
+/* Guards the space below the stack, behind the program, and behind the heap. */
 static bool make_guards(const struct node_region *r, const struct node *n, size_t program_bytes)
 {
     char *head = n->span == (const char *)r ? n->span + TABLE : n->span;
@@ -194,14 +196,15 @@ static bool make_guards(const struct node_region *r, const struct node *n, size_
     if (r->guards == NODE_GUARDS_NONE)
         return true;
     if (r->light_guards)
-        span_end = end + GUARD < span_end ? end + GUARD : span_end; /* these cost for each page */
+        span_end = end + GUARD < span_end ? end + GUARD : span_end; /* light guards cost for each page */
     return guard(r, head, n->stack) && (r->guards == NODE_GUARDS_STACKS ||
                                         (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
 }
 
-/* Else all nodes' frames would want the same few sets of the caches, and so would the entries of the page
- * tables: the stack's top keeps off the program's start by some lines, as many as neighbours do not; and the
- * program begins so many pages further on in the span, as far as there is room, that its entries lie in
+/* Sets the addresses of a node's parts. At equal offsets in their spans, all nodes' frames would compete
+ * for a few sets of the caches, and so would their entries of the page tables. Therefore the stack's top
+ * keeps off the program's start by a number of lines that differs from the neighbours'; and the program
+ * begins further on in the span by a number of pages, as far as there is room, so that its entries lie in
  * another line. */
 static void lay_out(struct node *n, size_t slot, size_t used_bytes)
 {
@@ -214,7 +217,7 @@ static void lay_out(struct node *n, size_t slot, size_t used_bytes)
     n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE;
 }
 
-/* The address space that a heap gets: the node's memory, if that is not more than fits beside a span. */
+/* The address space of a heap: the node's memory, at most what fits beside a span. */
 static size_t heap_room(const struct node *n, size_t span_bytes)
 {
     size_t most = NODE_REGION - ((size_t)1 << shift_for(span_bytes)) - GUARD;
@@ -232,6 +235,7 @@ bool span_take(struct node *n, size_t program_bytes, bool long32)
         r = roomy_region(sys, bytes, heap, false);
     if (!r)
         return false;
+    assert(program_bytes % PAGE == 0 && !n->region);
     size_t slot = r->fresh;
     bool used = slot == r->spans;
     if (used)
@@ -239,6 +243,7 @@ bool span_take(struct node *n, size_t program_bytes, bool long32)
             ;
     else
         r->fresh++;
+    assert(slot < r->spans);
     n->region = r;
     r->node[slot] = n;
     if (++r->used == r->spans)
@@ -252,11 +257,13 @@ void span_release(struct node *n)
     struct node_region *r = n->region;
     if (!r)
         return;
+    size_t slot = (size_t)(n->span - (char *)r) >> r->shift;
+    assert(r->used > 0 && r->node[slot] == n);
     if (r->used-- == r->spans) {
         r->next = n->sys->roomy;
         n->sys->roomy = r;
     }
-    r->node[(size_t)(n->span - (char *)r) >> r->shift] = NULL;
+    r->node[slot] = NULL;
     n->region = NULL;
     if (r->used)
         return;

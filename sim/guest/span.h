@@ -1,39 +1,38 @@
 /* span.h - the address space of nodes: where a node's stack, program and heap lie.
  *
- * Regions of NODE_REGION bytes, at multiples of their size, hold the memory of so many nodes as fit:
+ * Regions of NODE_REGION bytes, at multiples of their size, hold the memory of as many nodes as fit:
  *
  *     region   | span | span | ... | heap -> | guard | heap -> | guard | ...
  *     span     | head | guard | stack <- | program: text, data, bss | guard |
  *
- * The spans are equal, a power of two of bytes each, and so are the heaps. The first span's head has the
- * table of the region's nodes: so a call finds its node from the stack pointer (node_self), wherever in the
- * node's memory the program has its stack, and no state is shared or thread-local. A node's parts are less
- * than 2^30 bytes from each other: programs of the time keep addresses as offsets of 32 bits from their
- * static data. Programs whose long has 32 bits get regions below 2^32, as long as there are any.
+ * All spans of a region have one size, a power of two; all heaps have one size, too. The head of the first
+ * span holds the table of the region's nodes. So a call finds its node from the stack pointer (node_self),
+ * wherever in the node's memory the program has its stack, and no state is shared or thread-local. A node's
+ * parts are less than 2^30 bytes apart, since programs of the time keep addresses as offsets of 32 bits
+ * from their static data. Programs whose long has 32 bits get regions below 2^32 as long as there are any.
  *
- * What a small program uses lies within some pages on both sides of its program's start, whose entries in the
- * page tables are neighbours, and those of the levels above are its neighbour spans', too: the smaller the
- * spans, the less does a switch between thousands of nodes cost. So heaps, which need room for all of a
- * node's memory, are not in there.
+ * A small program uses only some pages on both sides of its start, so its entries of the page tables lie
+ * together; in the levels above, entries are shared with the neighbour spans. The smaller the spans, the
+ * cheaper is a switch among thousands of nodes. Heaps need address space for all of a node's memory, so
+ * they lie outside of the spans.
  *
- * Guards are pages that nobody may use: whoever runs over the end of a stack, of static data or of a heap is
- * stopped there. A region is one mapping of the host, without physical memory until it is touched. Each
- * node's text is one, too, the file's pages. On kernels that have guards without mappings
- * (MADV_GUARD_INSTALL, Linux 6.13) that is all; on others each guard is one, and divides another. A process
- * may have vm.max_map_count of them, 65,530 if nobody has changed that. So on older kernels some 10,000 nodes
- * have all guards and share the text; 15,000 have copies of it instead; of 31,000 only the stacks are
- * guarded, and of more, nothing is.
- */
-#ifndef NODE_SPAN_H
-#define NODE_SPAN_H
+ * Guards are pages that nobody may use: a program that runs over the end of a stack, of static data or of a
+ * heap is stopped there. A region is one mapping of the host, without physical memory until it is touched;
+ * each node's text is one more, of the file's pages. Kernels with guards that are no mappings
+ * (MADV_GUARD_INSTALL, Linux 6.13) need no others. On older kernels each guard is a mapping, and divides
+ * another in two; a process may have vm.max_map_count mappings, by default 65,530. So on older kernels some
+ * 10,000 nodes have all guards and share the text; 15,000 have all guards and copies of the text; of
+ * 31,000, only the stacks are guarded; of more, nothing is. */
+#ifndef GUEST_SPAN_H
+#define GUEST_SPAN_H
 #include <stdbool.h>
 #include <stddef.h>
 #include "node/node.h"
 
-/* Finds n a span for a program of so many bytes (page rounded) and a heap: sets region, span, stack, program
- * and heap_start; memory there is zero and may be written to. long32: the program's long has 32 bits. False
- * when this computer has no address space left for it. */
+/* Gives n, which has none, a span and a heap for a program of so many bytes (page rounded): sets region,
+ * span, stack, program and heap_start. The memory there is zero and may be written to. long32: the
+ * program's long has 32 bits. Returns false if this computer has no address space left. */
 bool span_take(struct node *n, size_t program_bytes, bool long32);
-/* Gives it back. */
+/* Takes span and heap from n, if it has any. */
 void span_release(struct node *n);
 #endif

@@ -1,6 +1,6 @@
-/* stdio.c - the stdio calls that name no stream, open or close one, or act on names of files. All others are
- * the host's, working on the node's own FILEs. Functions named node_<name> serve the node program's <name>.
- */
+/* stdio.c - the stdio calls that name no stream, that open or close a stream, or that act on names of
+ * files. All other stdio calls are the host's, on the node's own streams. A function node_NAME serves a
+ * node program's NAME. */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -84,7 +84,7 @@ int node___isoc99_scanf(const char *format, ...)
     return r;
 }
 
-/* scanf before C99 differs in GNU's %as only. */
+/* The scanf of before C99 differs only in GNU's %as. */
 int node_scanf(const char *format, ...)
 {
     va_list ap;
@@ -124,7 +124,7 @@ FILE *node_freopen(const char *path, const char *mode, FILE *f)
     return stream_freopen(streams(), path, mode, f);
 }
 
-/* Files opened by name have no descriptors: EBADF. */
+/* Only the standard streams have descriptors; for other streams errno is EBADF. */
 int node_fileno(FILE *f)
 {
     const struct streams *s = streams();
@@ -134,7 +134,7 @@ int node_fileno(FILE *f)
     return -1;
 }
 
-/* NULL flushes the node's streams, not the simulator's. */
+/* NULL flushes all streams of the node, and none of the simulator. */
 int node_fflush(FILE *f)
 {
     if (f != NULL)

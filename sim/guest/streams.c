@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "guest/file.h"
 #include "node/node.h"
 #include "guest/streams.h"
@@ -16,15 +17,15 @@
 
 /* --- what a FILE calls --- */
 
-/* False when the host closes or flushes streams: when the node, or the whole simulator, has come to its end.
- */
+/* Does the stream's own node close or flush it? Otherwise the host does, at the end of the node or of the
+ * simulator. */
 static bool on_its_node(const struct stream *s)
 {
     return node_is_self(s->node);
 }
 
-/* The host program and node 0 take turns at one input: neither takes more than a line that the other may
- * want. */
+/* The host program and node 0 read one input in turn: neither may take more than a line, since the next may
+ * be meant for the other. */
 static ssize_t read_line(struct node_file *f, char *buf, size_t size)
 {
     size_t done = 0;
@@ -45,12 +46,12 @@ static ssize_t stream_read(void *cookie, char *buf, size_t size)
     return s->by_lines ? read_line(s->target, buf, size) : file_read(s->target, buf, size);
 }
 
-/* Hands bytes that the program wrote to its output (fd 1) or error output (fd 2) on. */
+/* Passes on bytes that the program wrote to its output (fd 1) or error output (fd 2). */
 static void write_out(struct node *n, int fd, const char *bytes, size_t len)
 {
     FILE *const *out = n->sys->out;
     if (fd == 2)
-        fflush(out[0]); /* both may be one file */
+        fflush(out[0]); /* both may go to one file */
     fwrite(bytes, 1, len, out[fd - 1]);
 }
 
@@ -80,7 +81,7 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
         return -1;
     }
     if (!on_its_node(s))
-        return -1; /* the host's C library, tidying up at the end */
+        return -1; /* the host's C library closes its streams at the end */
     off64_t at = file_seek(s->target, *offset, whence);
     if (at < 0)
         return -1;
@@ -107,19 +108,13 @@ static int stream_close(void *cookie)
 
 /* --- the list --- */
 
-/* target NULL: kind is not FILE. */
+/* target is NULL unless kind is STREAM_FILE. */
 static struct stream *add_stream(struct streams *list, struct node *n, enum stream_kind kind,
                                  struct node_file *target, const char *mode)
 {
     static const cookie_io_functions_t functions = {stream_read, stream_write, stream_seek, stream_close};
-    struct stream *s = calloc(1, sizeof *s);
-    if (s == NULL)
-        return NULL;
-    s->file = fopencookie(s, mode, functions);
-    if (s->file == NULL) {
-        free(s);
-        return NULL;
-    }
+    struct stream *s = xcalloc(1, sizeof *s);
+    s->file = xchecked(fopencookie(s, mode, functions));
     __fsetlocking(s->file, FSETLOCKING_BYCALLER);
     s->node = n;
     s->kind = kind;
@@ -150,8 +145,6 @@ static struct stream *add_standard(struct streams *list, struct node *n, enum st
                                    struct node_file *target, const char *mode)
 {
     struct stream *s = add_stream(list, n, kind, target, mode);
-    if (s == NULL)
-        abort();
     s->standard = true;
     return s;
 }
@@ -163,7 +156,7 @@ static FILE *add_output(struct streams *list, struct node *n, int fd)
     return s->file;
 }
 
-/* What comes in on standard input is node 0's, and the host program's when there is one. */
+/* The simulator's standard input is node 0's, and the host program's if there is one. */
 void streams_open(struct streams *list, struct node *n)
 {
     int fd = n->id == 0 || n->is_host ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : -1;
@@ -196,7 +189,7 @@ void streams_close(struct streams *list)
 
 /* --- files --- */
 
-/* Flags of open() for a mode of fopen(); -1 with errno EINVAL when it is none. */
+/* Flags of open() for a mode of fopen(); -1 with errno EINVAL if the mode is none. */
 static int open_flags(const char *mode)
 {
     int flags = *mode == 'r' ? 0 : *mode == 'w' ? O_CREAT | O_TRUNC : *mode == 'a' ? O_CREAT | O_APPEND : -1;
@@ -222,10 +215,7 @@ static struct node_file *open_file(struct node *n, const char *path, const char 
 
 static FILE *file_of(struct streams *list, struct node *n, struct node_file *f, const char *mode)
 {
-    struct stream *s = f == NULL ? NULL : add_stream(list, n, STREAM_FILE, f, mode);
-    if (s == NULL && f != NULL)
-        file_close(f);
-    return s == NULL ? NULL : s->file;
+    return f == NULL ? NULL : add_stream(list, n, STREAM_FILE, f, mode)->file;
 }
 
 FILE *stream_fopen(struct streams *list, struct node *n, const char *path, const char *mode)
@@ -258,9 +248,9 @@ int stream_fclose(struct streams *list, FILE *f)
     return r;
 }
 
-/* The FILE stays and gets another target, so that it goes on reading and writing through its node. It can
- * then only be used in the directions it was made for, which is what programs do: stdin to "r", stdout and
- * stderr to "w". */
+/* The FILE stays and gets another target, so the program goes on reading and writing through its node. The
+ * FILE can then be used only in the directions that it was made for. That is what programs do: stdin to
+ * "r", stdout and stderr to "w". */
 FILE *stream_freopen(struct streams *list, const char *path, const char *mode, FILE *f)
 {
     struct stream *s = find_stream(list, f);
@@ -285,7 +275,7 @@ FILE *stream_freopen(struct streams *list, const char *path, const char *mode, F
     s->kind = STREAM_FILE;
     s->by_lines = false;
     __fpurge(f);
-    fseek(f, 0, *mode == 'a' ? SEEK_END : SEEK_SET); /* forget the place in the old file */
+    fseek(f, 0, *mode == 'a' ? SEEK_END : SEEK_SET); /* forget the position in the old file */
     clearerr(f);
     setvbuf(f, NULL, _IOFBF, BUFSIZ);
     return f;

@@ -2,6 +2,7 @@
 #include "guest/trace.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/exports.h"
 #include "guest/image.h"
 
@@ -12,7 +13,7 @@ static bool lies_in(uintptr_t address, const char *begin, size_t bytes)
     return address >= (uintptr_t)begin && address + 2 * sizeof(uintptr_t) <= (uintptr_t)begin + bytes;
 }
 
-/* A program may have stacks of its own making, in its data or heap. */
+/* A program may also have stacks of its own making, in its data or heap. */
 bool trace_in_stack(const struct node *n, uintptr_t address)
 {
     return lies_in(address, n->stack, n->stack_bytes) || lies_in(address, n->program, n->image_bytes) ||
@@ -53,7 +54,8 @@ void trace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
         trace_print(f, n, "called from", returns[i] - 1);
 }
 
-/* The word at an address relative to the next instruction, if that is in the program. */
+/* The word that an instruction addresses relative to the next instruction; 0 if the word is not in the
+ * program. */
 static uintptr_t word_at(const struct node *n, uintptr_t next)
 {
     int32_t away;
@@ -66,7 +68,8 @@ static uintptr_t word_at(const struct node *n, uintptr_t next)
     return word;
 }
 
-/* Code that jumps where a word says, as the linker makes it: ENDBR64 perhaps, BND perhaps, JMP. */
+/* The target of a stub as the linker makes it, a jump to where a word says: ENDBR64 perhaps, BND perhaps,
+ * JMP. 0: the code is no stub. */
 static uintptr_t stub_target(const struct node *n, uintptr_t at)
 {
     static const unsigned char ENDBR64[] = {0xf3, 0x0f, 0x1e, 0xfa};
@@ -86,7 +89,7 @@ const char *trace_called(const struct node *n, uintptr_t returns)
         return NULL;
     const unsigned char *end = (const unsigned char *)returns;
     uintptr_t target = 0;
-    if (end[-6] == 0xff && end[-5] == 0x15) { /* CALL, to where a word says */
+    if (end[-6] == 0xff && end[-5] == 0x15) { /* CALL to where a word says */
         target = word_at(n, returns);
     } else if (end[-5] == 0xe8) {
         int32_t away;
@@ -104,17 +107,14 @@ struct trace_lines {
     struct found {
         const struct node_image *file;
         uintptr_t offset;
-        char text[100]; /* "": not known, or the library's */
+        char text[100]; /* "": not known, or in NX's library */
     } found[MOST_LINES];
     int count;
 };
 
 struct trace_lines *trace_lines_new(void)
 {
-    struct trace_lines *t = calloc(1, sizeof *t);
-    if (!t)
-        abort();
-    return t;
+    return xcalloc(1, sizeof(struct trace_lines));
 }
 
 void trace_lines_free(struct trace_lines *t)

@@ -1,7 +1,9 @@
 /* assemble.c - see assemble.h. */
 #include "machine/assemble.h"
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "guest/heap.h"
 #include "guest/image.h"
 #include "guest/libc.h"
@@ -28,17 +30,15 @@ static void run_program(void *arg)
     node_end_here(n, NODE_RETURNED, code);
 }
 
-/* Enough for the node's memory, which bounds its program, heap and stack. */
+/* Does the node's memory, which bounds its program, heap and stack together, hold program and stack? */
 static bool fits(const struct node *n, const struct node_image *img, char **error)
 {
     size_t program = node_image_bytes(img), stack = n->sys->cfg->stack_bytes;
     if (program + stack <= node_memory_limit(n))
         return true;
-    if (asprintf(
-            error,
-            "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs",
-            node_image_path(img), program, stack, n->sys->cfg->name, node_memory_limit(n)) < 0)
-        abort();
+    *error = xasprintf(
+        "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs",
+        node_image_path(img), program, stack, n->sys->cfg->name, node_memory_limit(n));
     return false;
 }
 
@@ -47,8 +47,7 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     if (!fits(n, img, error))
         return false;
     if (!span_take(n, node_image_bytes(img), node_image_is_long32(img))) {
-        if (asprintf(error, "%s: no address space left on this computer", n->name) < 0)
-            abort();
+        *error = xasprintf("%s: no address space left on this computer", n->name);
         return false;
     }
     n->libc = node_libc_new(n);
@@ -114,6 +113,7 @@ struct node *node_new_empty(struct node_system *sys, uint32_t id)
 struct node *node_new_host(struct node_system *sys, uint32_t address, const struct node_image *img, int argc,
                            char **argv, char **envp, char **error)
 {
+    assert(!sys->host);
     struct node *n = make(sys, sys->count, address);
     n->is_host = true;
     clock_set(&n->lp, sys->cfg->host.clock_hz);
@@ -122,7 +122,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t address, const stru
     return load(n, img, argc, argv, envp, error);
 }
 
-/* All but what messages and events may still refer to. */
+/* Frees all of a node except what messages and events may still refer to. */
 static void strip(struct node *n)
 {
     if (n->stripped)
@@ -130,7 +130,7 @@ static void strip(struct node *n)
     n->stripped = true;
     lp_forget(&n->lp);
     if (n->sys->schedule.protocol)
-        match_abandon(n); /* what its messages under way would tell */
+        match_abandon(n); /* what its messages under way would report to */
     match_end(n);
     waits_free(&n->stats.waits);
     free(n->crash);
@@ -149,6 +149,7 @@ static void strip(struct node *n)
 
 void node_succeed(struct node *n, struct node *before, vtime t)
 {
+    assert(before != n && before->lp.state == LP_ENDED);
     size_t peak = n->stats.memory_peak;
     clock_set_units(&n->lp, before->lp.clock.units);
     n->times = before->times;

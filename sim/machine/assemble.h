@@ -1,18 +1,22 @@
-/* assemble.h - the making of nodes from their parts, and their taking apart. */
+/* assemble.h - makes nodes of their parts, and takes them apart. */
 #ifndef MACHINE_ASSEMBLE_H
 #define MACHINE_ASSEMBLE_H
 #include "node/system.h"
 
-/* Makes a node with its program loaded, ready to start at time 0. NULL with *error set. */
+/* Makes a node with its program loaded; lp_start() starts it. Returns NULL and sets *error (malloc'd) if
+ * the program cannot be loaded. The caller ends the node by node_delete(). */
 struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
                       char **argv, char **envp, char **error);
-void node_delete(struct node *n);
-/* The same without a program: it has ended before it began. Messages wait for the one to be loaded. */
+/* Makes a node without a program, which counts as ended. Messages that come wait for a program to be
+ * loaded. */
 struct node *node_new_empty(struct node_system *sys, uint32_t id);
-/* The host, at its address. */
+/* As node_new(), for the host at its address. */
 struct node *node_new_host(struct node_system *sys, uint32_t address, const struct node_image *img, int argc,
                            char **argv, char **envp, char **error);
-/* Makes n, a new node, the one that comes after `before`, whose program has ended: its books go on in n, and
- * n gets the messages that wait. Time is t. */
+/* Makes n, a new node, the successor of `before`, whose program has ended, at time t: n continues the
+ * accounts of `before` and gets the messages that wait. `before` keeps only what events may still refer to.
+ */
 void node_succeed(struct node *n, struct node *before, vtime t);
+/* Frees a node, for which no event is committed any more. NULL: does nothing. */
+void node_delete(struct node *n);
 #endif

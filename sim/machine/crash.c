@@ -1,19 +1,21 @@
 /* crash.c - see crash.h. */
 #include "machine/crash.h"
+#include <assert.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <ucontext.h>
 #include <unwind.h>
+#include "kernel/xalloc.h"
 #include "kernel/fiber.h"
 #include "guest/image.h"
 #include "guest/trace.h"
 #include "node/self.h"
 
 struct crash_guard {
-    struct node_crash crash; /* the last, until it is kept */
-    char stack[1 << 16];     /* the handler's own */
+    struct node_crash crash; /* the latest, until crash_keep() */
+    char stack[1 << 16];     /* the signal handler's stack */
 };
 
 static _Thread_local struct crash_guard *guard;
@@ -23,15 +25,15 @@ enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
 
 enum { MOST_FRAMES = sizeof(((struct node_crash *)0)->frames) / sizeof(uintptr_t), REGISTER_RBP = 6 };
 
-/* From where the program called what crashed: searched for upwards. */
-struct way_back {
+/* Where the program called the library function that crashed: the innermost frame that is in the program. */
+struct call_site {
     const struct node *node;
-    uintptr_t at, frame; /* 0: not found */
+    uintptr_t at, frame; /* return address, frame pointer; 0: not found */
 };
 
-static _Unwind_Reason_Code look_at_frame(struct _Unwind_Context *context, void *arg)
+static _Unwind_Reason_Code visit_frame(struct _Unwind_Context *context, void *arg)
 {
-    struct way_back *b = arg;
+    struct call_site *b = arg;
     uintptr_t at = _Unwind_GetIP(context);
     if (!trace_in_program(b->node, at - 1))
         return _URC_NO_REASON;
@@ -46,11 +48,11 @@ static void note_frames(struct node_crash *c, const struct node *n, const greg_t
     c->depth = 1;
     c->in_library = !trace_in_program(n, c->frames[0]);
     uintptr_t frame = (uintptr_t)r[REG_RBP];
-    struct way_back back = {.node = n};
+    struct call_site site = {.node = n};
     if (c->in_library)
-        _Unwind_Backtrace(look_at_frame, &back);
-    if (back.at)
-        c->frames[c->depth++] = back.at, frame = back.frame;
+        _Unwind_Backtrace(visit_frame, &site);
+    if (site.at)
+        c->frames[c->depth++] = site.at, frame = site.frame;
     c->depth += trace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
 }
 
@@ -90,9 +92,8 @@ void crash_ignore(void)
 
 struct crash_guard *crash_watch(void)
 {
-    guard = calloc(1, sizeof *guard);
-    if (!guard)
-        abort();
+    assert(!guard);
+    guard = xcalloc(1, sizeof *guard);
     stack_t s = {.ss_sp = guard->stack, .ss_size = sizeof guard->stack};
     sigaltstack(&s, NULL);
     return guard;
@@ -100,6 +101,7 @@ struct crash_guard *crash_watch(void)
 
 void crash_unwatch(struct crash_guard *g)
 {
+    assert(g == guard);
     stack_t none = {.ss_flags = SS_DISABLE};
     sigaltstack(&none, NULL);
     guard = NULL;
@@ -108,9 +110,8 @@ void crash_unwatch(struct crash_guard *g)
 
 void crash_keep(struct node *n)
 {
-    struct node_crash *kept = malloc(sizeof *kept);
-    if (!kept)
-        abort();
+    assert(n->crash);
+    struct node_crash *kept = xmalloc(sizeof *kept);
     *kept = *n->crash;
     n->crash = kept;
 }
@@ -132,7 +133,7 @@ static const char *signal_text(int s)
     }
 }
 
-/* NULL: none. */
+/* The node in whose memory an address lies; NULL if there is none. */
 static const struct node *owner_of(const struct node_system *s, uintptr_t address)
 {
     for (uint32_t i = 0; i < s->count; i++)
@@ -141,7 +142,7 @@ static const struct node *owner_of(const struct node_system *s, uintptr_t addres
     return NULL;
 }
 
-/* In the guard there? */
+/* Is the address in the guard behind the end of a part of the node's memory? */
 static bool is_behind(uintptr_t address, const char *end)
 {
     return address - (uintptr_t)end < 1 << 16;
@@ -171,8 +172,8 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->failed_malloc);
 }
 
-/* GCC gives a function that only computes no frame; its caller is then found on top of the stack, not by
- * frames. */
+/* Does the function at pc keep a frame? GCC gives none to a function that only computes; then the caller's
+ * address is on top of the stack, and the frames do not show it. */
 static bool has_frame(const struct node *n, uintptr_t pc)
 {
     enum { PUSH_RBP = 0x55 };
@@ -185,9 +186,10 @@ static bool has_frame(const struct node *n, uintptr_t pc)
 char *crash_report(const struct node *n)
 {
     const struct node_crash *g = n->crash;
+    assert(g && g->depth > 0);
     char *text = NULL;
     size_t size;
-    FILE *f = open_memstream(&text, &size);
+    FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s crashed at %s%.9f s, %s%s: ", n->name, n->call ? "" : "or shortly before ",
             vt_seconds(n->stats.ended_at), n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, n);

@@ -1,33 +1,36 @@
-/* crash.h - a node program's fault (SIGSEGV and its kin) caught and told as the node's error.
+/* crash.h - catches a node program's fault (SIGSEGV and similar signals), and reports it as the node's
+ * error.
  *
- * Each thread that runs programs watches, with a guard of its own. A fault while a node's fiber runs writes
- * down what is known, in n->crash, and ends the fiber; any other fault takes the usual course. Where the
- * program has called a library, GCC's unwinder (libgcc) finds the way back to it: libraries have no frame
- * pointers. Signal handlers are given nothing but the signal: so the guard in force and the fiber that runs
- * are what the simulator has of thread-local state. */
+ * Each thread that runs programs has a guard. At a fault while a node's fiber runs, the signal handler
+ * notes what is known in n->crash and ends the fiber; any other fault takes its usual course. If the
+ * program has called a library function, GCC's unwinder (libgcc) finds the call, since libraries keep no
+ * frame pointers. A signal handler is given nothing but the signal; therefore a thread's guard and its
+ * running fiber are the simulator's only thread-local state. */
 #ifndef MACHINE_CRASH_H
 #define MACHINE_CRASH_H
 #include "node/system.h"
 
 struct node_crash {
     int signal;
-    uintptr_t address; /* that could not be used, for SIGSEGV and SIGBUS */
-    uintptr_t top;     /* word on top of the stack */
-    bool in_library; /* frames[0] is there, and frames[1], if there is one, where the program had called it */
-    uintptr_t frames[24];
-    int depth;
+    uintptr_t address; /* which the program may not use; of SIGSEGV and SIGBUS */
+    uintptr_t top;     /* the word on top of the stack */
+    /* frames[0] is in a library; frames[1], if known, is where the program called the library */
+    bool in_library;
+    uintptr_t frames[24]; /* where it crashed, then the return addresses of the calls under way */
+    int depth;            /* frames known, at least 1 */
 };
 
 struct crash_guard;
 
-/* For the process: faults come to us, until crash_ignore(). */
+/* From crash_catch() until crash_ignore(), the process's faults come here. */
 void crash_catch(void);
 void crash_ignore(void);
-/* For the calling thread. */
+/* Makes the calling thread's guard; crash_unwatch() frees it. */
 struct crash_guard *crash_watch(void);
 void crash_unwatch(struct crash_guard *g);
-/* n's program has just crashed on the calling thread: what is known of it is the node's to keep, malloc'd. */
+/* To be called on the thread on which n's program has just crashed, before another program runs there:
+ * copies n->crash, which was the guard's. The node owns the copy (malloc'd). */
 void crash_keep(struct node *n);
-/* What happened, for the user; malloc'd. */
+/* Describes n->crash for the user; malloc'd. */
 char *crash_report(const struct node *n);
 #endif

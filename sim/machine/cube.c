@@ -1,9 +1,11 @@
 /* cube.c - see cube.h. */
 #include "machine/cube.h"
+#include <assert.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 #include "config/cube_type.h"
 #include "lp/engine.h"
 #include "guest/image.h"
@@ -17,12 +19,12 @@
 enum { ALL = -1, MOST_NAME = 32 };
 
 struct program {
-    char *argv[2]; /* its path */
+    char *argv[2]; /* the path of its file */
     struct node_image *image;
     struct program *next;
 };
 
-/* A node whose program has been succeeded by another. */
+/* A node that another has succeeded. */
 struct former {
     struct node *node;
     struct former *next;
@@ -31,7 +33,7 @@ struct former {
 struct cube {
     struct cube_options options;
     struct node_system *sys;
-    bool there, asked_for; /* a cube; by getcube */
+    bool there, asked_for; /* is there a cube? was it asked for, by getcube? */
     uint32_t largest;
     char name[MOST_NAME];
     struct program *programs;
@@ -49,10 +51,9 @@ static void set_count(struct cube *c, uint32_t count)
 
 void cube_new(struct node_system *sys, const struct cube_options *options)
 {
-    struct cube *c = calloc(1, sizeof *c);
-    sys->nodes = calloc(options->most, sizeof *sys->nodes);
-    if (!c || !sys->nodes)
-        abort();
+    assert(!sys->cube && options->most > 0);
+    struct cube *c = xcalloc(1, sizeof *c);
+    sys->nodes = xcalloc(options->most, sizeof *sys->nodes);
     c->sys = sys;
     c->options = *options;
     c->there = options->given;
@@ -87,9 +88,10 @@ static bool is_time(struct node *host, void *until)
     return node_now(host) >= *(vtime *)until;
 }
 
-/* The host waits while others work; its handlers run meanwhile. */
+/* The host waits for t, in the total order. Meanwhile nodes work, and the host's handlers run. */
 static void take_time(struct node *host, vtime t)
 {
+    assert(host->is_host);
     node_order(host);
     vtime until = node_now(host) + t;
     lp_wake(&host->lp, until);
@@ -176,26 +178,24 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* dir/name, where dir is that of the host program; malloc'd. */
+/* The path of a file in the host program's folder; malloc'd. */
 static char *beside_host(const struct cube *c, const char *name)
 {
     int dir = (int)(base_name(c->options.host) - c->options.host);
-    char *path;
-    if (asprintf(&path, "%.*s%s", dir, c->options.host, name) < 0)
-        abort();
-    return path;
+    return xasprintf("%.*s%s", dir, c->options.host, name);
 }
 
-/* The file that a host program means: the command line's node program if the last part of its name is the
- * same, so that paths of another computer do; then the path from the host program's folder, the file of that
- * name there, and the path from here. NULL: none. */
+/* Finds the file that a host program means by `path`; malloc'd, NULL if there is none. The first choice is
+ * the command line's node program, if the last part of its name is that of `path`; so paths of another
+ * computer will do. Then come `path` as seen from the host program's folder, the file of that name in the
+ * host program's folder, and `path` as seen from the current folder. */
 static char *find_program(const struct cube *c, const char *path)
 {
     const char *given = c->options.program;
     if (given && !strcmp(base_name(given), base_name(path)))
-        return strdup(given);
-    char *choice[] = {*path == '/' ? strdup(path) : beside_host(c, path), beside_host(c, base_name(path)),
-                      strdup(path)};
+        return xstrdup(given);
+    char *choice[] = {*path == '/' ? xstrdup(path) : beside_host(c, path), beside_host(c, base_name(path)),
+                      xstrdup(path)};
     char *found = NULL;
     for (int i = 0; i < 3; i++)
         if (!found && access(choice[i], R_OK) == 0)
@@ -228,9 +228,7 @@ static struct program *open_program(struct node *host, const char *path)
         free(file);
         return NULL;
     }
-    struct program *p = calloc(1, sizeof *p);
-    if (!p)
-        abort();
+    struct program *p = xcalloc(1, sizeof *p);
     *p = (struct program){{file, NULL}, image, c->programs};
     return c->programs = p;
 }
@@ -267,9 +265,7 @@ static long load_one(struct node *host, struct program *p, uint32_t i, long pid)
         free(error);
         return -1;
     }
-    struct former *f = calloc(1, sizeof *f);
-    if (!f)
-        abort();
+    struct former *f = xcalloc(1, sizeof *f);
     *f = (struct former){before, s->cube->former};
     s->cube->former = f;
     node_succeed(n, before, node_now(host));

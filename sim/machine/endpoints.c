@@ -1,32 +1,32 @@
-/* endpoints.c - see endpoints.h. Places are nodes, services, or the host (topo.h); a message between a node
- * and a service is known by m->serves, in both directions. */
+/* endpoints.c - see endpoints.h. An address is a node's, a service's, or the host's (topo.h). m->serves
+ * tells the messages between a node and a service, in both directions. */
 #include "machine/endpoints.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"
 #include "os/charge.h"
 #include "os/history.h"
 #include "os/match.h"
-#include "os/charge.h"
 
-static bool is_service(const struct node_system *sys, uint32_t place)
+static bool is_service(const struct node_system *sys, uint32_t address)
 {
-    return place >= sys->topo.positions && !topo_is_host(&sys->topo, place);
+    return address >= sys->topo.positions && !topo_is_host(&sys->topo, address);
 }
 
-static vtime work(void *ctx, uint32_t place, enum protocol_task task, vtime at, vtime t)
+static vtime work(void *ctx, uint32_t address, enum protocol_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
-    return is_service(sys, place) ? cfs_work(sys->cfs, place, at, t) : node_work(ctx, place, task, at, t);
+    return is_service(sys, address) ? cfs_work(sys->cfs, address, at, t)
+                                    : node_work(ctx, address, task, at, t);
 }
 
-/* A service's processor is no program's: moving bytes is work like any other. */
-static void move(void *ctx, uint32_t place, enum protocol_task task, vtime at, vtime t)
+/* No program runs on a service's processor, so moving bytes is work like any other. */
+static void move(void *ctx, uint32_t address, enum protocol_task task, vtime at, vtime t)
 {
     struct node_system *sys = ctx;
-    if (is_service(sys, place))
-        cfs_work(sys->cfs, place, at, t);
+    if (is_service(sys, address))
+        cfs_work(sys->cfs, address, at, t);
     else
-        node_move(ctx, place, task, t);
+        node_move(ctx, address, task, t);
 }
 
 static bool envelope(void *ctx, struct message *m, vtime now)

@@ -1,9 +1,9 @@
-/* endpoints.h - who lives where on the network: messages go to nodes, or to services of the machine and back.
- */
+/* endpoints.h - who lives at which address of the network: nodes, the host, and the machine's services. */
 #ifndef MACHINE_ENDPOINTS_H
 #define MACHINE_ENDPOINTS_H
 #include "node/system.h"
 
-/* The protocol's upward calls for a machine with nodes and, if sys->cfs is set, a file system. */
+/* The calls by which the protocol reaches the nodes of a machine and, if sys->cfs is set, the services of
+ * its file system. */
 struct protocol_nodes endpoints_calls(struct node_system *sys);
 #endif

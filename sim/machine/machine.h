@@ -5,19 +5,19 @@
 
 struct machine_options {
     const struct cfg_machine *cfg;
-    uint32_t nodes;      /* 0, with host: all that the machine has, and the host program gets some of them */
-    bool host;           /* the program is one for the host, which gets nodes and loads others on them */
-    const char *program; /* with host: what it may find by name, whatever the folder; NULL: nothing */
-    int argc;            /* of the program; argv[0] is its path */
+    uint32_t nodes;      /* 0 with host: all that the machine has, of which the host program gets some */
+    bool host;           /* the program runs on the host, gets nodes, and loads other programs on them */
+    const char *program; /* with host: what the host program may load by name alone; NULL: nothing */
+    int argc;            /* arguments of the program; argv[0] is its path */
     char **argv, **envp;
     double max_virtual_s; /* 0: none */
     double max_wall_s;    /* 0: none */
-    double slice_s;       /* longest slice of computing, 0: a tenth; see sim/node/cpu.h */
-    unsigned workers;     /* threads in all; 0 or 1: one. Results do not depend on it */
-    uint64_t shuffle;     /* not 0: the threads go about it at random, to test that */
-    bool isolate;         /* a node that writes to another's memory crashes; one thread */
+    double slice_s;       /* longest slice of computing; 0: no slices. For tests: changes no result */
+    unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
+    uint64_t shuffle;     /* not 0: seeds random choices of the threads, for tests. Changes no result */
+    bool isolate;         /* a node that writes to another's memory crashes; the run uses one thread */
     FILE *out, *err;      /* the programs' output */
-    FILE *history;        /* gets a line for each message received; NULL: not wanted */
+    FILE *history;        /* gets a line for each message received; NULL: no history */
     const char *cfs_dir;  /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 
@@ -28,19 +28,21 @@ struct machine {
     struct node_system sys;
     struct node_image *image;
     enum machine_outcome outcome;
-    char *message;                /* what went wrong, for the user, one or more lines; NULL: nothing */
-    struct workers_stats workers; /* how the threads did; all 0: there was one */
-    int signal;                   /* that ended the run; 0: none */
+    char *message; /* how the run ended, for the user, one or more lines; NULL: nothing to say. Malloc'd */
+    struct workers_stats workers; /* figures of the threads; all 0: there was one */
+    int signal;                   /* the signal that ended the run; 0: none */
     vtime end;                    /* when the last program ended */
-    double begin;                 /* of the run, by the wall's clock */
-    double wall_s, start_s;       /* the run; of which putting the machine together */
+    double begin;                 /* hostclock_s() at the start of the run */
+    double wall_s, start_s;       /* seconds of host time: of the run; of putting the machine together */
 };
 
-/* Puts it together, all programs loaded. NULL with *error set (malloc'd). */
+/* Makes a machine of its parts, with all programs loaded. Returns NULL and sets *error (malloc'd) on
+ * failure. *options and what it refers to must last as long as the machine. */
 struct machine *machine_new(const struct machine_options *options, char **error);
-/* Runs it until all programs have ended or something stops it; sets outcome and message. */
+/* Runs the machine until all programs have ended, or something stops it; sets outcome, message, end and the
+ * figures. To be called once. */
 void machine_run(struct machine *m);
-/* Nodes that there are in a report: all, or those that a host program has ever had. */
+/* The number of nodes in a report: all, or those of the host program's largest cube. */
 uint32_t machine_nodes(const struct machine *m);
 void machine_free(struct machine *m);
 #endif

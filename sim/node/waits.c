@@ -2,8 +2,9 @@
 #include "node/waits.h"
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 
-/* Calls' names are mostly the same text, not only equal. */
+/* Most names of one call are one text, so comparing addresses settles most cases. */
 static bool is_call(const char *a, const char *b)
 {
     return a == b || strcmp(a, b) == 0;
@@ -18,9 +19,7 @@ static struct node_wait *entry(struct node_waits *w, const char *call, bool has_
     }
     if (w->count == w->room) {
         w->room = w->room ? 2 * w->room : 8;
-        w->list = realloc(w->list, w->room * sizeof *w->list);
-        if (!w->list)
-            abort();
+        w->list = xreallocarray(w->list, w->room, sizeof *w->list);
     }
     w->list[w->count] = (struct node_wait){.call = call, .has_type = has_type, .type = type};
     return &w->list[w->count++];

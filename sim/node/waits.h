@@ -1,5 +1,5 @@
-/* waits.h - where a node's idle time went: a small table, an entry for each call and message type it has
- * waited in. */
+/* waits.h - where a node's idle time went: a small table with an entry for each call and message type that
+ * the node has waited in. */
 #ifndef NODE_WAITS_H
 #define NODE_WAITS_H
 #include <stdbool.h>
@@ -9,8 +9,8 @@
 
 struct node_wait {
     const char *call;
-    bool has_type; /* otherwise it waited for no message: type is 0 */
-    long type;     /* of the message waited for: a type, or the typesel given */
+    bool has_type; /* otherwise the call waits for no message, and type is 0 */
+    long type;     /* of the message waited for, or the typesel of the receive */
     vtime idle;
     uint64_t waits;
 };
@@ -20,7 +20,7 @@ struct node_waits {
     uint32_t count, room;
 };
 
-/* One more wait, of `idle`. call's text must stay. */
+/* Adds a wait of `idle` to its entry. The table keeps `call`, whose text must outlast the table. */
 void waits_add(struct node_waits *w, const char *call, bool has_type, long type, vtime idle);
 void waits_free(struct node_waits *w);
 #endif

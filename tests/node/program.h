@@ -1,9 +1,7 @@
-/* program.h - builds small node programs while a test runs, and runs them on nodes without a network.
- *
- * The programs are linked as nxcc links them (its runtime, the library of exported names) but compiled by
- * plain gcc: what is tested here is the loader and the C library, not the counting. Tests run in the root of
- * the checkout.
- */
+/* program.h - builds small node programs while a test runs, and runs them on nodes without a network. The
+ * programs are linked as by nxcc (its runtime, the library of exported names) but compiled by plain gcc:
+ * the tests are of the loader and the C library, not of the counting. Tests run in the root of the
+ * checkout. */
 #ifndef TESTS_NODE_PROGRAM_H
 #define TESTS_NODE_PROGRAM_H
 #include <setjmp.h>
@@ -30,7 +28,7 @@
 /* A directory for this test's files. */
 struct workshop {
     char dir[40];
-    char path[80]; /* what at() answered last */
+    char path[80]; /* what at() returned last */
 };
 
 static inline int workshop_open(void **state)
@@ -91,8 +89,7 @@ static inline const char *build_as_nxcc(struct workshop *w, const char *source)
     return build(w, LINKED_AS_BY_NXCC " " RUNTIME, source);
 }
 
-/* --- nodes that run a program
- * ------------------------------------------------------------------------------- */
+/* --- nodes that run a program --- */
 
 enum { MOST_NODES = 4 };
 
@@ -101,7 +98,7 @@ struct nodes {
     struct node_system sys;
     struct node *node[MOST_NODES];
     struct node_image *image;
-    char *text[2]; /* what they wrote */
+    char *text[2]; /* the nodes' output */
     size_t length[2];
 };
 

@@ -15,7 +15,7 @@
 struct fixture {
     char *base;
     struct node_heap *heap;
-    size_t allowed; /* what room() grants */
+    size_t allowed; /* bytes that room() allows */
     size_t peak;    /* seen by grown() */
 };
 
@@ -188,7 +188,7 @@ static void check_contents(const struct shadow *s, size_t bytes)
         assert_int_equal(s->p[k], s->fill);
 }
 
-/* Allocates, resizes and frees at random; contents must stay. Returns a sum over all addresses. */
+/* Allocates, resizes and frees at random, and checks that contents stay. Returns a sum over all addresses. */
 static uintptr_t random_calls(struct fixture *x, unsigned seed)
 {
     struct shadow s[SLOTS] = {0};
@@ -238,7 +238,7 @@ static void addresses_depend_on_the_calls_only(void **state)
     void *other;
     setup(&other);
     assert_int_equal(random_calls(other, 42), first);
-    assert_int_equal(random_calls(x, 42), first); /* nor on what was freed before */
+    assert_int_equal(random_calls(x, 42), first); /* addresses do not depend on blocks freed before */
     teardown(&other);
 }
 

@@ -4,11 +4,10 @@
 #include "guest/elffile.h"
 #include "nx_api/contract/program_image.h"
 
-/* --- programs
- * ----------------------------------------------------------------------------------------------- */
+/* --- programs --- */
 
-/* Builds and loads a program into n nodes and calls main(argc, argv) of node i right here. It may not use
- * calls. */
+/* Builds a program, loads it into n nodes and calls main(argc, argv) of node i directly. The program may
+ * not use NX calls. */
 static int call_main(const struct nodes *x, int i, int argc, char **argv)
 {
     return x->node[i]->image->main(argc, argv, NULL);
@@ -125,8 +124,7 @@ static void addresses_have_names_and_lines(void **state)
     nodes_free(&x);
 }
 
-/* --- files that are refused
- * --------------------------------------------------------------------------------- */
+/* --- files that are refused --- */
 
 static void assert_refused(const char *path, const char *text)
 {
@@ -204,8 +202,7 @@ static void programs_larger_than_a_span_are_refused(void **state)
                    "more than a node can address");
 }
 
-/* --- files that are damaged
- * --------------------------------------------------------------------------------- */
+/* --- files that are damaged --- */
 
 struct bytes {
     unsigned char *p;
@@ -251,7 +248,7 @@ static void put_byte(FILE *f, size_t where, int byte)
     fflush(f);
 }
 
-/* Whatever is in the file: it is loaded, or refused with a message. */
+/* A file with any damage is loaded, or refused with a message. */
 static void damaged_files_do_no_harm(void **state)
 {
     struct bytes b = a_good_program(*state);

@@ -39,8 +39,7 @@ static void expect_failure(struct workshop *w, const char *body, const char *tex
     nodes_free(&x);
 }
 
-/* --- output and input
- * --------------------------------------------------------------------------------------- */
+/* --- output and input --- */
 
 static void output_comes_in_the_order_of_virtual_time(void **state)
 {
@@ -85,8 +84,7 @@ static void only_node_0_has_an_input(void **state)
     close(old);
 }
 
-/* --- files
- * -------------------------------------------------------------------------------------------------- */
+/* --- files --- */
 
 static void files_are_read_and_written(void **state)
 {
@@ -170,8 +168,7 @@ static void flushing_all_flushes_the_node_s_own(void **state)
            "10");
 }
 
-/* --- memory
- * ------------------------------------------------------------------------------------------------- */
+/* --- memory --- */
 
 static void memory_is_the_node_s_and_ends(void **state)
 {
@@ -198,8 +195,7 @@ static void a_wrong_free_is_an_error_of_the_program(void **state)
                    "realloc: 0x");
 }
 
-/* --- ending
- * ------------------------------------------------------------------------------------------------- */
+/* --- ending --- */
 
 static void exit_ends_one_node_with_its_status(void **state)
 {
@@ -235,8 +231,7 @@ static void failing_programs_say_where(void **state)
                    "node 0, at 1.000000000 s: abort\n  called from main+");
 }
 
-/* --- time, random numbers and the rest
- * ------------------------------------------------------------------------ */
+/* --- time, random numbers and the rest --- */
 
 static void clocks_show_virtual_time(void **state)
 {

@@ -1,5 +1,5 @@
-/* The address space of nodes: guards between all parts, as far as the host allows mappings, and parts near to
- * each other. */
+/* The address space of nodes: guards lie between all parts as far as the host allows mappings, and the
+ * parts of a node lie near to each other. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -21,8 +21,8 @@ struct machine {
     struct node node[NODES];
 };
 
-/* count: how many nodes the machine says it has. most: mappings; 0: as many as there are, and lighter guards.
- */
+/* count: the number of nodes that the machine says it has. most: mappings; 0: as many as the host allows,
+ * and lighter guards. */
 static void take(struct machine *m, uint32_t count, size_t most, bool long32)
 {
     m->sys =
@@ -39,7 +39,7 @@ static void release(struct machine *m)
         span_release(&m->node[i]);
 }
 
-/* Is a byte there that can be written to? Tried by a child, which may die of it. */
+/* Can a byte be written? A child process tries, since it may die of it. */
 static bool is_there(char *byte)
 {
     int status;
@@ -76,7 +76,7 @@ static void all_parts_are_guarded(void **state)
     release(&m);
 }
 
-/* As on kernels on which a guard is a mapping. */
+/* As on kernels without lighter guards, where each guard is a mapping. */
 static void guards_are_given_up_when_there_are_too_many_nodes_for_them(void **state)
 {
     struct machine m;
@@ -139,7 +139,7 @@ static void memory_of_programs_with_a_long_of_32_bits_lies_below_4_gb(void **sta
     struct machine m;
     (void)state;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    skip(); /* which have their own memory there */
+    skip(); /* sanitizers have their own memory there */
 #endif
     take(&m, NODES, 0, true);
     for (int i = 0; i < NODES; i++)

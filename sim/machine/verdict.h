@@ -1,0 +1,8 @@
+/* verdict.h - how a run ended: well, with a failure, or in a deadlock. */
+#ifndef MACHINE_VERDICT_H
+#define MACHINE_VERDICT_H
+#include "machine/machine.h"
+
+/* Sets m->outcome and m->message, when no program of m runs any more. */
+void verdict(struct machine *m);
+#endif
