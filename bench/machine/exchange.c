@@ -3,7 +3,7 @@
  *     posted   both post a receive, tell each other, then send
  *     late     both send, then receive: messages that come first wait in system buffers
  *     forced   as posted, with forced types: eager, without rendezvous
- *     in turn  node 0 sends; node 1 receives and then sends: no exchange at a time, for comparison
+ *     in turn  node 0 sends; node 1 receives, then sends: one direction at a time, for comparison
  */
 #include "bench.h"
 

@@ -1,4 +1,4 @@
-/* apart.c - apart WHAT: a node that leaves its own memory, in one way or another. */
+/* apart.c - apart WHAT: a node accesses memory that is not its own; WHAT says how. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

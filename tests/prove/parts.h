@@ -1,5 +1,5 @@
-/* parts.h - what the operations of ops.def use, in C for nodes. A program that `make prove` prints begins
- * with this text. */
+/* parts.h - functions, in C for nodes, that the operations of ops.def use. A program that `make prove` prints
+ * begins with this text. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -302,7 +302,7 @@ static void await_probe(long type, long times)
         compute(0, 400);
 }
 
-/* --- all nodes together --- */
+/* --- global operations --- */
 
 static void sum_doubles(long n)
 {

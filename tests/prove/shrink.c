@@ -1,5 +1,5 @@
-/* shrink.c - see shrink.h. Whatever can be left out is, until nothing can (delta debugging; Zeller &
- * Hildebrandt, 2002). */
+/* shrink.c - see shrink.h. Leaves out operations, nodes and settings until none can be left out (delta
+ * debugging; Zeller & Hildebrandt, 2002). */
 #include "shrink.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* trial.h - one run of a program, and what it gave. */
+/* trial.h - one run of a program, and its results. */
 #ifndef PROVE_TRIAL_H
 #define PROVE_TRIAL_H
 #include "program.h"

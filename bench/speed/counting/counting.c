@@ -1,5 +1,4 @@
-/* counting.c - what counting costs: each kernel by gcc, by nxcc and by nxcc --profile, alternating, in one
- * run.
+/* counting.c - the cost of counting: each kernel by gcc, nxcc and nxcc --profile, which alternate in one run.
  *
  * Prints for each kernel
  *  - the ratio time counted / time plain: the median over all rounds, and the least and greatest of the
@@ -7,7 +6,9 @@
  *  - the ratio time profiled / time counted;
  *  - the simulated processor's clocks for the kernel, and how many of them take a second of host time;
  *  - the accuracy of interrupts: the longest time from the end of the units to the next poll, in microseconds
- *    of a 40 MHz processor. Results and clocks must be equal at all places.
+ *    of a 40 MHz processor.
+ *
+ * Results and clocks must be equal at all places.
  */
 #include <math.h>
 #include <stdio.h>

@@ -6,9 +6,10 @@
  *  - lockstep: all events have one time and differ by their addresses, as when all nodes do the same;
  *  - traffic: the events of rings, halos and all-to-all (traffic/traffic.c). A node has two events, one of
  *    its program and one of a message, at different steps of the message; the distances are those of a ring's
- *    message. One node in 16 is up to 1.6 us behind, as if it had waited for a channel, and catches up. Each
- *    cell is the median of RUNS runs, which alternate with those of the other queues. All queues must give
- *    one order.
+ *    message. One node in 16 is up to 1.6 us behind, as if it had waited for a channel, and catches up.
+ *
+ * Each cell is the median of RUNS runs, which alternate with those of the other queues. All queues must give
+ * one order.
  */
 #include <stdbool.h>
 #include <stdio.h>
