@@ -1,6 +1,5 @@
-/* wrong.c - makes a call with a wrong argument, which ends the process with a message. The argument names the
- * call.
- */
+/* wrong.c - makes a call with a wrong argument, which ends the process with a message. The argument of the
+ * program names the call. */
 #include <errno.h>
 #include <signal.h>
 #include <nx.h>
