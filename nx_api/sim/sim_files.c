@@ -111,8 +111,7 @@ long nx_move_later(bool write, int fd, int64_t at, const struct iovec *parts, in
 static struct io_id *find_id(struct node *n, long id)
 {
     struct io_id *ids = descriptors_open(n)->io;
-    n->call_type = id;
-    n->call_has_type = true;
+    gate_about(n, id);
     if (id < 1 || id > NODE_IO_IDS || !ids[id - 1].used) {
         node_error(n, EQMID, "%ld is no id in use", id);
         return NULL;

@@ -1,6 +1,7 @@
 /* sim_messages.c - messages, time and reports of calls in the simulator: nx_api/contract/backend.h. */
 #include "machine/cube.h"
 #include "nx_api/calls/call.h"
+#include "os/charge.h"
 
 void nx_about(struct node *n, long what)
 {
@@ -57,8 +58,7 @@ static struct message *last(struct message *m)
 
 static void hand_over(struct node *n, struct message *m, uint64_t receivers)
 {
-    n->stats.sent += receivers;
-    n->stats.sent_bytes += receivers * m->bytes;
+    charge_sent(n, receivers, receivers * m->bytes);
     front_send(n, m);
 }
 

@@ -80,16 +80,14 @@ struct process_end nx_process_end(const struct node *n, uint32_t node)
 
 void nx_notice_end(struct node *n, uint32_t node)
 {
-    n->sys->nodes[node]->end_noticed = true;
+    node_notice_end(n->sys->nodes[node]);
 }
 
 void nx_wait_for_end(struct node *n, bool (*ready)(struct node *, void *), void *arg)
 {
     nx_spend_call(n);
     node_order(n);
-    n->awaits_end = true;
-    n->sys->await_ends++;
+    node_awaits_end(n, true);
     node_wait(n, ready, arg);
-    n->awaits_end = false;
-    n->sys->await_ends--;
+    node_awaits_end(n, false);
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 #include "kernel/prefetch.h"
+#include "kernel/xalloc.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 
@@ -15,9 +16,7 @@ struct arena_chunk {
 
 void *arena_take(struct arena *p)
 {
-    void *memory;
-    if (posix_memalign(&memory, CACHE_BLOCK, sizeof(struct arena_chunk) + p->bytes))
-        abort();
+    void *memory = xaligned(CACHE_BLOCK, sizeof(struct arena_chunk) + p->bytes);
     struct arena_chunk *c = memory;
     *c = (struct arena_chunk){p->first, &p->first};
     if (c->next)
@@ -59,13 +58,6 @@ struct arena_chunk {
     _Alignas(CACHE_BLOCK) char blocks[];
 };
 
-static void *checked(void *p)
-{
-    if (!p)
-        abort();
-    return p;
-}
-
 static bool begins_group(size_t chunk)
 {
     return chunk < SINGLE || (chunk - SINGLE) % GROUP == 0;
@@ -76,8 +68,8 @@ static struct arena_chunk *new_chunk(const struct arena *p)
     if (!begins_group(p->count))
         return (struct arena_chunk *)((char *)p->chunks[p->count - 1] + CHUNK);
     if (p->count < SINGLE)
-        return checked(aligned_alloc(CHUNK, CHUNK));
-    struct arena_chunk *c = checked(aligned_alloc(LARGE_PAGE, LARGE_PAGE));
+        return xchecked(aligned_alloc(CHUNK, CHUNK));
+    struct arena_chunk *c = xchecked(aligned_alloc(LARGE_PAGE, LARGE_PAGE));
     madvise(c, LARGE_PAGE, MADV_HUGEPAGE);
     return c;
 }
@@ -105,8 +97,8 @@ static __attribute__((noinline)) void add_chunk(struct arena *p)
     *c = (struct arena_chunk){.number = (uint32_t)p->count};
     fill(p, c);
     if (p->count % WORD == 0) {
-        p->chunks = checked(reallocarray(p->chunks, p->count + WORD, sizeof(struct arena_chunk *)));
-        p->roomy = checked(reallocarray(p->roomy, p->count / WORD + 1, sizeof *p->roomy));
+        p->chunks = xreallocarray(p->chunks, p->count + WORD, sizeof(struct arena_chunk *));
+        p->roomy = xreallocarray(p->roomy, p->count / WORD + 1, sizeof *p->roomy);
         p->roomy[p->count / WORD] = 0;
     }
     p->chunks[p->count++] = p->first = c;

@@ -9,8 +9,8 @@
  * The first slot of the lowest level that has any holds the next events. When the present is over, they are
  * spread over lower levels: the first of them is the new present, from which the others differ in lower
  * digits. So an event moves three or four times with 100,000 pending, and most often not at all: nodes that
- * do the same put events of one time in the order of their places, and such a slot is the new present as it
- * lies. bench/speed/NOTES.md has all that beside other structures.
+ * do the same put events of one time in the order of their addresses, and such a slot is the new present as
+ * it lies. bench/speed/NOTES.md compares this queue with others.
  *
  * The events of the present time that came in order are a list, the run. Lists are made of chunks, for memory
  * in order of use. Beside the lists is a heap, for what came out of order in the present, and for a few
@@ -21,10 +21,10 @@
 #include <stdlib.h>
 #include "kernel/prefetch.h"
 #include "kernel/arena.h"
+#include "kernel/xalloc.h"
 
-/* An event's place in the order is one number of 128 bits, compared without branches: time (64) | place (20)
- * | late (1) | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22).
- */
+/* An event's key is one number of 128 bits, compared without branches: time (64) | address (20) | late (1)
+ * | ordinary (1) | sequence (42), or for those that are not ordinary: source (20) | number (22). */
 struct key {
     vtime time;
     uint64_t rank;
@@ -94,10 +94,10 @@ void evq_free(struct evq *q)
     free(q);
 }
 
-static uint64_t rank_of(uint32_t place, uint64_t late_and_sequence)
+static uint64_t rank_of(uint32_t address, uint64_t late_and_sequence)
 {
-    assert(place < UINT32_C(1) << PLACE_BITS);
-    return (uint64_t)place << (SEQUENCE_BITS + 1) | late_and_sequence;
+    assert(address < UINT32_C(1) << PLACE_BITS);
+    return (uint64_t)address << (SEQUENCE_BITS + 1) | late_and_sequence;
 }
 
 static inline struct instant moment(struct key k)
@@ -157,9 +157,7 @@ static struct event *add_heap(struct evq *q, struct key k)
 {
     if (q->heap_length == q->heap_room) {
         q->heap_room = 2 * q->heap_room + 64;
-        q->heap = realloc(q->heap, q->heap_room * sizeof *q->heap);
-        if (!q->heap)
-            abort();
+        q->heap = xreallocarray(q->heap, q->heap_room, sizeof *q->heap);
     }
     size_t i = q->heap_length++;
     for (; i > 0 && before(k, q->heap[(i - 1) / 2].key); i = (i - 1) / 2)
@@ -317,25 +315,25 @@ static inline __attribute__((always_inline)) void put(struct evq *q, struct key 
     *e = (struct event){k, what};
 }
 
-void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
+void evq_put(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg)
 {
     assert(q->sequence < ORDINARY);
-    put(q, (struct key){time, rank_of(place, ORDINARY | q->sequence++)}, (struct action){fire, ctx, arg});
+    put(q, (struct key){time, rank_of(address, ORDINARY | q->sequence++)}, (struct action){fire, ctx, arg});
 }
 
-void evq_put_sent(struct evq *q, vtime time, uint32_t place, struct evq_sender by, evq_fire *fire, void *ctx,
-                  void *arg)
+void evq_put_sent(struct evq *q, vtime time, uint32_t address, struct evq_sender by, evq_fire *fire,
+                  void *ctx, void *arg)
 {
     uint64_t number = by.number & ((UINT64_C(1) << NUMBER_BITS) - 1);
-    put(q, (struct key){time, rank_of(place, (uint64_t)by.place << NUMBER_BITS | number)},
+    put(q, (struct key){time, rank_of(address, (uint64_t)by.address << NUMBER_BITS | number)},
         (struct action){fire, ctx, arg});
 }
 
-void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
+void evq_put_late(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg)
 {
     /* They have a sequence of their own: late events must leave no trace in the order of the others. */
     assert(q->late_sequence < LATE);
-    put(q, (struct key){time, rank_of(place, LATE | q->late_sequence++)}, (struct action){fire, ctx, arg});
+    put(q, (struct key){time, rank_of(address, LATE | q->late_sequence++)}, (struct action){fire, ctx, arg});
 }
 
 /* The first of those that are not in the heap. NULL: there is none. */
@@ -363,16 +361,16 @@ vtime evq_next(const struct evq *q)
     return e ? e->key.time : VT_NEVER;
 }
 
-uint32_t evq_next_place(const struct evq *q)
+uint32_t evq_next_address(const struct evq *q)
 {
     const struct event *e = first(q);
-    return e ? moment(e->key).place : UINT32_MAX;
+    return e ? moment(e->key).address : UINT32_MAX;
 }
 
-bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place)
+bool evq_late_is_first(const struct evq *q, vtime time, uint32_t address)
 {
     const struct event *e = first(q);
-    return !e || before((struct key){time, rank_of(place, LATE | q->late_sequence)}, e->key);
+    return !e || before((struct key){time, rank_of(address, LATE | q->late_sequence)}, e->key);
 }
 
 static inline bool heap_is_first(const struct evq *q)

@@ -1,11 +1,11 @@
 /* evq.h - the event queue: all that is going to happen, in one total order.
  *
- * Order: (time, place, late, ordinary, sequence). place is the number of the thing the event happens at;
+ * Order: (time, address, late, ordinary, sequence). address is the number of the thing the event happens at;
  * sequence counts the events in the order they were put in, which is itself part of the order and so the same
- * in every run. A late event comes after all others of its time and place, whenever it was put in: a
+ * in every run. A late event comes after all others of its time and address, whenever it was put in: a
  * processor goes on only after all that reaches it at that moment, so that cutting its work into slices
  * changes no order. Late events are counted by themselves. What programs send may be put in at any time
- * before it happens: such events come before the ordinary ones of their time and place, in the order of the
+ * before it happens: such events come before the ordinary ones of their time and address, in the order of the
  * senders' numbers and then of their own.
  *
  * Where much happens at one time, what ctx and arg point to is loaded some events ahead (prefetch.h): so arg
@@ -24,24 +24,24 @@ typedef void evq_fire(void *ctx, void *arg, vtime now);
 struct evq *evq_new(void);
 void evq_free(struct evq *q);
 
-void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
-void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg);
+void evq_put(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg);
+void evq_put_late(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg);
 
 /* number: its low 22 bits count, and are different for what this sender has in the queue for one time and
- * place. */
+ * address. */
 struct evq_sender {
-    uint32_t place;
+    uint32_t address;
     uint64_t number;
 };
-void evq_put_sent(struct evq *q, vtime time, uint32_t place, struct evq_sender by, evq_fire *fire, void *ctx,
-                  void *arg);
+void evq_put_sent(struct evq *q, vtime time, uint32_t address, struct evq_sender by, evq_fire *fire,
+                  void *ctx, void *arg);
 
 /* Time of the earliest event, VT_NEVER when there is none. */
 vtime evq_next(const struct evq *q);
-/* Its place, UINT32_MAX when there is none. */
-uint32_t evq_next_place(const struct evq *q);
-/* Would a late event at (time, place) be the earliest of all? */
-bool evq_late_is_first(const struct evq *q, vtime time, uint32_t place);
+/* Its address, UINT32_MAX when there is none. */
+uint32_t evq_next_address(const struct evq *q);
+/* Would a late event at (time, address) be the earliest of all? */
+bool evq_late_is_first(const struct evq *q, vtime time, uint32_t address);
 /* Takes the earliest event out and lets it happen; before that, *present is its moment. False when there is
  * none. */
 bool evq_step(struct evq *q, struct instant *present);

@@ -1,5 +1,6 @@
 /* queues.c - see queues.h. A hash table of the numbers, each with its queue in a ring. */
 #include "kernel/queues.h"
+#include "kernel/xalloc.h"
 #include <assert.h>
 #include <stdlib.h>
 
@@ -19,18 +20,11 @@ struct queues {
     uint32_t used, room; /* a power of 2 */
 };
 
-static void *checked(void *p)
-{
-    if (!p)
-        abort();
-    return p;
-}
-
 struct queues *queues_new(void)
 {
-    struct queues *q = checked(calloc(1, sizeof *q));
+    struct queues *q = xcalloc(1, sizeof *q);
     q->room = 16;
-    q->table = checked(calloc(q->room, sizeof *q->table));
+    q->table = xcalloc(q->room, sizeof *q->table);
     return q;
 }
 
@@ -57,7 +51,7 @@ static void grow_table(struct queues *q)
 {
     struct queues old = *q;
     q->room *= 2;
-    q->table = checked(calloc(q->room, sizeof *q->table));
+    q->table = xcalloc(q->room, sizeof *q->table);
     for (uint32_t i = 0; i < old.room; i++)
         if (old.table[i].room)
             *place_of(q, old.table[i].number) = old.table[i];
@@ -73,7 +67,7 @@ static void grow_ring(struct queue *w)
 {
     struct queue old = *w;
     w->room = old.room ? 2 * old.room : 8;
-    w->ring = checked(calloc(w->room, sizeof *w->ring));
+    w->ring = xcalloc(w->room, sizeof *w->ring);
     w->first = 0;
     for (uint32_t i = 0; i < old.count; i++)
         w->ring[i] = *nth(&old, i);

@@ -24,19 +24,19 @@ static inline double vt_seconds(vtime t)
 {
     return (double)t / (double)VT_SECOND;
 }
-/* A moment in the order of what happens: of one time, smaller places come before. */
+/* A moment in the order of what happens: of one time, smaller addresses come before. */
 struct instant {
     vtime time;
-    uint32_t place;
+    uint32_t address;
 };
 
-static inline bool instant_before(vtime time, uint32_t place, struct instant than)
+static inline bool instant_before(vtime time, uint32_t address, struct instant than)
 {
-    return time < than.time || (time == than.time && place < than.place);
+    return time < than.time || (time == than.time && address < than.address);
 }
 static inline struct instant instant_later(struct instant a, struct instant b)
 {
-    return instant_before(a.time, a.place, b) ? b : a;
+    return instant_before(a.time, a.address, b) ? b : a;
 }
 
 #endif

@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "kernel/hostclock.h"
 #include "kernel/prefetch.h"
+#include "kernel/xalloc.h"
 
 enum {
     SPINS = 3000,       /* looks before a thread that has nothing to do sleeps: tens of microseconds */
@@ -26,7 +28,7 @@ enum {
 
 struct bound {
     vtime time;
-    uint32_t place;
+    uint32_t address;
 };
 
 static const struct bound NOTHING = {VT_NEVER, UINT32_MAX};
@@ -47,7 +49,7 @@ struct workers {
 
     pthread_mutex_t lock;
     pthread_cond_t more, news; /* a task waits; there is one to take back, or one has got on */
-    struct task **waiting;     /* a heap, least (lower bound, place) first */
+    struct task **waiting;     /* a heap, least (lower bound, address) first */
     size_t waiting_count, waiting_room;
     struct task *done;   /* linked by next */
     struct task *helped; /* what the coordinator runs */
@@ -71,13 +73,6 @@ struct workers {
     unsigned episodes, skip, skips;  /* tasks; how many the next time */
 };
 
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static inline void relax(void)
 {
 #if defined(__x86_64__)
@@ -89,12 +84,12 @@ static inline void relax(void)
 
 static bool before(struct bound a, struct bound b)
 {
-    return a.time != b.time ? a.time < b.time : a.place < b.place;
+    return a.time != b.time ? a.time < b.time : a.address < b.address;
 }
 
 static struct bound bound_of(const struct task *w)
 {
-    return (struct bound){atomic_load_explicit(&w->lower_bound, memory_order_acquire), w->place};
+    return (struct bound){atomic_load_explicit(&w->lower_bound, memory_order_acquire), w->address};
 }
 
 static void lower(struct bound *b, const struct task *w)
@@ -115,9 +110,7 @@ static void put(struct workers *ws, struct task *w)
 {
     if (ws->waiting_count == ws->waiting_room) {
         ws->waiting_room = ws->waiting_room ? 2 * ws->waiting_room : 64;
-        ws->waiting = realloc(ws->waiting, ws->waiting_room * sizeof(struct task *));
-        if (!ws->waiting)
-            abort();
+        ws->waiting = xreallocarray(ws->waiting, ws->waiting_room, sizeof(struct task *));
     }
     size_t i = ws->waiting_count++;
     for (; i > 0 && before(bound_of(w), bound_of(ws->waiting[(i - 1) / 2])); i = (i - 1) / 2)
@@ -235,9 +228,9 @@ static void run_one(struct thread *t, void *own, struct task *w)
     pthread_mutex_unlock(&ws->lock);
     if (ws->shuffled)
         dawdle(ws);
-    double begin = seconds();
+    double begin = hostclock_s();
     bool done = ws->calls.run(own, w);
-    double took = seconds() - begin;
+    double took = hostclock_s() - begin;
     pthread_mutex_lock(&ws->lock);
     t->runs = NULL;
     ws->stats.away++;
@@ -292,9 +285,8 @@ bool workers_report(struct workers *ws, struct task *w, vtime lower_bound)
 
 struct workers *workers_new(unsigned threads, uint64_t shuffle, const struct workers_calls *calls, void *here)
 {
-    struct workers *ws = calloc(1, sizeof *ws);
-    if (!ws || !(ws->threads = calloc(threads, sizeof *ws->threads)))
-        abort();
+    struct workers *ws = xcalloc(1, sizeof *ws);
+    ws->threads = xcalloc(threads, sizeof *ws->threads);
     ws->calls = *calls, ws->here = here;
     ws->shuffle = shuffle * UINT64_C(0x9e3779b97f4a7c15), ws->shuffled = shuffle != 0;
     ws->bound = NOTHING;
@@ -354,7 +346,7 @@ static void judge(struct workers *ws, bool worth)
 
 static void episode_ends(struct workers *ws)
 {
-    ws->took += seconds() - ws->episode_at;
+    ws->took += hostclock_s() - ws->episode_at;
     ws->gained += gain(ws) - ws->episode_gain;
     if (++ws->episodes < EPISODES)
         return;
@@ -381,7 +373,7 @@ void workers_submit(struct workers *ws, struct task *w)
 {
     atomic_store(&w->dropped, false);
     if (ws->out++ == 0) {
-        ws->episode_at = seconds();
+        ws->episode_at = hostclock_s();
         ws->episode_gain = gain(ws);
     }
     ws->stats.submitted++;
@@ -414,20 +406,20 @@ static void find_bound(struct workers *ws)
     ws->bound = b;
 }
 
-static bool allowed(const struct workers *ws, vtime time, uint32_t place)
+static bool allowed(const struct workers *ws, vtime time, uint32_t address)
 {
-    return !before(ws->bound, (struct bound){time, place});
+    return !before(ws->bound, (struct bound){time, address});
 }
 
-bool workers_allow(struct workers *ws, vtime time, uint32_t place)
+bool workers_allow(struct workers *ws, vtime time, uint32_t address)
 {
     if (ws->out == 0)
         return true;
-    if (!allowed(ws, time, place)) {
+    if (!allowed(ws, time, address)) {
         pthread_mutex_lock(&ws->lock);
         find_bound(ws);
         pthread_mutex_unlock(&ws->lock);
-        if (!allowed(ws, time, place))
+        if (!allowed(ws, time, address))
             return false;
     }
     /* This thread goes on, and so leaves waiting tasks to others. */
@@ -474,14 +466,14 @@ static bool help(struct workers *ws, vtime awaited)
     pthread_mutex_unlock(&ws->lock);
     if (!w)
         return false;
-    double begin = seconds();
+    double begin = hostclock_s();
     ws->awaited = awaited;
     ws->passes = 0;
     w->helped = true;
     bool done = ws->calls.run(ws->here, w);
     w->helped = false;
     ws->stats.helped++;
-    ws->stats.helped_s += seconds() - begin;
+    ws->stats.helped_s += hostclock_s() - begin;
     pthread_mutex_lock(&ws->lock);
     ws->helped = NULL;
     has_run(ws, w, done);
@@ -490,13 +482,13 @@ static bool help(struct workers *ws, vtime awaited)
 }
 
 /* Is there a task to take back, or to help with, or is the event allowed? */
-static bool has_news(struct workers *ws, vtime time, uint32_t place)
+static bool has_news(struct workers *ws, vtime time, uint32_t address)
 {
     if (atomic_load(&ws->any_done) || atomic_load(&ws->waits) > 0)
         return true;
     for (unsigned i = 0; i < ws->count; i++) {
         const struct task *w = ws->threads[i].runs;
-        if (w && before(bound_of(w), (struct bound){time, place}))
+        if (w && before(bound_of(w), (struct bound){time, address}))
             return false;
     }
     return true;
@@ -516,13 +508,13 @@ static void listen(struct workers *ws)
 }
 
 /* The threads run all that is out. */
-static void wait_for_news(struct workers *ws, vtime time, uint32_t place)
+static void wait_for_news(struct workers *ws, vtime time, uint32_t address)
 {
-    double begin = seconds();
+    double begin = hostclock_s();
     bool news;
     ws->stats.waits++;
     pthread_mutex_lock(&ws->lock);
-    for (int i = 0; !(news = has_news(ws, time, place)) && i < SPINS; i++) {
+    for (int i = 0; !(news = has_news(ws, time, address)) && i < SPINS; i++) {
         pthread_mutex_unlock(&ws->lock);
         relax();
         pthread_mutex_lock(&ws->lock);
@@ -531,17 +523,17 @@ static void wait_for_news(struct workers *ws, vtime time, uint32_t place)
         listen(ws);
     find_bound(ws);
     pthread_mutex_unlock(&ws->lock);
-    ws->stats.waited_s += seconds() - begin;
+    ws->stats.waited_s += hostclock_s() - begin;
 }
 
-void workers_advance(struct workers *ws, vtime time, uint32_t place)
+void workers_advance(struct workers *ws, vtime time, uint32_t address)
 {
     if (atomic_load(&ws->any_done))
         return;
     if (ws->shuffled)
         dawdle(ws);
     if (!help(ws, time))
-        wait_for_news(ws, time, place);
+        wait_for_news(ws, time, address);
 }
 
 /* With the lock: does a thread run it? */

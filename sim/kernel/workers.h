@@ -4,8 +4,8 @@
  * then its lower bound tells: the event is not earlier. A task is out from its submission until it is taken
  * back: it waits for a thread, runs, or is done.
  *
- *     submit ---> waiting ---> running ---> done ---> take        commit an event at (time, place) only
- *                    ^            |                               if it is not after (lower bound, place)
+ *     submit ---> waiting ---> running ---> done ---> take        commit an event at (time, address) only
+ *                    ^            |                               if it is not after (lower bound, address)
  *                    +-- paused --+                               of any task that is out
  *
  * Which thread runs what, and when, changes no result: the rule above makes the order of events the same. The
@@ -28,7 +28,7 @@ struct workers;
 struct task {
     /* set by the caller */
     _Atomic vtime lower_bound; /* its event comes no earlier */
-    uint32_t place;            /* and is at this place */
+    uint32_t address;          /* and is at this address */
     /* the workers' own */
     atomic_bool dropped;
     bool helped; /* runs on the coordinator */
@@ -61,16 +61,16 @@ void workers_free(struct workers *ws);
 void workers_submit(struct workers *ws, struct task *w);
 /* Is any task out? */
 bool workers_busy(const struct workers *ws);
-/* May an event at (time, place) be committed? */
-bool workers_allow(struct workers *ws, vtime time, uint32_t place);
+/* May an event at (time, address) be committed? */
+bool workers_allow(struct workers *ws, vtime time, uint32_t address);
 /* No task that is out makes an event before this time. It may be earlier than the tasks' lower bounds, never
  * later. VT_NEVER: none is out. */
 vtime workers_bound(const struct workers *ws);
 /* Takes back a task that is done; NULL: none at the moment. */
 struct task *workers_take(struct workers *ws);
-/* An event at (time, place) is not allowed yet: runs a task, or waits until there is one to take back or the
- * event may be allowed. */
-void workers_advance(struct workers *ws, vtime time, uint32_t place);
+/* An event at (time, address) is not allowed yet: runs a task, or waits until there is one to take back or
+ * the event may be allowed. */
+void workers_advance(struct workers *ws, vtime time, uint32_t address);
 /* Stops w, which is out and not wanted any more, and takes it back. */
 void workers_drop(struct workers *ws, struct task *w);
 /* Stops all: returns when nothing runs. Nothing is taken after it. */

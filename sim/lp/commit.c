@@ -12,10 +12,10 @@ const char ENGINE_NAME[] = "fast";
 static vtime next_event(const struct schedule *s, uint32_t *address)
 {
     vtime time = evq_next(s->q);
-    *address = evq_next_place(s->q);
+    *address = evq_next_address(s->q);
     if (!commit_poll_is_before(s, time, *address))
         return time;
-    *address = mintree_place(&s->polls);
+    *address = mintree_address(&s->polls);
     return mintree_least(&s->polls);
 }
 
@@ -23,8 +23,8 @@ static vtime next_event(const struct schedule *s, uint32_t *address)
 static bool commit_next(struct schedule *s)
 {
     if (mintree_least(&s->polls) != VT_NEVER &&
-        commit_poll_is_before(s, evq_next(s->q), evq_next_place(s->q))) {
-        struct lp *lp = up_lp_at(s, mintree_place(&s->polls));
+        commit_poll_is_before(s, evq_next(s->q), evq_next_address(s->q))) {
+        struct lp *lp = up_lp_at(s, mintree_address(&s->polls));
         if (!offload_paused(lp))
             lp_go_on_from_poll(lp);
         return true;

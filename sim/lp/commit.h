@@ -7,6 +7,6 @@
 static inline bool commit_poll_is_before(const struct schedule *s, vtime time, uint32_t address)
 {
     vtime poll = mintree_least(&s->polls);
-    return poll < time || (poll == time && poll != VT_NEVER && mintree_place(&s->polls) < address);
+    return poll < time || (poll == time && poll != VT_NEVER && mintree_address(&s->polls) < address);
 }
 #endif

@@ -18,12 +18,14 @@ static struct instant up_to(const struct lp *lp, vtime now)
     return (struct instant){now, lp->address + 1};
 }
 
-void lp_schedule(struct lp *lp, vtime t)
+/* The program has come, or will, to a call at time t: its commit time. */
+static void schedule(struct lp *lp, vtime t)
 {
     evq_put_late(lp->schedule->q, t, lp->address, go_on, lp, NULL);
 }
 
-void lp_pause_at_poll(struct lp *lp, vtime poll_time, vtime t)
+/* The program is paused at a poll, and is not gone on with before t. */
+static void pause_at_poll(struct lp *lp, vtime poll_time, vtime t)
 {
     lp->paused_at_poll = true;
     lp->poll_time = poll_time;
@@ -55,9 +57,8 @@ static vtime commit_time(struct lp *lp)
  * then in any case, for limits of host time and signals. */
 static bool must_stop(struct lp *lp, vtime now)
 {
-    enum { MOST_UNSEEN = 4096 };
     struct schedule *s = lp->schedule;
-    return s->stop || now > s->max_time || ++s->unseen > MOST_UNSEEN;
+    return s->stop || now > s->max_time || schedule_has_not_looked(s, 1);
 }
 
 bool lp_is_next(struct lp *lp, vtime now)
@@ -79,9 +80,9 @@ void lp_prepare_yield(struct lp *lp, vtime now)
     if (lp->offloaded)
         lp->arrived = now; /* for offload_take_back */
     else if (lp->clock.runs && lp->interruptible)
-        lp_pause_at_poll(lp, now, lp_lookahead(lp));
+        pause_at_poll(lp, now, lp_lookahead(lp));
     else
-        lp_schedule(lp, now);
+        schedule(lp, now);
 }
 
 void lp_commit(struct lp *lp, vtime now)
@@ -95,7 +96,7 @@ void lp_drain(struct lp *lp)
     if (!up_has_deferred(lp))
         return;
     lp->drains = true;
-    lp_schedule(lp, up_last_deferred(lp));
+    schedule(lp, up_last_deferred(lp));
     lp_yield(lp);
 }
 
@@ -134,7 +135,7 @@ static void unblock_lazily(struct lp *lp)
     if (!lp->lazily_blocked || lp->scheduled_at || !will_be_ready(lp))
         return;
     lp->lazily_blocked = false;
-    lp_schedule(lp, commit_time(lp));
+    schedule(lp, commit_time(lp));
 }
 
 static void commit_deferred(void *ctx, void *arg, vtime now)
@@ -175,7 +176,7 @@ void lp_crash(struct lp *lp)
 {
     if (lp->clock.runs)
         clock_crash(lp);
-    lp_schedule(lp, clock_sync(lp));
+    schedule(lp, clock_sync(lp));
 }
 
 static void run_here(struct lp *lp)
@@ -223,7 +224,7 @@ static void go_on(void *ctx, void *arg, vtime now)
     up_commit_deferred(lp, up_to(lp, now));
     vtime t = !lp->drains ? commit_time(lp) : up_has_deferred(lp) ? up_last_deferred(lp) : now;
     if (t > now) {
-        lp_schedule(lp, t);
+        schedule(lp, t);
     } else if (lp->crashed) {
         clock_drop_stolen(lp);
         clock_advance_to(lp, now);
@@ -270,7 +271,7 @@ void lp_catch_up(struct lp *lp, vtime t)
         up_unnest(lp->schedule, outer);
     }
     if (lp->paused_at_poll)
-        lp_pause_at_poll(lp, lp->poll_time, 0);
+        pause_at_poll(lp, lp->poll_time, 0);
 }
 
 void lp_synchronise(struct lp *lp)
@@ -279,7 +280,7 @@ void lp_synchronise(struct lp *lp)
         return;
     struct instant at = schedule_reached(lp->schedule);
     if (lp->paused_at_poll)
-        lp_catch_up(lp, at.time + (lp->address < at.place));
+        lp_catch_up(lp, at.time + (lp->address < at.address));
     lp_apply_deferred(lp, at);
 }
 
@@ -300,7 +301,7 @@ void lp_wake(struct lp *lp, vtime t)
 
 void lp_start(struct lp *lp, vtime t)
 {
-    lp_schedule(lp, t);
+    schedule(lp, t);
 }
 
 void lp_message_kept(struct lp *lp)

@@ -37,11 +37,7 @@ bool lp_is_next(struct lp *lp, vtime now);
 
 /* --- the coordinator's side --- */
 
-/* The program has come, or will, to a call at time t: its commit time. */
-void lp_schedule(struct lp *lp, vtime t);
-/* The program is paused at a poll, and is not gone on with before t. */
-void lp_pause_at_poll(struct lp *lp, vtime poll_time, vtime t);
-/* It is not any more. */
+/* The program is not paused at a poll any more. */
 void lp_leave_poll(struct lp *lp);
 /* Commits its deferred calls, and blocks it if it is lazily blocked, as far as their commit times come
  * before. Called before anything is done to the node that they could matter to. */

@@ -15,7 +15,7 @@
 #define LP_ENGINE_H
 #include "lp/lp.h"
 
-/* Puts the node's start, at time t, into the queue. */
+/* Puts the start of the node, at time t, into the queue. */
 void lp_start(struct lp *lp, vtime t);
 /* At time t a blocked node is asked whether it may resume. */
 void lp_wake(struct lp *lp, vtime t);

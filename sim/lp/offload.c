@@ -20,7 +20,7 @@ static struct lp *lp_of(struct task *t)
 static void offload(struct lp *lp, vtime lower_bound)
 {
     lp->offloaded = true;
-    lp->offload.task.place = lp->address;
+    lp->offload.task.address = lp->address;
     atomic_store_explicit(&lp->offload.task.lower_bound, lower_bound, memory_order_relaxed);
 }
 

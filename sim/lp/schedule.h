@@ -49,6 +49,23 @@ static inline void schedule_commit(struct schedule *s, vtime time, uint32_t addr
     s->present = (struct instant){time, address};
 }
 
+/* So many calls have been made without a look at host time and signals. True: it is time to look. */
+static inline bool schedule_has_not_looked(struct schedule *s, uint32_t calls)
+{
+    enum { MOST_UNSEEN = 4096 };
+    return (s->unseen += calls) > MOST_UNSEEN;
+}
+
+/* The same, and looks then; true if so. */
+static inline bool schedule_look_after(struct schedule *s, uint32_t calls)
+{
+    if (!s->look || !schedule_has_not_looked(s, calls))
+        return false;
+    s->unseen = 0;
+    s->look(s->look_ctx);
+    return true;
+}
+
 /* Stops the machine: the next event is not committed any more. */
 static inline void schedule_stop(struct schedule *s, enum stop why, struct instant at)
 {

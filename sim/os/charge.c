@@ -30,11 +30,11 @@ vtime node_system_time(const struct node *n, vtime t)
 
 /* --- the system's part, in interrupts --- */
 
-/* The system has the processor for t, beside or instead of the program. */
+/* The system has the processor for t: instead of a computing program, or while the program waits. */
 static void steal(struct node *n, enum node_task task, vtime t)
 {
     if (n->lp.state == LP_ENDED)
-        return; /* nobody's time any more */
+        return; /* the node has no program whose time it would be */
     lp_synchronise(&n->lp);
     if (n->lp.state == LP_COMPUTING)
         clock_steal(&n->lp, t);

@@ -4,13 +4,18 @@
 #include "net/protocol.h"
 #include "node/node.h"
 
-/* What takes an ordinary node's system t takes this one's so long; and charges that to a task. */
+/* The time that this node's system takes for what takes an ordinary node's t. Charges a time to a task. */
 vtime node_system_time(const struct node *n, vtime t);
 void node_account(struct node *n, enum node_task task, vtime t);
-/* A charge that is taken back: the call is rolled back. */
+/* Takes back a charge, of a call that is rolled back. */
 void charge_undo(struct node *n, enum node_task task, vtime t);
 
-/* The program begins to wait; it has waited until t. */
+/* The program has sent so many messages, of so many bytes in all. */
+static inline void charge_sent(struct node *n, uint64_t messages, uint64_t bytes)
+{
+    n->stats.sent += messages, n->stats.sent_bytes += bytes;
+}
+/* The program begins to wait. The program has waited until t. */
 void charge_wait_begins(struct node *n);
 void charge_wait_ends(struct node *n, vtime t);
 

@@ -51,7 +51,8 @@ void deferred_begin(struct node *n)
 {
     struct deferred *p = &n->deferred;
     if (p->count == 0)
-        p->first = 0, p->shift = 0, p->commits = node_now(n); /* the same few lines of memory again */
+        p->first = 0, p->shift = 0,
+        p->commits = node_now(n); /* so that the ring uses the same few lines of the cache */
     uint32_t i = index_of(n, p->count++);
     p->open = true;
     n->calls[i] = (struct deferred_call){.commits = (node_now(n) - p->shift) & TIME_MASK,
@@ -149,8 +150,8 @@ void deferred_send(struct node *n, struct message *m)
 {
     struct deferred_call *c = open_call(n);
     assert(!c->has_message && !m->next && !c->resumes_caller);
-    c->sends =
-        !n->lp.scheduled_at && lp_is_alone(&n->lp, time_of(n, c->commits)); /* what is told comes before */
+    c->sends = !n->lp.scheduled_at &&
+               lp_is_alone(&n->lp, time_of(n, c->commits)); /* an event of the node's own would come before */
     c->needs_event = !c->sends;
     vtime sending = match_send_time(n, m);
     clock_advance(&n->lp, sending);
@@ -203,10 +204,9 @@ vtime deferred_last(const struct node *n)
     return time_of(n, c->resumes_caller ? handed_over(n, n->deferred.count - 1) : c->commits);
 }
 
-/* --- making them --- */
+/* --- committing --- */
 
-/* What has been stolen puts off the first, which begins now, and with it all that the program has done after
- * it. */
+/* Stolen time puts off the first call, which begins now, and with it all that the program has done since. */
 static void put_off(struct node *n, vtime now)
 {
     vtime late = clock_add_stolen(&n->lp), begun = now - late;
@@ -231,7 +231,7 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
     }
 }
 
-/* Its turn: what it hands over. */
+/* The call's commit time: hands over what it has to. */
 static void begin(struct node *n, struct deferred_call *c, vtime now)
 {
     n->deferred.begun = now;
@@ -286,7 +286,7 @@ void deferred_commit(struct node *n, struct instant at)
     }
 }
 
-/* --- taking them back --- */
+/* --- rolling back --- */
 
 static void put_back(struct node *n, const struct deferred_call *c)
 {
@@ -311,7 +311,7 @@ static void unsend(struct node *n, const struct deferred_call *c, struct message
     protocol_take_back(m);
 }
 
-/* The last. */
+/* Undoes the last call. */
 static void unmake(struct node *n)
 {
     struct deferred_call *c = last(n);
@@ -331,7 +331,7 @@ void deferred_undo(struct node *n)
         unmake(n);
     p->selects = false;
     p->begun = VT_NEVER;
-    assert(n->taken == 0); /* what they had received is unexpected again */
+    assert(n->taken == 0); /* what the calls had received is unexpected again */
 }
 
 void deferred_roll_back(struct node *n)
@@ -344,7 +344,7 @@ void deferred_roll_back(struct node *n)
     clock_return_to(&n->lp, c->units, p->commits);
     n->at_poll = false;
     uint32_t i = index_of(n, 0);
-    n->call = p->begun == VT_NEVER ? NULL : c->name; /* else it has not come so far */
+    n->call = p->begun == VT_NEVER ? NULL : c->name; /* otherwise the program has not come to the call */
     n->call_since = p->begun;
     n->call_type = n->cold->calls.type[i], n->call_has_type = c->has_type;
     deferred_undo(n);

@@ -48,6 +48,17 @@ void node_end_other(struct node *n, struct node *victim)
     has_ended(victim, NODE_KILLED, 0, now);
 }
 
+void node_awaits_end(struct node *n, bool awaits)
+{
+    n->sys->await_ends += (uint32_t)awaits - n->awaits_end;
+    n->awaits_end = awaits;
+}
+
+void node_notice_end(struct node *n)
+{
+    n->end_noticed = true;
+}
+
 void node_end_crashed(struct node *n)
 {
     lp_end(&n->lp);
@@ -63,7 +74,7 @@ void node_settle(struct node *n, struct instant end, bool at_a_time)
         node_stop(n, end);
         n->stats.ended_at = end.time;
         if (n->call && !instant_before(n->call_since, n->lp.address, end))
-            n->call = NULL; /* it has not come so far */
+            n->call = NULL; /* the program has not come to the call */
     } else if (n->lp.state != LP_ENDED) {
         n->stats.ended_at = node_now(n);
     }

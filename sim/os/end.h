@@ -5,11 +5,17 @@
 
 /* Ends the program from inside one of its calls; never returns. */
 _Noreturn void node_end_here(struct node *n, enum node_end how, int code);
-/* The program has not come further, when another one ends it, or the machine stops. */
+/* The program is in a call that waits for other programs' ends, and is woken whenever one ends; or is not any
+ * more. */
+void node_awaits_end(struct node *n, bool awaits);
+/* Such a call has reported the end of n's program. */
+void node_notice_end(struct node *n);
+/* Another program ends the node's, or the machine stops, at a moment: what the program has done after it has
+ * not happened. */
 void node_stop(struct node *n, struct instant at);
 /* Ends another node's program, at the time of the caller. */
 void node_end_other(struct node *n, struct node *victim);
-/* Its program has crashed, at its clock's time, which is committed. */
+/* The program has crashed at its clock's time, which is committed. */
 void node_end_crashed(struct node *n);
 /* The machine has stopped at a moment, after which nothing has happened: the node's books are those of then.
  * at_a_time: stopped by a moment of virtual time; a node that computes may have been ahead of it. */

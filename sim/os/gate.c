@@ -15,9 +15,8 @@
 #include "lp/clock.h"
 #include "node/self.h"
 
-/* For limits of host time and signals: a poll stands for so many calls, of which the coordinator looks at
- * them now and then. */
-enum { MOST_UNSEEN = 4096, POLL_CALLS = 64 };
+/* The coordinator looks at host time and signals now and then: a poll counts as so many calls. */
+enum { POLL_CALLS = 64 };
 
 /* --- calls --- */
 
@@ -47,7 +46,7 @@ static void begin_call(struct node *n, const char *call, bool early)
 /* Waits for the call's commit time. */
 static void await_commit(struct node *n)
 {
-    n->call_since = VT_NEVER; /* it has not come so far */
+    n->call_since = VT_NEVER; /* the program has not come to the call */
     node_order(n);
     n->call_since = node_now(n);
     while (handlers_run(n, false))
@@ -97,25 +96,20 @@ void node_leave(struct node *n)
 
 /* --- polls --- */
 
-/* Nobody has looked for long at host time and signals. */
+/* Looks at host time and signals, if nobody has for long. */
 static void look(struct node *n)
 {
-    struct schedule *s = &n->sys->schedule;
-    if (!s->look || (s->unseen += POLL_CALLS) <= MOST_UNSEEN)
-        return;
-    s->unseen = 0;
-    s->look(s->look_ctx);
-    if (s->stop)
+    if (schedule_look_after(&n->sys->schedule, POLL_CALLS) && n->sys->schedule.stop)
         node_order(n);
 }
 
-/* Something may have come that interrupts the program. */
+/* Commits the poll's moment, and runs the handlers that interrupt the program there. */
 static void listen(struct node *n)
 {
     bool any = false;
     uint64_t lookahead = clock_lookahead_units(&n->lp);
     if (!n->lp.offloaded)
-        n->sys->schedule.unseen += POLL_CALLS / 8;
+        schedule_has_not_looked(&n->sys->schedule, POLL_CALLS / 8);
     do
         node_order(n);
     while (handlers_run(n, false) && (any = true));
@@ -127,7 +121,7 @@ static void listen(struct node *n)
     clock_set_lookahead(&n->lp, lookahead);
 }
 
-/* In nxc_preempt, of which it is given the frame: where in the program the poll is. */
+/* Where in the program the poll is that has called nxc_preempt, whose frame is given. */
 static uintptr_t poll_of(const void *frame)
 {
     const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* nxc_enter's */
@@ -157,8 +151,8 @@ void node_nxc_preempt(void)
 
 /* --- waiting --- */
 
-/* Runs handlers that have become due while the node came here; others will wake it. Is what it waits for
- * there? */
+/* Runs the handlers that have become due while the node came here; later ones will wake it. Returns whether
+ * what the call waits for is there. */
 static bool run_handlers(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     bool is_ready = ready(n, arg);
@@ -169,8 +163,8 @@ static bool run_handlers(struct node *n, bool (*ready)(struct node *n, void *arg
     return is_ready;
 }
 
-/* Switches away until the program has something to do, of which lp/dispatch.c sees to. True if it has been
- * blocked: then all earlier events have been committed. */
+/* Switches away until the program has something to do (lp/dispatch.c). True if the node has been blocked:
+ * then all earlier events have been committed. */
 static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     n->wait.ready = ready, n->wait.arg = arg;

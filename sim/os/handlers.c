@@ -1,6 +1,6 @@
-/* handlers.c - the handlers of a node: those of hrecv, hsend and their variants. One that is due runs on its
- * program's stack, where the program can be interrupted: between two parts of its computing, or in a call;
- * not inside of another. See handlers.h. */
+/* handlers.c - the handlers of a node: those of hrecv, hsend and their variants. A handler that is due runs
+ * on its program's stack, where the program can be interrupted: at a poll, or in a call; never inside of
+ * another handler. See handlers.h. */
 #include "os/handlers.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"
@@ -39,15 +39,15 @@ void handlers_open(struct node *n)
     n->opened.units = n->lp.clock.units;
 }
 
-/* By how much a handler is late that was due at a time: none if its program has done nothing since handlers
- * were let run, else from then on at most. */
+/* The delay of a handler that was due at a time: none if its program has computed nothing since handlers were
+ * let run; otherwise counted from then on at most. */
 static vtime delay(struct node *n, vtime due)
 {
     vtime now = node_now(n), from = vt_max(due, n->opened.at);
     return n->lp.clock.units == n->opened.units || from > now ? 0 : now - from;
 }
 
-/* The first that is due. */
+/* Runs the first handler that is due. */
 static void run_first(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
@@ -77,7 +77,8 @@ static void run_first(struct node *n)
     n->info = before;
 }
 
-/* What the interrupted call is about, for reports: handlers make calls of their own. */
+/* The same, inside a call: afterwards reports tell of that call again, not of those that the handler has
+ * made. */
 static void run_within(struct node *n)
 {
     const char *call = n->call;
@@ -96,7 +97,8 @@ bool handlers_mask(struct node *n, bool masked)
     return before;
 }
 
-/* Runs it; the program, which would have gone on meanwhile, has its share before the next. */
+/* The same, instead of the program, which would have gone on meanwhile: it has its share before the next
+ * handler. */
 static void interrupt(struct node *n)
 {
     vtime begun = node_now(n);

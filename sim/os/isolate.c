@@ -1,13 +1,16 @@
 /* isolate.c - see isolate.h. */
 #include "os/isolate.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
 #include "node/self.h"
 
 static void protect(char *from, size_t bytes, int how)
 {
-    if (bytes && mprotect(from, bytes, how))
+    if (bytes && mprotect(from, bytes, how)) {
+        perror("touchstone: --isolate");
         abort();
+    }
 }
 
 static void set_writable(const struct node *n, bool writable)

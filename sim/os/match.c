@@ -19,7 +19,7 @@ void match_begin(struct node *n, struct id_block *ids)
     unexpected_begin(n);
 }
 
-/* Those that the program did not make on its stack, or with an id. */
+/* Frees the receives that handlers were posted with. (The others belong to calls or to ids.) */
 static void free_posted(struct mailbox *b)
 {
     for (struct receive *r = b->posted.first, *next; r; r = next) {
@@ -62,7 +62,7 @@ static bool room_for(struct node *n, const struct message *m)
     return node_memory_used(n) + m->bytes <= node_memory_limit(n);
 }
 
-/* Buffers have been given back: grant what waits for them, in the order asked. */
+/* Room has become free: clears the messages that wait for room to send, in the order of their requests. */
 static void grant_waiting(struct node *n, vtime now)
 {
     for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
@@ -231,7 +231,7 @@ void match_done_with(struct node *n, struct message *m, vtime now)
     protocol_message_free(m);
 }
 
-/* A message that has left the queue is not wanted any more. */
+/* Throws away a message that has been taken off the queue. */
 static void throw_away(struct node *n, struct message *m, vtime now)
 {
     m->unwanted = true;
@@ -263,7 +263,7 @@ void match_flush(struct node *n, int64_t typesel, vtime now)
 
 /* --- when a program is gone --- */
 
-/* Nobody asks any more when m's buffer is free. */
+/* No send follows m any more: the sender's program is gone. */
 static void drop_send(struct message *m)
 {
     struct send *s = m->followed ? m->send : NULL;
@@ -274,7 +274,7 @@ static void drop_send(struct message *m)
         free(s);
 }
 
-/* Nobody receives m, which one of the program's receives has selected, and which has not arrived. */
+/* Nobody receives m any more, which has not arrived, and which a receive of the program had selected. */
 static void drop_receive(struct message *m)
 {
     struct receive *r = m->receive;

@@ -8,7 +8,7 @@ size_t node_memory_limit(const struct node *n)
                       : n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
 }
 
-/* Without heap and messages. */
+/* What the program takes without its heap and messages. */
 static size_t memory_fixed(const struct node *n)
 {
     return n->heap ? n->image_bytes + n->sys->cfg->stack_bytes : 0; /* none: no program */

@@ -5,15 +5,16 @@
 #define OS_MEMORY_H
 #include "node/node.h"
 
-/* Bytes of the node's memory in use, its heap as it was in its last call; and all a program may use. */
+/* Bytes of the node's memory in use, with the heap as it was in the last call; and all that a program may
+ * use. */
 size_t node_memory_used(const struct node *n);
 size_t node_memory_limit(const struct node *n);
 /* Notes the high-water mark after a message has come. */
 void node_memory_changed(struct node *n);
-/* In a call: messages see all of the program's memory, and unless the call may be deferred, the program
- * theirs. */
+/* In a call: from now on messages are weighed against all of the program's heap, and, unless the call may be
+ * deferred, the heap against all messages. */
 void node_memory_settle(struct node *n);
-/* The program's memory as it is; and for messages to see, as it was in a call that they have come to. */
+/* The program's memory now; and, for messages, as it was in a call that has been committed. */
 struct node_memory node_memory_now(const struct node *n);
 void node_memory_was(struct node *n, struct node_memory m);
 

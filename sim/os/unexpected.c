@@ -1,5 +1,5 @@
-/* unexpected.c - see unexpected.h. The whole ones are linked both ways: one in their midst may be wanted.
- * Where they are many they can be found by type, too, so that a receive need not look through those of other
+/* unexpected.c - see unexpected.h. The whole messages are linked both ways, since a receive may take one from
+ * their midst. Many of them are indexed by type, too, so that a receive need not look at messages of other
  * types. */
 #include "os/unexpected.h"
 #include "kernel/prefetch.h"
@@ -20,7 +20,7 @@ void unexpected_end(struct node *n)
     queues_free(n->by_type);
 }
 
-/* Are they found in the order in which they were sent? */
+/* Must a and b be found in the order in which they were sent? */
 static bool keep_order(const struct message *a, const struct message *b)
 {
     return a->type == b->type && a->source == b->source && a->pid == b->pid;
@@ -28,10 +28,10 @@ static bool keep_order(const struct message *a, const struct message *b)
 
 /* --- the whole --- */
 
-/* So many are looked through one by one: no more than some lines of the cache. */
+/* Up to so many messages are searched one by one: they fill a few lines of the cache. */
 enum { FEW_WHOLE = 32 };
 
-/* The types of those that are there. */
+/* Makes the index of the messages that are there. */
 static void begin_types(struct node *n)
 {
     n->by_type = queues_new();
@@ -115,7 +115,7 @@ static struct message *unlink_coming(struct message **link)
     return m;
 }
 
-/* The first from a link on that m comes before or behind. */
+/* The first link, from one on, to a message that m has an order with. */
 static struct message **of_same_order(struct message **link, const struct message *m)
 {
     while (*link && !keep_order(*link, m))
@@ -130,7 +130,7 @@ void unexpected_add(struct node *n, struct message *m)
     link_coming(end_of(&n->coming), m);
 }
 
-/* Whole are now those that m comes before or behind, m among them, up to the next that has not arrived. */
+/* Makes whole the messages that m has an order with, m among them, up to the first that has not arrived. */
 void unexpected_has_arrived(struct node *n, const struct message *m)
 {
     struct message **link = of_same_order(&n->coming, m);
@@ -150,7 +150,7 @@ struct message *unexpected_first(const struct node *n, const struct selector *se
 void unexpected_take(struct node *n, struct message *m)
 {
     if (m->whole) {
-        prefetch_pair(m->next); /* often the next to be asked for */
+        prefetch_pair(m->next); /* a receive often asks for it next */
         remove_whole(n, m);
         return;
     }
@@ -158,10 +158,10 @@ void unexpected_take(struct node *n, struct message *m)
     while (*link != m)
         link = &(*link)->next;
     unlink_coming(link);
-    unexpected_has_arrived(n, m); /* they need not wait for it any more */
+    unexpected_has_arrived(n, m); /* those behind m need not wait for it any more */
 }
 
-/* m is the first to come, and before those that are whole and were sent behind it. */
+/* Puts m first among the coming, with the whole messages behind it that were sent after it. */
 static void put_before_whole(struct node *n, struct message *m)
 {
     struct message **behind = &m->next;

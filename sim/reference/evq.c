@@ -1,11 +1,12 @@
 /* evq.c - the event queue of kernel/evq.h as a binary heap: the order is in before(), and nowhere else. */
 #include "kernel/evq.h"
+#include "kernel/xalloc.h"
 #include <assert.h>
 #include <stdlib.h>
 
 struct event {
     vtime time;
-    uint32_t place;
+    uint32_t address;
     bool late, sent;
     uint64_t sender, sequence; /* sender: of those that programs have sent, else 0 */
     evq_fire *fire;
@@ -30,14 +31,14 @@ void evq_free(struct evq *q)
     free(q);
 }
 
-/* Time, place, those that are not late, those that were sent, by sender and his number; the others as they
+/* Time, address, those that are not late, those that were sent, by sender and his number; the others as they
  * were put. */
 static bool before(const struct event *a, const struct event *b)
 {
     if (a->time != b->time)
         return a->time < b->time;
-    if (a->place != b->place)
-        return a->place < b->place;
+    if (a->address != b->address)
+        return a->address < b->address;
     if (a->late != b->late)
         return b->late;
     if (a->sent != b->sent)
@@ -57,9 +58,7 @@ static void put(struct evq *q, struct event e)
     assert(e.time >= q->now);
     if (q->length == q->room) {
         q->room = 2 * q->room + 64;
-        q->heap = reallocarray(q->heap, q->room, sizeof *q->heap);
-        if (!q->heap)
-            abort();
+        q->heap = xreallocarray(q->heap, q->room, sizeof *q->heap);
     }
     size_t i = q->length++;
     q->heap[i] = e;
@@ -81,22 +80,22 @@ static struct event take(struct evq *q)
     return first;
 }
 
-void evq_put(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
+void evq_put(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg)
 {
-    put(q, (struct event){time, place, .sequence = q->sequence++, .fire = fire, .ctx = ctx, .arg = arg});
+    put(q, (struct event){time, address, .sequence = q->sequence++, .fire = fire, .ctx = ctx, .arg = arg});
 }
 
-void evq_put_late(struct evq *q, vtime time, uint32_t place, evq_fire *fire, void *ctx, void *arg)
+void evq_put_late(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg)
 {
-    put(q, (struct event){time, place, .late = true, .sequence = q->sequence++, .fire = fire, .ctx = ctx,
+    put(q, (struct event){time, address, .late = true, .sequence = q->sequence++, .fire = fire, .ctx = ctx,
                           .arg = arg});
 }
 
-void evq_put_sent(struct evq *q, vtime time, uint32_t place, struct evq_sender by, evq_fire *fire, void *ctx,
-                  void *arg)
+void evq_put_sent(struct evq *q, vtime time, uint32_t address, struct evq_sender by, evq_fire *fire,
+                  void *ctx, void *arg)
 {
-    put(q,
-        (struct event){time, place, .sent = true, .sender = by.place, .sequence = by.number, fire, ctx, arg});
+    put(q, (struct event){time, address, .sent = true, .sender = by.address, .sequence = by.number, fire, ctx,
+                          arg});
 }
 
 vtime evq_next(const struct evq *q)
@@ -109,7 +108,7 @@ bool evq_step(struct evq *q, struct instant *present)
     if (!q->length)
         return false;
     struct event e = take(q);
-    *present = (struct instant){e.time, e.place};
+    *present = (struct instant){e.time, e.address};
     q->now = e.time;
     e.fire(e.ctx, e.arg, e.time);
     return true;

@@ -1,4 +1,4 @@
-/* The order of events: (time, place, sent or ordinary or late, sequence), whatever the order they were put
+/* The order of events: (time, address, sent or ordinary or late, sequence), whatever the order they were put
  * in. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,9 +27,9 @@ static void run(struct evq *q)
     evq_free(q);
 }
 
-static void put(struct evq *q, struct log *log, vtime t, uint32_t place, int id)
+static void put(struct evq *q, struct log *log, vtime t, uint32_t address, int id)
 {
-    evq_put(q, t, place, note, log, (void *)(intptr_t)id);
+    evq_put(q, t, address, note, log, (void *)(intptr_t)id);
 }
 
 static void earlier_time_comes_first(void **state)
@@ -83,12 +83,12 @@ static void put_kind(struct evq *q, struct instant at, enum kind kind, struct ev
 {
     void *arg = (void *)(intptr_t)id;
     if (kind == SENT)
-        evq_put_sent(q, at.time, at.place, by, fire, ctx, arg);
+        evq_put_sent(q, at.time, at.address, by, fire, ctx, arg);
     else
-        (kind == LATE ? evq_put_late : evq_put)(q, at.time, at.place, fire, ctx, arg);
+        (kind == LATE ? evq_put_late : evq_put)(q, at.time, at.address, fire, ctx, arg);
 }
 
-/* What happens in this order at one time and place. */
+/* What happens in this order at one time and address. */
 enum { SENT_AND_OTHERS = 7 }; /* a prime: steps of any width go round all */
 static const struct {
     enum kind kind;
@@ -228,7 +228,7 @@ enum { MOST = 3000, RANK_BITS = 42 };
 struct plain {
     struct expected {
         vtime time;
-        uint64_t rank; /* place, kind, sequence or sender and number */
+        uint64_t rank; /* address, kind, sequence or sender and number */
         int id;
     } pending[MOST];
     int length, next_id, steps;
@@ -272,14 +272,14 @@ static vtime distance(struct plain *p)
 static void put_any(struct plain *p)
 {
     vtime time = p->now + distance(p);
-    uint32_t place = (uint32_t)(some(p, 8) ? (uint64_t)p->next_id % 64 : some(p, 64));
+    uint32_t address = (uint32_t)(some(p, 8) ? (uint64_t)p->next_id % 64 : some(p, 64));
     enum kind kind = (enum kind[]){SENT, ORDINARY, ORDINARY, LATE}[some(p, 4)];
     int id = p->next_id++;
     struct evq_sender by = {(uint32_t)some(p, 4), (1 << 22) - 500 + (uint64_t)id};
-    uint64_t sequence = kind == SENT ? (uint64_t)by.place << 22 | by.number % (1 << 22) : (uint64_t)id;
+    uint64_t sequence = kind == SENT ? (uint64_t)by.address << 22 | by.number % (1 << 22) : (uint64_t)id;
     p->pending[p->length++] =
-        (struct expected){time, (4 * (uint64_t)place + kind) << RANK_BITS | sequence, id};
-    put_kind(p->q, (struct instant){time, place}, kind, by, happens, p, id);
+        (struct expected){time, (4 * (uint64_t)address + kind) << RANK_BITS | sequence, id};
+    put_kind(p->q, (struct instant){time, address}, kind, by, happens, p, id);
 }
 
 static uint32_t place_of(const struct expected *e)
@@ -302,7 +302,7 @@ static void step_as_expected(struct plain *p)
 {
     struct expected *e = &p->pending[first_of(p)];
     assert_int_equal(evq_next(p->q), e->time);
-    assert_int_equal(evq_next_place(p->q), place_of(e));
+    assert_int_equal(evq_next_address(p->q), place_of(e));
     assert_false(evq_late_is_first(p->q, e->time, place_of(e)));
     assert_int_equal(evq_late_is_first(p->q, e->time, 0), place_of(e) > 0);
     evq_fire *fire;
@@ -333,7 +333,7 @@ static void any_mix_comes_out_in_order(void **state)
             step_as_expected(p);
         assert_false(evq_step(p->q, &(struct instant){0}));
         assert_int_equal(evq_next(p->q), VT_NEVER);
-        assert_int_equal(evq_next_place(p->q), UINT32_MAX);
+        assert_int_equal(evq_next_address(p->q), UINT32_MAX);
         assert_true(evq_late_is_first(p->q, VT_NEVER, 0));
         evq_free(p->q);
         free(p);

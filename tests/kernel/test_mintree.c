@@ -1,4 +1,4 @@
-/* The least of many times by place: after any changes, what a look at all of them finds. */
+/* The least of many times by address: after any changes, what a look at all of them finds. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,9 +23,9 @@ static void of_equal_times_the_lowest_place(void **state)
     mintree_set(&b, 9, 5);
     mintree_set(&b, 4, 5);
     mintree_set(&b, 6, 5);
-    assert_int_equal(mintree_place(&b), 4);
+    assert_int_equal(mintree_address(&b), 4);
     mintree_set(&b, 4, VT_NEVER);
-    assert_int_equal(mintree_place(&b), 6);
+    assert_int_equal(mintree_address(&b), 6);
     mintree_free(&b);
 }
 
@@ -39,14 +39,14 @@ static void as_looking_at_all(void **state)
         time[p] = VT_NEVER;
     srand(1);
     for (int i = 0; i < 20000; i++) {
-        int place = rand() % (i < 10000 ? 10 + i / 50 : PLACES), least = 0;
-        time[place] = rand() % 4 ? (vtime)(rand() % 1000) : VT_NEVER;
-        mintree_set(&b, (uint32_t)place, time[place]);
+        int address = rand() % (i < 10000 ? 10 + i / 50 : PLACES), least = 0;
+        time[address] = rand() % 4 ? (vtime)(rand() % 1000) : VT_NEVER;
+        mintree_set(&b, (uint32_t)address, time[address]);
         for (int p = 1; p < PLACES; p++)
             if (time[p] < time[least])
                 least = p;
         assert_true(mintree_least(&b) == time[least]);
-        assert_true(time[least] == VT_NEVER || (int)mintree_place(&b) == least);
+        assert_true(time[least] == VT_NEVER || (int)mintree_address(&b) == least);
     }
     mintree_free(&b);
 }

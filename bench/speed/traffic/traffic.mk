@@ -7,6 +7,6 @@ $B/bench/measure: bench/speed/traffic/measure.c
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -o $@ $<
 
-$B/bench/queue: $(wildcard bench/speed/queue/*.c) sim/kernel/evq.c sim/kernel/arena.c bench/speed/queue/queues.h
+$B/bench/queue: $(wildcard bench/speed/queue/*.c) sim/kernel/evq.c sim/kernel/arena.c sim/kernel/xalloc.c bench/speed/queue/queues.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -D_GNU_SOURCE -Isim -Ibench/speed/queue -o $@ $(filter %.c,$^)
