@@ -31,7 +31,7 @@ struct options {
     bool keep_going, print;
 };
 
-/* Of all provers, which are processes. */
+/* Shared by all provers, which are processes. */
 struct shared {
     atomic_uint_fast64_t next, done, messages;
     atomic_bool found;
@@ -63,7 +63,7 @@ static void choose_ways(uint64_t seed, char way[WAYS][MOST_WAY])
     snprintf(way[5], MOST_WAY, "-w 2 --shuffle %u --slice %g", shuffle + 1, slice);
 }
 
-/* As C, and as somebody would run it. */
+/* Prints the program as C, and the command that runs it. */
 static void print_program(const struct program *p, const char *way, const char *build)
 {
     char parts[PATH_MAX];
@@ -113,7 +113,7 @@ static uint64_t lines(const char *text)
     return n;
 }
 
-/* Tries one program. The way on which it differs, or NULL. */
+/* Tries one program. Returns the way of running it whose results differ, or NULL. */
 static const char *try(const struct place *place, const struct program *p, char way[WAYS][MOST_WAY],
                        struct shared *all)
 {
