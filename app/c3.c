@@ -1,11 +1,11 @@
 /* c3.c - C0 and C3 data of the grid points by finite differences.
  *
- * A derivative along one axis is the difference of the two neighbouring pixels over their distance: 2 inside,
- * 1 at the edge of the volume, where the pixel itself stands for the neighbour that is missing. Mixed
- * derivatives are the products of these differences (all 27 pixels around a point take part), so they are
- * exact for polynomials that are at most quadratic in each variable inside, and linear at the edge. The
- * paper's text counts 27 pixels too; the formulas it prints for mixed derivatives take two opposite ones, and
- * would find one of 1 in F = x + y.
+ * A derivative along one axis is the difference of the two neighbouring pixels over their distance. The
+ * distance is 2 inside the volume, and 1 at its edge, where the pixel itself replaces the missing neighbour.
+ * A mixed derivative is the product of such differences; all 27 pixels around a point take part. Mixed
+ * derivatives are exact for polynomials that are at most quadratic in each variable inside, and linear at the
+ * edge. The paper's text counts 27 pixels, too; its printed formulas for mixed derivatives take two opposite
+ * pixels, and would find a mixed derivative of 1 in F = x + y.
  */
 #include <stddef.h>
 #include "c3.h"
@@ -26,7 +26,7 @@ static struct pair neighbours(int i, int n)
     return p;
 }
 
-/* The differences within one slice. */
+/* The level and its differences within one slice. */
 struct plane {
     double f, fx, fy, fxy;
 };

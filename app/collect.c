@@ -7,7 +7,8 @@
 
 #define LIST_DOUBLES 4096
 
-/* Vertices and their number, polygon after polygon; emptied to the part file, or dropped, when it is full. */
+/* Polygon after polygon, each its number of vertices and its vertices. A full list is written to the part
+ * file, or dropped. */
 struct list {
     double *data;
     int used;
@@ -43,7 +44,7 @@ static void empty(struct list *l)
     l->used = 0;
 }
 
-/* Any polygon gets a number that depends on each bit of its vertices (FNV-1a). */
+/* A number that depends on each bit of a polygon's vertices (FNV-1a). */
 static unsigned long long hash(int iso, int n, const vertex *v)
 {
     unsigned long long h = 14695981039346656037ull + (unsigned)iso;

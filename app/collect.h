@@ -8,19 +8,20 @@ struct collection {
     unsigned long long digest;      /* sum of the polygons' hashes: the order does not matter */
 };
 
-/* node: names the part files. Answers the collection, which collect_* keep up to date. */
+/* Begins the collection of this node, whose number is in the names of its part files. Answers the collection,
+ * which the functions below keep up to date. */
 const struct collection *collect_begin(const struct options *o, int node);
 
-/* Take one polygon. Call it with handlers held back, or from a handler. */
+/* Add one polygon. To be called with handlers masked, or from a handler. */
 void collect_polygon(int iso, int n, const vertex *v);
 
-/* Take a set of packed polygons of one surface: each is n, and n vertices. */
+/* Add packed polygons of one surface; collect_pack says how a polygon is packed. */
 void collect_packed(int iso, const double *set, long doubles);
 
-/* Pack one polygon in that form; answers the doubles used, 1 + 6 n. */
+/* Pack one polygon: n, then its n vertices. Answers the doubles used, 1 + 6 n. */
 int collect_pack(int n, const vertex *v, double *to);
 
-/* Empty the lists; no polygons follow. */
+/* Empty the lists and close the part files; no polygon may follow. */
 void collect_end(void);
 
 #endif

@@ -15,7 +15,7 @@ void fail(const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    fprintf(stderr, "model: node %ld: %s\n", mynode(), text); /* at one go: other nodes print too */
+    fprintf(stderr, "model: node %ld: %s\n", mynode(), text); /* in one call: other nodes print, too */
     fflush(stderr);
     for (i = 0; i < numnodes(); i++)
         if (i != mynode())

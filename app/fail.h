@@ -1,4 +1,4 @@
-/* fail.h - what ends the whole program: one message, then all nodes stop. */
+/* fail.h - ends the whole program: one message, then all nodes stop. */
 #ifndef FAIL_H
 #define FAIL_H
 #include <stddef.h>
@@ -6,10 +6,10 @@
 /* Print "model: node N: ..." and end the program on all nodes. */
 void fail(const char *format, ...);
 
-/* Memory, or fail. Handlers are held back meanwhile: malloc must not be entered twice. */
+/* Memory; fails if there is none. Handlers are masked meanwhile: malloc must not be entered twice. */
 void *allocate(size_t bytes);
 
-/* Memory, or NULL. */
+/* Memory, or NULL; handlers are masked meanwhile. */
 void *allocate_if_room(size_t bytes);
 
 #endif

@@ -1,11 +1,11 @@
 /* fit.c - least squares fit of a trivariate cubic to C3 data.
  *
- * 8 corners with 8 numbers each give 64 equations A b = d in the 64 coefficients. We form the normal
- * equations A'A b = A'd and solve them by Cholesky's method. A coefficient meets only coefficients whose
- * indices differ by at most one in each direction, so that the rows of A'A begin with zeros: the factor keeps
- * that profile, and the work is done from each row's first element on. A depends on the sides of the subcube
- * only, so that subcubes of one size that are computed together share the factor; each is then solved for its
- * own data.
+ * 8 corners with 8 numbers each give 64 equations A b = d in the 64 coefficients. fit_prepare factors the
+ * matrix of the normal equations A'A b = A'd by Cholesky's method. An equation joins only coefficients whose
+ * indices differ by at most one in each direction, so that the rows of A'A begin with zeros. The Cholesky
+ * factor keeps this profile, and all loops begin at a row's first element that is not zero. A depends on the
+ * sides of the subcube only, so that subcubes of one size share the factor; each subcube's data then take two
+ * substitutions.
  *
  * The value and the normal derivative of F on a face depend on the data of the face's corners only:
  * neighbouring subcubes join with C1 continuity.

@@ -5,16 +5,16 @@
 
 #define FIT_UNKNOWNS 64
 
-/* One equation: a number of the C3 data is a sum of up to 8 coefficients with factors, in rising order of
- * index. */
+/* One equation: a number of the C3 data is the sum of up to 8 coefficients times factors. Coefficients stand
+ * in rising order of index. */
 struct fit_equation {
     int terms;
     int index[8];
     double c[8];
 };
 
-/* The system of all subcubes of one size: its equations, and the Cholesky factor of their normal equations.
- */
+/* The system of all subcubes of one size: its equations, and the Cholesky factor L of the normal
+ * equations. */
 struct fit_system {
     double widths[3];
     struct fit_equation equation[FIT_UNKNOWNS];
@@ -22,11 +22,11 @@ struct fit_system {
     double l[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* row i from first[i] to i */
 };
 
-/* Set the system up for subcubes with these sides. */
+/* Set the system up, and factor it, for subcubes with these sides. */
 void fit_prepare(struct fit_system *s, const double widths[3]);
 
-/* Find the Bernstein-Bezier coefficients b[16 i + 4 j + k] of the (3,3,3) polynomial of a subcube whose C3
- * data at corner x + 2 y + 4 z (x, y, z = 0 or 1) is corner[..], in the least squares sense. */
+/* Find, in the sense of least squares, the Bernstein-Bezier coefficients b[16 i + 4 j + k] of a subcube's
+ * (3,3,3) polynomial. corner[x + 2 y + 4 z] is the C3 data of corner (x, y, z), each 0 or 1. */
 void fit_tricubic(const struct fit_system *s, const double *const corner[8], double b[FIT_UNKNOWNS]);
 
 #endif

@@ -1,11 +1,10 @@
-/* group.c - what hosts tell each other: news of their groups, the dealing of a finished group's nodes, the
- * end.
+/* group.c - messages between hosts: news of their groups, the dealing of a finished group's nodes, the end.
  *
- * Each group works for itself. A host that is done registers with node 0 and deals its nodes, itself
- * included, to the groups that still have work. Two groups that finish at the same time may deal nodes to
- * each other; so a finished host answers newcomers with DISCARD, and these orphans wait for the end. When all
- * groups have registered node 0 tells every node that the program ends. Nobody leaves before: the global sums
- * in main.c need all nodes, and finished hosts answer through their handlers until then.
+ * Each group works for itself. A finished host registers with node 0 and deals its nodes, itself included, to
+ * the groups that still have work. Two groups that finish at the same time may deal nodes to each other: a
+ * finished host answers the request of a new node with DISCARD, and this node then waits for the end. When
+ * all groups have registered, node 0 tells every node that the program ends. No node leaves before: the
+ * global sums in report.c need all nodes, and the handlers of finished hosts answer until then.
  */
 #include <string.h>
 #include <nx.h>
@@ -40,11 +39,10 @@ void group_tell_all(int kind, int value)
             tell(i, kind, value);
 }
 
-/* --- node 0 ----------------------------------------------------------------------------------------------
- */
+/* --- node 0 --- */
 
-/* One more group is done. With the last one the program ends: every node waits for an order by now, or will.
- */
+/* One more group is finished. After the last group node 0 sends the order to end: every node waits for an
+ * order by now, or will. */
 static void add_to_register(const struct totals *t)
 {
     static const struct order_message end = {NOBODY};
@@ -84,8 +82,7 @@ void group_register(void)
     masktrap(0);
 }
 
-/* --- all hosts -------------------------------------------------------------------------------------------
- */
+/* --- all hosts --- */
 
 struct span group_share(int group)
 {
@@ -107,7 +104,8 @@ void group_begin(void)
         hrecv(TOTALS, &totals, sizeof totals, on_totals);
 }
 
-/* What is left to hand out, as the weight by which nodes are dealt; 0 when the group wants none. */
+/* The layers of this group that are not handed out yet, with fraction: the weight by which nodes are dealt.
+ * 0: the group wants no nodes. */
 static double own_weight(void)
 {
     double weight = host.later;
@@ -124,7 +122,7 @@ static void add_slaves(const int *nodes, int n)
     int i;
 
     if (host.stage != WORKING)
-        return; /* they are discarded when they ask */
+        return; /* the nodes are discarded when they ask */
     for (i = 0; i < n; i++)
         if (!host.member[nodes[i]]) {
             host.member[nodes[i]] = 1;
@@ -156,11 +154,10 @@ void group_handle_control(const struct control_message *m)
     }
 }
 
-/* --- dealing ----------------------------------------------------------------------------------------------
- */
+/* --- dealing --- */
 
-/* Ask the groups that may want nodes, one after the other, so that an answer's sender need not be told apart.
- */
+/* Ask the groups that may want nodes for their weights. One question at a time is under way, so that an
+ * answer need not name its sender. */
 static void ask_weights(double *weight)
 {
     struct answer_message a;
@@ -182,7 +179,7 @@ static void ask_weights(double *weight)
     }
 }
 
-/* The nodes that are dealt: this group's slaves, which have all sent their FIN, and the host itself. */
+/* The nodes to deal: this group's slaves, which have all sent their FIN, and the host itself, last. */
 static int own_nodes(int *nodes)
 {
     int n = 0, i;

@@ -1,18 +1,22 @@
 /* host.c - the main program of a group's host.
  *
- * For each layer: open it, so that handlers may hand out its subcubes in the background; read the slice of
- * the next layer meanwhile; help computing subcubes until only those are left that the slaves shall have;
- * wait until these are asked for. Then the next layer. The last layer is followed by the drain: each slave's
- * request is answered with NO_MORE, it sends the polygons it still has and a FIN.
+ * For each layer the host
+ *  - opens the layer, so that handlers may hand out its subcubes in the background;
+ *  - reads the slice of the next layer meanwhile;
+ *  - helps computing subcubes, until only the `keep` subcubes are left that the slaves shall have;
+ *  - waits until slaves have asked for these subcubes.
+ * After the last layer the host drains the group: it answers each slave's request with NO_MORE, and the slave
+ * sends its last polygons and a FIN.
  *
  * Why this cannot stop halfway. The main program waits for two things only.
- *  - FOR_REQUESTS: subcubes are left (at most `keep`) and the group has slaves. Every slave of the group that is not
- *    computing has a request under way or in our queue: it asks before it waits. Slaves that were announced but have
- *    not asked yet will: they were told to. Handlers answer requests without waiting for the main program.
- *  - FOR_SLAVES: only slaves that have asked at least once are waited for. They hold one chunk or wait for the answer
- *    to one request; both end with their asking again, NO_MORE, and FIN. A slave that asks for the first time when
- *    we drain or are finished is discarded instead: it waits for nobody but node 0's word that all is over.
- * Handlers wait as well, but only for what is on its way without anybody's doing: the body of a polygon
+ *  - FOR_REQUESTS: subcubes are left (at most `keep`) and the group has slaves. Every slave of the group that
+ *    is not computing has a request under way or in the host's queue, since a slave asks before it waits. A
+ *    slave that was announced and has not asked yet will ask, by its order. Handlers answer requests without
+ *    waiting for the main program.
+ *  - FOR_SLAVES: the host waits only for slaves that have asked at least once. Such a slave holds one chunk
+ *    or waits for the answer to one request. Either way it asks again, gets NO_MORE, and sends FIN. A slave
+ *    that asks for the first time after the last layer is discarded: it waits only for node 0's order to end.
+ * Handlers wait, too, but only for messages that no other action has to precede: the body of a polygon
  * message is sent at once after its header, and a chunk's receive was posted before its request.
  */
 #include <string.h>
@@ -66,8 +70,8 @@ void host_prepare(const struct options *o)
     slices_begin(o, span.first);
 }
 
-/* The slices of the first layer: two of C0 data, or of C3 data, which take a third slice, and a fourth below
- * where there is one. */
+/* Read the slices of the first layer. C0 data take two slices; C3 data take a third, and a fourth below if
+ * there is one. */
 void host_read_first(void)
 {
     enum activity before = times_enter(READING);
@@ -77,7 +81,7 @@ void host_read_first(void)
     times_enter(before);
 }
 
-/* While layer j is open: the slice of the one after it. */
+/* While layer j is open: read the next layer's upper slice. */
 static void read_ahead(int j)
 {
     enum activity before = times_enter(READING);
@@ -106,7 +110,7 @@ static void open_layer(int j)
     masktrap(0);
 }
 
-/* The host's own polygons go straight to the collection. */
+/* The host's own polygons go directly to the collection. */
 static void keep_polygon(int iso, int n, const vertex *v)
 {
     masktrap(1);
@@ -114,7 +118,7 @@ static void keep_polygon(int iso, int n, const vertex *v)
     masktrap(0);
 }
 
-/* A helped subcube is a job of its own, prepared like a chunk. On a single node the layer is one chunk. */
+/* Each subcube that the host helps with is prepared like a chunk. On a single node the layer is one chunk. */
 static void help(void)
 {
     static struct fit_system system;
@@ -138,8 +142,8 @@ static void help(void)
     }
 }
 
-/* Sleep until a handler sees that what we wait for has come. Answers the seconds of waiting, without the
- * handlers'. */
+/* Wait until a handler finds service_ready(what) true. Answers the seconds of waiting, less those of the
+ * handlers. */
 static double wait_for(enum waiting what)
 {
     double start, served;

@@ -1,8 +1,8 @@
 /* host.h - the state of a group's host, shared by its main program and its handlers.
  *
- * Handlers interrupt the main program at any point where they are not held back, never each other. So the
- * main program holds them back (masktrap) around every use of the fields below, of the collection, and of the
- * C library; a handler needs no protection.
+ * Handlers interrupt the main program wherever they are not masked, and never interrupt each other. The main
+ * program masks them (masktrap) around every use of the fields below, of the collection, and of the C
+ * library; a handler needs no such care.
  */
 #ifndef HOST_H
 #define HOST_H
@@ -12,13 +12,13 @@
 
 enum stage {
     WORKING,  /* layers are open or to come */
-    DRAINING, /* everything is handed out; slaves send what they have and finish */
-    FINISHED  /* slaves that come now are discarded */
+    DRAINING, /* no subcube is left; slaves send their last polygons and finish */
+    FINISHED  /* a slave that asks now is discarded */
 };
 
 enum waiting { NOT, FOR_REQUESTS, FOR_SLAVES };
 
-/* What a host knows of another group. */
+/* What a host knows about another group. */
 struct news {
     int layers_left, half, done;
 };
@@ -30,22 +30,22 @@ struct host {
     struct news *news; /* of each group */
 
     enum stage stage;
-    enum waiting waiting; /* what the main program waits for; a handler that sees it come sends WAKE */
+    enum waiting waiting; /* what for, by the main program; the handler that ends the wait sends WAKE */
     int open;             /* a layer is open: its subcubes may be handed out */
     struct pool pool;
     struct layer layer;
     int later; /* layers not opened yet */
     int half_told;
 
-    char *member;   /* by node: counted as a slave of this group (announced, or has asked) */
-    char *attached; /* by node: has asked, so that we must wait for its FIN */
+    char *member;   /* by node: a slave of this group (announced, or has asked) */
+    char *attached; /* by node: has asked, so that the host must wait for its FIN */
     int members, attacheds;
-    int *in_hand; /* by node: subcubes of its last chunk, 0 once it asks again */
+    int *in_hand; /* by node: subcubes of its last chunk, 0 after its next request */
     int all_in_hand;
-    int *queue; /* requests that wait for subcubes, first come first served */
+    int *queue; /* nodes whose requests wait for subcubes, first come first served */
     int queued;
 
-    int fins, bodies, bodies_sent; /* FINs; polygon messages received; those announced in FINs */
+    int fins, bodies, bodies_sent; /* FINs; polygon messages received, and announced in FINs */
     double few_left_at; /* time when at most one row was left, while the main program waited; or < 0 */
 
     /* measurements */
@@ -55,19 +55,19 @@ struct host {
 
 extern struct host host;
 
-/* service.c: the handlers, and what the main program does in their place (with handlers held back). */
+/* service.c: the handlers, and what the main program does in their place (with handlers masked). */
 void service_begin(void);
-void service_queue(void); /* answer the requests that wait, as far as there is something to hand out */
-void service_watch(void); /* tell the others when half a layer is left unfinished */
+void service_queue(void); /* answer the requests that wait, as far as subcubes are left */
+void service_watch(void); /* tell the other hosts, once, when at most policy.half layers are unfinished */
 int service_ready(enum waiting what);
-double host_unfinished(void); /* layers, with fraction, that are not computed as far as we know */
+double host_unfinished(void); /* layers, with fraction, not known to be computed */
 
 /* group.c: the other groups. */
-struct span group_share(int group); /* its layers */
+struct span group_share(int group); /* the layers of a group */
 void group_begin(void);
 void group_handle_control(const struct control_message *m);
 void group_tell_all(int kind, int value);
-void group_register(void);  /* tell node 0 that this group is done */
+void group_register(void);  /* tell node 0 that this group is finished */
 int group_deal_nodes(void); /* the host's own new host, or NOBODY */
 
 /* node 0's register of finished groups */
@@ -80,8 +80,8 @@ struct registered {
 
 extern struct registered registered;
 
-/* host.c: a whole group, from its first slice to the dealing out of its nodes. Answers the node's next host.
- */
+/* host.c: a whole group, from its first slice to the dealing of its nodes. host_run answers the host that
+ * this node serves next, or NOBODY. */
 void host_prepare(const struct options *o);
 void host_read_first(void);
 int host_run(void);

@@ -1,4 +1,4 @@
-/* layer.h - two slices of grid data with the subcubes between them, and computing these. */
+/* layer.h - two slices of grid data, the subcubes between them, and their computing. */
 #ifndef LAYER_H
 #define LAYER_H
 #include "options.h"
@@ -10,8 +10,8 @@ struct layer {
     int row;
 };
 
-/* Prepare what the subcubes that are computed together have in common. Called before each of them, whose
- * number among them is nth, from 0 on; what this does is the policy's. system is of zeros at first. */
+/* Set up the fit's equations before a subcube, as far as policy.prepare asks for it. nth: the subcube's
+ * number among those computed together, from 0 on. system consists of zeros before the first call. */
 void layer_prepare(const struct options *o, struct fit_system *system, int nth);
 
 /* Find the polygons of subcube `cell` (row * nx + column) of a layer. */
@@ -27,17 +27,17 @@ struct chunk {
     struct layer layer;
 };
 
-/* Greatest length of a chunk. */
+/* Greatest length of a chunk, in bytes. */
 long chunk_bytes_max(const struct options *o);
 
-/* Pack subcubes [first, first + count) of a layer; the grid points that they share go in once. Answers the
- * bytes. */
+/* Pack subcubes [first, first + count) of a layer; a grid point of several subcubes is packed once. Answers
+ * the bytes. */
 long chunk_pack(const struct grid *g, const struct layer *l, int first, int count, double *message);
 
-/* Pack a message without subcubes. */
+/* Pack a chunk without subcubes: CHUNK_NO_MORE or CHUNK_DISCARD. Answers the bytes. */
 long chunk_pack_word(enum chunk_kind kind, double *message);
 
-/* Look at a message; the chunk's rows stay where they are. */
+/* The chunk in a message; its rows stay in the message. */
 struct chunk chunk_unpack(const struct grid *g, const double *message);
 
 #endif

@@ -1,6 +1,6 @@
 /* main.c - scalar field modelling: isosurfaces of a volume by trivariate approximation, on groups of nodes.
  *
- * One program for all nodes. The first node of each group is its host, the others are its slaves; when a
+ * All nodes run this program. The first node of each group is its host, the others are its slaves; when a
  * group has finished, its nodes serve the hosts of other groups. Written after C. Bajaj and K.-N. Lin,
  * "Scalar Field Modeling and Visualization on the Intel Delta".
  */
@@ -15,7 +15,7 @@
 #include "times.h"
 #include "volume.h"
 
-/* All nodes read the same command line; node 0 speaks for them. */
+/* All nodes read the same command line; only node 0 prints. */
 static int read_options(struct options *o, int argc, char **argv)
 {
     char error[256];
@@ -33,7 +33,8 @@ static int group_size(const struct options *o)
     return o->policy.group > 0 ? o->policy.group : (int)numnodes();
 }
 
-/* A file of another size would be read as nonsense. One node looks, before the others open it. */
+/* Fails if the file has another size than the options say. Node 0 checks before any other node opens the
+ * file. */
 static void check_volume(const struct options *o)
 {
     char error[256];
@@ -43,7 +44,7 @@ static void check_volume(const struct options *o)
     gsync();
 }
 
-/* Everything that takes memory, and slices when they are to be read before the clock starts. */
+/* Allocates all memory, and, with -preload, reads the first slices, before the clock starts. */
 static void prepare(const struct options *o, int is_host)
 {
     if (is_host)

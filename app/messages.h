@@ -1,16 +1,16 @@
 /* messages.h - the messages of the program.
  *
- * To hosts, taken by handlers:
- *   REQUEST    slave -> host    "I am nearly done": nothing in it
- *   POLYGONS   slave -> host    header: a body of polygons of one surface follows, of type BODY + the slave's node
- *   FIN        slave -> host    after NO_MORE: my polygons are all sent
- *   CONTROL    host -> host     news of a group, new slaves, questions
- *   TOTALS     host -> node 0   my group is done; these are its polygons
- * Waited for in the main program:
- *   CHUNK      host -> slave    the answer to a request (layer.h)
- *   ORDER      to a node without work: a new host, or the end
- *   ANSWER     host -> host     to the question in a CONTROL message
- *   WAKE       node -> itself   a handler tells the waiting main program to look again
+ * Received by handlers:
+ *   REQUEST    slave -> host    asks for a chunk; empty
+ *   POLYGONS   slave -> host    polygons of one surface: a header; the body follows, of type BODY + the node
+ *   FIN        slave -> host    after NO_MORE: all polygons are sent
+ *   CONTROL    host -> host     news of a group, new slaves, or a question
+ *   TOTALS     host -> node 0   a group is finished: its polygons
+ * Received by the main program:
+ *   CHUNK      host -> slave    answers a request (layer.h)
+ *   ORDER      host -> node     names the node's next host, or the end, to a node without work
+ *   ANSWER     host -> host     answers the question in a CONTROL message
+ *   WAKE       node -> itself   a handler ends the main program's wait
  */
 #ifndef MESSAGES_H
 #define MESSAGES_H
@@ -20,19 +20,19 @@ enum { REQUEST = 1, POLYGONS, FIN, CONTROL, TOTALS, CHUNK, ORDER, ANSWER, WAKE, 
 
 struct polygons_message {
     int iso;     /* the surface */
-    int doubles; /* in the body */
+    int doubles; /* in the body; 0: no body follows */
 };
 
 struct fin_message {
-    int messages; /* of polygons this slave has sent to this host since it asked for its first chunk */
+    int messages; /* POLYGONS from this slave to this host since the slave asked for its first chunk */
 };
 
 enum control_kind {
     LAYER_FINISHED, /* value: layers left */
-    HALF_LEFT,      /* take me off the list of groups that want nodes */
+    HALF_LEFT,      /* the group wants no more nodes */
     GROUP_DONE,
-    NEW_SLAVES, /* value: how many; their nodes follow */
-    HOW_MUCH    /* answer with the work that is left */
+    NEW_SLAVES, /* value: how many; nodes: their numbers */
+    HOW_MUCH    /* to be answered with the work that is left */
 };
 
 struct control_message {
@@ -41,11 +41,11 @@ struct control_message {
 };
 
 struct answer_message {
-    double weight; /* layers not handed out yet, with fraction; 0: do not send me nodes */
+    double weight; /* layers not handed out yet, with fraction; 0: the group wants no nodes */
 };
 
 struct order_message {
-    int host; /* to serve from now on, or NOBODY: the program ends */
+    int host; /* which the node serves from now on; NOBODY: the program ends */
 };
 
 #define NOBODY (-1)

@@ -8,9 +8,9 @@
 #include "options.h"
 #include "slice.h"
 
-/* Isovalues are moved up by this much. Gray levels are whole numbers and the cubic at lattice points mostly
- * multiples of 1/4096, so that F does not equal an isovalue there: neighbouring subcubes agree which points
- * are inside although they round differently, and no polygon shrinks to a point. */
+/* Isovalues are moved up by this much. Gray levels are whole numbers, and values of the cubic at lattice
+ * points mostly multiples of 1/4096, so that F equals no isovalue there. Neighbouring subcubes, whose
+ * rounding differs, then agree which points are inside, and no polygon shrinks to a point. */
 #define OFF_LATTICE (9.5 / 4096)
 
 struct parser {
@@ -66,7 +66,7 @@ static int read_positive(struct parser *p, double *value)
     return 0;
 }
 
-/* One of some words, separated by blanks in `words`; *value becomes its place. */
+/* One of `words`, which blanks separate; *value becomes its number, from 0 on. */
 static int read_word(struct parser *p, int *value, const char *words)
 {
     const char *text = argument(p), *w = words;
@@ -247,7 +247,7 @@ static int slice_fits(int x, int y)
     return (double)(x + 1.0) * (y + 1.0) * C3_COMPS <= INT_MAX;
 }
 
-/* What depends on several options. */
+/* Sets what depends on several options. */
 static int complete(struct parser *p, struct options *o)
 {
     int cubic = p->approx == 333, i, shorter;

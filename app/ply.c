@@ -48,10 +48,9 @@ void ply_part_end(FILE *part)
         fail("cannot write a part file: is the disk full?");
 }
 
-/* --- joining ---------------------------------------------------------------------------------------------
- */
+/* --- joining the parts --- */
 
-/* Reads the polygons of all parts of one surface in turn. */
+/* Reads the polygons of one surface, part after part. */
 struct reader {
     const char *prefix;
     int surface, nodes, step, node;
@@ -92,7 +91,8 @@ static void write_header(FILE *out, long vertices, long faces)
     fprintf(out, "element face %ld\nproperty list uchar int vertex_indices\nend_header\n", faces);
 }
 
-/* Vertices in the order of their numbers: those that weld_number() found new. */
+/* Writes the vertices in the order of their numbers; a vertex is new if its number is the next to be
+ * written. */
 static void write_vertices(FILE *out, struct reader r, struct weld *w)
 {
     weld_vertex v[POLYGON_SIZE];

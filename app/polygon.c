@@ -1,9 +1,9 @@
 /* polygon.c - links edge crossings into polygons; see polygon.h.
  *
- * Walk around each face counterclockwise, seen from outside the cube. Each edge where the walk comes into the
- * inside is linked to the edge where it next leaves it. An edge belongs to two faces, which walk it in
- * opposite directions: so every crossed edge has exactly one link from it and one to it, and the links close
- * to loops.
+ * Walk around each face counterclockwise, seen from outside the cube. Each edge where the walk enters the
+ * inside is linked to the edge where the walk next leaves the inside. An edge belongs to two faces, whose
+ * walks pass it in opposite directions: every crossed edge has exactly one link from it and one to it, and
+ * the links close to loops.
  */
 #include <math.h>
 #include <string.h>
@@ -30,7 +30,7 @@ static void link_face(unsigned inside, const int *corner, const int *edge, int n
         }
 }
 
-/* Hand out a loop of n vertices in pieces of at most POLYGON_MAX. */
+/* Give a loop of n vertices to out, as polygons of at most POLYGON_MAX vertices. */
 static void hand_out(const vertex *loop, int n, int iso, polygon_fn *out)
 {
     vertex piece[12];

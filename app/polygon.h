@@ -6,7 +6,7 @@
 #ifndef POLYGON_H
 #define POLYGON_H
 
-#define POLYGON_MAX 6 /* vertices of a polygon that is handed out; longer ones are split */
+#define POLYGON_MAX 6 /* vertices of a polygon; longer ones are split */
 
 typedef double vertex[6]; /* x y z in pixels, then the unit normal: the direction in which F rises */
 
@@ -17,10 +17,10 @@ typedef void polygon_fn(int iso, int n, const vertex *v);
 extern const int polygon_edge[12][2];
 
 /* Link the crossings of a cube into polygons. Bit c of inside: F is below the isovalue in corner c.
- * at_edge[e] is the surface's vertex on edge e; only edges with one end inside are looked at. Vertices run
+ * at_edge[e] is the surface's vertex on edge e, read only if one end of e is inside. Vertices run
  * counterclockwise around the normals. On a face with two inside corners at opposite ends of a diagonal each
- * is cut off on its own: the rule depends on the face's corners only, so both cubes at a face agree and the
- * surface has no gaps. */
+ * corner is cut off alone. This rule depends on the face's corners only, so that both cubes at a face agree
+ * and the surface has no gaps. */
 void polygon_link(unsigned inside, const vertex *const at_edge[12], int iso, polygon_fn *out);
 
 /* Scale a normal to unit length; a vanishing one becomes (0, 0, 1). */

@@ -3,7 +3,7 @@
 #define REPORT_H
 #include "options.h"
 
-/* Called by all nodes when the program has ended for them; node 0 prints. start_s: its time of the start. */
+/* Called by all nodes, after their last work; node 0 prints. start_s: dclock() at the start, on node 0. */
 void report(const struct options *o, int is_host, double start_s);
 
 #endif

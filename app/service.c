@@ -1,18 +1,18 @@
 /* service.c - the handlers of a host: requests, polygons, FINs, control messages.
  *
- * Each handler takes its message, posts itself again, and last looks whether what the main program waits for
- * has come.
+ * Each handler handles its message, posts itself again, and ends the main program's wait if its condition
+ * holds.
  */
 #include <nx.h>
 #include "fail.h"
 #include "host.h"
 #include "times.h"
 
-/* Chunks under way: the host alternates between a few buffers and waits only when the next one is still being
- * sent. */
+/* A buffer for a chunk under way. The host uses a few buffers in a cycle and waits only if the next buffer is
+ * still being sent. */
 struct outgoing {
     double *message;
-    long id; /* of its send, or -1 */
+    long id; /* of the last send from this buffer, or -1 */
 };
 
 static struct outgoing *outgoing;
@@ -29,7 +29,8 @@ static void on_polygons(long type, long count, long node, long pid);
 static void on_fin(long type, long count, long node, long pid);
 static void on_control(long type, long count, long node, long pid);
 
-/* As many buffers as wished for, or as there is room for; one is enough, if the host waits more often. */
+/* Allocates as many buffers as -buffers says, or as there is room for. One suffices; the host then waits more
+ * often. */
 static void allocate_outgoing(void)
 {
     size_t bytes = chunk_bytes_max(host.o);
@@ -122,7 +123,7 @@ static void hand_out(int node)
         host.few_left_at = dclock();
 }
 
-/* Answer a request now, or answer 0: there is nothing to hand out yet. */
+/* Answer a request. Returns 0, and does nothing, if there is nothing to hand out yet. */
 static int answer(int node)
 {
     if (host.stage == DRAINING)
@@ -145,7 +146,7 @@ void service_queue(void)
         host.queue[i] = host.queue[served + i];
 }
 
-/* A node that asks belongs to the group from now on, announced or not. */
+/* A node belongs to the group from its first request on, announced or not. */
 static void attach(int node)
 {
     if (!host.member[node]) {
@@ -179,7 +180,7 @@ static void on_request(long type, long count, long node, long pid)
     host.handler_s += dclock() - start;
 }
 
-/* The body follows its header at once; put its polygons on the surface's list. */
+/* The body follows its header at once; its polygons go to the surface's list. */
 static void on_polygons(long type, long count, long node, long pid)
 {
     double start = dclock();

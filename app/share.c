@@ -81,7 +81,7 @@ void share_nodes(int n, int places, const double *weight, int *got)
         got[i] = (int)(n * weight[i] / sum);
         left -= got[i];
     }
-    /* a place that got one of the rest has a remainder below 0 and is not served twice */
+    /* a place that got one of the rest has a remainder below 0 and gets no second */
     for (; left > 0; left--) {
         for (best = -1, best_rest = 0, i = 0; i < places; i++) {
             rest = n * weight[i] / sum - got[i];

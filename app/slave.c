@@ -1,8 +1,9 @@
 /* slave.c - requests chunks of subcubes, computes them, sends their polygons.
  *
- * At most one request is under way, and one chunk stored ahead: the receive for the next chunk is posted
- * before the request is sent, so a host never waits for us. The polygons of each surface are kept by
- * themselves, in two buffers by turns, and sent when a buffer is full or the node is about to wait.
+ * At most one request is under way, and one chunk stored ahead. The slave posts the receive for the next
+ * chunk before it sends the request, so that a host never waits for a slave. Each surface has two buffers for
+ * its polygons: one is filled while the other is sent. A buffer is sent when it is full or the node is about
+ * to wait.
  */
 #include <stddef.h>
 #include <nx.h>
@@ -24,14 +25,14 @@ struct surface {
 static struct {
     const struct options *o;
     int host;
-    /* chunks: one in work, one stored or under way */
+    /* chunks: one being computed, one stored or under way */
     double *chunk[2];
     long receive; /* message id of the next chunk's receive, or -1 when it has come */
-    int turn;     /* the buffer it comes to */
+    int turn;     /* the buffer of the next chunk */
     /* polygons */
     struct surface surface[ISOVALUES_MAX];
-    int messages; /* of polygons, sent to this host */
-    int computed; /* something, since the last flush */
+    int messages; /* POLYGONS sent to this host */
+    int computed; /* a chunk was computed since the last flush */
 } slave;
 
 void slave_prepare(const struct options *o)
@@ -65,7 +66,7 @@ static void send_polygons(int iso)
     times_enter(before);
 }
 
-/* Before polygons go into a buffer its last sending must be complete. */
+/* Waits until the last send from a buffer is complete: polygons may then go into it. */
 static void claim_buffer(struct surface *s, int buffer)
 {
     enum activity before;
@@ -78,9 +79,9 @@ static void claim_buffer(struct surface *s, int buffer)
     s->send[buffer] = -1;
 }
 
-/* All sets are sent, unless -noempty is given empty ones too: the host is told of every surface each time.
- * But not before the first chunk: a host that discards us does not wait for our messages, and must not get
- * any. The buffers are free again afterwards. */
+/* Sends the polygons of every surface; without -noempty also a message for each surface that has none. Sends
+ * nothing before the first chunk: a host that discards this slave does not wait for its messages, and must
+ * get none. All buffers are free afterwards. */
 static void flush_polygons(void)
 {
     int iso, i;
@@ -117,7 +118,7 @@ static void request(int buffer)
     times_enter(before);
 }
 
-/* Wait for the chunk that was asked for. The polygons found so far leave before the node idles. */
+/* Wait for the requested chunk. With -flush wait the polygons found so far are sent before the node waits. */
 static struct chunk next_chunk(void)
 {
     if (msgdone(slave.receive) == 0) {
@@ -135,7 +136,7 @@ static struct chunk next_chunk(void)
     return chunk_unpack(&slave.o->grid, slave.chunk[slave.turn]);
 }
 
-/* Compute a chunk; ask for the next one, into the other buffer, when few subcubes are left. */
+/* Compute a chunk; request the next one, into the other buffer, when -lead subcubes are left. */
 static void compute(const struct chunk *c)
 {
     static struct fit_system system;
@@ -167,7 +168,7 @@ static void serve(int host)
     for (c = next_chunk(); c.kind == CHUNK_WORK; c = next_chunk())
         compute(&c);
     if (c.kind == CHUNK_DISCARD)
-        return; /* the host was finished when we came; it does not count us */
+        return; /* the host was finished; this slave is none of those it waits for */
     flush_polygons();
     fin.messages = slave.messages;
     csend(FIN, &fin, sizeof fin, host, 0);

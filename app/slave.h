@@ -3,7 +3,7 @@
 #define SLAVE_H
 #include "options.h"
 
-/* Get the buffers. */
+/* Allocate the buffers. */
 void slave_prepare(const struct options *o);
 
 /* Serve `host`, then whichever host the node is dealt to, until the program ends. NOBODY: wait for an order

@@ -1,9 +1,9 @@
 /* slices.c - reads slices and makes their C0 or C3 data, a few slices ahead of the work.
  *
- * C3 data of slice k take slices k-1 to k+1. A group reads one slice beyond its share at either end, where
- * there is one, so that the data do not depend on how slices are divided. C0 data do not need these boundary
- * slices, but the one above is read all the same, as the last of the group's slices: Table 3 has the time for
- * it in every group's last layer.
+ * C3 data of slice k take slices k-1 to k+1. A group reads one slice beyond its share at either end, if there
+ * is one, so that the data do not depend on how slices are divided. C0 data do not need these boundary
+ * slices. The slice above is read nevertheless, in the group's last layer: Table 3 of the paper has time for
+ * reading it there.
  */
 #include <stddef.h>
 #include "c3.h"

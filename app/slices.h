@@ -1,4 +1,4 @@
-/* slices.h - a host's window on the volume: grid data of the slices it needs now. */
+/* slices.h - a host's window on the volume: grid data of the slices of its open layer and the next. */
 #ifndef SLICES_H
 #define SLICES_H
 #include "layer.h"
@@ -6,11 +6,11 @@
 /* Get ready to make grid data from slice `first` on. */
 void slices_begin(const struct options *o, int first);
 
-/* Read what is needed and make the grid data of slice k; ask for slices in rising order. Three are kept. */
+/* Make the grid data of slice k, and read the slices that it takes. Slices are to be prepared in rising
+ * order; the last three stay valid. */
 void slices_prepare(int k);
 
-/* After a group's last slice: read the one above it, the boundary where groups overlap, if that has not been
- * done. */
+/* After a group's last slice: read the slice above, where groups overlap, unless it has been read. */
 void slices_overlap(void);
 
 /* The layer between slices k and k + 1, both prepared. */

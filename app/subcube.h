@@ -1,5 +1,4 @@
-/* subcube.h - the work of the slaves: approximate F in one subcube and find the polygons of all isosurfaces
- * in it. */
+/* subcube.h - one subcube: approximates F in the subcube and finds the polygons of all isosurfaces there. */
 #ifndef SUBCUBE_H
 #define SUBCUBE_H
 #include "fit.h"
@@ -14,15 +13,15 @@ struct isovalues {
     double value[ISOVALUES_MAX];
 };
 
-/* Corner c's data are at corner[c]: one number (trilinear) or eight (tricubic). The result depends on nothing
- * but the arguments: whoever computes a subcube finds the same polygons, to the bit. */
+/* Corner c's data are at corner[c]: one number (trilinear) or eight (tricubic). The result depends on the
+ * arguments only: every node that computes a subcube finds the same polygons, to the bit. */
 void trilinear_polygons(const struct cell *cell, const double *const corner[8], const struct isovalues *iso,
                         polygon_fn *out);
 
-/* The cubic is polygonised on lattice x lattice x lattice small cubes, 1 <= lattice <= LATTICE_MAX. A cubic
- * may cross an edge of theirs three times: `search` parts of it are looked at for a change of sign, and the
- * first root is taken. The system must be one that fit_prepare has set up; it is set up anew when the
- * subcube's sides are not those it was made for. */
+/* The cubic is polygonised on lattice x lattice x lattice small cubes, 1 <= lattice <= LATTICE_MAX. F - c may
+ * have three roots on an edge of a small cube: `search` parts of the edge are searched for changes of sign,
+ * and the first root counts. fit_prepare must have set the system up; if it was set up for other sides, it is
+ * set up again. */
 void tricubic_polygons(struct fit_system *system, const struct cell *cell, const double *const corner[8],
                        const struct isovalues *iso, int lattice, int search, polygon_fn *out);
 

@@ -1,11 +1,11 @@
-/* times.c - see times.h. */
+/* times.c - seconds by activity and by layer; see times.h. */
 #include <stdio.h>
 #include <string.h>
 #include <nx.h>
 #include "fail.h"
 #include "times.h"
 
-/* What is measured of a layer, in this order. */
+/* The figures of a layer, in the order in which they are printed. */
 enum { START, TOTAL, READ, HELPED, SERVED, PACKED, WAITED, FIGURES };
 
 static struct {
@@ -103,8 +103,8 @@ static void print_class(const char *name, const double *sum)
         printf("times_%s_%s_s %.9f\n", name, names[a], sum[SPENT + a]);
 }
 
-/* One line a layer: when it was opened, its length, and of that reading, helping, serving slaves, packing,
- * waiting. */
+/* One line a layer: when it was opened, its seconds, and the seconds of reading, helping, serving slaves,
+ * packing and waiting. */
 static void print_layers(void)
 {
     int i, k;

@@ -1,10 +1,10 @@
 /* tricubic.c - the (3,3,3) approximation: F is a trivariate cubic in each subcube, and C1 across their faces.
  *
- * A cubic piece can bend within its subcube, so it is polygonised on a lattice of m x m x m small cubes.
- * Whether a lattice point is inside is decided once, from its value of F; isovalues are such that F never
- * equals them there (options.c), so that neighbouring subcubes decide alike although their coefficients are
- * rounded differently. F is restricted to each lattice edge once; for each isovalue its root is then sought
- * along every edge.
+ * The surface of a cubic can bend within a subcube, so that F is polygonised on a lattice of m x m x m small
+ * cubes. Whether a lattice point is inside is decided once, from the value of F there. F never equals an
+ * isovalue at a lattice point (options.c), so that neighbouring subcubes decide alike although their
+ * coefficients are rounded differently. F is restricted to each lattice edge once; the root for each isovalue
+ * is then sought along every edge.
  */
 #include <math.h>
 #include <string.h>
@@ -81,8 +81,7 @@ void tricubic_gradient(const double b[64], const double at[3], double gradient[3
     gradient[2] = contract(b, w[0], w[1], dw[2]);
 }
 
-/* A univariate cubic by de Casteljau's algorithm; with different parameters in its three steps: its blossom.
- */
+/* De Casteljau's algorithm on a univariate cubic: its value if r = s = t, its blossom otherwise. */
 static double blossom(const double q[4], double r, double s, double t)
 {
     double a = mix(q[0], q[1], r), b = mix(q[1], q[2], r), c = mix(q[2], q[3], r);
@@ -105,7 +104,7 @@ static void restrict_to_line(const double b[64], int d, double s, double t, doub
                 q[i] += b[i * along + j * first + k * second] * ws[j] * wt[k];
 }
 
-/* Cut the line into the lattice's edges. Their ends are the lattice values themselves. */
+/* Cut the line into the lattice's edges. At its ends an edge takes the lattice values, to the bit. */
 static void cut_line(struct lattice *l, const double q[4], int d, int start)
 {
     double h = 1.0 / l->m;
@@ -142,7 +141,7 @@ static void set_lattice(struct lattice *l, const double b[64], int m)
             }
 }
 
-/* The root of q - c between t0 and t1, where it is f0 and f1, by false position (Illinois rule). */
+/* The root of q - c between t0 and t1, where q - c is f0 and f1, by false position (Illinois rule). */
 static double draw_together(const double q[4], double c, double t0, double f0, double t1, double f1)
 {
     double t = t0, f;
@@ -164,8 +163,8 @@ static double draw_together(const double q[4], double c, double t0, double f0, d
     return t;
 }
 
-/* Seek the roots of q - c from one end of an edge to the other, a part of it at a time; answers how many
- * changes of sign there are, and the place of the first. */
+/* Seek the roots of q - c along an edge, part by part. Answers how many changes of sign there are; *root is
+ * the first root. */
 static int seek(const double q[4], double c, int parts, double *root)
 {
     double last = q[0] - c, now, part = 1.0 / parts;
@@ -181,7 +180,7 @@ static int seek(const double q[4], double c, int parts, double *root)
     return found;
 }
 
-/* at: the vertex's place in the subcube, 0 to 1 */
+/* at: the vertex's position in the subcube, 0 to 1 along each axis */
 static void place(const struct cell *cell, const double b[64], const double at[3], vertex v)
 {
     v[0] = cell->x + at[0] * cell->wx;
@@ -194,8 +193,8 @@ static void place(const struct cell *cell, const double b[64], const double at[3
     polygon_normalise(v + 3);
 }
 
-/* Find the vertices of F = c on all lattice edges. An even number of roots on an edge is no crossing: the
- * surface turns back between two lattice points, and only a finer lattice would show it. */
+/* Find the vertices of F = c on all lattice edges. An edge with an even number of roots has no vertex: the
+ * surface turns back between two lattice points, which only a finer lattice would show. */
 static void cross_edges(const struct cell *cell, const double b[64], const struct lattice *l, double c,
                         vertex crossing[3][POINTS_MAX])
 {

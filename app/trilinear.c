@@ -1,8 +1,8 @@
 /* trilinear.c - the (1,1,1) approximation: F is trilinear in each subcube, and continuous (C0).
  *
- * Its Bernstein-Bezier coefficients are the gray levels in the corners. F is linear along an edge: where F -
- * c changes its sign between the ends of an edge, one division gives the root. Every edge of every subcube is
- * looked at for every isovalue, as in the (3,3,3) approximation.
+ * The Bernstein-Bezier coefficients of F are the gray levels in the corners. F is linear along an edge: if F
+ * - c changes its sign between the ends of an edge, one division gives the root. Every edge of every subcube
+ * is examined for every isovalue, as in the (3,3,3) approximation.
  */
 #include "subcube.h"
 
@@ -20,7 +20,7 @@ static void gradient(const double f[8], const double at[3], double g[3])
     g[2] = mix(mix(f[4] - f[0], f[5] - f[1], u), mix(f[6] - f[2], f[7] - f[3], u), v);
 }
 
-/* Where F = c on edge e, in p. Answers 0 if F - c does not change its sign along the edge. */
+/* p becomes the point of edge e where F = c. Answers 0 if F - c does not change its sign along the edge. */
 static int crossing(const double f[8], double c, int e, double p[3])
 {
     int d = e >> 2, start = polygon_edge[e][0];

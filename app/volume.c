@@ -1,5 +1,5 @@
-/* volume.c - reads slices from a raw file through zlib, which reads plain files as well, or generates them.
- */
+/* volume.c - reads slices from a raw file, through zlib, which reads plain files as well; or generates
+ * slices. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <zlib.h>
@@ -22,7 +22,7 @@ int volume_open(struct volume *v, const struct options *o, char *error, int size
     return -1;
 }
 
-/* Handlers may use the C library too, so it must not be interrupted. */
+/* Handlers use the C library, too, so that a call of it must not be interrupted. */
 static int read_row(struct volume *v, int bytes)
 {
     long old = masktrap(1);
@@ -52,7 +52,8 @@ static int go_to(struct volume *v, int k)
     return ok ? 0 : -1;
 }
 
-/* The bytes there from one before the end that the options say: that byte should be, and no other. */
+/* Counts the bytes, at most 2, from the last byte that the options expect: 1 if the file has the right
+ * size. */
 static int bytes_at_end(gzFile file, const struct options *o)
 {
     z_off_t last = (z_off_t)slice_bytes(o) * o->grid.slices - 1;

@@ -1,4 +1,4 @@
-/* weld.c - a hash table of places; see weld.h. */
+/* weld.c - a hash table of vertices by position; see weld.h. */
 #include <stdlib.h>
 #include <string.h>
 #include "weld.h"
@@ -9,7 +9,7 @@ struct slot {
 };
 
 struct weld {
-    struct slot *slot; /* NULL: no memory, vertices are not joined */
+    struct slot *slot; /* NULL: no memory; vertices are not joined */
     long slots, next;
 };
 

@@ -1,4 +1,4 @@
-/* weld.h - gives the vertices of polygons numbers, the same number to vertices at the same place. */
+/* weld.h - numbers the vertices of polygons; vertices at equal positions get one number. */
 #ifndef WELD_H
 #define WELD_H
 
@@ -6,17 +6,17 @@ typedef float weld_vertex[6]; /* x y z and normal */
 
 struct weld;
 
-/* Ready for at most `corners` vertices of polygons. Without memory for its table each corner becomes a vertex
- * of its own: the surface looks the same, and takes more room. */
+/* For at most `corners` corners of polygons. If there is no memory for the table, each corner becomes a
+ * vertex of its own: the surface looks the same, but its file is larger. */
 struct weld *weld_begin(long corners);
 
-/* The number of the vertex at v's place; the next free one when it has none yet. */
+/* The number of the vertex at v's position; the next free number if there is no such vertex yet. */
 long weld_number(struct weld *w, const weld_vertex v);
 
-/* The numbers given so far. */
+/* How many numbers were given so far. */
 long weld_vertices(const struct weld *w);
 
-/* Go through the same vertices, in the same order, once more. */
+/* To be called before the caller numbers all corners once more, in unchanged order. */
 void weld_restart(struct weld *w);
 
 void weld_end(struct weld *w);

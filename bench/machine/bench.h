@@ -1,7 +1,7 @@
-/* bench.h - what the microbenchmarks share: how they say what they found, and the time.
+/* bench.h - shared by the microbenchmarks: the clock, and the form of their results.
  *
- * A program prints lines "figure NAME VALUE" and "point SERIES X... Y" from node 0; `make validate` reads
- * them and sets them beside what was published (published.cfg). Any other line is a remark.
+ * A program prints lines "figure NAME VALUE" and "point SERIES X... Y" from one node; `make validate` reads
+ * these lines and compares the figures with published ones (published.cfg). Any other line is a remark.
  */
 #ifndef BENCH_H
 #define BENCH_H

@@ -1,4 +1,4 @@
-/* Calls that send nothing: microseconds each, of the program and the system together. Some go into the node's
+/* Calls that send nothing: microseconds each, of the program and the system together. Some enter the node's
  * kernel, others stay in the library. */
 #include "bench.h"
 

@@ -1,11 +1,11 @@
-# cfs.mk - the Concurrent File System beside what was measured. Included by the Makefile.
+# cfs.mk - compares the Concurrent File System with published rates. Included by the Makefile.
 CFS_BENCH := $B/bench/machine/cfs/rates
 
 $(CFS_BENCH): bench/machine/cfs/rates.c $(NXCC_DEPS)
 	@mkdir -p $(@D)
 	$B/nxcc -O2 -Wall -Wextra -o $@ $<
 
-validate-cfs: setup ## Rates of the iPSC/860's file system for 1 to 128 nodes, beside the published
+validate-cfs: setup ## Compare the rates of the iPSC/860's file system, for 1 to 128 nodes, with published ones
 	$(SUBMAKE) all $(CFS_BENCH)
 	@bench/machine/cfs/validate $B
 

@@ -1,11 +1,13 @@
 /* Complete exchange: every node has a block of m bytes for every other (Bokhari, ICASE Report 91-5, 1991:
  * "Multiphase complete exchange on a circuit switched hypercube"; Nicol & Bokhari, SIGMETRICS 1994).
  *
- *     direct     N - 1 steps: in step i each node exchanges one block with the node me ^ i; no two paths share an edge
- *     standard   log2 N steps: in step d each node exchanges N / 2 blocks with its neighbour me ^ 2^d, and shuffles
+ *     direct     N - 1 steps: in step i each node exchanges one block with the node me ^ i; no two paths
+ *                share an edge
+ *     standard   log2 N steps: in step d each node exchanges N / 2 blocks with its neighbour me ^ 2^d, and
+ *                shuffles
  *
- * Direct moves fewer bytes, standard begins fewer messages: short blocks want the one, long blocks the other.
- * Runs on a power of two of nodes, 128 at most.
+ * The direct algorithm moves fewer bytes and is faster for long blocks; the standard algorithm sends fewer
+ * messages and is faster for short ones. Runs on a power of two of nodes, 128 at most.
  */
 #include <string.h>
 #include "bench.h"
@@ -27,8 +29,9 @@ static void direct(long m)
     }
 }
 
-/* Blocks stay numbered by the node they are for, or, once they have crossed a dimension, came from: in step d
- * the blocks whose bit d differs from ours cross it, and those that come take their places. */
+/* A block is numbered by its destination and, in the dimensions that it has crossed, by its source. In step d
+ * the blocks whose bit d differs from this node's cross dimension d; the blocks received take their
+ * numbers. */
 static void standard(long m)
 {
     long half = numnodes() / 2;

@@ -1,9 +1,9 @@
-/* Messages at the same time between several pairs of nodes, against the first pair alone.
+/* Messages between several pairs of nodes at a time, against the first pair alone.
  *
  *     contention NAME=FROM-TO,FROM-TO... ...
  *
- * All receives are posted before anybody sends. The clocks of simulated nodes agree, so that the first
- * beginning and the last end can be compared.
+ * All receives are posted before any node sends. The clocks of simulated nodes agree, so that the first begin
+ * and the last end can be compared.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -2,10 +2,10 @@
  * distance.
  *
  *     echo posted NODE:HOPS...    the receive is posted before the message comes, as in the published tests
- *     echo late NODE:HOPS...      it is posted when the message lies in a system buffer already
+ *     echo late NODE:HOPS...      the receive is posted when a system buffer holds the message already
  *
- * Each side posts the receive for its next message while the one it has sent is on its way, so that posting,
- * which takes a call of its own, is not in the time measured.
+ * Each node posts the receive for its next message while the message that it has sent is under way, so that
+ * the time measured does not contain the call that posts.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static const long sizes[] = {0,   1,   8,    16,   32,   64,    99,    100,    1
 static char in[LARGEST], out[LARGEST];
 static int late;
 
-/* Waits for a message of that type: posted before with that id, or, late, in the system's buffer by now. */
+/* Receives a message: with the receive that was posted under id, or, if late, out of the system buffer. */
 static void receive(long id, long type, long bytes)
 {
     if (!late) {
@@ -61,7 +61,7 @@ static double one_way_us(long partner, long bytes)
     return (now_us() - begin) / (2 * ROUNDS);
 }
 
-/* The length at which half of the speed of the longest messages is reached. */
+/* The length at which messages have half the speed of the longest. */
 static long half_speed_length(long partner, double longest_us)
 {
     double half = LARGEST / longest_us / 2;

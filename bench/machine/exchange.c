@@ -1,9 +1,9 @@
-/* Two neighbours send each other n bytes at the same time: time until both have theirs, over n, in four ways.
+/* Two neighbours send each other n bytes: time until both have received, over n, in four ways.
  *
- *     posted   both post a receive, agree that they have, then send
+ *     posted   both post a receive, tell each other, then send
  *     late     both send, then receive: messages that come first wait in system buffers
- *     forced   as posted, with forced types: no asking
- *     in turn  node 0 sends, node 1 receives and then sends: no exchange at all, for comparison
+ *     forced   as posted, with forced types: eager, without rendezvous
+ *     in turn  node 0 sends; node 1 receives, then sends: one direction at a time, for comparison
  */
 #include "bench.h"
 
@@ -14,7 +14,7 @@ static const char *const names[] = {"posted", "late", "forced", "in_turn"};
 static const long sizes[] = {0, 16, 100, 128, 512, 1024, 4096, 16384, 65536, LARGEST};
 static char in[LARGEST], out[LARGEST];
 
-/* Both go on at the same time, to a few microseconds. */
+/* Both nodes return at nearly one time, within a few microseconds. */
 static void agree(long other)
 {
     csend(SYNC, NULL, 0, other, 0);

@@ -1,5 +1,6 @@
-/* Exchanges of messages of forced types, which nobody asks for: node 0 and another post receives, agree when
- * to begin, and send each other n bytes. Time from then on, that of the data alone, over n and distance.
+/* Exchanges of messages of forced types, which are sent without rendezvous: node 0 and another node post
+ * receives, agree on a time, and then send each other n bytes. The seconds from that time, which the data
+ * alone takes, over n and distance.
  *
  *     forced NODE:HOPS...
  */
@@ -12,8 +13,8 @@ enum { DATA = 1, SYNC = 2, FORCED = 1 << 30, ROUNDS = 4, LARGEST = 1 << 16 };
 static const long sizes[] = {101, 128, 160, 200, 256, 400, 512, 1024, 4096, 16384, LARGEST};
 static char in[LARGEST], out[LARGEST];
 
-/* Both go on at the same time, to a look at the clock: clocks of simulated nodes agree. After empty messages
- * alone one of them would be ahead by the time of a send. */
+/* Both nodes return at one time, within one dclock(); clocks of simulated nodes agree. After an exchange of
+ * empty messages only, one node would be ahead by the time of a send. */
 static void agree(long other)
 {
     double start = dclock() + 1e-3, others;

@@ -9,7 +9,7 @@ enum { ROUNDS = 5, ELEMENTS = 1000, TYPE = 1, LARGEST = 65536 };
 static double x[ELEMENTS], work[ELEMENTS];
 static char buf[LARGEST];
 
-/* Of what begins when all nodes are ready: microseconds from the last to begin to the last to end. */
+/* Microseconds of an operation, from the last node's begin to the last node's end. */
 static double sum_us(long elements)
 {
     double total = 0;

@@ -1,4 +1,4 @@
-/* Integer code and procedure calls, as compilers leave them: nanoseconds of each, in cache. */
+/* Integer code and procedure calls, as compiled: nanoseconds of each, in cache. */
 #include "bench.h"
 
 enum { TIMES = 1000, CELLS = 256, KEYS = 200 };
@@ -54,7 +54,7 @@ static int states(void)
     return state;
 }
 
-/* Each does `operations` of what is named. */
+/* A figure: nanoseconds of each of `operations` operations since begin. */
 static void measure(const char *name, double begin, double operations)
 {
     figure(name, (now_us() - begin) * 1e3 / operations);

@@ -1,7 +1,6 @@
 /* LINPACK, order 100, double precision, in C: Gaussian elimination by columns with partial pivoting, and the
- * solution, as the benchmark of that name does it, with its leading dimension of 201 and its count of
- * operations. The inner loops are written twice, as the benchmark's C version is: plain, and unrolled by
- * four, by hand.
+ * solution, with the benchmark's leading dimension of 201 and its count of operations. As in the benchmark's
+ * C version, the inner loops are written twice: plain, and unrolled by four in the source.
  */
 #include <math.h>
 #include "bench.h"

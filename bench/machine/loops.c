@@ -1,4 +1,4 @@
-/* Loops of a kind that compute most of the time in numerical programs, in cache and out of it: millions of
+/* Loops in which numerical programs spend most of their time, in cache and out of cache: millions of
  * floating-point operations a second on one node.
  */
 #include "bench.h"
@@ -32,7 +32,7 @@ static void ddot(int n, double t)
     sink = sum;
 }
 
-/* Degree 8, for each element. */
+/* A polynomial of degree 8 for each element. */
 static void polynomial(int n, double t)
 {
     for (int i = 0; i < n; i++) {
@@ -64,7 +64,7 @@ static void relax(int n, double t)
     sink = grid[1][n / 2][n / 2];
 }
 
-/* Along a line, forwards and back, as implicit methods do. */
+/* Elimination along a line, forwards and back, as in implicit methods. */
 static void tridiagonal(int n, double t)
 {
     for (int i = 1; i < n; i++)

@@ -1,5 +1,5 @@
-/* Messages nobody has asked for: node 0 sends several; node 1 asks when all lie in system buffers. Time of a
- * crecv over the length, which is the call and the copying.
+/* Unexpected messages: node 0 sends several; node 1 receives when system buffers hold all of them. Time of a
+ * crecv over the length, which is the time of the call and of the copying.
  */
 #include "bench.h"
 

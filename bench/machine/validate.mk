@@ -1,4 +1,4 @@
-# validate.mk - make validate: published microbenchmarks on the simulated machines, beside the published figures.
+# validate.mk - make validate: runs published microbenchmarks on the simulated machines and compares the figures.
 # Each program is compiled for the processors that published.cfg names, into $B/bench/machine/PROCESSOR/.
 VALIDATE     := bench/machine
 VALIDATE_SRC := $(wildcard $(VALIDATE)/*.c)

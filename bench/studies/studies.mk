@@ -1,6 +1,6 @@
 # studies.mk - make studies: the what-if studies that come with touchstone. Included by the Makefile.
 #   bench/studies/NAME.cfg -> bench/studies/NAME/findings.md and its pictures
-# scans.cfg needs two volumes beside it, which do not come with touchstone; it is left out where they are absent.
+# scans.cfg needs two volumes in its folder, which do not come with touchstone; without them the study is left out.
 STUDY_FILES := $(wildcard bench/studies/*.cfg)
 STUDIES     ?= $(filter-out $(if $(wildcard bench/studies/engine.raw.gz),,scans),$(STUDY_FILES:bench/studies/%.cfg=%))
 

@@ -163,8 +163,7 @@ static void all_nodes_are_dealt(void **state)
     }
 }
 
-/* --- a chunk's subcubes give the same polygons as the layer's
- * ------------------------------------------------- */
+/* --- a chunk's subcubes give the same polygons as the layer's --- */
 
 static double sum, polygons;
 
@@ -211,8 +210,7 @@ static void a_packed_chunk_is_as_good_as_the_layer(void **state)
     }
 }
 
-/* --- the command line
- * ----------------------------------------------------------------------------------------- */
+/* --- the command line --- */
 
 static void check_refused(const char *option, const char *value, const char *words)
 {

@@ -69,8 +69,7 @@ static void few_levels_and_isovalues_among_them_are_no_exception(void **state)
     }
 }
 
-/* --- one subcube -----------------------------------------------------------------------------------------
- */
+/* --- one subcube --- */
 
 static vertex found[POLYGON_MAX];
 static int found_vertices;
@@ -104,8 +103,7 @@ static void a_trilinear_vertex_divides_its_edge_in_the_ratio_of_the_levels(void 
     assert_true(sum[2] == 3 * 24 + 8 * 0.1875);
 }
 
-/* --- each polygon of a sphere ------------------------------------------------------------------------------
- */
+/* --- each polygon of a sphere --- */
 
 static struct options sphere;
 static double worst_radius, worst_normal;
@@ -153,8 +151,7 @@ static void vertices_lie_on_the_sphere_and_normals_point_outwards(void **state)
     polygons_are_near(1, 0.05, 0.001);
 }
 
-/* --- the published totals
- * ------------------------------------------------------------------------------------ */
+/* --- the published totals --- */
 
 /* No proof: the paper gives totals but neither isovalues nor slice distance nor lattice. Those were chosen so
  * that the totals come out (bench/paper/fitted.cfg); the test keeps the choice, and fails when the polygons

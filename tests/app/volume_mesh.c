@@ -73,8 +73,7 @@ void volume_polygons(const struct options *o, const pixel *pixels, polygon_fn *o
     free(data);
 }
 
-/* --- the mesh of one surface -----------------------------------------------------------------------------
- */
+/* --- the mesh of one surface --- */
 
 struct place {
     long x, y, z; /* units of 1e-5 pixels */

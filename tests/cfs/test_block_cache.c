@@ -1,4 +1,4 @@
-/* The block cache: what was not used for longest goes first; what is dirty or held stays. */
+/* The block cache: the least recently used block is evicted first; dirty and held blocks stay. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

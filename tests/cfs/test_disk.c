@@ -1,4 +1,4 @@
-/* A disk: one access at a time, in the order they came; seek, half a turn, bytes. */
+/* A disk: one access at a time, in order of arrival; its time is that of seek, half a rotation, bytes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

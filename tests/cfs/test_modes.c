@@ -1,4 +1,4 @@
-/* I/O modes: where each call's stretch of the file lies. */
+/* I/O modes: which part of the file each call reads or writes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* apart.c - apart WHAT: a node that leaves its own memory, in one way or another. */
+/* apart.c - apart WHAT: a node accesses memory that is not its own; WHAT says how. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,12 +58,12 @@ static void damage(const char *what)
     printf("%d\n", b == a);
 }
 
-/* Calls from a stack of the program's own making. */
+/* Calls from a stack that the program has made itself. */
 static void *main_sp, *other_sp;
 void change_stack(void **save, void *load);
-__asm__(
-    ".text\nchange_stack:\n push %rbp\n push %rbx\n push %r12\n push %r13\n push %r14\n push %r15\n"
-    " mov %rsp,(%rdi)\n mov %rsi,%rsp\n pop %r15\n pop %r14\n pop %r13\n pop %r12\n pop %rbx\n pop %rbp\n ret\n");
+__asm__(".text\nchange_stack:\n push %rbp\n push %rbx\n push %r12\n push %r13\n push %r14\n push %r15\n"
+        " mov %rsp,(%rdi)\n mov %rsi,%rsp\n pop %r15\n pop %r14\n pop %r13\n pop %r12\n pop %rbx\n pop %rbp\n"
+        " ret\n");
 static char data_room[65536] __attribute__((aligned(16)));
 
 static void on_other_stack(void)

@@ -1,5 +1,6 @@
 #!/bin/bash
-# apart.sh - a node that leaves its own memory is stopped, and named with the line; the others' memory stays as it was.
+# apart.sh - a node that accesses other memory than its own is stopped; the message names node and line; other nodes' memory is
+# unchanged.
 . "$(dirname "$0")/common.bash"
 compile apart
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# arguments.sh - what the user got wrong is said in his own terms, with 64 for arguments and 65 for input.
+# arguments.sh - messages about a user's mistakes use the user's terms; the exit status is 64 for arguments, 65 for input.
 . "$(dirname "$0")/common.bash"
 compile ring
 

@@ -1,6 +1,6 @@
 #!/bin/bash
-# axes.sh - axes of a study: ranges, values that follow from others, settings of the machine; mistakes are found before
-# anything is run; touchstone plot.
+# axes.sh - axes of a study: ranges, values that follow from others, settings of the machine; mistakes are found before the
+# first run; touchstone plot.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache
 compile counted

@@ -1,6 +1,6 @@
 #!/bin/bash
-# cache.sh - a program compiled with a data cache (i860xr-cache.cfg): 8 KB, lines of 32 bytes, 8 clocks for a line that is
-# not there, 3 for a store to one, and 16 for the page of either if it is none of the last.
+# cache.sh - a program compiled with a data cache (i860xr-cache.cfg): 8 KB, lines of 32 bytes; 8 clocks for a miss, 3 for a
+# store to a line that is not in the cache, and 16 more if the page was not used lately.
 . "$(dirname "$0")/common.bash"
 costs=$tests/../../machines/cpu/i860xr-cache.cfg
 cp "$tests/../../machines/cpu/i860-calls.cfg" .
@@ -8,7 +8,7 @@ sed '/^cache = {/,/^};/d; /^tlb = {/,/^};/d' "$costs" >without.cfg
 "$BUILD/nxcc" -O2 --costs ./without.cfg -o cache "$tests/cache.c"
 "$BUILD/nxcc" -O2 --costs i860xr-cache.cfg -o cached "$tests/cache.c"
 
-# What the cache adds to PASS over N elements, in clocks.
+# Prints the clocks that the cache adds to PASS over N elements.
 adds() {
     run -m ipsc860 -q cache "$2"
     local without

@@ -1,5 +1,5 @@
 #!/bin/bash
-# cfs.sh - the files of /cfs: where they are kept, and what the user is told.
+# cfs.sh - the files of /cfs: where touchstone keeps them, and its messages about them.
 . "$(dirname "$0")/common.bash"
 compile cfs_keep
 export TMPDIR=$work/tmp

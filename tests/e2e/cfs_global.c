@@ -1,4 +1,4 @@
-/* Writes and reads a file in I/O mode M_GLOBAL; with an argument, another length on each node. */
+/* Writes and reads a file in I/O mode M_GLOBAL; with an argument, each node gives another length. */
 #include <fcntl.h>
 #include <nx.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #!/bin/bash
-# ci_files.sh - the ready files for GitHub Actions and GitLab: their commands, in fresh folders, with touchstone installed.
-# Theirs of Debian's packages and of cloning and building touchstone are left out: here it is installed from this build.
+# ci_files.sh - runs the commands of the ready files for GitHub Actions and GitLab, in new folders, with touchstone installed.
+# The commands that install Debian's packages, or clone and build touchstone, are left out: this build is installed instead.
 . "$(dirname "$0")/common.bash"
 root=$(cd "$tests/../.." && pwd)
 prefix=$work/prefix
@@ -9,7 +9,7 @@ make -s -C "$root" B="$BUILD" PREFIX="$prefix" install >install.log 2>&1
 check "touchstone is installed" test -x "$prefix/bin/touchstone" -a -x "$prefix/bin/nxcc"
 export PATH=$prefix/bin:$PATH XDG_CACHE_HOME=$work/cache GITHUB_STEP_SUMMARY=$work/summary
 
-# The commands of the steps after "Install touchstone", a blank-indented block each.
+# Prints the commands of the steps after "Install touchstone", each an indented block.
 awk '/- name: Build the program/ { on = 1 } !on { next }
      /^      - / { block = 0 } block { sub(/^          /, ""); print } /run: \|$/ { block = 1 }' "$root/share/ci/github.yml" >github.sh
 awk '/^  [a-z]/ { on = /script:$/ && !/before/ } on && sub(/^    - /, "")' "$root/share/ci/gitlab.yml" >gitlab.sh

@@ -1,4 +1,4 @@
-# common.bash - what the end-to-end tests share. Read by each of them; gives:
+# common.bash - shared by the end-to-end tests, which source it. It gives:
 #   $BUILD       the build under test, absolute         $work  a folder of the test's own, removed at its end
 #   compile P    tests/e2e/P.c -> $work/P
 #   run ARGS     touchstone run ARGS in $work: leaves out, err (files) and status

@@ -1,5 +1,5 @@
-/* counted.c - writes a line to the host's file runs.log for each time it is run, then computes for a while:
- * -crash N ends it badly on N nodes, -endless 1 not at all. */
+/* counted.c - writes a line to the host's file runs.log in each run, then computes for a while. -crash N:
+ * crashes on N nodes; -endless 1: never ends. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

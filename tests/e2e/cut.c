@@ -1,5 +1,5 @@
-/* cut.c - nodes compute long stretches that nothing divides, all of different lengths, when one of them does
- * what its argument says: kill the others one by one, kill all, crash, or fail. */
+/* cut.c - nodes compute long segments without calls, all of different lengths, while one of them does what
+ * its argument says: kills the others one by one, kills all, crashes, or fails. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* deadlock.c - every node waits in another way for what nobody sends. */
+/* deadlock.c - every node waits, each in another call, for a message that no node sends. */
 #include "nx.h"
 
 int main(void)

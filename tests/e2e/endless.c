@@ -1,4 +1,4 @@
-/* endless.c - never comes back. */
+/* endless.c - computes for ever. */
 int main(void)
 {
     volatile long n = 0;

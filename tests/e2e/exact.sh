@@ -1,10 +1,10 @@
 #!/bin/bash
-# exact.sh - the same program on the same machine gives the same digest and times: again, and in other builds of the
-# simulator (without optimisation, with sanitizers).
+# exact.sh - a program on a machine gives the same digest and times in every run, and in other builds of the simulator
+# (without optimisation, with sanitizers).
 . "$(dirname "$0")/common.bash"
 compile ring
 
-# A run without its wall times.
+# Prints the output and figures of a run, without wall times.
 figures() { # TOUCHSTONE ARGS...
     local touchstone=$1
     shift

@@ -1,5 +1,5 @@
 #!/bin/bash
-# failures.sh - a program that goes wrong: what touchstone says of it and the exit status.
+# failures.sh - programs that fail: touchstone's messages and exit status.
 . "$(dirname "$0")/common.bash"
 for p in deadlock crash quits endless greedy flood; do compile $p; done
 

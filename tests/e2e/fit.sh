@@ -1,5 +1,5 @@
 #!/bin/bash
-# fit.sh - touchstone fit: known numbers of a machine are found again from what a machine with them measured.
+# fit.sh - touchstone fit: finds the known numbers of a machine from figures that were measured on this machine.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache
 compile parts

@@ -1,4 +1,4 @@
-/* flood.c - node 0 sends more than node 1 has room for, and node 1 never receives. */
+/* flood.c - node 0 sends more bytes than node 1 has room for; node 1 never receives. */
 #include "nx.h"
 
 static char block[1 << 20];

@@ -1,6 +1,6 @@
 #!/bin/bash
-# fortran.sh - Fortran programs: how they are compiled and linked, with C and without; what is a node's own; how errors and
-# STOP end them; that their loops cost what C's do. Their NX calls and files are tests/nx/f77_*.
+# fortran.sh - Fortran programs: compiling and linking, with C and without; the variables of each node; ends by errors and STOP;
+# loops that cost as much as those of C. tests/nx/f77_* test NX calls and files.
 . "$(dirname "$0")/common.bash"
 f=$tests/fortran
 nxf77() { "$BUILD/nxf77" -O2 "$@" 2>compile.err; }

@@ -1,4 +1,4 @@
-/* Calls twice what is nowhere: stubs.sh. */
+/* Calls, twice, a function that does not exist; see stubs.sh. */
 #include <errno.h>
 #include <stdio.h>
 #include <nx.h>

@@ -1,13 +1,13 @@
 #!/bin/bash
-# gate_page.sh - the commands of doc/what-if.md on the gate and on fitting, as a reader would give them.
+# gate_page.sh - runs the commands of doc/what-if.md on the gate and on fitting, as a reader would.
 . "$(dirname "$0")/common.bash"
 root=$(cd "$tests/../.." && pwd)
 page=$root/doc/what-if.md
 export XDG_CACHE_HOME=$work/cache
 
-# section NAME - of the page
+# section NAME - prints a section of the page
 section() { awk -v heading="## $1" '/^## / { on = $0 == heading } on' "$page"; }
-# reader FILE - gives the commands of FILE in a folder like the project's
+# reader FILE - runs the commands of FILE in a folder like the project's
 reader() {
     (cd there && bash -e) <"$1" >out 2>err
     status=$?

@@ -1,5 +1,5 @@
-/* greedy.c - takes all the memory of its node, which is not the host's; told so, it does not look at malloc's
- * answer. */
+/* greedy.c - takes all memory of its node, which is less than the host's; with an argument, it ignores that
+ * malloc returns NULL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

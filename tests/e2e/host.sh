@@ -1,5 +1,5 @@
 #!/bin/bash
-# host.sh - host programs: the classic pair, loading again, and what is said when one goes wrong.
+# host.sh - host programs: the usual pair of programs, loading again, and the messages about failing ones.
 . "$(dirname "$0")/common.bash"
 
 for source in "$tests"/host/*.c; do

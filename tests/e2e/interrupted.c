@@ -1,5 +1,5 @@
-/* interrupted.c - node 1 computes, and node 0 interrupts it again and again; prints the sum of the times of
- * that. */
+/* interrupted.c - node 1 computes while node 0 interrupts it again and again; prints the sum of the
+ * interrupts' times. */
 #include <stdio.h>
 #include "nx.h"
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# man.sh - the manual pages: all are made, without a mistake in their mark-up, and nx(3) has every call.
+# man.sh - the manual pages: all are made, their mark-up has no mistake, and nx(3) has every call.
 . "$(dirname "$0")/common.bash"
 mkdir build
 ln -s "$BUILD"/* build/

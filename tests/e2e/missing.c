@@ -1,4 +1,4 @@
-/* missing.c - calls something that NX never had. */
+/* missing.c - calls a function that NX never had. */
 long gfrobnicate(long node);
 
 int main(void)

@@ -1,5 +1,5 @@
 #!/bin/bash
-# model.sh - the model program's polygons are the same however the work is divided.
+# model.sh - the model program finds the same polygons, however its work is divided.
 . "$(dirname "$0")/common.bash"
 
 # The polygons of a run: their numbers and the hash of all their vertices.

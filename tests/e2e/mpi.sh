@@ -1,6 +1,6 @@
 #!/bin/bash
-# mpi.sh - programs on MPI (nxcc --mpi): handlers, floods, ends and their messages; the model's polygons as on simulated
-# nodes. The conformance programs run in mpi_nx.sh.
+# mpi.sh - programs on MPI (nxcc --mpi): handlers, floods, ends and their messages; the model finds the polygons that it finds
+# on simulated nodes. mpi_nx.sh runs the conformance programs.
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

@@ -1,7 +1,7 @@
 #!/bin/bash
-# nx.sh - conformance. Compiles every program of tests/nx, runs it on simulated machines, and compares what it prints, and its exit
-# status if not 0 ("status N" as the last line), with NAME.out; where there is no such file, all runs must print the same,
-# clock times included, and end well. A program's head says
+# nx.sh - conformance. Compiles every program of tests/nx, runs it on simulated machines, and compares its output, and its exit
+# status if not 0 ("status N" as the last line), with NAME.out. Without such a file, the output of all runs must be equal,
+# clock times included, and the exit status 0. A program's head says
 #     run: ARGS          the machine; "all" is 1, 2, 3, 8 and 33 nodes of a hypercube and of a mesh
 #     compile: OPTIONS   for nxcc
 #     stdin: TEXT        a line for its standard input

@@ -1,6 +1,6 @@
 #!/bin/bash
-# old_programs.sh - what doc/old-programs.md shows: the path from an archive to a run, its example, and what is said when it goes
-# wrong.
+# old_programs.sh - what doc/old-programs.md shows: the path from an archive to a run, its example, and the messages about
+# failures.
 . "$(dirname "$0")/common.bash"
 page=$tests/../../doc/old-programs.md
 

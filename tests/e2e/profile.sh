@@ -1,5 +1,5 @@
 #!/bin/bash
-# profile.sh - touchstone run --profile: a program's time by function, of the same run as without.
+# profile.sh - touchstone run --profile: a program's time by function; the run is that without --profile.
 . "$(dirname "$0")/common.bash"
 
 digest() { sed -n 's/^digest *//p' "$1"; }

@@ -1,6 +1,6 @@
 #!/bin/bash
-# prove.sh - the fast engine gives what the reference does, on a fixed set of random programs (`make prove` has others each time),
-# and on the programs of tests/nx; and the prover finds a difference where there is one.
+# prove.sh - the fast engine's results equal the reference's, on a fixed set of random programs (`make prove` takes others each
+# time) and on the programs of tests/nx; and the prover finds a difference where there is one.
 . "$(dirname "$0")/common.bash"
 prove=$BUILD/tests/prove/prove
 [[ $BUILD = *asan* ]] && count=60 || count=400

@@ -1,4 +1,4 @@
-/* quits.c - node 1 leaves with a status, the others go on. */
+/* quits.c - node 1 exits with a status; the other nodes continue. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "nx.h"

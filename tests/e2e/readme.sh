@@ -1,5 +1,5 @@
 #!/bin/bash
-# readme.sh - the README's example does what the README says.
+# readme.sh - the README's example prints what the README shows.
 . "$(dirname "$0")/common.bash"
 
 example "$tests/../../README.md" sum.c

@@ -1,6 +1,5 @@
 #!/bin/bash
-# report.sh - what touchstone tables says beside the tables: --explain, --ties, --report. On a paper of our own: one small
-# table, so that it takes no time.
+# report.sh - touchstone tables --explain, --ties and --report, on a paper file of the test's own, with one small table.
 . "$(dirname "$0")/common.bash"
 root=$tests/../..
 export TOUCHSTONE_HOME=$work/home

@@ -1,5 +1,5 @@
 #!/bin/bash
-# resume.sh - a study that is killed goes on, and runs nothing twice; points that fail; the cache; the folder's lock.
+# resume.sh - a killed study is resumed and runs no point twice; failing points; the result cache; the folder's lock.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache
 compile counted

@@ -1,4 +1,4 @@
-/* ring.c - a token goes round a ring of nodes, and grows. */
+/* ring.c - a token travels round a ring of nodes, and grows. */
 #include <stdio.h>
 #include "nx.h"
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# set.sh - touchstone run --set: a number of the machine file is another one, and the figures say so.
+# set.sh - touchstone run --set replaces a number of the machine file, and the figures show the change.
 . "$(dirname "$0")/common.bash"
 compile ring
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# srm.sh - the service that shares out nodes, and the shell commands that ask it.
+# srm.sh - the service that allocates nodes, and the shell commands that use it.
 . "$(dirname "$0")/common.bash"
 export TOUCHSTONE_SRM=$work/srm
 for p in ring endless deadlock quits; do compile $p; done
@@ -8,7 +8,7 @@ for p in host/farm host/farm_node; do
 done
 trap '[ -f srm.lock ] && kill "$(cat srm.lock 2>/dev/null)" 2>/dev/null; rm -rf "$work"' EXIT
 
-# ask COMMAND ARGS...: through its link; leaves out, err and status
+# ask COMMAND ARGS...: runs a shell command through its link; leaves out, err and status
 ask() {
     "links/$@" >out 2>err </dev/null
     status=$?

@@ -1,5 +1,5 @@
-/* stopped.c - stopped HOW: node 1 does not end, in one way or another; or crashes in a library call; or is
- * flooded. */
+/* stopped.c - stopped HOW: node 1 computes or waits without end; or crashes in a library call; or is flooded
+ * with messages. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

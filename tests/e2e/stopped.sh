@@ -1,6 +1,6 @@
 #!/bin/bash
-# stopped.sh - runs that are stopped, by a signal or a limit, tell where each node is, and lose nothing; results that cannot be
-# written are said; what a run writes to is never replaced by a file; no folder stays behind.
+# stopped.sh - runs that a signal or a limit stops report where each node is, and lose no output; a message names results that
+# cannot be written; a run never replaces a device by a file; no scratch folder is left.
 . "$(dirname "$0")/common.bash"
 compile stopped
 compile ring

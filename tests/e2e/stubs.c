@@ -1,4 +1,4 @@
-/* Calls what nodes do not have: stubs.sh. */
+/* Makes calls that nodes do not have; see stubs.sh. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

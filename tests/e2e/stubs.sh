@@ -1,5 +1,5 @@
 #!/bin/bash
-# stubs.sh - nxcc --stubs links what nodes do not have; it fails with ENOSYS, and the report names what was called.
+# stubs.sh - nxcc --stubs links calls that nodes do not have; they fail with ENOSYS, and the report names those made.
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tables.sh - touchstone tables from end to end: a table's figures are there and are the same twice.
+# tables.sh - touchstone tables from end to end: prints a table's figures, equal in two runs.
 . "$(dirname "$0")/common.bash"
 
 "$BUILD/touchstone" tables -t 1 -o first >out 2>err

@@ -1,17 +1,16 @@
 #!/bin/bash
-# tables_study.sh - the paper's tables as studies: the same runs as those of touchstone tables.
+# tables_study.sh - the paper's tables as studies have the runs of touchstone tables.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache
 paper=$(cd "$tests/../../bench/paper" && pwd)
 
-# Which runs a study file means, without running them: nodes and arguments, from the keys of the journal of a program
-# that does nothing.
+# Prints the runs of a study file: nodes and arguments, from the journal's keys when the program does nothing.
 cat >nothing.c <<'END'
 int main(void) { return 0; }
 END
 mkdir app
 "$BUILD/nxcc" -O2 -o app/model nothing.c
-# The arguments of all rows of table N, as paper.cfg says: NODES ARGUMENTS
+# Prints the rows of table N in paper.cfg: NODES ARGUMENTS
 expected() {
     awk -v table="$1" '
         /^ *table = /       { now = $3 + 0 }

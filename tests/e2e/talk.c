@@ -1,8 +1,8 @@
 /* talk.c - talk SEED ROUNDS [LATER]: after LATER microseconds, in each round the nodes send each other a
  * random pattern of messages, short, long and forced, and receive them in various ways: with a receive posted
- * before or after, awaited in another order than sent, or by any type. With an odd seed node 0 has a handler
- * for others. With -DFLUSHES it has flushmsg, which it never calls: then no call of it is pending at any
- * time. */
+ * before or after, waited for in another order than sent, or by any type. With an odd seed node 0 has a
+ * handler for other messages. With -DFLUSHES the program has flushmsg, which it never calls: then no call of
+ * the program is deferred. */
 #include <stdlib.h>
 #include <unistd.h>
 #include "nx.h"

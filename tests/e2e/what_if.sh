@@ -1,5 +1,5 @@
 #!/bin/bash
-# what_if.sh - the study in doc/what-if.md does what the page says.
+# what_if.sh - the study in doc/what-if.md gives what the page shows.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache
 page=$tests/../../doc/what-if.md

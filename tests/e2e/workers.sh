@@ -1,13 +1,13 @@
 #!/bin/bash
-# workers.sh - any number of threads, taking turns in any order, gives the same results: what programs print, all figures
-# (but wall times), messages about failures, exit status, profiles. Every program of tests/nx, and those of the other
-# tests that fail in some way, with one thread and then with several at random.
+# workers.sh - any number of workers, scheduled in any order, gives equal results: what programs print, all figures (but wall
+# times), messages about failures, exit status, profiles. Every program of tests/nx, and the failing programs of the other
+# tests, with one worker and then with several in random order.
 . "$(dirname "$0")/common.bash"
 nx=$tests/../nx
-# What a program that is stopped had asked for is not given back, as ever; reports of that differ by their addresses.
+# A stopped program does not free its memory; LeakSanitizer's reports differ by their addresses.
 export ASAN_OPTIONS=detect_leaks=0
 
-# Also with short slices: where computing is cut must not matter.
+# Also with short slices: slice boundaries must not matter.
 WAYS=("-w 2" "-w 4 --shuffle 2" "-w 3 --shuffle 3 --slice 0.0001")
 
 same() { # NAME ARGS...
@@ -22,8 +22,8 @@ same() { # NAME ARGS...
     under_tsan "$name" "$@"
 }
 
-# ThreadSanitizer's reports of data races would be among the errors. It does not know programs that leave their stack by
-# a fault.
+# ThreadSanitizer's reports of data races would be among the errors. It cannot run programs that leave their stack by a
+# fault.
 under_tsan() { # NAME ARGS...
     local name=$1 touchstone=$BUILD/tsan/touchstone
     shift
@@ -43,7 +43,7 @@ for source in "$nx"/*.c; do
     same "$name $arguments" $arguments "$name"
 done
 
-for name in ring crash deadlock flood greedy quits halves cut pending; do
+for name in ring crash deadlock flood greedy quits halves cut deferred_calls; do
     compile $name
 done
 same "ring" -m ipsc860 -n 16 ring
@@ -58,10 +58,10 @@ same "a crash among others that compute" -n 8 cut crash
 same "one fails while others compute" -n 8 cut fail
 for turns in 0 260 777 1500 3100; do
     for how in kill fail crash cube; do
-        same "$how after $turns turns, while others send and receive" -n 6 pending $turns $how
+        same "$how after $turns turns, while others send and receive" -n 6 deferred_calls $turns $how
     done
 done
-same "a time limit while all send and receive" --max-virtual-time 0.002 -n 6 pending 9000 kill
+same "a time limit while all send and receive" --max-virtual-time 0.002 -n 6 deferred_calls 9000 kill
 same "a time limit" --max-virtual-time 0.3 -n 8 cut kill
 
 "$BUILD/nxcc" -O2 --profile -o cut_profile "$tests/cut.c" -lm

@@ -1,5 +1,5 @@
-/* wrong.c - a call that is given something wrong: ends the process with a message. The argument says which.
- */
+/* wrong.c - makes a call with a wrong argument, which ends the process with a message. The argument of the
+ * program names the call. */
 #include <errno.h>
 #include <signal.h>
 #include <nx.h>

@@ -1,5 +1,5 @@
 #!/bin/bash
-# wrong.sh - an error in a plain call ends the process, and the message names node, time, call, arguments and source line.
+# wrong.sh - an error in a call without underscore ends the process; the message names node, time, call, arguments and line.
 . "$(dirname "$0")/common.bash"
 compile wrong
 

@@ -203,7 +203,7 @@ static void failures_can_be_forgotten(void **state)
     journal_close(j);
 }
 
-/* --- the result cache ----------------------------------------------------------------------------------- */
+/* --- the result cache --- */
 
 static void the_cache_gives_only_what_it_was_given(void **state)
 {
@@ -223,7 +223,7 @@ static void the_cache_gives_only_what_it_was_given(void **state)
     json_decref(record);
 }
 
-/* --- point locks ---------------------------------------------------------------------------------------- */
+/* --- point locks --- */
 
 /* A child process enters the session and locks point 1: 1 if it could, 0 if not, 2 if the session refused
  * it. */

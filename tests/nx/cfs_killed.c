@@ -17,7 +17,7 @@ int main(void)
     memset(buf, 'a' + (int)mynode(), 2000000);
     gsync();
     if (mynode() == 1) {
-        iwrite(fd, buf, 8000); /* all of it leaves at once */
+        iwrite(fd, buf, 8000); /* all bytes are sent at once */
         return 0;
     }
     if (mynode() == 2) {

@@ -36,7 +36,7 @@ static int fresh(int mode)
     return gopen("/cfs/modes", O_RDWR | O_CREAT | O_TRUNC, mode, 0666);
 }
 
-/* Late nodes first, so that order is not that of asking. */
+/* Higher nodes call first, so that the order is not that of the calls. */
 static void dawdle(void)
 {
     double until = dclock() + 0.05 * (double)(numnodes() - mynode());

@@ -1,5 +1,5 @@
-/* A read or write begun with iread or iwrite goes on while the program computes: both together take less than
- * one after the other. What is written is taken at once; what is read is there after iowait or iodone.
+/* A read or write begun with iread or iwrite continues while the program computes: both at a time take less
+ * than one after the other. Written bytes are taken at once; read bytes are there after iowait or iodone.
  * run: -m ipsc860 -n 1
  * run: -m delta -n 1
  */

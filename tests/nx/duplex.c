@@ -1,5 +1,5 @@
 /* Two nodes that send each other long messages at the same time take no longer than one that sends alone: a
- * channel has both directions, and a node that sends answers the other's asking meanwhile.
+ * channel has both directions, and a sending node answers the other node's request to send meanwhile.
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  * run: -m paragon -n 2

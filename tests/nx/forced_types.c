@@ -1,5 +1,5 @@
-/* A message of a force type is sent without asking, and dropped when no receive that selects it is posted; it
- * never waits in a system buffer. Into a posted one it goes at any length.
+/* A message of a force type is sent without rendezvous, and dropped if no receive that selects it is posted;
+ * no system buffer holds it. A posted receive takes it at any length.
  * run: all
  */
 #include <string.h>

@@ -49,7 +49,7 @@ int main(void)
     for (int i = 1; i <= 6; i++)
         csend(2, buf, i, next_node(), 0);
     while (again < 5)
-        flick(); /* the program goes on between two handlers */
+        flick(); /* the program continues between two handlers */
     cprobe(2);
     rule("a handler that posts itself again gets the next", again == 5 && all == 1 + 2 + 3 + 4 + 5);
     crecv(2, buf, sizeof buf);

@@ -1,5 +1,5 @@
-/* NX is declared under every name that programs include, alone or together with others; and its errno values
- * by their names.
+/* NX is declared in every header that programs include, alone or with others; its errno values have their
+ * names.
  * run: all
  */
 #include <mesh.h>

@@ -1,6 +1,6 @@
-/* A message of 100 bytes or less leaves at once, though nobody has asked for it and its receiver computes; a
- * longer one asks first, and so waits for a receiver that does not answer - but csend of neither waits for a
- * receive to be posted.
+/* A message of 100 bytes or less is sent at once (eager), though no receive is posted and its receiver
+ * computes; a longer message is sent by rendezvous, and so waits until the receiver answers. csend of neither
+ * waits for a receive to be posted.
  * simulator only: of times
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2

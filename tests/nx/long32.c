@@ -123,7 +123,7 @@ static void handler(long type, long count, long node, long pid)
     (void)type, (void)count, (void)node, (void)pid;
 }
 
-/* What is counted, and looked at for handlers, has more bits than a long: this takes more than 2^31
+/* The count of units, with which polls compare, has more bits than a long: this takes more than 2^31
  * thousandths of a clock. */
 static void computing(void)
 {

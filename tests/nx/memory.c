@@ -1,5 +1,5 @@
 /* A node's 16 MB are enforced: malloc says NULL when they are gone, and gives again what was freed;
- * unexpected messages count too, and a long one waits for its grant until there is room.
+ * unexpected messages count, too, and a long one waits for its clear to send until there is room.
  * run: -m delta -n 2
  */
 #include <nx.h>

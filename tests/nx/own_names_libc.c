@@ -1,5 +1,5 @@
-/* The same for names of the C library: variables and functions of a program's own, which it defines or leaves
- * common.
+/* A program may have variables and functions of its own by names of the C library; it defines them or leaves
+ * them common.
  * compile: -w
  * run: -m ipsc860 -n 2
  */

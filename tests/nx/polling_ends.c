@@ -1,4 +1,4 @@
-/* Loops that only ask - iprobe, msgdone, flick, mclock, dclock - let time pass, so that what they wait for
+/* Time passes in loops that only poll - iprobe, msgdone, flick, mclock, dclock -, so that the awaited message
  * comes.
  * run: all
  */

@@ -1,5 +1,5 @@
-/* A program whose handlers follow each other without a gap goes on: it computes, makes calls, waits, and
- * unmasks handlers, while the others ask without end.
+/* A program whose handlers follow each other without a gap makes progress: it computes, makes calls, waits,
+ * and unmasks handlers, while the other nodes send requests without end.
  * simulator only: how much is served meanwhile is the host's business otherwise
  * run: -m ipsc860 -n 8
  * run: -m delta -n 8

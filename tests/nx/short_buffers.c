@@ -1,5 +1,5 @@
 /* A receive buffer shorter than the message is an error, EQMSGLONG, in crecv and in what completes an irecv.
- * The message is lost, the buffer as it was, and all goes on.
+ * The message is lost, the buffer is unchanged, and the program continues.
  * run: all
  */
 #include <string.h>

@@ -14,7 +14,7 @@ static const long lengths[] = {0, 100, 101, 5000};
 static char buf[5000];
 static long wrong;
 
-/* One message to all and a short one behind it; every third node looks late. */
+/* One message to all and a short one behind it; every third node receives late. */
 static void round_of(long root, long length)
 {
     char mark = (char)(root + length);

@@ -1,5 +1,5 @@
-/* counter.c - see counter.h. A preemption spoils every register that a call may, to prove that none is relied
- * on. */
+/* counter.c - see counter.h. A preemption changes every register that a call may change, to prove that
+ * programs rely on none. */
 #include "counter.h"
 #include <string.h>
 

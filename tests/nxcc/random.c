@@ -1,9 +1,9 @@
-/* random.c - writes a random C program that ends, has no undefined behaviour and prints a checksum of all it
- * did.
+/* random.c - writes a random C program that ends, has no undefined behaviour and prints a checksum of all
+ * that it computed.
  *
  *     random SEED > program.c
  *
- * Functions call only those before them, loops have a bounded number of rounds, integers are unsigned,
+ * Functions call only those before them, loops have bounded trip counts, integers are unsigned,
  * indices are masked.
  */
 #include <stdio.h>

@@ -209,7 +209,7 @@ static void what_a_call_changes_is_kept(void **state)
     assert_int_equal(COST(c_while_others(20, steal)), plain + 20 * 12345);
 }
 
-/* --- preemption ---------------------------------------------------------------------------------------- */
+/* --- preemption --- */
 
 static void everything(double *result)
 {

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The driver and the plugin as a user meets them: what is made, what is refused, and in what words.
+# The driver and the plugin as a user meets them: outputs, errors, and messages.
 cd "$(dirname "$0")" || exit 1
 NXCC=$PWD/../../nxcc
 TEST=$PWD

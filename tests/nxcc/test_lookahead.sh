@@ -1,6 +1,6 @@
 #!/bin/bash
 # A call before the end of its program's lookahead (nx_api/nxcc/lookahead.h) ends the run, and the message names node, call,
-# function and both numbers of cost units. Each program here has a wrong lookahead, written by hand.
+# function and both numbers of cost units. The programs here are written with a wrong lookahead.
 cd "$(dirname "$0")" || exit 1
 BIN=$PWD/../..
 DIR=$(mktemp -d)
@@ -34,7 +34,7 @@ static __attribute__((noinline)) int ask(int x) { if (mynode() == 1) wrong_poll(
 int main(void) { gsync(); return ask(1) != 2; }
 EOT
 
-# The loop asks a function of another file, which makes a call in one round of many. The file's flag says that it makes none.
+# The loop calls a function of another file, which makes a call in one iteration of many. The file's flag says that it makes none.
 cat >loop.c <<'EOT'
 #include "nx.h"
 extern int other(int i);

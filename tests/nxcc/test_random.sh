@@ -2,7 +2,7 @@
 # Random programs, compiled by nxcc at any level, print what gcc's print. What they count depends neither on how often they are
 # preempted, nor on whether the counter is in a register or in memory, nor on --profile, whose sum over the functions is the
 # same. No call comes before the end of the lookahead (report.c). Preemptions come at the same times, although no loop is
-# precharged where the counter is in memory.
+# pre-charged where the counter is in memory.
 set -u
 cd "$(dirname "$0")" || exit 1
 NXCC=../../nxcc

@@ -1,5 +1,5 @@
-/* parts.h - what the operations of ops.def use, in C for nodes. A program that `make prove` prints begins
- * with this text. */
+/* parts.h - functions, in C for nodes, that the operations of ops.def use. A program that `make prove` prints
+ * begins with this text. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -22,7 +22,7 @@ static volatile int *volatile nowhere = (int *)16;
 static char *block[BLOCKS];
 static int blocks;
 
-/* What the program has seen of the machine: all goes into one number. */
+/* One number into which goes all that the program observes. */
 static void note(long x)
 {
     seen = (seen ^ (unsigned long long)x) * 1099511628211ULL;
@@ -41,7 +41,7 @@ static char *room(void)
     return in[rooms++ % ROOMS];
 }
 
-/* --- computing, in loops of all kinds: some say for how long they will run, some cannot --- */
+/* --- computing, in loops of all kinds: with lookahead and without --- */
 
 static unsigned long grow(unsigned n)
 {
@@ -242,7 +242,7 @@ static void keep_id(long new)
         msgwait(new);
 }
 
-/* Handlers keep ids, too: what is taken has to be off the list before anything is done with it. */
+/* Handlers use the list of ids, too: an id is taken off the list before it is used. */
 static long take_id(long slot)
 {
     long i = slot % ids, taken = id[i];
@@ -302,7 +302,7 @@ static void await_probe(long type, long times)
         compute(0, 400);
 }
 
-/* --- all nodes together --- */
+/* --- global operations --- */
 
 static void sum_doubles(long n)
 {
@@ -347,7 +347,7 @@ static void shared_file(long mode, long len, long rounds)
     gsync();
 }
 
-/* One call serves all; nodes come at different times. */
+/* One call serves all nodes, which make it at different times. */
 static void global_file(long len, long kind, long rounds)
 {
     struct stat there;
@@ -542,7 +542,7 @@ static void host_kill(long node)
 }
 #endif
 
-/* Called at the end: what this node has seen, and how long it took. */
+/* Called at the end: prints what this node has observed, and its time. */
 static void tell(void)
 {
     note((long)(result * 1e6));

@@ -1,8 +1,7 @@
-/* player.c - the node program of `make prove`: each node makes the operations of ops.def that the environment
- * names for it, PROVE_3 for node 3, PROVE_HOST for the host program: "OP a b c d OP a b c d ...", OP being
- * the operation's number. At its end it tells what it has seen. Programs that can throw away messages are
- * ordered otherwise (the fast engine puts off no call in them): so PLAYER_FLUSHES makes a player of its own,
- * and nxcc -host the host's. */
+/* player.c - the node program of `make prove`: each node executes the operations of ops.def that an
+ * environment variable lists, PROVE_3 for node 3, PROVE_HOST for the host program: "OP a b c d OP a b c d
+ * ...", OP being the operation's number. At its end it prints its results. The fast engine defers no call of
+ * a program that has flushmsg: PLAYER_FLUSHES therefore makes a second player, and nxcc -host the host's. */
 #include "parts.h"
 
 #ifdef PLAYER_FLUSHES

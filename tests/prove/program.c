@@ -46,7 +46,7 @@ static const int SHARE[] = {
 #undef OP
 };
 
-/* A family stands before its operations: it is what is said there, until the next. */
+/* Operations belong to the family that stands before them in ops.def. */
 static const struct kind TABLE[] = {
 #define FAMILY(name, share) {.family = FAMILY_##name, .weight = -1},
 #define OP(name, weight, a, b, c, d, ...) {#name, #__VA_ARGS__, 0, weight, {a, b, c, d}},
@@ -106,7 +106,7 @@ bool random_chance(uint64_t *state, double p)
     return fraction(state) < p;
 }
 
-/* Small ones are as likely as large ones of any size. */
+/* Numbers of all orders of magnitude are equally likely. */
 static long spread(uint64_t *state, double most)
 {
     return (long)exp2(fraction(state) * log2(most));
@@ -205,7 +205,7 @@ static void add_chosen(struct chooser *c, int node, const struct kind *k, double
         o->value[i] = value(c, k->value[i]);
 }
 
-/* One of a family, by weight. */
+/* Chooses an operation of a family, by weight. */
 static const struct kind *choose_in(struct chooser *c, int family)
 {
     int at = -1, sum = 0;
@@ -234,8 +234,8 @@ static int choose_family(struct chooser *c)
     return i;
 }
 
-/* A message that is sent, and received: those who wait for one another do so in one order, so that they do
- * not hang. */
+/* Adds a message: its send and its receive. Nodes wait for each other in one order, so that they do not
+ * hang. */
 static void add_transfer(struct chooser *c, double from, double to)
 {
     static const char *const SEND[] = {"csend", "csend", "isend", "hsend"};
@@ -297,8 +297,8 @@ static void set_number(struct program *p, const char *key, double x)
     snprintf(p->set[p->set_count++], sizeof p->set[0], "%s=%.10g", key, x);
 }
 
-/* Machines on which much takes no time, so that much happens at once; on which memory is short; with faster
- * nodes. */
+/* Machines on which many actions take no time, so that many events are simultaneous; on which memory is
+ * short; with faster nodes. */
 static void choose_numbers(struct chooser *c)
 {
     static const char *const TIMES[] = {
@@ -441,7 +441,7 @@ int program_smaller(const struct op *o, int i, long smaller[2])
     return count;
 }
 
-/* --- as C --- */
+/* --- the program as C --- */
 
 static void print_op(const struct op *o, FILE *f)
 {

@@ -1,4 +1,5 @@
-/* program.h - random programs: what each node does, on which machine. A program is known by its seed. */
+/* program.h - random programs: the operations of each node, and the machine. The seed determines the
+ * program. */
 #ifndef PROVE_PROGRAM_H
 #define PROVE_PROGRAM_H
 #include <stdbool.h>
@@ -22,7 +23,7 @@ struct program {
     uint64_t seed;
     const char *machine;
     uint32_t nodes;
-    bool flushes, host, cube; /* host: there is a host program, and cube: it asks for its nodes itself */
+    bool flushes, host, cube; /* host: there is a host program; cube: it calls getcube itself */
     bool profile;
     double most_virtual_s;
     char set[MOST_SET][48]; /* KEY=VALUE of the machine file */

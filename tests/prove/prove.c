@@ -1,13 +1,14 @@
-/* prove.c - looks for a program on which the fast engine gives other results than the reference, which
- * defines them: `make prove`.
+/* prove.c - `make prove`: searches for a program on which the fast engine's results differ from those of the
+ * reference engine, which defines what is right.
  *
  *   prove --build DIR [--seed N] [--count N | --seconds S] [--jobs J] [--load L] [--all]
  *   prove --print --seed N                                                          the program of a seed
  *
- * Random programs (program.h), each run by the reference and then by the fast engine with one thread and
- * several, threads that take turns at random, and slices, while L processes that only compute take turns with
- * them. The first difference is made as small as it can be, and printed as a C program, the command that runs
- * it, and where the results part. Exit status 1 then; 0 if there was none; 2: it could not be tried. */
+ * The reference runs random programs (program.h); then the fast engine runs each with one worker and several,
+ * with workers scheduled at random, and with slices, while L computing processes compete for the processors.
+ * The first failing program is made as small as possible, and printed as a C program, with the command that
+ * runs it and the first difference. Exit status: 0 no difference, 1 a difference, 2 the programs could not be
+ * run. */
 #include <getopt.h>
 #include <inttypes.h>
 #include <math.h>
@@ -30,7 +31,7 @@ struct options {
     bool keep_going, print;
 };
 
-/* Of all provers, which are processes. */
+/* Shared by all provers, which are processes. */
 struct shared {
     atomic_uint_fast64_t next, done, messages;
     atomic_bool found;
@@ -45,7 +46,7 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* One thread, several, and in turns and slices that differ with the program. */
+/* One worker, or several; their order and the slices differ with the program. */
 static void choose_ways(uint64_t seed, char way[WAYS][MOST_WAY])
 {
     uint64_t r = seed ^ UINT64_C(0x5eed);
@@ -62,7 +63,7 @@ static void choose_ways(uint64_t seed, char way[WAYS][MOST_WAY])
     snprintf(way[5], MOST_WAY, "-w 2 --shuffle %u --slice %g", shuffle + 1, slice);
 }
 
-/* As C, and as somebody would run it. */
+/* Prints the program as C, and the command that runs it. */
 static void print_program(const struct program *p, const char *way, const char *build)
 {
     char parts[PATH_MAX];
@@ -112,7 +113,7 @@ static uint64_t lines(const char *text)
     return n;
 }
 
-/* Tries one program. The way on which it differs, or NULL. */
+/* Tries one program. Returns the way of running it whose results differ, or NULL. */
 static const char *try(const struct place *place, const struct program *p, char way[WAYS][MOST_WAY],
                        struct shared *all)
 {

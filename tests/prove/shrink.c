@@ -1,5 +1,5 @@
-/* shrink.c - see shrink.h. Whatever can be left out is, until nothing can (delta debugging; Zeller &
- * Hildebrandt, 2002). */
+/* shrink.c - see shrink.h. Leaves out operations, nodes and settings until none can be left out (delta
+ * debugging; Zeller & Hildebrandt, 2002). */
 #include "shrink.h"
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 
 enum { TRIES = 6, MOST_ROUNDS = 6 };
 
-/* What is made smaller, how it is run, and which result differs then. */
+/* The program that is made smaller, how it is run, and which result differs. */
 struct finding {
     const struct place *place;
     struct program *p;
@@ -15,7 +15,7 @@ struct finding {
     int result;
 };
 
-/* The result that differs from the reference's, -1: none. Threads are tried several times. */
+/* The result that differs from the reference's; -1: none. Runs with workers are tried several times. */
 static int difference(const struct finding *c, const struct program *p)
 {
     struct trial right = trial_run(c->place, p, "--engine reference");
@@ -31,7 +31,7 @@ static int difference(const struct finding *c, const struct program *p)
     return result;
 }
 
-/* Is the smaller one as good? Then it is taken. */
+/* Takes the smaller program if the same result differs in it. */
 static bool take(struct finding *c, struct program *smaller)
 {
     bool good = difference(c, smaller) == c->result;

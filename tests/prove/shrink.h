@@ -3,7 +3,7 @@
 #define PROVE_SHRINK_H
 #include "trial.h"
 
-/* p, on which a way of running it gives other results than the reference, becomes smaller, and still does,
- * and in the same result: fewer nodes, fewer operations, smaller numbers. */
+/* Makes p smaller - fewer nodes, fewer operations, smaller numbers - while the given way of running p differs
+ * from the reference in the given result. */
 void shrink(const struct place *place, struct program **p, const char *way);
 #endif

@@ -48,7 +48,7 @@ static void add_words(struct arguments *a, const char *words)
     }
 }
 
-/* Those that say what is run: from the machine to the program. */
+/* The arguments that determine the results: from the machine to the program. */
 static void add_program(struct arguments *a, const struct program *p, const char *folder)
 {
     add(a, "-m");
@@ -105,7 +105,7 @@ void trial_print_command(const struct program *p, const char *way, FILE *f)
     free_arguments(&a);
 }
 
-/* The prover's own environment does not matter: only scripts, and where the computer has its things. */
+/* The environment of a run: the scripts, and the computer's paths; nothing else of the prover's. */
 static void environment(const struct program *p, char **all)
 {
     static const char *const KEPT[] = {"PATH",         "HOME",        "TMPDIR", "TOUCHSTONE_HOME",
@@ -129,7 +129,7 @@ static void path_of(const struct place *place, int result, char *path)
     snprintf(path, PATH_MAX, "%s/%s", place->folder, RESULT_NAMES[result]);
 }
 
-/* Waits for it, but not for ever. */
+/* Waits for the run to end, for a limited time. */
 static int status_of(pid_t child)
 {
     int status;

@@ -1,9 +1,9 @@
-/* trial.h - one run of a program, and what it gave. */
+/* trial.h - one run of a program, and its results. */
 #ifndef PROVE_TRIAL_H
 #define PROVE_TRIAL_H
 #include "program.h"
 
-/* Where things are, and where a prover may write. */
+/* The folders of a prover. */
 struct place {
     const char *build;  /* the folder of the build under test */
     const char *folder; /* the prover's own */
@@ -12,7 +12,7 @@ struct place {
 enum result { HISTORY, OUTPUT, ERRORS, FIGURES, PROFILE, RESULTS };
 extern const char *const RESULT_NAMES[RESULTS];
 
-/* All that must be the same in every run: results without the lines that tell of real time. */
+/* All results that must be equal in every run: without the lines about host time. */
 struct trial {
     char *text[RESULTS];
     int status; /* as of wait(2); -1: it took too long */
@@ -25,6 +25,6 @@ void trial_free(struct trial *t);
 int trial_differs(const struct trial *a, const struct trial *b);
 /* Shows where two texts begin to differ. */
 void trial_print_difference(const char *name, const char *a, const char *b, FILE *f);
-/* The command, as somebody would type it. */
+/* The command, as a user would type it. */
 void trial_print_command(const struct program *p, const char *way, FILE *f);
 #endif

@@ -1,11 +1,11 @@
-/* rates.c - what the Concurrent File System sustains in all, for the nodes it is run on.
+/* rates.c - the rates that the Concurrent File System sustains, of all n nodes together.
  *
  *   rates PATTERN MB RECORD_KB     PATTERN: records       one file, node i has every n-th record (I/O mode 3)
- *                                           partitions    one file, node i has its own n-th of it (mode 0)
+ *                                           partitions    one file, node i has its own n-th part (mode 0)
  *
- * Writes a file of MB megabytes (10^6 bytes, to whole rounds of records), then reads it, and prints both
- * rates. A rate is taken over the second half, when caches are full and behind each byte taken one has gone
- * to disk.
+ * Writes a file of MB megabytes (10^6 bytes, rounded to whole rounds of records), then reads the file, and
+ * prints both rates. A rate is taken over the second half of the file, when caches are full and for each byte
+ * accepted one byte goes to disk.
  */
 #include <fcntl.h>
 #include <nx.h>
@@ -20,7 +20,8 @@ struct run {
     long record, rounds;
 };
 
-/* All rounds of records; seconds from the middle to the end, of all nodes. */
+/* Writes or reads all rounds of records. Answers the seconds from the middle to the end, of the slowest
+ * node. */
 static double all_rounds(const struct run *r, int write)
 {
     double begin = 0, took, work;

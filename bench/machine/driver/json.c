@@ -1,4 +1,4 @@
-/* json.c - the results for programs. */
+/* json.c - the results as JSON. */
 #include "validate.h"
 #include <jansson.h>
 

@@ -1,4 +1,4 @@
-/* judge.c - how far ours are from the published. */
+/* judge.c - how far our figures are from the published ones. */
 #include "validate.h"
 #include <math.h>
 #include <string.h>

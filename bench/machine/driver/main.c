@@ -1,8 +1,8 @@
-/* main.c - validate BUILD PUBLISHED OUT PAGE: runs the microbenchmarks and sets ours beside the published
- * figures.
+/* main.c - validate BUILD PUBLISHED OUT PAGE: runs the microbenchmarks and compares our figures with
+ * published ones.
  *
  * The table goes to standard output, the page to PAGE, JSON and points for the pictures to the folder OUT.
- * Exit status: 0 nothing is outside what is allowed, 1 something is, 65 it could not be run.
+ * Exit status: 0 no figure is outside what is allowed, 1 some figure is, 65 the benchmarks could not be run.
  */
 #include <stdlib.h>
 #include <sys/stat.h>

@@ -27,7 +27,7 @@ static void read_line(struct run *r, char *line)
     }
 }
 
-/* One run, for one number of nodes. */
+/* Runs the program once, on one number of nodes. */
 static bool run_once(struct run *r, unsigned nodes, const char *build, char **error)
 {
     char *command, line[256];
@@ -47,7 +47,7 @@ static bool run_once(struct run *r, unsigned nodes, const char *build, char **er
     return true;
 }
 
-/* The points of a run as files for gnuplot: OUT/RUN.SERIES.dat, blanks in names as dashes. */
+/* Writes the points of a run to files for gnuplot, OUT/RUN.SERIES.dat; blanks in names become dashes. */
 static bool write_points(const struct run *r, const char *out, char **error)
 {
     const char *series = "";

@@ -1,4 +1,4 @@
-/* plan.c - reads published.cfg. The file stays open as long as the program runs: texts belong to it. */
+/* plan.c - reads published.cfg. The reader stays open until the program ends, since it owns the texts. */
 #include "validate.h"
 #include <stdlib.h>
 #include <string.h>

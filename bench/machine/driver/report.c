@@ -40,9 +40,9 @@ void report_terminal(const struct plan *p, FILE *f)
 static void page_figures(const struct plan *p, FILE *f)
 {
     char a[64], b[32];
-    fputs(
-        "\n| run | figure | published | ours | error | | standing | source |\n|---|---|---|---|---|---|---|---|\n",
-        f);
+    fputs("\n| run | figure | published | ours | error | | standing | source |\n"
+          "|---|---|---|---|---|---|---|---|\n",
+          f);
     for (size_t i = 0; i < p->figure_count; i++) {
         const struct figure *g = &p->figures[i];
         fprintf(f, "| %s | %s | %s | %.5g %s | %s | %s | %s | %s%s%s |\n", g->run->name, g->text,
@@ -54,8 +54,8 @@ static void page_figures(const struct plan *p, FILE *f)
 static void page_curves(const struct plan *p, FILE *f)
 {
     fputs(
-        "\n| run | formula, n bytes over d hops, microseconds | points | worst error | at n, d | | standing | source |\n"
-        "|---|---|---|---|---|---|---|---|\n",
+        "\n| run | formula, n bytes over d hops, microseconds | points | worst error | at n, d | | standing "
+        "| source |\n|---|---|---|---|---|---|---|---|\n",
         f);
     for (size_t i = 0; i < p->curve_count; i++) {
         const struct curve *c = &p->curves[i];
@@ -65,7 +65,7 @@ static void page_curves(const struct plan *p, FILE *f)
     }
 }
 
-/* The n-th series of a run by order of appearance, NULL: no more. */
+/* The n-th series of a run in order of appearance; NULL: there is none. */
 static const char *nth_series(const struct run *r, size_t n)
 {
     for (size_t i = 0; i < r->point_count; i++) {
@@ -78,7 +78,7 @@ static const char *nth_series(const struct run *r, size_t n)
     return NULL;
 }
 
-/* A column of x, then one of y for each series. */
+/* A table: a column of x, then a column of y for each series. */
 static void page_listing(const struct listing *l, FILE *f)
 {
     const struct run *r = l->run;
@@ -103,15 +103,14 @@ static void page_listing(const struct listing *l, FILE *f)
 
 void report_page(const struct plan *p, FILE *f)
 {
-    fputs(
-        "# Microbenchmarks: published figures and ours\n\n"
-        "Written by `make validate`; do not edit. The programs are the `.c` files beside this page, the published figures\n"
-        "and what is run `published.cfg`; pictures go to `out/validate/`. An error is counted from the nearer end of a\n"
-        "range. *within*: no more than 5 % off, or as the row says; *misses*: outside, with the reason; *open*: no\n"
-        "published figure was found, and ours stands alone. Standing of a published figure: *read* from a copy of the\n"
-        "source; *known*: widely quoted from the source, whose table was not at hand; *derived*: arithmetic on those.\n\n"
-        "## Formulas\n",
-        f);
+    fputs("# Microbenchmarks: published figures and ours\n\nWritten by `make validate`; do not edit. The "
+          "programs are the `.c` files beside this page, the published figures\nand what is run "
+          "`published.cfg`; pictures go to `out/validate/`. An error is counted from the nearer end of a\n"
+          "range. *within*: no more than 5 % off, or as the row says; *misses*: outside, with the reason; "
+          "*open*: no\npublished figure was found, and ours stands alone. Standing of a published figure: "
+          "*read* from a copy of the\nsource; *known*: widely quoted from the source, whose table was not "
+          "at hand; *derived*: arithmetic on those.\n\n## Formulas\n",
+          f);
     page_curves(p, f);
     fputs("\n## Figures\n", f);
     page_figures(p, f);

@@ -1,6 +1,7 @@
-/* validate.h - published figures beside ours: what is to be run, what came out, and how far it is off.
+/* validate.h - compares our figures with published ones: the runs, their results, and their errors.
  *
- *     published.cfg --plan_read--> plan --measure--> plan with results --judge--> errors --report_*--> table, page, JSON
+ *     published.cfg --plan_read--> plan --measure--> plan with results --judge--> plan with errors
+ *                   --report_*--> table, page, JSON
  */
 #ifndef VALIDATE_H
 #define VALIDATE_H
@@ -34,7 +35,7 @@ struct run {
 
 enum verdict { WITHIN, OUTSIDE, KNOWN_MISS, OPEN };
 
-/* A figure as published: from low to high, which are equal for a single value; or open. */
+/* A published figure: from low to high, which are equal for a single value; or open. */
 struct figure {
     const struct run *run;
     const char *name, *text, *unit, *standing, *source, *miss;
@@ -44,8 +45,8 @@ struct figure {
     enum verdict verdict;
 };
 
-/* A formula as published, held against every point of a series: for x[0] <= most, constant + per_x x[0] +
- * per_y x[1]. */
+/* A piece of a published formula, which is compared with every point of a series: for x[0] <= most the
+ * formula is constant + per_x x[0] + per_y x[1]. */
 struct piece {
     double most, constant, per_x, per_y;
 };
@@ -61,7 +62,7 @@ struct curve {
     enum verdict verdict;
 };
 
-/* Series that are shown and held against nothing. */
+/* Series that are shown without a comparison. */
 struct listing {
     const struct run *run;
     const char *title, *x, *y;
@@ -80,12 +81,12 @@ struct plan {
     size_t remark_count;
 };
 
-/* Reads what is to be done. False with *error set. */
+/* Reads the plan from the file path. False with *error set. */
 bool plan_read(struct plan *p, const char *path, char **error);
-/* Runs everything: touchstone and programs from build, raw output and points into out. False with *error set.
- */
+/* Runs all programs, with touchstone, from the folder build; writes points into the folder out. False with
+ * *error set. */
 bool measure(struct plan *p, const char *build, const char *out, char **error);
-/* Sets errors and verdicts; true if nothing is outside. */
+/* Sets errors and verdicts. True if no figure is outside. */
 bool judge(struct plan *p);
 
 void report_terminal(const struct plan *p, FILE *f);

@@ -1,6 +1,6 @@
 /* report.c - writes REPORT.md from the results of the studies: report DIR, where DIR/NAME/results.json are.
  *
- * The words are here, all figures come from the results. A figure that is missing is "-" and counts nowhere.
+ * The words are here; all figures come from the results. A missing figure is "-" and counts nowhere.
  */
 #include <jansson.h>
 #include <math.h>
@@ -43,8 +43,8 @@ static const char *output(const struct study *s, size_t i)
     return json_string_value(json_array_get(s->outputs, i));
 }
 
-/* The figure at the x'th number of nodes or clock, the out'th output and the group'th group; NAN if there is
- * none. */
+/* The figure at number x of the first axis, number out of the outputs and number group of the group sizes;
+ * NAN if there is none. */
 static double figure(const struct study *s, size_t x, size_t out, size_t group, const char *key)
 {
     size_t i;
@@ -61,7 +61,7 @@ static double figure(const struct study *s, size_t x, size_t out, size_t group, 
     return NAN;
 }
 
-/* The place of the group with the least figure; *least may be NAN. */
+/* The number of the group size with the least figure; *least, the figure, may be NAN. */
 static size_t best(const struct study *s, size_t x, size_t out, const char *key, double *least)
 {
     size_t at = 0;
@@ -76,14 +76,13 @@ static size_t best(const struct study *s, size_t x, size_t out, const char *key,
     return at;
 }
 
-/* --- counting --------------------------------------------------------------------------------------------
- */
+/* --- counting --- */
 
 struct count {
     int smaller, same, larger;
 };
 
-/* Compares the best groups of two runs. */
+/* Counts whether the best group grows or shrinks from one point to another. */
 static void compare(struct count *c, const struct study *s, size_t from_x, size_t from, size_t to_x,
                     size_t to, const char *key)
 {
@@ -101,8 +100,7 @@ static void print_count(const struct count *c)
     printf("smaller %d times, the same %d times, larger %d times", c->smaller, c->same, c->larger);
 }
 
-/* --- tables ----------------------------------------------------------------------------------------------
- */
+/* --- tables --- */
 
 static void print_seconds(double s)
 {
@@ -162,9 +160,8 @@ static void print_added(const struct study *s)
 static void print_idle(const struct study *s)
 {
     size_t x = json_array_size(s->xs) - 1, out = json_array_size(s->outputs) - 1;
-    printf(
-        "\n| group | slaves wait, no files | slaves wait, files | hosts wait in writes | hosts' system time, no files | "
-        "files |\n|---|---|---|---|---|---|\n");
+    printf("\n| group | slaves wait, no files | slaves wait, files | hosts wait in writes | hosts' system "
+           "time, no files | files |\n|---|---|---|---|---|---|\n");
     for (size_t g = 0; g < json_array_size(s->groups); g++) {
         double none = figure(s, x, 0, g, "total_s"), files = figure(s, x, out, g, "total_s");
         printf("| %ld | %.1f %% | %.1f %% | %.1f %% | %.1f %% | %.1f %% |\n", whole(s->groups, g),
@@ -176,23 +173,22 @@ static void print_idle(const struct study *s)
     }
 }
 
-/* --- the page --------------------------------------------------------------------------------------------
- */
+/* --- the page --- */
 
 static void page_best(const struct study study[])
 {
     static const char *const titles[] = {"(1,1,1), seven surfaces", "(3,3,3), seven surfaces",
                                          "(1,1,1), sixteen large surfaces"};
-    printf(
-        "## Best group sizes\n\nIn each field: **nodes in the best group**: its time in seconds. Group sizes are powers of "
-        "two; where times differ by\nless than a percent, which of two sizes is best says little.\n");
+    printf("## Best group sizes\n\nIn each field: **nodes in the best group**: its time in seconds. Group "
+           "sizes are powers of two; where times differ by\nless than a percent, which of two sizes is "
+           "best says little.\n");
     for (int i = 0; i <= HEAVY; i++) {
         printf("\n### %s\n\n", titles[i]);
         printf("Each run with files writes %.1f MB. From the start to the last polygon:\n",
                1e-6 * figure(&study[i], 0, 1, 0, "files.bytes_written"));
         print_best(&study[i], "total_s");
-        printf(
-            "\nThe whole run, in which the hosts also create their files before they start, and close them:\n");
+        printf("\nThe whole run, in which the hosts also create their files before they start, and close "
+               "them:\n");
         print_best(&study[i], "virtual_time_s");
         printf("\n![total time](%s-time.png)\n![time of the run](%s-whole.png)\n![best group](%s-best.png)\n"
                "![best group, time of the run](%s-best-whole.png)\n",
@@ -215,11 +211,10 @@ static void sentence_idle(const struct study study[])
                     all += !isnan(none) && !isnan(files);
                     longer += files > none;
                 }
-    printf(
-        "**\"The slave idle becomes longer since writing files takes a large amount from the group hosts' processing "
-        "time.\"**\nWith files the slaves wait longer for work in %d of %d runs. Sixteen surfaces, the most nodes and "
-        "I/O nodes:\n",
-        longer, all);
+    printf("**\"The slave idle becomes longer since writing files takes a large amount from the group "
+           "hosts' processing time.\"**\nWith files the slaves wait longer for work in %d of %d runs. "
+           "Sixteen surfaces, the most nodes and I/O nodes:\n",
+           longer, all);
     print_idle(&study[HEAVY]);
     printf("\n");
 }
@@ -232,23 +227,21 @@ static void sentence_fewer(const struct study study[])
             compare(&most, &study[i], x, 0, x, json_array_size(study[i].outputs) - 1, "total_s");
             compare(&least, &study[i], x, 0, x, 1, "total_s");
         }
-    printf(
-        "**\"It has better performance when one group has fewer number of nodes.\"** Against runs without files the "
-        "best group is\n");
+    printf("**\"It has better performance when one group has fewer number of nodes.\"** Against runs "
+           "without files the best group is\n");
     print_count(&most);
     printf(" with the most I/O nodes,\nand ");
     print_count(&least);
-    printf(
-        " with the fewest. Seconds that files add to\nthe total time with the most I/O nodes, by group size, for "
-        "seven and for sixteen surfaces of (1,1,1):\n");
+    printf(" with the fewest. Seconds that files add to\nthe total time with the most I/O nodes, by group "
+           "size, for seven and for sixteen surfaces of (1,1,1):\n");
     print_added(&study[BY_SIZE]);
     print_added(&study[HEAVY]);
-    printf(
-        "\nTwo things work against each other. A host writes for all its slaves, so what a host has to write grows with "
-        "its group:\nthis is the paper's reason, and it is what counts when the disks keep up. But each host has files "
-        "of its own: the smaller\nthe groups, the more files are written at a time, the more the disks seek, and the "
-        "longer the one directory process needs\nto create them. This is what counts when there are few disks, and in "
-        "the time of the whole run.\n\n");
+    printf("\nTwo things work against each other. A host writes for all its slaves, so what a host has to "
+           "write grows with its group:\nthis is the paper's reason, and it is what counts when the disks "
+           "keep up. But each host has files of its own: the smaller\nthe groups, the more files are "
+           "written at a time, the more the disks seek, and the longer the one directory process needs\n"
+           "to create them. This is what counts when there are few disks, and in the time of the whole "
+           "run.\n\n");
 }
 
 static void sentence_depends(const struct study study[])
@@ -264,10 +257,10 @@ static void sentence_depends(const struct study study[])
                 low = low && low < size ? low : size;
                 high = size > high ? size : high;
             }
-    printf(
-        "**\"The optimal number of nodes in a group is heavily dependent on the hosts' file I/O time and the slaves' "
-        "processing\ntime.\"** With files, the best group has from %ld to %ld nodes in these studies.\n\n",
-        low, high);
+    printf("**\"The optimal number of nodes in a group is heavily dependent on the hosts' file I/O time "
+           "and the slaves' processing\ntime.\"** With files, the best group has from %ld to %ld nodes in "
+           "these studies.\n\n",
+           low, high);
 }
 
 static void sentence_large(const struct study study[])
@@ -280,12 +273,11 @@ static void sentence_large(const struct study study[])
     for (size_t x = 0; x + 1 < json_array_size(s->xs); x++)
         for (size_t o = 1; o < outputs; o++)
             compare(&clock, s, x + 1, o, x, o, "total_s");
-    printf(
-        "**\"Longer slaves' processing time or smaller I/O time means the optimal group size will be large.\"** On 128 "
-        "nodes, a\nfile system ten times as fast: the best group is ");
+    printf("**\"Longer slaves' processing time or smaller I/O time means the optimal group size will be "
+           "large.\"** On 128 nodes, a\nfile system ten times as fast: the best group is ");
     print_count(&io);
-    printf(
-        ".\nA processor half as fast, which makes the slaves' processing longer and leaves files as they are: ");
+    printf(".\nA processor half as fast, which makes the slaves' processing longer and leaves files as "
+           "they are: ");
     print_count(&clock);
     printf(".\n");
 }
@@ -301,12 +293,12 @@ int main(int argc, char **argv)
         loaded = load(&study[i], argv[1]);
     if (!loaded)
         return fputs("usage: report DIR\n", stderr), 1;
-    printf(
-        "# Groups that write their polygons\n\nWritten by `make output-study`; do not edit. Section 7 of the paper tells "
-        "of runs whose hosts wrote the polygons to disk,\nwithout a table. Here the model program does so on the "
-        "simulated Delta (`-parts /cfs/p`: a file of each host's for each\nsurface, on the Concurrent File System), "
-        "with 2, 8 and 32 I/O nodes of two disks each; the Delta had 32. The studies are\nthe `.cfg` files beside "
-        "this page; all figures of all runs go to `out/output-study/`.\n\n");
+    printf("# Groups that write their polygons\n\nWritten by `make output-study`; do not edit. Section 7 "
+           "of the paper tells of runs whose hosts wrote the polygons to disk,\nwithout a table. Here the "
+           "model program does so on the simulated Delta (`-parts /cfs/p`: a file of each host's for "
+           "each\nsurface, on the Concurrent File System), with 2, 8 and 32 I/O nodes of two disks each; "
+           "the Delta had 32. The studies are\nthe `.cfg` files beside this page; all figures of all runs "
+           "go to `out/output-study/`.\n\n");
     page_best(study);
     printf("## The paper's sentences\n\n");
     sentence_idle(study);

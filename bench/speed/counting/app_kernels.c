@@ -1,5 +1,4 @@
-/* app_kernels.c - the model program's own numeric code as kernels of the counting benchmark. See kernels.c.
- */
+/* app_kernels.c - the model program's numeric code as kernels of the counting benchmark; see kernels.c. */
 #include <stddef.h>
 #include "app/c3.h"
 #include "app/fit.h"
@@ -96,7 +95,7 @@ double KERNEL(app_trilinear)(void)
 
 double KERNEL(app_tricubic)(void)
 {
-    static struct fit_system system; /* for no size yet: set up by the first subcube */
+    static struct fit_system system; /* zeros: the first subcube sets it up */
     const double *corner[8];
     prepare_data(C3_COMPS);
     for (int i = 0; i < 16; i++) {

@@ -1,10 +1,14 @@
-/* counting.c - what counting costs: each kernel by gcc, by nxcc and by nxcc --profile, in turn, in one run.
+/* counting.c - the cost of counting: each kernel by gcc, nxcc and nxcc --profile, which alternate in one run.
  *
- * Prints for each kernel the ratio time counted / time plain: the median over all rounds, and the least and
- * greatest of the medians at the places (counting.mk says what those are); and time profiled / time counted.
- * Then the simulated processor's clocks for the kernel, how many it does in a second of the host, and the
- * most by which a check came after the time it was due, in microseconds of a 40 MHz processor: the accuracy
- * of interrupts. Results and clocks must be equal at all places.
+ * Prints for each kernel
+ *  - the ratio time counted / time plain: the median over all rounds, and the least and greatest of the
+ *    medians at the places in memory that counting.mk defines;
+ *  - the ratio time profiled / time counted;
+ *  - the simulated processor's clocks for the kernel, and how many of them take a second of host time;
+ *  - the accuracy of interrupts: the longest time from the end of the units to the next poll, in microseconds
+ *    of a 40 MHz processor.
+ *
+ * Results and clocks must be equal at all places.
  */
 #include <math.h>
 #include <stdio.h>
@@ -58,7 +62,7 @@ static double seconds(kernel_fn *run, int times)
     return (double)(b.tv_sec - a.tv_sec) + 1e-9 * (double)(b.tv_nsec - a.tv_nsec);
 }
 
-/* What run counts when it is preempted whenever it has spent `each` units. */
+/* The units that run counts if it is preempted after every `each` units. */
 static int64_t units_of(kernel_fn *run, int64_t each)
 {
     spent = latest = 0;
@@ -82,7 +86,7 @@ static double median(double *x, size_t n)
 static void check_equal(const struct kernel *k)
 {
     double result = k->plain[0]();
-    k->counted[0](); /* what the kernel prepares once it has prepared now */
+    k->counted[0](); /* the kernel has now prepared what it prepares once */
     for (int p = 0; p < PLACES; p++) {
         k->plain[p]();
         k->counted[p]();
@@ -96,14 +100,14 @@ static void check_equal(const struct kernel *k)
     }
 }
 
-/* Of one kernel: all rounds at all places. */
+/* The times of one kernel: all rounds at all places. */
 struct rounds {
     double counted[PLACES * ROUNDS],
         profiled[PLACES * ROUNDS]; /* time counted / plain, and profiled / counted */
-    double seconds;                /* of one run counted, the mean */
+    double seconds;                /* of one counted run, the mean */
 };
 
-/* The sides in turn, each round another one first. */
+/* Runs plain, counted and profiled kernels alternately; each round begins with another one. */
 static void measure_at(const struct kernel *k, int place, struct rounds *r)
 {
     kernel_fn *const side[] = {k->plain[place], k->counted[place], k->profiled[place]};
@@ -118,7 +122,7 @@ static void measure_at(const struct kernel *k, int place, struct rounds *r)
     }
 }
 
-/* Multiplies product[] by the kernel's ratios. */
+/* Prints a kernel's line, and multiplies product[] by its ratios. */
 static void measure(const struct kernel *k, double product[2])
 {
     struct rounds r = {.seconds = 0};

@@ -1,8 +1,8 @@
 # counting.mk - builds $B/bench/counting: the same kernels by gcc, by nxcc, and by nxcc --profile.
 #
-# How fast a short loop runs depends on where it happens to lie in memory, by more than what is measured here. So each side
-# is compiled for several places: PLACE bytes, never executed, stand before each function. A side at a place is one object
-# that shows only its kernels' names, plain_PLACE_*, counted_PLACE_* or profiled_PLACE_*.
+# The speed of a short loop depends on its place in memory, by more than the differences measured here. Each side is
+# therefore compiled for several places: PLACE bytes, never executed, stand before each function. A side at a place is one
+# object that exports only its kernels' names, plain_PLACE_*, counted_PLACE_* or profiled_PLACE_*.
 COUNTING      := $B/bench/speed/counting
 COUNTING_DIR  := bench/speed/counting
 PLACES        := 0 8 24 40
@@ -48,7 +48,7 @@ $(COUNTING)/plain_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/plain_$(1)/%.o) $(COUNT
 $(COUNTING)/counted_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/counted_$(1)/%.o) $(COUNTING)/counted_$(1)/$(COUNTING_F).o
 $(COUNTING)/profiled_$(1).o: $(COUNTING_SRC:%.c=$(COUNTING)/profiled_$(1)/%.o) $(COUNTING)/profiled_$(1)/$(COUNTING_F).o
 endef
-# Fortran has no names with a macro in them: each side's get theirs in the object.
+# Fortran cannot build names from macros: objcopy renames the kernels of each side.
 COUNTING_NAMES = objcopy $(foreach k,f_linpack f_sort f_forces,--redefine-sym $(k)_=$(1)_$(k)) $@
 $(foreach place,$(PLACES),$(eval $(call COUNTING_PLACE,$(place))))
 

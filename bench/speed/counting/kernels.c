@@ -1,8 +1,8 @@
 /* kernels.c - the work of the counting benchmark, compiled by gcc (SIDE plain_PLACE) and by nxcc (SIDE
  * counted_PLACE).
  *
- * Each kernel does a fixed amount of work on its own data and returns a number that depends on all of it, so
- * that both sides can be compared and nothing is optimised away.
+ * Each kernel does a fixed amount of work on its own data and returns a number that depends on all of the
+ * work, so that both sides can be compared and no work is optimised away.
  */
 #include <math.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static double random_double(void)
     return (state >> 8) * (1.0 / 16777216.0);
 }
 
-/* --- Cholesky's method, 64 x 64, as for a least squares problem with full rows ------------------------- */
+/* --- Cholesky's method, 64 x 64, as for a least squares problem with full rows --- */
 
 #define N 64
 
@@ -48,8 +48,7 @@ double KERNEL(cholesky)(void)
     return sum;
 }
 
-/* --- roots of cubics by scanning for a change of sign, then bisection (Horner and de Casteljau) -----------
- */
+/* --- roots of cubics by scanning for a change of sign, then bisection (Horner and de Casteljau) --- */
 
 static double casteljau(const double b[4], double t)
 {
@@ -105,8 +104,7 @@ double KERNEL(roots)(void)
     return sum;
 }
 
-/* --- slices of a sphere: a square root for each pixel ----------------------------------------------------
- */
+/* --- slices of a sphere: a square root for each pixel --- */
 
 double KERNEL(slices)(void)
 {
@@ -122,8 +120,7 @@ double KERNEL(slices)(void)
     return (double)sum;
 }
 
-/* --- LINPACK's elimination, order 100, by columns --------------------------------------------------------
- */
+/* --- LINPACK's elimination, order 100, by columns --- */
 
 #define ORDER 100
 
@@ -169,8 +166,7 @@ double KERNEL(linpack)(void)
     return sum;
 }
 
-/* --- sorting integers: short blocks, unpredictable branches ----------------------------------------------
- */
+/* --- sorting integers: short blocks, unpredictable branches --- */
 
 static void quicksort(int *a, int lo, int hi)
 {

@@ -1,5 +1,5 @@
-/* traffic_mpi.c - the patterns of traffic/traffic.c with MPI's calls, for simulators of MPI: traffic_mpi
- * PATTERN ROUNDS. */
+/* traffic_mpi.c - traffic_mpi PATTERN ROUNDS: the patterns of traffic/traffic.c with MPI's calls, for
+ * simulators of MPI. */
 #include <mpi.h>
 #include <stdbool.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
-/* ladder.c - a ladder queue: events far off lie unsorted in a heap of leaves (top), nearer ones in buckets by
- * time (rungs, each dividing one bucket of the rung above), and only the nearest few are sorted (bottom).
- * Tang, Goh, Thng, ACM TOMACS 15 (2005). Events of one time cannot be divided by time: such a bucket is
- * sorted whatever its size. */
+/* ladder.c - a ladder queue: far events lie unsorted in one array (top), nearer events in buckets by time
+ * (rungs, each of which divides one bucket of the rung above), and only the nearest few events are sorted
+ * (bottom). Tang, Goh, Thng, ACM TOMACS 15 (2005). Events of one time cannot be divided by time: such a
+ * bucket is sorted whatever its size. */
 #include <stdlib.h>
 #include <string.h>
 #include "queues.h"
@@ -20,7 +20,7 @@ struct rung {
 };
 
 struct ladder {
-    struct pile top, bottom; /* bottom: sorted, the first last */
+    struct pile top, bottom; /* bottom: sorted; the earliest event is last */
     uint64_t top_start, least, most;
     int depth; /* rungs in use */
     struct rung rung[RUNGS];
@@ -93,7 +93,7 @@ static int later_first(const void *a, const void *b)
     return item_before(*(const struct item *)a, *(const struct item *)b) ? 1 : -1;
 }
 
-/* Brings the next events into bottom. */
+/* Moves the next events to bottom. */
 static void refill(struct ladder *q)
 {
     for (;;) {

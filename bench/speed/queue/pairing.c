@@ -1,5 +1,5 @@
-/* pairing.c - a pairing heap: putting in is one comparison, taking out pairs the children up. Fredman,
- * Sedgewick, Sleator, Tarjan, Algorithmica 1 (1986). */
+/* pairing.c - a pairing heap: put makes one comparison, take melds the children in pairs. Fredman, Sedgewick,
+ * Sleator, Tarjan, Algorithmica 1 (1986). */
 #include <stdlib.h>
 #include "queues.h"
 
@@ -44,7 +44,7 @@ static struct item take(void *queue)
 {
     struct pairing *q = queue;
     struct node *first = q->root, *pairs = NULL, *n = first->child;
-    while (n) { /* two and two from the left ... */
+    while (n) { /* pairs, from the left */
         struct node *a = n, *b = n->next;
         n = b ? b->next : NULL;
         a = b ? meld(a, b) : a;
@@ -54,7 +54,7 @@ static struct item take(void *queue)
     struct node *root = pairs;
     if (root)
         pairs = root->next;
-    while (pairs) { /* ... and all together from the right */
+    while (pairs) { /* all pairs into one heap, from the right */
         n = pairs->next;
         root = meld(root, pairs);
         pairs = n;

@@ -1,12 +1,15 @@
-/* queue.c - the event queue beside others: a "hold" is one event taken out and another put in, so many being
- * pending.
+/* queue.c - compares the event queue with others: nanoseconds of a "hold", which takes one event out and puts
+ * another in, over the number of events in the queue.
  *
- * Three loads. Spread: each next event lies at a random distance, no two at one time. Lockstep: all events at
- * one time, told apart by their address, as when nodes do the same. Traffic: what runs of rings, halos and
- * all-to-all put into the queue (traffic/traffic.c): a node has two events, one of its program and one of a
- * message, at different steps of the way; the distances are those of a ring's message; and one node in 16 is
- * up to 1.6 us behind, as if it had waited for a channel, and catches up. Times are nanoseconds a hold; each
- * cell is the median of RUNS, taken in turn with the others. All structures must give the same order.
+ * Three loads:
+ *  - spread: each next event lies at a random distance; no two events have one time;
+ *  - lockstep: all events have one time and differ by their addresses, as when all nodes do the same;
+ *  - traffic: the events of rings, halos and all-to-all (traffic/traffic.c). A node has two events, one of
+ *    its program and one of a message, at different steps of the message; the distances are those of a ring's
+ *    message. One node in 16 is up to 1.6 us behind, as if it had waited for a channel, and catches up.
+ *
+ * Each cell is the median of RUNS runs, which alternate with those of the other queues. All queues must give
+ * one order.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -15,12 +18,12 @@
 #include "kernel/evq.h"
 #include "queues.h"
 
-enum { RUNS = 5, HOLDS = 400000, RANKS = 4 }; /* an event has so many, in turn */
+enum { RUNS = 5, HOLDS = 400000, RANKS = 4 }; /* RANKS: the ranks that an event has, one after the other */
 
 struct load {
     const char *name;
-    uint64_t steps[4]; /* an event's distance to its successor, in turn; 0: random */
-    bool behind;       /* some nodes are, and every other event is half the way ahead */
+    uint64_t steps[4]; /* distances of an event to its successor, by rank; 0: random */
+    bool behind;       /* some nodes are behind, and every other event is half the way ahead */
 };
 
 static const struct load LOADS[] = {{"spread", {0}, false},
@@ -34,14 +37,14 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Nodes (e.rank >> 3) that are behind are so after every other step. */
+/* The time by which an event is late: that of a node (e.rank >> 3) that is behind, at every other step. */
 static uint64_t behind(struct item e)
 {
     enum { CLOCK = 25000 };
     return e.rank >> 3 & 15 ? 0 : CLOCK * (1 + (e.rank >> 7 & 63));
 }
 
-/* What the load does next, from what came out. */
+/* The event that the load puts in after e has come out. */
 static struct item successor(const struct load *l, struct item e, uint64_t *random)
 {
     *random = *random * UINT64_C(6364136223846793005) + 1442695040888963407;
@@ -53,7 +56,7 @@ static struct item successor(const struct load *l, struct item e, uint64_t *rand
     return next;
 }
 
-/* The event before the i-th one that is put in at the start. */
+/* The predecessor of the i-th event that is put in at the start. */
 static struct item origin(const struct load *l, size_t i)
 {
     return (struct item){0, i << 2 | (l->behind && i & 1 ? 2 : 0)};
@@ -79,13 +82,13 @@ static double hold_queue(const struct queue *q, const struct load *l, size_t pen
     return t / HOLDS;
 }
 
-/* --- the product's --- */
+/* --- touchstone's queue --- */
 
 struct hold {
     struct evq *q;
     const struct load *load;
     uint64_t random, sum;
-    char *things; /* an event's is the one at its rank: the queue loads what events are about */
+    char *things; /* arg of an event is the thing at its rank, which the queue prefetches */
 };
 
 static void put(struct hold *h, struct item e);

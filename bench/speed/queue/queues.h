@@ -1,6 +1,5 @@
-/* queues.h - the structures that were tried for the event queue, behind one face, to be measured beside the
- * product's (sim/kernel/evq.c). All give the same order: by time, then rank. Small and without the product's
- * checks. */
+/* queues.h - the structures that were tried for the event queue, with one interface, to be compared with
+ * sim/kernel/evq.c. All give one order: by time, then rank. They are small and lack the checks of evq.c. */
 #ifndef BENCH_QUEUES_H
 #define BENCH_QUEUES_H
 #include <stddef.h>
@@ -14,7 +13,7 @@ struct queue {
     const char *name;
     void *(*make)(void);
     void (*put)(void *q, struct item e);
-    struct item (*take)(void *q); /* the first; there is one */
+    struct item (*take)(void *q); /* the earliest event; the queue must not be empty */
     void (*drop)(void *q);
 };
 

@@ -1,5 +1,6 @@
-/* measure.c - measure COMMAND...: runs it, its output thrown away, and prints three numbers: seconds elapsed,
- * seconds of processor time, and the most memory it had, in KB. Fails when the command does. */
+/* measure.c - measure COMMAND...: runs the command, discards its output, and prints three numbers: seconds
+ * elapsed, seconds of processor time, and the most memory of the command, in KB. Fails if the command
+ * fails. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/resource.h>

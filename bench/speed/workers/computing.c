@@ -1,8 +1,8 @@
-/* computing.c - programs that gain little or nothing from threads: computing PATTERN MICROSECONDS ROUNDS, as
- * an NX program. A round is
+/* computing.c - computing PATTERN MICROSECONDS ROUNDS: an NX program that gains little or nothing from
+ * workers. A round is
  *
- *   turns    nodes 0 and 1: one computes, then the other
- *   armed    every node: computes with a handler armed, and sends a message to the next node's
+ *   turns    nodes 0 and 1: node 0 computes, then node 1
+ *   armed    every node: computes with a handler posted, and sends a message to the next node's handler
  */
 #include <stdio.h>
 #include <stdlib.h>

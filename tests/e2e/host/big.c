@@ -1,4 +1,4 @@
-/* big.c - a host program that goes wrong: see host.sh. */
+/* big.c - a host program that fails; see host.sh. */
 #include <stdlib.h>
 #include "cube.h"
 

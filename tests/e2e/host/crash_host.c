@@ -1,4 +1,4 @@
-/* crash_host.c - a host program that goes wrong: see host.sh. */
+/* crash_host.c - a host program that fails; see host.sh. */
 #include <stdlib.h>
 #include "cube.h"
 

@@ -1,4 +1,4 @@
-/* early.c - a host program that goes wrong: see host.sh. */
+/* early.c - a host program that fails; see host.sh. */
 #include <stdlib.h>
 #include "cube.h"
 

@@ -1,4 +1,4 @@
-/* farm.c - host: gives pieces of work to the nodes that are free, one after the other, and gathers what comes back. */
+/* farm.c - host: sends tasks to free nodes, one after the other, and collects the results. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

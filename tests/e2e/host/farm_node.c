@@ -1,4 +1,4 @@
-/* farm_node.c - node: works on what the host of farm.c sends, until there is no more. */
+/* farm_node.c - node: computes the tasks that the host of farm.c sends, until no task is left. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "cube.h"

@@ -1,4 +1,4 @@
-/* global.c - a host program that goes wrong: see host.sh. */
+/* global.c - a host program that fails; see host.sh. */
 #include "cube.h"
 
 int main(void)

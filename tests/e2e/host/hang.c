@@ -1,4 +1,4 @@
-/* hang.c - a host program that goes wrong: see host.sh. */
+/* hang.c - a host program that fails; see host.sh. */
 #include <stdlib.h>
 #include "cube.h"
 

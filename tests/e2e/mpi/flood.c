@@ -1,5 +1,5 @@
-/* Nobody waits for a receive: all nodes send all others 10,000 short messages and ten of a megabyte, and only then receive
- * them, the long ones first. */
+/* No send waits for a receive: all nodes send all others 10,000 short messages and ten of a megabyte, and
+ * only then receive them, the long ones first. */
 #include <nx.h>
 #include <stdio.h>
 #include <string.h>

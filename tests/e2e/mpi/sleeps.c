@@ -1,4 +1,4 @@
-/* sleeps.c - node 1 sleeps; node 0 asks it, and its handler answers whether it is awake. */
+/* sleeps.c - node 1 sleeps; node 0 asks, and the handler of node 1 answers whether its program is awake. */
 #include <stdio.h>
 #include <unistd.h>
 #include <nx.h>

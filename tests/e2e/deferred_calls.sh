@@ -1,7 +1,7 @@
 #!/bin/bash
-# pending.sh - calls that wait for their turn while the program goes on, that are made before it, or with others in passing,
-# give the same times, digest and outcome as if the program itself had made each in its turn, as the same program does that
-# may throw away messages: on all machines, with any number of threads, and at a limit of time.
+# deferred_calls.sh - deferring calls changes no result. A program that has flushmsg defers no call: its times, digest and
+# outcome must equal those of the program without flushmsg, on all machines, with any number of workers, and with a limit of
+# virtual time.
 . "$(dirname "$0")/common.bash"
 
 "$BUILD/nxcc" -O2 -o talk "$tests/talk.c"
@@ -19,7 +19,7 @@ for seed in 1 2 3 4 5 6; do
     done
 done
 
-# Their times are noted with 56 bits: the program runs before, at and behind 2^56 ps.
+# Times of deferred calls are noted with 56 bits: the program runs before, at and after 2^56 ps.
 for later in 72057560000 72057590000 72057600000; do
     run_results -w 1 -n 7 flushing 3 6 $later | sed 's/flushing/talk/' >one
     run_results -w 1 -n 7 talk 3 6 $later >other

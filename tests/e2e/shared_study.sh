@@ -1,9 +1,9 @@
 #!/bin/bash
-# together.sh - a study under mpirun: several processes share its points; one that dies costs no more than its point.
+# shared_study.sh - a study under mpirun: several processes share its points; a process that dies costs its point at most.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 if ! command -v mpirun >/dev/null; then
-    echo "skip together.sh: mpirun is not installed (openmpi-bin)"
+    echo "skip shared_study.sh: mpirun is not installed (openmpi-bin)"
     exit 0
 fi
 compile counted
@@ -17,22 +17,22 @@ processes() { timeout 120 mpirun --oversubscribe --bind-to none "$@" </dev/null 
 
 "$BUILD/touchstone" study many.cfg -o alone >out 2>err
 rm runs.log
-processes -np 3 "$BUILD/touchstone" study many.cfg -o together
+processes -np 3 "$BUILD/touchstone" study many.cfg -o shared
 status=$?
 check "three processes do a study" ended_with 0
 check "each point ran once" test "$(wc -l <runs.log)" = 42 -a "$(sort runs.log | uniq -d)" = ""
 check "one of them writes the results" test "$(grep -c '^42 points, 0 failed' out)" = 1
-check "which are those of one process" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time together/results.json)
+check "which are those of one process" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time shared/results.json)
 
-# lost OPTION...: the process that is the middle one of three is killed when some points are done.
+# lost OPTION...: kills the middle one of three processes when some points are done.
 lost() {
-    rm -rf together runs.log
-    processes "$@" -np 3 "$BUILD/touchstone" study many.cfg -o together &
+    rm -rf shared runs.log
+    processes "$@" -np 3 "$BUILD/touchstone" study many.cfg -o shared &
     for ((i = 0; i < 1000; i++)); do
-        [ "$(results together)" -ge 6 ] && break
+        [ "$(results shared)" -ge 6 ] && break
         sleep 0.01
     done
-    for pid in $(pgrep -f "study many.cfg -o together"); do
+    for pid in $(pgrep -f "study many.cfg -o shared"); do
         grep -qz '^OMPI_COMM_WORLD_RANK=1$' "/proc/$pid/environ" 2>/dev/null &&
             [ "$(readlink "/proc/$pid/cwd")" = "$work" ] && kill -9 "$pid" && killed=$pid
     done
@@ -41,23 +41,23 @@ lost() {
 }
 lost --enable-recovery
 check "one was killed" test -n "$killed"
-check "the others finish the study" test "$(results together)" = 42
-check "and write the same results" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time together/results.json)
+check "the others finish the study" test "$(results shared)" = 42
+check "and write the same results" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time shared/results.json)
 check "no more than its point ran twice" test "$(wc -l <runs.log)" -le 43
 
-# Without that option mpirun ends them all when one dies; the same command goes on.
+# Without that option mpirun ends all processes when one dies; the study is resumed by the same command.
 lost
-had=$(results together)
+had=$(results shared)
 check "what was done is kept" test "$had" -ge 6
-processes -np 2 "$BUILD/touchstone" study many.cfg -o together
-check "others go on from there" test "$(results together)" = 42 -a "$(wc -l <runs.log)" -le 45
-check "with the same results" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time together/results.json)
+processes -np 2 "$BUILD/touchstone" study many.cfg -o shared
+check "others go on from there" test "$(results shared)" = 42 -a "$(wc -l <runs.log)" -le 45
+check "with the same results" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time shared/results.json)
 
 # As srun would start them.
-rm -rf together runs.log
+rm -rf shared runs.log
 for rank in 0 1; do
     SLURM_JOB_ID=7 SLURM_STEP_ID=0 SLURM_STEP_NUM_TASKS=2 SLURM_PROCID=$rank \
-        "$BUILD/touchstone" study many.cfg -o together >out.$rank 2>err.$rank </dev/null &
+        "$BUILD/touchstone" study many.cfg -o shared >out.$rank 2>err.$rank </dev/null &
 done
 wait
 check "processes that srun started share a study too" test "$(wc -l <runs.log)" = 42 -a "$(cat out.? | grep -c '^42 points, 0 failed')" = 1

@@ -1,7 +1,7 @@
-/* quiet.c - quiet SEED [kill|fail|crash]: all nodes compute with handlers armed, in loops whose rounds are
- * known when they are entered, and send each other short and long messages whose handlers compute and answer.
- * With kill, the last node ends the others while they compute; with fail, it ends with an error; with crash,
- * while it computes. Each node prints when its handlers ran. */
+/* lookahead.c - lookahead SEED [kill|fail|crash]: all nodes compute with handlers posted, in loops whose trip
+ * counts are known at their entry, and send each other short and long messages whose handlers compute and
+ * answer. With kill, the last node kills the others while they compute; with fail, it ends with an error;
+ * with crash, it crashes while it computes. Each node prints when its handlers ran. */
 #include <nx.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* pending.c - pending WHEN kill|fail|crash|cube: nodes 1 and up send and receive, computing little in
- * between, so that calls of theirs are pending at most times; node 0 computes for a while, and then something
- * ends. */
+/* deferred_calls.c - deferred_calls WHEN kill|fail|crash|cube: nodes 1 and up send and receive, computing
+ * little in between, so that they have deferred calls at most times; node 0 computes for a while, then kills
+ * node 1 or all nodes, fails, or crashes. */
 #include <stdlib.h>
 #include "nx.h"
 
