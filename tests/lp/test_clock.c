@@ -176,7 +176,7 @@ static void the_first_poll_at_or_past_the_deadline_finds_the_budget_spent(void *
     (void)state;
     for (int i = 0; i < CLOCKS; i++)
         for (int64_t before = 0; before < 40; before++)
-            for (vtime after = 1; after < 200; after += 7) {
+            for (vtime after = 1; after < 70; after++) {
                 struct lp *lp = begin(&f, HZ[i]);
                 spend(&f, before);
                 vtime deadline = clock_stop(lp) + after;
@@ -415,8 +415,8 @@ static void roll_back_takes_no_more_than_has_been_computed(void **state)
     clock_advance(lp, 1000); /* system time, which is not computing */
     spend(&f, 100);
     clock_roll_back(lp, 2600);
+    assert_int_equal(clock_sync(lp), 1000);
     assert_int_equal(lp->clock.units, 0);
-    assert_int_equal(lp->clock.now, 1000);
 }
 
 static void a_crash_is_counted_at_the_next_slice_boundary(void **state)
