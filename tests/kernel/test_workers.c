@@ -75,6 +75,15 @@ static void await(atomic_bool *flag)
         sched_yield();
 }
 
+/* As the coordinator that commits earlier events: so it leaves the task to a thread, also to one that sleeps. */
+static void await_start(struct job *j)
+{
+    while (!atomic_load(&j->started)) {
+        assert_true(workers_allow(j->ws, 0, 0));
+        sched_yield();
+    }
+}
+
 /* As the coordinator that cannot commit anything before it. */
 static struct task *take(struct workers *ws)
 {
@@ -113,7 +122,7 @@ static void occupy(struct workers *ws, struct job *j)
 {
     *j = (struct job){.run = waits};
     submit(ws, j, 1000, 0);
-    await(&j->started);
+    await_start(j);
 }
 
 /* --- lower bounds --- */
@@ -140,7 +149,6 @@ static void an_event_is_allowed_up_to_the_least_lower_bound(void **state)
 static bool gets_on(struct job *j)
 {
     workers_report(j->ws, &j->task, 80);
-    atomic_store(&j->started, true);
     return waits(j);
 }
 
@@ -150,6 +158,7 @@ static void a_task_that_gets_on_allows_later_events(void **state)
     struct job j = {.run = gets_on};
     (void)state;
     submit(ws, &j, 50, 7);
+    await_start(&j);
     while (!workers_allow(ws, 80, 7))
         sched_yield();
     assert_false(workers_allow(ws, 80, 8));
@@ -230,7 +239,7 @@ static void a_task_that_is_done_holds_events_up_until_it_is_taken_back(void **st
     (void)state;
     submit(ws, &j, 50, 7);
     submit(ws, &next, 60, 0);
-    await(&next.started); /* the only thread is through with the first */
+    await_start(&next); /* the only thread is through with the first */
     assert_true(workers_busy(ws));
     assert_true(workers_allow(ws, 50, 7));
     assert_false(workers_allow(ws, 51, 0));
@@ -240,6 +249,19 @@ static void a_task_that_is_done_holds_events_up_until_it_is_taken_back(void **st
     atomic_store(&next.open, true);
     assert_ptr_equal(take(ws), &next.task);
     assert_false(workers_busy(ws));
+    end(ws);
+}
+
+static void a_coordinator_that_commits_events_wakes_a_thread_for_a_waiting_task(void **state)
+{
+    struct workers *ws = begin(1, 0);
+    struct job j = {.run = is_done};
+    (void)state;
+    usleep(20000); /* by then the thread sleeps */
+    submit(ws, &j, 50, 7);
+    await_start(&j);
+    assert_ptr_equal(take(ws), &j.task);
+    assert_int_equal(workers_stats(ws).away, 1);
     end(ws);
 }
 
@@ -324,7 +346,7 @@ static void a_running_task_that_is_dropped_has_stopped(void **state)
         struct workers *ws = begin(1, shuffle);
         struct job j = {.run = goes_on_until_told};
         submit(ws, &j, 50, 7);
-        await(&j.started);
+        await_start(&j);
         workers_drop(ws, &j.task);
         assert_false(j.running);
         assert_false(workers_busy(ws));
@@ -345,7 +367,7 @@ static void a_task_that_is_done_can_be_dropped(void **state)
     (void)state;
     submit(ws, &j, 50, 7);
     submit(ws, &next, 60, 0);
-    await(&next.started);
+    await_start(&next);
     workers_drop(ws, &j.task);
     assert_null(workers_take(ws));
     atomic_store(&next.open, true);
@@ -363,7 +385,7 @@ static void halt_returns_only_when_nothing_runs(void **state)
         int runs = 0, now = 0;
         for (uint32_t i = 0; i < JOBS; i++)
             j[i] = (struct job){.run = goes_on_until_told}, submit(ws, &j[i], 50 + i, 0);
-        await(&j[0].started);
+        await_start(&j[0]);
         workers_halt(ws);
         for (int i = 0; i < JOBS; i++) {
             assert_false(j[i].running);
@@ -477,6 +499,7 @@ int main(void)
         cmocka_unit_test(the_bound_is_never_later_than_a_tasks_lower_bound),
         cmocka_unit_test(a_lower_bound_that_goes_back_is_caught),
         cmocka_unit_test(a_task_that_is_done_holds_events_up_until_it_is_taken_back),
+        cmocka_unit_test(a_coordinator_that_commits_events_wakes_a_thread_for_a_waiting_task),
         cmocka_unit_test(a_paused_task_is_run_on),
         cmocka_unit_test(the_coordinator_helps_with_the_least_task),
         cmocka_unit_test(a_coordinator_that_helps_returns_to_its_events),
