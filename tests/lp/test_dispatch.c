@@ -706,6 +706,39 @@ static void a_lazily_blocked_node_is_blocked_later_by_what_is_stolen(void **stat
     end(m);
 }
 
+static void what_a_node_waits_for_may_come_in_the_time_stolen_before_its_commit(void **state)
+{
+    struct fake_machine *m = machine();
+    struct fake_node *n = add(m, 0, waits_lazily_after_500);
+    (void)state;
+    m->system = 7 * US;
+    message_at(m, 497 * US, 0); /* is there from 504 us on */
+    run(m);
+    assert_log(m, "497m0 507r0 507e0");
+    assert_int_equal(n->idle, 0);
+    end(m);
+}
+
+static void has_time_stolen_in_its_call(struct fake_node *n)
+{
+    compute(n, 20), enter(n);
+    order(n);
+    clock_steal(&n->lp, 7 * US);
+    leave(n), compute(n, 30), call(n);
+}
+
+static void what_is_stolen_in_its_own_call_puts_a_programs_next_call_off(void **state)
+{
+    (void)state;
+    for (int interruptible = 0; interruptible < 2; interruptible++) {
+        struct fake_machine *m = machine();
+        add(m, 0, has_time_stolen_in_its_call)->interruptible = interruptible;
+        run(m);
+        assert_log(m, "57c0 57e0");
+        end(m);
+    }
+}
+
 /* --- polls --- */
 
 /* An interruptible program computes up to its horizon only. */
@@ -733,13 +766,16 @@ static void a_program_paused_at_a_poll_is_gone_on_with_when_all_others_have_come
 
 static void two_paused_programs_wait_for_each_other(void **state)
 {
-    struct fake_machine *m = machine();
     (void)state;
-    add(m, 0, calls_after_500)->interruptible = true;
-    add(m, 1, calls_after_505)->interruptible = true;
-    run(m);
-    assert_log(m, "500c0 500e0 505c1 505e1");
-    end(m);
+    for (int limited = 0; limited < 2; limited++) {
+        struct fake_machine *m = machine();
+        m->s.max_time = limited ? VT_MILLISECOND : VT_NEVER;
+        add(m, 0, calls_after_500)->interruptible = true;
+        add(m, 1, calls_after_505)->interruptible = true;
+        run(m);
+        assert_log(m, "500c0 500e0 505c1 505e1");
+        end(m);
+    }
 }
 
 /* The program is paused at the first poll past its first horizon; after it has caught up, at the first at or
@@ -973,8 +1009,10 @@ static void what_happens_at_the_limit_of_time_is_committed(void **state)
     (void)state;
     m->s.max_time = 300 * US;
     add(m, 0, calls_after_300);
+    add(m, 1, calls_after_300);
+    add(m, 2, calls_after_300)->interruptible = true;
     run(m);
-    assert_log(m, "300c0 300e0");
+    assert_log(m, "300c0 300e0 300c1 300e1 300c2 300e2");
     assert_int_equal(m->s.stop, STOP_NOT);
     end(m);
 }
@@ -1045,6 +1083,8 @@ int main(void)
         cmocka_unit_test(stolen_time_puts_commit_times_off),
         cmocka_unit_test(what_is_stolen_while_a_commit_is_put_off_puts_it_off_again),
         cmocka_unit_test(a_lazily_blocked_node_is_blocked_later_by_what_is_stolen),
+        cmocka_unit_test(what_a_node_waits_for_may_come_in_the_time_stolen_before_its_commit),
+        cmocka_unit_test(what_is_stolen_in_its_own_call_puts_a_programs_next_call_off),
         cmocka_unit_test(a_program_paused_at_a_poll_is_gone_on_with_when_all_others_have_come_so_far),
         cmocka_unit_test(two_paused_programs_wait_for_each_other),
         cmocka_unit_test(a_paused_program_catches_up_when_a_message_comes_before),
