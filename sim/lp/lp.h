@@ -1,8 +1,8 @@
 /* lp.h - a node as a logical process: what has a clock of its own and changes only by its events
  * (Chandy & Misra 1979).
  *
- * Read this file first. The rules of time are sim/reference/reference.c, 270 lines without a trick; sim/lp
- * does the same faster.
+ * Read this file first. The rules of time are sim/reference/reference.c, less than 300 lines without a
+ * trick; sim/lp does the same faster.
  *
  * A program computes ahead of the machine. Its computing up to its next call, a compute segment, is
  * executed at once. The call is committed at its commit time, when the machine has committed all that comes

@@ -2,7 +2,9 @@
  * has come.
  *
  * The next event is the earliest of two: of the queue, and of the polls, which are the times at which nodes
- * paused at a poll go on. It is committed when no task that is offloaded may still cause an earlier one. */
+ * paused at a poll go on. It is committed when no task that is offloaded may still cause an earlier one.
+ *
+ * sim/machine sets what is marked "machine" before the first event; all else is sim/lp's. */
 #ifndef LP_SCHEDULE_H
 #define LP_SCHEDULE_H
 #include "kernel/evq.h"
@@ -15,12 +17,12 @@
 enum stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIME, STOP_INTERRUPTED };
 
 struct schedule {
-    struct evq *q;
-    struct mintree polls;   /* by address: when a node paused at a poll goes on; lp/dispatch.c */
-    struct instant present; /* the moment committed last: an event's, or a call's that needed none */
-    struct instant reached; /* the latest moment committed before `present`: lp.h */
-    struct protocol *protocol;
-    struct workers *workers; /* NULL: one thread */
+    struct evq *q;             /* machine */
+    struct mintree polls;      /* by address: when a node paused at a poll goes on; lp/dispatch.c */
+    struct instant present;    /* the moment committed last: an event's, or a call's that needed none */
+    struct instant reached;    /* the latest moment committed before `present`: lp.h */
+    struct protocol *protocol; /* machine */
+    struct workers *workers;   /* NULL: one thread */
 
     enum stop stop;
     struct instant stop_at; /* STOP_FAILED: the failed program's moment; STOP_VIRTUAL_TIME: the limit */
@@ -29,10 +31,11 @@ struct schedule {
 
     /* Threads read what follows all the time: apart from what the coordinator writes. */
     char apart[CACHE_LINE];
-    vtime max_time;          /* VT_NEVER: none */
-    vtime longest_slice;     /* not 0: computing is stopped at least so often, for tests; changes no result */
-    void (*look)(void *ctx); /* at host time and signals, which may stop the machine */
-    void *look_ctx;
+    vtime max_time; /* machine. VT_NEVER: none */
+    /* machine: not 0: computing is stopped at least so often, for tests; changes no result */
+    vtime longest_slice;
+    void (*look)(void *ctx); /* machine: at host time and signals, which may stop the machine */
+    void *look_ctx;          /* machine */
 };
 
 /* The latest moment that the machine has reached. Where events follow each other in no time, the machine may

@@ -1,4 +1,5 @@
-/* node.h - one simulated node, composed of its parts. Each part belongs to a folder, which alone assigns it:
+/* node.h - one simulated node, composed of its parts. Each part belongs to a folder, which alone assigns it
+ * (tests/house/check reads the names of owners in the comments):
  *
  *     lp                        sim/lp       the node as a logical process: clock, state, commit times
  *     os: mailbox, deferred,    sim/os       messages, buffers, interrupts, deferred calls, memory account,
@@ -6,6 +7,8 @@
  *     guest: image, heap,       sim/guest    the loaded program and its address space
  *         libc, region
  *     the rest                  sim/machine  what the node is: set when it is made
+ *
+ * "calls" is nx_api: contract, calls, sim.
  *
  * A node's program, stack and heap lie in a region of address space (span.h), so that a call finds its node
  * from the stack pointer (self.h), and no state is global or thread-local. */
@@ -134,8 +137,8 @@ struct deferred_cold {
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
  * together. */
 struct node_cold {
-    struct id_block ids; /* the first of the mailbox's */
-    struct deferred_cold calls;
+    struct id_block ids;        /* the first of the mailbox's */
+    struct deferred_cold calls; /* os */
     struct own_calls own;
     struct lp_cold lp;
     struct node_error error;
@@ -172,22 +175,22 @@ struct node {
         frame; /* os: on the stack: of the call while it is blocked, or of the poll where it has stopped */
     bool masked, in_handler; /* os */
     bool at_poll;            /* os: it has stopped at one, at `frame` */
-    struct node_info info;   /* os */
-    struct message *coming;  /* os: unexpected.h, as the next three */
-    struct queues *by_type;  /* the whole ones; NULL: they are few */
-    uint32_t whole_count;
-    int64_t whole_order; /* of the last, in by_type */
-    size_t buffered;     /* os: bytes of unexpected messages held */
+    struct node_info info;   /* os, calls */
+    struct message *coming;  /* os: unexpected.h */
+    struct queues *by_type;  /* os: the whole ones; NULL: they are few */
+    uint32_t whole_count;    /* os */
+    int64_t whole_order;     /* os: of the last, in by_type */
+    size_t buffered;         /* os: bytes of unexpected messages held */
     /* os: messages come while the program computes ahead. Each of the two sees what the other had when the
      * program was last in a call. */
     size_t buffered_known;
-    long pid;                /* os: process type: 0, unless the program has set it */
+    long pid;                /* calls, machine: process type: 0, unless the program has set it */
     struct receive receive;  /* os: of the blocking call that the program is in, outside of handlers */
     size_t taken;            /* os: of `buffered`: what the program has received from in deferred calls */
     struct node_stats stats; /* os */
     _Alignas(CACHE_LINE) struct deferred_call calls[DEFERRED_MOST]; /* os: a ring */
 
-    struct node_crash *crash;     /* guest. NULL: none */
+    struct node_crash *crash;     /* machine. NULL: none */
     struct node_heap *heap;       /* guest */
     size_t heap_used, heap_known; /* os: of it; known: as buffered_known */
     size_t peak_ahead;            /* os: memory_peak as the program sees it */
@@ -203,7 +206,8 @@ struct node {
     size_t stack_bytes;                        /* guest: those the machine file gives, or some more */
     const struct node_image *file;             /* guest */
     int argc;
-    char **argv, **envp;
+    char **argv;
+    char **envp; /* guest */
 
     bool stripped;     /* another has taken its place: nobody but late events knows of it */
     enum node_end end; /* os */

@@ -1,4 +1,5 @@
-/* system.h - what all nodes of one machine share. Made and owned by machine/; nodes only use it. */
+/* system.h - what all nodes of one machine share. sim/machine makes it, and alone assigns what names no other
+ * owner (node.h), except for `running` and `guards`. */
 #ifndef NODE_SYSTEM_H
 #define NODE_SYSTEM_H
 #include <stdio.h>
@@ -22,10 +23,10 @@ struct node_system {
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
     struct arena made, made_cold; /* what nodes are made of; to be freed behind them */
-    struct node_region *roomy;    /* regions of address space with room for more nodes: span.h */
-    uintptr_t last_region;        /* the latest that lies where all are meant to; 0: none */
+    struct node_region *roomy;    /* guest: regions of address space with room for more nodes: span.h */
+    uintptr_t last_region;        /* guest: the latest that lies where all are meant to; 0: none */
     bool isolate;                 /* only `writable` may write to its memory: isolate.h */
-    struct node *writable;        /* NULL: none */
+    struct node *writable;        /* os. NULL: none */
     enum node_guards guards;      /* the least that any region has */
     size_t most_mappings; /* not 0: as if the host allowed so many, and had no lighter guards; for tests */
     struct node *host;    /* the node that runs the host program, NULL: none. Its number is count. */
@@ -33,21 +34,23 @@ struct node_system {
     uint32_t count;       /* nodes; with a host program: of its cube, 0 when it has none */
     uint32_t running;     /* programs */
     bool flushes;         /* one of them may throw away messages of others */
-    uint32_t await_ends;  /* of them are in calls that wait for another's end */
+    uint32_t await_ends;  /* os: of them are in calls that wait for another's end */
 
-    /* the first failure, for the user; NULL none */
+    /* os: the first failure, for the user; NULL none */
     char *failure;
 
     /* output: a FILE for each of fd 1 and 2, written in the order of virtual time */
     FILE *out[2];
 
-    uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
+    uint64_t digest;          /* os: of all messages received: time, nodes, type, length, in order */
     FILE *history;            /* the same as text, a line for each; NULL: not wanted */
-    uint64_t messages, bytes; /* received */
-    char **host_files; /* names of host files that programs have used, each once; ended by NULL, or NULL */
-    struct node_absent *absent; /* functions that nodes do not have, and programs called; by first call */
-    size_t absent_count;
-    size_t host_file_count; /* at most NODE_HOST_FILES: of more, the first */
+    uint64_t messages, bytes; /* os: received */
+    /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */
+    char **host_files;
+    /* guest: functions that nodes do not have, and programs called; by first call */
+    struct node_absent *absent;
+    size_t absent_count;    /* guest */
+    size_t host_file_count; /* guest: at most NODE_HOST_FILES: of more, the first */
 
     /* Set by the machine; NULL before it runs. */
     void (*keep_crash)(struct node *n); /* n->crash has been set, on the calling thread, and would not last */
