@@ -1,4 +1,5 @@
-/* Workers: an event waits for the least lower bound, tasks are paused, run on, taken back, dropped, halted. */
+/* Workers: an event waits for the least lower bound, tasks are paused, run on, taken back, dropped, halted.
+ */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -61,10 +62,10 @@ static void end(struct workers *ws)
     workers_free(ws);
 }
 
-static void submit(struct workers *ws, struct job *j, vtime lower_bound, uint32_t place)
+static void submit(struct workers *ws, struct job *j, vtime lower_bound, uint32_t address)
 {
     j->ws = ws;
-    j->task.place = place;
+    j->task.address = address;
     atomic_store(&j->task.lower_bound, lower_bound);
     workers_submit(ws, &j->task);
 }
@@ -75,7 +76,8 @@ static void await(atomic_bool *flag)
         sched_yield();
 }
 
-/* As the coordinator that commits earlier events: so it leaves the task to a thread, also to one that sleeps. */
+/* As the coordinator that commits earlier events: so it leaves the task to a thread, also to one that sleeps.
+ */
 static void await_start(struct job *j)
 {
     while (!atomic_load(&j->started)) {
@@ -281,7 +283,7 @@ static void the_coordinator_helps_with_the_least_task(void **state)
 {
     static const struct {
         vtime time;
-        uint32_t place;
+        uint32_t address;
         int order;
     } JOB[] = {{90, 1, 6}, {30, 2, 3}, {30, 1, 2}, {20, 9, 1}, {70, 0, 5}, {40, 0, 4}};
     enum { JOBS = sizeof JOB / sizeof JOB[0] };
@@ -290,7 +292,7 @@ static void the_coordinator_helps_with_the_least_task(void **state)
     (void)state;
     occupy(ws, &first);
     for (int i = 0; i < JOBS; i++)
-        j[i] = (struct job){.run = is_done}, submit(ws, &j[i], JOB[i].time, JOB[i].place);
+        j[i] = (struct job){.run = is_done}, submit(ws, &j[i], JOB[i].time, JOB[i].address);
     for (int i = 0; i < JOBS; i++)
         take(ws);
     for (int i = 0; i < JOBS; i++)
@@ -467,14 +469,14 @@ static uint64_t digest_of_run(unsigned threads, uint64_t shuffle)
             ((struct fake_node *)t)->has_event = true;
         struct fake_node *n = earliest(&m);
         vtime time = n ? n->until : VT_NEVER;
-        uint32_t place = n ? (uint32_t)(n - m.node) : UINT32_MAX;
-        if (!workers_allow(m.ws, time, place)) {
-            workers_advance(m.ws, time, place);
+        uint32_t address = n ? (uint32_t)(n - m.node) : UINT32_MAX;
+        if (!workers_allow(m.ws, time, address)) {
+            workers_advance(m.ws, time, address);
             continue;
         }
-        assert_true(n && !instant_before(time, place, last));
-        last = (struct instant){time, place};
-        m.digest = (m.digest ^ (time * NODES + place)) * UINT64_C(1099511628211);
+        assert_true(n && !instant_before(time, address, last));
+        last = (struct instant){time, address};
+        m.digest = (m.digest ^ (time * NODES + address)) * UINT64_C(1099511628211);
         begin_segment(&m, n);
         events++;
     }
