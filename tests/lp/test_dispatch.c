@@ -1,4 +1,4 @@
-/* Logical processes without an operating system: commit times, blocking, polls, stolen time, roll back, threads.
+/* Logical processes without an operating system: commit times, blocking, polls, stolen time, roll back.
  *
  * The programs are C functions on fibers. This file implements lp/upcalls.h for them, instead of sim/os. */
 #include <setjmp.h>

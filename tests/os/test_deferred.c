@@ -462,6 +462,21 @@ static void what_is_committed_is_not_rolled_back(void **state)
     end(&f);
 }
 
+static void a_call_that_was_put_off_is_rolled_back_to_its_later_time(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f);
+    message_at(&f, 50 * US, 7);
+    compute(&f, 100), send(&f, 1);
+    compute(&f, 67), send(&f, 2);
+    run_until(&f, 105 * US);
+    deferred_roll_back(f.n);
+    assert_int_equal(clock_sync(&f.n->lp), 205 * US);
+    assert_int_equal(f.n->stats.sent, 1);
+    end(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -477,6 +492,7 @@ int main(void)
         cmocka_unit_test(stolen_time_shifts_all_deferred_calls),
         cmocka_unit_test(what_is_rolled_back_has_left_no_trace),
         cmocka_unit_test(what_is_committed_is_not_rolled_back),
+        cmocka_unit_test(a_call_that_was_put_off_is_rolled_back_to_its_later_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
