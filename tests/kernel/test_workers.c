@@ -1,5 +1,4 @@
-/* Workers: an event waits for the least lower bound, tasks are paused, run on, taken back, dropped, halted.
- */
+/* Workers: an event waits for the least lower bound; tasks are paused, run on, taken back, dropped. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -76,8 +75,7 @@ static void await(atomic_bool *flag)
         sched_yield();
 }
 
-/* As the coordinator that commits earlier events: so it leaves the task to a thread, also to one that sleeps.
- */
+/* As the coordinator that commits earlier events: it leaves the task to a thread, which may sleep. */
 static void await_start(struct job *j)
 {
     while (!atomic_load(&j->started)) {

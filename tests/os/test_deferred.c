@@ -20,7 +20,7 @@
 #include "os/match.h"
 #include "os/unexpected.h"
 
-enum { NODES = 2, BYTES = 80, CALL = 3, SEND = 30, ARRIVE = 15 /* us */ };
+enum { NODES = 2, BYTES = 80, CALL = 3, SEND = 33, ARRIVE = 15 /* us */ };
 #define US VT_MICROSECOND
 /* At 40 MHz. */
 #define UNITS_PER_US (UINT64_C(40) * NXC_UNITS_PER_CLOCK)
@@ -107,6 +107,7 @@ static void send(struct fake *f, int32_t type)
     static const char data[BYTES];
     enter(f, "csend");
     f->n->stats.sent++, f->n->stats.sent_bytes += BYTES;
+    node_spend(f->n, CALL * US);
     front_send(f->n, protocol_message(f->sys.schedule.protocol, 0, 1, type, 0, data, BYTES));
     leave(f);
 }
@@ -187,7 +188,7 @@ struct books {
     vtime now, tasks[NODE_TASKS], system;
     uint64_t units, sent, sent_bytes;
     size_t buffered, taken, used;
-    const struct message *unexpected;
+    const struct message *unexpected[2]; /* of types 1 and 2 */
 };
 
 static struct books books_of(struct fake *f)
@@ -199,7 +200,8 @@ static struct books books_of(struct fake *f)
     memcpy(b.tasks, n->times.tasks, sizeof b.tasks);
     b.sent = n->stats.sent, b.sent_bytes = n->stats.sent_bytes;
     b.buffered = n->buffered, b.taken = n->taken, b.used = n->buffered;
-    b.unexpected = unexpected_first(n, &(struct selector){-1, -1, -1});
+    for (int i = 0; i < 2; i++)
+        b.unexpected[i] = unexpected_first(n, &(struct selector){i + 1, -1, -1});
     return b;
 }
 
@@ -225,8 +227,8 @@ static void deferred_calls_are_committed_in_order_and_at_their_times(void **stat
     begin(&f);
     others_may_interfere(&f);
     compute(&f, 100), send(&f, 1); /* at 100 us */
-    compute(&f, 70), send(&f, 2);  /* at 200 us */
-    assert_int_equal(clock_sync(&f.n->lp), 230 * US);
+    compute(&f, 67), send(&f, 2);  /* at 200 us */
+    assert_int_equal(clock_sync(&f.n->lp), (200 + SEND) * US);
     assert_int_equal(f.n->deferred.count, 2);
     run_until(&f, 99 * US);
     assert_int_equal(f.n->deferred.count, 2);
@@ -236,7 +238,7 @@ static void deferred_calls_are_committed_in_order_and_at_their_times(void **stat
     assert_int_equal(f.n->deferred.count, 0);
     assert_int_equal(complete_at(&f, 1), (100 + SEND + ARRIVE) * US);
     assert_int_equal(complete_at(&f, 2), (200 + SEND + ARRIVE) * US);
-    assert_int_equal(f.n->times.tasks[NODE_SENDING], 2 * SEND * US);
+    assert_int_equal(f.n->times.tasks[NODE_SENDING], 2 * (SEND - CALL) * US);
     end(&f);
 }
 
@@ -370,7 +372,7 @@ static void a_message_does_not_overtake_one_that_waits_for_its_event(void **stat
     others_may_interfere(&f);
     compute(&f, 100), send(&f, 1);
     evq_step(f.sys.schedule.q, &f.sys.schedule.present); /* now nothing can reach the node */
-    compute(&f, 70), send(&f, 2);
+    compute(&f, 67), send(&f, 2);
     assert_int_equal(protocol_under_way(f.sys.schedule.protocol), 0);
     run_until(&f, 100 * US);
     assert_int_equal(protocol_under_way(f.sys.schedule.protocol), 1);
@@ -387,8 +389,8 @@ static void stolen_time_shifts_all_deferred_calls(void **state)
     message_at(&f, 50 * US, 7);
     message_at(&f, 150 * US, 8);
     compute(&f, 100), send(&f, 1); /* at 105 us */
-    compute(&f, 70), send(&f, 2);  /* at 210 us */
-    compute(&f, 70), post(&f, 3);  /* at 310 us */
+    compute(&f, 67), send(&f, 2);  /* at 210 us */
+    compute(&f, 67), post(&f, 3);  /* at 310 us */
     run_until(&f, 160 * US);
     assert_int_equal(f.n->deferred.count, 2);
     assert_int_equal(deferred_last(f.n), 310 * US);
@@ -445,18 +447,33 @@ static void what_is_committed_is_not_rolled_back(void **state)
     struct fake f;
     (void)state;
     begin(&f);
-    others_may_interfere(&f);
+    message_at(&f, 50 * US, 7);
     compute(&f, 100), send(&f, 1);
-    compute(&f, 70);
-    run_until(&f, 100 * US);
+    compute(&f, 67);
+    run_until(&f, 105 * US);
     struct books before = books_of(&f);
     send(&f, 2);
     compute(&f, 50);
     deferred_roll_back(f.n);
     assert_same_books(&f, before);
     run_until(&f, VT_SECOND);
-    assert_int_equal(complete_at(&f, 1), (100 + SEND + ARRIVE) * US);
+    assert_int_equal(complete_at(&f, 1), (105 + SEND + ARRIVE) * US);
     assert_int_equal(complete_at(&f, 2), VT_NEVER);
+    end(&f);
+}
+
+static void a_call_that_was_put_off_is_rolled_back_to_its_later_time(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f);
+    message_at(&f, 50 * US, 7);
+    compute(&f, 100), send(&f, 1);
+    compute(&f, 67), send(&f, 2);
+    run_until(&f, 105 * US);
+    deferred_roll_back(f.n);
+    assert_int_equal(clock_sync(&f.n->lp), 205 * US);
+    assert_int_equal(f.n->stats.sent, 1);
     end(&f);
 }
 
@@ -475,6 +492,7 @@ int main(void)
         cmocka_unit_test(stolen_time_shifts_all_deferred_calls),
         cmocka_unit_test(what_is_rolled_back_has_left_no_trace),
         cmocka_unit_test(what_is_committed_is_not_rolled_back),
+        cmocka_unit_test(a_call_that_was_put_off_is_rolled_back_to_its_later_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
