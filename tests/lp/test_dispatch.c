@@ -1,9 +1,4 @@
-<<<<<<< HEAD
-/* Logical processes without an operating system: commit times, blocking, polls, stolen time, roll back,
- * threads.
-=======
 /* Logical processes without an operating system: commit times, blocking, polls, stolen time, roll back.
->>>>>>> g-unit
  *
  * The programs are C functions on fibers. This file implements lp/upcalls.h for them, instead of sim/os. */
 #include <setjmp.h>
