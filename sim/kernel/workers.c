@@ -422,7 +422,7 @@ bool workers_allow(struct workers *ws, vtime time, uint32_t address)
         if (!allowed(ws, time, address))
             return false;
     }
-    /* This thread goes on, and so leaves waiting tasks to others. */
+    /* This thread continues with events: wakes a sleeper for the waiting tasks. */
     if (atomic_load_explicit(&ws->asleep, memory_order_relaxed) > 0 &&
         atomic_load_explicit(&ws->waits, memory_order_relaxed) > 0)
         pthread_cond_signal(&ws->more);

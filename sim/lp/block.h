@@ -10,7 +10,7 @@ static inline void lp_begin_wait(struct lp *lp)
 }
 /* The program, in a call, waits from now on. */
 void lp_block(struct lp *lp, vtime now);
-/* At a later moment: if a handler is due, or what the program waits for is there, it waits no longer, and its
- * clock goes on to now. False: it still waits, and nothing has changed, however often that is asked. */
+/* At a later moment: if a handler is due, or what the program waits for is there, the wait ends, and the
+ * clock advances to now. False: the node still waits, and is unchanged; may be called repeatedly. */
 bool lp_unblock(struct lp *lp, vtime now);
 #endif

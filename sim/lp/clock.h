@@ -45,7 +45,7 @@ static inline vtime clock_stop(struct lp *lp)
     return lp->clock.now;
 }
 
-/* Time goes on without the program: wait, system. Call after clock_sync. */
+/* Time passes without the program: waits, system time. Call after clock_sync. */
 static inline void clock_advance(struct lp *lp, vtime by)
 {
     slow_assert(!lp->clock.runs || lp->clock.granted == *lp->budget); /* synchronised */
@@ -124,7 +124,7 @@ uint64_t clock_segment_units(const struct lp *lp);
 void clock_crash(struct lp *lp);
 /* Take back so much computing, or all there is. */
 void clock_roll_back(struct lp *lp, vtime t);
-/* The clock stands at another time: that of a node asked whether it may resume. */
+/* Sets the clock of a node that is asked whether it may resume. */
 static inline void clock_set_time(struct lp *lp, vtime t)
 {
     lp->clock.now = t;

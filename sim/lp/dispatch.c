@@ -128,8 +128,8 @@ static bool will_be_ready(struct lp *lp)
     return ready;
 }
 
-/* A lazily blocked program goes on at its commit time, if what it waits for is there. What is deferred before
- * that and has an event is committed first: messages may put that off, and the commit time with it. */
+/* A lazily blocked program resumes at its commit time if what it waits for is there. Deferred calls that have
+ * an event are committed first: messages may delay these, and the commit time with them. */
 static void unblock_lazily(struct lp *lp)
 {
     if (!lp->lazily_blocked || lp->scheduled_at || !will_be_ready(lp))

@@ -17,7 +17,7 @@
 
 /* Puts the start of the node, at time t, into the queue. */
 void lp_start(struct lp *lp, vtime t);
-/* At time t a blocked node is asked whether it may resume. */
+/* At time t the engine asks a blocked node whether it may resume. */
 void lp_wake(struct lp *lp, vtime t);
 /* The same, where what the node may wait for is there from time t on: the engine may know that nobody need
  * ask. */
@@ -30,7 +30,7 @@ void lp_message_kept(struct lp *lp);
 /* The program is killed, or the machine stops, at this moment: what it has done ahead of it has not happened.
  * True: it was computing; false: it waited, or had ended. */
 bool lp_roll_back(struct lp *lp, struct instant at);
-/* What the program has asked for is not going to happen: nothing of it is wanted any more. */
+/* The program's requests that are not committed are cancelled: it has ended. */
 void lp_forget(struct lp *lp);
 
 /* --- for the machine --- */

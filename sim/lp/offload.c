@@ -26,7 +26,7 @@ static void offload(struct lp *lp, vtime lower_bound)
 
 /* --- segments that are probably long: those behind the same call as a long one before --- */
 
-/* A set of one call, or few: by the place of its name in a page, the same in every run. */
+/* A set of one call, or few: by the position of its name in a page, the same in every run. */
 static uint64_t set_of(const char *call)
 {
     return UINT64_C(1) << ((uintptr_t)call % 4096 / 8 % 64);
@@ -152,7 +152,7 @@ static struct lp *next_with(struct schedule *s, uint32_t *address, vtime bound, 
     return NULL;
 }
 
-/* Are there two? One alone finds nothing to run beside. */
+/* Are two segments long? One alone gains nothing from a worker. */
 static bool are_two_long(struct schedule *s, vtime bound)
 {
     uint32_t address = 0;

@@ -3,8 +3,8 @@
 #include "lp/dispatch.h"
 #include "lp/upcalls.h"
 
-/* Looks up a page of a program: four at a time take hardly longer than one. That of its counter has its entry
- * in the same line of the page tables. */
+/* Prefetches a program's entry in the page tables: four at a time take hardly longer than one. That of its
+ * counter has its entry in the same line of the page tables. */
 static void load_page(const struct lp *lp)
 {
     if (lp && !lp->offloaded && fiber_innermost(&lp->fiber))

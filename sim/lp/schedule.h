@@ -18,7 +18,7 @@ enum stop { STOP_NOT, STOP_FAILED, STOP_KILLED, STOP_VIRTUAL_TIME, STOP_WALL_TIM
 
 struct schedule {
     struct evq *q;             /* machine */
-    struct mintree polls;      /* by address: when a node paused at a poll goes on; lp/dispatch.c */
+    struct mintree polls;      /* by address: when a node paused at a poll resumes; lp/dispatch.c */
     struct instant present;    /* the moment committed last: an event's, or a call's that needed none */
     struct instant reached;    /* the latest moment committed before `present`: lp.h */
     struct protocol *protocol; /* machine */

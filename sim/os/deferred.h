@@ -2,7 +2,7 @@
  *
  * A call that only hands something over, a message to send or a receive to post, tells its program nothing.
  * When the machine has not come to the call's commit time yet, the program does not wait for it: the call is
- * noted, with the node's clock, and the program goes on:
+ * noted, with the node's clock, and the program resumes at once:
  *
  *     program    irecv, csend ------> computes ----> crecv ---> waits
  *     machine            ...... irecv, csend .................. crecv ......

@@ -32,7 +32,7 @@ bool mailbox_complete(struct node *n, const struct receive *r)
 {
     if (!r->m || r->complete > node_now(n))
         return false;
-    prefetch_pair(r->m); /* it is asked for soon, and nobody has looked at it for long */
+    prefetch_pair(r->m); /* it is read soon, and is in no cache */
     return true;
 }
 
