@@ -13,8 +13,8 @@ CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_G
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lnlopt -lgsl -lgslcblas -ldw -lelf -lz -lm
 
 # touchstone is linked twice, with the fast engine and with the one that defines its results: sim/lp/engine.h.
-FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c lp/commit.c lp/dispatch.c lp/lookahead.c lp/offload.c lp/prefetch_coming.c \
-    lp/roll_back.c os/deferred.c os/front.c os/gate.c os/order.c os/upcalls_ahead.c)
+FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c lp/commit.c lp/deferral.c lp/dispatch.c lp/lookahead.c lp/offload.c lp/prefetch_coming.c \
+    lp/roll_back.c lp/run_program.c lp/wake.c os/deferred.c os/front.c os/gate.c os/order.c os/upcalls_ahead.c)
 REFERENCE   := $(wildcard sim/reference/*.c)
 SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c sim/*/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)

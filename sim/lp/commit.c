@@ -4,6 +4,7 @@
 #include "lp/engine.h"
 #include "lp/offload.h"
 #include "lp/upcalls.h"
+#include "lp/wake.h"
 
 const char ENGINE_NAME[] = "fast";
 
@@ -89,6 +90,7 @@ struct workers_stats engine_run(struct schedule *s, const struct engine_threads 
 {
     const struct workers_calls calls = {(void *)threads, thread_begins, thread_runs, threads->end};
     struct workers_stats stats = {0};
+    s->resumes[0] = lp_go_on, s->resumes[1] = lp_woken;
     if (threads->count > 1)
         s->workers = workers_new(threads->count - 1, threads->shuffle, &calls, threads->own);
     commit_events(s);

@@ -1,27 +1,16 @@
 /* dispatch.c - see dispatch.h. */
 #include "lp/dispatch.h"
-#include <errno.h>
 #include "lp/block.h"
 #include "lp/clock.h"
 #include "lp/commit.h"
 #include "lp/engine.h"
 #include "lp/lookahead.h"
-#include "lp/prefetch_coming.h"
+#include "lp/run_program.h"
 #include "lp/upcalls.h"
 
-static void go_on(void *ctx, void *arg, vtime now);
-static void wake(void *ctx, void *arg, vtime now);
-
-/* Up to the node's moment at `now`, which is included. */
-static struct instant up_to(const struct lp *lp, vtime now)
+void lp_schedule(struct lp *lp, vtime t)
 {
-    return (struct instant){now, lp->address + 1};
-}
-
-/* The program has come, or will, to a call at time t: its commit time. */
-static void schedule(struct lp *lp, vtime t)
-{
-    evq_put_late(lp->schedule->q, t, lp->address, go_on, lp, NULL);
+    evq_put_late(lp->schedule->q, t, lp->address, lp_go_on, lp, NULL);
 }
 
 /* The program is paused at a poll, and is not gone on with before t. */
@@ -36,19 +25,6 @@ void lp_leave_poll(struct lp *lp)
 {
     lp->paused_at_poll = false;
     mintree_set(&lp->schedule->polls, lp->address, VT_NEVER);
-}
-
-struct lp *lp_coming(const struct schedule *s, unsigned after)
-{
-    evq_fire *fire;
-    struct lp *lp = evq_coming(s->q, after, &fire);
-    return fire == go_on || fire == wake ? lp : NULL;
-}
-
-/* The commit time of a program that is not offloaded, as far as is known. */
-static vtime commit_time(struct lp *lp)
-{
-    return clock_sync(lp) + lp->clock.stolen;
 }
 
 /* --- the program's side --- */
@@ -82,7 +58,7 @@ void lp_prepare_yield(struct lp *lp, vtime now)
     else if (lp->clock.runs && lp->interruptible)
         pause_at_poll(lp, now, lp_lookahead(lp));
     else
-        schedule(lp, now);
+        lp_schedule(lp, now);
 }
 
 void lp_commit(struct lp *lp, vtime now)
@@ -96,111 +72,14 @@ void lp_drain(struct lp *lp)
     if (!up_has_deferred(lp))
         return;
     lp->drains = true;
-    schedule(lp, up_last_deferred(lp));
+    lp_schedule(lp, up_last_deferred(lp));
     lp_yield(lp);
-}
-
-bool lp_may_block_lazily(const struct lp *lp, vtime now)
-{
-    const struct schedule *s = lp->schedule;
-    return !lp->offloaded && !lp->clock.stolen && !s->stop && now <= s->max_time && !lp_is_passed(lp, now);
-}
-
-/* --- deferred calls, and blocking without an event --- */
-
-void lp_apply_deferred(struct lp *lp, struct instant before)
-{
-    up_commit_deferred(lp, before);
-    if (!lp->lazily_blocked || up_has_deferred(lp) || !instant_before(commit_time(lp), lp->address, before))
-        return;
-    lp->lazily_blocked = false;
-    clock_add_stolen(lp);
-    lp_block(lp, clock_sync(lp));
-}
-
-/* Will what the program waits for be there at its commit time? */
-static bool will_be_ready(struct lp *lp)
-{
-    vtime now = lp->clock.now, then = now + lp->clock.stolen;
-    clock_set_time(lp, then);
-    bool ready = up_may_resume(lp, then);
-    clock_set_time(lp, now);
-    return ready;
-}
-
-/* A lazily blocked program resumes at its commit time if what it waits for is there. Deferred calls that have
- * an event are committed first: messages may delay these, and the commit time with them. */
-static void unblock_lazily(struct lp *lp)
-{
-    if (!lp->lazily_blocked || lp->scheduled_at || !will_be_ready(lp))
-        return;
-    lp->lazily_blocked = false;
-    schedule(lp, commit_time(lp));
-}
-
-static void commit_deferred(void *ctx, void *arg, vtime now)
-{
-    struct lp *lp = ctx;
-    (void)arg;
-    up_commit_deferred(lp, up_to(lp, now));
-    if (lp->scheduled_at != now)
-        return;
-    lp->scheduled_at = 0;
-    lp_schedule_deferred(lp);
-    unblock_lazily(lp);
-}
-
-void lp_schedule_deferred(struct lp *lp)
-{
-    void *sends = NULL;
-    vtime t = up_next_deferred(lp, &sends);
-    if (t == VT_NEVER || (lp->scheduled_at && lp->scheduled_at <= t))
-        return;
-    lp->scheduled_at = t;
-    evq_put_late(lp->schedule->q, t, lp->address, commit_deferred, lp, sends);
-}
-
-/* --- running programs --- */
-
-void lp_run(struct lp *lp)
-{
-    up_program_resumes(lp);
-    errno = lp->saved_errno;
-    fiber_resume(&lp->fiber);
-    lp->crashed = up_program_returns(lp);
-    clock_sync(lp);
-    lp->saved_errno = errno;
-}
-
-void lp_crash(struct lp *lp)
-{
-    if (lp->clock.runs)
-        clock_crash(lp);
-    schedule(lp, clock_sync(lp));
-}
-
-static void run_here(struct lp *lp)
-{
-    lp->state = LP_COMPUTING;
-    lp->schedule->unseen = 0;
-    lp_run(lp);
-    if (lp->crashed)
-        lp_crash(lp);
-    else if (lp->offloaded)
-        workers_submit(lp->schedule->workers, &lp->offload.task);
-}
-
-static void run_on(struct lp *lp)
-{
-    lp->schedule->switches++;
-    prefetch_coming(lp->schedule);
-    run_here(lp);
 }
 
 static void resume(struct lp *lp, vtime now)
 {
     clock_advance_to(lp, now);
-    run_on(lp);
+    lp_run_on(lp);
 }
 
 /* A computing node has come to its call. */
@@ -214,24 +93,23 @@ static void arrive(struct lp *lp, vtime now)
         resume(lp, now);
 }
 
-/* The commit time of a node that computes ahead: of its call, or its crash. */
-static void go_on(void *ctx, void *arg, vtime now)
+void lp_go_on(void *ctx, void *arg, vtime now)
 {
     struct lp *lp = ctx;
     (void)arg;
     if (lp->state == LP_ENDED)
         return; /* killed meanwhile */
-    up_commit_deferred(lp, up_to(lp, now));
-    vtime t = !lp->drains ? commit_time(lp) : up_has_deferred(lp) ? up_last_deferred(lp) : now;
+    up_commit_deferred(lp, lp_up_to(lp, now));
+    vtime t = !lp->drains ? lp_commit_time(lp) : up_has_deferred(lp) ? up_last_deferred(lp) : now;
     if (t > now) {
-        schedule(lp, t);
+        lp_schedule(lp, t);
     } else if (lp->crashed) {
         clock_drop_stolen(lp);
         clock_advance_to(lp, now);
         up_report_crash(lp);
     } else if (lp->drains) {
         lp->drains = false;
-        run_on(lp);
+        lp_run_on(lp);
     } else {
         clock_drop_stolen(lp);
         arrive(lp, now);
@@ -242,19 +120,9 @@ void lp_go_on_from_poll(struct lp *lp)
 {
     lp_leave_poll(lp);
     if (lp->clock.stolen)
-        go_on(lp, NULL, lp->poll_time);
+        lp_go_on(lp, NULL, lp->poll_time);
     else
-        run_here(lp);
-}
-
-static void wake(void *ctx, void *arg, vtime now)
-{
-    struct lp *lp = ctx;
-    (void)arg;
-    lp_apply_deferred(lp, schedule_reached(lp->schedule));
-    unblock_lazily(lp);
-    if (lp->state == LP_BLOCKED && lp_unblock(lp, now))
-        run_on(lp);
+        lp_run_here(lp);
 }
 
 /* --- what happens to a node --- */
@@ -274,38 +142,7 @@ void lp_catch_up(struct lp *lp, vtime t)
         pause_at_poll(lp, lp->poll_time, 0);
 }
 
-void lp_synchronise(struct lp *lp)
-{
-    if (!lp->paused_at_poll && !up_has_deferred(lp) && !lp->lazily_blocked)
-        return;
-    struct instant at = schedule_reached(lp->schedule);
-    if (lp->paused_at_poll)
-        lp_catch_up(lp, at.time + (lp->address < at.address));
-    lp_apply_deferred(lp, at);
-}
-
-void lp_notify(struct lp *lp, vtime t)
-{
-    lp_apply_deferred(lp, schedule_reached(lp->schedule));
-    unblock_lazily(lp);
-    vtime commits = lp->offloaded ? lp->schedule->present.time + lp->clock.stolen : commit_time(lp);
-    if (lp->state == LP_BLOCKED || commits < t)
-        lp_wake(lp, t);
-    /* else the node, which has an event, asks at its commit time, not before t */
-}
-
-void lp_wake(struct lp *lp, vtime t)
-{
-    evq_put_late(lp->schedule->q, t, lp->address, wake, lp, NULL);
-}
-
 void lp_start(struct lp *lp, vtime t)
 {
-    schedule(lp, t);
-}
-
-void lp_message_kept(struct lp *lp)
-{
-    if (up_has_deferred(lp))
-        up_deferred_may_select(lp);
+    lp_schedule(lp, t);
 }

@@ -6,7 +6,7 @@
  * are not in the queue, but beside it (schedule.polls). */
 #ifndef LP_DISPATCH_H
 #define LP_DISPATCH_H
-#include "lp/lp.h"
+#include "lp/clock.h"
 
 /* --- the program's side, on its stack --- */
 
@@ -25,13 +25,6 @@ static inline void lp_yield(struct lp *lp)
 void lp_commit(struct lp *lp, vtime now);
 /* Yields until all deferred calls have been committed. */
 void lp_drain(struct lp *lp);
-/* May the program, in a call at `now`, block lazily? As far as is known, it will be blocked there. No event
- * is queued for that: either something reaches the node before, or lp_apply_deferred blocks it. */
-bool lp_may_block_lazily(const struct lp *lp, vtime now);
-static inline void lp_block_lazily(struct lp *lp)
-{
-    lp->lazily_blocked = true;
-}
 /* Is the node's call or poll at `now` the machine's earliest event? */
 bool lp_is_next(struct lp *lp, vtime now);
 
@@ -39,21 +32,18 @@ bool lp_is_next(struct lp *lp, vtime now);
 
 /* The program is not paused at a poll any more. */
 void lp_leave_poll(struct lp *lp);
-/* Commits the deferred calls whose commit times come before a moment, and blocks a lazily blocked node if its
- * commit time does. Called before anything is done to the node that this could matter to. */
-void lp_apply_deferred(struct lp *lp, struct instant before);
-/* Puts an event into the queue for the first deferred call that needs one. */
-void lp_schedule_deferred(struct lp *lp);
 /* A program paused at a poll computes up to the first poll at or past t, or its call. Called before anything
  * is done to the node that depends on how far it has come. */
 void lp_catch_up(struct lp *lp, vtime t);
-/* The program has crashed, in a call or computing: schedules the report, at the time of its clock. Messages
- * may put the report off as they put off a call. */
-void lp_crash(struct lp *lp);
-/* Lets the program run on the calling thread until it yields. */
-void lp_run(struct lp *lp);
 /* Goes on with a program paused at a poll, whose poll time has come. */
 void lp_go_on_from_poll(struct lp *lp);
-/* The node whose event comes so many after the next; NULL: unknown, or something else happens then. */
-struct lp *lp_coming(const struct schedule *s, unsigned after);
+/* An event (ctx: the node): the commit time of a program that computes ahead, of its call or its crash. */
+void lp_go_on(void *ctx, void *arg, vtime now);
+/* The program has come, or will, to a call at time t: puts its commit time into the queue. */
+void lp_schedule(struct lp *lp, vtime t);
+/* The commit time of a program that is not offloaded, as far as is known. */
+static inline vtime lp_commit_time(struct lp *lp)
+{
+    return clock_sync(lp) + lp->clock.stolen;
+}
 #endif

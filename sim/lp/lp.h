@@ -127,6 +127,12 @@ void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead);
 void lp_unbind(struct lp *lp);
 /* The program has ended, or there is none. */
 void lp_end(struct lp *lp);
+/* Up to the node's moment at `now`, which is included. */
+static inline struct instant lp_up_to(const struct lp *lp, vtime now)
+{
+    return (struct instant){now, lp->address + 1};
+}
+
 /* Has the machine reached a moment later than the node's at t? */
 static inline bool lp_is_passed(const struct lp *lp, vtime t)
 {

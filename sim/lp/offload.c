@@ -5,6 +5,7 @@
 #include "lp/clock.h"
 #include "lp/dispatch.h"
 #include "lp/lookahead.h"
+#include "lp/run_program.h"
 #include "lp/upcalls.h"
 
 /* In cost units. A segment is worth a thread of its own when it takes a few microseconds of host time; a

@@ -1,5 +1,6 @@
 /* roll_back.c - what a program has done ahead of a moment, and of what has not happened: lp/engine.h. */
 #include "lp/clock.h"
+#include "lp/deferral.h"
 #include "lp/dispatch.h"
 #include "lp/engine.h"
 #include "lp/offload.h"

@@ -23,6 +23,7 @@ struct schedule {
     struct instant reached;    /* the latest moment committed before `present`: lp.h */
     struct protocol *protocol; /* machine */
     struct workers *workers;   /* NULL: one thread */
+    evq_fire *resumes[2];      /* events upon which a program may run, for loading ahead */
 
     enum stop stop;
     struct instant stop_at; /* STOP_FAILED: the failed program's moment; STOP_VIRTUAL_TIME: the limit */

@@ -5,9 +5,6 @@
 #include "kernel/xalloc.h"
 #include "net/protocol_parts.h"
 
-static void started(void *ctx, struct channel_transit *t, vtime now);
-static void done(void *ctx, struct channel_transit *t, vtime now);
-
 struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
                               const struct protocol_nodes *nodes)
 {
@@ -17,7 +14,7 @@ struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *
     for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
         p->messages[i].bytes = sizeof(struct message) + PROTOCOL_IN_MESSAGE[i];
     p->trips.bytes = sizeof(struct trip);
-    p->channels = channel_new(topo, q, &(struct channel_calls){p, started, done});
+    p->channels = channel_new(topo, q, &(struct channel_calls){p, protocol_trip_started, protocol_trip_done});
     p->endpoints = xcalloc(topo->addresses, sizeof *p->endpoints);
     return p;
 }
@@ -71,7 +68,6 @@ void protocol_set_nodes(struct protocol *p, uint32_t n)
 /* --- sending --- */
 
 static void request_arrives(void *ctx, void *arg, vtime now);
-static void inject(void *ctx, void *arg, vtime now);
 
 void protocol_send(struct protocol *p, struct message *m, vtime when)
 {
@@ -90,7 +86,7 @@ void protocol_send(struct protocol *p, struct message *m, vtime when)
     } else {
         t->at_sender = t->pio || t->followed ? protocol_at(when) : PROTOCOL_NOTHING;
         t->at_receiver = protocol_at(when);
-        evq_put_sent(p->q, when, m->from, sender, inject, p, t);
+        evq_put_sent(p->q, when, m->from, sender, protocol_inject, p, t);
     }
 }
 
@@ -180,7 +176,7 @@ static void clear_to_send_arrives(void *ctx, void *arg, vtime now)
     vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTOCOL_SEND, now, p->cfg->grant_receive_ps);
     m->trip->at_sender = protocol_at(ready);
     m->trip->at_receiver = protocol_at(ready + protocol_latency(p, m));
-    evq_put(p->q, ready, m->from, inject, p, m->trip);
+    evq_put(p->q, ready, m->from, protocol_inject, p, m->trip);
 }
 
 void protocol_clear_to_send(struct protocol *p, struct message *m, vtime when)
@@ -191,69 +187,6 @@ void protocol_clear_to_send(struct protocol *p, struct message *m, vtime when)
     m->trip->at_sender = protocol_at(arrives);
     m->trip->at_receiver = protocol_at(arrives + protocol_least(p, p->cfg->grant_receive_ps));
     evq_put(p->q, arrives, m->from, clear_to_send_arrives, p, m);
-}
-
-static void sent(struct protocol *p, struct trip *t, vtime now)
-{
-    protocol_unlink_out(t);
-    if (t->followed && t->m->followed)
-        p->nodes.sent(p->nodes.ctx, t->m, now);
-}
-
-/* The sender's processor moves the message into the channel. */
-static void pio_send(struct protocol *p, const struct trip *t, vtime now)
-{
-    vtime takes = t->m->bytes * p->cfg->send_ps_per_byte;
-    p->nodes.pio(p->nodes.ctx, t->transit.from, PROTOCOL_SEND, now, takes);
-}
-
-/* The message, or its data, enter the network. */
-static void inject(void *ctx, void *arg, vtime now)
-{
-    struct protocol *p = ctx;
-    struct trip *t = arg;
-    if (t->taken_back) {
-        protocol_message_free(t->m);
-        return;
-    }
-    if (t->pio)
-        pio_send(p, t, now);
-    vtime duration = t->transit.duration;
-    /* Once the message has left, a handler of the sender may be due. The message may have to wait for
-     * channels first. */
-    t->at_sender = (struct protocol_bound){.at = now + duration, .after = duration};
-    t->at_receiver = protocol_after(t->pio ? protocol_latency(p, t->m) : duration);
-    if (!t->is_long)
-        sent(p, t, now); /* the operating system has a copy: the caller's buffer is free */
-    channel_send(p->channels, &t->transit, now);
-}
-
-static struct trip *trip_of(struct channel_transit *t)
-{
-    return (struct trip *)((char *)t - offsetof(struct trip, transit));
-}
-
-/* The first byte has come: the receiver's processor moves the message out of the channel. */
-static void pio_receive(void *ctx, void *arg, vtime now)
-{
-    struct protocol *p = ctx;
-    struct message *m = arg;
-    p->nodes.pio(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
-    m->trip->at_receiver = protocol_at(now + m->bytes * p->cfg->long_ps_per_byte);
-}
-
-static void started(void *ctx, struct channel_transit *transit, vtime now)
-{
-    struct protocol *p = ctx;
-    struct trip *t = trip_of(transit);
-    t->at_sender = protocol_at(now + transit->duration);
-    if (!t->pio) {
-        t->at_receiver = protocol_at(now + transit->duration);
-        return;
-    }
-    vtime first_byte = now + protocol_latency(p, t->m);
-    t->at_receiver = protocol_at(first_byte);
-    evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
 }
 
 /* --- arrival --- */
@@ -278,17 +211,13 @@ static void whole_message(struct protocol *p, struct message *m, vtime now)
     }
 }
 
-static void done(void *ctx, struct channel_transit *transit, vtime now)
+/* The tail of the message, or of its data, has passed. */
+void protocol_trip_ends(struct protocol *p, struct message *m, vtime now)
 {
-    struct protocol *p = ctx;
-    struct trip *t = trip_of(transit);
-    struct message *m = t->m;
-    if (!t->is_long) {
+    if (m->is_long)
+        complete(p, m, now, p->cfg->long_receive_ps);
+    else
         envelope_comes(p, m, now);
-        return;
-    }
-    sent(p, t, now);
-    complete(p, m, now, p->cfg->long_receive_ps);
 }
 
 uint64_t protocol_under_way(const struct protocol *p)

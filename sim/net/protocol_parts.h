@@ -109,4 +109,14 @@ struct trip *protocol_first_coming(const struct protocol *p, uint32_t source, ui
 void protocol_unlink_out(struct trip *t);
 /* The message has arrived, or is freed: the trip is over. */
 void protocol_end_trip(struct protocol *p, struct message *m);
+
+/* --- trips: protocol_trip.c --- */
+
+/* An event: a message, or its data (arg: the trip), enter the network. */
+void protocol_inject(void *ctx, void *arg, vtime now);
+/* What the channels tell: the head has come, the tail has passed. */
+void protocol_trip_started(void *ctx, struct channel_transit *t, vtime now);
+void protocol_trip_done(void *ctx, struct channel_transit *t, vtime now);
+/* protocol.c: a message, or its data, has arrived. */
+void protocol_trip_ends(struct protocol *p, struct message *m, vtime now);
 #endif

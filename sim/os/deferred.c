@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <stddef.h>
 #include "lp/clock.h"
-#include "lp/dispatch.h"
+#include "lp/deferral.h"
 #include "lp/lookahead.h"
 #include "node/system.h"
 #include "os/charge.h"

@@ -2,6 +2,7 @@
 #include "os/gate.h"
 #include <inttypes.h>
 #include "lp/block.h"
+#include "lp/deferral.h"
 #include "lp/dispatch.h"
 #include "lp/lookahead.h"
 #include "lp/offload.h"

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 #include "lp/block.h"
 #include "lp/clock.h"
+#include "lp/deferral.h"
 #include "lp/dispatch.h"
 #include "lp/engine.h"
 #include "lp/lookahead.h"

@@ -1,5 +1,5 @@
-/* rpc/xdr.h - XDR, whose longs have 4 bytes. Those of a program may have 8, and Debian's library reads negative
- * ones wrongly into them; or 4 (nxcc --long32), where the library writes 8. */
+/* rpc/xdr.h - XDR, whose longs have 4 bytes. Those of a program may have 8, and Debian's library reads
+ * negative ones wrongly into them; or 4 (nxcc --long32), where the library writes 8. */
 #ifndef NX_RPC_XDR_H
 #define NX_RPC_XDR_H
 #include_next <rpc/xdr.h>

@@ -363,23 +363,10 @@ static const char *text_at(const struct part *p, const struct expr_value values[
     return p->kind == TEXT ? p->text : values[p->name].text;
 }
 
-static double number_at(const struct expr *e, short at, const struct expr_value values[])
+/* The value of an operation of one operand or two. */
+static double applied(enum kind kind, double a, double b)
 {
-    const struct part *p = &e->part[at];
-    if (p->kind == NUMBER)
-        return p->number;
-    if (p->kind == NAME)
-        return values[p->name].number;
-    if (p->kind == SAME_TEXT || p->kind == OTHER_TEXT)
-        return (strcmp(text_at(&e->part[p->at[0]], values), text_at(&e->part[p->at[1]], values)) == 0) ==
-               (p->kind == SAME_TEXT);
-    double a = number_at(e, p->at[0], values);
-    if (p->kind == IF)
-        return number_at(e, p->at[a != 0 ? 1 : 2], values);
-    double b = (p->kind >= OR && p->kind <= POWER) || p->kind == MIN || p->kind == MAX
-                   ? number_at(e, p->at[1], values)
-                   : 0;
-    switch (p->kind) {
+    switch (kind) {
     case NOT:
         return a == 0;
     case MINUS:
@@ -431,6 +418,25 @@ static double number_at(const struct expr *e, short at, const struct expr_value 
     default:
         return NAN;
     }
+}
+
+static double number_at(const struct expr *e, short at, const struct expr_value values[])
+{
+    const struct part *p = &e->part[at];
+    if (p->kind == NUMBER)
+        return p->number;
+    if (p->kind == NAME)
+        return values[p->name].number;
+    if (p->kind == SAME_TEXT || p->kind == OTHER_TEXT)
+        return (strcmp(text_at(&e->part[p->at[0]], values), text_at(&e->part[p->at[1]], values)) == 0) ==
+               (p->kind == SAME_TEXT);
+    double a = number_at(e, p->at[0], values);
+    if (p->kind == IF)
+        return number_at(e, p->at[a != 0 ? 1 : 2], values);
+    double b = (p->kind >= OR && p->kind <= POWER) || p->kind == MIN || p->kind == MAX
+                   ? number_at(e, p->at[1], values)
+                   : 0;
+    return applied(p->kind, a, b);
 }
 
 double expr_number(const struct expr *e, const struct expr_value values[])

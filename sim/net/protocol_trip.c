@@ -1,0 +1,76 @@
+/* protocol_trip.c - a trip of a message, or of its data, through the channels: the sender's processor hands
+ * it over, the receiver's takes it out. */
+#include <stddef.h>
+#include "net/protocol_parts.h"
+
+static void sent(struct protocol *p, struct trip *t, vtime now)
+{
+    protocol_unlink_out(t);
+    if (t->followed && t->m->followed)
+        p->nodes.sent(p->nodes.ctx, t->m, now);
+}
+
+/* The sender's processor moves the message into the channel. */
+static void pio_send(struct protocol *p, const struct trip *t, vtime now)
+{
+    vtime takes = t->m->bytes * p->cfg->send_ps_per_byte;
+    p->nodes.pio(p->nodes.ctx, t->transit.from, PROTOCOL_SEND, now, takes);
+}
+
+/* The message, or its data, enter the network. */
+void protocol_inject(void *ctx, void *arg, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = arg;
+    if (t->taken_back) {
+        protocol_message_free(t->m);
+        return;
+    }
+    if (t->pio)
+        pio_send(p, t, now);
+    vtime duration = t->transit.duration;
+    /* Once the message has left, a handler of the sender may be due. The message may have to wait for
+     * channels first. */
+    t->at_sender = (struct protocol_bound){.at = now + duration, .after = duration};
+    t->at_receiver = protocol_after(t->pio ? protocol_latency(p, t->m) : duration);
+    if (!t->is_long)
+        sent(p, t, now); /* the operating system has a copy: the caller's buffer is free */
+    channel_send(p->channels, &t->transit, now);
+}
+
+static struct trip *trip_of(struct channel_transit *t)
+{
+    return (struct trip *)((char *)t - offsetof(struct trip, transit));
+}
+
+/* The first byte has come: the receiver's processor moves the message out of the channel. */
+static void pio_receive(void *ctx, void *arg, vtime now)
+{
+    struct protocol *p = ctx;
+    struct message *m = arg;
+    p->nodes.pio(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
+    m->trip->at_receiver = protocol_at(now + m->bytes * p->cfg->long_ps_per_byte);
+}
+
+void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = trip_of(transit);
+    t->at_sender = protocol_at(now + transit->duration);
+    if (!t->pio) {
+        t->at_receiver = protocol_at(now + transit->duration);
+        return;
+    }
+    vtime first_byte = now + protocol_latency(p, t->m);
+    t->at_receiver = protocol_at(first_byte);
+    evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
+}
+
+void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = trip_of(transit);
+    if (t->is_long)
+        sent(p, t, now);
+    protocol_trip_ends(p, t->m, now);
+}
