@@ -2,8 +2,8 @@
  * has the states.
  *
  * The queue has three kinds of events of a node: it goes on (its start; the commit time of a call), its
- * deferred calls are committed, and it is woken (a blocked node is asked whether it may resume). Poll times
- * are not in the queue, but beside it (schedule.polls). */
+ * deferred calls are committed (deferral.h), and it is woken (wake.h). Poll times are not in the queue, but
+ * beside it (schedule.polls). */
 #ifndef LP_DISPATCH_H
 #define LP_DISPATCH_H
 #include "lp/clock.h"

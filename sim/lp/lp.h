@@ -11,8 +11,8 @@
  * come so far. Its lookahead, computing that is certain before its next call, tells how long nobody need
  * wait for it.
  *
- * A node is in one of these states, and what happens to it has these effects (dispatch.c, block.c,
- * offload.c):
+ * A node is in one of these states, and what happens to it has these effects (dispatch.c, wake.c,
+ * deferral.c, block.c, offload.c):
  *
  *                 its commit     its poll     it is woken            system time     it is killed
  *                 time           time                                is taken

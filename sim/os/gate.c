@@ -164,7 +164,7 @@ static bool run_handlers(struct node *n, bool (*ready)(struct node *n, void *arg
     return is_ready;
 }
 
-/* Switches away until the program has something to do (lp/dispatch.c). True if the node has been blocked:
+/* Switches away until the program has something to do (lp/wake.c). True if the node has been blocked:
  * then all earlier events have been committed. */
 static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
