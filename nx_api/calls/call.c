@@ -9,7 +9,17 @@
 #include "nx_api/calls/msgwait.h"
 #include "nx_api/calls/shape.h"
 
-/* --- checks that several calls make --- */
+/* --- errors, and checks that several calls make --- */
+
+long node_error(struct node *n, int code, const char *fmt, ...)
+{
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(n->error->text, sizeof n->error->text, fmt, ap);
+    va_end(ap);
+    n->error->code = code;
+    return -1;
+}
 
 long nx_check_node(struct node *n, long node)
 {
@@ -20,6 +30,14 @@ long nx_check_node(struct node *n, long node)
         return node_error(n, EQNODE, "there is no node %ld (nodes are 0 to %ld; -1 is all others)", node,
                           count - 1);
     return 0;
+}
+
+long nx_check_victim(struct node *n, word node)
+{
+    if (node == ALL_NODES || (node >= 0 && node < (word)n->sys->count))
+        return 0;
+    return node_error(n, EQNODE, "there is no node %d (nodes are 0 to %ld; -1 is all)", node,
+                      (long)n->sys->count - 1);
 }
 
 long nx_check_buffer(struct node *n, const void *buf, long len)

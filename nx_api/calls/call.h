@@ -29,6 +29,7 @@ nx_end nx_plain, nx_returning;
 
 /* Checks that several calls make: 0, or -1 with the error. */
 long nx_check_node(struct node *n, long node);
+long nx_check_victim(struct node *n, word node); /* a node, or -1: all */
 long nx_check_buffer(struct node *n, const void *buf, long len);
 
 #endif

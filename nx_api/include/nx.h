@@ -293,8 +293,8 @@ void glxor(long x[], long n, long work[]); /* 1 if true on an odd number of node
 void gopf(void *x, long len, void *work, long (*f)(void *a, void *b));
 /* Collect all nodes' x, in the order of the nodes. lens[i]: the bytes of node i, the same on all nodes. */
 void gcolx(const void *x, const long lens[], void *y);
-/* The same for nodes that do not know each other's lengths. *total: the bytes collected; more than room are
- * an error, EQBLEN. */
+/* As gcolx(), for nodes that do not know each other's lengths. *total: the bytes collected; more than room
+ * are an error, EQBLEN. */
 void gcol(const void *x, long len, void *y, long room, long *total);
 
 #ifdef __cplusplus

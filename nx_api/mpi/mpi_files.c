@@ -342,14 +342,20 @@ int64_t nx_resize(struct node *n, int fd, int64_t offset, int whence)
     return size < 0 ? fail(name_of(f)) : size;
 }
 
-long nxs_iseof(word fd)
+/* The state of an open file: 0, or -1 with the error. */
+static long stat_file(int fd, struct stat *st)
 {
     const struct open_file *f = file_of(fd);
-    struct stat st;
     if (!f)
         return -1;
-    if (fstat(fd, &st))
-        return fail(name_of(f));
+    return fstat(fd, st) ? fail(name_of(f)) : 0;
+}
+
+long nxs_iseof(word fd)
+{
+    struct stat st;
+    if (stat_file(fd, &st) < 0)
+        return -1;
     return lseek(fd, 0, SEEK_CUR) >= st.st_size;
 }
 
@@ -382,12 +388,9 @@ long nx_stat_path(const char *call, bool link, const char *path, struct estat *e
 
 long nxs_festat(word fd, struct estat *e)
 {
-    const struct open_file *f = file_of(fd);
     struct stat st;
-    if (!f)
+    if (stat_file(fd, &st) < 0)
         return -1;
-    if (fstat(fd, &st))
-        return fail(name_of(f));
     nx_put_estat(node_self(), e, &st);
     return 0;
 }

@@ -134,16 +134,6 @@ void node_put_long(const struct node *n, long *array, size_t i, long value)
 
 /* --- errors --- */
 
-long node_error(struct node *n, int code, const char *fmt, ...)
-{
-    va_list ap;
-    va_start(ap, fmt);
-    vsnprintf(n->error->text, sizeof n->error->text, fmt, ap);
-    va_end(ap);
-    n->error->code = code;
-    return -1;
-}
-
 _Noreturn void node_fail(struct node *n, const char *fmt, ...)
 {
     va_list ap;

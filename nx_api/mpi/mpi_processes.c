@@ -19,9 +19,8 @@ long nxs_killproc(word node, word pid)
     struct node *n = node_self();
     if (node == ALL_NODES)
         return nxs_killcube(node, pid);
-    if (node < 0 || node >= (word)n->sys->count)
-        return node_error(n, EQNODE, "there is no node %d (nodes are 0 to %u; -1 is all)", node,
-                          n->sys->count - 1);
+    if (nx_check_victim(n, node) < 0)
+        return -1;
     if (node == (word)n->id)
         mpi_end_here(n);
     wire_send(n, node, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);

@@ -7,12 +7,11 @@
 
 /* --- ending --- */
 
-/* Of a machine with a host program, which keeps running. */
+/* Kills in the cube of a host program, which itself keeps running. */
 static long kill_in_cube(struct node *n, word node, bool flush)
 {
-    if (node != ALL_NODES && (node < 0 || node >= (word)n->sys->count))
-        return node_error(n, EQNODE, "there is no node %d (nodes are 0 to %ld; -1 is all)", node,
-                          (long)n->sys->count - 1);
+    if (nx_check_victim(n, node) < 0)
+        return -1;
     cube_kill(n, node, flush);
     if (!n->is_host && (node == ALL_NODES || node == (word)n->id))
         node_end_here(n, NODE_KILLED, 0);
@@ -39,9 +38,8 @@ long nxs_killproc(word node, word pid)
         return kill_in_cube(n, node, false);
     if (node == ALL_NODES)
         return nxs_killcube(node, pid);
-    if (node < 0 || node >= (word)n->sys->count)
-        return node_error(n, EQNODE, "there is no node %d (nodes are 0 to %u; -1 is all)", node,
-                          n->sys->count - 1);
+    if (nx_check_victim(n, node) < 0)
+        return -1;
     if (node == (word)n->id)
         node_end_here(n, NODE_KILLED, 0);
     node_end_other(n, n->sys->nodes[node]);

@@ -12,8 +12,8 @@ enum { EXIT_UNDETERMINED = 1, MOST_EVALUATIONS = 1000000 };
 enum { MOST = CLI_KEY };
 
 struct arguments {
-    const char *file, *constants, *dir;
-    struct cli_session_options session;
+    struct cli_study_arguments study;
+    const char *constants;
     unsigned most;
 };
 
@@ -57,26 +57,20 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->session;
+        state->child_inputs[0] = &a->study.session;
     else if (key == MOST)
         a->most = cli_whole(state, "--most", "a number of evaluations", MOST_EVALUATIONS, arg);
-    else if (key == 'o')
-        a->dir = arg;
-    else if (key == ARGP_KEY_ARG)
-        return cli_store_only(&a->file, arg);
-    else if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "which study file?");
     else
-        return cli_store(key, arg, state);
+        return cli_study_argument(key, arg, state, &a->study);
     return 0;
 }
 
 static int fit(const struct arguments *a, struct fit_options *o)
 {
     char dir[PATH_MAX], constants[PATH_MAX + 16], *error = NULL;
-    cli_default_folder(a->file, "-fit", dir);
-    o->study.file = a->file;
-    o->study.dir = a->dir ? a->dir : dir;
+    cli_default_folder(a->study.file, "-fit", dir);
+    o->study.file = a->study.file;
+    o->study.dir = a->study.dir ? a->study.dir : dir;
     if (!isatty(STDERR_FILENO)) /* where the lines of the studies' progress would hide those of the fit */
         cli_session_silence(&o->study);
     snprintf(constants, sizeof constants, "%s/fitted.cfg", o->study.dir);
@@ -96,7 +90,7 @@ int cli_fit(int argc, char **argv)
     struct cli_session s;
     cli_parse(&ARGP, "touchstone fit", 0, argc, argv, &a);
     struct fit_options o = {.most = a.most, .out = stdout, .progress = stderr};
-    if (!cli_session_begin(&s, "fit", &a.session, &o.study))
+    if (!cli_session_begin(&s, "fit", &a.study.session, &o.study))
         return CLI_EXIT_INPUT;
     int status = fit(&a, &o);
     cli_session_end(&s, &o.study);

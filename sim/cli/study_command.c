@@ -7,8 +7,7 @@
 #include "lab/study/study_make.h"
 
 struct arguments {
-    const char *file, *dir;
-    struct cli_session_options session;
+    struct cli_study_arguments study;
     bool retry_failed;
 };
 
@@ -75,15 +74,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->session;
-    else if (key == 'o')
-        a->dir = arg;
-    else if (key == ARGP_KEY_ARG)
-        return cli_store_only(&a->file, arg);
-    else if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "which study file?");
+        state->child_inputs[0] = &a->study.session;
     else
-        return cli_store(key, arg, state);
+        return cli_study_argument(key, arg, state, &a->study);
     return 0;
 }
 
@@ -93,7 +86,7 @@ static int study(const struct arguments *a, struct study_options *o)
     char *error = NULL;
     int signal = 0;
     o->session = t.name;
-    if (t.count > 1 && !a->session.jobs)
+    if (t.count > 1 && !a->study.session.jobs)
         o->at_once = 1;
     if (t.rank > 0)
         cli_session_silence(o); /* the first process shows the progress of all */
@@ -120,11 +113,11 @@ int cli_study(int argc, char **argv)
     struct study_options options;
     char dir[PATH_MAX];
     cli_parse(&ARGP, "touchstone study", 0, argc, argv, &a);
-    if (!cli_session_begin(&s, "study", &a.session, &options))
+    if (!cli_session_begin(&s, "study", &a.study.session, &options))
         return CLI_EXIT_INPUT;
-    cli_default_folder(a.file, "", dir);
-    options.file = a.file;
-    options.dir = a.dir ? a.dir : dir;
+    cli_default_folder(a.study.file, "", dir);
+    options.file = a.study.file;
+    options.dir = a.study.dir ? a.study.dir : dir;
     options.retry_failed = a.retry_failed;
     int status = study(&a, &options);
     cli_session_end(&s, &options);

@@ -24,6 +24,19 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static const struct argp_child CHILDREN[] = {{&CLI_JOBS, 0, NULL, 0}, {0}};
 const struct argp CLI_SESSION = {OPTIONS, parse, NULL, NULL, CHILDREN, NULL, NULL};
 
+error_t cli_study_argument(int key, char *arg, struct argp_state *state, struct cli_study_arguments *a)
+{
+    if (key == 'o')
+        a->dir = arg;
+    else if (key == ARGP_KEY_ARG)
+        return cli_store_only(&a->file, arg);
+    else if (key == ARGP_KEY_NO_ARGS)
+        argp_error(state, "which study file?");
+    else
+        return cli_store(key, arg, state);
+    return 0;
+}
+
 bool cli_session_begin(struct cli_session *s, const char *command, const struct cli_session_options *options,
                        struct study_options *study)
 {

@@ -14,6 +14,14 @@ struct cli_session_options {
 };
 extern const struct argp CLI_SESSION; /* -j, --cache, --no-cache; input: struct cli_session_options * */
 
+/* A command's study file, its folder for results and its session. */
+struct cli_study_arguments {
+    const char *file, *dir; /* dir NULL: not said */
+    struct cli_session_options session;
+};
+/* For a command's parser: keeps the study file and -o DIR; other keys are cli_store's. */
+error_t cli_study_argument(int key, char *arg, struct argp_state *state, struct cli_study_arguments *a);
+
 struct cli_session {
     struct cli_installation places;
     char *cache;

@@ -116,7 +116,8 @@ struct cfg_machine {
 /* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.
  * Returns NULL with *error set to a malloc'd message for the user. */
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error);
-/* The same, with settings KEY=VALUE applied in this order (setting.h); set is ended by NULL, or is NULL. */
+/* Loads a machine as cfg_load() does, with settings KEY=VALUE applied in this order (setting.h); set is ended
+ * by NULL, or is NULL. */
 struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char *const set[], char **error);
 /* Work that takes an ordinary node's system a millisecond takes a fast node's system so many microseconds. */
 uint64_t cfg_fast_system_milli(const struct cfg_machine *m);

@@ -38,7 +38,7 @@ void evq_put_sent(struct evq *q, vtime time, uint32_t address, struct evq_sender
 
 /* Time of the earliest event, VT_NEVER when there is none. */
 vtime evq_next(const struct evq *q);
-/* Its address, UINT32_MAX when there is none. */
+/* Address of the earliest event, UINT32_MAX when there is none. */
 uint32_t evq_next_address(const struct evq *q);
 /* Would a late event at (time, address) be the earliest of all? */
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t address);

@@ -18,7 +18,7 @@ static inline __attribute__((always_inline)) void prefetch_pair(const void *p)
     __builtin_prefetch((const void *)((uintptr_t)p ^ CACHE_LINE), 1);
 }
 
-/* The same for the block in which p lies. */
+/* Begins to load the block in which p lies, if it is not NULL. */
 static inline __attribute__((always_inline)) void prefetch_block(const void *p)
 {
     if (!p)

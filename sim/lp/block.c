@@ -21,3 +21,14 @@ bool lp_unblock(struct lp *lp, vtime now)
     lp->state = LP_COMPUTING;
     return true;
 }
+
+bool lp_end_at(struct lp *lp, vtime t)
+{
+    vtime commits = clock_sync(lp) + lp->clock.stolen;
+    if (lp->state == LP_BLOCKED)
+        up_wait_ends(lp, t);
+    else if (commits > t)
+        clock_roll_back(lp, commits - t);
+    clock_drop_stolen(lp);
+    return lp->state == LP_COMPUTING;
+}

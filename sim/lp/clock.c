@@ -119,15 +119,14 @@ void clock_roll_back(struct lp *lp, vtime t)
     clock_set_units(lp, computed > t ? clock_units_in(lp, computed - t) : 0);
 }
 
-/* Where a unit is no whole number of picoseconds, what units take depends on how many have been spent. */
+/* Where a unit is no whole number of picoseconds, what units take depends on how many have been spent. Those
+ * that take so long from the clock's beginning are enough from anywhere: fewer may be. */
 static __attribute__((noinline)) uint64_t units_until_exactly(const struct lp *lp, vtime t)
 {
     const struct lp_clock *c = &lp->clock;
     uint64_t units = clock_units_in(lp, t - c->now);
     while (units > 0 && clock_at(lp, c->units + units - 1) >= t)
         units--;
-    while (clock_at(lp, c->units + units) < t)
-        units++;
     return units;
 }
 

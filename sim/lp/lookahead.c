@@ -17,15 +17,9 @@ bool lp_is_alone(const struct lp *lp, vtime t)
     return horizon(lp) > t;
 }
 
-vtime lp_end_of_time(const struct lp *lp)
-{
-    vtime limit = lp->schedule->max_time;
-    return limit == VT_NEVER ? VT_NEVER : limit + 1;
-}
-
 vtime lp_deadline(struct lp *lp)
 {
-    vtime end = lp_end_of_time(lp);
+    vtime end = schedule_end_of_time(lp->schedule);
     lp->interruptible = up_is_interruptible(lp);
     if (!lp->interruptible)
         return end;
@@ -39,5 +33,5 @@ vtime lp_lookahead(const struct lp *lp)
 {
     if (up_in_handler(lp) || lp->clock.stolen)
         return 0;
-    return vt_min(clock_lookahead(lp), vt_min(lp_end_of_time(lp), up_next_interrupt(lp)));
+    return vt_min(clock_lookahead(lp), vt_min(schedule_end_of_time(lp->schedule), up_next_interrupt(lp)));
 }

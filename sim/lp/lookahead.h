@@ -12,8 +12,6 @@
 bool lp_is_alone(const struct lp *lp, vtime t);
 /* Until when the program may compute from now on; notes whether it is interruptible. */
 vtime lp_deadline(struct lp *lp);
-/* The first time past the limit of virtual time. */
-vtime lp_end_of_time(const struct lp *lp);
 /* A program paused at a poll needs nothing, and sends nothing, before this time; 0: unknown. */
 vtime lp_lookahead(const struct lp *lp);
 #endif

@@ -1,5 +1,5 @@
 /* roll_back.c - what a program has done ahead of a moment, and of what has not happened: lp/engine.h. */
-#include "lp/clock.h"
+#include "lp/block.h"
 #include "lp/deferral.h"
 #include "lp/dispatch.h"
 #include "lp/engine.h"
@@ -14,13 +14,7 @@ bool lp_roll_back(struct lp *lp, struct instant at)
     up_roll_back_deferred(lp);
     lp_catch_up(lp, at.time);
     lp_leave_poll(lp);
-    vtime commits = clock_sync(lp) + lp->clock.stolen;
-    if (lp->state == LP_BLOCKED)
-        up_wait_ends(lp, at.time);
-    else if (commits > at.time)
-        clock_roll_back(lp, commits - at.time);
-    clock_drop_stolen(lp);
-    return lp->state == LP_COMPUTING;
+    return lp_end_at(lp, at.time);
 }
 
 void lp_forget(struct lp *lp)

@@ -46,6 +46,12 @@ static inline struct instant schedule_reached(const struct schedule *s)
     return instant_later(s->present, s->reached);
 }
 
+/* The first time past the limit of virtual time. */
+static inline vtime schedule_end_of_time(const struct schedule *s)
+{
+    return s->max_time == VT_NEVER ? VT_NEVER : s->max_time + 1;
+}
+
 /* Commits the moment (time, address) without an event. */
 static inline void schedule_commit(struct schedule *s, vtime time, uint32_t address)
 {

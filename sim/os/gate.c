@@ -116,17 +116,8 @@ static void listen(struct node *n)
     while (handlers_run(n, false) && (any = true));
     if (!any)
         return;
-    node_memory_settle(n);
-    clock_begin_segment(&n->lp);
-    clock_note_committed(&n->lp, n->lp.clock.units);
+    gate_begin_segment(n);
     clock_set_lookahead(&n->lp, lookahead);
-}
-
-/* Where in the program the poll is that has called nxc_preempt, whose frame is given. */
-static uintptr_t poll_of(const void *frame)
-{
-    const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* nxc_enter's */
-    return enter[1];
 }
 
 /* A poll has found the program's budget spent. */
@@ -137,7 +128,7 @@ void node_nxc_preempt(void)
     struct lp *lp = &n->lp;
     vtime now = clock_sync(lp);
     clock_take_lookahead(lp);
-    clock_reach_boundary(lp, poll_of(__builtin_frame_address(0)));
+    clock_reach_boundary(lp, gate_poll_of(__builtin_frame_address(0)));
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
     if (lp->interruptible && !(lp->offloaded && now < lp->until))
@@ -146,7 +137,8 @@ void node_nxc_preempt(void)
         node_order(n);
     else if (!offload_at_poll(lp, now))
         look(n);
-    clock_allow(lp, lp->offloaded && !lp->interruptible ? lp_end_of_time(lp) : lp_deadline(lp));
+    clock_allow(lp,
+                lp->offloaded && !lp->interruptible ? schedule_end_of_time(lp->schedule) : lp_deadline(lp));
     n->at_poll = false;
 }
 

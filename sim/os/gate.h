@@ -6,8 +6,23 @@
 #ifndef OS_GATE_H
 #define OS_GATE_H
 #include "nx_api/contract/backend.h"
+#include "os/memory.h"
 #include "os/order.h"
 
+/* Where in the program the poll is that has called nxc_preempt, whose frame is given. */
+static inline uintptr_t gate_poll_of(const void *frame)
+{
+    const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* nxc_enter's */
+    return enter[1];
+}
+
+/* The program gets control with all earlier events committed. Call after clock_sync. */
+static inline void gate_begin_segment(struct node *n)
+{
+    node_memory_settle(n);
+    clock_begin_segment(&n->lp);
+    clock_note_committed(&n->lp, n->lp.clock.units);
+}
 /* What the call is about, for reports: a type, typesel or id; and that it waits for a message of this type or
  * typesel. */
 static inline void gate_about(struct node *n, long type)

@@ -94,8 +94,8 @@ void lp_start(struct lp *lp, vtime t)
  * no longer than to the next slice boundary. */
 static void compute_on(struct lp *lp)
 {
-    vtime due = up_is_interruptible(lp) ? up_next_interrupt(lp) : VT_NEVER, end = lp->schedule->max_time;
-    vtime next = vt_min(evq_next(lp->schedule->q), end == VT_NEVER ? VT_NEVER : end + 1);
+    vtime due = up_is_interruptible(lp) ? up_next_interrupt(lp) : VT_NEVER;
+    vtime next = vt_min(evq_next(lp->schedule->q), schedule_end_of_time(lp->schedule));
     clock_allow(lp, vt_min(next, due));
 }
 
@@ -108,27 +108,13 @@ void node_order(struct node *n)
         compute_on(&n->lp);
 }
 
-static void begin_segment(struct node *n)
-{
-    node_memory_settle(n);
-    clock_begin_segment(&n->lp);
-    clock_note_committed(&n->lp, n->lp.clock.units);
-}
-
-/* In nxc_preempt, of which it is given the frame: where in the program the poll is. */
-static uintptr_t poll_of(const void *frame)
-{
-    const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* nxc_enter's */
-    return enter[1];
-}
-
 /* A poll has found the program's budget spent. */
 void node_nxc_preempt(void);
 void node_nxc_preempt(void)
 {
     struct node *n = node_self();
     clock_sync(&n->lp);
-    clock_reach_boundary(&n->lp, poll_of(__builtin_frame_address(0)));
+    clock_reach_boundary(&n->lp, gate_poll_of(__builtin_frame_address(0)));
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
     node_order(n);
@@ -136,7 +122,7 @@ void node_nxc_preempt(void)
     for (; handlers_run(n, false); any = true)
         node_order(n);
     if (any)
-        begin_segment(n);
+        gate_begin_segment(n);
     n->at_poll = false;
     compute_on(&n->lp);
 }
@@ -172,7 +158,7 @@ void node_leave(struct node *n)
 {
     n->call = NULL;
     clock_sync(&n->lp);
-    begin_segment(n);
+    gate_begin_segment(n);
     compute_on(&n->lp);
 }
 
@@ -238,13 +224,7 @@ void lp_notify(struct lp *lp, vtime t)
 
 bool lp_roll_back(struct lp *lp, struct instant at)
 {
-    vtime commits = clock_sync(lp) + lp->clock.stolen;
-    if (lp->state == LP_BLOCKED)
-        up_wait_ends(lp, at.time);
-    else if (commits > at.time)
-        clock_roll_back(lp, commits - at.time);
-    clock_drop_stolen(lp);
-    return lp->state == LP_COMPUTING;
+    return lp_end_at(lp, at.time);
 }
 
 /* Nothing has been done ahead of its time, so that nothing is to be made up for, or undone. */

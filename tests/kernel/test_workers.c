@@ -1,14 +1,12 @@
 /* Workers: an event waits for the least lower bound; tasks are paused, run on, taken back, dropped. */
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <sched.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <cmocka.h>
 #include "kernel/workers.h"
+#include "tests/child.h"
 
 /* A task is the first member of what it computes; run answers as workers_calls.run does. */
 struct job {
@@ -204,23 +202,18 @@ static bool reports_the_same_bound(struct job *j)
     return true;
 }
 
+static void take_one(void *arg)
+{
+    struct workers *ws = begin(1, 0);
+    submit(ws, arg, 50, 0);
+    take(ws);
+}
+
 /* Does a process end by abort() that runs such a task? */
 static bool aborts(bool (*run)(struct job *j))
 {
-    int status;
-    pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0) {
-        signal(SIGABRT, SIG_DFL);
-        close(STDERR_FILENO);
-        struct workers *ws = begin(1, 0);
-        struct job j = {.run = run};
-        submit(ws, &j, 50, 0);
-        take(ws);
-        _exit(0);
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
+    struct job j = {.run = run};
+    return child_aborts(take_one, &j);
 }
 
 static void a_lower_bound_that_goes_back_is_caught(void **state)

@@ -1,13 +1,11 @@
 /* A node's clock: units and time, deadlines, slice boundaries, lookahead, stolen time, roll back, crashes. */
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <cmocka.h>
 #include "lp/clock.h"
+#include "tests/child.h"
 
 enum { MHZ = 1000000, CLOCK = NXC_UNITS_PER_CLOCK };
 
@@ -47,21 +45,6 @@ static void poll_at(struct fake *f, uintptr_t at)
     clock_take_lookahead(&f->lp);
     clock_reach_boundary(&f->lp, at);
     clock_allow(&f->lp, VT_NEVER);
-}
-
-static bool aborts(void (*body)(void))
-{
-    int status;
-    pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0) {
-        signal(SIGABRT, SIG_DFL);
-        close(STDERR_FILENO);
-        body();
-        _exit(0);
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
 }
 
 /* --- units and time --- */
@@ -145,16 +128,18 @@ static void a_program_in_a_call_spends_nothing(void **state)
     assert_int_equal(clock_sync(lp), 1275);
 }
 
-static void go_back(void)
+static void go_back(void *arg)
 {
+    (void)arg;
     struct fake f;
     struct lp *lp = begin(&f, 40 * MHZ);
     spend(&f, 100);
     clock_advance_to(lp, 2499);
 }
 
-static void stay(void)
+static void stay(void *arg)
 {
+    (void)arg;
     struct fake f;
     struct lp *lp = begin(&f, 40 * MHZ);
     spend(&f, 100);
@@ -164,8 +149,8 @@ static void stay(void)
 static void a_clock_set_back_is_caught(void **state)
 {
     (void)state;
-    assert_true(aborts(go_back));
-    assert_false(aborts(stay));
+    assert_true(child_aborts(go_back, NULL));
+    assert_false(child_aborts(stay, NULL));
 }
 
 /* --- deadlines --- */

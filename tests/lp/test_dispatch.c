@@ -279,7 +279,8 @@ static void poll(struct fake_node *n, uint64_t left)
         order(n);
     else
         offload_at_poll(lp, now);
-    clock_allow(lp, lp->offloaded && !lp->interruptible ? lp_end_of_time(lp) : lp_deadline(lp));
+    clock_allow(lp,
+                lp->offloaded && !lp->interruptible ? schedule_end_of_time(lp->schedule) : lp_deadline(lp));
 }
 
 /* With a poll each microsecond. */

@@ -1,14 +1,12 @@
 /* The protocol: eager or rendezvous, the iPSC/860's published times, order of envelopes, waiting for room. */
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <cmocka.h>
 #include "net/protocol.h"
+#include "tests/child.h"
 
 enum { NODES = 8, HOST = NODES, US = 1000000 };
 
@@ -345,34 +343,18 @@ static void messages_under_way_are_found_from_both_ends(void **state)
     end(&f);
 }
 
-/* Does f end the process, as a failed assert() does? Tried in a child. */
-static bool ends_the_process(void (*f)(struct fake *f, struct message *m), struct fake *fake,
-                             struct message *m)
+static void free_twice(void *arg)
 {
-    int status;
-    pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0) {
-        signal(SIGABRT, SIG_DFL);
-        close(STDERR_FILENO);
-        f(fake, m);
-        _exit(0);
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    return WIFSIGNALED(status) || WEXITSTATUS(status) != 0;
-}
-
-static void free_twice(struct fake *f, struct message *m)
-{
-    (void)f;
+    struct message *m = arg;
     protocol_message_free(m);
     protocol_message_free(m);
 }
 
-static void clear_twice(struct fake *f, struct message *m)
+static void clear_twice(void *arg)
 {
-    protocol_clear_to_send(f->protocol, m, US);
-    protocol_clear_to_send(f->protocol, m, US);
+    struct message *m = arg;
+    protocol_clear_to_send(m->protocol, m, US);
+    protocol_clear_to_send(m->protocol, m, US);
 }
 
 static void a_message_is_cleared_once_and_freed_once(void **state)
@@ -382,8 +364,8 @@ static void a_message_is_cleared_once_and_freed_once(void **state)
     begin(&f, false);
     struct message *m = send(&f, 1, 5, 1000, 0);
     run(&f);
-    assert_true(ends_the_process(clear_twice, &f, m));
-    assert_true(ends_the_process(free_twice, &f, m));
+    assert_int_not_equal(child_status(clear_twice, m), 0);
+    assert_int_not_equal(child_status(free_twice, m), 0);
     end(&f);
 }
 
