@@ -71,7 +71,8 @@ static bool in_stack(const struct node *n, uintptr_t address)
            address % sizeof address == 0;
 }
 
-/* The program's stack: its number +1, or 0. The frames of the simulator, which lie on the same stack, are left out. */
+/* The program's stack: its number +1, or 0. The frames of the simulator below it, on the same stack, are left out; the
+ * stack ends with those above it: the simulator has called main, or the handler. */
 static uint32_t stack_now(struct node *n, const void *innermost)
 {
     uintptr_t offsets[DEEPEST_STACK];
@@ -81,6 +82,8 @@ static uint32_t stack_now(struct node *n, const void *innermost)
                   offset = ((const uintptr_t *)frame)[1] - (uintptr_t)n->program;
         if (offset < n->image_bytes)
             offsets[depth++] = offset;
+        else if (depth)
+            break;
         if (next <= frame)
             break;
         frame = next;
