@@ -40,7 +40,8 @@ check "--trace-from, --trace-to" grep -q '^time  *0.010000 s to 0.020000 s of 0.
 check "a part that was traced is the part of a whole trace" cmp selected <(sed 1d info)
 
 # Faults.
-head -c $(($(stat -c %s t.trace) * 3 / 4)) t.trace >cut.trace
+"$BUILD/touchstone" run -q -m delta -n 32 --trace long.trace "$BUILD/app/model" -sphere 64 64 17 >/dev/null 2>&1
+head -c $(($(stat -c %s long.trace) * 3 / 4)) long.trace >cut.trace
 "$BUILD/touchstone" trace info cut.trace >out 2>err
 check "a trace that was cut off is read as far as it goes" grep -q 'cut off: the run was killed' out
 echo no trace >no.trace
