@@ -5,6 +5,7 @@
 #include "host.h"
 #include "part_file.h"
 #include "ply.h"
+#include "slices.h"
 #include "surfaces.h"
 #include "unreached.h"
 
@@ -73,6 +74,7 @@ void surfaces_end(const struct options *o, int is_host, int group_size)
     if (mynode() != 0)
         return;
     masktrap(1);
+    slices_end(); /* their memory is wanted now */
     unreached_say(o, registered.polygons);
     if (o->ply)
         write_files(o, group_size);

@@ -39,10 +39,10 @@ static void clear_slots(struct weld *w)
 struct weld *weld_begin(long most)
 {
     struct weld *w = allocate(sizeof *w);
-    void *reserve = allocate(RESERVE);
+    void *reserve = allocate_if_room(RESERVE);
 
     memset(w, 0, sizeof *w);
-    for (w->room = most > LEAST ? most : LEAST; w->room >= LEAST; w->room /= 2) {
+    for (w->room = most > LEAST ? most : LEAST; reserve && w->room >= LEAST; w->room -= w->room / 8) {
         w->entry = allocate_if_room(w->room * sizeof *w->entry);
         w->slot = w->entry ? allocate_if_room(slots(w) * sizeof *w->slot) : NULL;
         if (w->slot)
