@@ -136,7 +136,7 @@ static void print_vertices(void)
     struct vertex *v = allocate((size_t)mesh.vertices, sizeof *v);
     char *used = allocate((size_t)mesh.vertices, 1);
     long equal = 0, unused = 0;
-    double worst = 0;
+    double worst = 0, sum_z = 0;
     memcpy(v, mesh.vertex, (size_t)mesh.vertices * sizeof *v);
     qsort(v, (size_t)mesh.vertices, sizeof *v, by_place);
     for (long i = 1; i < mesh.vertices; i++)
@@ -148,10 +148,11 @@ static void print_vertices(void)
         const float *n = mesh.vertex[i].normal;
         double length = sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
         worst = fmax(worst, fabs(length - 1));
+        sum_z += n[2];
         unused += !used[i];
     }
     printf("vertices %ld\nat_equal_places %ld\nunused %ld\n", mesh.vertices, equal, unused);
-    printf("normal_length_error %.9f\n", worst);
+    printf("normal_length_error %.9f\nmean_normal_z %.9f\n", worst, fabs(sum_z) / (double)mesh.vertices);
     free(v);
     free(used);
 }

@@ -26,6 +26,7 @@ for way in "111 2 0.01 0.2 8" "333 4 0.004 0.05 2"; do
     check "a sphere, $approx: its volume, which the faces' sense makes positive" near volume 33510.3 "$part"
     check "a sphere, $approx: its radius" eval "near radius_least 20 $off && near radius_most 20 $off"
     check "a sphere, $approx: normals point outwards" below normal_off_degrees "$degrees"
+    check "a sphere, $approx: normals of the lower half mirror those of the upper" below mean_normal_z 1e-6
 done
 
 # The same faces, vertices and normals to the bit, whoever made them.
@@ -51,6 +52,15 @@ for how in "-approx 111 -grid 1" "-approx 333 -grid 3" "-approx 333 -grid 3 -zsp
     run -q -n 4 "$model" $how -volume noise.raw 64 60 6 8 -isovalues 70 -ply noise
     facts noise_0.ply box 63 59 "$(awk -v how="$how" 'BEGIN { z = match(how, /zspace [0-9.]+/) ? substr(how, RSTART + 7, RLENGTH - 7) : 1; print 5 * z }')"
     check "noise, $how: closed and welded" closed
+done
+
+# Steep noise with the isovalue among its levels, far from coordinate 0: vertices next to a voxel are one as floats.
+awk 'BEGIN { srand(6); for (i = 0; i < 300 * 20 * 5; i++) { c = substr("a@z", 1 + int(3 * rand()), 1); printf "%s%s", c, c } }' >steep.raw
+for approx in 111 333; do
+    run -q -n 4 "$model" -approx $approx -grid 1 -volume steep.raw 300 20 5 16 -isovalues 24929 -ply steep
+    facts steep_0.ply box 299 19 4
+    check "steep noise, $approx: closed and welded, no face shrunk" closed
+    check "steep noise, $approx: faces that shrank are left out" below faces "$(fact polygons out)"
 done
 
 # Nodes with little memory.
