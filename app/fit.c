@@ -1,17 +1,18 @@
 /* fit.c - least squares fit of a trivariate cubic to C3 data.
  *
  * 8 corners with 8 numbers each give 64 equations A b = d in the 64 coefficients. fit_prepare factors the
- * matrix of the normal equations A'A b = A'd by Cholesky's method. An equation joins only coefficients whose
- * indices differ by at most one in each direction, so that the rows of A'A begin with zeros. The Cholesky
- * factor keeps this profile, and all loops begin at a row's first element that is not zero. The fit is solved
- * in the unit cube: a subcube's derivatives are first multiplied by its sides, so that the equations are as
- * well conditioned for flat subcubes as for others. Each subcube's data then take two substitutions.
+ * matrix of the normal equations A'A b = A'd by Cholesky's method. An equation joins only coefficients
+ * whose indices differ by at most one in each direction, so that the rows of A'A begin with zeros. The
+ * Cholesky factor keeps this profile, and all loops begin at a row's first element that is not zero. The
+ * fit is solved in the unit cube: a subcube's derivatives are first multiplied by its sides, so that the
+ * equations are as well conditioned for flat subcubes as for others. Each subcube's data then take two
+ * substitutions.
  *
  * The value and the normal derivative of F on a face depend on the data of the face's corners only:
- * neighbouring subcubes join with C1 continuity. They must also meet to the bit, or a surface has holes where
- * their rounding differs. Gray levels and sides in pixels are whole numbers, a difference is divided by 1 or 2,
- * and an equation's factors are powers of 3: the coefficients are multiples of 1/216. Rounded to such
- * multiples they are free of the fit's own rounding.
+ * neighbouring subcubes join with C1 continuity. They must also meet to the bit, or a surface has holes
+ * where their rounding differs. Gray levels and sides in pixels are whole numbers, a difference is divided
+ * by 1 or 2, and an equation's factors are powers of 3: the coefficients are multiples of 1/216. Rounded
+ * to such multiples they are free of the fit's own rounding.
  */
 #include <math.h>
 #include <string.h>

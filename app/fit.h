@@ -29,9 +29,9 @@ struct fit_system {
 void fit_prepare(struct fit_system *s, const double widths[3]);
 
 /* Find, in the sense of least squares, the Bernstein-Bezier coefficients b[16 i + 4 j + k] of a subcube's
- * (3,3,3) polynomial. corner[x + 2 y + 4 z] is the C3 data of corner (x, y, z), each 0 or 1, as c3_slice makes
- * them. Coefficients of a face, and their differences across it, depend on the data of the face's corners
- * only, to the bit. */
+ * (3,3,3) polynomial. corner[x + 2 y + 4 z] is the C3 data of corner (x, y, z), each 0 or 1, as c3_slice
+ * makes them. Coefficients of a face, and their differences across it, depend on the data of the face's
+ * corners only, to the bit. */
 void fit_tricubic(const struct fit_system *s, const double *const corner[8], double b[FIT_UNKNOWNS]);
 
 #endif

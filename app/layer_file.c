@@ -1,5 +1,5 @@
 /* layer_file.c - sorts polygons by layer, in two passes: the layers' sizes, then each polygon to its place.
- */
+ * Within a layer they come from nodes in any order; they are sorted by their vertices then. */
 #include <stdlib.h>
 #include <string.h>
 #include "fail.h"
@@ -86,7 +86,8 @@ static void measure(struct layer_file *f, struct part_reader r)
         f->begin[layer + 1] += f->begin[layer];
 }
 
-/* Writes each polygon where its layer goes on: next[layer]. Polygons of one layer mostly follow each other. */
+/* Writes each polygon where its layer goes on: next[layer]. Polygons of one layer mostly follow each
+ * other. */
 static void distribute(struct layer_file *f, struct part_reader r, long *next)
 {
     struct part_polygon p, piece[PIECES_MAX];
@@ -102,6 +103,45 @@ static void distribute(struct layer_file *f, struct part_reader r, long *next)
         }
 }
 
+/* Compares polygons in memory, each a float and its vertices, by number of vertices and vertices. */
+static int compare(const void *a, const void *b)
+{
+    const float *p = *(const float *const *)a, *q = *(const float *const *)b;
+    int n = (int)*p % PART_NODE, m = (int)*q % PART_NODE;
+
+    return n != m ? n - m : memcmp(p + 1, q + 1, n * sizeof(part_vertex));
+}
+
+static void write_sorted(struct layer_file *f, int layer, const float *floats, const float **polygon)
+{
+    long bytes = f->begin[layer + 1] - f->begin[layer], n = 0, i;
+    const float *end = floats + bytes / (long)sizeof *floats, *p;
+
+    for (p = floats; p < end; p += 1 + 6 * ((int)*p % PART_NODE))
+        polygon[n++] = p;
+    qsort(polygon, n, sizeof *polygon, compare);
+    fseek(f->file, f->begin[layer], SEEK_SET);
+    for (i = 0; i < n; i++)
+        fwrite(polygon[i], sizeof **polygon, 1 + 6 * ((int)*polygon[i] % PART_NODE), f->file);
+}
+
+/* If there is no memory for a layer, its order stays, which depends on the nodes. */
+static void sort_layer(struct layer_file *f, int layer)
+{
+    long bytes = f->begin[layer + 1] - f->begin[layer], most = f->corners[layer] / 3;
+    float *floats = allocate_if_room(bytes + 1);
+    const float **polygon = allocate_if_room((most + 1) * sizeof *polygon);
+
+    if (floats && polygon) {
+        fseek(f->file, f->begin[layer], SEEK_SET);
+        if ((long)fread(floats, 1, bytes, f->file) != bytes)
+            fail("cannot read %s", f->name);
+        write_sorted(f, layer, floats, polygon);
+    }
+    free(floats);
+    free(polygon);
+}
+
 static long *longs(int n)
 {
     long *p = allocate(n * sizeof *p);
@@ -114,6 +154,7 @@ struct layer_file *layer_file_begin(const struct grid *g, const struct part_read
 {
     struct layer_file *f = allocate(sizeof *f);
     long *next = longs(g->slices);
+    int layer;
 
     memset(f, 0, sizeof *f);
     f->grid = g;
@@ -127,6 +168,8 @@ struct layer_file *layer_file_begin(const struct grid *g, const struct part_read
     memcpy(next, f->begin, g->slices * sizeof *next);
     distribute(f, *r, next);
     free(next);
+    for (layer = 0; layer < layers(f); layer++)
+        sort_layer(f, layer);
     if (fflush(f->file) || ferror(f->file))
         fail("cannot write %s: is the disk full?", f->name);
     return f;

@@ -19,8 +19,9 @@ struct layer_file {
     long left;     /* bytes of the layer being read */
 };
 
-/* Sorts the polygons that r will read into PREFIX_surface.layers. Takes 24 bytes of memory for a
- * layer. */
+/* Sorts the polygons that r will read into PREFIX_surface.layers. Takes 24 bytes of memory for a layer.
+ * If there is memory for all polygons of a layer, too, their order does not depend on the order in
+ * which they are read. */
 struct layer_file *layer_file_begin(const struct grid *g, const struct part_reader *r);
 
 /* Read a layer's polygons from the first on. */

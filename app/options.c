@@ -8,10 +8,10 @@
 #include "options.h"
 #include "slice.h"
 
-/* Isovalues are moved up by this much, so that F equals no isovalue at a lattice point, and no polygon shrinks
- * to a point. Gray levels are whole numbers, and doubled differences of gray levels, too. A lattice of 2 cubes a
- * side multiplies them by multiples of 1/8 along each axis: F is a multiple of 1/4096. With 3 cubes these are
- * multiples of 1/27, and with 4 of 1/64: F is a multiple of 1/2^21. */
+/* Isovalues are moved up by this much, so that F equals no isovalue at a lattice point, and no polygon
+ * shrinks to a point. Gray levels are whole numbers, and doubled differences of gray levels, too. A
+ * lattice of 2 cubes a side multiplies them by multiples of 1/8 along each axis: F is a multiple of
+ * 1/4096. With 3 cubes these are multiples of 1/27, and with 4 of 1/64: F is a multiple of 1/2^21. */
 #define OFF_LATTICE (9.5 / 4096)
 #define OFF_LATTICE_OF_4 (OFF_LATTICE + 1.0 / (1 << 22))
 

@@ -1,13 +1,14 @@
 /* ply.c - joins the part files of a surface to a PLY file, its vertices welded; see ply.h.
  *
- * The polygons are sorted by layer first. A table then holds the vertices of the layer at hand and those on its
- * lower side, which have their numbers from the layer below. The polygons of a layer are read
+ * The polygons are sorted by layer first. A table then holds the vertices of the layer at hand and those on
+ * its lower side, which have their numbers from the layer below. The polygons of a layer are read
  *  - to number its new vertices;
  *  - with the next layer's, to add up the normals of the vertices that both share;
  *  - to write its faces.
- * If there is no memory for all vertices of a layer, corners are left whose vertices are not in the table: each
- * becomes a vertex of its own, numbered after the layer's others. Vertices and faces have two places in the file
- * and are written in turn: all layers are gone through once before, to count the vertices.
+ *
+ * If there is no memory for all vertices of a layer, corners are left whose vertices are not in the table:
+ * each becomes a vertex of its own, numbered after the layer's others. Vertices and faces have two places in
+ * the file and are written in turn: all layers are gone through once before, to count the vertices.
  */
 #include <nx.h>
 #include "fail.h"

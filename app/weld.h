@@ -33,8 +33,8 @@ void weld_normal(struct weld *w, const part_vertex v);
 long weld_next(const struct weld *w);
 void weld_skip(struct weld *w, long n);
 
-/* Vertex `nth` of those added since weld_forget, from 0 on, in the order of their numbers. Answers 0 after the
- * last. */
+/* Vertex `nth` of those added since weld_forget, from 0 on, in the order of their numbers. Answers 0 after
+ * the last. */
 int weld_vertex(const struct weld *w, long nth, part_vertex v);
 
 void weld_end(struct weld *w);

@@ -1,11 +1,11 @@
 /* marching_cubes.c - the isosurface of a volume by linear interpolation on the edges of cubes, for tests.
  *
- *     marching_cubes X Y Z STEP ISOVALUE <PIXELS
+ * marching_cubes X Y Z STEP ISOVALUE <PIXELS
  *
  * Pixels have 8 bits, x fastest. Written without a look at app/: each cube's faces give segments, and the
- * segments are joined to loops. On a face of which two opposite corners lie below the isovalue, each of them is
- * cut off alone, as app/polygon.h says. Prints numbers of vertices, edges, loops and the Euler number, the area
- * and the volume of the same triangles as ply_facts.
+ * segments are joined to loops. On a face of which two opposite corners lie below the isovalue, each of
+ * them is cut off alone, as app/polygon.h says. Prints numbers of vertices, edges, loops and the Euler
+ * number, the area and the volume of the same triangles as ply_facts.
  */
 #include <math.h>
 #include <stdio.h>
@@ -44,7 +44,8 @@ static void read_points(void)
     free(row);
 }
 
-/* A segment on a cube's face, between the crossed edges numbered by two corners a < b of the cube: 8 a + b. */
+/* A segment on a cube's face, between the crossed edges numbered by two corners a < b of the cube: 8 a +
+ * b. */
 struct segment {
     int from, to;
 };
@@ -54,8 +55,8 @@ static int edge_number(int a, int b)
     return a < b ? 8 * a + b : 8 * b + a;
 }
 
-/* Corners of the face where coordinate d is `side`, in a ring whose sense, seen from outside, is the same for all
- * faces. */
+/* Corners of the face where coordinate d is `side`, in a ring whose sense, seen from outside, is the same
+ * for all faces. */
 static void face_ring(int d, int side, int ring[4])
 {
     int e = 1 << (d + 1) % 3, f = 1 << (d + 2) % 3, at0 = side << d;

@@ -3,10 +3,10 @@
  *     ply_facts FILE [box X Y Z] [centre X Y Z]
  *     ply_facts FILE list
  *
- * Prints one "key value" a line. Nothing of the program that wrote the file is used. An edge is open if it is
- * not walked equally often in both directions; with a box from 0 to X Y Z, edges in its sides are borders instead.
- * list prints a line for each face, its vertices from the smallest on: sorted, the lines do not depend on the
- * order of faces and vertices.
+ * Prints one "key value" a line. Nothing of the program that wrote the file is used. An edge is open if it
+ * is not walked equally often in both directions; with a box from 0 to X Y Z, edges in its sides are
+ * borders instead. list prints a line for each face, its vertices from the smallest on: sorted, the lines
+ * do not depend on the order of faces and vertices.
  */
 #include <math.h>
 #include <stdint.h>
