@@ -81,5 +81,6 @@ const char options_help[] =
     "helped_cells, polygons, polygons_by_isovalue, polygon_digest, chunks, polygon_messages. total_s is\n"
     "what the paper times; with -ply or -parts it contains part_files_s, the longest that a host wrote\n"
     "its polygons to files. join_s comes after: node 0 welds vertices at equal positions, whose normal\n"
-    "is the mean of their polygons', and writes surface_0, surface_1 ... If the node has no memory for\n"
-    "the vertices of two layers, some are not welded, and it says so.\n";
+    "is the mean of their polygons', and writes the files surface_0, surface_1 ... They are the same to\n"
+    "the bit on any number of nodes. If the node has no memory for the vertices of two layers, some are\n"
+    "not welded, and it says so.\n";

@@ -103,13 +103,16 @@ static void distribute(struct layer_file *f, struct part_reader r, long *next)
         }
 }
 
-/* Compares polygons in memory, each a float and its vertices, by number of vertices and vertices. */
+/* Compares polygons in memory, each a float and its vertices, by their vertices. */
 static int compare(const void *a, const void *b)
 {
     const float *p = *(const float *const *)a, *q = *(const float *const *)b;
-    int n = (int)*p % PART_NODE, m = (int)*q % PART_NODE;
+    int n = (int)*p % PART_NODE, m = (int)*q % PART_NODE, i;
 
-    return n != m ? n - m : memcmp(p + 1, q + 1, n * sizeof(part_vertex));
+    for (i = 1; i <= 6 * (n < m ? n : m); i++)
+        if (p[i] != q[i])
+            return p[i] < q[i] ? -1 : 1;
+    return n - m;
 }
 
 static void write_sorted(struct layer_file *f, int layer, const float *floats, const float **polygon)

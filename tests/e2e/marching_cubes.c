@@ -1,6 +1,6 @@
 /* marching_cubes.c - the isosurface of a volume by linear interpolation on the edges of cubes, for tests.
  *
- * marching_cubes X Y Z STEP ISOVALUE <PIXELS
+ *     marching_cubes X Y Z STEP ISOVALUE <PIXELS
  *
  * Pixels have 8 bits, x fastest. Written without a look at app/: each cube's faces give segments, and the
  * segments are joined to loops. On a face of which two opposite corners lie below the isovalue, each of
