@@ -171,7 +171,7 @@ static int is_on_border(const struct side *s)
 {
     const float *a = mesh.vertex[s->from].at, *b = mesh.vertex[s->to].at;
     for (int d = 0; d < 3; d++)
-        if (a[d] == b[d] && (a[d] == 0 || fabs(a[d] - box[d]) < 1e-4))
+        if (a[d] == b[d] && (a[d] == 0 || fabs(a[d] - box[d]) <= 1e-6 * box[d]))
             return has_box;
     return 0;
 }
@@ -300,17 +300,27 @@ static void print_radius(void)
     printf("radius_least %.6f\nradius_most %.6f\nnormal_off_degrees %.6f\n", least, most, angle * 180 / M_PI);
 }
 
+/* For each node that made faces: how many, and the least and greatest z of their vertices. */
 static void print_nodes(void)
 {
-    long *count = allocate(65536, sizeof *count);
-    printf("nodes");
-    for (long f = 0; f < mesh.faces; f++)
-        count[mesh.face[f].node & 65535]++;
-    for (int i = 0; i < 65536; i++)
-        if (count[i])
-            printf(" %d", i);
-    printf("\n");
-    free(count);
+    enum { NODES = 1024 };
+    static struct {
+        long faces;
+        double low, high;
+    } made[NODES];
+    for (struct face *f = mesh.face; f < mesh.face + mesh.faces; f++) {
+        if (f->node < 0 || f->node >= NODES)
+            fail("a face of a node that does not exist");
+        for (int i = 0; i < f->n; i++) {
+            double z = mesh.vertex[f->index[i]].at[2];
+            made[f->node].low = made[f->node].faces ? fmin(made[f->node].low, z) : z;
+            made[f->node].high = fmax(made[f->node].high, z);
+        }
+        made[f->node].faces++;
+    }
+    for (int i = 0; i < NODES; i++)
+        if (made[i].faces)
+            printf("node %d %ld %g %g\n", i, made[i].faces, made[i].low, made[i].high);
 }
 
 static void print_list(void)

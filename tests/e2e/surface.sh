@@ -98,9 +98,16 @@ check "a surface that the grid misses" said 'surface 0 .* voxels lie on both sid
 # The node that made a face.
 run -q -n 3 "$model" -approx 333 -sphere 48 40 9 -isovalues 26000,33000 -ply marked -bynode
 facts marked_1.ply
-check "-bynode: each node made faces" grep -qx 'nodes 0 1 2' facts
+nodes() { test "$(awk '$1 == "node" { print $2 }' facts | tr '\n' ' ')" = "$1 "; }
+check "-bynode: each node made faces" nodes "0 1 2"
 list marked_1.ply >marked
 check "-bynode: the same surface" eval 'list one_1.ply | cmp - marked'
+run -q -n 3 "$model" -approx 333 -sphere 48 40 9 -isovalues 33000 -keep 100000 -ply marked -bynode
+facts marked_0.ply
+check "-bynode: a host that leaves all to its slaves made none" nodes "1 2"
+run -q -n 6 "$model" -sphere 48 48 9 -zspace 6 -group 3 -shares layers -noreassign -isovalues 33000 -ply marked -bynode
+facts marked_0.ply
+check "-bynode: each group made those of its layers" awk '$1 == "node" { n++; bad += $2 < 3 ? $5 > 24 : $4 < 24 } END { exit !(n == 6 && bad == 0) }' facts
 run -q -n 2 "$model" -bynode
 check "-bynode without files is an error" said 'model: -bynode .* needs -ply'
 
