@@ -1,9 +1,11 @@
 /* collect.c - polygons on lists, one per isovalue; see collect.h. */
 #include <stdio.h>
 #include <string.h>
+#include <nx.h>
 #include "collect.h"
 #include "fail.h"
-#include "ply.h"
+#include "part_file.h"
+#include "times.h"
 
 #define LIST_DOUBLES 4096
 
@@ -32,15 +34,23 @@ const struct collection *collect_begin(const struct options *o, int node)
     for (i = 0; i < o->iso.n; i++) {
         all.list[i].data = allocate(LIST_DOUBLES * sizeof(double));
         if (o->ply)
-            all.list[i].part = ply_part_begin(o->ply, i, node);
+            all.list[i].part = part_begin(o->ply, i, node);
     }
     return &all.found;
+}
+
+static void write_part(const struct list *l)
+{
+    double start = dclock();
+
+    part_write(l->part, l->data, l->used);
+    all.found.written_s += dclock() - start;
 }
 
 static void empty(struct list *l)
 {
     if (l->part)
-        ply_part_write(l->part, l->data, l->used);
+        write_part(l);
     l->used = 0;
 }
 
@@ -53,6 +63,22 @@ static unsigned long long hash(int iso, int n, const vertex *v)
     for (; p < end; p++)
         h = (h ^ *p) * 1099511628211ull;
     return h;
+}
+
+/* The node that made the polygon at hand: a handler collects those of the node whose message it has just
+ * received, the main program its own. */
+static int maker(void)
+{
+    return (int)(times_now() == COLLECTING ? infonode() : mynode());
+}
+
+/* What is done with each polygon, which is the last on its list, besides counting. */
+static void look_at(const struct list *l, int iso, int n, const vertex *v)
+{
+    if (all.o->each & EACH_HASHED)
+        all.found.digest += hash(iso, n, v);
+    if (all.o->each & EACH_MARKED)
+        l->data[l->used - 1 - 6 * n] = n + PART_NODE * maker();
 }
 
 int collect_pack(int n, const vertex *v, double *to)
@@ -74,8 +100,8 @@ void collect_polygon(int iso, int n, const vertex *v)
         empty(l);
     l->used += collect_pack(n, v, l->data + l->used);
     all.found.polygons[iso] += 1;
-    if (all.o->digest)
-        all.found.digest += hash(iso, n, v);
+    if (all.o->each)
+        look_at(l, iso, n, v);
 }
 
 void collect_packed(int iso, const double *set, long doubles)
@@ -96,7 +122,7 @@ void collect_end(void)
     for (i = 0; i < all.o->iso.n; i++) {
         empty(&all.list[i]);
         if (all.list[i].part)
-            ply_part_end(all.list[i].part);
+            part_end(all.list[i].part);
         all.list[i].part = NULL;
     }
 }

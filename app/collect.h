@@ -6,6 +6,7 @@
 struct collection {
     double polygons[ISOVALUES_MAX]; /* number for each isovalue */
     unsigned long long digest;      /* sum of the polygons' hashes: the order does not matter */
+    double written_s;               /* spent writing part files */
 };
 
 /* Begins the collection of this node, whose number is in the names of its part files. Answers the collection,

@@ -13,6 +13,7 @@ const char options_help[] =
     "such differences, in which all 27 pixels around a grid point take part. (The formulas printed in\n"
     "the paper take two opposite pixels only, though its text counts 27.) Each isovalue is moved up by\n"
     "0.0023, so that no gray level equals an isovalue: for 64 the surface is that of 64.0023.\n"
+    "Vertices run counterclockwise around the normals, which point to where F rises.\n"
     "\n"
     "What to compute\n"
     "  -approx 111|333        trilinear from gray levels (C0), or tricubic from levels and derivatives\n"
@@ -39,6 +40,8 @@ const char options_help[] =
     "  -ply PREFIX            write surface i to PREFIX_i.ply; by default polygons are only counted\n"
     "  -parts PREFIX          each host writes its polygons of surface i to PREFIX_i.nodeN.part; the\n"
     "                         parts are not joined\n"
+    "  -bynode                with -ply: a face's property `node` is the node that made it; with -parts\n"
+    "                         a polygon's first number is that of its vertices + 16 times the node\n"
     "  -digest                print a hash of all polygons, which does not depend on nodes, groups or\n"
     "                         chunks\n"
     "  -times                 measure what the nodes do, by activity and by layer, and print these\n"
@@ -75,4 +78,9 @@ const char options_help[] =
     "host_idle_pct (hosts' waits for the last request of a layer), host_idle_all_pct (all waits for\n"
     "requests), host_drain_pct (for the last polygons), host_handler_pct (serving slaves),\n"
     "slave_idle_pct and slave_idle_spread_pct (mean, and largest less smallest; one group only),\n"
-    "helped_cells, polygons, polygons_by_isovalue, polygon_digest, chunks, polygon_messages.\n";
+    "helped_cells, polygons, polygons_by_isovalue, polygon_digest, chunks, polygon_messages. total_s is\n"
+    "what the paper times; with -ply or -parts it contains part_files_s, the longest that a host wrote\n"
+    "its polygons to files. join_s comes after: node 0 welds vertices at equal positions, whose normal\n"
+    "is the mean of their polygons', and writes the files surface_0, surface_1 ... They are the same to\n"
+    "the bit on any number of nodes. If the node has no memory for the vertices of two layers, some are\n"
+    "not welded, and it says so.\n";

@@ -9,9 +9,9 @@
 #include <nx.h>
 #include "fail.h"
 #include "host.h"
-#include "ply.h"
 #include "report.h"
 #include "slave.h"
+#include "surfaces.h"
 #include "times.h"
 #include "volume.h"
 
@@ -65,16 +65,6 @@ static void work(const struct options *o, int is_host)
         slave_run(host_node);
 }
 
-static void write_surfaces(const struct options *o)
-{
-    int i;
-
-    masktrap(1);
-    for (i = 0; i < o->iso.n; i++)
-        ply_join(o->ply, i, (int)numnodes(), group_size(o));
-    masktrap(0);
-}
-
 int main(int argc, char **argv)
 {
     static struct options o;
@@ -94,7 +84,6 @@ int main(int argc, char **argv)
     times_end();
     report(&o, is_host, start);
     times_print(is_host);
-    if (mynode() == 0 && o.ply && !o.parts_only)
-        write_surfaces(&o);
+    surfaces_end(&o, is_host, group_size(&o));
     return 0;
 }

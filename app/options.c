@@ -8,10 +8,12 @@
 #include "options.h"
 #include "slice.h"
 
-/* Isovalues are moved up by this much. Gray levels are whole numbers, and values of the cubic at lattice
- * points mostly multiples of 1/4096, so that F equals no isovalue there. Neighbouring subcubes, whose
- * rounding differs, then agree which points are inside, and no polygon shrinks to a point. */
+/* Isovalues are moved up by this much, so that F equals no isovalue at a lattice point, and no polygon
+ * shrinks to a point. Gray levels are whole numbers, and doubled differences of gray levels, too. A
+ * lattice of 2 cubes a side multiplies them by multiples of 1/8 along each axis: F is a multiple of
+ * 1/4096. With 3 cubes these are multiples of 1/27, and with 4 of 1/64: F is a multiple of 1/2^21. */
 #define OFF_LATTICE (9.5 / 4096)
+#define OFF_LATTICE_OF_4 (OFF_LATTICE + 1.0 / (1 << 22))
 
 struct parser {
     int argc, at;
@@ -153,7 +155,11 @@ static int read_volume_option(struct parser *p, struct options *o, const char *n
         return read_name(p, &o->ply);
     }
     if (!strcmp(name, "-digest")) {
-        o->digest = 1;
+        o->each |= EACH_HASHED;
+        return 0;
+    }
+    if (!strcmp(name, "-bynode")) {
+        o->each |= EACH_MARKED;
         return 0;
     }
     if (!strcmp(name, "-times")) {
@@ -262,6 +268,10 @@ static int complete(struct parser *p, struct options *o)
         snprintf(p->error, p->size, "slices of %d x %d pixels are too large", p->x, p->y);
         return -1;
     }
+    if (o->each & EACH_MARKED && !o->ply) {
+        snprintf(p->error, p->size, "-bynode marks polygons in files: it needs -ply or -parts");
+        return -1;
+    }
     shorter = p->x < p->y ? p->x : p->y;
     if (p->zspace == 0)
         p->zspace = o->volume ? 1.0 : (double)shorter / (p->z - 1);
@@ -270,8 +280,10 @@ static int complete(struct parser *p, struct options *o)
         for (o->iso.n = 7, i = 0; i < 7; i++)
             o->iso.value[i] = o->volume ? (i + 1) * top / 8
                                         : slice_level(&o->grid, (i + 1) * o->outermost / 7 * shorter / 2);
-    for (i = 0; i < o->iso.n; i++)
-        o->iso.value[i] += OFF_LATTICE;
+    for (i = 0; i < o->iso.n; i++) {
+        o->asked[i] = o->iso.value[i];
+        o->iso.value[i] += cubic && o->lattice == 4 ? OFF_LATTICE_OF_4 : OFF_LATTICE;
+    }
     return 0;
 }
 

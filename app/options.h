@@ -30,9 +30,13 @@ struct policy {
     enum weights weights;
 };
 
+/* EACH_HASHED: a hash of all polygons is printed. EACH_MARKED: files tell which node made a polygon. */
+enum { EACH_HASHED = 1, EACH_MARKED = 2 };
+
 struct options {
     struct grid grid;
     struct isovalues iso;
+    double asked[ISOVALUES_MAX]; /* the isovalues before they were moved off the lattice */
     struct policy policy;
     const char *volume; /* file name, or NULL: the sphere */
     int bits;           /* of a pixel in the file: 8 or 16 */
@@ -41,7 +45,7 @@ struct options {
     double outermost;   /* radius of the sphere's largest default surface, part of the shorter half side */
     const char *ply;    /* prefix of output files, or NULL */
     int parts_only;     /* leave the hosts' part files as they are */
-    int digest;         /* print a hash of all polygons */
+    int each;           /* what is done with each polygon: EACH_HASHED, EACH_MARKED or both */
     int times;          /* measure and print where the time goes */
 };
 

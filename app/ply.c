@@ -1,167 +1,176 @@
-/* ply.c - part files of polygons, and the PLY files made of them; see ply.h. */
-#include <stdlib.h>
+/* ply.c - joins the part files of a surface to a PLY file, its vertices welded; see ply.h.
+ *
+ * The polygons are sorted by layer first. A table then holds the vertices of the layer at hand and those on
+ * its lower side, which have their numbers from the layer below. The polygons of a layer are read
+ *  - to number its new vertices;
+ *  - with the next layer's, to add up the normals of the vertices that both share;
+ *  - to write its faces.
+ *
+ * If there is no memory for all vertices of a layer, corners are left whose vertices are not in the table:
+ * each becomes a vertex of its own, numbered after the layer's others. Vertices and faces have two places in
+ * the file and are written in turn: all layers are gone through once before, to count the vertices.
+ */
 #include <nx.h>
 #include "fail.h"
+#include "layer_file.h"
 #include "ply.h"
 #include "weld.h"
 
-#define NAME_SIZE 512
-#define POLYGON_SIZE 16
-
-static void part_name(char *name, const char *prefix, int surface, int node)
-{
-    snprintf(name, NAME_SIZE, "%s_%d.node%d.part", prefix, surface, node);
-}
-
-FILE *ply_part_begin(const char *prefix, int surface, int node)
-{
-    char name[NAME_SIZE];
-    FILE *part;
-    long old = masktrap(1);
-
-    part_name(name, prefix, surface, node);
-    part = fopen(name, "wb");
-    masktrap(old);
-    if (!part)
-        fail("cannot write %s", name);
-    return part;
-}
-
-/* A part file holds floats: n, then n vertices of x y z and normal. */
-void ply_part_write(FILE *part, const double *polygons, int doubles)
-{
-    static float single[1024];
-    int i, n;
-
-    for (; doubles > 0; doubles -= n, polygons += n) {
-        n = doubles < 1024 ? doubles : 1024;
-        for (i = 0; i < n; i++)
-            single[i] = (float)polygons[i];
-        if ((int)fwrite(single, sizeof *single, n, part) != n)
-            fail("cannot write a part file: is the disk full?");
-    }
-}
-
-void ply_part_end(FILE *part)
-{
-    if (fclose(part))
-        fail("cannot write a part file: is the disk full?");
-}
-
-/* --- joining the parts --- */
-
-/* Reads the polygons of one surface, part after part. */
-struct reader {
-    const char *prefix;
-    int surface, nodes, step, node;
-    FILE *part;
+struct join {
+    struct layer_file *in;
+    struct weld *weld;
+    FILE *out;
+    int by_node;
+    long vertex_at, face_at; /* in the file: where to write on */
 };
 
-static int next_polygon(struct reader *r, int *n, weld_vertex *v)
+/* Numbers the vertices of a layer. Answers the loose corners. */
+static long number_layer(struct join *j, int layer)
 {
-    char name[NAME_SIZE];
-    float count;
+    struct part_polygon p;
+    long loose = 0;
+    int i;
 
-    for (;;) {
-        if (r->part && fread(&count, sizeof count, 1, r->part) == 1) {
-            *n = (int)count;
-            if (*n > POLYGON_SIZE || (int)fread(v, sizeof *v, *n, r->part) != *n)
-                fail("a part file of %s is damaged", r->prefix);
-            return 1;
+    weld_forget(j->weld, layer_floor(j->in->grid, layer));
+    layer_file_open(j->in, layer);
+    while (layer_file_next(j->in, &p))
+        for (i = 0; i < p.n; i++)
+            loose += weld_add(j->weld, p.v[i]) < 0;
+    return loose;
+}
+
+static void add_normals(struct join *j, int layer)
+{
+    struct part_polygon p;
+    int i;
+
+    layer_file_open(j->in, layer);
+    while (layer_file_next(j->in, &p))
+        for (i = 0; i < p.n; i++)
+            weld_normal(j->weld, p.v[i]);
+}
+
+static void write_vertices(struct join *j, int layer, long loose)
+{
+    struct part_polygon p;
+    part_vertex v;
+    long nth;
+    int i;
+
+    fseek(j->out, j->vertex_at, SEEK_SET);
+    for (nth = 0; weld_vertex(j->weld, nth, v); nth++)
+        fwrite(v, sizeof v, 1, j->out);
+    layer_file_open(j->in, layer);
+    while (loose > 0 && layer_file_next(j->in, &p))
+        for (i = 0; i < p.n; i++)
+            if (weld_find(j->weld, p.v[i]) < 0)
+                fwrite(p.v[i], sizeof p.v[i], 1, j->out);
+    j->vertex_at = ftell(j->out);
+}
+
+/* first_loose: the number of the layer's first loose corner. */
+static void write_faces(struct join *j, int layer, long first_loose)
+{
+    struct part_polygon p;
+    int i, number;
+
+    fseek(j->out, j->face_at, SEEK_SET);
+    layer_file_open(j->in, layer);
+    while (layer_file_next(j->in, &p)) {
+        fputc(p.n, j->out);
+        for (i = 0; i < p.n; i++) {
+            number = (int)weld_find(j->weld, p.v[i]);
+            if (number < 0)
+                number = (int)first_loose++;
+            fwrite(&number, sizeof number, 1, j->out);
         }
-        if (r->part) {
-            fclose(r->part);
-            r->node += r->step;
+        if (j->by_node)
+            fwrite(&p.node, sizeof p.node, 1, j->out);
+    }
+    j->face_at = ftell(j->out);
+}
+
+/* The table has the vertices of one layer, and of the layer below those that both share. */
+static long vertices_at_a_time(const struct layer_file *in)
+{
+    long most = 0, now;
+    int layer;
+
+    for (layer = 0; layer < in->grid->slices - 1; layer++) {
+        now = in->corners[layer] + (layer > 0 ? in->corners[layer - 1] : 0);
+        if (now > most)
+            most = now;
+    }
+    return most;
+}
+
+/* Goes through all layers, and writes them if there is a file for it. */
+static void go_through(struct join *j, struct ply_file *f)
+{
+    int layer, layers = j->in->grid->slices - 1;
+    long loose, first_loose;
+
+    j->weld = weld_begin(vertices_at_a_time(j->in));
+    for (f->loose = 0, layer = 0; layer < layers; layer++) {
+        loose = number_layer(j, layer);
+        first_loose = weld_next(j->weld);
+        if (j->out) {
+            add_normals(j, layer);
+            if (layer + 1 < layers)
+                add_normals(j, layer + 1);
+            write_vertices(j, layer, loose);
+            write_faces(j, layer, first_loose);
         }
-        r->part = NULL;
-        if (r->node >= r->nodes)
-            return 0;
-        part_name(name, r->prefix, r->surface, r->node);
-        r->part = fopen(name, "rb");
-        if (!r->part)
-            fail("cannot read %s", name);
+        weld_skip(j->weld, loose);
+        f->loose += loose;
     }
+    f->vertices = weld_next(j->weld);
+    f->room = weld_room(j->weld);
+    weld_end(j->weld);
 }
 
-static void write_header(FILE *out, long vertices, long faces)
+static void write_header(struct join *j, const struct ply_file *f, double isovalue)
 {
-    fprintf(out, "ply\nformat binary_little_endian 1.0\nelement vertex %ld\n", vertices);
-    fprintf(out, "property float x\nproperty float y\nproperty float z\n");
-    fprintf(out, "property float nx\nproperty float ny\nproperty float nz\n");
-    fprintf(out, "element face %ld\nproperty list uchar int vertex_indices\nend_header\n", faces);
+    fprintf(j->out, "ply\nformat binary_little_endian 1.0\ncomment isovalue %.10g\n", isovalue);
+    fprintf(j->out, "element vertex %ld\n", f->vertices);
+    fprintf(j->out, "property float x\nproperty float y\nproperty float z\n");
+    fprintf(j->out, "property float nx\nproperty float ny\nproperty float nz\n");
+    fprintf(j->out, "element face %ld\nproperty list uchar int vertex_indices\n", f->polygons);
+    if (j->by_node)
+        fprintf(j->out, "property int node\n");
+    fprintf(j->out, "end_header\n");
+    j->vertex_at = ftell(j->out);
+    j->face_at = j->vertex_at + f->vertices * (long)sizeof(part_vertex);
 }
 
-/* Writes the vertices in the order of their numbers; a vertex is new if its number is the next to be
- * written. */
-static void write_vertices(FILE *out, struct reader r, struct weld *w)
+static void write_file(struct join *j, struct ply_file *f, double isovalue)
 {
-    weld_vertex v[POLYGON_SIZE];
-    int n, i;
-    long written = 0;
+    char unfinished[sizeof f->name + 8];
+    int bad;
 
-    weld_restart(w);
-    while (next_polygon(&r, &n, v))
-        for (i = 0; i < n; i++)
-            if (weld_number(w, v[i]) == written) {
-                fwrite(v[i], sizeof v[i], 1, out);
-                written++;
-            }
-}
-
-static void write_faces(FILE *out, struct reader r, struct weld *w)
-{
-    weld_vertex v[POLYGON_SIZE];
-    int n, i, number;
-
-    weld_restart(w);
-    while (next_polygon(&r, &n, v)) {
-        fputc(n, out);
-        for (i = 0; i < n; i++) {
-            number = (int)weld_number(w, v[i]);
-            fwrite(&number, sizeof number, 1, out);
-        }
-    }
-}
-
-static void remove_parts(const struct reader *r)
-{
-    char name[NAME_SIZE];
-    int node;
-
-    for (node = 0; node < r->nodes; node += r->step) {
-        part_name(name, r->prefix, r->surface, node);
-        remove(name);
-    }
-}
-
-void ply_join(const char *prefix, int surface, int nodes, int step)
-{
-    const struct reader start = {.prefix = prefix, .surface = surface, .nodes = nodes, .step = step};
-    struct reader r = start;
-    char name[NAME_SIZE], unfinished[NAME_SIZE + 8];
-    weld_vertex v[POLYGON_SIZE];
-    long corners = 0, faces = 0;
-    struct weld *w;
-    int n, i;
-    FILE *out;
-
-    for (; next_polygon(&r, &n, v); faces++)
-        corners += n;
-    w = weld_begin(corners);
-    for (r = start; next_polygon(&r, &n, v);)
-        for (i = 0; i < n; i++)
-            weld_number(w, v[i]);
-    snprintf(name, sizeof name, "%s_%d.ply", prefix, surface);
-    snprintf(unfinished, sizeof unfinished, "%s.part", name);
-    out = fopen(unfinished, "wb");
-    if (!out)
+    snprintf(unfinished, sizeof unfinished, "%s.part", f->name);
+    j->out = fopen(unfinished, "wb");
+    if (!j->out)
         fail("cannot write %s", unfinished);
-    write_header(out, weld_vertices(w), faces);
-    write_vertices(out, start, w);
-    write_faces(out, start, w);
-    n = ferror(out);
-    if (fclose(out) || n || rename(unfinished, name))
-        fail("cannot write %s", name);
-    remove_parts(&start);
-    weld_end(w);
+    write_header(j, f, isovalue);
+    go_through(j, f);
+    bad = ferror(j->out);
+    if (fclose(j->out) || bad || rename(unfinished, f->name))
+        fail("cannot write %s: is the disk full?", f->name);
+}
+
+struct ply_file ply_join(const struct options *o, int surface, int nodes, int step)
+{
+    struct part_reader parts = {.prefix = o->ply, .surface = surface, .nodes = nodes, .step = step};
+    struct join j = {.by_node = o->each & EACH_MARKED};
+    struct ply_file f;
+
+    snprintf(f.name, sizeof f.name, "%s_%d.ply", o->ply, surface);
+    j.in = layer_file_begin(&o->grid, &parts);
+    f.polygons = j.in->polygons;
+    go_through(&j, &f);
+    write_file(&j, &f, o->asked[surface]);
+    layer_file_end(j.in);
+    part_remove(&parts);
+    return f;
 }

@@ -5,17 +5,16 @@
  */
 #ifndef PLY_H
 #define PLY_H
-#include <stdio.h>
+#include "options.h"
 
-/* Opens the part file PREFIX_surface.nodeN.part of one host; fails if it cannot be written. */
-FILE *ply_part_begin(const char *prefix, int surface, int node);
-
-/* Append polygons: each is its number of vertices n, then n vertices of 6 doubles. */
-void ply_part_write(FILE *part, const double *polygons, int doubles);
-
-void ply_part_end(FILE *part);
+/* What a file holds. loose: vertices that stand for one corner of one polygon, although other corners may be
+ * at their positions; room: vertices of two layers that there was memory for. */
+struct ply_file {
+    char name[512];
+    long polygons, vertices, loose, room;
+};
 
 /* Join the parts of hosts 0, step, 2 step ... below nodes to PREFIX_surface.ply, and remove the parts. */
-void ply_join(const char *prefix, int surface, int nodes, int step);
+struct ply_file ply_join(const struct options *o, int surface, int nodes, int step);
 
 #endif

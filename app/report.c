@@ -23,7 +23,7 @@ static void print_polygons(const struct options *o)
     for (i = 0; i < o->iso.n; i++)
         printf(" %.0f", registered.polygons[i]);
     printf("\n");
-    if (o->digest)
+    if (o->each & EACH_HASHED)
         printf("polygon_digest %016llx\n", registered.digest);
 }
 

@@ -6,6 +6,7 @@
  * reading it there.
  */
 #include <stddef.h>
+#include <stdlib.h>
 #include "c3.h"
 #include "fail.h"
 #include "slices.h"
@@ -91,4 +92,16 @@ struct layer slices_layer(int k)
     l.number = k;
     l.row = 0;
     return l;
+}
+
+void slices_end(void)
+{
+    int i;
+
+    for (i = 0; i < KEPT; i++) {
+        free(window.data[i]);
+        if (i == 0 || is_cubic())
+            free(window.image[i]);
+    }
+    volume_close(&window.volume);
 }

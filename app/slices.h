@@ -16,4 +16,7 @@ void slices_overlap(void);
 /* The layer between slices k and k + 1, both prepared. */
 struct layer slices_layer(int k);
 
+/* Give all memory back, and close the volume. */
+void slices_end(void);
+
 #endif

@@ -47,6 +47,11 @@ enum activity times_enter(enum activity a)
     return before;
 }
 
+enum activity times_now(void)
+{
+    return times.now;
+}
+
 static double since_opened(enum activity a)
 {
     return times.spent[a] - times.before[a];

@@ -1,5 +1,5 @@
 /* times.h - where a node's time goes, measured by the program itself: with -times, every change of activity
- * is stamped with dclock(). Without -times nothing is measured and nothing printed.
+ * is stamped with dclock(). Without -times only the activity is known, and nothing measured or printed.
  *
  * A node has one activity at a time, so that the seconds of all activities add up to the node's time from
  * times_begin() to times_end(). System time that the program cannot see (receiving messages, entering and
@@ -34,6 +34,9 @@ void times_end(void);
 
 /* Begins activity a. Answers the activity before, to which the caller may return. */
 enum activity times_enter(enum activity a);
+
+/* The activity at hand. */
+enum activity times_now(void);
 
 /* A host opens a layer; -1: the last layer is closed. */
 void times_layer(int layer);

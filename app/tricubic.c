@@ -1,10 +1,13 @@
-/* tricubic.c - the (3,3,3) approximation: F is a trivariate cubic in each subcube, and C1 across their faces.
+/* tricubic.c - the (3,3,3) approximation: F is a trivariate cubic in each subcube, and C1 across their
+ * faces.
  *
- * The surface of a cubic can bend within a subcube, so that F is polygonised on a lattice of m x m x m small
- * cubes. Whether a lattice point is inside is decided once, from the value of F there. F never equals an
- * isovalue at a lattice point (options.c), so that neighbouring subcubes decide alike although their
- * coefficients are rounded differently. F is restricted to each lattice edge once; the root for each isovalue
- * is then sought along every edge.
+ * The surface of a cubic can bend within a subcube, so that F is polygonised on a lattice of m x m x m
+ * small cubes. Whether a lattice point is inside is decided once, from the value of F there. F never
+ * equals an isovalue at a lattice point (options.c), or polygons would shrink to points. F is restricted
+ * to each lattice edge once; the root for each isovalue is then sought along every edge.
+ *
+ * Neighbouring subcubes decide alike and find the same vertices, to the bit: their coefficients on a face
+ * are equal (fit.c), and all others are multiplied there by a Bernstein polynomial that is 0.
  */
 #include <math.h>
 #include <string.h>

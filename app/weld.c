@@ -1,31 +1,73 @@
 /* weld.c - a hash table of vertices by position; see weld.h. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "fail.h"
 #include "weld.h"
 
-struct slot {
+#define LEAST 64                    /* vertices */
+#define RESERVE (64 << 10)          /* bytes left for buffers of files */
+#define NORMAL_UNIT 1099511627776.0 /* 2^40: a component of a unit normal as a whole number */
+
+struct entry {
     float place[3];
-    int number; /* -1: free */
+    int number;
+    long long normal[3]; /* sum over the corners here */
 };
 
+/* slot[] has numbers of entries, or -1, at their hash values or behind them. */
 struct weld {
-    struct slot *slot; /* NULL: no memory; vertices are not joined */
-    long slots, next;
+    struct entry *entry;
+    int *slot;
+    long room, used, kept, next;
 };
 
-struct weld *weld_begin(long corners)
+/* Two slots an entry, so that searches are short. */
+static long slots(const struct weld *w)
 {
-    struct weld *w = malloc(sizeof *w);
+    return 2 * w->room;
+}
+
+static void clear_slots(struct weld *w)
+{
     long i;
 
-    if (!w)
-        return NULL;
-    w->next = 0;
-    w->slots = corners + 1;
-    w->slot = malloc(w->slots * sizeof *w->slot);
-    for (i = 0; w->slot && i < w->slots; i++)
-        w->slot[i].number = -1;
+    for (i = 0; i < slots(w); i++)
+        w->slot[i] = -1;
+}
+
+struct weld *weld_begin(long most)
+{
+    struct weld *w = allocate(sizeof *w);
+    void *reserve = allocate_if_room(RESERVE);
+
+    memset(w, 0, sizeof *w);
+    for (w->room = most > LEAST ? most : LEAST; reserve && w->room >= LEAST; w->room -= w->room / 8) {
+        w->entry = allocate_if_room(w->room * sizeof *w->entry);
+        w->slot = w->entry ? allocate_if_room(slots(w) * sizeof *w->slot) : NULL;
+        if (w->slot)
+            break;
+        free(w->entry);
+        w->entry = NULL;
+    }
+    if (!w->slot)
+        w->room = 0;
+    free(reserve);
+    clear_slots(w);
     return w;
+}
+
+long weld_room(const struct weld *w)
+{
+    return w->room;
+}
+
+static void place_of(float place[3], const part_vertex v)
+{
+    int d;
+
+    for (d = 0; d < 3; d++)
+        place[d] = v[d] + 0.0f; /* -0 becomes 0 */
 }
 
 static unsigned long hash(const float place[3])
@@ -36,38 +78,110 @@ static unsigned long hash(const float place[3])
     return (bits[0] * 73856093ul) ^ (bits[1] * 19349663ul) ^ (bits[2] * 83492791ul);
 }
 
-long weld_number(struct weld *w, const weld_vertex v)
+/* The slot of the vertex at a place, or the free slot where it would be. */
+static int *find(const struct weld *w, const float place[3])
 {
-    float place[3] = {v[0] + 0.0f, v[1] + 0.0f, v[2] + 0.0f}; /* -0 becomes 0 */
-    struct slot *s;
-    long i;
+    long i = (long)(hash(place) % (unsigned long)slots(w));
 
-    if (!w->slot)
-        return w->next++;
-    for (i = (long)(hash(place) % (unsigned long)w->slots);; i = i + 1 < w->slots ? i + 1 : 0) {
-        s = &w->slot[i];
-        if (s->number < 0) {
-            memcpy(s->place, place, sizeof place);
-            s->number = (int)w->next++;
-        }
-        if (memcmp(s->place, place, sizeof place) == 0)
-            return s->number;
-    }
+    while (w->slot[i] >= 0 && memcmp(w->entry[w->slot[i]].place, place, sizeof w->entry->place))
+        i = i + 1 < slots(w) ? i + 1 : 0;
+    return &w->slot[i];
 }
 
-long weld_vertices(const struct weld *w)
+void weld_forget(struct weld *w, float z)
+{
+    long i;
+
+    clear_slots(w);
+    for (w->kept = i = 0; i < w->used; i++)
+        if (w->entry[i].place[2] == z) {
+            *find(w, w->entry[i].place) = (int)w->kept;
+            w->entry[w->kept++] = w->entry[i];
+        }
+    w->used = w->kept;
+}
+
+long weld_add(struct weld *w, const part_vertex v)
+{
+    float place[3];
+    struct entry *e;
+    int *s;
+
+    if (w->room == 0)
+        return -1;
+    place_of(place, v);
+    s = find(w, place);
+    if (*s < 0 && w->used == w->room)
+        return -1;
+    if (*s < 0) {
+        *s = (int)w->used++;
+        e = &w->entry[*s];
+        memset(e, 0, sizeof *e);
+        memcpy(e->place, place, sizeof place);
+        e->number = (int)w->next++;
+    }
+    return w->entry[*s].number;
+}
+
+static struct entry *entry_at(const struct weld *w, const part_vertex v)
+{
+    float place[3];
+    int s;
+
+    if (w->room == 0)
+        return NULL;
+    place_of(place, v);
+    s = *find(w, place);
+    return s < 0 ? NULL : &w->entry[s];
+}
+
+long weld_find(const struct weld *w, const part_vertex v)
+{
+    const struct entry *e = entry_at(w, v);
+
+    return e ? e->number : -1;
+}
+
+void weld_normal(struct weld *w, const part_vertex v)
+{
+    struct entry *e = entry_at(w, v);
+    int d;
+
+    for (d = 0; e && d < 3; d++)
+        e->normal[d] += (long long)(v[3 + d] * NORMAL_UNIT);
+}
+
+long weld_next(const struct weld *w)
 {
     return w->next;
 }
 
-void weld_restart(struct weld *w)
+void weld_skip(struct weld *w, long n)
 {
-    if (!w->slot)
-        w->next = 0;
+    w->next += n;
+}
+
+int weld_vertex(const struct weld *w, long nth, part_vertex v)
+{
+    const struct entry *e = &w->entry[w->kept + nth];
+    double normal[3];
+    int d;
+
+    if (w->kept + nth >= w->used)
+        return 0;
+    for (d = 0; d < 3; d++)
+        normal[d] = (double)e->normal[d];
+    polygon_normalise(normal);
+    for (d = 0; d < 3; d++) {
+        v[d] = e->place[d];
+        v[3 + d] = (float)normal[d];
+    }
+    return 1;
 }
 
 void weld_end(struct weld *w)
 {
+    free(w->entry);
     free(w->slot);
     free(w);
 }

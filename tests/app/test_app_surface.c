@@ -13,7 +13,9 @@
 #include "volume_mesh.h"
 
 static const char *const APPROXIMATIONS[] = {"-approx 111 ", "-approx 333 ", "-approx 333 -lattice 1 ",
-                                             "-approx 333 -lattice 3 "};
+                                             "-approx 333 -lattice 3 ", "-approx 333 -lattice 4 "};
+
+#define ALL (sizeof APPROXIMATIONS / sizeof *APPROXIMATIONS)
 
 static struct options options_with(size_t approximation, const char *rest)
 {
@@ -25,8 +27,8 @@ static struct options options_with(size_t approximation, const char *rest)
 static void a_spheres_surfaces_are_closed(void **state)
 {
     (void)state;
-    for (size_t a = 0; a < 4; a++) {
-        struct options o = options_with(a, "-sphere 46 46 24");
+    for (size_t a = 0; a < ALL; a++) {
+        struct options o = options_with(a, "-sphere 38 38 20");
         pixel *p = volume_sphere(&o.grid);
         for (int iso = 0; iso < o.iso.n; iso++) {
             struct mesh_edges m = volume_mesh(&o, p, iso);
@@ -43,8 +45,8 @@ static void a_spheres_surfaces_are_closed(void **state)
 static void noise_has_watertight_surfaces(void **state)
 {
     (void)state;
-    for (size_t a = 0; a < 3; a++)
-        for (unsigned seed = 1; seed <= 3; seed++) {
+    for (size_t a = 0; a < ALL; a++)
+        for (unsigned seed = 1; seed <= 2; seed++) {
             struct options o =
                 options_with(a, "-sphere 23 18 9 -zspace 1.5 -grid 2 -isovalues 60,128.25,200");
             pixel *p = volume_noise(&o.grid, seed, 256);
@@ -57,10 +59,50 @@ static void noise_has_watertight_surfaces(void **state)
         }
 }
 
+/* Where slices are nearly in one place, where the fit's numbers are large, and where subcubes of other sides
+ * are at the volume's upper end. */
+static void flat_and_steep_subcubes_are_no_exception(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {"-sphere 23 18 9 -zspace 0.001 -grid 2 -isovalues 20000,33000",
+                                        "-sphere 40 33 5 -zspace 700 -grid 16 -isovalues 20000,33000",
+                                        "-sphere 141 99 4 -zspace 0.3 -grid 64 -isovalues 20000,33000"};
+    for (size_t a = 0; a < ALL; a++)
+        for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+            struct options o = options_with(a, lines[i]);
+            pixel *p = volume_noise(&o.grid, 11, 65536);
+            for (int iso = 0; iso < o.iso.n; iso++) {
+                struct mesh_edges m = volume_mesh(&o, p, iso);
+                assert_true(m.polygons > 10);
+                assert_int_equal(m.open, 0);
+            }
+            free(p);
+        }
+}
+
+/* F is 125 level / 2^15 at one point of a lattice of 4 small cubes a side: 19 / 8192 above a whole number. */
+static void no_lattice_point_has_the_value_of_an_isovalue(void **state)
+{
+    (void)state;
+    struct options o = options_of("-approx 333 -lattice 4 -isovalues 0");
+    double data[8][C3_COMPS] = {{0}}, b[FIT_UNKNOWNS];
+    const double *corner[8], widths[3] = {4, 4, 4};
+    static struct fit_system system;
+    for (int v = 0; v < 8; v++)
+        corner[v] = data[v];
+    while ((long)data[0][F] * 125 % 32768 != 76)
+        data[0][F]++;
+    fit_prepare(&system, widths);
+    fit_tricubic(&system, corner, b);
+    double value = tricubic_value(b, 0.75, 0.75, 0.75);
+    assert_near(value - floor(value), 9.5 / 4096, 1e-10);
+    assert_true(fabs(value - floor(value) - o.iso.value[0]) > 1e-7);
+}
+
 static void few_levels_and_isovalues_among_them_are_no_exception(void **state)
 {
     (void)state;
-    for (size_t a = 0; a < 3; a++) {
+    for (size_t a = 0; a < ALL; a++) {
         struct options o = options_with(a, "-sphere 17 17 9 -zspace 1 -isovalues 0,1,2,3");
         pixel *p = volume_noise(&o.grid, 7, 4);
         for (int iso = 0; iso < o.iso.n; iso++)
@@ -184,6 +226,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_spheres_surfaces_are_closed),
         cmocka_unit_test(noise_has_watertight_surfaces),
+        cmocka_unit_test(flat_and_steep_subcubes_are_no_exception),
+        cmocka_unit_test(no_lattice_point_has_the_value_of_an_isovalue),
         cmocka_unit_test(few_levels_and_isovalues_among_them_are_no_exception),
         cmocka_unit_test(a_trilinear_vertex_divides_its_edge_in_the_ratio_of_the_levels),
         cmocka_unit_test(vertices_lie_on_the_sphere_and_normals_point_outwards),

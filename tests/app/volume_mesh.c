@@ -1,5 +1,4 @@
 /* volume_mesh.c - see volume_mesh.h. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "c3.h"
@@ -76,7 +75,7 @@ void volume_polygons(const struct options *o, const pixel *pixels, polygon_fn *o
 /* --- the mesh of one surface --- */
 
 struct place {
-    long x, y, z; /* units of 1e-5 pixels */
+    double x, y, z;
 };
 
 struct edge {
@@ -90,9 +89,10 @@ static struct {
     size_t edges, room, polygons;
 } found;
 
-static struct place rounded(const vertex v)
+/* -0 becomes 0: places are compared bit by bit. */
+static struct place place_of(const vertex v)
 {
-    return (struct place){lround(v[0] * 1e5), lround(v[1] * 1e5), lround(v[2] * 1e5)};
+    return (struct place){v[0] + 0.0, v[1] + 0.0, v[2] + 0.0};
 }
 
 static void keep_edges(int iso, int n, const vertex *v)
@@ -101,7 +101,7 @@ static void keep_edges(int iso, int n, const vertex *v)
         return;
     found.polygons++;
     for (int i = 0; i < n; i++) {
-        struct place a = rounded(v[i]), b = rounded(v[(i + 1) % n]);
+        struct place a = place_of(v[i]), b = place_of(v[(i + 1) % n]);
         int order = memcmp(&a, &b, sizeof a);
         if (found.edges == found.room) {
             found.room = 2 * found.room + 1000;
@@ -137,9 +137,9 @@ static size_t count_vertices(void)
     return n;
 }
 
-static bool both(long a, long b, double at)
+static bool both(double a, double b, double at)
 {
-    return a == b && a == lround(at * 1e5);
+    return a == at && b == at;
 }
 
 /* Does the edge lie in the volume's border? */

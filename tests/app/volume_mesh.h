@@ -20,7 +20,7 @@ double *volume_data(const struct grid *g, const pixel *pixels);
 /* Hand each polygon of the volume to out. */
 void volume_polygons(const struct options *o, const pixel *pixels, polygon_fn *out);
 
-/* The mesh of one surface: vertices that are closer than 1e-5 pixels are one. */
+/* The mesh of one surface: vertices at equal places, to the bit, are one. */
 struct mesh_edges {
     size_t polygons, vertices, edges;
     size_t open;    /* edges within the volume that are not walked equally often in both directions */
