@@ -8,19 +8,26 @@
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart.h"
+#include "lab/chart/speedup.h"
+#include "lab/jobs/words.h"
 #include "lab/study/spec.h"
 #include "lab/study/spec_read.h"
 
-enum { LOGARITHMIC = CLI_KEY };
+enum { LOGARITHMIC = CLI_KEY, BASELINE };
 
 struct arguments {
     const char *results, *dir, *study;
     struct picture picture;
+    char **baseline;
 };
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "Folder for the pictures; default the folder of the results", 1},
     {"study", CLI_TEXT(arguments, study), "FILE", 0, "Draw the pictures that this study file names", 1},
+    {"baseline", BASELINE, "AXIS[=VALUE]", 0,
+     "Speed-ups against the point of that value, or of a baseline for each value of the axis; may be given "
+     "several times",
+     1},
     {NULL, 0, NULL, 0, "One picture of your own:", 2},
     {"x", CLI_TEXT(arguments, picture.x), "AXIS", 0, "Axis of the study for the horizontal axis", 0},
     {"y", CLI_TEXT(arguments, picture.figure), "FIGURE", 0,
@@ -30,6 +37,8 @@ static const struct argp_option OPTIONS[] = {
     {"best", CLI_TEXT(arguments, picture.best), "AXIS", 0,
      "Draw the value of that axis at which the figure is least", 0},
     {"logarithmic", LOGARITHMIC, "xy", 0, "Logarithmic scale on x, y or xy", 0},
+    {"own-ranges", CLI_FLAG(arguments, picture.own_ranges), NULL, 0,
+     "A range of y for each panel; default the same for all", 0},
     {"title", CLI_TEXT(arguments, picture.title), "TEXT", 0, "Title of the picture", 0},
     {"x-label", CLI_TEXT(arguments, picture.x_label), "TEXT", 0, "Label of the horizontal axis", 0},
     {"y-label", CLI_TEXT(arguments, picture.y_label), "TEXT", 0, "Label of the vertical axis", 0},
@@ -41,6 +50,9 @@ static const char DOC[] =
     "Draws pictures of a study's results by gnuplot, as PNG and SVG: time, idle time, speed-up and speed "
     "per node against nodes (or the first axis of numbers), one line for each value of the next axis.\v"
     "An axis that no option names is fixed at its first value, and the picture says so.\n\n"
+    "Speed-up and speed per node compare all points with one baseline: the fewest nodes, and of these the "
+    "least time. --baseline scheme=simple takes it among the points of that scheme; --baseline image takes "
+    "one for each image. Without --baseline they are as the study wrote them.\n\n"
     "Exit status:\n"
     "  0   all pictures are drawn\n"
     "  1   a picture failed\n"
@@ -72,6 +84,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->dir = arg;
     else if (key == LOGARITHMIC)
         set_scales(state, &a->picture, arg);
+    else if (key == BASELINE)
+        words_add(&a->baseline, xstrdup(arg));
     else if (key == ARGP_KEY_ARG)
         return cli_store_only(&a->results, arg);
     else if (key == ARGP_KEY_NO_ARGS)
@@ -149,7 +163,7 @@ static int plot(struct arguments *a, const struct record_points *points, const c
 int cli_plot(int argc, char **argv)
 {
     static const struct argp ARGP = {OPTIONS, parse, "DIR|results.json", DOC, NULL, NULL, NULL};
-    struct arguments a = {.picture = {"", "", "", "", "", "", "", "", "", false, false}};
+    struct arguments a = {.picture = {"", "", "", "", "", "", "", "", "", false, false, false}};
     struct record_points points;
     char *error = NULL, *beside;
     cli_parse(&ARGP, "touchstone plot", 0, argc, argv, &a);
@@ -159,10 +173,15 @@ int cli_plot(int argc, char **argv)
     if (!record_read(path, &points, &error)) {
         status = input_error(error);
     } else {
-        status =
-            folder_make(dir) ? plot(&a, &points, dir) : input_error(xasprintf("%s cannot be made: %m", dir));
+        if (!folder_make(dir))
+            status = input_error(xasprintf("%s cannot be made: %m", dir));
+        else if (a.baseline && !speedup_renew(&points, (const char *const *)a.baseline, &error))
+            status = input_error(error);
+        else
+            status = plot(&a, &points, dir);
         record_free(&points);
     }
+    words_free(a.baseline);
     free(path);
     free(beside);
     return status;

@@ -29,6 +29,12 @@ bool chart_data_take(const struct record_points *points, const struct picture *p
                      char **error);
 void chart_data_free(struct chart_data *d);
 
+/* The baseline of the picture's speeds, as the header of the results has it; "" if the picture has none. */
+const char *chart_baseline(const json_t *header, const struct picture *p);
+
+/* An axis's value as text, malloc'd. */
+char *chart_label(const json_t *value);
+
 static inline double chart_at(const struct chart_data *d, size_t panel, size_t line, size_t x)
 {
     return d->drawn[(panel * d->lines.count + line) * d->x.count + x];

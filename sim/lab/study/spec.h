@@ -12,6 +12,7 @@
  *                                     { label = "all"; arguments = "-parts /cfs/p"; } ); } );
  *     only = ( "group <= nodes" );
  *     cost = "nodes";                    # how long a point takes, in any unit; the longest start first
+ *     baseline = ( "group=8" );          # of speed-ups (lab/chart/speedup.h)
  *     max_wall_s = 60.0;  max_virtual_s = 100.0;
  *     pictures = ( { file = "time"; x = "group"; y = "total_s"; lines = "output"; panels = "nodes"; } );
  *
@@ -64,6 +65,7 @@ struct spec {
     size_t only_count;
     struct expr *cost;                /* NULL if not given */
     const char **inputs;              /* files, ended by NULL */
+    const char **baseline;            /* texts AXIS=VALUE or AXIS, ended by NULL; NULL if not given */
     double max_wall_s, max_virtual_s; /* limits of each run; 0: none */
     bool profile;                     /* each run has a profile by function */
     struct picture *pictures;

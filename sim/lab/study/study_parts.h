@@ -4,6 +4,7 @@
 #ifndef LAB_STUDY_STUDY_PARTS_H
 #define LAB_STUDY_STUDY_PARTS_H
 #include "files/scratch.h"
+#include "lab/chart/speedup.h"
 #include "lab/jobs/point_locks.h"
 #include "lab/study/inputs.h"
 #include "lab/jobs/journal.h"
@@ -26,12 +27,15 @@ struct study {
     struct scratch scratch; /* for the runs' temporary files */
     struct point_locks *locks;
     struct journal *journal;
+    struct speedup *speedup; /* the baseline, once study_find_baseline() has found one; NULL without nodes */
     struct study_counts counts;
 };
 
 /* Sets costs to estimated seconds if the journal has points that ran with other inputs, such as another build
  * of the program. */
 void study_estimate(struct study *s);
+/* Finds the baseline of speed-ups among the results of all points. False with *error. */
+bool study_find_baseline(struct study *s, char **error);
 /* Sorts s->work by number, or by descending cost. */
 void study_sort(struct study *s, bool by_cost);
 #endif
