@@ -156,7 +156,7 @@ static int plot(struct arguments *a, const struct record_points *points, const c
     }
     size_t count = chart_standard(points, standard);
     if (!count)
-        return input_error(xasprintf("no axis of several numbers: say what to draw with --x and --y"));
+        return input_error(xasprintf("no axis of several values: say what to draw with --x and --y"));
     return draw(points, standard, count, dir) == count ? 0 : 1;
 }
 

@@ -91,6 +91,7 @@ size_t chart_standard(const struct record_points *points, struct picture list[CH
         x = "";
     json_object_foreach(axes, name, values) if (!*x && json_array_size(values) > 1 && all_numbers(values)) x =
         name;
+    json_object_foreach(axes, name, values) if (!*x && json_array_size(values) > 1) x = name;
     if (!*x)
         return 0;
     json_object_foreach(axes, name, values)
@@ -104,7 +105,7 @@ size_t chart_standard(const struct record_points *points, struct picture list[CH
             panels = name;
     }
     size_t count = strcmp(x, "nodes") == 0 ? CHART_STANDARD : 2;
-    bool wide = is_wide(json_object_get(axes, x));
+    bool wide = all_numbers(json_object_get(axes, x)) && is_wide(json_object_get(axes, x));
     for (size_t i = 0; i < count; i++)
         list[i] = (struct picture){.file = KINDS[i].file,
                                    .title = KINDS[i].title,

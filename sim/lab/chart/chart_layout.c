@@ -3,7 +3,7 @@
 
 enum {
     HEADING = 42,
-    NOTES = 16,      /* below the heading */
+    NOTES = 20,      /* below the heading */
     TITLE = 24,      /* of a panel */
     LABEL = 22,      /* of an axis */
     GAP = 22,        /* between panels */

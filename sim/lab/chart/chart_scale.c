@@ -78,25 +78,6 @@ static void write_range(const struct scale *s, char which, FILE *out)
             s->high);
 }
 
-void scale_write_axis(const struct scale *s, char which, const struct chart_axis *axis, unsigned pixels,
-                      FILE *out)
-{
-    double free_from = -INFINITY; /* where the next label has room, in pixels */
-    fprintf(out, "set %ctics (", which);
-    for (size_t i = 0; i < axis->count; i++) {
-        double at = scale_part(s, axis->position[i]) * pixels;
-        double half = which == 'y' ? 8 : scale_text_width(axis->label[i]) / 2.0 + 3;
-        bool room = at - half >= free_from;
-        fputs(i ? ", " : "", out);
-        scale_write_quoted(room ? axis->label[i] : "", out);
-        fprintf(out, " %.9g", axis->position[i]);
-        if (room)
-            free_from = at + half;
-    }
-    fputs(")\n", out);
-    write_range(s, which, out);
-}
-
 /* Tics of a logarithmic axis, close enough to read values by. */
 static void write_log_tics(const struct scale *s, char which, FILE *out)
 {
@@ -121,5 +102,29 @@ void scale_write(const struct scale *s, char which, FILE *out)
         write_log_tics(s, which, out);
     else
         fprintf(out, "set %ctics autofreq\n", which);
+    write_range(s, which, out);
+}
+
+void scale_write_axis(const struct scale *s, char which, const struct chart_axis *axis, unsigned pixels,
+                      FILE *out)
+{
+    enum { MOST_TICS = 24 };
+    double free_from = -INFINITY; /* where the next label has room, in pixels */
+    if (axis->numeric && axis->count > MOST_TICS) {
+        scale_write(s, which, out);
+        return;
+    }
+    fprintf(out, "set %ctics (", which);
+    for (size_t i = 0; i < axis->count; i++) {
+        double at = scale_part(s, axis->position[i]) * pixels;
+        double half = which == 'y' ? 8 : scale_text_width(axis->label[i]) / 2.0 + 4;
+        bool room = at - half >= free_from;
+        fputs(i ? ", " : "", out);
+        scale_write_quoted(room ? axis->label[i] : "", out);
+        fprintf(out, " %.9g", axis->position[i]);
+        if (room)
+            free_from = at + half;
+    }
+    fputs(")\n", out);
     write_range(s, which, out);
 }

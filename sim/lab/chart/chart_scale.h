@@ -12,8 +12,8 @@ struct scale {
 
 /* The scale of an axis's values. numbers that are not all above 0, and names, are linear. */
 struct scale scale_of_axis(const struct chart_axis *axis, bool log);
-/* The scale of the values from low to high, with room around them. A logarithmic scale needs values above 0 and
- * a factor of 2 between them; a linear scale begins at 0 if the values reach below half their greatest. */
+/* The scale of the values from low to high, with room around them. A logarithmic scale needs values above 0
+ * and a factor of 2 between them; a linear scale begins at 0 if the values reach below half their greatest. */
 struct scale scale_of_values(double low, double high, bool log);
 bool scale_may_be_log(double low, double high);
 
@@ -21,8 +21,8 @@ bool scale_may_be_log(double low, double high);
 double scale_part(const struct scale *s, double value);
 double scale_value(const struct scale *s, double part);
 
-/* Write gnuplot's range and tics for axis `which`, x or y: at the axis's values, with labels where they have
- * room on so many pixels; or at round numbers. */
+/* Write gnuplot's range and tics for axis `which`, x or y: at the axis's values, if they are not too many,
+ * with labels where these have room on so many pixels; or at round numbers. */
 void scale_write_axis(const struct scale *s, char which, const struct chart_axis *axis, unsigned pixels,
                       FILE *out);
 void scale_write(const struct scale *s, char which, FILE *out);

@@ -154,7 +154,7 @@ static void write_words(const char *before, const char *text, FILE *out)
     fputc('\n', out);
 }
 
-/* The line's label, malloc'd; if the line hides in another's, also that line's: "groups of 8 (= one host)". */
+/* The line's label, malloc'd; if another line hides it, also that line's: "groups of 8 (= one host)". */
 static char *entry_of(const struct chart_data *d, size_t line)
 {
     size_t same = marks_same_line(d, line);

@@ -12,8 +12,8 @@ static const char *const COLOURS[] = {"#000000", "#e69f00", "#0072b2", "#cc79a7"
 static const char *const DASHES[] = {"solid",          "(14,5)", "(5,4)", "(14,4,4,4)",
                                      "(14,4,4,4,4,4)", "(24,6)", "(9,3)"};
 
-/* Circle, square, triangle, diamond, turned triangle, pentagon; then the same, hollow. */
-static const int MARKERS[] = {7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14};
+/* Circle, square, triangle, diamond, turned triangle; the same, hollow; pentagons, near to circles. */
+static const int MARKERS[] = {7, 5, 9, 13, 11, 6, 4, 8, 12, 10, 15, 14};
 
 /* From dark to light; where x is from 0 to 1. */
 static void ramp(double x, char colour[8])

@@ -186,7 +186,7 @@ static void say_factor(const struct page *p, double from, double to)
         fprintf(p->out, "%s %% %s", text, down ? "less" : "more");
 }
 
-/* Writes "8.000 to 6.000 from nodes 1 to 8, 25 % less; ". Values of an axis of names have no first and last. */
+/* Writes "8.000 to 6.000 from nodes 1 to 8, 25 % less; ". Names have no first and last. */
 static void say_change(const struct page *p, size_t panel, size_t line)
 {
     const struct chart_data *d = p->data;
