@@ -12,8 +12,8 @@ bool chart_draw(const struct record_points *points, const struct picture *pictur
 
 /* The pictures of a study that names none: time, idle time, speed-up and speed per node against nodes, or
  * time and idle time against the first axis of numbers, or of names if there is none. Each value of the next
- * axis is a line, each value of the axis after that a panel. Fills list and returns how many; the texts belong
- * to points. */
+ * axis is a line, each value of the axis after that a panel. Fills list and returns how many; the texts
+ * belong to points. */
 enum { CHART_STANDARD = 4 };
 size_t chart_standard(const struct record_points *points, struct picture list[CHART_STANDARD]);
 #endif

@@ -12,7 +12,9 @@ enum {
     ONE_WIDTH = 560, /* of the only panel */
     ONE_HEIGHT = 360,
     PANEL_WIDTH = 400, /* of one of several */
-    PANEL_HEIGHT = 270
+    PANEL_HEIGHT = 270,
+    NARROW_WIDTH = 300, /* of one of three or more in a row */
+    NARROW_HEIGHT = 240
 };
 
 static unsigned columns_of(size_t panels)
@@ -21,6 +23,16 @@ static unsigned columns_of(size_t panels)
     while ((size_t)columns * columns < panels)
         columns++;
     return panels == 3 ? 3 : columns;
+}
+
+unsigned layout_panel_width(size_t panels)
+{
+    return panels == 1 ? ONE_WIDTH : columns_of(panels) == 2 ? PANEL_WIDTH : NARROW_WIDTH;
+}
+
+static unsigned panel_height(size_t panels)
+{
+    return panels == 1 ? ONE_HEIGHT : columns_of(panels) == 2 ? PANEL_HEIGHT : NARROW_HEIGHT;
 }
 
 /* Puts the legend at the panels' right: as many columns as its entries need, under a title. */
@@ -41,12 +53,8 @@ struct layout layout_of(const struct layout_needs *needs)
     struct layout l = {.needs = *needs, .columns = columns_of(needs->panels)};
     unsigned rows = ((unsigned)needs->panels + l.columns - 1) / l.columns;
     unsigned title = needs->panel_titles ? TITLE : 0;
-    l.first = (struct box){LABEL + needs->y_labels, HEADING + (needs->notes ? NOTES : 0) + title, PANEL_WIDTH,
-                           PANEL_HEIGHT};
-    if (needs->panels == 1) {
-        l.first.width = ONE_WIDTH;
-        l.first.height = ONE_HEIGHT;
-    }
+    l.first = (struct box){LABEL + needs->y_labels, HEADING + (needs->notes ? NOTES : 0) + title,
+                           layout_panel_width(needs->panels), panel_height(needs->panels)};
     l.right = l.first.width + needs->y_labels + GAP;
     l.down = l.first.height + needs->x_labels + title + GAP;
     unsigned bottom = l.first.top + (rows - 1) * l.down + l.first.height;

@@ -29,6 +29,9 @@ struct layout {
     unsigned legend_rows; /* entries in a column of the legend */
 };
 
+/* The width of a panel that is one of so many. */
+unsigned layout_panel_width(size_t panels);
+
 struct layout layout_of(const struct layout_needs *needs);
 /* The frame of a panel. */
 struct box layout_panel(const struct layout *l, size_t panel);

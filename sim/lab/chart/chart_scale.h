@@ -13,7 +13,7 @@ struct scale {
 /* The scale of an axis's values. numbers that are not all above 0, and names, are linear. */
 struct scale scale_of_axis(const struct chart_axis *axis, bool log);
 /* The scale of the values from low to high, with room around them. A logarithmic scale needs values above 0
- * and a factor of 2 between them; a linear scale begins at 0 if the values reach below half their greatest. */
+ * and a factor of 2 between them; a linear scale begins at 0 if a value is below half the greatest. */
 struct scale scale_of_values(double low, double high, bool log);
 bool scale_may_be_log(double low, double high);
 

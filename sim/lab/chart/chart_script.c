@@ -198,7 +198,7 @@ static unsigned widest_label(const struct chart_axis *axis)
 static bool are_turned(const struct script *s)
 {
     const struct chart_axis *x = &s->data->x;
-    return !x->numeric && (widest_label(x) + 8) * x->count > 400;
+    return !x->numeric && (widest_label(x) + 8) * x->count > layout_panel_width(s->data->panels.count);
 }
 
 static struct layout lay_out(const struct script *s)
@@ -318,9 +318,9 @@ static void write_legend(const struct script *s)
           "unset arrow\nunset logscale\nset xrange [0:1]\nset yrange [0:1]\n",
           s->out);
     fprintf(s->out,
-            "set key at graph 0, graph 1 left top vertical Left reverse samplen 4 spacing 1.25 maxrows %u "
+            "set key at graph 0, graph 1 left top vertical Left reverse samplen %d spacing 1.25 maxrows %u "
             "title ",
-            s->layout.legend_rows);
+            s->choices ? 1 : 4, s->layout.legend_rows);
     scale_write_quoted(d->lines.name, s->out);
     fputs(" left\nplot ", s->out);
     for (size_t line = 0; line < d->lines.count; line++) {
