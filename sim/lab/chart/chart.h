@@ -5,7 +5,7 @@
 #include "lab/chart/record.h"
 
 /* Draws DIR/FILE.png and DIR/FILE.svg. Points that failed or lack the figure are left out. An axis of several
- * values that the picture does not use is held at its first value; the heading says so. False with *error
+ * values that the picture does not use is held at its first value; the picture says so. False with *error
  * malloc'd. */
 bool chart_draw(const struct record_points *points, const struct picture *picture, const char *dir,
                 char **error);

@@ -1,4 +1,4 @@
-/* chart_data.h - the values that a picture draws: chart_data.c takes them from results, chart.c and
+/* chart_data.h - the values that a picture draws: chart_data.c takes them from results, chart_script.c and
  * findings.c show them. */
 #ifndef LAB_CHART_CHART_DATA_H
 #define LAB_CHART_CHART_DATA_H
