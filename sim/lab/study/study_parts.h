@@ -34,8 +34,6 @@ struct study {
 /* Sets costs to estimated seconds if the journal has points that ran with other inputs, such as another build
  * of the program. */
 void study_estimate(struct study *s);
-/* Finds the baseline of speed-ups among the results of all points. False with *error. */
-bool study_find_baseline(struct study *s, char **error);
 /* Sorts s->work by number, or by descending cost. */
 void study_sort(struct study *s, bool by_cost);
 #endif

@@ -2,7 +2,7 @@
 #include "files/json_set.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/findings.h"
-#include "lab/study/study_parts.h"
+#include "lab/study/study_points.h"
 
 #include <stdlib.h>
 
