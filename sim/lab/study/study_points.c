@@ -1,4 +1,4 @@
-/* study_points.c - reads the points' results from the journal, one at a time; see study.h and study_points.h. */
+/* study_points.c - reads the points' results from the journal, one at a time; see study.h, study_points.h. */
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
