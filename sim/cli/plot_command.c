@@ -23,7 +23,8 @@ struct arguments {
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "Folder for the pictures; default the folder of the results", 1},
-    {"study", CLI_TEXT(arguments, study), "FILE", 0, "Draw the pictures that this study file names", 1},
+    {"study", CLI_TEXT(arguments, study), "FILE", 0,
+     "Draw the pictures that this study file names, with its baseline", 1},
     {"baseline", BASELINE, "AXIS[=VALUE]", 0,
      "Speed-ups against the point of that value, or of a baseline for each value of the axis; may be given "
      "several times",
@@ -136,24 +137,33 @@ static int input_error(char *error)
     return CLI_EXIT_INPUT;
 }
 
+/* Draws the pictures that the study file names, with its baseline unless the options give one. */
+static int plot_study(const struct arguments *a, struct record_points *points, const char *dir)
+{
+    char *error = NULL;
+    struct spec *s = spec_read(a->study, &error);
+    if (!s)
+        return input_error(error);
+    int status;
+    if (s->baseline && !a->baseline && !speedup_renew(points, s->baseline, &error))
+        status = input_error(error);
+    else
+        status = draw(points, s->pictures, s->picture_count, dir) == s->picture_count ? 0 : 1;
+    spec_free(s);
+    return status;
+}
+
 /* Draws the picture of the options, or those of the study file, or the standard ones. */
-static int plot(struct arguments *a, const struct record_points *points, const char *dir)
+static int plot(struct arguments *a, struct record_points *points, const char *dir)
 {
     struct picture standard[CHART_STANDARD];
-    char *error = NULL;
     if (*a->picture.x) {
         if (!*a->picture.file)
             a->picture.file = spec_is_name(a->picture.figure) ? a->picture.figure : "picture";
         return draw(points, &a->picture, 1, dir) == 1 ? 0 : 1;
     }
-    if (a->study) {
-        struct spec *s = spec_read(a->study, &error);
-        if (!s)
-            return input_error(error);
-        bool all = draw(points, s->pictures, s->picture_count, dir) == s->picture_count;
-        spec_free(s);
-        return all ? 0 : 1;
-    }
+    if (a->study)
+        return plot_study(a, points, dir);
     size_t count = chart_standard(points, standard);
     if (!count)
         return input_error(xasprintf("no axis of several values: say what to draw with --x and --y"));

@@ -114,6 +114,9 @@ check "a study says which baselines" test "$(speedup 1,40 each) $(speedup 1,80 e
 echo 'pictures = ( { file = "named"; x = "nodes"; y = "x"; lines = "clock"; } );' | cat axes.cfg - >pictures.cfg
 plot first --study pictures.cfg -o own
 check "the pictures of a study file" test -s own/named.png
+sed 's/"x"; lines/"speedup"; lines/; s/^cost/baseline = ( "clock" ); cost/' pictures.cfg >baseline.cfg
+plot first --study baseline.cfg -o own
+check "with its baseline" grep -q '>baseline: the fewest nodes of each clock<' own/named.svg
 plot none
 check "no such results" ended_with 65
 plot --help

@@ -90,7 +90,7 @@ static void write_log_tics(const struct scale *s, char which, FILE *out)
     for (double power = pow(10, floor(log10(s->low))); power <= s->high; power *= 10)
         for (size_t i = 0; i < count; i++)
             if (power * steps[i] >= s->low && power * steps[i] <= s->high) {
-                fprintf(out, "%s%.9g", comma, power * steps[i]);
+                fprintf(out, "%s'%g' %.9g", comma, power * steps[i], power * steps[i]);
                 comma = ", ";
             }
     fputs(")\n", out);
@@ -101,7 +101,7 @@ void scale_write(const struct scale *s, char which, FILE *out)
     if (s->log)
         write_log_tics(s, which, out);
     else
-        fprintf(out, "set %ctics autofreq\n", which);
+        fprintf(out, "set %ctics autofreq\nset format %c '%%g'\n", which, which);
     write_range(s, which, out);
 }
 
@@ -117,7 +117,8 @@ void scale_write_axis(const struct scale *s, char which, const struct chart_axis
     fprintf(out, "set %ctics (", which);
     for (size_t i = 0; i < axis->count; i++) {
         double at = scale_part(s, axis->position[i]) * pixels;
-        double half = which == 'y' ? 8 : scale_text_width(axis->label[i]) / 2.0 + 4;
+        bool high = which == 'y' || !axis->numeric; /* names have room side by side, or are turned */
+        double half = high ? 8 : scale_text_width(axis->label[i]) / 2.0 + 4;
         bool room = at - half >= free_from;
         fputs(i ? ", " : "", out);
         scale_write_quoted(room ? axis->label[i] : "", out);

@@ -201,6 +201,22 @@ static bool are_turned(const struct script *s)
     return !x->numeric && (widest_label(x) + 8) * x->count > layout_panel_width(s->data->panels.count);
 }
 
+/* Adds the room for labels of names: beside the panels those of the best axis, below them turned ones, which
+ * also reach to the left of the first. */
+static void add_names(const struct script *s, struct layout_needs *needs)
+{
+    const struct chart_data *d = s->data;
+    unsigned x = widest_label(&d->x), panel = layout_panel_width(needs->panels);
+    if (!d->best.numeric && *d->best.name)
+        needs->y_labels = widest_label(&d->best) + 20;
+    if (!are_turned(s))
+        return;
+    needs->x_labels = x * 6 / 10 + 24;
+    unsigned reach = x * 82 / 100, inside = panel / (2 * (unsigned)d->x.count);
+    if (reach > inside + needs->y_labels)
+        needs->y_labels = reach - inside;
+}
+
 static struct layout lay_out(const struct script *s)
 {
     const struct chart_data *d = s->data;
@@ -211,10 +227,7 @@ static struct layout lay_out(const struct script *s)
                                  .y_labels = 60,
                                  .x_labels = 24,
                                  .heading_width = (heading > notes ? heading : notes) + 40};
-    if (!d->best.numeric && *d->best.name)
-        needs.y_labels = widest_label(&d->best) + 20;
-    if (are_turned(s))
-        needs.x_labels = widest_label(&d->x) * 6 / 10 + 24;
+    add_names(s, &needs);
     needs.entry_width = scale_text_width(d->lines.name);
     for (size_t line = 0; line < d->lines.count; line++) {
         char *entry = entry_of(d, line);
