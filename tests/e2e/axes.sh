@@ -32,12 +32,17 @@ check "derived values are in the results" grep -q '^4,80,8,' first/results.csv
 for f in time idle speedup speed_per_node; do
     check "a study that names no picture gets $f" test -s first/$f.png -a -s first/$f.svg
 done
-# Twice the clock halves the time; with the work shared, 4 nodes are about 4 times as fast.
+# Twice the clock halves the time; with the work shared, 4 nodes are about 4 times as fast. The baseline is the fastest
+# point on one node, at either clock.
+# speedup NODES,CLOCK [FOLDER]
 speedup() {
-    awk -F, -v point="$1," 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "speedup") c = i } index($0, point) == 1 { print $c }' first/results.csv
+    awk -F, -v point="$1," 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "speedup") c = i } index($0, point) == 1 { print $c }' \
+        "${2:-first}/results.csv"
 }
-check "the speed-up against one node is 1 there" test "$(speedup 1,40)" = 1
-check "and near 4 on 4 nodes" awk -v s="$(speedup 4,40)" 'BEGIN { exit !(s > 3.9 && s < 4.01) }'
+check "the speed-up of the baseline is 1" test "$(speedup 1,80)" = 1
+check "and near 4 on 4 nodes" awk -v s="$(speedup 4,80)" 'BEGIN { exit !(s > 3.9 && s < 4.01) }'
+check "the slower clock has the same baseline" awk -v s="$(speedup 4,40)" 'BEGIN { exit !(s > 1.9 && s < 2.01) }'
+check "the results name it" grep -q '"baseline": "nodes 1, clock 80"' first/results.json
 
 # Mistakes. wrong SED EXPECTED: the study with that change ends before it begins, and says why.
 wrong() {
@@ -52,6 +57,9 @@ wrong 's/"delta"/"dleta"/' 'wrong.cfg:1: no machine "dleta" in '
 wrong 's/to = 16/to = 4096/' 'wrong.cfg:4: nodes: delta has no rectangle of 1024 nodes: it is a mesh of 16 x 33'
 wrong 's/nodes < 16/nodse < 16/' 'wrong.cfg:8: only: there is no axis nodse; there are: nodes, clock, steps'
 wrong 's/32 \/ nodes/32 \/ (nodes - 1)/' 'wrong.cfg:6: steps: "32 / (nodes - 1)" is inf at nodes 1, clock 40, steps ?: a number is needed'
+wrong 's/^cost/baseline = ( "clock=50" ); cost/' 'wrong.cfg:2: baseline: "clock=50": axis clock has no value 50'
+wrong 's/^cost/baseline = ( "clokc" ); cost/' 'wrong.cfg:2: baseline: "clokc": there is no axis clokc'
+wrong 's/^cost/baseline = ( "steps" ); cost/' 'wrong.cfg:2: baseline: "steps": steps follows from other axes: name one of them'
 wrong 's/^cost/inputs = ( "none.dat" ); cost/' 'inputs: '
 cp "${BUILD%/*}/machines/delta.cfg" own.cfg 2>/dev/null
 study axes.cfg -o first
@@ -94,9 +102,21 @@ plot first --x knots --y virtual_time_s
 check "no such axis" said 'no picture virtual_time_s: there is no axis knots'
 plot first --x nodes --y nothing
 check "no such figure" said 'no point has its figure, nothing'
+plot first --baseline clock -o own
+check "a baseline for each clock" grep -q '>baseline: the fewest nodes of each clock<' own/speedup.svg
+plot first -o own
+check "without it the study's" grep -q '>baseline: nodes 1, clock 80<' own/speedup.svg
+plot first --baseline clock=50
+check "no such baseline" said '^touchstone plot: baseline "clock=50": axis clock has no value 50$'
+sed 's/^cost/baseline = ( "clock" ); cost/' axes.cfg >each.cfg
+study each.cfg -o each
+check "a study says which baselines" test "$(speedup 1,40 each) $(speedup 1,80 each)" = "1 1"
 echo 'pictures = ( { file = "named"; x = "nodes"; y = "x"; lines = "clock"; } );' | cat axes.cfg - >pictures.cfg
 plot first --study pictures.cfg -o own
 check "the pictures of a study file" test -s own/named.png
+sed 's/"x"; lines/"speedup"; lines/; s/^cost/baseline = ( "clock" ); cost/' pictures.cfg >baseline.cfg
+plot first --study baseline.cfg -o own
+check "with its baseline" grep -q '>baseline: the fewest nodes of each clock<' own/named.svg
 plot none
 check "no such results" ended_with 65
 plot --help

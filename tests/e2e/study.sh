@@ -37,6 +37,11 @@ check "other lines are not" bash -c '! grep -q words first/results.csv'
 check "the number of nodes reached the machine" test "$(cell others.nodes 4 0.5 5)" = 4
 check "the setting too" awk -v a="$(cell total_s 2 0.5 5)" -v b="$(cell total_s 2 0.5 500)" 'BEGIN { exit !(b > a + 495e-6) }'
 check "each point has a file system of its own" bash -c '! grep -q left_by_another first/results.csv'
+check "the picture's names stand in it" grep -qF "<text>Halves: it's time</text>" first/time.svg
+# width FILE - a PNG's, from its header
+width() { od -An -tu1 -j16 -N4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }'; }
+check "a PNG has twice the SVG's pixels" test "$(width first/time.png)" = \
+    "$(awk -F'"' '/^ width=/ { print 2 * $2 }' first/time.svg)"
 for f in time best; do check "picture $f" test -s first/$f.png -a -s first/$f.svg; done
 
 study halves.cfg -o again -j 1

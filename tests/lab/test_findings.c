@@ -13,19 +13,27 @@
 #include "lab/chart/findings.h"
 
 static const char RESULTS[] =
-    "{ \"title\": \"T\", \"about\": \"Why.\", \"program\": \"p\","
+    "{ \"title\": \"T\", \"about\": \"Why.\", \"program\": \"p\", \"baseline\": \"nodes 1, scheme a\","
     "  \"axes\": { \"nodes\": [1, 2, 4, 8], \"scheme\": [\"a\", \"b\"] }, \"points\": ["
-    "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, \"time_s\": 8.0, \"speedup\": 1 },"
-    "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, \"time_s\": 8.0, \"speedup\": 1 },"
-    "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, \"time_s\": 4.0, \"speedup\": 2 },"
-    "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 5.0, \"speedup\": 1.6 },"
+    "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, "
+    "    \"total_s\": 1000, \"wait_s\": 7.02, \"call_time_s\": 2, "
+    "    \"time_s\": 8.0, \"speedup\": 1 },"
+    "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, "
+    "    \"wait_s\": 5, \"call_time_s\": 4, "
+    "    \"time_s\": 8.0, \"speedup\": 1 },"
+    "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, "
+    "    \"total_s\": 7.02, \"wait_s\": 1000, \"call_time_s\": 24.5, "
+    "    \"time_s\": 4.0, \"speedup\": 2 },"
+    "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, "
+    "    \"wait_s\": 5, \"call_time_s\": 5, "
+    "    \"time_s\": 5.0, \"speedup\": 1.6 },"
     "  { \"nodes\": 4, \"scheme\": \"a\", \"failure\": null, \"time_s\": 3.9, \"speedup\": 2.05 },"
     "  { \"nodes\": 4, \"scheme\": \"b\", \"failure\": null, \"time_s\": 3.0, \"speedup\": 2.7 },"
     "  { \"nodes\": 8, \"scheme\": \"a\", \"failure\": null, \"time_s\": 6.0, \"speedup\": 1.3 },"
     "  { \"nodes\": 8, \"scheme\": \"b\", \"failure\": \"crashed\" } ] }\n";
 
 /* The page with one picture of the figure; malloc'd. */
-static char *page(const char *figure, const char *best)
+static char *page_of(const char *figure, const char *x, const char *lines, const char *best)
 {
     char dir[] = "/tmp/findings.XXXXXX", path[64], *error = NULL, *text = calloc(1, 8192);
     struct record_points points;
@@ -35,8 +43,15 @@ static char *page(const char *figure, const char *best)
     fputs(RESULTS, f);
     fclose(f);
     assert_true(record_read(path, &points, &error));
-    struct picture picture = {"pic", "title", "",    "",   figure, "nodes", *best ? "" : "scheme",
-                              "",    best,    false, false};
+    struct picture picture = {.file = "pic",
+                              .title = "title",
+                              .x_label = "",
+                              .y_label = "",
+                              .figure = figure,
+                              .x = x,
+                              .lines = *best ? "" : lines,
+                              .panels = "",
+                              .best = best};
     assert_true(findings_write(&points, &picture, 1, dir, &error));
     record_free(&points);
     unlink(path);
@@ -47,6 +62,11 @@ static char *page(const char *figure, const char *best)
     unlink(path);
     rmdir(dir);
     return text;
+}
+
+static char *page(const char *figure, const char *best)
+{
+    return page_of(figure, "nodes", "scheme", best);
 }
 
 static void says(const char *text, const char *what)
@@ -66,10 +86,9 @@ static void table_and_least(void **state)
     says(text, "![title](pic.png)");
     says(text, "| 4 | 3.900 | 3.000 |");
     says(text, "| 8 | 6.000 | - |");
-    says(text,
-         "- scheme a: 8.000 to 6.000 (x 0.75) from nodes 1 to 8; least, 3.900, at nodes 4; within a tenth of "
-         "it from 2 to 4.");
-    says(text, "- scheme b: 8.000 to 3.000 (x 0.375) from nodes 1 to 4; least, 3.000, at nodes 4.");
+    says(text, "- scheme a: 8.000 to 6.000 from nodes 1 to 8, 25 % less; least, 3.900, at nodes 4; within "
+               "a tenth of it from 2 to 4.");
+    says(text, "- scheme b: 8.000 to 3.000 from nodes 1 to 4, 2.67 times faster; least, 3.000, at nodes 4.");
     says(text, "- Of all lines least at nodes 2: a; least at nodes 4: b.");
     free(text);
 }
@@ -78,7 +97,8 @@ static void speeds_are_best_when_high(void **state)
 {
     (void)state;
     char *text = page("speedup", "");
-    says(text, "- scheme b: 1.000 to 2.700 (x 2.7) from nodes 1 to 4; most, 2.700, at nodes 4.");
+    says(text, "- scheme b: 1.000 to 2.700 from nodes 1 to 4, 2.70 times higher; most, 2.700, at nodes 4.");
+    says(text, "In the table: speedup; baseline: nodes 1, scheme a.");
     says(text, "most at nodes 2: a; most at nodes 4: b.");
     free(text);
 }
@@ -93,10 +113,39 @@ static void best_value_of_an_axis(void **state)
     free(text);
 }
 
+/* A factor of a thousandth was "x 0.00702", which nobody reads as 142 times faster. */
+static void factors_are_said_in_words(void **state)
+{
+    (void)state;
+    char *text = page("total_s", "");
+    says(text, "1000 to 7.020 from nodes 1 to 2, 142 times faster;");
+    assert_null(strstr(text, "(x "));
+    free(text);
+    text = page("wait_s", "");
+    says(text, "7.020 to 1000 from nodes 1 to 2, 142 times higher;");
+    says(text, "5.000 to 5.000 from nodes 1 to 2, the same;");
+    free(text);
+    text = page("call_time_s", "");
+    says(text, "2.000 to 24.50 from nodes 1 to 2, 12.2 times slower;");
+    says(text, "4.000 to 5.000 from nodes 1 to 2, 25 % more;");
+    free(text);
+}
+
+/* Between names there is no from and to. */
+static void names_have_no_first_and_last(void **state)
+{
+    (void)state;
+    char *text = page_of("time_s", "scheme", "nodes", "");
+    says(text, "- nodes 2: least, 4.000, at scheme a.\n");
+    assert_null(strstr(text, "from scheme"));
+    free(text);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
-                                       cmocka_unit_test(speeds_are_best_when_high),
-                                       cmocka_unit_test(best_value_of_an_axis)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(table_and_least), cmocka_unit_test(speeds_are_best_when_high),
+        cmocka_unit_test(best_value_of_an_axis), cmocka_unit_test(factors_are_said_in_words),
+        cmocka_unit_test(names_have_no_first_and_last)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }

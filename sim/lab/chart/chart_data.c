@@ -21,8 +21,7 @@ struct taker {
     json_t *fixed; /* axes that the picture does not use: their first values */
 };
 
-/* An axis's value as text, malloc'd. */
-static char *label_of(const json_t *value)
+char *chart_label(const json_t *value)
 {
     if (json_is_string(value))
         return xstrdup(json_string_value(value));
@@ -44,7 +43,7 @@ static void take_axis(const json_t *values, const char *name, struct chart_axis 
     a->position = room(count, sizeof *a->position);
     for (size_t i = 0; i < count; i++) {
         const json_t *value = json_array_get(values, i);
-        a->label[i] = *name ? label_of(value) : xstrdup("");
+        a->label[i] = *name ? chart_label(value) : xstrdup("");
         a->numeric &= json_is_number(value);
         json_set(a->index, a->label[i], json_integer((json_int_t)i));
     }
@@ -57,7 +56,7 @@ static size_t index_on(const struct chart_axis *a, const json_t *point)
 {
     if (!*a->name)
         return 0;
-    char *label = label_of(json_object_get(point, a->name));
+    char *label = chart_label(json_object_get(point, a->name));
     json_t *index = json_object_get(a->index, label);
     free(label);
     return index ? (size_t)json_integer_value(index) : a->count;
@@ -125,7 +124,7 @@ static json_t *fix_rest(const struct record_points *points, const struct picture
             !strcmp(name, p->panels) || !strcmp(name, p->best))
             continue;
         json_set(fixed, name, json_incref(json_array_get(values, 0)));
-        char *label = label_of(json_array_get(values, 0));
+        char *label = chart_label(json_array_get(values, 0));
         words_append(&d->fixed, "%s%s %s", *d->fixed ? ", " : "", name, label);
         free(label);
     }
@@ -166,4 +165,11 @@ void chart_data_free(struct chart_data *d)
     free_axis(&d->best);
     free(d->drawn);
     free(d->fixed);
+}
+
+const char *chart_baseline(const json_t *header, const struct picture *p)
+{
+    const char *baseline = json_string_value(json_object_get(header, "baseline"));
+    bool speed = strcmp(p->figure, "speedup") == 0 || strcmp(p->figure, "speed_per_node") == 0;
+    return baseline && speed ? baseline : "";
 }

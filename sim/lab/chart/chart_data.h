@@ -1,4 +1,4 @@
-/* chart_data.h - the values that a picture draws: chart_data.c takes them from results, chart.c and
+/* chart_data.h - the values that a picture draws: chart_data.c takes them from results, chart_script.c and
  * findings.c show them. */
 #ifndef LAB_CHART_CHART_DATA_H
 #define LAB_CHART_CHART_DATA_H
@@ -28,6 +28,12 @@ enum { CHART_MAX_PANELS = 64, CHART_MAX_LINES = 64, CHART_MAX_CELLS = 10000000 }
 bool chart_data_take(const struct record_points *points, const struct picture *p, struct chart_data *d,
                      char **error);
 void chart_data_free(struct chart_data *d);
+
+/* The baseline of the picture's speeds, as the header of the results has it; "" if the picture has none. */
+const char *chart_baseline(const json_t *header, const struct picture *p);
+
+/* An axis's value as text, malloc'd. */
+char *chart_label(const json_t *value);
 
 static inline double chart_at(const struct chart_data *d, size_t panel, size_t line, size_t x)
 {

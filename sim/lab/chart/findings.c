@@ -9,6 +9,7 @@
 #include "lab/chart/chart_data.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double TENTH = 0.1;
@@ -160,7 +161,32 @@ static void near_best(const struct page *p, size_t panel, size_t line, size_t at
         ++*to;
 }
 
-/* Writes "8.000 to 6.000 (x 0.750) from nodes 1 to 8; ". */
+static bool is_time(const char *figure)
+{
+    size_t n = strlen(figure);
+    return strcmp(figure, "total_s") == 0 || (n >= 6 && strcmp(figure + n - 6, "time_s") == 0);
+}
+
+/* Writes "142 times faster", of other figures than times "142 times lower"; below twice "25 % less". */
+static void say_factor(const struct page *p, double from, double to)
+{
+    bool time = is_time(p->picture->figure), down = to < from;
+    double factor = down ? from / to : to / from;
+    char text[32];
+    snprintf(text, sizeof text, "%.3g", 100 * fabs(to / from - 1));
+    if (factor >= 2)
+        fprintf(p->out, "%.*f times %s",
+                factor < 10    ? 2
+                : factor < 100 ? 1
+                               : 0,
+                factor, time ? (down ? "faster" : "slower") : (down ? "lower" : "higher"));
+    else if (strtod(text, NULL) < 0.01)
+        fputs("the same", p->out);
+    else
+        fprintf(p->out, "%s %% %s", text, down ? "less" : "more");
+}
+
+/* Writes "8.000 to 6.000 from nodes 1 to 8, 25 % less; ". Names have no first and last. */
 static void say_change(const struct page *p, size_t panel, size_t line)
 {
     const struct chart_data *d = p->data;
@@ -170,13 +196,14 @@ static void say_change(const struct page *p, size_t panel, size_t line)
     while (last > first && isnan(chart_at(d, panel, line, last)))
         last--;
     double from = chart_at(d, panel, line, first), to = chart_at(d, panel, line, last);
-    if (first == last || !(from > 0))
+    if (!d->x.numeric || first == last || !(from > 0) || !(to > 0))
         return;
     write_value(p->out, from);
     fputs(" to ", p->out);
     write_value(p->out, to);
-    fprintf(p->out, " (x %.3g) from %s %s to %s; ", to / from, d->x.name, d->x.label[first],
-            d->x.label[last]);
+    fprintf(p->out, " from %s %s to %s, ", d->x.name, d->x.label[first], d->x.label[last]);
+    say_factor(p, from, to);
+    fputs("; ", p->out);
 }
 
 static void say_best(const struct page *p, size_t panel, size_t line)
@@ -191,7 +218,7 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     fprintf(p->out, "%s, ", best_word(p));
     write_value(p->out, chart_at(d, panel, line, at));
     fprintf(p->out, ", at %s %s", d->x.name, d->x.label[at]);
-    if (from < to)
+    if (from < to && d->x.numeric)
         fprintf(p->out, "; within a tenth of it from %s to %s", d->x.label[from], d->x.label[to]);
     fputs(".\n", p->out);
 }
@@ -258,8 +285,10 @@ static bool write_picture(const struct record_points *points, const struct pictu
         struct page page = {points, picture, &data, out};
         const char *title = *picture->title ? picture->title : picture->file;
         fprintf(out, "\n## %s\n\n![%s](%s.png)\n\n", title, title, picture->file);
-        fprintf(out, "In the table: %s%s%s%s%s.\n\n", what(&page), *picture->best ? " with the least " : "",
-                *picture->best ? picture->figure : "", *data.fixed ? "; " : "", data.fixed);
+        const char *baseline = chart_baseline(points->header, picture);
+        fprintf(out, "In the table: %s%s%s%s%s%s%s.\n\n", what(&page),
+                *picture->best ? " with the least " : "", *picture->best ? picture->figure : "",
+                *data.fixed ? "; " : "", data.fixed, *baseline ? "; baseline: " : "", baseline);
         for (size_t i = 0; i < data.panels.count; i++)
             write_panel(&page, i);
     }

@@ -11,5 +11,6 @@ struct picture {
     const char *x, *lines, *panels; /* names of axes */
     const char *best;               /* draw this axis's value where figure is least */
     bool log_x, log_y;              /* logarithmic axes, if the values allow it */
+    bool own_ranges;                /* each panel has a range of y of its own; otherwise all have the same */
 };
 #endif

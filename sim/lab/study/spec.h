@@ -12,8 +12,10 @@
  *                                     { label = "all"; arguments = "-parts /cfs/p"; } ); } );
  *     only = ( "group <= nodes" );
  *     cost = "nodes";                    # how long a point takes, in any unit; the longest start first
+ *     baseline = ( "group=8" );          # of speed-ups (lab/chart/speedup.h)
  *     max_wall_s = 60.0;  max_virtual_s = 100.0;
- *     pictures = ( { file = "time"; x = "group"; y = "total_s"; lines = "output"; panels = "nodes"; } );
+ *     pictures = ( { file = "time"; x = "group"; y = "total_s"; lines = "output"; panels = "nodes";
+ *                    ranges = "own"; } );
  *
  * A point has one value on each axis and is run once. The value's text replaces {} in the axis's settings and
  * arguments; axes named nodes and machine need neither. A case has settings and arguments of its own. An axis
@@ -64,6 +66,7 @@ struct spec {
     size_t only_count;
     struct expr *cost;                /* NULL if not given */
     const char **inputs;              /* files, ended by NULL */
+    const char **baseline;            /* texts AXIS=VALUE or AXIS, ended by NULL; NULL if not given */
     double max_wall_s, max_virtual_s; /* limits of each run; 0: none */
     bool profile;                     /* each run has a profile by function */
     struct picture *pictures;

@@ -37,9 +37,10 @@ static bool check_picture(struct cfg_reader *r, config_setting_t *g, const struc
 
 static bool read_picture(struct cfg_reader *r, config_setting_t *g, const struct spec *s, struct picture *p)
 {
-    static const char *const keys[] = {"file", "title", "x",       "y",       "lines",       "panels",
-                                       "best", "least", "x_label", "y_label", "logarithmic", NULL};
-    const char *log;
+    static const char *const keys[] = {"file",        "title",  "x",     "y",       "lines",
+                                       "panels",      "best",   "least", "x_label", "y_label",
+                                       "logarithmic", "ranges", NULL};
+    const char *log, *ranges;
     if (!config_setting_is_group(g))
         return cfg_fail(r, g, "pictures", "must hold groups: { file = \"...\"; x = \"...\"; y = \"...\"; }");
     bool best = config_setting_get_member(g, "best");
@@ -48,7 +49,7 @@ static bool read_picture(struct cfg_reader *r, config_setting_t *g, const struct
         !read_axis_of(r, g, "lines", s, &p->lines) || !read_axis_of(r, g, "panels", s, &p->panels) ||
         !read_axis_of(r, g, "best", s, &p->best) || !cfg_text(r, g, best ? "least" : "y", &p->figure) ||
         !spec_optional(r, g, "x_label", &p->x_label) || !spec_optional(r, g, "y_label", &p->y_label) ||
-        !spec_optional(r, g, "logarithmic", &log))
+        !spec_optional(r, g, "logarithmic", &log) || !spec_optional(r, g, "ranges", &ranges))
         return false;
     if (!*p->x)
         return cfg_fail(r, g, "x", "missing");
@@ -56,6 +57,9 @@ static bool read_picture(struct cfg_reader *r, config_setting_t *g, const struct
         return cfg_fail(r, g, "file", "\"%s\" is no name: letters, digits, _ - . are allowed", p->file);
     if (log[strspn(log, "xy")])
         return cfg_fail(r, g, "logarithmic", "must be \"x\", \"y\" or \"xy\"");
+    if (*ranges && strcmp(ranges, "same") != 0 && strcmp(ranges, "own") != 0)
+        return cfg_fail(r, g, "ranges", "must be \"same\" (the panels' ranges of y; the default) or \"own\"");
+    p->own_ranges = strcmp(ranges, "own") == 0;
     p->log_x = strchr(log, 'x');
     p->log_y = strchr(log, 'y');
     return check_picture(r, g, s, p);

@@ -40,6 +40,53 @@ static bool read_inputs(struct cfg_reader *r, struct spec *s)
     return true;
 }
 
+static bool has_value(const struct spec_axis *axis, const char *label)
+{
+    char own[SPEC_MAX_LABEL];
+    const char *text;
+    for (size_t i = 0; i < axis->count; i++) {
+        spec_value(axis, i, &text, own);
+        if (strcmp(text, label) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Checks "AXIS=VALUE" or "AXIS" (lab/chart/speedup.h). */
+static bool check_baseline(struct cfg_reader *r, config_setting_t *at, const struct spec *s, const char *text)
+{
+    const char *sign = strchr(text, '=');
+    char *name = sign ? xasprintf("%.*s", (int)(sign - text), text) : xstrdup(text);
+    const struct spec_axis *axis = spec_axis(s, name);
+    bool ok = true;
+    if (!axis)
+        ok = cfg_fail(r, at, "baseline", "\"%s\": there is no axis %s", text, name);
+    else if (axis->kind == SPEC_DERIVED)
+        ok = cfg_fail(r, at, "baseline", "\"%s\": %s follows from other axes: name one of them", text, name);
+    else if (sign && !has_value(axis, sign + 1))
+        ok = cfg_fail(r, at, "baseline", "\"%s\": axis %s has no value %s", text, name, sign + 1);
+    free(name);
+    return ok;
+}
+
+static bool read_baseline(struct cfg_reader *r, struct spec *s)
+{
+    config_setting_t *list;
+    if (!config_setting_get_member(r->root, "baseline"))
+        return true;
+    if (!cfg_list(r, r->root, "baseline", &list))
+        return false;
+    s->baseline = xcalloc((size_t)config_setting_length(list) + 1, sizeof *s->baseline);
+    for (unsigned i = 0; i < (unsigned)config_setting_length(list); i++) {
+        s->baseline[i] = config_setting_get_string_elem(list, (int)i);
+        if (!s->baseline[i])
+            return cfg_fail(r, list, "baseline", "must hold texts such as \"group=8\", or names of axes");
+        if (!check_baseline(r, config_setting_get_elem(list, i), s, s->baseline[i]))
+            return false;
+    }
+    return true;
+}
+
 static bool read_limit(struct cfg_reader *r, const char *key, double *limit)
 {
     return !config_setting_get_member(r->root, key) || cfg_number(r, r->root, key, 1e-9, 1e9, limit);
@@ -80,14 +127,15 @@ static bool read_nodes_and_machine(struct cfg_reader *r, struct spec *s)
 static bool read_spec(struct cfg_reader *r, struct spec *s)
 {
     static const char *const keys[] = {
-        "title", "about", "program",    "machine",       "nodes",   "arguments", "inputs", "axes",
-        "only",  "cost",  "max_wall_s", "max_virtual_s", "profile", "pictures",  "fit",    NULL};
+        "title", "about",    "program",    "machine",       "nodes",   "arguments", "inputs", "axes", "only",
+        "cost",  "baseline", "max_wall_s", "max_virtual_s", "profile", "pictures",  "fit",    NULL};
     return cfg_only(r, r->root, keys) && cfg_text(r, r->root, "program", &s->program) &&
            spec_optional(r, r->root, "title", &s->title) && spec_optional(r, r->root, "about", &s->about) &&
            spec_optional(r, r->root, "arguments", &s->arguments) && read_inputs(r, s) &&
            spec_read_axes(r, s) && read_nodes_and_machine(r, s) && read_only(r, s) && read_cost(r, s) &&
-           read_limit(r, "max_wall_s", &s->max_wall_s) && read_limit(r, "max_virtual_s", &s->max_virtual_s) &&
-           read_profile(r, s) && spec_read_pictures(r, s);
+           read_baseline(r, s) && read_limit(r, "max_wall_s", &s->max_wall_s) &&
+           read_limit(r, "max_virtual_s", &s->max_virtual_s) && read_profile(r, s) &&
+           spec_read_pictures(r, s);
 }
 
 struct spec *spec_read(const char *path, char **error)
@@ -111,6 +159,7 @@ void spec_free(struct spec *s)
     free(s->only);
     expr_free(s->cost);
     free(s->inputs);
+    free(s->baseline);
     free(s->pictures);
     cfg_close(&s->reader);
     free(s);

@@ -144,6 +144,7 @@ void study_close(struct study *s)
     if (s->work)
         scratch_memory_free(s->work, s->spec->product * sizeof *s->work);
     inputs_close(s->inputs);
+    speedup_free(s->speedup);
     free(s->program);
     free(s->dir);
     spec_free(s->spec);

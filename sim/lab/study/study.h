@@ -66,7 +66,7 @@ json_t *study_header(const struct study *s);
  *     wall_time_s                host time of the run
  *     KEY: figure ...            the run's figures (point_figures.h)
  *     time_s                     total_s if the program prints that figure, otherwise virtual_time_s
- *     speedup, speed_per_node    relative to the point of fewest nodes that is otherwise equal
+ *     speedup, speed_per_node    against the study's baseline (lab/chart/speedup.h), if it has an axis nodes
  *     profile                    as touchstone run --profile writes it, if the study asks for one
  *
  * False with *error if visit fails, or a point has not been run. */

@@ -4,6 +4,7 @@
 #ifndef LAB_STUDY_STUDY_PARTS_H
 #define LAB_STUDY_STUDY_PARTS_H
 #include "files/scratch.h"
+#include "lab/chart/speedup.h"
 #include "lab/jobs/point_locks.h"
 #include "lab/study/inputs.h"
 #include "lab/jobs/journal.h"
@@ -26,6 +27,7 @@ struct study {
     struct scratch scratch; /* for the runs' temporary files */
     struct point_locks *locks;
     struct journal *journal;
+    struct speedup *speedup; /* the baseline, once study_find_baseline() has found one; NULL without nodes */
     struct study_counts counts;
 };
 

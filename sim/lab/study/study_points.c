@@ -1,29 +1,14 @@
-/* study_points.c - reads the points' results from the journal, one at a time; see study.h. */
+/* study_points.c - reads the points' results from the journal, one at a time; see study.h, study_points.h. */
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
-#include "lab/study/study_parts.h"
+#include "lab/study/study_points.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* For bsearch() in s->work, which is sorted by number. */
-static int compare_number(const void *number, const void *work)
-{
-    uint64_t x = *(const uint64_t *)number, y = ((const struct work *)work)->number;
-    return x < y ? -1 : x > y;
-}
-
-/* The record of the point of that number, owned by the caller; NULL if the point is left out or has not been
- * run. */
-static json_t *record_of(const struct study *s, uint64_t number)
-{
-    const struct work *w = bsearch(&number, s->work, s->count, sizeof *w, compare_number);
-    return w ? journal_record(s->journal, w->key) : NULL;
-}
-
-/* --- speed against the fewest nodes --------------------------------------------------------------------- */
+/* --- a point -------------------------------------------------------------------------------------------- */
 
 /* The total time that the program printed, or else the run's virtual time. */
 static double time_of(const json_t *figures)
@@ -32,59 +17,7 @@ static double time_of(const json_t *figures)
     return isnan(total) ? figure_of(figures, "virtual_time_s") : total;
 }
 
-/* The difference in number between points of successive values on the axis. */
-static size_t stride(const struct spec *s, size_t axis)
-{
-    size_t points = 1;
-    for (size_t i = axis + 1; i < s->axis_count; i++)
-        points *= s->axes[i].count;
-    return points;
-}
-
-/* nodes x time of the point of fewest nodes among those otherwise equal to p; NAN if none has a time. */
-static double base_work(const struct study *s, const struct point *p, size_t axis)
-{
-    const struct spec_axis *nodes = &s->spec->axes[axis];
-    size_t apart = stride(s->spec, axis), first = p->number - p->number / apart % nodes->count * apart;
-    double fewest = INFINITY, work = NAN;
-    char label[SPEC_MAX_LABEL];
-    const char *text;
-    for (size_t i = 0; i < nodes->count; i++) {
-        double n = spec_value(nodes, i, &text, label);
-        if (!(n < fewest))
-            continue;
-        json_t *record = record_of(s, first + i * apart);
-        double time = time_of(json_object_get(record, "figures"));
-        if (!isnan(time)) {
-            fewest = n;
-            work = n * time;
-        }
-        json_decref(record);
-    }
-    return work;
-}
-
-static void add_speed(const struct study *s, const struct point *p, json_t *flat)
-{
-    double own = time_of(flat);
-    if (!isnan(own) && !json_object_get(flat, "time_s"))
-        json_set(flat, "time_s", json_real(own));
-    const struct spec_axis *nodes = spec_axis(s->spec, "nodes");
-    if (!nodes || nodes->kind == SPEC_DERIVED)
-        return;
-    size_t axis = spec_axis_index(s->spec, nodes);
-    double time = own, work = time > 0 ? base_work(s, p, axis) : NAN;
-    if (isnan(work))
-        return;
-    if (!json_object_get(flat, "speedup"))
-        json_set(flat, "speedup", json_real(work / time));
-    if (!json_object_get(flat, "speed_per_node"))
-        json_set(flat, "speed_per_node", json_real(work / time / p->value[axis].number));
-}
-
-/* --- all ------------------------------------------------------------------------------------------------ */
-
-/* The point as study_each() shows it. An axis hides a figure of the same name. */
+/* The point as study_each() shows it, without its speeds. An axis hides a figure of the same name. */
 static json_t *flat_point(const struct study *s, const struct point *p, const json_t *record)
 {
     json_t *flat = point_values(s->spec, p), *failure = json_object_get(record, "failure"),
@@ -93,7 +26,9 @@ static json_t *flat_point(const struct study *s, const struct point *p, const js
     json_set(flat, "wall_time_s", json_incref(json_object_get(record, "wall_time_s")));
     if (figures && json_object_update_missing(flat, figures) != 0)
         xexhausted();
-    add_speed(s, p, flat);
+    double time = time_of(flat);
+    if (!isnan(time) && !json_object_get(flat, "time_s"))
+        json_set(flat, "time_s", json_real(time));
     if (profile)
         json_set(flat, "profile", json_incref(profile));
     return flat;
@@ -117,13 +52,51 @@ static bool visit_one(struct study *s, const struct work *w, study_visit *visit,
     return on;
 }
 
-bool study_each(struct study *s, study_visit *visit, void *arg, char **error)
+/* --- all points ----------------------------------------------------------------------------------------- */
+
+static bool each_without_speeds(void *study, study_visit *visit, void *arg, char **error)
 {
+    struct study *s = study;
     study_sort(s, false);
     for (size_t i = 0; i < s->count; i++)
         if (!visit_one(s, &s->work[i], visit, arg, error))
             return false;
     return true;
+}
+
+bool study_find_baseline(struct study *s, char **error)
+{
+    if (s->speedup || !spec_axis(s->spec, "nodes"))
+        return true;
+    struct record_points points = {each_without_speeds, s, study_header(s)};
+    s->speedup = speedup_find(&points, s->spec->baseline, error);
+    json_decref(points.header);
+    return s->speedup;
+}
+
+struct with_speeds {
+    const struct speedup *speedup;
+    study_visit *visit;
+    void *arg;
+};
+
+static bool add_speeds(void *arg, const json_t *point, char **error)
+{
+    const struct with_speeds *w = arg;
+    json_t *all = json_copy((json_t *)point);
+    speedup_add(w->speedup, all, false);
+    bool on = w->visit(w->arg, all, error);
+    json_decref(all);
+    return on;
+}
+
+bool study_each(struct study *s, study_visit *visit, void *arg, char **error)
+{
+    if (!study_find_baseline(s, error))
+        return false;
+    struct with_speeds with = {s->speedup, visit, arg};
+    return s->speedup ? each_without_speeds(s, add_speeds, &with, error)
+                      : each_without_speeds(s, visit, arg, error);
 }
 
 static json_t *axis_values(const struct spec_axis *axis)

@@ -1,7 +1,8 @@
 /* study_report.c - writes the results and pictures of a study; see study.h. */
+#include "files/json_set.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/findings.h"
-#include "lab/study/study_parts.h"
+#include "lab/study/study_points.h"
 
 #include <stdlib.h>
 
@@ -21,14 +22,28 @@ static bool draw(const struct study *s, const struct record_points *points, cons
     return drawn;
 }
 
+/* The header of the results, which names the baseline of the speed-ups. NULL with *error. */
+static json_t *header_of(struct study *s, char **error)
+{
+    if (!study_find_baseline(s, error))
+        return NULL;
+    json_t *header = study_header(s);
+    char *baseline = s->speedup ? speedup_baseline(s->speedup) : NULL;
+    if (baseline && *baseline)
+        json_set(header, "baseline", json_string(baseline));
+    free(baseline);
+    return header;
+}
+
 enum study_end study_report(struct study *s, char **error)
 {
-    struct record_points points = {each_of_study, s, study_header(s)};
+    struct record_points points = {each_of_study, s, header_of(s, error)};
     struct picture standard[CHART_STANDARD];
     const struct study_options *o = &s->options;
     size_t drawn = 0, pictures = s->spec->picture_count;
     const struct picture *list = s->spec->pictures;
-    bool written = record_write_json(&points, o->dir, error) && record_write_csv(&points, o->dir, error);
+    bool written = points.header && record_write_json(&points, o->dir, error) &&
+                   record_write_csv(&points, o->dir, error);
     if (written && !list) {
         list = standard;
         pictures = chart_standard(&points, standard);
