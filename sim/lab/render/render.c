@@ -8,7 +8,13 @@
 #include "lab/render/occlusion.h"
 #include "lab/render/shade.h"
 
-enum { S = RENDER_SAMPLES, BAND_SAMPLES = 1 << 19 };
+enum { S = RENDER_SAMPLES, BAND_SAMPLES = 1 << 19, LIT = 64 };
+
+/* The light from a triangle in a pixel: computed at one sample of the pixel, used at all. */
+struct lit {
+    uint32_t triangle, pixel; /* pixel: its number, from 1 on; 0: none */
+    float light[3], opacity;
+};
 
 struct drawing {
     const struct scene *scene;
@@ -16,22 +22,31 @@ struct drawing {
     struct occlusion *occlusion;
     struct layers *layers;
     struct image *image;
+    struct lit lit[LIT]; /* triangle t is at t % LIT */
 };
 
-/* Adds one triangle's light, of which `left` gets through to the viewer. */
-static void add_light(const struct drawing *d, const struct layer *l, int32_t x, int32_t y, float sum[4],
-                      float *left)
+static struct lit shine(const struct drawing *d, const struct layer *l, int32_t x, int32_t y, uint32_t pixel)
 {
     struct shade_point at = shade_point(&d->projection, l->triangle, x, y, S);
-    float light[3], opacity = d->scene->surface[at.surface].opacity, open = 1;
-    if (opacity >= 1)
-        open = occlusion_open(d->occlusion, x / S, y / S, l->near);
-    opacity = shade_opacity(&at, opacity);
-    shade_light(&at, open, light);
+    struct lit lit = {.triangle = l->triangle, .pixel = pixel};
+    float opacity = d->scene->surface[at.surface].opacity;
+    shade_light(&at, opacity >= 1 ? occlusion_open(d->occlusion, x / S, y / S, l->near) : 1, lit.light);
+    lit.opacity = shade_opacity(&at, opacity);
+    return lit;
+}
+
+/* Adds one triangle's light, of which `left` gets through to the viewer. */
+static void add_light(struct drawing *d, const struct layer *l, int32_t x, int32_t y, float sum[4],
+                      float *left)
+{
+    uint32_t pixel = (uint32_t)(y / S) * d->image->width + (uint32_t)(x / S) + 1;
+    struct lit *lit = &d->lit[l->triangle % LIT];
+    if (lit->pixel != pixel || lit->triangle != l->triangle)
+        *lit = shine(d, l, x, y, pixel);
     for (int i = 0; i < 3; i++)
-        sum[i] += *left * opacity * light[i];
-    sum[3] += *left * opacity;
-    *left *= 1 - opacity;
+        sum[i] += *left * lit->opacity * lit->light[i];
+    sum[3] += *left * lit->opacity;
+    *left *= 1 - lit->opacity;
 }
 
 static void add_background(const struct drawing *d, int32_t y, float sum[4], float left)
@@ -45,8 +60,7 @@ static void add_background(const struct drawing *d, int32_t y, float sum[4], flo
 }
 
 /* Adds what is seen at one sample, from the front to the back. */
-static void add_sample(const struct drawing *d, const struct layer *sample, int32_t x, int32_t y,
-                       float sum[4])
+static void add_sample(struct drawing *d, const struct layer *sample, int32_t x, int32_t y, float sum[4])
 {
     float left = 1;
     for (uint32_t i = sample->next; i != LAYERS_NONE && left > 1 / 1024.0f; i = d->layers->pool[i].next)
@@ -57,7 +71,7 @@ static void add_sample(const struct drawing *d, const struct layer *sample, int3
         add_background(d, y, sum, left);
 }
 
-static void draw_pixel(const struct drawing *d, uint32_t x, uint32_t y)
+static void draw_pixel(struct drawing *d, uint32_t x, uint32_t y)
 {
     const size_t width = (size_t)d->image->width * S;
     float sum[4] = {0, 0, 0, 0};

@@ -41,14 +41,17 @@ static void plane_of(const struct mesh *m, const uint32_t v[3], float n[3])
 /* Turns the normal to the viewer. Near the outline an interpolated normal may point a little away although the
  * triangle's front is seen; there the triangle's plane decides, and the normal is bent back: else the outline
  * would have speckles. */
-static void face_viewer(const struct camera *c, const float plane[3], struct shade_point *at)
+static void face_viewer(const struct camera *c, const struct mesh *m, const uint32_t v[3],
+                        struct shade_point *at)
 {
-    float turned[3], sign;
-    camera_turn(c, plane, turned);
-    at->facing = dot(at->normal, at->view);
-    sign = at->facing;
-    if (fabsf(at->facing) < 0.3f && dot(plane, plane) > 0)
-        sign = dot(turned, at->view) * (dot(turned, at->normal) < 0 ? -1 : 1);
+    float sign = at->facing = dot(at->normal, at->view);
+    if (fabsf(at->facing) < 0.3f) {
+        float plane[3], turned[3];
+        plane_of(m, v, plane);
+        camera_turn(c, plane, turned);
+        if (dot(turned, turned) > 0)
+            sign = dot(turned, at->view) * (dot(turned, at->normal) < 0 ? -1 : 1);
+    }
     if (sign < 0) {
         at->facing = -at->facing;
         for (int i = 0; i < 3; i++)
@@ -83,17 +86,18 @@ struct shade_point shade_point(const struct projection *p, uint32_t triangle, in
     const struct scene_surface *s = &p->scene->surface[at.surface];
     const uint32_t own = triangle - p->first_triangle[at.surface], *v = s->mesh.triangle[own];
     struct raster_corner corner[3];
-    float weight[3], normal[3] = {0, 0, 0}, plane[3];
+    float weight[3], normal[3] = {0, 0, 0};
     projection_corners(p, at.surface, triangle, corner);
     raster_weights(corner, x, y, weight);
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < 3; i++)
             normal[i] += weight[k] * s->mesh.normal[v[k]][i];
-    plane_of(&s->mesh, v, plane);
-    camera_turn(p->camera, dot(normal, normal) > 0 ? normal : plane, at.normal);
+    if (!(dot(normal, normal) > 0))
+        plane_of(&s->mesh, v, normal);
+    camera_turn(p->camera, normal, at.normal);
     normalise(at.normal);
     view_from(p->camera, x, y, samples, at.view);
-    face_viewer(p->camera, plane, &at);
+    face_viewer(p->camera, &s->mesh, v, &at);
     colour_of(p->scene, s, own, weight, at.colour);
     return at;
 }
@@ -106,7 +110,7 @@ static const struct {
 } LIGHTS[] = {{{-0.57f, 0.57f, 0.59f}, {0.82f, 0.80f, 0.77f}},
               {{0.80f, 0.05f, 0.60f}, {0.13f, 0.14f, 0.16f}},
               {{0.25f, 0.60f, -0.76f}, {0.30f, 0.31f, 0.33f}}};
-static const float SKY[3] = {0.20f, 0.21f, 0.22f}, GROUND[3] = {0.07f, 0.065f, 0.06f};
+static const float SKY[3] = {0.20f, 0.21f, 0.22f}, GROUND[3] = {0.10f, 0.095f, 0.09f};
 static const float GLOSS = 0.16f;
 
 /* Blinn's highlight (1977) of a light, with an exponent of 32. */
