@@ -9,7 +9,7 @@
 #include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/render/colours.h"
-#include "lab/render/output.h"
+#include "lab/render/render_output.h"
 #include "lab/render/render.h"
 
 enum { SIZE = CLI_KEY, VIEW, ZOOM, BY, COLOUR, OPACITY, BACKGROUND, TURNTABLE, WELD };
@@ -260,6 +260,9 @@ int cli_render(int argc, char **argv)
         free(error);
         return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
     }
+    if (!sums.polygons)
+        fprintf(stderr, "touchstone render: there are no polygons in %s%s\n", a.request.file[0],
+                a.request.count > 1 ? ", nor in the other files" : "");
     if (strcmp(a.request.path, "-"))
         printf("%s: %ju polygons, %ju vertices\n", a.request.path, (uintmax_t)sums.polygons,
                (uintmax_t)sums.vertices);

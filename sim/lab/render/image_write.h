@@ -4,7 +4,7 @@
 #define LAB_RENDER_IMAGE_WRITE_H
 #include <stdbool.h>
 #include <stdio.h>
-#include "lab/render/image.h"
+#include "lab/render/pixel_image.h"
 
 /* Write to out. False with *error malloc'd. */
 bool image_write_png(const struct image *image, FILE *out, char **error);

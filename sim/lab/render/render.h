@@ -4,7 +4,7 @@
  * number may lie behind and within each other. Each pixel is the mean of SAMPLES x SAMPLES samples. */
 #ifndef LAB_RENDER_RENDER_H
 #define LAB_RENDER_RENDER_H
-#include "lab/render/image.h"
+#include "lab/render/pixel_image.h"
 #include "lab/render/scene.h"
 
 enum { RENDER_SAMPLES = 3, RENDER_MOST_SIZE = 8192, RENDER_MOST_ZOOM = 100 };

@@ -1,5 +1,5 @@
-/* output.c - see output.h. */
-#include "lab/render/output.h"
+/* output.c - see render_output.h. */
+#include "lab/render/render_output.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -145,6 +145,12 @@ static bool write_still(const struct output_request *r, const struct scene *scen
     return ok;
 }
 
+/* How long a frame is shown: the frames' times add up to TURN_MS exactly. */
+static int frame_ms(unsigned frame, unsigned frames)
+{
+    return (int)(TURN_MS * (frame + 1) / frames - TURN_MS * frame / frames);
+}
+
 static bool add_frames(const struct output_request *r, const struct scene *scene, struct film *film,
                        char **error)
 {
@@ -154,7 +160,7 @@ static bool add_frames(const struct output_request *r, const struct scene *scene
     scene_cameras(scene, r->azimuth, r->elevation, r->zoom, r->width, r->height, camera, r->frames);
     for (unsigned f = 0; f < r->frames && ok; f++) {
         render(scene, &camera[f], &image);
-        ok = film_add(film, &image, TURN_MS / (int)r->frames, error);
+        ok = film_add(film, &image, frame_ms(f, r->frames), error);
         if (r->progress)
             r->progress(f + 1, r->frames);
     }
