@@ -17,6 +17,7 @@ enum { SIZE = CLI_KEY, VIEW, ZOOM, BY, COLOUR, OPACITY, BACKGROUND, TURNTABLE, W
 struct arguments {
     struct output_request request;
     const char *colours, *opacities; /* lists, as given */
+    char *chosen;                    /* the result's path, if the user gave none */
     const char *of_pictures;         /* an option that was given and is for pictures only */
 };
 
@@ -140,13 +141,13 @@ static void set_opacity(struct argp_state *state, struct output_request *r, size
     r->has_opacity[i] = true;
 }
 
-/* The name of the result if the user gives none. */
-static const char *default_path(const struct output_request *r)
+/* The name of the result if the user gives none; malloc'd. */
+static char *default_path(const struct output_request *r)
 {
     const char *first = r->file[0], *ending = r->frames ? "webp" : "png";
     size_t length = strlen(first);
     if (!strcmp(first, "-"))
-        return "-";
+        return xstrdup("-");
     if (length > 4 && !strcasecmp(first + length - 4, ".ply"))
         length -= 4;
     return xasprintf("%.*s.%s", (int)length, first, ending);
@@ -159,7 +160,7 @@ static void finish(struct argp_state *state, struct arguments *a)
     if (!r->count)
         argp_error(state, "which surfaces? (PLY files)");
     if (!r->path)
-        r->path = default_path(r);
+        r->path = a->chosen = default_path(r);
     if (!output_kind_of(r->path, r->frames, &kind))
         argp_error(state,
                    r->frames ? "a turntable is a .webp file, not '%s'"
@@ -246,25 +247,33 @@ static void show_progress(unsigned frame, unsigned frames)
     fprintf(stderr, frame < frames ? "\rpicture %u of %u" : "\r\033[K", frame, frames);
 }
 
-int cli_render(int argc, char **argv)
+/* Returns the exit status. */
+static int make(const struct output_request *r)
 {
-    static const struct argp ARGP = {OPTIONS, parse, "FILE.ply...", DOC, NULL, NULL, NULL};
-    struct arguments a = {.request = {.azimuth = 60, .elevation = 20, .zoom = 1}};
     struct output_sums sums;
     char *error = NULL;
-    cli_parse(&ARGP, "touchstone render", 0, argc, argv, &a);
-    a.request.progress = isatty(STDERR_FILENO) ? show_progress : NULL;
-    enum output_status status = output_make(&a.request, &sums, &error);
+    enum output_status status = output_make(r, &sums, &error);
     if (status != OUTPUT_DONE) {
         fprintf(stderr, "touchstone render: %s\n", error);
         free(error);
         return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
     }
     if (!sums.polygons)
-        fprintf(stderr, "touchstone render: there are no polygons in %s%s\n", a.request.file[0],
-                a.request.count > 1 ? ", nor in the other files" : "");
-    if (strcmp(a.request.path, "-"))
-        printf("%s: %ju polygons, %ju vertices\n", a.request.path, (uintmax_t)sums.polygons,
+        fprintf(stderr, "touchstone render: there are no polygons in %s%s\n", r->file[0],
+                r->count > 1 ? ", nor in the other files" : "");
+    if (strcmp(r->path, "-"))
+        printf("%s: %ju polygons, %ju vertices\n", r->path, (uintmax_t)sums.polygons,
                (uintmax_t)sums.vertices);
     return 0;
+}
+
+int cli_render(int argc, char **argv)
+{
+    static const struct argp ARGP = {OPTIONS, parse, "FILE.ply...", DOC, NULL, NULL, NULL};
+    struct arguments a = {.request = {.azimuth = 60, .elevation = 20, .zoom = 1}};
+    cli_parse(&ARGP, "touchstone render", 0, argc, argv, &a);
+    a.request.progress = isatty(STDERR_FILENO) ? show_progress : NULL;
+    int status = make(&a.request);
+    free(a.chosen);
+    return status;
 }

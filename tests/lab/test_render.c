@@ -110,7 +110,7 @@ static double light(const struct image *image, int x, int y, int channel)
     return (double)colours_linear(pixel(image, x, y)[channel]);
 }
 
-/* The light at the middle of a scene of one opaque ball of that radius, in a picture of a ball of radius 1. */
+/* The light at the middle of one opaque ball of that radius, in a picture of a ball of radius 1. */
 static double alone(const float colour[3], float radius, int channel)
 {
     struct scene *scene = empty();

@@ -1,4 +1,4 @@
-/* image.c - see pixel_image.h. */
+/* pixel_image.c - see pixel_image.h. */
 #include "lab/render/pixel_image.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"

@@ -1,7 +1,7 @@
 /* render.h - draws a scene: the same scene gives the same pixels on any computer of one kind.
  *
- * Surfaces are smooth-shaded triangles with a z-buffer. Transparent ones are sorted at each sample, so that any
- * number may lie behind and within each other. Each pixel is the mean of SAMPLES x SAMPLES samples. */
+ * Surfaces are smooth-shaded triangles with a z-buffer. Transparent ones are sorted at each sample, so that
+ * any number may lie behind and within each other. Each pixel is the mean of SAMPLES x SAMPLES samples. */
 #ifndef LAB_RENDER_RENDER_H
 #define LAB_RENDER_RENDER_H
 #include "lab/render/pixel_image.h"

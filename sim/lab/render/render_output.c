@@ -1,4 +1,4 @@
-/* output.c - see render_output.h. */
+/* render_output.c - see render_output.h. */
 #include "lab/render/render_output.h"
 #include <math.h>
 #include <stdlib.h>

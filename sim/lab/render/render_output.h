@@ -1,4 +1,5 @@
-/* render_output.h - what touchstone render makes of PLY files: a picture, a turntable, or a file of another format. */
+/* render_output.h - what touchstone render makes of PLY files: a picture, a turntable, or a file of another
+ * format. */
 #ifndef LAB_RENDER_RENDER_OUTPUT_H
 #define LAB_RENDER_RENDER_OUTPUT_H
 #include <stdbool.h>
