@@ -7,7 +7,7 @@
 #include "lab/render/pixel_image.h"
 #include "lab/render/scene.h"
 
-enum { RENDER_SAMPLES = 3, RENDER_MOST_SIZE = 8192, RENDER_MOST_ZOOM = 100 };
+enum { RENDER_SAMPLES = 3, RENDER_MOST_SIZE = 4096, RENDER_MOST_ZOOM = 100 };
 
 /* Draws what the camera sees, which was made for a picture of the image's size; that is at most
  * RENDER_MOST_SIZE each way, and its zoom at most RENDER_MOST_ZOOM. */
