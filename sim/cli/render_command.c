@@ -247,24 +247,41 @@ static void show_progress(unsigned frame, unsigned frames)
     fprintf(stderr, frame < frames ? "\rpicture %u of %u" : "\r\033[K", frame, frames);
 }
 
+/* Says what is in each file, how it is shown, and last the name of the result. */
+static void say(const struct output_request *r, const struct output_file *file)
+{
+    enum output_kind kind;
+    output_kind_of(r->path, r->frames, &kind);
+    for (size_t i = 0; i < r->count; i++) {
+        const struct output_file *f = &file[i];
+        if (!f->polygons)
+            fprintf(stderr, "touchstone render: there are no polygons in %s\n", r->file[i]);
+        if (!strcmp(r->path, "-"))
+            continue;
+        printf("%s: %ju polygons, %ju vertices", r->file[i], (uintmax_t)f->polygons, (uintmax_t)f->vertices);
+        if (kind != OUTPUT_MESH && f->has_colour)
+            printf("; colour %02x%02x%02x", f->colour[0], f->colour[1], f->colour[2]);
+        if (kind != OUTPUT_MESH)
+            printf("%s opacity %.2g", f->has_colour ? "," : ";", f->opacity);
+        printf("\n");
+    }
+    if (strcmp(r->path, "-"))
+        puts(r->path);
+}
+
 /* Returns the exit status. */
 static int make(const struct output_request *r)
 {
-    struct output_sums sums;
+    struct output_file file[OUTPUT_MOST_FILES];
     char *error = NULL;
-    enum output_status status = output_make(r, &sums, &error);
-    if (status != OUTPUT_DONE) {
-        fprintf(stderr, "touchstone render: %s\n", error);
-        free(error);
-        return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
+    enum output_status status = output_make(r, file, &error);
+    if (status == OUTPUT_DONE) {
+        say(r, file);
+        return 0;
     }
-    if (!sums.polygons)
-        fprintf(stderr, "touchstone render: there are no polygons in %s%s\n", r->file[0],
-                r->count > 1 ? ", nor in the other files" : "");
-    if (strcmp(r->path, "-"))
-        printf("%s: %ju polygons, %ju vertices\n", r->path, (uintmax_t)sums.polygons,
-               (uintmax_t)sums.vertices);
-    return 0;
+    fprintf(stderr, "touchstone render: %s\n", error);
+    free(error);
+    return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
 }
 
 int cli_render(int argc, char **argv)

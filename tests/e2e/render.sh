@@ -20,7 +20,9 @@ png_size() { od -An -tu4 --endian=big -j16 -N8 "$1" | xargs; }
 kind() { head -c "$2" "$1" | tail -c 4; }
 render ball_5.ply ball_6.ply
 check "a picture" ended_with 0
-check "its name is the first file's, and is told" grep -q '^ball_5.png: ' out
+check "its name is the first file's, and is told" test "$(tail -1 out)" = ball_5.png
+check "the inner surface is opaque, the outer one is not" grep -q '^ball_5.ply: .* polygons, .* vertices; colour 56b4e9, opacity 1$' out
+check "colours differ" grep -q '^ball_6.ply: .*; colour e69f00, opacity 0.35$' out
 check "its size" test "$(png_size ball_5.png)" = "1200 900"
 render ball_5.ply --size 64x48 --view -30,80 --zoom 2 --colour gold --opacity 0.5 --background 102030 -o a.png
 check "all options" ended_with 0
@@ -46,7 +48,8 @@ done
 check "PLY: the numbers" test "$(in_head both.ply vertex) $(in_head both.ply face)" = "$vertices $faces"
 check "OBJ: the numbers" test "$(grep -c '^v ' both.obj) $(grep -c '^f ' both.obj)" = "$vertices $faces"
 check "OBJ: a group a surface" test "$(grep '^g ' both.obj | xargs)" = "g ball_5.ply g ball_6.ply"
-check "VTK: the numbers" test "$(grep -a '^POINTS ' both.vtk | cut -d' ' -f2) $(grep -a '^POLYGONS ' both.vtk | cut -d' ' -f2)" = "$vertices $faces"
+counted() { grep -a "^$1 " both.vtk | cut -d' ' -f2; }
+check "VTK: the numbers" test "$(counted POINTS) $(counted POLYGONS)" = "$vertices $faces"
 
 # As a program that knows only VTK's format: each list of the file begins where the one before ends.
 after() { grep -abo "^$1 [^\n]*" both.vtk | head -1 | awk -F: '{ print $1 + length($2) + 1 }'; } # the byte after that line
@@ -71,7 +74,10 @@ facets() { admesh both.stl | sed -n "s/^$1 *: *\([0-9]*\).*/\1/p"; }
 check "admesh reads .stl: facets" test "$(facets 'Number of facets')" = "$triangles"
 
 # --- mistakes ---
-printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n' >none.ply
+{
+    printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n'
+    printf 'element face 0\nproperty list uchar int vertex_indices\nend_header\n'
+} >none.ply
 render none.ply --size 64x48
 check "a surface without polygons is a picture" ended_with 0
 check "and this is said" said 'there are no polygons in none.ply'

@@ -353,6 +353,23 @@ static void welding_joins_the_corners(void **state)
     mesh_free(&m);
 }
 
+/* A ball lies on a sheet: beside it the sheet sees less of the sky. */
+static void folds_are_darker(void **state)
+{
+    (void)state;
+    struct scene *scene = empty();
+    add(scene, sheet_mesh(40), WHITE, 1);
+    add(scene, ball_mesh(0, -0.2f, 0, 0.2f, 24, true), RED, 1);
+    struct image image = draw(scene, -90, 0);
+    int away = pixel(&image, SIZE - 40, SIZE / 2)[1], beside = 255;
+    for (int x = SIZE / 2; x < SIZE - 40; x++)
+        if (pixel(&image, x, SIZE / 2)[1] > pixel(&image, x, SIZE / 2)[0] - 10) /* the sheet, not the ball */
+            beside = pixel(&image, x, SIZE / 2)[1] < beside ? pixel(&image, x, SIZE / 2)[1] : beside;
+    assert_true(away > 100 && beside < away - 15);
+    image_free(&image);
+    scene_free(scene);
+}
+
 static void nodes_have_colours(void **state)
 {
     (void)state;
@@ -425,6 +442,7 @@ int main(void)
         cmocka_unit_test(a_surface_without_normals_is_smooth),
         cmocka_unit_test(inside_out_looks_the_same),
         cmocka_unit_test(welding_joins_the_corners),
+        cmocka_unit_test(folds_are_darker),
         cmocka_unit_test(nodes_have_colours),
         cmocka_unit_test(colours_of_neighbouring_nodes_differ),
         cmocka_unit_test(zoomed_pictures_fill_the_frame),
