@@ -353,19 +353,21 @@ static void welding_joins_the_corners(void **state)
     mesh_free(&m);
 }
 
-/* A ball lies on a sheet: beside it the sheet sees less of the sky. */
+/* Half a ball rises from a sheet: beside it the sheet sees less of the sky. */
 static void folds_are_darker(void **state)
 {
     (void)state;
     struct scene *scene = empty();
     add(scene, sheet_mesh(40), WHITE, 1);
-    add(scene, ball_mesh(0, -0.2f, 0, 0.2f, 24, true), RED, 1);
+    add(scene, ball_mesh(0, 0, 0, 0.3f, 24, true), RED, 1);
     struct image image = draw(scene, -90, 0);
-    int away = pixel(&image, SIZE - 40, SIZE / 2)[1], beside = 255;
-    for (int x = SIZE / 2; x < SIZE - 40; x++)
-        if (pixel(&image, x, SIZE / 2)[1] > pixel(&image, x, SIZE / 2)[0] - 10) /* the sheet, not the ball */
-            beside = pixel(&image, x, SIZE / 2)[1] < beside ? pixel(&image, x, SIZE / 2)[1] : beside;
-    assert_true(away > 100 && beside < away - 15);
+    int away = pixel(&image, SIZE - 40, SIZE / 2)[1], beside = away;
+    for (int x = SIZE / 2; x < SIZE - 40; x++) {
+        const uint8_t *here = pixel(&image, x, SIZE / 2);
+        if (abs(here[0] - here[1]) < 3 && here[1] < beside) /* gray: the sheet, not the ball */
+            beside = here[1];
+    }
+    assert_true(away > 100 && beside < away - 5);
     image_free(&image);
     scene_free(scene);
 }
