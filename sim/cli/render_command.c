@@ -36,7 +36,9 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"zoom", ZOOM, "Z", 0, "Enlarge Z times around the middle, 0.01 to 100; 1: all is in the picture", 0},
     {"by", BY, "node", 0,
-     "Colour each polygon by the node that made it (the files' faces have a property node)", 0},
+     "Colour each polygon by the node that made it: the files' faces have a property node, as the model "
+     "writes it with -bynode",
+     0},
     {"colour", COLOUR, "C,C...", 0,
      "A colour for each FILE, or one for all: RRGGBB in hexadecimal, or a name (below); default colours that "
      "colour-blind people tell apart",

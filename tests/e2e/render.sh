@@ -40,6 +40,36 @@ check "it is animated, with a picture each" test "$(grep -aoc ANIM ball_5.webp)-
 render ball_5.ply --size 64x48 -o still.webp
 check "a still WebP" test "$(kind still.webp 12)" = WEBP
 
+cat >nodes.ply <<'END'
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 4
+property list uchar int vertex_indices
+property int node
+end_header
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+3 0 2 1 7
+3 0 1 3 7
+3 0 3 2 12
+3 1 2 3 511
+END
+render nodes.ply --by node --size 64x48
+check "by node" test "$status $(head -1 out)" = "0 nodes.ply: 4 polygons, 4 vertices; opacity 1"
+render nodes.ply -o nodes.vtk
+node_numbers() { # as VTK reads them: 4 numbers after the last table's name
+    local at
+    at=$(grep -abo '^LOOKUP_TABLE default$' nodes.vtk | tail -1 | cut -d: -f1)
+    od -An -v -w4 -td4 --endian=big -j$((at + 21)) -N16 nodes.vtk | xargs
+}
+check "the nodes go into VTK" test "$(grep -a '^SCALARS node int 1$' nodes.vtk) $(node_numbers)" = "SCALARS node int 1 7 7 12 511"
+
 # --- other formats ---
 for format in ply obj stl vtk; do
     render ball_5.ply ball_6.ply -o "both.$format"

@@ -35,8 +35,9 @@ static bool read_mesh(const struct output_request *r, size_t i, struct mesh *mes
     if (!ply_file_read(r->file[i], mesh, error))
         return false;
     if (r->by_node && !mesh->node) {
-        *error = xasprintf("%s: its faces have no property node, by which --by node could colour them",
-                           r->file[i]);
+        *error =
+            xasprintf("%s: its faces have no property node for --by node: the model writes it with -bynode",
+                      r->file[i]);
         mesh_free(mesh);
         return false;
     }
