@@ -132,4 +132,8 @@ wrong "a colour that is none" 64 "or one of orange.*not 'mauve'" ball_5.ply --co
 wrong "too few colours" 64 'has 2 values for 1 FILE' ball_5.ply --colour red,blue
 wrong "a view of a surface's file" 64 'view is for pictures, and x.obj is none' ball_5.ply --view 0,0 -o x.obj
 wrong "a folder that is not there" 1 'gone/x.png cannot be written' ball_5.ply --size 8x8 -o gone/x.png
+for format in png webp obj; do
+    ln -s /dev/full "full.$format"
+    wrong "a full disk, .$format" 1 "full.$format cannot be written" ball_5.ply -o "full.$format"
+done
 check "nothing half-written is left" test -z "$(ls -d x.* ./*.?????? 2>/dev/null | grep -v '\.[a-z]*$')"

@@ -196,6 +196,15 @@ static bool write_turntable(const struct output_request *r, const struct scene *
     return ok;
 }
 
+/* After an error: names the file in it. */
+static void give_up(const struct output_request *r, struct atomic_file *result, char **error)
+{
+    char *why = *error;
+    *error = xasprintf("%s cannot be written: %s", r->path, why);
+    free(why);
+    atomic_file_drop(result);
+}
+
 static enum output_status picture(const struct output_request *r, enum output_kind kind,
                                   struct output_file *file, char **error)
 {
@@ -210,7 +219,7 @@ static enum output_status picture(const struct output_request *r, enum output_ki
         if (ok)
             ok = atomic_file_end(&result, error);
         else
-            atomic_file_drop(&result);
+            give_up(r, &result, error);
     }
     scene_free(scene);
     return ok ? OUTPUT_DONE : OUTPUT_NOT_WRITTEN;
