@@ -23,7 +23,7 @@ static void on_done(void *ctx, struct channel_transit *t, vtime now)
     ((struct trip *)t)->done = now;
 }
 
-static const struct channel_calls calls = {NULL, on_started, on_done};
+static const struct channel_calls calls = {NULL, on_started, on_done, NULL, NULL};
 
 /* Sends trips of 100 each at time 0, in order, over a cube of 8 nodes, and lets them finish. */
 static void send(struct trip *trips, int count)
