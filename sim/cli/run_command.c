@@ -9,6 +9,7 @@
 #include "cli/installation.h"
 #include "cli/options.h"
 #include "files/atomic_file.h"
+#include "guest/debugger.h"
 #include "kernel/xalloc.h"
 #include "machine/machine.h"
 #include "observe/summary.h"
@@ -225,6 +226,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
                                 .isolate = a->isolate,
+                                .debugged = debugger_is_attached(),
                                 .out = stdout,
                                 .err = stderr};
     if (a->host) { /* the arguments are the host program's, with its name in place of the node program's */

@@ -363,6 +363,11 @@ static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t 
     return true;
 }
 
+const struct elf_file *node_image_elf(const struct node_image *img)
+{
+    return img->elf;
+}
+
 size_t node_image_function(const struct node_image *img, size_t offset)
 {
     const char *name;

@@ -15,6 +15,8 @@ struct machine_options {
     double slice_s;       /* longest slice of computing; 0: no slices. For tests: changes no result */
     unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
     uint64_t shuffle;     /* not 0: seeds random choices of the threads, for tests. Changes no result */
+    bool debugged;        /* a debugger is attached: it is told of the programs; the run uses one thread for
+                             computing at a time, and no limit of real time. Changes no result */
     bool isolate;         /* a node that writes to another's memory crashes; the run uses one thread */
     FILE *out, *err;      /* the programs' output */
     FILE *history;        /* gets a line for each message received; NULL: no history */

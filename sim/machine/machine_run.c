@@ -59,16 +59,6 @@ static void show_crash(struct node *n)
     free(report);
 }
 
-static void *thread_begins(void)
-{
-    return crash_watch();
-}
-
-static void thread_ends(void *guard)
-{
-    crash_unwatch(guard);
-}
-
 static void run_events(struct machine *m)
 {
     struct node_system *s = &m->sys;
@@ -76,9 +66,10 @@ static void run_events(struct machine *m)
     crash_catch();
     s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = trace_print_calls;
     s->schedule.look = poll_host, s->schedule.look_ctx = m;
-    m->workers = engine_run(&s->schedule,
-                            &(struct engine_threads){s->isolate ? 1 : m->options.workers, m->options.shuffle,
-                                                     thread_begins, thread_ends, guard});
+    m->workers =
+        engine_run(&s->schedule, &(struct engine_threads){s->isolate || s->debugger ? 1 : m->options.workers,
+                                                          m->options.shuffle, crash_thread_begins,
+                                                          crash_thread_ends, guard});
     crash_ignore();
     crash_unwatch(guard);
 }

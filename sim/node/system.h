@@ -52,6 +52,8 @@ struct node_system {
     size_t absent_count;    /* guest */
     size_t host_file_count; /* guest: at most NODE_HOST_FILES: of more, the first */
 
+    struct debugger *debugger; /* is told of programs, each of which has a thread: guest/debugger.h. NULL: none */
+
     /* Set by the machine; NULL before it runs. */
     void (*keep_crash)(struct node *n); /* n->crash has been set, on the calling thread, and would not last */
     void (*crashed)(struct node *n);    /* at its moment: reports n->crash */
