@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/commands.h"
+#include "cli/gdb_start.h"
 #include "cli/installation.h"
 #include "cli/options.h"
 #include "files/atomic_file.h"
@@ -17,7 +18,7 @@
 
 enum { EXIT_OUTPUT = 74, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
 
-enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE };
+enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE, GDB, AT };
 
 struct arguments {
     const char *machine, *json, *profile, *history, *cfs, *host, *engine;
@@ -26,6 +27,7 @@ struct arguments {
     uint32_t nodes, workers, shuffle;
     double max_virtual_s, max_wall_s, slice_s;
     bool quiet, verbose, isolate;
+    struct debug_stop_options stop;
     char **program; /* with its arguments */
     int program_count;
     char *host_only[2]; /* arguments of a host program, if none are given */
@@ -49,7 +51,10 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Limits:", 3},
     {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
     {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
-    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 4},
+    {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 4},
+    {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
+    {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
+    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 5},
     {"workers", 'w', "N", 0,
      "Compute with N threads; default $TOUCHSTONE_WORKERS, else the number of processors, at most 8", 0},
     {"engine", CLI_TEXT(arguments, engine), "ENGINE", 0,
@@ -79,6 +84,26 @@ static const char DOC[] =
     "Example:\n"
     "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
 
+static void check_stop(struct argp_state *state, const struct arguments *a)
+{
+    const struct debug_stop_options *stop = &a->stop;
+    if (stop->time && !stop->wanted)
+        argp_error(state, "--at needs --gdb NODE");
+    if (stop->host && !a->host)
+        argp_error(state, "--gdb host: there is no host program (--host)");
+    if (stop->wanted && !stop->host && a->nodes && stop->node >= a->nodes)
+        argp_error(state, "--gdb %u: nodes are 0 to %u", stop->node, a->nodes - 1);
+}
+
+/* "3", "host" */
+static void take_stop(struct argp_state *state, struct debug_stop_options *stop, const char *node)
+{
+    stop->wanted = true;
+    stop->host = strcmp(node, "host") == 0;
+    if (!stop->host && strcmp(node, "0") && !cli_is_whole(node, UINT32_MAX, &stop->node))
+        argp_error(state, "--gdb takes a node's number, from 0 up, or 'host', not '%s'", node);
+}
+
 static void check(struct argp_state *state, struct arguments *a)
 {
     a->machine = a->machine ? a->machine : a->host ? "ipsc860" : "delta";
@@ -90,6 +115,7 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "which program? (built by nxcc)");
     if (!a->host && !a->nodes)
         a->nodes = 1;
+    check_stop(state, a);
 }
 
 static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
@@ -125,6 +151,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
     else if (key == SLICE)
         a->slice_s = cli_seconds(state, "--slice", arg);
+    else if (key == GDB)
+        take_stop(state, &a->stop, arg);
+    else if (key == AT)
+        a->stop.time = cli_virtual_time(state, "--at", arg);
     else if (key == 'q')
         a->quiet = true;
     else if (key == 'v')
@@ -226,7 +256,9 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
                                 .isolate = a->isolate,
+                                .progress = !a->quiet && isatty(STDERR_FILENO),
                                 .debugged = debugger_is_attached(),
+                                .stop = a->stop,
                                 .out = stdout,
                                 .err = stderr};
     if (a->host) { /* the arguments are the host program's, with its name in place of the node program's */
@@ -251,6 +283,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
     } else {
         machine_run(m);
         status = report(m, a);
+        debug_stop_end(&m->sys, m->outcome == MACHINE_DEADLOCK);
     }
     *ended_by = m->signal;
     machine_free(m);
@@ -290,9 +323,14 @@ int cli_run(int argc, char **argv)
         OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
-    bool other = a.engine && cli_is_other_engine(a.engine);
-    int status =
-        other ? cli_change_engine(a.engine, argv - 1) /* main's: "touchstone", "run", ... */ : run(&a);
+    char **whole = argv - 1; /* main's: "touchstone", "run", ... */
+    int status;
+    if (a.stop.wanted && !debugger_is_attached())
+        status = cli_start_gdb(whole);
+    else if (a.engine && cli_is_other_engine(a.engine))
+        status = cli_change_engine(a.engine, whole);
+    else
+        status = run(&a);
     free(a.set);
     return status;
 }

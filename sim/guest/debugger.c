@@ -30,16 +30,34 @@ struct debugger {
     bool changed;
 };
 
-bool debugger_is_attached(void)
+/* The process that traces this one; 0: none. */
+static int tracer(void)
 {
-    int tracer = 0;
+    int pid = 0;
     char line[128];
     FILE *f = fopen("/proc/self/status", "r");
-    while (f && fgets(line, sizeof line, f) && sscanf(line, "TracerPid: %d", &tracer) != 1)
+    while (f && fgets(line, sizeof line, f) && sscanf(line, "TracerPid: %d", &pid) != 1)
         ;
     if (f)
         fclose(f);
-    return tracer != 0;
+    return pid;
+}
+
+/* (strace and the like trace, too.) */
+bool debugger_is_attached(void)
+{
+    int pid = tracer();
+    char path[64], name[32] = "";
+    if (!pid)
+        return false;
+    snprintf(path, sizeof path, "/proc/%d/comm", pid);
+    FILE *f = fopen(path, "r");
+    if (f) {
+        if (!fgets(name, sizeof name, f))
+            name[0] = '\0';
+        fclose(f);
+    }
+    return strstr(name, "gdb") || strstr(name, "lldb") || strcmp(name, "rr\n") == 0;
 }
 
 /* As debuggers find it. (By the name _r_debug this program might find a copy of its own.) */

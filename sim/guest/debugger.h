@@ -18,7 +18,7 @@
 /* The list of the machine's programs. */
 struct debugger;
 
-/* Does a debugger, or something like it, trace this process? */
+/* Does a debugger (gdb, lldb, rr) trace this process? */
 bool debugger_is_attached(void);
 
 /* NULL: this C library keeps no such list. There may be one at a time. */

@@ -139,6 +139,7 @@ static __attribute__((noinline, cold)) void yield_on_thread(struct fiber *f)
 
 void fiber_yield(struct fiber *f)
 {
+    f->frame = __builtin_frame_address(0);
     if (__builtin_expect(f->on != NULL, 0)) {
         yield_on_thread(f);
         return;

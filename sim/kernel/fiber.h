@@ -12,6 +12,7 @@ struct fiber {
     /* first, for what lies before it: what a switch wants */
     void *self, *back;      /* where it goes on, and who resumed it */
     struct turn_thread *on; /* its own thread; NULL: it runs on whichever thread resumes it */
+    const void *frame;      /* of fiber_yield */
     void *stack;
     size_t size;
     void (*entry)(void *);
@@ -44,6 +45,11 @@ _Noreturn void fiber_finish(struct fiber *f);
 /* The one that runs on the calling thread, NULL: none; and the arg it was made with. */
 struct fiber *fiber_current(void);
 void *fiber_arg(const struct fiber *f);
+/* The frame pointer where it waits in fiber_yield(); NULL: it has not waited yet. Stale while it runs. */
+static inline const void *fiber_frame(const struct fiber *f)
+{
+    return f->frame;
+}
 /* Where the innermost of its stack begins while it does not run. NULL: f is all zero, or has ended. */
 static inline const void *fiber_innermost(const struct fiber *f)
 {

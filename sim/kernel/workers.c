@@ -590,6 +590,14 @@ void workers_halt(struct workers *ws)
     pthread_mutex_unlock(&ws->lock);
 }
 
+void workers_go_on(struct workers *ws)
+{
+    pthread_mutex_lock(&ws->lock);
+    atomic_store(&ws->halt, false);
+    pthread_cond_broadcast(&ws->more);
+    pthread_mutex_unlock(&ws->lock);
+}
+
 struct workers_stats workers_stats(const struct workers *ws)
 {
     return ws->stats;

@@ -127,8 +127,6 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->schedule.protocol = protocol_new(s->cfg, &s->topo, s->schedule.q, &up);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;
-    if (s->debugger)
-        debugger_tell(s->debugger);
     m->start_s = hostclock_s() - begin;
     return m;
 fail:
