@@ -72,7 +72,8 @@ static const char DOC[] =
     "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
     "its nodes from the start; without, it calls getcube.\v"
-    "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal.\n\n"
+    "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal. "
+    "SIGUSR1 (kill -USR1 PROCESS) has it report, and go on.\n\n"
     "Exit status:\n"
     "  0   all programs ended\n"
     "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"
@@ -290,10 +291,20 @@ static int run_machine(const struct arguments *a, const struct machine_options *
     return status;
 }
 
+/* SIGUSR1, which asks where the nodes are, does not end a run that has not begun or is over. */
+static void keep_questions(void)
+{
+    sigset_t one;
+    sigemptyset(&one);
+    sigaddset(&one, SIGUSR1);
+    sigprocmask(SIG_BLOCK, &one, NULL);
+}
+
 static int run(struct arguments *a)
 {
     struct cli_installation places;
     char *error = NULL;
+    keep_questions();
     if (!cli_find_installation(&places, "run"))
         return CLI_EXIT_INPUT;
     struct cfg_machine *cfg = cfg_load_with(a->machine, places.machines, a->set, &error);
