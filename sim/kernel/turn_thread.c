@@ -17,6 +17,7 @@ struct turn_thread {
     pthread_t id;
     atomic_uint turn, back; /* 1: it is the thread's turn; the giver's again */
     int carried;            /* errno, from one to the other */
+    bool interruptible;     /* the giver takes SIGINT */
     bool over;              /* run() is to return */
     void (*asked)(void *arg);
     void *asked_arg;
@@ -35,6 +36,16 @@ static void post(atomic_uint *word)
     syscall(SYS_futex, word, FUTEX_WAKE_PRIVATE, 1, NULL, NULL, 0);
 }
 
+/* Blocks or unblocks SIGINT; returns whether it was unblocked. */
+static bool interrupts(int how)
+{
+    sigset_t one, before;
+    sigemptyset(&one);
+    sigaddset(&one, SIGINT);
+    pthread_sigmask(how, &one, &before);
+    return !sigismember(&before, SIGINT);
+}
+
 static void hand_over(struct turn_thread *t, atomic_uint *to)
 {
     t->carried = errno;
@@ -49,6 +60,8 @@ static void await_turn(struct turn_thread *t)
         t->asked = NULL;
         post(&t->back);
     }
+    if (t->interruptible)
+        interrupts(SIG_UNBLOCK);
     errno = t->carried;
 }
 
@@ -60,6 +73,7 @@ static void *live(void *arg)
     if (!t->over)
         t->calls.run(t->calls.arg);
     if (!t->over) { /* finished by itself */
+        interrupts(SIG_BLOCK);
         hand_over(t, &t->back);
         await_turn(t);
     }
@@ -111,13 +125,17 @@ void turn_thread_end(struct turn_thread *t)
 
 void turn_thread_give(struct turn_thread *t)
 {
+    t->interruptible = interrupts(SIG_BLOCK);
     hand_over(t, &t->turn);
     take(&t->back);
+    if (t->interruptible)
+        interrupts(SIG_UNBLOCK);
     errno = t->carried;
 }
 
 bool turn_thread_return(struct turn_thread *t)
 {
+    interrupts(SIG_BLOCK);
     hand_over(t, &t->back);
     await_turn(t);
     return !t->over;

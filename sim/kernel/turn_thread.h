@@ -4,7 +4,8 @@
  *     giver:   turn_thread_give ---.                  .--> goes on
  *     thread:                      '--> runs --> turn_thread_return (waits)
  *
- * The turn carries errno along, which each thread has for itself. */
+ * The turn carries errno along, which each thread has for itself; and who takes SIGINT, so that a user who
+ * interrupts the program in a debugger sees the thread that runs. */
 #ifndef KERNEL_TURN_THREAD_H
 #define KERNEL_TURN_THREAD_H
 #include <stdbool.h>
@@ -20,8 +21,8 @@ struct turn_thread_calls {
     void *arg;
 };
 
-/* name: for debuggers, at most 15 letters. The thread takes no signals but its own faults. NULL: there is no
- * thread to be had. */
+/* name: for debuggers, at most 15 letters. The thread takes no other signals than its own faults and SIGINT. NULL:
+ * there is no thread to be had. */
 struct turn_thread *turn_thread_new(const char *name, const struct turn_thread_calls *calls);
 /* Without the turn: makes the thread leave run(), waits for its end, and frees it. */
 void turn_thread_end(struct turn_thread *t);

@@ -29,7 +29,7 @@ started() {
     status=$?
 }
 shows() { grep -qE -- "$1" out; }
-results() { sed 's/^(gdb) //' out | grep -E '^(virtual time|messages|nodes|memory|digest|node [0-9])' | sort; }
+results() { sed 's/^(gdb) //' out | grep -E '^(virtual time|messages|nodes  |memory|digest|node [0-9])' | sort; }
 
 # --- plain gdb ---
 run -n 4 gdbO0
@@ -66,6 +66,21 @@ check "512 nodes: a breakpoint on one" shows '^\$1 = 500$'
 check "512 nodes: a thread each" test "$(grep -c '"node [0-9]*"  ' out)" = 512
 in_gdb 'break relax if me == 2' run 'print me' bt kill 'run' 'print rounds_done' -- -n 4 gdbO0
 check "the run can be started again" test "$(grep -c 'hit Breakpoint' out)" = 2
+# As a user's Ctrl-C.
+(
+    sleep 1
+    for ((i = 0; i < 300; i++)); do
+        sleep 0.1
+        for process in /proc/[0-9]*; do
+            [ "$(readlink "$process/cwd")" = "$work" ] && [ "$(cat "$process/comm")" = touchstone ] &&
+                [ "$(ls "$process/task" | wc -l)" = 4 ] && sleep 1 && kill -INT "${process#/proc/}" && exit
+        done 2>/dev/null
+    done
+) &
+compile stopped
+in_gdb run 'print $_gthread' bt -- -q -n 3 stopped for
+wait
+check "an interrupt stops the node that computes, in its endless loop" shows '^#0 .*main \(.*stopped\.c:3[0-9]$'
 in_gdb run bt -- -n 2 crash
 check "a crash stops where it happens" shows "received signal SIGSEGV"
 check "with the calls" shows "^#2 .* in main \(\) at .*crash.c"
@@ -107,7 +122,7 @@ END
     check "$engine: and not earlier" shows '^\$4 = 1$|^\(gdb\) \$4 = 1$'
     check "$engine: the run gives what it gives without" cmp plain <(results)
 done
-started -n 4 --gdb 3 --at 30us deadlock <<'END'
+started -n 4 --gdb 3 --at 45us deadlock <<'END'
 info locals
 END
 check "in a call: which, since when, and where" shows "node 3: crecv\([0-9]+\) since 0\.[0-9]+ s \(deadlock\.c:$(line gsync deadlock.c)\)"

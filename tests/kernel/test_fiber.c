@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <pthread.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -150,6 +151,44 @@ static void note_where(void *arg)
     look_round(arg);
 }
 
+static bool takes_sigint(void)
+{
+    sigset_t now;
+    pthread_sigmask(SIG_BLOCK, NULL, &now);
+    return !sigismember(&now, SIGINT);
+}
+
+static void note_sigint(void *arg)
+{
+    *(bool *)arg = takes_sigint();
+}
+
+static void look_at_sigint(void *arg)
+{
+    struct threaded *t = arg;
+    t->turns = takes_sigint();
+    fiber_yield(&t->self);
+    t->turns = takes_sigint();
+    fiber_finish(&t->self);
+}
+
+static void who_has_the_turn_takes_sigint(void **state)
+{
+    struct threaded *t = make(look_at_sigint, "node 3");
+    bool waiting = true;
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        t->turns = 0;
+        fiber_call_there(&t->self, note_sigint, &waiting);
+        assert_false(waiting);
+        fiber_resume(&t->self);
+        assert_true(t->turns);
+        assert_true(takes_sigint());
+    }
+    fiber_end(&t->self);
+    free(t);
+}
+
 /* While it waits, other code may run there: a debugger then shows the fiber's calls. */
 static void calls_go_where_it_waits(void **state)
 {
@@ -170,6 +209,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fibers_take_turns), cmocka_unit_test(a_fiber_may_have_a_thread),
-        cmocka_unit_test(it_may_finish_or_never_begin), cmocka_unit_test(calls_go_where_it_waits)};
+        cmocka_unit_test(it_may_finish_or_never_begin), cmocka_unit_test(who_has_the_turn_takes_sigint),
+        cmocka_unit_test(calls_go_where_it_waits)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
