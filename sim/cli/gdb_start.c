@@ -9,8 +9,8 @@
 #include "cli/options.h"
 #include "kernel/xalloc.h"
 
-/* touchstone_stops(resume, function, in_call) has its arguments in rdi, rsi and rdx: debug_stop.h says what they
- * mean. */
+/* touchstone_stops(resume, function, in_call) has its arguments in rdi, rsi and rdx: debug_stop.h says what
+ * they mean. */
 static const char SCRIPT[] = "set print thread-events off\n"
                              "set breakpoint pending on\n"
                              "handle SIGUSR1 nostop noprint pass\n"
@@ -24,7 +24,9 @@ static const char SCRIPT[] = "set print thread-events off\n"
                              "    if $rdx\n"
                              "      echo (continue stops behind the call.)\\n\n"
                              "      tbreak *$rdi\n"
-                             "      eval \"frame function %s\", (char *)$rsi\n"
+                             "      if *(char *)$rsi\n"
+                             "        eval \"frame function %s\", (char *)$rsi\n"
+                             "      end\n"
                              "    else\n"
                              "      tbreak *$rdi\n"
                              "      continue\n"

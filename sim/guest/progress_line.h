@@ -1,5 +1,5 @@
-/* progress_line.h - the last line of a terminal, which shows how far a run has come. It is taken away before a
- * program writes anything, and never shown behind an unfinished line of output. */
+/* progress_line.h - the last line of a terminal, which shows how far a run has come. It is taken away before
+ * a program writes anything, and never shown behind an unfinished line of output. */
 #ifndef GUEST_PROGRESS_LINE_H
 #define GUEST_PROGRESS_LINE_H
 #include <stdbool.h>

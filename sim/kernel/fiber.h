@@ -29,11 +29,11 @@ void fiber_begin(struct fiber *f, void *stack, size_t size, void (*entry)(void *
 void fiber_end(struct fiber *f);
 
 /* Gives f, which has not been resumed yet, a thread of its own with a name (at most 15 letters): for
- * debuggers, which know threads and no fibers. Each resumption then takes some microseconds. begin() and end()
- * are called on the thread. False: there is no thread to be had; f is a fiber as any other. */
+ * debuggers, which know threads and no fibers. Each resumption then takes some microseconds. begin() and
+ * end() are called on the thread. False: there is no thread to be had; f is a fiber as any other. */
 bool fiber_take_thread(struct fiber *f, const char *name, void *(*begin)(void), void (*end)(void *own));
-/* While f does not run: calls call(arg) on f's thread, on its stack below where it waits; on the calling thread
- * if f has none. */
+/* While f does not run: calls call(arg) on f's thread, on its stack below where it waits; on the calling
+ * thread if f has none. */
 void fiber_call_there(struct fiber *f, void (*call)(void *arg), void *arg);
 
 /* From the scheduler: run f until it calls fiber_yield or fiber_finish. */

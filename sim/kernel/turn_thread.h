@@ -1,5 +1,5 @@
-/* turn_thread.h - a thread that runs only while it has the turn. Exactly one of the thread and whoever gives it
- * the turn runs, so that both may use the same data, as if they were one thread.
+/* turn_thread.h - a thread that runs only while it has the turn. Exactly one of the thread and whoever gives
+ * it the turn runs, so that both may use the same data, as if they were one thread.
  *
  *     giver:   turn_thread_give ---.                  .--> goes on
  *     thread:                      '--> runs --> turn_thread_return (waits)
@@ -21,8 +21,8 @@ struct turn_thread_calls {
     void *arg;
 };
 
-/* name: for debuggers, at most 15 letters. The thread takes no other signals than its own faults and SIGINT. NULL:
- * there is no thread to be had. */
+/* name: for debuggers, at most 15 letters. The thread takes no other signals than its own faults and SIGINT.
+ * NULL: there is no thread to be had. */
 struct turn_thread *turn_thread_new(const char *name, const struct turn_thread_calls *calls);
 /* Without the turn: makes the thread leave run(), waits for its end, and frees it. */
 void turn_thread_end(struct turn_thread *t);

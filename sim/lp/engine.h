@@ -51,7 +51,8 @@ struct engine_threads {
 /* Commits the machine's events until there are none, or schedule.stop is set. The threads' figures differ
  * from run to run. */
 struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads);
-/* From schedule.look: all programs stand still, in calls or at polls, from engine_hold() to engine_release(). */
+/* From schedule.look: all programs stand still, in calls or at polls, from engine_hold() to
+ * engine_release(). */
 void engine_hold(struct schedule *s);
 void engine_release(struct schedule *s);
 /* Programs that compute on other threads make no call before this time; VT_NEVER: there are none. */

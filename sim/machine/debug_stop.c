@@ -78,6 +78,8 @@ static bool runs(const struct node *n)
 static void stop_here(struct node_system *s, struct node *n, struct place p)
 {
     s->stop->pending = false;
+    if (s->isolate)
+        p.function[0] = '\0'; /* it is not on the stack of the thread that stops */
     if (runs(n))
         fiber_call_there(&n->lp.fiber, stop_on_thread, &p);
     else

@@ -19,8 +19,8 @@ struct machine_options {
     unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
     uint64_t shuffle;     /* not 0: seeds random choices of the threads, for tests. Changes no result */
     bool progress;        /* err is a terminal, which is to show how far the run has come */
-    /* A debugger is attached: it is told of the programs, each of which has a thread; one of them runs at a time,
-     * and there is no limit of real time. Changes no result. */
+    /* A debugger is attached: it is told of the programs, each of which has a thread; one of them runs at a
+     * time, and there is no limit of real time. Changes no result. */
     bool debugged;
     struct debug_stop_options stop; /* in the debugger */
     bool isolate;        /* a node that writes to another's memory crashes; the run uses one thread */

@@ -1,4 +1,5 @@
-/* machine_run.c - runs a machine (machine.h): starts its threads, and settles the nodes' accounts at the end. */
+/* machine_run.c - runs a machine (machine.h): starts its threads, and settles the nodes' accounts at the
+ * end. */
 #include <assert.h>
 #include <stdlib.h>
 #include "guest/trace.h"

@@ -18,8 +18,8 @@ enum { ENDINGS = sizeof ENDING / sizeof *ENDING };
 /* Seconds of host time before the first progress line, and from one to the next. */
 static const double PROGRESS_AFTER = 1, PROGRESS_EVERY = 0.25;
 
-/* Those of the signals that are not ignored, as they are under nohup. SIGINT is a debugger's, if there is one:
- * it stops the run. */
+/* Those of the signals that are not ignored, as they are under nohup. SIGINT is a debugger's, if there is
+ * one: it stops the run. */
 static sigset_t signals_of(const struct machine *m)
 {
     sigset_t set;
@@ -70,8 +70,9 @@ static void tell_where(struct machine *m)
 {
     struct node_system *s = &m->sys;
     engine_hold(&s->schedule);
-    char *what = xasprintf("at %.9f s of virtual time, after %" PRIu64 " messages:",
-                           vt_seconds(come_to(&s->schedule)), s->messages);
+    char *what =
+        xasprintf("at %.9f s of virtual time, after %" PRIu64 " messages:", vt_seconds(come_to(&s->schedule)),
+                  s->messages);
     char *text = whereabouts_grouped(s, what);
     if (s->progress)
         progress_line_clear(s->progress);

@@ -37,7 +37,8 @@ cat err >>out
 results >plain
 in_gdb 'break relax if me == 2 && round == 3' run bt 'info args' 'print rounds_done' 'print me' 'print width' 'print row[0]' 'up' \
     'info locals' 'info threads' 'thread 5' 'frame function main' 'print me' 'info symbol main' 'delete' 'continue' -- -n 4 gdbO0
-check "a breakpoint in a function, hit by node 2" shows '^Thread [0-9]+ "node 2" hit Breakpoint 1\.[0-9]+, relax \(cell=0x[0-9a-f]+ <row>, width=64, round=3\) at .*gdb\.c:[0-9]+$'
+check "a breakpoint in a function, hit by node 2" \
+    shows '^Thread [0-9]+ "node 2" hit Breakpoint 1\.[0-9]+, relax \(cell=0x[0-9a-f]+ <row>, width=64, round=3\) at .*gdb\.c:[0-9]+$'
 check "the calls under way: main, with its line" shows "^#1 .* in main \(\) at .*gdb\.c:$(line 'change = relax')\$"
 check "a global variable of another file is node 2's" shows '^\$1 = 2$'
 check "one of the same file" shows '^\$2 = 2$'
@@ -50,7 +51,8 @@ for node in 0 1 2 3; do
 done
 check "another thread's variables are its node's" shows '^\$5 = 3$'
 check "a run in gdb gives what it gives without" cmp plain <(results)
-in_gdb 'break relax' run 'print $_thread' c 'print $_thread' c 'print $_thread' c 'print $_thread' 'delete' c -- --engine reference -n 4 gdbO0
+in_gdb 'break relax' run 'print $_thread' c 'print $_thread' c 'print $_thread' c 'print $_thread' 'delete' c -- \
+    --engine reference -n 4 gdbO0
 check "the reference engine, too: all nodes come to the breakpoint" test "$(grep -cE '^\$[1-4] = [2-5]$' out)" = 4
 check "and the results are the same" cmp plain <(results)
 run -n 4 gdbO2
@@ -98,7 +100,8 @@ next
 print me
 continue
 END
-check "--gdb 2: stops at main, on node 2" shows '"node 2" hit Temporary breakpoint .* main \(\) at .*gdb\.c:'"$(line 'int main' | awk '{ print $1 + 1 }')"'$'
+check "--gdb 2: stops at main, on node 2" \
+    shows '"node 2" hit Temporary breakpoint .* main \(\) at .*gdb\.c:'"$(line 'int main' | awk '{ print $1 + 1 }')"'$'
 check "next goes to the next line" shows "^\(gdb\) $(line 'me = mynode')[[:space:]]+me = mynode"
 check "and over calls" shows '^\(gdb\) \$1 = 2$'
 run -n 4 gdbO0
@@ -115,7 +118,8 @@ continue
 print began > 0.004
 continue
 END
-    check "$engine: --at 4ms: how far all have come" shows '^touchstone run: all nodes have come to 0\.004000000 s; node 2: computing \(gdb\.c:[0-9]+\)$'
+    check "$engine: --at 4ms: how far all have come" \
+        shows '^touchstone run: all nodes have come to 0\.004000000 s; node 2: computing \(gdb\.c:[0-9]+\)$'
     check "$engine: it stops in node 2's program" shows '"node 2" hit Temporary breakpoint .*relax \(.* at .*gdb\.c:[0-9]+$'
     check "$engine: whose variables are there" shows '^\(gdb\) \$1 = 2$'
     check "$engine: not later than in the round of that time" shows '^\(gdb\) \$3 = 1$'

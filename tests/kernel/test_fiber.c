@@ -1,5 +1,5 @@
-/* Fibers keep their place and their floating-point state, and any number of them take turns; with threads of their
- * own, too. */
+/* Fibers keep their place and their floating-point state, and any number of them take turns; with threads of
+ * their own, too. */
 #include <errno.h>
 #include <pthread.h>
 #include <setjmp.h>
