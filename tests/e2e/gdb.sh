@@ -3,10 +3,11 @@
 # a node; and a run in gdb gives what it gives without. Needs gdb.
 . "$(dirname "$0")/common.bash"
 for option in O0 O2; do
-    "$BUILD/nxcc" -g -$option -Wall -o gdb$option "$tests/gdb.c" "$tests/gdb_part.c" 2>compile.err || check "gdb.c compiles" cat compile.err
+    "$BUILD/nxcc" -g -$option -Wall -o gdb$option "$tests/gdb.c" "$tests/gdb_part.c" || echo "not ok gdb.c compiles"
 done
 compile deadlock
 compile crash
+export ASAN_OPTIONS=detect_leaks=0 # it cannot be traced
 mkdir tmp
 echo 'set width 0' >.gdbinit
 export TMPDIR=$work/tmp
