@@ -217,12 +217,21 @@ void counting::add_leaf_cost(segment *s, gimple *stmt)
         s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
 }
 
-/* A source line for a block, also for the head of a loop without statements. */
-location_t location_of(basic_block bb)
+/* The source line of the first statement that has one. */
+location_t location_of_statements(basic_block bb)
 {
     for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
         if (gimple_has_location(gsi_stmt(gsi)))
             return gimple_location(gsi_stmt(gsi));
+    return UNKNOWN_LOCATION;
+}
+
+/* A source line for a block, also for the head of a loop without statements. */
+location_t location_of(basic_block bb)
+{
+    location_t where = location_of_statements(bb);
+    if (where != UNKNOWN_LOCATION)
+        return where;
     edge e;
     edge_iterator ei;
     FOR_EACH_EDGE (e, ei, bb->preds)
@@ -555,7 +564,11 @@ void counting::insert_poll(const poll &p)
     make_single_succ_edge(cold, p.in_parts ? bb : rest, EDGE_FALLTHRU);
 
     gimple_seq seq = NULL;
-    location_t where = location_of(bb);
+    location_t where = location_of_statements(bb); /* for those who ask where an endless loop is */
+    if (where == UNKNOWN_LOCATION)
+        where = location_of_statements(rest);
+    if (where == UNKNOWN_LOCATION)
+        where = location_of(bb);
     if (profile)
         profile->flush(&seq, bb);
     if (p.ahead)

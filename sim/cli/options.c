@@ -1,7 +1,10 @@
 /* options.c - see options.h. */
 #include "cli/options.h"
+#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 const char CLI_VERSION[] = "0.1";
@@ -125,6 +128,23 @@ uint32_t cli_whole(struct argp_state *state, const char *option, const char *wha
     else
         argp_error(state, "%s takes %s, 1 to %u, not '%s'", option, what, most, text);
     return value;
+}
+
+vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text)
+{
+    static const struct {
+        const char *name;
+        double ps;
+    } UNITS[] = {{"", 1e12}, {"s", 1e12}, {"ms", 1e9}, {"us", 1e6}, {"ns", 1e3}, {"ps", 1}};
+    char *end;
+    errno = 0;
+    double value = strtod(text, &end);
+    for (size_t i = 0; i < sizeof UNITS / sizeof *UNITS; i++)
+        if (end != text && !errno && value >= 0 && !strcmp(end, UNITS[i].name) &&
+            value * UNITS[i].ps < 0x1p63)
+            return (vtime)llround(value * UNITS[i].ps);
+    argp_error(state, "%s takes a virtual time such as 1.5s, 12ms or 3us, not '%s'", option, text);
+    return 0;
 }
 
 double cli_seconds(struct argp_state *state, const char *option, const char *text)

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "kernel/vtime.h"
 
 enum {
     CLI_EXIT_INPUT = 65, /* a command's exit status: its input cannot be used */
@@ -47,6 +48,8 @@ bool cli_is_whole(const char *text, uint32_t most, uint32_t *value);
  * an error of that option. what: as in "a number of nodes". */
 uint32_t cli_whole(struct argp_state *state, const char *option, const char *what, uint32_t most,
                    const char *text);
+/* A virtual time such as 1.5s, 12ms, 3us, 40ns or 1234ps; a number alone is in seconds. */
+vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text);
 double cli_seconds(struct argp_state *state, const char *option, const char *text);
 
 /* How many processors this computer has. */

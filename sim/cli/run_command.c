@@ -6,19 +6,21 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/commands.h"
+#include "cli/gdb_start.h"
 #include "cli/installation.h"
 #include "cli/options.h"
+#include "cli/trace_options.h"
 #include "files/atomic_file.h"
+#include "guest/debugger.h"
 #include "kernel/xalloc.h"
 #include "machine/machine.h"
-#include "cli/trace_options.h"
 #include "observe/run_trace.h"
 #include "observe/summary.h"
 #include "observe/time_profile.h"
 
 enum { EXIT_OUTPUT = 74, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
 
-enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES };
+enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT };
 
 struct arguments {
     const char *machine, *json, *profile, *history, *cfs, *host, *engine;
@@ -29,6 +31,7 @@ struct arguments {
     bool quiet, verbose, isolate;
     struct run_trace_options trace; /* path NULL: no trace */
     bool *traced_nodes;
+    struct debug_stop_options stop;
     char **program; /* with its arguments */
     int program_count;
     char *host_only[2]; /* arguments of a host program, if none are given */
@@ -57,7 +60,10 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Limits:", 3},
     {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
     {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
-    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 4},
+    {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 4},
+    {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
+    {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
+    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 5},
     {"workers", 'w', "N", 0,
      "Compute with N threads; default $TOUCHSTONE_WORKERS, else the number of processors, at most 8", 0},
     {"engine", CLI_TEXT(arguments, engine), "ENGINE", 0,
@@ -75,7 +81,8 @@ static const char DOC[] =
     "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
     "its nodes from the start; without, it calls getcube.\v"
-    "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal.\n\n"
+    "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal. "
+    "SIGUSR1 (kill -USR1 PROCESS) has it report, and go on.\n\n"
     "Exit status:\n"
     "  0   all programs ended\n"
     "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"
@@ -86,6 +93,26 @@ static const char DOC[] =
     "  74  standard output or a result cannot be written\n\n"
     "Example:\n"
     "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
+
+static void check_stop(struct argp_state *state, const struct arguments *a)
+{
+    const struct debug_stop_options *stop = &a->stop;
+    if (stop->time && !stop->wanted)
+        argp_error(state, "--at needs --gdb NODE");
+    if (stop->host && !a->host)
+        argp_error(state, "--gdb host: there is no host program (--host)");
+    if (stop->wanted && !stop->host && a->nodes && stop->node >= a->nodes)
+        argp_error(state, "--gdb %u: nodes are 0 to %u", stop->node, a->nodes - 1);
+}
+
+/* "3", "host" */
+static void take_stop(struct argp_state *state, struct debug_stop_options *stop, const char *node)
+{
+    stop->wanted = true;
+    stop->host = strcmp(node, "host") == 0;
+    if (!stop->host && strcmp(node, "0") && !cli_is_whole(node, UINT32_MAX, &stop->node))
+        argp_error(state, "--gdb takes a node's number, from 0 up, or 'host', not '%s'", node);
+}
 
 static void check(struct argp_state *state, struct arguments *a)
 {
@@ -102,6 +129,7 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
     if (a->trace.to && a->trace.to <= a->trace.from)
         argp_error(state, "--trace-to must be later than --trace-from");
+    check_stop(state, a);
 }
 
 static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
@@ -143,6 +171,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->trace.to = cli_virtual_time(state, "--trace-to", arg);
     else if (key == TRACE_NODES)
         cli_node_list(state, "--trace-nodes", arg, &a->traced_nodes, &a->trace.node_count);
+    else if (key == GDB)
+        take_stop(state, &a->stop, arg);
+    else if (key == AT)
+        a->stop.time = cli_virtual_time(state, "--at", arg);
     else if (key == 'q')
         a->quiet = true;
     else if (key == 'v')
@@ -244,6 +276,9 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
                                 .isolate = a->isolate,
+                                .progress = !a->quiet && isatty(STDERR_FILENO),
+                                .debugged = debugger_is_attached(),
+                                .stop = a->stop,
                                 .out = stdout,
                                 .err = stderr};
     if (a->host) { /* the arguments are the host program's, with its name in place of the node program's */
@@ -273,16 +308,27 @@ static int run_machine(const struct arguments *a, const struct machine_options *
         status = report(m, a);
         if (trace.recorder && !run_trace_end(&trace, m, &error))
             status = output_error(error);
+        debug_stop_end(&m->sys, m->outcome == MACHINE_DEADLOCK);
     }
     *ended_by = m->signal;
     machine_free(m);
     return status;
 }
 
+/* SIGUSR1, which asks where the nodes are, does not end a run that has not begun or is over. */
+static void keep_questions(void)
+{
+    sigset_t one;
+    sigemptyset(&one);
+    sigaddset(&one, SIGUSR1);
+    sigprocmask(SIG_BLOCK, &one, NULL);
+}
+
 static int run(struct arguments *a)
 {
     struct cli_installation places;
     char *error = NULL;
+    keep_questions();
     if (!cli_find_installation(&places, "run"))
         return CLI_EXIT_INPUT;
     struct cfg_machine *cfg = cfg_load_with(a->machine, places.machines, a->set, &error);
@@ -311,11 +357,16 @@ int cli_run(int argc, char **argv)
     static const struct argp ARGP = {
         OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
-    a.trace.command = argv - 1, a.trace.version = CLI_VERSION; /* main's: "touchstone", "run", ... */
+    char **whole = argv - 1; /* main's: "touchstone", "run", ... */
+    a.trace.command = whole, a.trace.version = CLI_VERSION;
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
-    bool other = a.engine && cli_is_other_engine(a.engine);
-    int status =
-        other ? cli_change_engine(a.engine, argv - 1) /* main's: "touchstone", "run", ... */ : run(&a);
+    int status;
+    if (a.stop.wanted && !debugger_is_attached())
+        status = cli_start_gdb(whole);
+    else if (a.engine && cli_is_other_engine(a.engine))
+        status = cli_change_engine(a.engine, whole);
+    else
+        status = run(&a);
     free(a.set);
     free(a.traced_nodes);
     return status;

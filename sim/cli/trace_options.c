@@ -1,29 +1,10 @@
 /* trace_options.c - see trace_options.h. */
 #include "cli/trace_options.h"
-#include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
 
 enum { FROM = CLI_KEY + 0x8000, TO, NODES };
-
-vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text)
-{
-    static const struct {
-        const char *name;
-        double ps;
-    } UNITS[] = {{"", 1e12}, {"s", 1e12}, {"ms", 1e9}, {"us", 1e6}, {"ns", 1e3}, {"ps", 1}};
-    char *end;
-    errno = 0;
-    double value = strtod(text, &end);
-    for (size_t i = 0; i < sizeof UNITS / sizeof *UNITS; i++)
-        if (end != text && !errno && value >= 0 && !strcmp(end, UNITS[i].name) &&
-            value * UNITS[i].ps < 0x1p63)
-            return (vtime)llround(value * UNITS[i].ps);
-    argp_error(state, "%s takes a virtual time such as 1.5s, 12ms or 3us, not '%s'", option, text);
-    return 0;
-}
 
 /* Reads "7" or "3-7" at *at, and what separates it from the next. */
 static bool range(const char **at, uint32_t *first, uint32_t *last)

@@ -5,10 +5,6 @@
 #include "kernel/vtime.h"
 #include "lab/trace/trace_model.h"
 
-/* A virtual time such as 1.5s, 12ms, 3us, 40ns or 1234ps; a number alone is in seconds. Any other text is reported as
- * an error of that option. */
-vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text);
-
 /* Nodes such as 0-7,12. *nodes (malloc'd) is by number, of *count. */
 void cli_node_list(struct argp_state *state, const char *option, const char *text, bool **nodes,
                    uint32_t *count);

@@ -161,6 +161,7 @@ static bool find_relocations(struct elf_file *f, char **error)
         const Elf64_Dyn *d = table_at(f, ph[i].p_offset, ph[i].p_filesz / sizeof *d, sizeof *d);
         if (d == NULL)
             return truncated(f, error);
+        f->dynamic_at = ph[i].p_vaddr;
         for (size_t k = 0; k < ph[i].p_filesz / sizeof *d && d[k].d_tag != DT_NULL; k++)
             if (d[k].d_tag > 0 && d[k].d_tag <= DT_RELRSZ)
                 value[d[k].d_tag] = d[k].d_un.d_val;

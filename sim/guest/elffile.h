@@ -32,6 +32,7 @@ struct elf_file {
     struct elf_symbols dynamic;         /* .dynsym: what relocations refer to */
     struct elf_symbols all;             /* .symtab; empty if stripped */
     struct elf_relocations data, calls; /* DT_RELA, DT_JMPREL */
+    uint64_t dynamic_at;                /* the address of PT_DYNAMIC */
     bool debug;                         /* the file has line numbers */
 };
 

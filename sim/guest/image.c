@@ -358,9 +358,14 @@ static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t 
         return false;
     const char *slash = strrchr(path, '/');
     snprintf(buf, size, "%s:%d", slash ? slash + 1 : path, line);
-    *library = strstr(path, "/nx_api/") != NULL;
+    *library = strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/");
     free(path);
     return true;
+}
+
+const struct elf_file *node_image_elf(const struct node_image *img)
+{
+    return img->elf;
 }
 
 size_t node_image_function(const struct node_image *img, size_t offset)

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 struct node;
+struct elf_file;
 struct node_image;
 
 /* Reads and checks a program. Returns NULL and sets *error (malloc'd) if nxcc has not built the file. The
@@ -32,6 +33,9 @@ size_t node_image_bytes(const struct node_image *img);
  * n->data. n->libc exists already: the program refers to its streams. Returns false with *error set
  * (malloc'd) on failure. */
 bool node_image_map(const struct node_image *img, struct node *n, char **error);
+
+/* Its file. */
+const struct elf_file *node_image_elf(const struct node_image *img);
 
 /* The offset from the program's start at which the function around an offset begins; the offset itself if
  * no function is known. */

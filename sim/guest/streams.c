@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include "kernel/xalloc.h"
 #include "guest/file.h"
+#include "guest/progress_line.h"
 #include "node/node.h"
 #include "guest/streams.h"
 #include "node/system.h"
@@ -50,6 +51,8 @@ static ssize_t stream_read(void *cookie, char *buf, size_t size)
 static void write_out(struct node *n, int fd, const char *bytes, size_t len)
 {
     FILE *const *out = n->sys->out;
+    if (n->sys->progress && len)
+        progress_line_make_way(n->sys->progress, bytes, len);
     if (fd == 2)
         fflush(out[0]); /* both may go to one file */
     fwrite(bytes, 1, len, out[fd - 1]);

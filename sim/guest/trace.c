@@ -144,14 +144,24 @@ const char *trace_line_at(struct trace_lines *t, const struct node *n, uintptr_t
     return *text ? text : NULL;
 }
 
-const char *trace_line(struct trace_lines *t, const struct node *n)
+static const char *line_from(struct trace_lines *t, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
-    int depth = trace_walk(n, n->frame, returns, MOST_CALLS);
+    int depth = trace_walk(n, frame, returns, MOST_CALLS);
     for (int i = 0; i < depth; i++) {
         const char *text = trace_line_at(t, n, returns[i]);
         if (text)
             return text;
     }
     return NULL;
+}
+
+const char *trace_line(struct trace_lines *t, const struct node *n)
+{
+    return line_from(t, n, n->frame);
+}
+
+const char *trace_line_away(struct trace_lines *t, const struct node *n)
+{
+    return line_from(t, n, (uintptr_t)fiber_frame(&n->lp.fiber));
 }

@@ -34,6 +34,8 @@ void trace_lines_free(struct trace_lines *t);
 /* "FILE:LINE" of the call in which a blocked node's program waits; NULL if it is not known. t keeps the
  * text. */
 const char *trace_line(struct trace_lines *t, const struct node *n);
+/* The same of any program that does not run at the moment, wherever it has switched away. */
+const char *trace_line_away(struct trace_lines *t, const struct node *n);
 /* As trace_line(), for the address behind a poll or call. */
 const char *trace_line_at(struct trace_lines *t, const struct node *n, uintptr_t address);
 #endif

@@ -1,6 +1,7 @@
 /* fiber.c - see fiber.h. */
 #include "kernel/fiber.h"
 #include <stdlib.h>
+#include "kernel/turn_thread.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #include <sanitizer/asan_interface.h>
@@ -82,6 +83,7 @@ static void clean(void *stack, size_t size)
 static void start(struct transfer t)
 {
     struct fiber *f = t.data;
+    __asm__ volatile(".cfi_undefined rip"); /* nobody called: here a debugger's list of calls ends */
     arrived(NULL, &f->back_stack, &f->back_size);
     f->back = t.from;
     f->entry(f->arg);
@@ -98,12 +100,16 @@ void fiber_begin(struct fiber *f, void *stack, size_t size, void (*entry)(void *
 
 void fiber_end(struct fiber *f)
 {
+    if (f->on)
+        turn_thread_end(f->on);
+    f->on = NULL;
     if (f->self)
         free_thread(f->thread);
     f->self = NULL;
 }
 
-void fiber_resume(struct fiber *f)
+/* Runs f on the calling thread until it switches back. */
+static inline void enter(struct fiber *f)
 {
     struct fiber *outer = current;
     void *fake = NULL;
@@ -116,8 +122,28 @@ void fiber_resume(struct fiber *f)
     f->self = t.from;
 }
 
+void fiber_resume(struct fiber *f)
+{
+    if (__builtin_expect(f->on != NULL, 0))
+        turn_thread_give(f->on);
+    else
+        enter(f);
+}
+
+/* On the fiber's own thread it waits where it is, so that a debugger sees its stack. */
+static __attribute__((noinline, cold)) void yield_on_thread(struct fiber *f)
+{
+    if (!turn_thread_return(f->on))
+        fiber_finish(f);
+}
+
 void fiber_yield(struct fiber *f)
 {
+    f->frame = __builtin_frame_address(0);
+    if (__builtin_expect(f->on != NULL, 0)) {
+        yield_on_thread(f);
+        return;
+    }
     leaving(&f->fake, f->back_stack, f->back_size);
     switch_thread(NULL, f->back_thread);
     struct transfer t = jump_fcontext(f->back, f);
@@ -131,6 +157,27 @@ _Noreturn void fiber_finish(struct fiber *f)
     switch_thread(NULL, f->back_thread);
     jump_fcontext(f->back, f);
     abort();
+}
+
+/* --- with a thread of its own --- */
+
+static void enter_on_thread(void *arg)
+{
+    enter(arg);
+}
+
+bool fiber_take_thread(struct fiber *f, const char *name, void *(*begin)(void), void (*end)(void *own))
+{
+    f->on = turn_thread_new(name, &(struct turn_thread_calls){begin, enter_on_thread, end, f});
+    return f->on;
+}
+
+void fiber_call_there(struct fiber *f, void (*call)(void *arg), void *arg)
+{
+    if (f->on)
+        turn_thread_call(f->on, call, arg);
+    else
+        call(arg);
 }
 
 struct fiber *fiber_current(void)

@@ -73,7 +73,7 @@ struct workers {
     unsigned episodes, skip, skips;  /* tasks; how many the next time */
 };
 
-static inline void relax(void)
+static inline void pause_processor(void)
 {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
@@ -212,7 +212,7 @@ static void wait_for_task(struct workers *ws)
 {
     pthread_mutex_unlock(&ws->lock);
     for (int i = 0; i < SPINS && (atomic_load(&ws->waits) == 0 || atomic_load(&ws->halt)); i++)
-        relax();
+        pause_processor();
     pthread_mutex_lock(&ws->lock);
     while (!ws->quit && (ws->waiting_count == 0 || atomic_load(&ws->halt))) {
         atomic_store(&ws->asleep, ++ws->sleepers);
@@ -516,7 +516,7 @@ static void wait_for_news(struct workers *ws, vtime time, uint32_t address)
     pthread_mutex_lock(&ws->lock);
     for (int i = 0; !(news = has_news(ws, time, address)) && i < SPINS; i++) {
         pthread_mutex_unlock(&ws->lock);
-        relax();
+        pause_processor();
         pthread_mutex_lock(&ws->lock);
     }
     if (!news)
@@ -587,6 +587,14 @@ void workers_halt(struct workers *ws)
             atomic_store(&ws->listening, true);
             pthread_cond_wait(&ws->news, &ws->lock);
         }
+    pthread_mutex_unlock(&ws->lock);
+}
+
+void workers_go_on(struct workers *ws)
+{
+    pthread_mutex_lock(&ws->lock);
+    atomic_store(&ws->halt, false);
+    pthread_cond_broadcast(&ws->more);
     pthread_mutex_unlock(&ws->lock);
 }
 

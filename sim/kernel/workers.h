@@ -73,8 +73,9 @@ struct task *workers_take(struct workers *ws);
 void workers_advance(struct workers *ws, vtime time, uint32_t address);
 /* Stops w, which is out and not wanted any more, and takes it back. */
 void workers_drop(struct workers *ws, struct task *w);
-/* Stops all: returns when nothing runs. Nothing is taken after it. */
+/* Stops all: returns when nothing runs. Nothing is taken after it, until workers_go_on(). */
 void workers_halt(struct workers *ws);
+void workers_go_on(struct workers *ws);
 struct workers_stats workers_stats(const struct workers *ws);
 /* Is it worth while to submit a task? Only if it will take a while, is_long, and not if lately the
  * coordinator had nothing else to do meanwhile. */

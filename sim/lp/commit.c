@@ -52,9 +52,11 @@ static bool commit_or_help(struct schedule *s)
     }
     if (next == VT_NEVER)
         return out && workers_busy(s->workers);
-    if (next > s->max_time)
+    if (next > s->max_time) {
         up_end_at_limit(s);
-    return next <= s->max_time && commit_next(s);
+        return !s->stop; /* there is another limit now */
+    }
+    return commit_next(s);
 }
 
 /* Flattened: after a switch to a program and back no processor foresees where a function returns to. */
@@ -84,6 +86,23 @@ static bool thread_runs(void *own, struct task *t)
 {
     (void)own;
     return offload_run(t);
+}
+
+void engine_hold(struct schedule *s)
+{
+    if (s->workers)
+        workers_halt(s->workers);
+}
+
+void engine_release(struct schedule *s)
+{
+    if (s->workers)
+        workers_go_on(s->workers);
+}
+
+vtime engine_bound(const struct schedule *s)
+{
+    return s->workers ? workers_bound(s->workers) : VT_NEVER;
 }
 
 struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads)

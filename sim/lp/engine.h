@@ -51,6 +51,12 @@ struct engine_threads {
 /* Commits the machine's events until there are none, or schedule.stop is set. The threads' figures differ
  * from run to run. */
 struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads);
+/* From schedule.look: all programs stand still, in calls or at polls, from engine_hold() to
+ * engine_release(). */
+void engine_hold(struct schedule *s);
+void engine_release(struct schedule *s);
+/* Programs that compute on other threads make no call before this time; VT_NEVER: there are none. */
+vtime engine_bound(const struct schedule *s);
 /* Behind it: the node's books up to the moment at which the machine has stopped. */
 void engine_settle(struct lp *lp, struct instant end);
 #endif

@@ -4,11 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
+#include "guest/debugger.h"
 #include "guest/heap.h"
 #include "guest/image.h"
 #include "guest/libc.h"
 #include "guest/span.h"
 #include "lp/engine.h"
+#include "machine/crash.h"
 #include "os/charge.h"
 #include "os/end.h"
 #include "os/gate.h"
@@ -44,6 +46,14 @@ static bool fits(const struct node *n, const struct node_image *img, char **erro
     return false;
 }
 
+/* (A thread that waits may still touch its stack, which --isolate does not allow.) */
+static void show_debugger(struct node *n)
+{
+    debugger_add(n->sys->debugger, n);
+    if (!n->sys->isolate)
+        fiber_take_thread(&n->lp.fiber, n->name, crash_thread_begins, crash_thread_ends);
+}
+
 static bool make_parts(struct node *n, const struct node_image *img, char **error)
 {
     if (!fits(n, img, error))
@@ -57,6 +67,8 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
         return false;
     n->heap = node_heap_new(n->heap_start, n->region->heap_bytes, memory_has_room, memory_heap_is, n);
     fiber_begin(&n->lp.fiber, n->stack, n->stack_bytes, run_program, n);
+    if (n->sys->debugger)
+        show_debugger(n);
     isolate_made(n);
     node_memory_changed(n);
     return true;
@@ -147,6 +159,8 @@ static void strip(struct node *n)
     if (n->libc)
         node_libc_free(n);
     fiber_end(&n->lp.fiber);
+    if (n->sys->debugger)
+        debugger_remove(n->sys->debugger, n);
     if (n->heap)
         node_heap_free(n->heap);
     if (n->sys->writable == n)

@@ -108,6 +108,16 @@ void crash_unwatch(struct crash_guard *g)
     free(g);
 }
 
+void *crash_thread_begins(void)
+{
+    return crash_watch();
+}
+
+void crash_thread_ends(void *own)
+{
+    crash_unwatch(own);
+}
+
 void crash_keep(struct node *n)
 {
     assert(n->crash);

@@ -28,6 +28,9 @@ void crash_ignore(void);
 /* Makes the calling thread's guard; crash_unwatch() frees it. */
 struct crash_guard *crash_watch(void);
 void crash_unwatch(struct crash_guard *g);
+/* The same for makers of threads. */
+void *crash_thread_begins(void);
+void crash_thread_ends(void *guard);
 /* To be called on the thread on which n's program has just crashed, before another program runs there:
  * copies n->crash, which was the guard's. The node owns the copy (malloc'd). */
 void crash_keep(struct node *n);

@@ -11,6 +11,7 @@
 #include "guest/image.h"
 #include "nx_api/include/nxerrno.h"
 #include "machine/assemble.h"
+#include "machine/debug_stop.h"
 #include "os/end.h"
 #include "os/fail.h"
 #include "os/gate.h"
@@ -290,6 +291,7 @@ long cube_load(struct node *host, const char *path, long node, long pid)
     for (uint32_t i = 0; i < host->sys->count; i++)
         if ((node == ALL || node == (long)i) && load_one(host, p, i, pid) < 0)
             return -1;
+    debug_stop_loaded(host->sys);
     return 0;
 }
 

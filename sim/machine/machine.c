@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "cfs/cfs.h"
+#include "guest/debugger.h"
 #include "guest/image.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
@@ -118,6 +119,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->history = options->history;
     s->guards = NODE_GUARDS_ALL;
     s->isolate = options->isolate;
+    s->debugger = options->debugged ? debugger_new() : NULL;
     s->out[0] = options->out, s->out[1] = options->err;
     s->schedule.q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error))
@@ -158,6 +160,7 @@ void machine_free(struct machine *m)
     arena_free(&m->sys.made_cold);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
+    debugger_free(m->sys.debugger);
     protocol_free(m->sys.schedule.protocol);
     evq_free(m->sys.schedule.q);
     mintree_free(&m->sys.schedule.polls);

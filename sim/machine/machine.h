@@ -1,6 +1,9 @@
 /* machine.h - a machine put together from its parts, with a program on its nodes. */
 #ifndef MACHINE_MACHINE_H
 #define MACHINE_MACHINE_H
+#include <signal.h>
+#include "guest/progress_line.h"
+#include "machine/debug_stop.h"
 #include "node/system.h"
 
 struct machine_options {
@@ -15,10 +18,15 @@ struct machine_options {
     double slice_s;       /* longest slice of computing; 0: no slices. For tests: changes no result */
     unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
     uint64_t shuffle;     /* not 0: seeds random choices of the threads, for tests. Changes no result */
-    bool isolate;         /* a node that writes to another's memory crashes; the run uses one thread */
-    FILE *out, *err;      /* the programs' output */
-    FILE *history;        /* gets a line for each message received; NULL: no history */
-    const char *cfs_dir;  /* the folder that holds the files of /cfs; NULL: a temporary one */
+    bool progress;        /* err is a terminal, which is to show how far the run has come */
+    /* A debugger is attached: it is told of the programs, each of which has a thread; one of them runs at a
+     * time, and there is no limit of real time. Changes no result. */
+    bool debugged;
+    struct debug_stop_options stop; /* in the debugger */
+    bool isolate;        /* a node that writes to another's memory crashes; the run uses one thread */
+    FILE *out, *err;     /* the programs' output */
+    FILE *history;       /* gets a line for each message received; NULL: no history */
+    const char *cfs_dir; /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 
 enum machine_outcome { MACHINE_ENDED, MACHINE_FAILED, MACHINE_DEADLOCK };
@@ -30,10 +38,14 @@ struct machine {
     enum machine_outcome outcome;
     char *message; /* how the run ended, for the user, one or more lines; NULL: nothing to say. Malloc'd */
     struct workers_stats workers; /* figures of the threads; all 0: there was one */
-    int signal;                   /* the signal that ended the run; 0: none */
-    vtime end;                    /* when the last program ended */
-    double begin;                 /* hostclock_s() at the start of the run */
-    double wall_s, start_s;       /* seconds of host time: of the run; of putting the machine together */
+    struct debug_stop stop;
+    struct progress_line progress;
+    double progress_at;      /* hostclock_s() at the next */
+    sigset_t signals_before; /* what was blocked before the run */
+    int signal;              /* the signal that ended the run; 0: none */
+    vtime end;               /* when the last program ended */
+    double begin;            /* hostclock_s() at the start of the run */
+    double wall_s, start_s;  /* seconds of host time: of the run; of putting the machine together */
 };
 
 /* Makes a machine of its parts, with all programs loaded. Returns NULL and sets *error (malloc'd) on

@@ -1,53 +1,187 @@
 /* whereabouts.c - see whereabouts.h. */
 #include "machine/whereabouts.h"
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include "guest/trace.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
+#include "nx_api/contract/program_image.h"
+
+/* More nodes are grouped by their states. */
+enum { MOST_ALONE = 16 };
+
+/* What a program does; two that do the same have equal text, line and kind. */
+struct where {
+    char text[64];    /* "crecv(7)", "computing" ... */
+    const char *line; /* of the source; NULL: not known */
+    bool timed;       /* `since` is part of it: since then in the call */
+    bool ended;       /* or ended at that time */
+    vtime since;
+};
+
+/* Nodes in the same state. */
+struct group {
+    struct where where;
+    vtime latest; /* where.since is the earliest */
+    uint32_t first, *nodes, count;
+};
 
 /* The source line in which a node's program is; NULL if it is not known. At a limit of virtual time, a
  * computing program's line is that of its last slice boundary: the program may have computed past the limit
  * before it was known that the system takes time from it, and the report must be equal in every run. */
 static const char *line_of(const struct node *n, struct trace_lines *lines)
 {
+    if (n->lp.state == LP_ENDED)
+        return NULL;
+    if (!n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
+        return trace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
+    if (n->sys->schedule.stop == STOP_NOT && n->sys->running && !n->at_poll)
+        return trace_line_away(lines, n);
     if (n->call)
         return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? trace_line(lines, n) : NULL;
     if (n->sys->schedule.stop == STOP_VIRTUAL_TIME)
         return trace_line_at(lines, n, clock_last_place(&n->lp));
-    return n->at_poll ? trace_line(lines, n) : NULL;
+    if (n->at_poll)
+        return trace_line(lines, n);
+    return n->sys->schedule.stop == STOP_FAILED ? NULL : trace_line_away(lines, n);
 }
 
-static void describe_waiting(FILE *f, const struct node *n, struct trace_lines *lines)
+static struct where where_is(const struct node *n, struct trace_lines *lines)
 {
-    fprintf(f, "\n  %s: ", n->name);
-    if (n->end == NODE_NOT_LOADED)
-        fprintf(f, "no program");
-    else if (n->lp.state == LP_ENDED)
-        fprintf(f, "ended at %.9f s", vt_seconds(n->stats.ended_at));
-    else if (!n->call)
-        fprintf(f, "computing");
-    else if (n->call_since == VT_NEVER)
-        fprintf(f, "before %s", n->call);
-    else if (n->call_has_type)
-        fprintf(f, "%s(%ld) since %.9f s", n->call, n->call_type, vt_seconds(n->call_since));
-    else
-        fprintf(f, "%s since %.9f s", n->call, vt_seconds(n->call_since));
-    const char *line = n->lp.state == LP_ENDED ? NULL : line_of(n, lines);
-    if (line)
-        fprintf(f, " (%s)", line);
+    struct where w = {.line = line_of(n, lines), .since = n->call_since};
+    if (n->end == NODE_NOT_LOADED) {
+        snprintf(w.text, sizeof w.text, "no program");
+    } else if (n->lp.state == LP_ENDED) {
+        snprintf(w.text, sizeof w.text, "ended");
+        w.ended = true, w.since = n->stats.ended_at;
+    } else if (!n->call) {
+        snprintf(w.text, sizeof w.text, "computing");
+    } else if (n->call_since == VT_NEVER) {
+        snprintf(w.text, sizeof w.text, "before %s", n->call);
+    } else {
+        w.timed = true;
+        if (n->call_has_type)
+            snprintf(w.text, sizeof w.text, "%s(%ld)", n->call, n->call_type);
+        else
+            snprintf(w.text, sizeof w.text, "%s", n->call);
+    }
+    return w;
 }
 
-char *whereabouts(const struct node_system *s, const char *what)
+static void print_where(FILE *f, const struct where *w, vtime latest)
+{
+    fprintf(f, "%s", w->text);
+    if (w->timed || w->ended)
+        fprintf(f, " %s %.9f s", w->ended ? "at" : "since", vt_seconds(w->since));
+    if ((w->timed || w->ended) && latest != w->since)
+        fprintf(f, " to %.9f s", vt_seconds(latest));
+    if (w->line)
+        fprintf(f, " (%s)", w->line);
+}
+
+static void print_node(FILE *f, const struct node *n, struct trace_lines *lines)
+{
+    struct where w = where_is(n, lines);
+    fprintf(f, "%s: ", n->name);
+    print_where(f, &w, w.since);
+}
+
+/* --- groups --- */
+
+static bool is_same(const struct where *a, const struct where *b)
+{
+    bool lines = a->line && b->line ? strcmp(a->line, b->line) == 0 : a->line == b->line;
+    return lines && a->timed == b->timed && a->ended == b->ended && strcmp(a->text, b->text) == 0;
+}
+
+static void join(struct group *g, uint32_t node, const struct where *w)
+{
+    if (!g->count)
+        *g = (struct group){.where = *w, .latest = w->since};
+    g->where.since = vt_min(g->where.since, w->since);
+    g->latest = vt_max(g->latest, w->since);
+    g->nodes = xreallocarray(g->nodes, g->count + 1, sizeof *g->nodes);
+    g->nodes[g->count++] = node;
+}
+
+/* "node 3", "nodes 1-5, 7" */
+static void print_numbers(FILE *f, const struct group *g)
+{
+    fprintf(f, "node%s ", g->count > 1 ? "s" : "");
+    for (uint32_t i = 0, last; i < g->count; i = last + 1) {
+        for (last = i; last + 1 < g->count && g->nodes[last + 1] == g->nodes[last] + 1;)
+            last++;
+        fprintf(f, "%s%u", i ? ", " : "", g->nodes[i]);
+        if (last > i)
+            fprintf(f, "%s%u", last > i + 1 ? "-" : ", ", g->nodes[last]);
+    }
+}
+
+static void print_groups(FILE *f, const struct node_system *s, struct trace_lines *lines)
+{
+    struct group *groups = NULL;
+    size_t count = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        struct where w = where_is(s->nodes[i], lines);
+        size_t k = 0;
+        while (k < count && !is_same(&groups[k].where, &w))
+            k++;
+        if (k == count) {
+            groups = xreallocarray(groups, ++count, sizeof *groups);
+            groups[k] = (struct group){0};
+        }
+        join(&groups[k], i, &w);
+    }
+    for (size_t k = 0; k < count; k++) {
+        fprintf(f, "\n  ");
+        print_numbers(f, &groups[k]);
+        fprintf(f, ": ");
+        print_where(f, &groups[k].where, groups[k].latest);
+        free(groups[k].nodes);
+    }
+    free(groups);
+}
+
+static char *describe(const struct node_system *s, const char *what, uint32_t most_alone)
 {
     char *text;
     size_t size;
     struct trace_lines *lines = trace_lines_new();
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s", what);
-    if (s->host)
-        describe_waiting(f, s->host, lines);
-    for (uint32_t i = 0; i < s->count; i++)
-        describe_waiting(f, s->nodes[i], lines);
+    if (s->host) {
+        fprintf(f, "\n  ");
+        print_node(f, s->host, lines);
+    }
+    for (uint32_t i = 0; s->count <= most_alone && i < s->count; i++) {
+        fprintf(f, "\n  ");
+        print_node(f, s->nodes[i], lines);
+    }
+    if (s->count > most_alone)
+        print_groups(f, s, lines);
+    trace_lines_free(lines);
+    fclose(f);
+    return text;
+}
+
+char *whereabouts(const struct node_system *s, const char *what)
+{
+    return describe(s, what, MOST_ALONE);
+}
+
+char *whereabouts_grouped(const struct node_system *s, const char *what)
+{
+    return describe(s, what, 0);
+}
+
+char *whereabouts_of(const struct node *n)
+{
+    char *text;
+    size_t size;
+    struct trace_lines *lines = trace_lines_new();
+    FILE *f = xchecked(open_memstream(&text, &size));
+    print_node(f, n, lines);
     trace_lines_free(lines);
     fclose(f);
     return text;

@@ -43,6 +43,7 @@ struct node_system {
 
     /* output: a FILE for each of fd 1 and 2, written in the order of virtual time */
     FILE *out[2];
+    struct progress_line *progress; /* on the terminal that has the output; NULL: none */
 
     uint64_t digest;          /* os: of all messages received: time, nodes, type, length, in order */
     struct recorder *recorder; /* of the run's trace: os/record.h. NULL: none */
@@ -55,9 +56,15 @@ struct node_system {
     size_t absent_count;    /* guest */
     size_t host_file_count; /* guest: at most NODE_HOST_FILES: of more, the first */
 
+    /* Is told of programs, each of which has a thread: guest/debugger.h. NULL: none. */
+    struct debugger *debugger;
+    struct debug_stop *stop; /* where it is to stop: machine/debug_stop.h. NULL: nowhere */
+
     /* Set by the machine; NULL before it runs. */
     void (*keep_crash)(struct node *n); /* n->crash has been set, on the calling thread, and would not last */
-    void (*crashed)(struct node *n);    /* at its moment: reports n->crash */
+    /* At a limit of virtual time: true if that does not end the run. */
+    bool (*pauses)(struct node_system *s);
+    void (*crashed)(struct node *n); /* at its moment: reports n->crash */
     /* the calls under way on the node's stack, from a frame upwards, a line for each */
     void (*print_calls)(FILE *f, const struct node *n, uintptr_t frame);
 };

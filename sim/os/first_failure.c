@@ -16,6 +16,8 @@ void node_system_fail(struct node_system *sys, enum stop why, struct instant at,
 
 void node_system_end_at_limit(struct node_system *sys)
 {
+    if (sys->pauses && sys->pauses(sys))
+        return;
     vtime limit = sys->schedule.max_time;
     node_system_fail(sys, STOP_VIRTUAL_TIME, (struct instant){limit, UINT32_MAX},
                      "virtual time limit of %.6f s reached", vt_seconds(limit));

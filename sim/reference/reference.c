@@ -246,6 +246,23 @@ void lp_forget(struct lp *lp)
     (void)lp;
 }
 
+/* There is one thread. */
+void engine_hold(struct schedule *s)
+{
+    (void)s;
+}
+
+void engine_release(struct schedule *s)
+{
+    (void)s;
+}
+
+vtime engine_bound(const struct schedule *s)
+{
+    (void)s;
+    return VT_NEVER;
+}
+
 void engine_settle(struct lp *lp, struct instant end)
 {
     (void)lp, (void)end;

@@ -43,6 +43,41 @@ kill -HUP $!
 wait $!
 check "an ignored SIGHUP stays ignored" said 'wall time limit'
 
+# --- where are the nodes? ---
+asked() { # ARGS: a run that is asked once, and goes on
+    "$BUILD/touchstone" run -q "$@" >out 2>err &
+    child=$!
+    sleep 0.5
+    kill -USR1 $child
+    wait $child
+    status=$?
+}
+loop=$(grep -n -m1 'for (;;)' "$tests/stopped.c" | cut -d: -f1) sync=$(grep -n 'gsync();' "$tests/stopped.c" | cut -d: -f1)
+for engine in fast reference; do
+    asked --engine $engine -n 5 --max-wall-time 1 stopped for
+    check "SIGUSR1, $engine: how far the run has come" said '^touchstone run: at [0-9.]+ s of virtual time, after [0-9]+ messages:$'
+    check "SIGUSR1, $engine: the line of an endless loop" said "^  node 1: computing \\(stopped.c:($((loop - 1))|$loop)\\)"
+    check "SIGUSR1, $engine: the run goes on" said 'wall time limit of 1 s reached'
+done
+asked -w 2 -n 40 --max-wall-time 1 stopped for
+check "SIGUSR1: nodes in the same state share a line" \
+    said "^  nodes (0, )?2-[0-9, -]+: crecv\\([0-9]+\\) since [0-9.]+ s( to [0-9.]+ s)? \\(stopped.c:$sync\\)"
+check "a limit's report groups many nodes, too" test "$(grep -c '^  node' err)" -lt 20
+run -q --json without.json -m cluster2026 -n 9 stopped flood 40000
+asked --json asked.json -m cluster2026 -n 9 stopped flood 40000
+check "SIGUSR1: the run was asked" said 'virtual time, after [0-9]+ messages'
+check "SIGUSR1: and gives what it gives without" cmp <(grep -v wall_time without.json) <(grep -v wall_time asked.json)
+
+# --- how far has it come? ---
+script -qec "$BUILD/touchstone run --max-wall-time 2 --max-virtual-time 1e6 -n 2 stopped for" terminal >/dev/null </dev/null
+tr '\r' '\n' <terminal >lines
+check "a terminal shows how far a long run has come" grep -qE '^[0-9.]+ s on 2 nodes, [0-9]+ messages, [0-9]+ % of 1e\+06 s' lines
+check "and it is erased at the end" grep -qE $'\r +\rtouchstone run: wall time limit' terminal
+script -qec "$BUILD/touchstone run -n 2 ring" terminal >/dev/null </dev/null
+check "a short run shows nothing of that" test "$(grep -c ' s on 2 nodes, ' terminal)" = 0
+run --max-wall-time 1.3 -n 2 stopped for
+check "nor does a pipe" test "$(cat out err | grep -c $'\r')" = 0
+
 # --- crashes in libraries ---
 run -q -n 2 stopped printf
 check "a crash in the library: in which call" said '^  in printf'
