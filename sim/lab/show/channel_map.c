@@ -1,0 +1,67 @@
+/* channel_map.c - see channel_map.h. */
+#include "lab/show/channel_map.h"
+#include <math.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+
+bool *channel_map_shown(const struct show *s)
+{
+    const struct trace *t = s->trace;
+    bool *shown = xcalloc(t->topo.addresses, sizeof *shown);
+    for (const struct trace_message *m = t->messages; m < t->messages + t->message_count; m++) {
+        shown[m->from_address] |= m->from_address >= t->topo.positions;
+        shown[m->to_address] |= m->to_address >= t->topo.positions;
+    }
+    for (int32_t n = 0; n < t->node_count; n++)
+        shown[t->nodes[n].address] |= s->rows.row[n] != TRACE_NONE;
+    return shown;
+}
+
+struct channel_map channel_map_make(const struct show *s, struct time_bins bins)
+{
+    struct channel_map m = {s, channel_use_make(s->trace, bins), heat_linear(0), channel_map_shown(s)};
+    double most = 0;
+    for (uint32_t bin = 0; bin < bins.count; bin++)
+        for (uint32_t c = 0; c < m.use.channels; c++)
+            most = fmax(most, channel_use_share(&m.use, bin, c));
+    m.heat = heat_linear(most);
+    return m;
+}
+
+void channel_map_free(struct channel_map *m)
+{
+    channel_use_free(&m->use);
+    free(m->shown);
+}
+
+static bool is_mesh(const struct show *s)
+{
+    return s->trace->topo.rows > 0;
+}
+
+double channel_map_height(const struct show *s)
+{
+    return is_mesh(s) ? channel_mesh_height(s) : channel_cube_height(s);
+}
+
+void channel_map_draw(const struct channel_map *m, const struct canvas *c, double y, uint32_t bin)
+{
+    (is_mesh(m->show) ? channel_mesh_draw : channel_cube_draw)(m, c, y, bin);
+}
+
+char *channel_map_notes(const struct channel_map *m)
+{
+    char name[80];
+    double share;
+    uint32_t busiest = channel_use_busiest(&m->use, &share);
+    const struct topo *topo = &m->show->trace->topo;
+    char *shape = topo->rows ? xasprintf("mesh of %u rows of %u", topo->rows, topo->columns)
+                             : xasprintf("hypercube of %u dimension%s", topo->dimension,
+                                         topo->dimension == 1 ? "" : "s");
+    char *text =
+        share > 0 ? xasprintf("%s; the busiest channel of the interval: %s, held %.1f %% of the time", shape,
+                              trace_channel_name(m->show->trace, busiest, name, sizeof name), 100 * share)
+                  : xasprintf("%s; no channel was held", shape);
+    free(shape);
+    return text;
+}

@@ -1,0 +1,157 @@
+/* show_space_time.c - the space-time diagram: nodes' lines, and the messages between them. */
+#include <math.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+#include "lab/show/display_parts.h"
+#include "lab/show/message_sample.h"
+#include "lab/show/stacked.h"
+
+enum { MOST_ARROWS = 400 };
+
+/* What the message's end at its receiver was. */
+enum end { AWAITED, EARLY, OTHERWISE, ENDS };
+static const struct {
+    uint32_t colour;
+    const char *text;
+} END_LOOKS[ENDS] = {[AWAITED] = {0x222222, "message that its receiver waited for"},
+                     [EARLY] = {0xd97706, "message that waited for its receiver"},
+                     [OTHERWISE] = {0x8a8a8a, "taken by a handler, or not taken"}};
+
+struct space_time {
+    const struct show *show;
+    struct node_rows lines; /* a line a node */
+    struct plot plot;
+    double apart; /* of lines */
+    struct message_sample sample;
+};
+
+static double lines_apart(int32_t lines)
+{
+    return show_row_height(lines, 500, 1, 60);
+}
+
+double space_time_height(const struct show *s)
+{
+    return HEAD_HEIGHT + s->rows.nodes * lines_apart(s->rows.nodes) + 96;
+}
+
+static enum end end_of(const struct trace *t, const struct trace_message *m)
+{
+    if (m->taking == TRACE_NONE)
+        return OTHERWISE;
+    return t->calls[m->taking].begin <= m->complete ? AWAITED : EARLY;
+}
+
+static double y_of(const struct space_time *d, int32_t node)
+{
+    return d->plot.y + (d->lines.row[node] + 0.5) * d->apart;
+}
+
+static double x_of(const struct space_time *d, vtime t)
+{
+    const struct trace *r = d->show->trace;
+    return d->plot.x + ((double)t - (double)r->from) / (double)(r->to - r->from) * d->plot.w;
+}
+
+/* Is there room for activities on the lines? */
+static bool has_bands(const struct space_time *d)
+{
+    return d->apart * 0.4 >= 2;
+}
+
+/* The nodes' lines; activities on them, where there is room. */
+static void draw_lines(const struct canvas *c, const struct space_time *d)
+{
+    const struct trace *t = d->show->trace;
+    double band = fmin(d->apart * 0.4, 9);
+    for (int32_t n = 0; d->apart >= 4 && n < t->node_count; n++)
+        if (d->lines.row[n] != TRACE_NONE)
+            canvas_line(c, d->plot.x, y_of(d, n), x_of(d, vt_min(t->nodes[n].end, t->to)), y_of(d, n), 0.5,
+                        GREY);
+    if (!has_bands(d))
+        return;
+    struct state_times times = stacked_times(t, &d->lines, c, d->plot.w);
+    for (int32_t i = 0; i < d->lines.count; i++) {
+        struct plot area = {d->plot.x, d->plot.y + (i + 0.5) * d->apart - band / 2, d->plot.w, band};
+        stacked_draw(c, area, &times, i, 1, ACTIVITY_WAITING);
+    }
+    stacked_legend(c, d->plot.x, d->plot.y + d->plot.h + 60, &times, d->lines.nodes, ACTIVITY_WAITING);
+    state_times_free(&times);
+}
+
+static void arrow_head(const struct canvas *c, double x1, double y1, double x2, double y2)
+{
+    double angle = atan2(y2 - y1, x2 - x1);
+    for (int side = -1; side <= 1; side += 2) {
+        cairo_move_to(c->cr, x2, y2);
+        cairo_line_to(c->cr, x2 - 6 * cos(angle + side * 0.4), y2 - 6 * sin(angle + side * 0.4));
+    }
+}
+
+/* Draws the sampled messages of one kind of end; returns whether there are any. */
+static bool draw_messages(const struct canvas *c, const struct space_time *d, enum end end)
+{
+    bool any = false;
+    for (size_t i = 0; i < d->sample.count; i++) {
+        const struct trace_message *m = &d->show->trace->messages[d->sample.list[i]];
+        if (end_of(d->show->trace, m) != end)
+            continue;
+        double x1 = x_of(d, m->sent), y1 = y_of(d, m->from), x2 = x_of(d, m->complete), y2 = y_of(d, m->to);
+        cairo_move_to(c->cr, canvas_round(c, x1), canvas_round(c, y1));
+        cairo_line_to(c->cr, canvas_round(c, x2), canvas_round(c, y2));
+        if (d->sample.count <= MOST_ARROWS)
+            arrow_head(c, x1, y1, x2, y2);
+        any = true;
+    }
+    canvas_colour(c, COLOUR(END_LOOKS[end].colour));
+    cairo_set_line_width(c->cr, d->sample.count <= MOST_ARROWS ? 1 : d->sample.count <= 2000 ? 0.7 : 0.4);
+    cairo_stroke(c->cr);
+    return any;
+}
+
+static void draw_all_messages(const struct canvas *c, const struct space_time *d)
+{
+    struct legend_entry list[ENDS];
+    bool any[ENDS];
+    size_t count = 0;
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, d->plot.x, d->plot.y, d->plot.w, d->plot.h);
+    cairo_clip(c->cr);
+    for (int end = ENDS - 1; end >= 0; end--)
+        any[end] = draw_messages(c, d, (enum end)end);
+    cairo_restore(c->cr);
+    for (int end = 0; end < ENDS; end++)
+        if (any[end])
+            list[count++] =
+                (struct legend_entry){COLOUR(END_LOOKS[end].colour), xstrdup(END_LOOKS[end].text), true};
+    legend(c, d->plot.x, d->plot.y + d->plot.h + (has_bands(d) ? 80 : 60), list, count);
+}
+
+static char *notes(const struct space_time *d)
+{
+    const struct message_sample *m = &d->sample;
+    char *lines = d->apart < 4 ? xasprintf("%d lines, too close to be drawn; ", d->lines.count) : xstrdup(""),
+         *text;
+    if (m->count < m->of)
+        text = xasprintf("%s%zu of %zu messages drawn, evenly chosen", lines, m->count, m->of);
+    else
+        text = xasprintf("%s%s%zu messages drawn", lines, m->of ? "all " : "", m->of);
+    free(lines);
+    return text;
+}
+
+void space_time_draw(const struct show *s, const struct canvas *c)
+{
+    struct space_time d = {.show = s, .lines = node_rows_single(s->trace)};
+    d.apart = lines_apart(d.lines.count);
+    d.plot = (struct plot){LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - 24, d.lines.count * d.apart};
+    d.sample = message_sample_make(s->trace, &d.lines, s->most_lines);
+    show_head(s, c, "Space-time diagram", notes(&d));
+    draw_lines(c, &d);
+    draw_all_messages(c, &d);
+    canvas_frame(c, d.plot);
+    axes_rows(c, d.plot, &d.lines, s->trace, "node");
+    axes_time(c, d.plot, s->trace->from, s->trace->to);
+    message_sample_free(&d.sample);
+    node_rows_free(&d.lines);
+}

@@ -1,0 +1,94 @@
+/* stacked.c - see stacked.h. */
+#include "lab/show/stacked.h"
+#include <math.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+
+enum { MOST_CHANGES = 60000 }; /* in an SVG: of about 25 bytes */
+
+/* How often an activity's share changes by what is seen from a column to the next. */
+static size_t changes(const struct state_times *s)
+{
+    size_t count = 0;
+    size_t row = (size_t)s->bins.count * ACTIVITIES;
+    double seen = 0.05 * (double)(s->bins.to - s->bins.from) / s->bins.count;
+    for (size_t i = ACTIVITIES; i < row * (size_t)s->rows; i++)
+        count += i % row >= ACTIVITIES && fabs(s->sums[i] - s->sums[i - ACTIVITIES]) > seen;
+    return count;
+}
+
+struct state_times stacked_times(const struct trace *t, const struct node_rows *r, const struct canvas *c,
+                                 double width)
+{
+    struct time_bins bins = {t->from, t->to, (uint32_t)width * CANVAS_PIXELS};
+    struct state_times s = state_times_make(t, r, bins);
+    while (c->vector && changes(&s) > MOST_CHANGES && bins.count > 16) {
+        bins.count /= 2;
+        state_times_free(&s);
+        s = state_times_make(t, r, bins);
+    }
+    return s;
+}
+
+/* The height of the first `activities` of a bin, of 1 for each node. */
+static double height(const struct state_times *s, int32_t row, uint32_t bin, enum activity activities)
+{
+    const double *at = state_times_at(s, row, bin);
+    double sum = 0, width = time_bins_width(&s->bins, bin);
+    for (int a = 0; a < (int)activities; a++)
+        sum += at[a];
+    return width > 0 ? sum / width : 0;
+}
+
+/* The area under the sum of the first `activities`: steps, a bin each, those of one height together. */
+static void draw_under(const struct canvas *c, struct plot p, const struct state_times *s, int32_t row,
+                       double nodes, enum activity activities)
+{
+    double bottom = p.y + p.h, column = p.w / s->bins.count, before = bottom;
+    bool any = false;
+    cairo_move_to(c->cr, p.x, bottom);
+    for (uint32_t bin = 0; bin < s->bins.count; bin++) {
+        double y = bottom - canvas_round(c, fmin(height(s, row, bin, activities) / nodes, 1) * p.h);
+        if (fabs(y - before) > 1e-9) {
+            double x = canvas_round(c, p.x + bin * column);
+            cairo_line_to(c->cr, x, before);
+            cairo_line_to(c->cr, x, y);
+            any = true;
+        }
+        before = y;
+    }
+    if (any) {
+        cairo_line_to(c->cr, p.x + p.w, before);
+        cairo_line_to(c->cr, p.x + p.w, bottom);
+        cairo_close_path(c->cr);
+        canvas_colour(c, palette_activity(activities - 1));
+        cairo_fill(c->cr);
+    }
+    cairo_new_path(c->cr);
+}
+
+void stacked_draw(const struct canvas *c, struct plot area, const struct state_times *s, int32_t row,
+                  double nodes, enum activity activities)
+{
+    for (enum activity a = activities; a > 0; a--)
+        draw_under(c, area, s, row, nodes, a);
+}
+
+void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, double nodes,
+                    enum activity activities)
+{
+    struct legend_entry list[ACTIVITIES];
+    size_t count = 0;
+    double sums[ACTIVITIES] = {0}, all = nodes * (double)(s->bins.to - s->bins.from);
+    for (size_t i = 0; i < (size_t)s->rows * s->bins.count * ACTIVITIES; i++)
+        sums[i % ACTIVITIES] += s->sums[i];
+    for (enum activity a = 0; a < activities; a++) {
+        char *percent = axis_percent_text(sums[a] / all);
+        if (a != ACTIVITY_HANDLER || sums[a] > 0)
+            list[count++] = (struct legend_entry){palette_activity(a),
+                                                  xasprintf("%s %s", activity_name(a), percent), false};
+        free(percent);
+    }
+    x = legend(c, x, y, list, count);
+    canvas_text(c, x, y, (struct text_style){10.5, GREY, ANCHOR_LEFT, false}, "of all nodes' time");
+}
