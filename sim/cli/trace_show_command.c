@@ -12,7 +12,7 @@
 #include "lab/show/picture_file.h"
 
 enum { BY = CLI_KEY, MESSAGES, FRAMES, SVG };
-enum { DEFAULT_LINES = 5000, DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
+enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
 
 struct arguments {
     const char **names; /* displays, then the trace */
@@ -33,7 +33,8 @@ static const struct argp_option OPTIONS[] = {
      1},
     {"svg", SVG, NULL, 0, "Write SVG where the name does not say it", 1},
     {"by", BY, "WHAT", 0, "Count messages or bytes, in matrix and queues; default messages", 1},
-    {"messages", MESSAGES, "N", 0, "Draw at most N messages in space-time; default 5000", 1},
+    {"messages", MESSAGES, "N", 0,
+     "Draw at most N messages in space-time; default as many as leave it readable", 1},
     {"frames", FRAMES, "N", 0, "Pictures of a film; default 60", 1},
     {0}};
 
@@ -254,9 +255,10 @@ int cli_trace_show(int argc, char **argv)
     static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 2}, {0}};
     char *doc = xasprintf("%s%s", DOC, AFTER);
     const struct argp argp = {options, parse, "[DISPLAY...] TRACE\nlist", doc, CHILDREN, NULL, NULL};
-    struct arguments a = {.show = {.most_lines = DEFAULT_LINES, .frames = DEFAULT_FRAMES}};
+    struct arguments a = {.show = {.frames = DEFAULT_FRAMES}};
     cli_parse(&argp, "touchstone trace show", 0, argc, argv, &a);
     int status = a.list ? list() : show(&a);
+    canvas_forget_fonts();
     free((bool *)(uintptr_t)a.select.nodes);
     free(a.names);
     free(a.displays);

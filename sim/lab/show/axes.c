@@ -1,5 +1,6 @@
 /* axes.c - see axes.h. */
 #include "lab/show/axes.h"
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
@@ -116,9 +117,8 @@ char *axis_number_text(double value, bool bytes)
     double v = value;
     while (fabs(v) >= 999.5 && PREFIXES[i + 1])
         v /= 1000, i++;
-    bool whole = v == floor(v) || fabs(v) >= 100;
     const char *unit = bytes ? "B" : "";
-    char *number = xasprintf("%.*f", whole ? 0 : fabs(v) >= 10 ? 1 : 2, v), *text;
+    char *number = xasprintf("%.3g", v), *text;
     text = i ? xasprintf("%s %c%s", number, PREFIXES[i], unit)
              : xasprintf("%s%s%s", number, bytes ? " " : "", unit);
     free(number);
@@ -150,7 +150,16 @@ void axes_number(const struct canvas *c, struct plot p, double most, bool bytes,
 char *axis_percent_text(double share)
 {
     double percent = 100 * share;
-    return percent > 0 && percent < 0.001 ? xstrdup("< 0.001 %") : xasprintf("%.3g %%", percent);
+    return percent > 0 && percent < 0.001 ? xstrdup("< 0.001 %")
+                                          : xasprintf(percent < 1 ? "%.2g %%" : "%.3g %%", percent);
+}
+
+char *axis_count_text(uint64_t count)
+{
+    char *high = count >= 1000 ? axis_count_text(count / 1000) : NULL;
+    char *text = high ? xasprintf("%s,%03" PRIu64, high, count % 1000) : xasprintf("%" PRIu64, count);
+    free(high);
+    return text;
 }
 
 /* --- rows and columns --- */
@@ -206,9 +215,9 @@ void axes_columns(const struct canvas *c, struct plot p, const struct node_rows 
 
 /* --- legends --- */
 
-double legend(const struct canvas *c, double x, double y, struct legend_entry *list, size_t count)
+void legend(const struct canvas *c, double x, double y, struct legend_entry *list, size_t count)
 {
-    const struct text_style style = {10.5, INK, ANCHOR_LEFT, false};
+    const struct text_style style = {10, INK, ANCHOR_LEFT, false};
     for (struct legend_entry *e = list; e < list + count; e++) {
         if (e->line) {
             canvas_line(c, x, y - 4, x + 18, y - 4, 1.5, e->colour);
@@ -223,8 +232,7 @@ double legend(const struct canvas *c, double x, double y, struct legend_entry *l
             x += 16;
         }
         canvas_text(c, x, y, style, e->text);
-        x += canvas_text_width(c, style, e->text) + 18;
+        x += canvas_text_width(c, style, e->text) + 16;
         free(e->text);
     }
-    return x;
 }

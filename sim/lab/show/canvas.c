@@ -1,5 +1,6 @@
 /* canvas.c - see canvas.h. */
 #include "lab/show/canvas.h"
+#include <fontconfig/fontconfig.h>
 #include <math.h>
 
 const struct colour INK = {0.13, 0.13, 0.13}, GREY = {0.38, 0.38, 0.38}, PALE = {0.85, 0.85, 0.85};
@@ -87,4 +88,10 @@ void canvas_frame(const struct canvas *c, struct plot area)
 double canvas_round(const struct canvas *c, double length)
 {
     return c->vector ? round(length * 4) / 4 : length;
+}
+
+void canvas_forget_fonts(void)
+{
+    cairo_debug_reset_static_data();
+    FcFini();
 }

@@ -50,4 +50,7 @@ void canvas_line(const struct canvas *c, double x1, double y1, double x2, double
 void canvas_frame(const struct canvas *c, struct plot area);
 /* The length rounded so that an SVG writes it with few digits. */
 double canvas_round(const struct canvas *c, double length);
+/* Frees the fonts that libcairo keeps. To be called when no canvas will follow, so that checkers of memory find none
+ * left. */
+void canvas_forget_fonts(void);
 #endif

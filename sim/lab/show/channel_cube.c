@@ -89,7 +89,7 @@ static void draw_labels(const struct canvas *c, struct plot p, const struct cube
 {
     const struct topo *topo = &t->map->show->trace->topo;
     const struct text_style row = {10, INK, ANCHOR_RIGHT, false}, column = {10, INK, ANCHOR_MIDDLE, false};
-    double h = p.h / t->rows, w = p.w / t->columns;
+    double h = p.h / t->rows, w = p.w / t->columns, wide = 0;
     uint32_t step = 1;
     while (step * h < LABEL_APART)
         step *= 2;
@@ -97,6 +97,7 @@ static void draw_labels(const struct canvas *c, struct plot p, const struct cube
         char *text = row_name(topo, t->address[r]);
         canvas_line(c, p.x - 4, p.y + (r + 0.5) * h, p.x, p.y + (r + 0.5) * h, 1, INK);
         canvas_text(c, p.x - 7, p.y + (r + 0.5) * h + 3.5, row, text);
+        wide = fmax(wide, canvas_text_width(c, row, text));
         free(text);
     }
     for (uint32_t i = 0; i < t->columns; i++) {
@@ -107,7 +108,7 @@ static void draw_labels(const struct canvas *c, struct plot p, const struct cube
                         i == topo->dimension ? INK : PALE);
         free(text);
     }
-    canvas_text_upward(c, p.x - 58, p.y + p.h / 2, (struct text_style){11, INK, ANCHOR_MIDDLE, false},
+    canvas_text_upward(c, p.x - wide - 15, p.y + p.h / 2, (struct text_style){11, INK, ANCHOR_MIDDLE, false},
                        "from node");
     canvas_text(c, p.x + p.w / 2, p.y + p.h + 22, (struct text_style){11, INK, ANCHOR_MIDDLE, false},
                 "dimension of the channel; the ports into and out of the network");

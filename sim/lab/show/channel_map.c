@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
+#include "lab/show/axes.h"
 
 bool *channel_map_shown(const struct show *s)
 {
@@ -58,10 +59,12 @@ char *channel_map_notes(const struct channel_map *m)
     char *shape = topo->rows ? xasprintf("mesh of %u rows of %u", topo->rows, topo->columns)
                              : xasprintf("hypercube of %u dimension%s", topo->dimension,
                                          topo->dimension == 1 ? "" : "s");
-    char *text =
-        share > 0 ? xasprintf("%s; the busiest channel of the interval: %s, held %.1f %% of the time", shape,
-                              trace_channel_name(m->show->trace, busiest, name, sizeof name), 100 * share)
-                  : xasprintf("%s; no channel was held", shape);
+    char *percent = axis_percent_text(share), *text;
+    trace_channel_name(m->show->trace, busiest, name, sizeof name);
+    text = share > 0 ? xasprintf("%s; the busiest channel of the interval: %s, held %s of the time", shape,
+                                 name, percent)
+                     : xasprintf("%s; no channel was held", shape);
+    free(percent);
     free(shape);
     return text;
 }

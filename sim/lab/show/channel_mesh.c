@@ -5,7 +5,10 @@
 #include "kernel/xalloc.h"
 #include "lab/show/channel_map.h"
 
-enum { RIGHT = 150 };
+enum {
+    RIGHT = 150,  /* of the map, for the scale */
+    DETAILED = 16 /* routers so far apart have outlines */
+};
 static const uint32_t UNUSED = 0xe9e9e9;
 
 struct mesh {
@@ -59,28 +62,37 @@ static struct centre centre_of(const struct mesh *m, uint32_t address)
     return (struct centre){m->plot.x + (s.column + 0.5) * m->apart, m->plot.y + (s.row + 0.5) * m->apart};
 }
 
-/* An arrow from one router's square to the next. */
-static void draw_link(const struct canvas *c, const struct mesh *m, uint32_t channel)
+/* Fills the path; in a small mesh, with an outline. */
+static void fill_path(const struct canvas *c, const struct mesh *m, uint32_t channel)
 {
-    struct topo_channel ends = topo_channel(&m->map->show->trace->topo, channel);
-    struct centre a = centre_of(m, ends.from), b = centre_of(m, ends.to);
-    double dx = (b.x - a.x) / m->apart, dy = (b.y - a.y) / m->apart; /* where to: one is 0 */
-    double side = 0.11 * m->apart, half = 0.055 * m->apart,
-           head = 0.1 * m->apart; /* right of it is -dy, dx */
-    double from = 0.27 * m->apart, to = 0.73 * m->apart;
-    const double points[][2] = {
-        {from, side - half}, {to - head, side - half},       {to - head, side - 1.7 * half},
-        {to, side},          {to - head, side + 1.7 * half}, {to - head, side + half},
-        {from, side + half}};
-    for (size_t i = 0; i < sizeof points / sizeof *points; i++)
-        cairo_line_to(c->cr, canvas_round(c, a.x + dx * points[i][0] - dy * points[i][1]),
-                      canvas_round(c, a.y + dy * points[i][0] + dx * points[i][1]));
-    cairo_close_path(c->cr);
     canvas_colour(c, colour_of(m, channel));
     cairo_fill_preserve(c->cr);
     canvas_colour(c, GREY);
     cairo_set_line_width(c->cr, 0.3);
-    cairo_stroke(c->cr);
+    if (m->apart >= DETAILED)
+        cairo_stroke(c->cr);
+    cairo_new_path(c->cr);
+}
+
+/* An arrow from one router's square to the next; in a large mesh a bar. */
+static void draw_link(const struct canvas *c, const struct mesh *m, uint32_t channel)
+{
+    struct topo_channel ends = topo_channel(&m->map->show->trace->topo, channel);
+    struct centre a = centre_of(m, ends.from), b = centre_of(m, ends.to);
+    double dx = (b.x - a.x) / m->apart,
+           dy = (b.y - a.y) / m->apart; /* where to: one is 0; right of it is -dy, dx */
+    const double POINTS[][2] = {        /* along, to the right: of the distance between routers */
+                                {0.27, 0.055},  {0.63, 0.055}, {0.63, 0.0165}, {0.73, 0.11},
+                                {0.63, 0.2035}, {0.63, 0.165}, {0.27, 0.165}};
+    enum { COUNT = sizeof POINTS / sizeof *POINTS };
+    for (size_t i = 0; i < COUNT; i++) {
+        double along = POINTS[i][0] * m->apart, right = POINTS[i][1] * m->apart;
+        if (m->apart >= DETAILED || i < 2 || i >= COUNT - 2)
+            cairo_line_to(c->cr, canvas_round(c, a.x + dx * along - dy * right),
+                          canvas_round(c, a.y + dy * along + dx * right));
+    }
+    cairo_close_path(c->cr);
+    fill_path(c, m, channel);
 }
 
 /* Half of a node's square: the upper one is the port into the network, the lower one that out of it. */
@@ -89,12 +101,8 @@ static void draw_port(const struct canvas *c, const struct mesh *m, uint32_t cha
     struct topo_channel port = topo_channel(&m->map->show->trace->topo, channel);
     struct centre a = centre_of(m, port.from);
     double half = 0.22 * m->apart;
-    struct plot area = {a.x - half, port.kind == TOPO_IN ? a.y - half : a.y, 2 * half, half};
-    canvas_fill(c, area, colour_of(m, channel));
-    canvas_colour(c, GREY);
-    cairo_set_line_width(c->cr, 0.3);
-    cairo_rectangle(c->cr, area.x, area.y, area.w, area.h);
-    cairo_stroke(c->cr);
+    cairo_rectangle(c->cr, a.x - half, port.kind == TOPO_IN ? a.y - half : a.y, 2 * half, half);
+    fill_path(c, m, channel);
 }
 
 /* The first node of each row, the numbers of the columns. */

@@ -94,6 +94,8 @@ void heat_bar(const struct canvas *c, struct plot p, const struct heat *h, enum 
     canvas_frame(c, (struct plot){p.x, p.y, 14, p.h});
     canvas_text(c, p.x, p.y - 10, (struct text_style){10.5, INK, ANCHOR_LEFT, false}, title);
     double step = axis_step(h->most, 5);
+    if (h->logarithmic && h->most > 2 * pow(10, floor(log10(h->most))))
+        tick(c, p, h, h->most, unit);
     for (double v = h->logarithmic ? h->least : 0; v <= h->most * (1 + 1e-9);
          v = h->logarithmic ? v * 10 : v + step)
         tick(c, p, h, v, unit);

@@ -1,6 +1,7 @@
 /* picture_file.c - see picture_file.h. */
 #include "lab/show/picture_file.h"
 #include <cairo/cairo-svg.h>
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,12 +20,21 @@ enum picture_kind picture_kind_of(const char *path)
                                        : PICTURE_UNKNOWN;
 }
 
-static cairo_status_t write_bytes(void *file, const unsigned char *data, unsigned length)
+struct sink {
+    FILE *out;
+    int why; /* errno of the first write that failed */
+};
+
+static cairo_status_t write_bytes(void *ctx, const unsigned char *data, unsigned length)
 {
-    return fwrite(data, 1, length, file) == length ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+    struct sink *s = ctx;
+    if (fwrite(data, 1, length, s->out) == length)
+        return CAIRO_STATUS_SUCCESS;
+    s->why = s->why ? s->why : errno;
+    return CAIRO_STATUS_WRITE_ERROR;
 }
 
-static cairo_surface_t *surface_for(FILE *out, enum picture_kind kind, double height)
+static cairo_surface_t *surface_for(struct sink *out, enum picture_kind kind, double height)
 {
     if (kind == PICTURE_SVG)
         return cairo_svg_surface_create_for_stream(write_bytes, out, CANVAS_WIDTH, height);
@@ -33,7 +43,8 @@ static cairo_surface_t *surface_for(FILE *out, enum picture_kind kind, double he
 }
 
 /* Draws and writes; what went wrong stays in the surface. */
-static cairo_status_t draw_to(FILE *out, enum picture_kind kind, double height, picture_draw *draw, void *ctx)
+static cairo_status_t draw_to(struct sink *out, enum picture_kind kind, double height, picture_draw *draw,
+                              void *ctx)
 {
     cairo_surface_t *surface = surface_for(out, kind, height);
     struct canvas c = {cairo_create(surface), kind == PICTURE_SVG, CANVAS_WIDTH, height};
@@ -58,11 +69,12 @@ bool picture_write(const char *path, enum picture_kind kind, double height, pict
     struct atomic_file f;
     if (!atomic_file_begin(&f, path, error))
         return false;
-    cairo_status_t status = draw_to(f.out, kind, ceil(height), draw, ctx);
-    if (status && status != CAIRO_STATUS_WRITE_ERROR) { /* that one atomic_file_end() explains */
-        atomic_file_drop(&f);
-        *error = xasprintf("%s cannot be drawn: %s", path, cairo_status_to_string(status));
-        return false;
-    }
-    return atomic_file_end(&f, error);
+    struct sink sink = {.out = f.out};
+    cairo_status_t status = draw_to(&sink, kind, ceil(height), draw, ctx);
+    if (!status)
+        return atomic_file_end(&f, error);
+    atomic_file_drop(&f);
+    *error = sink.why ? xasprintf("%s cannot be written: %s", path, strerror(sink.why))
+                      : xasprintf("%s cannot be drawn: %s", path, cairo_status_to_string(status));
+    return false;
 }

@@ -26,14 +26,16 @@ static char *notes(const struct show *s)
 
 void gantt_draw(const struct show *s, const struct canvas *c)
 {
-    double h = row_height(s), gap = h > 12 ? 3 : h > 6 ? 1 : 0.5;
+    double h = row_height(s), gap = h > 12 ? 3 : h > 9 ? 1 : 0.5;
     struct plot p = {LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - 24, s->rows.count * h};
-    struct state_times times = stacked_times(s->trace, &s->rows, c, p.w);
+    struct state_times times = stacked_times(s->trace, &s->rows, p.w);
+    struct canvas field = stacked_canvas(c, p, &times);
     show_head(s, c, "Gantt chart", notes(s));
     for (int32_t row = 0; row < s->rows.count; row++) {
         struct plot area = {p.x, p.y + row * h + gap / 2, p.w, h - gap};
-        stacked_draw(c, area, &times, row, s->rows.classes[row].size, ACTIVITIES);
+        stacked_draw(&field, area, &times, row, s->rows.classes[row].size, ACTIVITIES);
     }
+    stacked_finish(c, p, &field);
     canvas_frame(c, p);
     axes_rows(c, p, &s->rows, s->trace, "node");
     axes_time(c, p, s->trace->from, s->trace->to);

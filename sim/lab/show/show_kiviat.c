@@ -5,7 +5,7 @@
 #include "lab/show/display_parts.h"
 #include "lab/show/stacked.h"
 
-enum { RADIUS = 230 };
+enum { RADIUS = 230, MOST_CORNERS = 32 };
 /* Shown are the activities before ACTIVITY_WAITING. */
 
 struct kiviat {
@@ -31,12 +31,12 @@ static struct point at(struct point centre, double spoke, int32_t spokes, double
     return (struct point){centre.x + cos(angle) * share * RADIUS, centre.y + sin(angle) * share * RADIUS};
 }
 
-/* The path through the shares of all spokes: corners at the spokes, or of less than three spokes, arcs. */
+/* The path through the shares of all spokes: corners at the spokes; of few or many spokes an arc each. */
 static void trace_path(const struct canvas *c, struct point centre, const double *shares, int32_t spokes)
 {
     cairo_new_path(c->cr);
     for (int32_t i = 0; i < spokes; i++) {
-        if (spokes >= 3) {
+        if (spokes >= 3 && spokes <= MOST_CORNERS) {
             struct point p = at(centre, i, spokes, shares[i]);
             cairo_line_to(c->cr, p.x, p.y);
             continue;
@@ -57,7 +57,7 @@ static void draw_rings(const struct canvas *c, struct point centre, double rim)
         canvas_colour(c, quarter == 4 ? INK : GREY);
         cairo_set_line_width(c->cr, quarter == 4 ? 1 : 0.5);
         cairo_stroke(c->cr);
-        canvas_text_clear(c, centre.x + 4, centre.y - RADIUS * quarter / 4.0 + 11,
+        canvas_text_clear(c, centre.x + 10, centre.y - RADIUS * quarter / 4.0 + 11,
                           (struct text_style){9, INK, ANCHOR_LEFT, false}, text);
         free(text);
     }
@@ -104,13 +104,16 @@ static char *notes(const struct show *s, const struct state_times *single)
         double v = share(single, n, 1, ACTIVITY_HANDLER + 1);
         least = fmin(least, v), most = fmax(most, v), sum += v;
     }
-    char *
-        rows = node_rows_text(&s->rows, "spokes"),
-       *text = xasprintf(
-           "%s%scomputing: %.1f %% of the time at the least busy node, %.1f %% on the mean, %.1f %% at the busiest",
-           s->rows.per > 1 ? rows : "A spoke a node", "; ", 100 * least, 100 * sum / single->rows,
-           100 * most);
+    char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "spokes") : xstrdup("a spoke a node");
+    char *low = axis_percent_text(least), *mean = axis_percent_text(sum / single->rows);
+    char *high = axis_percent_text(most), *text;
+    text =
+        xasprintf("%s; computing: %s of the time at the least busy node, %s on the mean, %s at the busiest",
+                  rows, low, mean, high);
     free(rows);
+    free(low);
+    free(mean);
+    free(high);
     return text;
 }
 

@@ -1,4 +1,5 @@
 /* show_lengths.c - the histogram of message lengths: by number, and by the bytes they carry. */
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
@@ -19,12 +20,11 @@ static char *notes(const struct message_lengths *l)
 {
     if (!l->messages)
         return xstrdup("No message was sent");
-    char *bytes = axis_number_text((double)l->bytes, true),
-         *text = xasprintf(
-             "%lu messages, %s; the shortest has %lu bytes, the median %lu, the longest %lu; classes by "
-             "powers of two",
-             (unsigned long)l->messages, bytes, (unsigned long)l->shortest, (unsigned long)l->median,
-             (unsigned long)l->longest);
+    char *count = axis_count_text(l->messages), *bytes = axis_number_text((double)l->bytes, true);
+    char *text = xasprintf("%s messages, %s; the shortest has %" PRIu64 " bytes, the median %" PRIu64
+                           ", the longest %" PRIu64 "; classes by powers of two",
+                           count, bytes, l->shortest, l->median, l->longest);
+    free(count);
     free(bytes);
     return text;
 }

@@ -47,10 +47,11 @@ double matrix_height(const struct show *s)
 
 static char *notes(const struct show *s, const struct matrix_picture *x)
 {
-    char *bytes = axis_number_text((double)x->m.bytes, true), *rows = node_rows_text(&s->rows, "rows"),
-         *text = xasprintf("%lu messages sent, %s%s%s; white: none; bars: all that a node sent, received",
-                           (unsigned long)x->m.messages, bytes, s->rows.per > 1 ? "; " : "",
-                           s->rows.per > 1 ? rows : "");
+    char *count = axis_count_text(x->m.messages), *bytes = axis_number_text((double)x->m.bytes, true);
+    char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "rows") : xstrdup("");
+    char *text = xasprintf("%s messages sent, %s%s%s; white: none; bars: all that a row sent, received",
+                           count, bytes, *rows ? "; " : "", rows);
+    free(count);
     free(bytes);
     free(rows);
     return text;

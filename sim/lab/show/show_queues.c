@@ -63,25 +63,27 @@ static void draw_all(const struct canvas *c, struct plot p, const struct message
     axes_number(c, p, most > 0 ? most : 1, q->bytes, q->bytes ? "bytes, all nodes" : "all nodes");
 }
 
+/* "1,432 messages at node 0, at 54.2 s". malloc'd. */
+static char *longest_text(const struct trace *t, const struct message_queues *q)
+{
+    uint64_t length = q->longest.length;
+    char *time = axis_time_text(q->longest.time, (q->bins.to - q->bins.from) / 1000);
+    char *count = q->bytes ? axis_number_text((double)length, true) : axis_count_text(length);
+    const char *what = q->bytes ? "" : length == 1 ? " message" : " messages";
+    char *text = xasprintf("%s%s at %s, at %s", count, what, t->nodes[q->longest.node].name, time);
+    free(time);
+    free(count);
+    return text;
+}
+
 static char *notes(const struct show *s, const struct message_queues *q)
 {
-    char *rows = node_rows_text(&s->rows, "rows"),
-         *head = s->rows.per > 1 ? xasprintf("%s; ", rows) : xstrdup(""), *text;
-    if (q->longest.node == TRACE_NONE) {
-        text = xasprintf("%sno message waited for its program", head);
-    } else {
-        char *length = axis_number_text((double)q->longest.length, q->bytes),
-             *time = axis_time_text(q->longest.time, (q->bins.to - q->bins.from) / 1000);
-        text = xasprintf("%sthe longest queue: %s%s at %s, at %s", head, length,
-                         q->bytes                 ? ""
-                         : q->longest.length == 1 ? " message"
-                                                  : " messages",
-                         s->trace->nodes[q->longest.node].name, time);
-        free(length);
-        free(time);
-    }
+    char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "rows") : xstrdup("");
+    char *longest = q->longest.node == TRACE_NONE ? xstrdup("none") : longest_text(s->trace, q);
+    char *text =
+        xasprintf("%s%sthe longest queue of messages that wait: %s", rows, *rows ? "; " : "", longest);
     free(rows);
-    free(head);
+    free(longest);
     return text;
 }
 

@@ -6,7 +6,7 @@
 #include "lab/show/message_sample.h"
 #include "lab/show/stacked.h"
 
-enum { MOST_ARROWS = 400 };
+enum { MOST_ARROWS = 400, MOST_UNASKED = 10000 };
 
 /* What the message's end at its receiver was. */
 enum end { AWAITED, EARLY, OTHERWISE, ENDS };
@@ -70,11 +70,13 @@ static void draw_lines(const struct canvas *c, const struct space_time *d)
                         GREY);
     if (!has_bands(d))
         return;
-    struct state_times times = stacked_times(t, &d->lines, c, d->plot.w);
+    struct state_times times = stacked_times(t, &d->lines, d->plot.w);
+    struct canvas field = stacked_canvas(c, d->plot, &times);
     for (int32_t i = 0; i < d->lines.count; i++) {
         struct plot area = {d->plot.x, d->plot.y + (i + 0.5) * d->apart - band / 2, d->plot.w, band};
-        stacked_draw(c, area, &times, i, 1, ACTIVITY_WAITING);
+        stacked_draw(&field, area, &times, i, 1, ACTIVITY_WAITING);
     }
+    stacked_finish(c, d->plot, &field);
     stacked_legend(c, d->plot.x, d->plot.y + d->plot.h + 60, &times, d->lines.nodes, ACTIVITY_WAITING);
     state_times_free(&times);
 }
@@ -104,7 +106,7 @@ static bool draw_messages(const struct canvas *c, const struct space_time *d, en
         any = true;
     }
     canvas_colour(c, COLOUR(END_LOOKS[end].colour));
-    cairo_set_line_width(c->cr, d->sample.count <= MOST_ARROWS ? 1 : d->sample.count <= 2000 ? 0.7 : 0.4);
+    cairo_set_line_width(c->cr, d->sample.count <= 2000 ? 1 : d->sample.count <= 10000 ? 0.7 : 0.4);
     cairo_stroke(c->cr);
     return any;
 }
@@ -129,15 +131,38 @@ static void draw_all_messages(const struct canvas *c, const struct space_time *d
 
 static char *notes(const struct space_time *d)
 {
-    const struct message_sample *m = &d->sample;
-    char *lines = d->apart < 4 ? xasprintf("%d lines, too close to be drawn; ", d->lines.count) : xstrdup(""),
-         *text;
-    if (m->count < m->of)
-        text = xasprintf("%s%zu of %zu messages drawn, evenly chosen", lines, m->count, m->of);
-    else
-        text = xasprintf("%s%s%zu messages drawn", lines, m->of ? "all " : "", m->of);
+    char *lines = d->apart < 4 ? xasprintf("%d lines, too close to be drawn; ", d->lines.count) : xstrdup("");
+    char *count = axis_count_text(d->sample.count), *of = axis_count_text(d->sample.of);
+    char *text = d->sample.count < d->sample.of
+                     ? xasprintf("%s%s of %s messages drawn, evenly chosen", lines, count, of)
+                     : xasprintf("%sall %s messages drawn", lines, of);
     free(lines);
+    free(count);
+    free(of);
     return text;
+}
+
+/* So many messages that their lines cover a part of the plot, and what is behind them can be seen. */
+static size_t room_for_messages(const struct space_time *d)
+{
+    const double part = 0.2, width = 0.7;
+    double length = 1;
+    for (size_t i = 0; i < d->sample.count; i++) {
+        const struct trace_message *m = &d->show->trace->messages[d->sample.list[i]];
+        length += hypot(x_of(d, m->complete) - x_of(d, m->sent), y_of(d, m->to) - y_of(d, m->from));
+    }
+    return (size_t)(part * d->plot.w * d->plot.h / (width * length / (double)(d->sample.count + 1)));
+}
+
+static void choose_messages(struct space_time *d)
+{
+    const struct show *s = d->show;
+    d->sample = message_sample_make(s->trace, &d->lines, s->most_lines ? s->most_lines : MOST_UNASKED);
+    size_t room = room_for_messages(d);
+    if (s->most_lines || d->sample.count <= room)
+        return;
+    message_sample_free(&d->sample);
+    d->sample = message_sample_make(s->trace, &d->lines, room);
 }
 
 void space_time_draw(const struct show *s, const struct canvas *c)
@@ -145,7 +170,7 @@ void space_time_draw(const struct show *s, const struct canvas *c)
     struct space_time d = {.show = s, .lines = node_rows_single(s->trace)};
     d.apart = lines_apart(d.lines.count);
     d.plot = (struct plot){LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - 24, d.lines.count * d.apart};
-    d.sample = message_sample_make(s->trace, &d.lines, s->most_lines);
+    choose_messages(&d);
     show_head(s, c, "Space-time diagram", notes(&d));
     draw_lines(c, &d);
     draw_all_messages(c, &d);

@@ -14,12 +14,14 @@ double utilisation_height(const struct show *s)
 void utilisation_draw(const struct show *s, const struct canvas *c)
 {
     struct plot p = {LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - 24, PLOT_HEIGHT};
-    struct state_times rows = stacked_times(s->trace, &s->rows, c, p.w), all = state_times_total(&rows);
+    struct state_times rows = stacked_times(s->trace, &s->rows, p.w), all = state_times_total(&rows);
     show_head(
         s, c, "Utilisation count",
         xstrdup(
             "How many nodes compute, are in the system, or wait in a call; what is shorter than a pixel counts as its share of it"));
-    stacked_draw(c, p, &all, 0, s->rows.nodes, ACTIVITIES);
+    struct canvas field = stacked_canvas(c, p, &all);
+    stacked_draw(&field, p, &all, 0, s->rows.nodes, ACTIVITIES);
+    stacked_finish(c, p, &field);
     canvas_frame(c, p);
     axes_number(c, p, s->rows.nodes, false, s->rows.host ? "nodes (with the host)" : "nodes");
     axes_time(c, p, s->trace->from, s->trace->to);

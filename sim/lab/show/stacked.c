@@ -4,30 +4,53 @@
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 
-enum { MOST_CHANGES = 60000 }; /* in an SVG: of about 25 bytes */
+enum { MOST_CORNERS = 45000 }; /* in an SVG: of about 35 bytes */
 
-/* How often an activity's share changes by what is seen from a column to the next. */
-static size_t changes(const struct state_times *s)
+/* How many corners the areas have together: how often the sum of the first activities changes, by what is seen, from a
+ * column to the next. */
+static size_t corners(const struct state_times *s)
 {
     size_t count = 0;
-    size_t row = (size_t)s->bins.count * ACTIVITIES;
-    double seen = 0.05 * (double)(s->bins.to - s->bins.from) / s->bins.count;
-    for (size_t i = ACTIVITIES; i < row * (size_t)s->rows; i++)
-        count += i % row >= ACTIVITIES && fabs(s->sums[i] - s->sums[i - ACTIVITIES]) > seen;
+    double seen = 0.04 * (double)(s->bins.to - s->bins.from) / s->bins.count;
+    for (int32_t row = 0; row < s->rows; row++)
+        for (uint32_t bin = 1; bin < s->bins.count; bin++) {
+            const double *now = state_times_at(s, row, bin), *before = state_times_at(s, row, bin - 1);
+            double change = 0;
+            for (int a = 0; a < ACTIVITIES; a++)
+                count += fabs(change += now[a] - before[a]) > seen;
+        }
     return count;
 }
 
-struct state_times stacked_times(const struct trace *t, const struct node_rows *r, const struct canvas *c,
-                                 double width)
+struct state_times stacked_times(const struct trace *t, const struct node_rows *r, double width)
 {
-    struct time_bins bins = {t->from, t->to, (uint32_t)width * CANVAS_PIXELS};
-    struct state_times s = state_times_make(t, r, bins);
-    while (c->vector && changes(&s) > MOST_CHANGES && bins.count > 16) {
-        bins.count /= 2;
-        state_times_free(&s);
-        s = state_times_make(t, r, bins);
-    }
-    return s;
+    return state_times_make(t, r, (struct time_bins){t->from, t->to, (uint32_t)width * CANVAS_PIXELS});
+}
+
+struct canvas stacked_canvas(const struct canvas *c, struct plot p, const struct state_times *s)
+{
+    if (!c->vector || corners(s) <= MOST_CORNERS)
+        return *c;
+    cairo_surface_t *pixels = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)ceil(p.w) * CANVAS_PIXELS,
+                                                         (int)ceil(p.h) * CANVAS_PIXELS);
+    struct canvas field = {cairo_create(pixels), false, p.w, p.h};
+    cairo_surface_destroy(pixels); /* field.cr holds it */
+    cairo_scale(field.cr, CANVAS_PIXELS, CANVAS_PIXELS);
+    cairo_translate(field.cr, -p.x, -p.y);
+    return field;
+}
+
+void stacked_finish(const struct canvas *c, struct plot p, struct canvas *field)
+{
+    if (field->cr == c->cr)
+        return;
+    cairo_save(c->cr);
+    cairo_translate(c->cr, p.x, p.y);
+    cairo_scale(c->cr, 1.0 / CANVAS_PIXELS, 1.0 / CANVAS_PIXELS);
+    cairo_set_source_surface(c->cr, cairo_get_target(field->cr), 0, 0);
+    cairo_paint(c->cr);
+    cairo_restore(c->cr);
+    cairo_destroy(field->cr);
 }
 
 /* The height of the first `activities` of a bin, of 1 for each node. */
@@ -89,6 +112,8 @@ void stacked_legend(const struct canvas *c, double x, double y, const struct sta
                                                   xasprintf("%s %s", activity_name(a), percent), false};
         free(percent);
     }
-    x = legend(c, x, y, list, count);
-    canvas_text(c, x, y, (struct text_style){10.5, GREY, ANCHOR_LEFT, false}, "of all nodes' time");
+    const struct text_style style = {10, GREY, ANCHOR_LEFT, false};
+    const char *of = "Of all nodes' time: ";
+    canvas_text(c, x, y, style, of);
+    legend(c, x + canvas_text_width(c, style, of) + 6, y, list, count);
 }

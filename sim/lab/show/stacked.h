@@ -7,10 +7,13 @@
 #include "lab/show/displays.h"
 #include "lab/show/palette.h"
 
-/* The times of rows in as many bins as the picture has columns: one a pixel; in an SVG one each half point, or
- * fewer, so that it stays small. */
-struct state_times stacked_times(const struct trace *t, const struct node_rows *r, const struct canvas *c,
-                                 double width);
+/* The times of rows in as many bins as the picture has columns of pixels. */
+struct state_times stacked_times(const struct trace *t, const struct node_rows *r, double width);
+
+/* Where to draw all rows of s, which lie in the plot: on c itself; or, if an SVG would become large, on pixels, which
+ * stacked_finish() then puts into the SVG as one image. */
+struct canvas stacked_canvas(const struct canvas *c, struct plot p, const struct state_times *s);
+void stacked_finish(const struct canvas *c, struct plot p, struct canvas *field);
 /* Draws the first `activities` of a row into the area, whose height stands for `nodes` nodes. */
 void stacked_draw(const struct canvas *c, struct plot area, const struct state_times *s, int32_t row,
                   double nodes, enum activity activities);

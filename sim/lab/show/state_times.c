@@ -4,8 +4,8 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 
-static const char *const NAMES[ACTIVITIES] = {"computing", "computing in a handler", "system, for a message",
-                                              "system, in a call", "waiting in a call"};
+static const char *const NAMES[ACTIVITIES] = {"computing", "handler computing", "system (message)",
+                                              "system (call)", "waiting"};
 
 const char *activity_name(enum activity a)
 {
