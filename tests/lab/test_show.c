@@ -103,6 +103,8 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
     topo_add_host(&t.topo);
     for (int32_t i = 128; i < 299; i++)
         t.nodes[i] = (struct trace_node){.address = (uint32_t)i, .traced = true};
+    for (int32_t i = 0; i < 299; i++)
+        t.nodes[i].calls = 1;
     t.nodes[299] = host, t.nodes[299].address = topo_host(&t.topo);
     struct node_rows r = node_rows_make(&t), each = node_rows_single(&t);
     assert_int_equal(r.per, 8); /* 4 would be 75 rows */
@@ -115,6 +117,11 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
     assert_text("host", node_rows_label(&r, &t, 38));
     assert_text("299 nodes and the host in 38 rows of 8", node_rows_text(&r, "rows"));
     assert_int_equal(each.count, 300);
+    node_rows_free(&each);
+    t.nodes[298].calls = 0; /* the host did not get it as a part of its cube */
+    each = node_rows_single(&t);
+    assert_int_equal(each.count, 299);
+    assert_int_equal(each.row[298], TRACE_NONE);
     node_rows_free(&r);
     node_rows_free(&each);
     drop(&t);
@@ -567,6 +574,8 @@ static void areas_are_shares_of_time(void **state)
         assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
         double computing = pixels_of(path, ACTIVITY_COMPUTING), call = pixels_of(path, ACTIVITY_CALL),
                waiting = pixels_of(path, ACTIVITY_WAITING);
+        if (i == 0) /* of the plot's pixels */
+            assert_true(fabs(computing / ((CANVAS_WIDTH - LEFT - 24) * 2 * 400 * 2) - 130 / 200.0) < 0.005);
         assert_true(fabs(call / computing - 10 / 130.0) < 0.005);
         assert_true(fabs(waiting / computing - 20 / 130.0) < 0.005);
     }

@@ -1,7 +1,9 @@
 /* channel_film.c - see channel_film.h. */
 #include "lab/show/channel_film.h"
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
 #include "files/atomic_file.h"
@@ -126,7 +128,12 @@ bool channel_film_write(const struct show *s, const char *path, film_tell *tell,
         *error = xasprintf("%s cannot be made: libwebp failed; try fewer pictures (--frames)", path);
         return false;
     }
-    fwrite(data.bytes, 1, data.size, f.out);
+    bool written = fwrite(data.bytes, 1, data.size, f.out) == data.size;
+    int why = errno;
     WebPDataClear(&data);
-    return atomic_file_end(&f, error);
+    if (written)
+        return atomic_file_end(&f, error);
+    atomic_file_drop(&f);
+    *error = xasprintf("%s cannot be written: %s", path, strerror(why));
+    return false;
 }

@@ -50,20 +50,34 @@ void channel_map_draw(const struct channel_map *m, const struct canvas *c, doubl
     (is_mesh(m->show) ? channel_mesh_draw : channel_cube_draw)(m, c, y, bin);
 }
 
+/* Are there messages that the trace, or what was selected of it, does not have? */
+static bool lacks_messages(const struct trace *t)
+{
+    for (int32_t n = 0; n < t->node_count; n++)
+        if (!t->nodes[n].traced)
+            return true;
+    return false;
+}
+
+static char *shape_text(const struct topo *topo)
+{
+    if (topo->rows)
+        return xasprintf("mesh of %u rows of %u", topo->rows, topo->columns);
+    return xasprintf("hypercube of %u dimension%s", topo->dimension, topo->dimension == 1 ? "" : "s");
+}
+
 char *channel_map_notes(const struct channel_map *m)
 {
+    const struct trace *t = m->show->trace;
     char name[80];
     double share;
     uint32_t busiest = channel_use_busiest(&m->use, &share);
-    const struct topo *topo = &m->show->trace->topo;
-    char *shape = topo->rows ? xasprintf("mesh of %u rows of %u", topo->rows, topo->columns)
-                             : xasprintf("hypercube of %u dimension%s", topo->dimension,
-                                         topo->dimension == 1 ? "" : "s");
-    char *percent = axis_percent_text(share), *text;
-    trace_channel_name(m->show->trace, busiest, name, sizeof name);
-    text = share > 0 ? xasprintf("%s; the busiest channel of the interval: %s, held %s of the time", shape,
-                                 name, percent)
-                     : xasprintf("%s; no channel was held", shape);
+    char *shape = shape_text(&t->topo), *percent = axis_percent_text(share), *text;
+    trace_channel_name(t, busiest, name, sizeof name);
+    const char *only = lacks_messages(t) ? "; messages of these nodes only" : "";
+    text = share > 0
+               ? xasprintf("%s; the busiest channel: %s, held %s of the time%s", shape, name, percent, only)
+               : xasprintf("%s; no channel was held%s", shape, only);
     free(percent);
     free(shape);
     return text;

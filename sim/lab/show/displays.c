@@ -33,10 +33,12 @@ const struct display DISPLAYS[] = {
      "Which share of the time each channel of the network was held by a message.",
      "Look for a few dark channels among light ones: messages wait there.", channels_height, channels_draw,
      false},
-    {"film", "Use of channels, as a film", "The same as an animated WebP, an interval of time a picture.",
+    {"film", "Use of channels, as a film",
+     "The use of channels over time: an animated WebP, an interval of time a picture.",
      "Look for waves: phases in which the whole network works, or only the channels to one node.",
      channels_height, NULL, true},
-    {"kiviat", "Kiviat diagram", "How busy each node was: a spoke a node, its rim is all of the time.",
+    {"kiviat", "Kiviat diagram",
+     "How busy each node was: a spoke a node, the farther from the centre the busier.",
      "Look for a shape that is not round: the load is not balanced.", kiviat_height, kiviat_draw, false},
     {0}};
 

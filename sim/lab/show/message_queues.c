@@ -26,7 +26,7 @@ static void find_longest(struct message_queues *q, struct change *list, size_t c
     int64_t length = 0;
     qsort(list, count, sizeof *list, by_node);
     for (const struct change *c = list; c < list + count; c++) {
-        length = (c == list || c->node != c[-1].node ? 0 : length) + c->by;
+        length += c->by; /* it is 0 again behind the last of a node */
         if (length > (int64_t)q->longest.length)
             q->longest.length = (uint64_t)length, q->longest.node = c->node, q->longest.time = c->time;
     }

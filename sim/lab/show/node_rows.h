@@ -20,7 +20,7 @@ struct node_rows {
     } * classes;                   /* one a row */
 };
 
-/* The rows of the nodes that are traced (and selected: trace_load()). Freed by node_rows_free(). */
+/* The rows of the nodes that are traced (and selected: trace_load()), and that a program used. Freed by node_rows_free(). */
 struct node_rows node_rows_make(const struct trace *t);
 /* As many rows as nodes. */
 struct node_rows node_rows_single(const struct trace *t);

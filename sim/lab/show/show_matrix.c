@@ -7,7 +7,7 @@
 #include "lab/show/heat.h"
 #include "lab/show/message_matrix.h"
 
-enum { SIDE = 520, BARS = 70, GAP = 10, MOST_NUMBERS = 16 };
+enum { SIDE = 520, BARS = 70, GAP = 10, MOST_NUMBERS = 16, MOST_BYTES = 12 };
 
 struct matrix_picture {
     struct message_matrix m;
@@ -91,10 +91,8 @@ static void draw_numbers(const struct canvas *c, struct plot p, const struct mat
                 continue;
             char *text = axis_number_text(v, x->by_bytes);
             struct colour colour = palette_is_dark(heat_level(h, v)) ? COLOUR(0xffffff) : INK;
-            canvas_text(
-                c, p.x + (to + 0.5) * step, p.y + (from + 0.5) * step + 3.5,
-                (struct text_style){x->by_bytes && x->m.size > 10 ? 8 : 10, colour, ANCHOR_MIDDLE, false},
-                text);
+            canvas_text(c, p.x + (to + 0.5) * step, p.y + (from + 0.5) * step + 3.5,
+                        (struct text_style){x->by_bytes ? 9 : 10, colour, ANCHOR_MIDDLE, false}, text);
             free(text);
         }
 }
@@ -118,7 +116,7 @@ void matrix_draw(const struct show *s, const struct canvas *c)
     show_head(s, c, s->by_bytes ? "Communication matrix: bytes" : "Communication matrix: messages",
               notes(s, &x));
     heat_grid(c, p, &h, (uint32_t)x.m.size, (uint32_t)x.m.size, 0, amount, &x);
-    if (x.m.size <= MOST_NUMBERS)
+    if (x.m.size <= (s->by_bytes ? MOST_BYTES : MOST_NUMBERS))
         draw_numbers(c, p, &x, &h);
     if (x.m.others)
         draw_others(c, p, x.m.size);

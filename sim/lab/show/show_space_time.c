@@ -135,7 +135,8 @@ static char *notes(const struct space_time *d)
     char *count = axis_count_text(d->sample.count), *of = axis_count_text(d->sample.of);
     char *text = d->sample.count < d->sample.of
                      ? xasprintf("%s%s of %s messages drawn, evenly chosen", lines, count, of)
-                     : xasprintf("%sall %s messages drawn", lines, of);
+                 : d->sample.of ? xasprintf("%sall %s messages drawn", lines, of)
+                                : xasprintf("%sno message is on its way", lines);
     free(lines);
     free(count);
     free(of);

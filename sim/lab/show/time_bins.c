@@ -11,13 +11,10 @@ double time_bins_width(const struct time_bins *b, uint32_t i)
     return (double)(time_bins_edge(b, i + 1) - time_bins_edge(b, i));
 }
 
-/* The last bin that begins at t or before. */
+/* The bin of t, or the one before, if t is its end. */
 static uint32_t bin_of(const struct time_bins *b, vtime t)
 {
-    uint32_t i = (uint32_t)((unsigned __int128)(t - b->from) * b->count / (b->to - b->from));
-    while (i + 1 < b->count && time_bins_edge(b, i + 1) <= t)
-        i++;
-    return i;
+    return (uint32_t)((unsigned __int128)(t - b->from) * b->count / (b->to - b->from));
 }
 
 void time_bins_add(const struct time_bins *b, double *sums, size_t stride, vtime begin, vtime end,
