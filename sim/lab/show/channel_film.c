@@ -83,16 +83,17 @@ static bool add_frame(WebPAnimEncoder *film, cairo_surface_t *surface, uint32_t 
 static bool add_all(const struct show *s, WebPAnimEncoder *film, cairo_surface_t *surface, double height,
                     film_tell *tell, void *ctx)
 {
-    struct channel_map m = channel_map_make(s, (struct time_bins){s->trace->from, s->trace->to, s->frames});
+    struct channel_map m = channel_map_make(s, time_bins_make(s->trace->from, s->trace->to, s->frames));
     struct canvas c = {cairo_create(surface), false, CANVAS_WIDTH, height};
+    uint32_t count = m.use.bins.count;
     bool added = true;
-    for (uint32_t i = 0; added && i < s->frames; i++) {
+    for (uint32_t i = 0; added && i < count; i++) {
         draw_frame(&m, &c, i);
         added = add_frame(film, surface, i);
         if (tell)
-            tell(ctx, i + 1, s->frames);
+            tell(ctx, i + 1, count);
     }
-    added = added && WebPAnimEncoderAdd(film, NULL, (int)s->frames * FRAME_MS, NULL);
+    added = added && WebPAnimEncoderAdd(film, NULL, (int)count * FRAME_MS, NULL);
     cairo_destroy(c.cr);
     channel_map_free(&m);
     return added;

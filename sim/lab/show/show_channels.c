@@ -9,7 +9,7 @@ double channels_height(const struct show *s)
 
 void channels_draw(const struct show *s, const struct canvas *c)
 {
-    struct channel_map m = channel_map_make(s, (struct time_bins){s->trace->from, s->trace->to, 1});
+    struct channel_map m = channel_map_make(s, time_bins_make(s->trace->from, s->trace->to, 1));
     show_head(s, c, "Use of channels", channel_map_notes(&m));
     channel_map_draw(&m, c, HEAD_HEIGHT, 0);
     channel_map_free(&m);

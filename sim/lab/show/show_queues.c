@@ -100,13 +100,13 @@ void queues_draw(const struct show *s, const struct canvas *c)
 {
     struct plot above = {LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - RIGHT, ABOVE}, below = above;
     uint32_t columns = c->vector ? SVG_COLUMNS : (uint32_t)above.w * CANVAS_PIXELS;
-    struct time_bins bins = {s->trace->from, s->trace->to, columns};
+    struct time_bins bins = time_bins_make(s->trace->from, s->trace->to, columns);
     struct message_queues q = message_queues_make(s->trace, &s->rows, bins, s->by_bytes);
     struct heat h = heat_linear(most_of_rows(&q));
     below.y += ABOVE + BETWEEN, below.h = s->rows.count * row_height(s);
     show_head(s, c, s->by_bytes ? "Message queues: bytes" : "Message queues: messages", notes(s, &q));
     draw_all(c, above, &q);
-    heat_grid(c, below, &h, columns, (uint32_t)s->rows.count, row_height(s) > 8 ? 1 : 0, waiting, &q);
+    heat_grid(c, below, &h, bins.count, (uint32_t)s->rows.count, row_height(s) > 8 ? 1 : 0, waiting, &q);
     canvas_frame(c, below);
     axes_rows(c, below, &s->rows, s->trace, "node");
     axes_time(c, below, s->trace->from, s->trace->to);

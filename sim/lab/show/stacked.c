@@ -24,7 +24,7 @@ static size_t corners(const struct state_times *s)
 
 struct state_times stacked_times(const struct trace *t, const struct node_rows *r, double width)
 {
-    return state_times_make(t, r, (struct time_bins){t->from, t->to, (uint32_t)width * CANVAS_PIXELS});
+    return state_times_make(t, r, time_bins_make(t->from, t->to, (uint32_t)width * CANVAS_PIXELS));
 }
 
 struct canvas stacked_canvas(const struct canvas *c, struct plot p, const struct state_times *s)

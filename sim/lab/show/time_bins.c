@@ -1,6 +1,11 @@
 /* time_bins.c - see time_bins.h. */
 #include "lab/show/time_bins.h"
 
+struct time_bins time_bins_make(vtime from, vtime to, uint32_t most)
+{
+    return (struct time_bins){from, to, (uint32_t)vt_min(most, to - from)};
+}
+
 vtime time_bins_edge(const struct time_bins *b, uint32_t i)
 {
     return b->from + (vtime)((unsigned __int128)(b->to - b->from) * i / b->count);

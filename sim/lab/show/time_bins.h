@@ -11,6 +11,8 @@ struct time_bins {
     uint32_t count;
 };
 
+/* At most so many bins: none is shorter than a picosecond. from < to. */
+struct time_bins time_bins_make(vtime from, vtime to, uint32_t most);
 /* The beginning of bin i; of bin `count`: the end of the interval. */
 vtime time_bins_edge(const struct time_bins *b, uint32_t i);
 double time_bins_width(const struct time_bins *b, uint32_t i); /* picoseconds */
