@@ -95,3 +95,19 @@ if [ -w /dev/full ]; then
     show gantt -o full.png ring.trace
     check "a full disk is told" is_error 1 'cannot be written: No space left'
 fi
+
+# doc/trace-show.md, as a reader would follow it
+page=$tests/../../doc/trace-show.md
+mkdir reader && cd reader && ln -s "$BUILD" build && ln -s "$(dirname "$tests")" tests
+bash -e -c "$(block "$page" sh)" >all 2>err
+status=$?
+check "the page's commands work" ended_with 0
+grep '^pictures/' all >out
+block "$page" out >expected
+check "and say what the page says" cmp out expected
+bash -e -c "$(block "$page" sh 2)" >out 2>err
+status=$?
+check "the ring's, too" ended_with 0
+check "its picture is beside the trace" is_png ring-space-time.png
+listed() { sed -n 's/^| \([a-z-]*\) | .*/\1/p' "$page" | head -10 | grep -v display; }
+check "the page has all displays" test "$(listed)" = "$("$BUILD/touchstone" trace show list | sed -n 's/^\([a-z-][a-z-]*\) .*/\1/p')"

@@ -38,7 +38,7 @@ static double routers_apart(const struct show *s, uint32_t columns)
 
 double channel_mesh_height(const struct show *s)
 {
-    return fmax(10 + s->trace->topo.rows * routers_apart(s, columns_of(s)) + 70, 300);
+    return fmax(10 + s->trace->topo.rows * routers_apart(s, columns_of(s)) + 70, 230);
 }
 
 static struct colour colour_of(const struct mesh *m, uint32_t channel)
@@ -77,19 +77,19 @@ static void fill_path(const struct canvas *c, const struct mesh *m, uint32_t cha
 /* An arrow from one router's square to the next; in a large mesh a bar. */
 static void draw_link(const struct canvas *c, const struct mesh *m, uint32_t channel)
 {
+    /* of the distance between routers: along the channel, and to its right */
+    static const double ARROW[][2] = {{0.27, 0.055},  {0.63, 0.055}, {0.63, 0.0165}, {0.73, 0.11},
+                                      {0.63, 0.2035}, {0.63, 0.165}, {0.27, 0.165}},
+                        BAR[][2] = {{0.24, 0.02}, {0.76, 0.02}, {0.76, 0.2}, {0.24, 0.2}};
+    bool detailed = m->apart >= DETAILED;
+    size_t count = detailed ? sizeof ARROW / sizeof *ARROW : sizeof BAR / sizeof *BAR;
     struct topo_channel ends = topo_channel(&m->map->show->trace->topo, channel);
     struct centre a = centre_of(m, ends.from), b = centre_of(m, ends.to);
-    double dx = (b.x - a.x) / m->apart,
-           dy = (b.y - a.y) / m->apart; /* where to: one is 0; right of it is -dy, dx */
-    const double POINTS[][2] = {        /* along, to the right: of the distance between routers */
-                                {0.27, 0.055},  {0.63, 0.055}, {0.63, 0.0165}, {0.73, 0.11},
-                                {0.63, 0.2035}, {0.63, 0.165}, {0.27, 0.165}};
-    enum { COUNT = sizeof POINTS / sizeof *POINTS };
-    for (size_t i = 0; i < COUNT; i++) {
-        double along = POINTS[i][0] * m->apart, right = POINTS[i][1] * m->apart;
-        if (m->apart >= DETAILED || i < 2 || i >= COUNT - 2)
-            cairo_line_to(c->cr, canvas_round(c, a.x + dx * along - dy * right),
-                          canvas_round(c, a.y + dy * along + dx * right));
+    double dx = b.x - a.x, dy = b.y - a.y; /* one is 0; to the right is -dy, dx */
+    for (size_t i = 0; i < count; i++) {
+        const double *at = detailed ? ARROW[i] : BAR[i];
+        cairo_line_to(c->cr, canvas_round(c, a.x + dx * at[0] - dy * at[1]),
+                      canvas_round(c, a.y + dy * at[0] + dx * at[1]));
     }
     cairo_close_path(c->cr);
     fill_path(c, m, channel);
@@ -127,10 +127,12 @@ static void draw_labels(const struct canvas *c, const struct mesh *m)
     }
     canvas_text_upward(c, m->plot.x - 48, m->plot.y + m->plot.h / 2,
                        (struct text_style){11, INK, ANCHOR_MIDDLE, false}, "first node of the row");
-    canvas_text(
-        c, m->plot.x, m->plot.y + m->plot.h + 36, (struct text_style){10.5, INK, ANCHOR_LEFT, false},
-        "Arrow: a channel between neighbours. Square: a node's ports, the upper half into the network, the "
-        "lower half out of it.");
+    canvas_text(c, m->plot.x, m->plot.y + m->plot.h + 36, (struct text_style){10.5, INK, ANCHOR_LEFT, false},
+                m->apart >= DETAILED
+                    ? "Arrow: a channel between neighbours. Square: a node's ports, the upper half into the "
+                      "network, the lower half out of it."
+                    : "Bar: a channel between neighbours; traffic keeps to the right. Square: a node's "
+                      "ports, the upper half into the network.");
 }
 
 void channel_mesh_draw(const struct channel_map *map, const struct canvas *c, double y, uint32_t bin)

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 
-enum { MOST_CORNERS = 45000 }; /* in an SVG: of about 35 bytes */
+static const double SEEN = 0.0005; /* a smaller share needs no entry in the legend */
+enum { MOST_CORNERS = 45000 };     /* in an SVG: of about 35 bytes */
 
 /* How many corners the areas have together: how often the sum of the first activities changes, by what is seen, from a
  * column to the next. */
@@ -100,20 +101,22 @@ void stacked_draw(const struct canvas *c, struct plot area, const struct state_t
 void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, double nodes,
                     enum activity activities)
 {
-    struct legend_entry list[ACTIVITIES];
-    size_t count = 0;
-    double sums[ACTIVITIES] = {0}, all = nodes * (double)(s->bins.to - s->bins.from);
-    for (size_t i = 0; i < (size_t)s->rows * s->bins.count * ACTIVITIES; i++)
-        sums[i % ACTIVITIES] += s->sums[i];
-    for (enum activity a = 0; a < activities; a++) {
-        char *percent = axis_percent_text(sums[a] / all);
-        if (a != ACTIVITY_HANDLER || sums[a] > 0)
-            list[count++] = (struct legend_entry){palette_activity(a),
-                                                  xasprintf("%s %s", activity_name(a), percent), false};
-        free(percent);
-    }
     const struct text_style style = {10, GREY, ANCHOR_LEFT, false};
     const char *of = "Of all nodes' time: ";
+    struct legend_entry list[ACTIVITIES + 1];
+    size_t count = 0;
+    double all = nodes * (double)(s->bins.to - s->bins.from), sums[ACTIVITIES + 1] = {[ACTIVITIES] = all};
+    for (size_t i = 0; i < (size_t)s->rows * s->bins.count * ACTIVITIES; i++)
+        sums[i % ACTIVITIES] += s->sums[i], sums[ACTIVITIES] -= s->sums[i];
+    for (enum activity a = 0; a <= ACTIVITIES; a++) {
+        bool always = a != ACTIVITY_HANDLER && a != ACTIVITIES;
+        if ((a >= activities && a < ACTIVITIES) || !(always || sums[a] > SEEN * all))
+            continue;
+        char *percent = axis_percent_text(sums[a] / all);
+        list[count++] =
+            (struct legend_entry){palette_activity(a), xasprintf("%s %s", activity_name(a), percent), false};
+        free(percent);
+    }
     canvas_text(c, x, y, style, of);
     legend(c, x + canvas_text_width(c, style, of) + 6, y, list, count);
 }

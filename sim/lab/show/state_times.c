@@ -4,8 +4,8 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 
-static const char *const NAMES[ACTIVITIES] = {"computing", "handler computing", "system (message)",
-                                              "system (call)", "waiting"};
+static const char *const NAMES[ACTIVITIES + 1] = {"computing",     "handler computing", "system (message)",
+                                                  "system (call)", "waiting",           "ended"};
 
 const char *activity_name(enum activity a)
 {
