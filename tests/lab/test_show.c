@@ -1,5 +1,5 @@
-/* test_show.c - what touchstone trace show draws: the numbers behind each display, by hand and by brute force, and
- * pictures whose areas are the shares of time. */
+/* test_show.c - what touchstone trace show draws: the numbers behind each display, by hand and by brute
+ * force, and pictures whose areas are the shares of time. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -129,7 +129,8 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
 
 /* --- activities --- */
 
-/* Node 0 computes 0-10 and 40-100, and waits 15-35 of a call from 10 to 40; node 1 computes, and ends at 60. */
+/* Node 0 computes 0-10 and 40-100, and waits 15-35 of a call from 10 to 40; node 1 computes, and ends at
+ * 60. */
 static struct trace two_nodes(void)
 {
     struct trace t = made_trace(2, 100);
@@ -228,7 +229,8 @@ static void activities_by_brute_force(void **state)
 
 /* --- messages --- */
 
-/* Three nodes. 0 sends to 1 twice (10 and 1,000 bytes), 1 to 2 once (0 bytes), and 2 to an I/O node (20 bytes). */
+/* Three nodes. 0 sends to 1 twice (10 and 1,000 bytes), 1 to 2 once (0 bytes), and 2 to an I/O node (20
+ * bytes). */
 static struct trace four_messages(void)
 {
     struct trace t = made_trace(3, 1000);

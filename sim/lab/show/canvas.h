@@ -1,5 +1,5 @@
-/* canvas.h - what pictures are drawn on, by libcairo: an SVG, or pixels, two a point each way. Lengths are points:
- * a picture is CANVAS_WIDTH of them wide. */
+/* canvas.h - what pictures are drawn on, by libcairo: an SVG, or pixels, two a point each way. Lengths are
+ * points: a picture is CANVAS_WIDTH of them wide. */
 #ifndef LAB_SHOW_CANVAS_H
 #define LAB_SHOW_CANVAS_H
 #include <cairo/cairo.h>
@@ -50,7 +50,7 @@ void canvas_line(const struct canvas *c, double x1, double y1, double x2, double
 void canvas_frame(const struct canvas *c, struct plot area);
 /* The length rounded so that an SVG writes it with few digits. */
 double canvas_round(const struct canvas *c, double length);
-/* Frees the fonts that libcairo keeps. To be called when no canvas will follow, so that checkers of memory find none
- * left. */
+/* Frees the fonts that libcairo keeps. To be called when no canvas will follow, so that checkers of memory
+ * find none left. */
 void canvas_forget_fonts(void);
 #endif

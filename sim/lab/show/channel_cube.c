@@ -1,8 +1,8 @@
 /* channel_cube.c - the channels of a hypercube: a row a node, a column a dimension; then the ports. */
+#include "lab/show/channel_cube.h"
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/channel_map.h"
 
 enum { LABEL_APART = 12 };
 

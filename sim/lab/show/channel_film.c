@@ -9,11 +9,12 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/show/axes.h"
-#include "lab/show/channel_map.h"
+#include "lab/show/channel_shapes.h"
 
 enum { FRAME_MS = 125, STRIP = 70 };
 
-/* What each picture has below the map: the whole interval with the mean use of all channels, and where we are. */
+/* What each picture has below the map: the whole interval with the mean use of all channels, and where we
+ * are. */
 static void draw_strip(const struct channel_map *m, const struct canvas *c, struct plot p, uint32_t now)
 {
     const struct time_bins *b = &m->use.bins;
@@ -49,10 +50,10 @@ static char *frame_notes(const struct channel_map *m, uint32_t now)
 
 static void draw_frame(const struct channel_map *m, const struct canvas *c, uint32_t now)
 {
-    double below = HEAD_HEIGHT + channel_map_height(m->show) + 8;
+    double below = HEAD_HEIGHT + channel_shapes_height(m->show) + 8;
     canvas_fill(c, (struct plot){0, 0, c->width, c->height}, COLOUR(0xffffff));
     show_head(m->show, c, "Use of channels", frame_notes(m, now));
-    channel_map_draw(m, c, HEAD_HEIGHT, now);
+    channel_shapes_draw(m, c, HEAD_HEIGHT, now);
     draw_strip(m, c, (struct plot){60, below, CANVAS_WIDTH - 60 - 30, STRIP - 40}, now);
 }
 
@@ -102,7 +103,7 @@ static bool add_all(const struct show *s, WebPAnimEncoder *film, cairo_surface_t
 /* Puts the film together; false if libwebp fails, which is for want of memory. */
 static bool make_film(const struct show *s, WebPData *data, film_tell *tell, void *ctx)
 {
-    double height = ceil(HEAD_HEIGHT + channel_map_height(s) + 8 + STRIP + 10);
+    double height = ceil(HEAD_HEIGHT + channel_shapes_height(s) + 8 + STRIP + 10);
     WebPAnimEncoderOptions options;
     if (!WebPAnimEncoderOptionsInit(&options))
         return false;

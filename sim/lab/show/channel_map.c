@@ -35,21 +35,6 @@ void channel_map_free(struct channel_map *m)
     free(m->shown);
 }
 
-static bool is_mesh(const struct show *s)
-{
-    return s->trace->topo.rows > 0;
-}
-
-double channel_map_height(const struct show *s)
-{
-    return is_mesh(s) ? channel_mesh_height(s) : channel_cube_height(s);
-}
-
-void channel_map_draw(const struct channel_map *m, const struct canvas *c, double y, uint32_t bin)
-{
-    (is_mesh(m->show) ? channel_mesh_draw : channel_cube_draw)(m, c, y, bin);
-}
-
 /* Are there messages that the trace, or what was selected of it, does not have? */
 static bool lacks_messages(const struct trace *t)
 {

@@ -1,9 +1,9 @@
-/* channel_mesh.c - the channels of a mesh, drawn as it lies. Traffic keeps to the right: the channel to the east runs
- * below the one to the west. A node's square is its two ports. */
+/* channel_mesh.c - the channels of a mesh, drawn as it lies. Traffic keeps to the right: the channel to
+ * the east runs below the one to the west. A node's square is its two ports. */
+#include "lab/show/channel_mesh.h"
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/channel_map.h"
 
 enum {
     RIGHT = 150,  /* of the map, for the scale */

@@ -1,8 +1,8 @@
-/* display_parts.h - the displays' functions: see displays.h, whose table names them. A height may depend on the
- * number of rows. */
+/* display_parts.h - the displays' functions: see displays.h, whose table names them. A height may depend
+ * on the number of rows. */
 #ifndef LAB_SHOW_DISPLAY_PARTS_H
 #define LAB_SHOW_DISPLAY_PARTS_H
-#include "lab/show/displays.h"
+#include "lab/show/picture_head.h"
 
 double utilisation_height(const struct show *s);
 void utilisation_draw(const struct show *s, const struct canvas *c);

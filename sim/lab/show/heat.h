@@ -20,8 +20,8 @@ int heat_level(const struct heat *h, double amount);
 
 /* The amount of a cell. */
 typedef double heat_cell(const void *ctx, uint32_t column, uint32_t row);
-/* Draws all cells, columns x rows of one size; neighbours of one level in a row are one shape. gap: points left free
- * between rows. */
+/* Draws all cells, columns x rows of one size; neighbours of one level in a row are one shape. gap: points
+ * left free between rows. */
 void heat_grid(const struct canvas *c, struct plot p, const struct heat *h, uint32_t columns, uint32_t rows,
                double gap, heat_cell *cell, const void *ctx);
 

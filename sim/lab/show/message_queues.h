@@ -1,5 +1,5 @@
-/* message_queues.h - the messages that are there for a node, and that it has not: on their way to it, or complete
- * and waiting until its program takes them. */
+/* message_queues.h - the messages that are there for a node, and that it has not: on their way to it, or
+ * complete and waiting until its program takes them. */
 #ifndef LAB_SHOW_MESSAGE_QUEUES_H
 #define LAB_SHOW_MESSAGE_QUEUES_H
 #include "lab/show/node_rows.h"

@@ -8,7 +8,8 @@ static bool is_host(const struct trace *t, int32_t node)
     return topo_is_host(&t->topo, t->nodes[node].address);
 }
 
-/* With a host, nodes run programs only when it has got them as a cube: those that never did anything are left out. */
+/* With a host, nodes run programs only when it has got them as a cube: those that never did anything are
+ * left out. */
 static bool is_shown(const struct trace *t, const struct trace_node *n)
 {
     return n->traced &&

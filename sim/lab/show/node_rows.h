@@ -1,5 +1,5 @@
-/* node_rows.h - the rows of a picture: a node each, or, of many nodes, a class each: neighbouring numbers, a power
- * of two of them. The host is a row of its own. */
+/* node_rows.h - the rows of a picture: a node each, or, of many nodes, a class each: neighbouring numbers,
+ * a power of two of them. The host is a row of its own. */
 #ifndef LAB_SHOW_NODE_ROWS_H
 #define LAB_SHOW_NODE_ROWS_H
 #include "lab/trace/trace_model.h"
@@ -20,13 +20,15 @@ struct node_rows {
     } * classes;                   /* one a row */
 };
 
-/* The rows of the nodes that are traced (and selected: trace_load()), and that a program used. Freed by node_rows_free(). */
+/* The rows of the nodes that are traced (and selected: trace_load()), and that a program used. Freed by
+ * node_rows_free(). */
 struct node_rows node_rows_make(const struct trace *t);
 /* As many rows as nodes. */
 struct node_rows node_rows_single(const struct trace *t);
 void node_rows_free(struct node_rows *r);
 /* "3", "8-15", "host": a malloc'd text. */
 char *node_rows_label(const struct node_rows *r, const struct trace *t, int32_t row);
-/* "16 nodes", "512 nodes in 64 rows of 8", "128 nodes and the host in ...": malloc'd. what: "rows", "spokes". */
+/* "16 nodes", "512 nodes in 64 rows of 8", "128 nodes and the host in ...": malloc'd. what: "rows",
+ * "spokes". */
 char *node_rows_text(const struct node_rows *r, const char *what);
 #endif

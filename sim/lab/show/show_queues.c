@@ -1,4 +1,5 @@
-/* show_queues.c - the messages that nodes have not taken: all nodes' together, and node by node, over time. */
+/* show_queues.c - the messages that nodes have not taken: all nodes' together, and node by node, over
+ * time. */
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"

@@ -15,7 +15,7 @@ static const struct {
     const char *text;
 } END_LOOKS[ENDS] = {[AWAITED] = {0x222222, "message that its receiver waited for"},
                      [EARLY] = {0xd97706, "message that waited for its receiver"},
-                     [OTHERWISE] = {0x8a8a8a, "taken by a handler, or not taken"}};
+                     [OTHERWISE] = {0xbbbbbb, "taken by a handler, or not taken"}};
 
 struct space_time {
     const struct show *show;

@@ -7,8 +7,8 @@
 static const double SEEN = 0.0005; /* a smaller share needs no entry in the legend */
 enum { MOST_CORNERS = 45000 };     /* in an SVG: of about 35 bytes */
 
-/* How many corners the areas have together: how often the sum of the first activities changes, by what is seen, from a
- * column to the next. */
+/* How many corners the areas have together: how often the sum of the first activities changes, by what is
+ * seen, from a column to the next. */
 static size_t corners(const struct state_times *s)
 {
     size_t count = 0;

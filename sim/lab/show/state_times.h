@@ -1,5 +1,6 @@
-/* state_times.h - how long the nodes of each row were in each activity, in each bin of time. The utilisation count
- * (one row of all nodes), the Gantt chart and Kiviat's diagram (one bin) are drawn from it. */
+/* state_times.h - how long the nodes of each row were in each activity, in each bin of time. The
+ * utilisation count (one row of all nodes), the Gantt chart and Kiviat's diagram (one bin) are drawn from
+ * it. */
 #ifndef LAB_SHOW_STATE_TIMES_H
 #define LAB_SHOW_STATE_TIMES_H
 #include "lab/show/node_rows.h"
