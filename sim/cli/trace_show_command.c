@@ -40,7 +40,8 @@ static const struct argp_option OPTIONS[] = {
 
 static const char DOC[] =
     "Draws what nodes, messages and channels did, from a trace of touchstone run --trace. DISPLAY is one or "
-    "more of the following, or all; default gantt. `touchstone trace show list` says what to look for in each.";
+    "more of the following, or all; default gantt. `touchstone trace show list` says what to look for in "
+    "each.";
 static const char AFTER[] = "\vOf more than 128 nodes, neighbours share a row; a picture says how many.\n\n"
                             "Exit status:\n"
                             "  0   all pictures are drawn\n"
