@@ -159,17 +159,26 @@ static void draw_display(void *ctx, const struct canvas *c)
     d->display->draw(d->show, c);
 }
 
-static void tell(void *ctx, uint32_t done, uint32_t of)
+/* On a terminal, says what takes its time, in a line that the next one rewrites; NULL erases it. */
+static void stage(const char *doing, const char *what)
+{
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r\033[K%s%s", doing ? doing : "", doing ? what : "");
+}
+
+static void film_stage(void *ctx, uint32_t done, uint32_t of)
 {
     (void)ctx;
-    fprintf(stderr, "\rfilm: picture %u of %u%s", done, of, done == of ? "\n" : "");
+    char *text = xasprintf("picture %u of %u", done, of);
+    stage("drawing film: ", text);
+    free(text);
 }
 
 static bool write_display(const struct arguments *a, const struct display *d, const char *path, char **error)
 {
     struct drawing drawing = {d, &a->show};
     if (d->film)
-        return channel_film_write(&a->show, path, isatty(STDERR_FILENO) ? tell : NULL, NULL, error);
+        return channel_film_write(&a->show, path, film_stage, NULL, error);
     enum picture_kind kind = picture_kind_of(path);
     return picture_write(path,
                          kind     ? kind
@@ -184,7 +193,10 @@ static int draw_all(const struct arguments *a)
     int status = 0;
     for (size_t i = 0; i < a->display_count; i++) {
         char *error = NULL, *path = path_of(a, a->displays[i]);
-        if (!write_display(a, a->displays[i], path, &error)) {
+        stage("drawing ", a->displays[i]->name);
+        bool written = write_display(a, a->displays[i], path, &error);
+        stage(NULL, NULL);
+        if (!written) {
             fprintf(stderr, "touchstone trace show: no picture %s: %s\n", a->displays[i]->name, error);
             free(error);
             status = 1;
@@ -211,15 +223,16 @@ static char *why_nothing(const struct arguments *a)
         return xasprintf("%s has nothing in that interval: the run ended at %.9f s", a->trace,
                          vt_seconds(t->end));
     if (!a->show.rows.nodes)
-        return xasprintf("%s has none of these nodes: it has %d%s", a->trace, t->node_count - t->topo.host,
-                         t->topo.host ? " and the host" : "");
+        return xasprintf("%s has none of these nodes: it has nodes 0 to %d", a->trace, t->node_count - 1);
     return NULL;
 }
 
 static int show(struct arguments *a)
 {
     char *error = NULL;
+    stage("reading ", a->trace);
     struct trace *t = trace_load(a->trace, &a->select, &error);
+    stage(NULL, NULL);
     if (!t)
         return input_error(error);
     a->show.trace = t;

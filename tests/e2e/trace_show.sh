@@ -84,7 +84,7 @@ check "a trace that is not there" is_error 65 'missing.trace cannot be read'
 show gantt -o x.png --from 1000 ring.trace
 check "an interval after the end" is_error 65 'the run ended at'
 show gantt -o x.png --nodes 8-9 ring.trace
-check "nodes that are not there" is_error 65 'it has 8'
+check "nodes that are not there" is_error 65 'it has nodes 0 to 7'
 show gantt -o nowhere/x.png ring.trace
 check "a folder that is not there" is_error 1 'nowhere/x.png cannot be written'
 show matrix -o ring.trace/x ring.trace

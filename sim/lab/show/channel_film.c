@@ -91,8 +91,7 @@ static bool add_all(const struct show *s, WebPAnimEncoder *film, cairo_surface_t
     for (uint32_t i = 0; added && i < count; i++) {
         draw_frame(&m, &c, i);
         added = add_frame(film, surface, i);
-        if (tell)
-            tell(ctx, i + 1, count);
+        tell(ctx, i + 1, count);
     }
     added = added && WebPAnimEncoderAdd(film, NULL, (int)count * FRAME_MS, NULL);
     cairo_destroy(c.cr);
