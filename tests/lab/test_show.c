@@ -543,12 +543,11 @@ static void draw(void *ctx, const struct canvas *c)
     d->display->draw(d->show, c);
 }
 
-/* How many pixels of a picture, above its legend, have the activity's colour. */
-static double pixels_of(const char *path, enum activity a)
+/* How many pixels of a picture, above its legend, have the colour. */
+static double pixels_of(const char *path, struct colour c)
 {
     cairo_surface_t *png = cairo_image_surface_create_from_png(path);
     assert_int_equal(cairo_surface_status(png), CAIRO_STATUS_SUCCESS);
-    struct colour c = palette_activity(a);
     uint32_t wanted =
         (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
     int width = cairo_image_surface_get_width(png), height = cairo_image_surface_get_height(png) - 80;
@@ -563,6 +562,25 @@ static double pixels_of(const char *path, enum activity a)
     return count;
 }
 
+static void a_long_message_crosses_a_short_interval(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(2, VT_SECOND);
+    int32_t send = made_call(&t, 0, "csend", TRACE_SENDS, 1, 0, 10);
+    int32_t receive = made_call(&t, 1, "crecv", TRACE_RECEIVES, 1, 0, VT_SECOND);
+    made_message(&t, send, receive, 1, 1, 10, 10, VT_SECOND - 1, VT_SECOND);
+    t.from = VT_SECOND / 2, t.to = t.from + 100;
+    struct show s = {.trace = &t, .rows = node_rows_make(&t)};
+    struct drawing d = {display_find("space-time"), &s};
+    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
+    close(mkstemp(path));
+    assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
+    assert_true(pixels_of(path, COLOUR(0x222222)) > 0.9 * (CANVAS_WIDTH - LEFT - 24) * CANVAS_PIXELS);
+    unlink(path);
+    node_rows_free(&s.rows);
+    drop(&t);
+}
+
 static void areas_are_shares_of_time(void **state)
 {
     (void)state;
@@ -574,8 +592,9 @@ static void areas_are_shares_of_time(void **state)
     for (size_t i = 0; i < 2; i++) {
         struct drawing d = {display_find(NAMES[i]), &s};
         assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
-        double computing = pixels_of(path, ACTIVITY_COMPUTING), call = pixels_of(path, ACTIVITY_CALL),
-               waiting = pixels_of(path, ACTIVITY_WAITING);
+        double computing = pixels_of(path, palette_activity(ACTIVITY_COMPUTING)),
+               call = pixels_of(path, palette_activity(ACTIVITY_CALL)),
+               waiting = pixels_of(path, palette_activity(ACTIVITY_WAITING));
         if (i == 0) /* of the plot's pixels */
             assert_true(fabs(computing / ((CANVAS_WIDTH - LEFT - 24) * 2 * 400 * 2) - 130 / 200.0) < 0.005);
         assert_true(fabs(call / computing - 10 / 130.0) < 0.005);
@@ -626,6 +645,7 @@ int main(void)
         cmocka_unit_test(texts_are_for_people),
         cmocka_unit_test(colours_survive_grey_print),
         cmocka_unit_test(areas_are_shares_of_time),
+        cmocka_unit_test(a_long_message_crosses_a_short_interval),
         cmocka_unit_test(every_display_draws_a_trace_of_nothing),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);

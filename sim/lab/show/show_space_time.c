@@ -15,7 +15,7 @@ static const struct {
     const char *text;
 } END_LOOKS[ENDS] = {[AWAITED] = {0x222222, "message that its receiver waited for"},
                      [EARLY] = {0xd97706, "message that waited for its receiver"},
-                     [OTHERWISE] = {0xbbbbbb, "taken by a handler, or not taken"}};
+                     [OTHERWISE] = {0xbbbbbb, "taken by a handler, or not in this interval"}};
 
 struct space_time {
     const struct show *show;
@@ -81,12 +81,31 @@ static void draw_lines(const struct canvas *c, const struct space_time *d)
     state_times_free(&times);
 }
 
-static void arrow_head(const struct canvas *c, double x1, double y1, double x2, double y2)
+/* A message's line, from x1 to x2 >= x1. */
+struct line {
+    double x1, y1, x2, y2;
+};
+
+/* The part of a message's line that is in the plot, or so many points left or right of it: libcairo's
+ * coordinates would overflow if a message were drawn that takes far longer than the plot's time. */
+static struct line line_of(const struct space_time *d, const struct trace_message *m, double beyond)
 {
-    double angle = atan2(y2 - y1, x2 - x1);
+    struct line l = {x_of(d, m->sent), y_of(d, m->from), x_of(d, m->complete), y_of(d, m->to)};
+    double left = d->plot.x - beyond, right = d->plot.x + d->plot.w + beyond,
+           slope = (l.y2 - l.y1) / (l.x2 - l.x1);
+    if (l.x1 < left)
+        l.y1 += slope * (left - l.x1), l.x1 = left;
+    if (l.x2 > right)
+        l.y2 += slope * (right - l.x2), l.x2 = right;
+    return l;
+}
+
+static void arrow_head(const struct canvas *c, struct line l)
+{
+    double angle = atan2(l.y2 - l.y1, l.x2 - l.x1);
     for (int side = -1; side <= 1; side += 2) {
-        cairo_move_to(c->cr, x2, y2);
-        cairo_line_to(c->cr, x2 - 6 * cos(angle + side * 0.4), y2 - 6 * sin(angle + side * 0.4));
+        cairo_move_to(c->cr, l.x2, l.y2);
+        cairo_line_to(c->cr, l.x2 - 6 * cos(angle + side * 0.4), l.y2 - 6 * sin(angle + side * 0.4));
     }
 }
 
@@ -98,11 +117,11 @@ static bool draw_messages(const struct canvas *c, const struct space_time *d, en
         const struct trace_message *m = &d->show->trace->messages[d->sample.list[i]];
         if (end_of(d->show->trace, m) != end)
             continue;
-        double x1 = x_of(d, m->sent), y1 = y_of(d, m->from), x2 = x_of(d, m->complete), y2 = y_of(d, m->to);
-        cairo_move_to(c->cr, canvas_round(c, x1), canvas_round(c, y1));
-        cairo_line_to(c->cr, canvas_round(c, x2), canvas_round(c, y2));
+        struct line l = line_of(d, m, d->plot.w);
+        cairo_move_to(c->cr, canvas_round(c, l.x1), canvas_round(c, l.y1));
+        cairo_line_to(c->cr, canvas_round(c, l.x2), canvas_round(c, l.y2));
         if (d->sample.count <= MOST_ARROWS)
-            arrow_head(c, x1, y1, x2, y2);
+            arrow_head(c, l);
         any = true;
     }
     canvas_colour(c, COLOUR(END_LOOKS[end].colour));
@@ -149,8 +168,8 @@ static size_t room_for_messages(const struct space_time *d)
     const double part = 0.2, width = 0.7;
     double length = 1;
     for (size_t i = 0; i < d->sample.count; i++) {
-        const struct trace_message *m = &d->show->trace->messages[d->sample.list[i]];
-        length += hypot(x_of(d, m->complete) - x_of(d, m->sent), y_of(d, m->to) - y_of(d, m->from));
+        struct line l = line_of(d, &d->show->trace->messages[d->sample.list[i]], 0);
+        length += hypot(l.x2 - l.x1, l.y2 - l.y1);
     }
     return (size_t)(part * d->plot.w * d->plot.h / (width * length / (double)(d->sample.count + 1)));
 }
