@@ -10,7 +10,9 @@ static const struct trace_command {
     const char *name;
     int (*run)(int argc, char **argv);
     const char *what;
-} COMMANDS[] = {{"info", cli_trace_info, "Show what a trace has"}};
+} COMMANDS[] = {
+    {"info", cli_trace_info, "Show what a trace has"},
+    {"show", cli_trace_show, "Draw pictures: utilisation, Gantt, space-time, matrix, channels ..."}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
 /* --- touchstone trace info --- */

@@ -1,0 +1,91 @@
+/* node_rows.c - see node_rows.h. */
+#include "lab/show/node_rows.h"
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+
+static bool is_host(const struct trace *t, int32_t node)
+{
+    return topo_is_host(&t->topo, t->nodes[node].address);
+}
+
+/* With a host, nodes run programs only when it has got them as a cube: those that never did anything are
+ * left out. */
+static bool is_shown(const struct trace *t, const struct trace_node *n)
+{
+    return n->traced &&
+           (!t->topo.host || n->calls || n->handlers || n->systems || topo_is_host(&t->topo, n->address));
+}
+
+/* Puts a node into the last row, or into a new one. */
+static void add(struct node_rows *r, const struct trace *t, int32_t node)
+{
+    struct node_class *last = r->count ? &r->classes[r->count - 1] : NULL;
+    bool host = is_host(t, node);
+    if (!last || host || last->size == r->per) {
+        last = &r->classes[r->count++];
+        *last = (struct node_class){.first = node};
+    }
+    last->last = node;
+    last->size++;
+    r->host |= host;
+    r->row[node] = r->count - 1;
+    r->nodes++;
+}
+
+static struct node_rows rows_of(const struct trace *t, int32_t per)
+{
+    size_t room = (size_t)t->node_count;
+    struct node_rows r = {.per = per};
+    r.row = xcalloc(room, sizeof *r.row);
+    r.classes = xcalloc(room, sizeof *r.classes);
+    for (int32_t n = 0; n < t->node_count; n++) {
+        r.row[n] = TRACE_NONE;
+        if (is_shown(t, &t->nodes[n]))
+            add(&r, t, n);
+    }
+    return r;
+}
+
+struct node_rows node_rows_single(const struct trace *t)
+{
+    return rows_of(t, 1);
+}
+
+struct node_rows node_rows_make(const struct trace *t)
+{
+    struct node_rows r = rows_of(t, 1);
+    int32_t nodes = r.nodes - r.host, per = 2;
+    if (nodes <= NODE_ROWS_SINGLE)
+        return r;
+    node_rows_free(&r);
+    while ((nodes + per - 1) / per > NODE_ROWS_CLASSES)
+        per *= 2;
+    return rows_of(t, per);
+}
+
+void node_rows_free(struct node_rows *r)
+{
+    free(r->row);
+    free(r->classes);
+}
+
+char *node_rows_label(const struct node_rows *r, const struct trace *t, int32_t row)
+{
+    const struct node_class *c = &r->classes[row];
+    if (is_host(t, c->first))
+        return xstrdup("host");
+    return c->size == 1 ? xasprintf("%d", c->first) : xasprintf("%d\u2013%d", c->first, c->last);
+}
+
+char *node_rows_text(const struct node_rows *r, const char *what)
+{
+    int32_t nodes = r->nodes - r->host;
+    char *text = nodes == 0  ? xstrdup("the host")
+                 : nodes > 1 ? xasprintf("%d nodes%s", nodes, r->host ? " and the host" : "")
+                             : xasprintf("1 node%s", r->host ? " and the host" : "");
+    if (r->per == 1)
+        return text;
+    char *all = xasprintf("%s in %d %s of %d", text, r->count - r->host, what, r->per);
+    free(text);
+    return all;
+}

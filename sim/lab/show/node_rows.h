@@ -1,0 +1,34 @@
+/* node_rows.h - the rows of a picture: a node each, or, of many nodes, a class each: neighbouring numbers,
+ * a power of two of them. The host is a row of its own. */
+#ifndef LAB_SHOW_NODE_ROWS_H
+#define LAB_SHOW_NODE_ROWS_H
+#include "lab/trace/trace_model.h"
+
+enum {
+    NODE_ROWS_SINGLE = 128, /* so many nodes have a row each */
+    NODE_ROWS_CLASSES = 64  /* of more nodes: so many classes at most */
+};
+
+struct node_rows {
+    int32_t nodes; /* in rows, all of them */
+    int32_t count; /* rows */
+    int32_t per;   /* nodes a row; the last row may have fewer, the host's has one */
+    bool host;     /* the last row is the host's */
+    int32_t *row;  /* of each of trace.nodes; TRACE_NONE: not in the picture */
+    struct node_class {
+        int32_t first, last, size; /* indexes into trace.nodes; last is in the class */
+    } * classes;                   /* one a row */
+};
+
+/* The rows of the nodes that are traced (and selected: trace_load()), and that a program used. Freed by
+ * node_rows_free(). */
+struct node_rows node_rows_make(const struct trace *t);
+/* As many rows as nodes. */
+struct node_rows node_rows_single(const struct trace *t);
+void node_rows_free(struct node_rows *r);
+/* "3", "8-15", "host": a malloc'd text. */
+char *node_rows_label(const struct node_rows *r, const struct trace *t, int32_t row);
+/* "16 nodes", "512 nodes in 64 rows of 8", "128 nodes and the host in ...": malloc'd. what: "rows",
+ * "spokes". */
+char *node_rows_text(const struct node_rows *r, const char *what);
+#endif

@@ -1,0 +1,25 @@
+/* picture_head.h - what a display is asked to draw, and the head that all its pictures have. */
+#ifndef LAB_SHOW_PICTURE_HEAD_H
+#define LAB_SHOW_PICTURE_HEAD_H
+#include "lab/show/canvas.h"
+#include "lab/show/node_rows.h"
+
+/* What to draw, and how. */
+struct show {
+    const struct trace *trace; /* trace.from < trace.to */
+    struct node_rows rows;     /* at least one */
+    bool by_bytes;             /* count bytes of messages, instead of messages */
+    size_t most_lines;         /* messages of a space-time diagram; 0: as many as leave it readable */
+    uint32_t frames;           /* of a film */
+};
+
+enum {
+    HEAD_HEIGHT = 84, /* of the head of a picture */
+    LEFT = 84         /* of it, of a plot: room for the rows' labels */
+};
+/* Draws the head: the display's title; the program, machine, nodes and interval; and notes, malloc'd,
+ * which it frees. */
+void show_head(const struct show *s, const struct canvas *c, const char *title, char *notes);
+/* Height of a row of a picture whose rows shall have `all` points together; between least and most. */
+double show_row_height(int32_t rows, double all, double least, double most);
+#endif

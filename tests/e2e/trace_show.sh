@@ -1,0 +1,113 @@
+#!/bin/bash
+# trace_show.sh - touchstone trace show: a picture a display, as PNG, SVG or film, from a run's trace.
+. "$(dirname "$0")/common.bash"
+
+show() { # ARGS...
+    "$BUILD/touchstone" trace show "$@" >out 2>err </dev/null
+    status=$?
+}
+displays="utilisation gantt space-time matrix lengths queues channels kiviat"
+is_png() { # FILE: 1,920 pixels wide, and whole
+    [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] &&
+        [ "$(tail -c +17 "$1" | head -c 4 | od -An -tx1 | tr -d ' \n')" = 00000780 ] && tail -c 12 "$1" | grep -aq IEND
+}
+is_svg() { xmllint --noout "$1" && [ "$(stat -c %s "$1")" -lt 2000000 ]; }
+is_film() { # FILE
+    [ "$(head -c 4 "$1")" = RIFF ] && head -c 100 "$1" | grep -aq ANIM && [ "$(grep -ao ANMF "$1" | wc -l)" -gt 1 ]
+}
+all_drawn() { # FOLDER ENDING
+    for d in $displays; do
+        "is_$2" "$1/$d.$2" || { echo "$d" && return 1; }
+    done
+    is_film "$1/film.webp"
+}
+all_said() { # each file that was written, and no other line
+    for d in $displays; do echo "$1/$d.$2"; done | sort >expected
+    grep -v 'film.webp$' out | sort | cmp - expected
+}
+
+compile ring
+run -q -m ipsc860 -n 8 --trace ring.trace ring
+check "a run with a trace" ended_with 0
+
+show list
+check "list has every display" test "$(grep -cE '^[a-z-]+ ' out)" = 9
+check "and what to look for" test "$(grep -c '^  *Look for' out)" = 9
+show --help
+for d in $displays film; do
+    check "--help has $d" grep -qE "^  $d " out
+done
+
+show all --frames 3 -o png ring.trace
+check "8 nodes: all are drawn" all_drawn png png
+check "and said" all_said png png
+show all --svg --frames 3 -o svg ring.trace
+check "as SVG" all_drawn svg svg
+check "and said" all_said svg svg
+show all --frames 3 -o again ring.trace
+check "always the same" diff -r png again
+
+show ring.trace
+check "without a display: gantt, beside the trace" is_png ring-gantt.png
+check "which is said" grep -qx ring-gantt.png out
+show matrix -o matrix.svg --by bytes ring.trace
+check "the name says that it is an SVG" is_svg matrix.svg
+check "bytes are not messages" test "$(cmp -s matrix.svg svg/matrix.svg && echo same)" = ""
+show matrix -o - ring.trace
+check "- is standard output" cmp out png/matrix.png
+show gantt -o some.png --from 1ms --to 2ms --nodes 0-2,5 ring.trace
+check "of an interval, of some nodes" is_png some.png
+check "the picture is another" test "$(cmp -s some.png png/gantt.png && echo same)" = ""
+
+run -q -m delta -n 200 --trace ring200.trace ring
+show all --svg --frames 2 -o many ring200.trace
+check "200 nodes on a mesh: all are drawn, and the SVGs are small" all_drawn many svg
+"$BUILD/nxcc" -O2 -o lists "$tests/../nx/many_types.c" && run -q -m ipsc860 -n 1 --trace one.trace lists
+show all --frames 2 -o one one.trace
+check "a node alone" all_drawn one png
+
+is_error() { # STATUS TEXT
+    [ "$status" = "$1" ] && grep -qE -- "$2" err && [ ! -s out ]
+}
+show nonsense ring.trace
+check "no such display" is_error 64 "there is no display 'nonsense'"
+show gantt
+check "no trace" is_error 64 'which trace\?'
+show gantt kiviat -o x.png ring.trace
+check "two displays in a file" is_error 64 'for one display'
+show film -o x.png ring.trace
+check "a film is no PNG" is_error 64 'OUT.webp'
+show gantt -o x.webp ring.trace
+check "nor a chart a WebP" is_error 64 'OUT.png or OUT.svg'
+show missing.trace
+check "a trace that is not there" is_error 65 'missing.trace cannot be read'
+show gantt -o x.png --from 1000 ring.trace
+check "an interval after the end" is_error 65 'the run ended at'
+show gantt -o x.png --nodes 8-9 ring.trace
+check "nodes that are not there" is_error 65 'it has nodes 0 to 7'
+show gantt -o nowhere/x.png ring.trace
+check "a folder that is not there" is_error 1 'nowhere/x.png cannot be written'
+show matrix -o ring.trace/x ring.trace
+check "a folder that cannot be made" is_error 65 'cannot be made'
+check "nothing was left" test ! -e x.png
+if [ -w /dev/full ]; then
+    ln -s /dev/full full.png
+    show gantt -o full.png ring.trace
+    check "a full disk is told" is_error 1 'cannot be written: No space left'
+fi
+
+# doc/trace-show.md, as a reader would follow it
+page=$tests/../../doc/trace-show.md
+mkdir reader && cd reader && ln -s "$BUILD" build && ln -s "$(dirname "$tests")" tests
+bash -e -c "$(block "$page" sh)" >all 2>err
+status=$?
+check "the page's commands work" ended_with 0
+grep '^pictures/' all >out
+block "$page" out >expected
+check "and say what the page says" cmp out expected
+bash -e -c "$(block "$page" sh 2)" >out 2>err
+status=$?
+check "the ring's, too" ended_with 0
+check "its picture is beside the trace" is_png ring-space-time.png
+listed() { sed -n 's/^| \([a-z-]*\) | .*/\1/p' "$page" | head -10 | grep -v display; }
+check "the page has all displays" test "$(listed)" = "$("$BUILD/touchstone" trace show list | sed -n 's/^\([a-z-][a-z-]*\) .*/\1/p')"
