@@ -80,6 +80,8 @@ void record_begin(struct node *n, uint32_t program)
         return;
     n->record = xcalloc(1, sizeof *n->record);
     n->record->program = program;
+    if (schedule_reached(&n->sys->schedule).time)
+        recorder_no_program(recorder_of(n), n->lp.address, schedule_reached(&n->sys->schedule).time);
 }
 
 /* --- where the program is --- */

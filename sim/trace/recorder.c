@@ -234,6 +234,15 @@ void recorder_message(struct recorder *r, const struct recorded_message *m)
     pack_blocks(p, m);
 }
 
+void recorder_no_program(struct recorder *r, uint32_t address, vtime t)
+{
+    recorder_call(r, &(struct recorded_call){.address = address,
+                                             .name = recorder_name(r, RECORDER_NO_PROGRAM),
+                                             .begin = r->last[address],
+                                             .ordered = t,
+                                             .end = t});
+}
+
 void recorder_node_end(struct recorder *r, uint32_t address, vtime t)
 {
     pack_kind(r->packer, RECORD_NODE_END);

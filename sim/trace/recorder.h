@@ -83,5 +83,8 @@ void recorder_handler(struct recorder *r, const struct recorded_handler *h);
 void recorder_system(struct recorder *r, uint32_t address, uint32_t task, vtime charged, vtime begin,
                      vtime end);
 void recorder_message(struct recorder *r, const struct recorded_message *m);
+/* An address was without a program until t: a call by a name of its own says so. */
+#define RECORDER_NO_PROGRAM "(no program)"
+void recorder_no_program(struct recorder *r, uint32_t address, vtime t);
 void recorder_node_end(struct recorder *r, uint32_t address, vtime t);
 #endif

@@ -3,8 +3,10 @@
  * What lies on top wins: a call in a handler, the handler, the call that it interrupts, computing. The system's intervals
  * cut computing and waiting: the system works for all that has come, one after the other. */
 #include <assert.h>
+#include <string.h>
 #include "kernel/xalloc.h"
 #include "lab/trace/trace_model.h"
+#include "trace/recorder.h"
 
 /* A cursor over one node. */
 struct cursor {
@@ -89,6 +91,23 @@ static void compute_until(struct cursor *c, vtime end, int32_t handler)
          end);
 }
 
+/* Does the call stand for the time without a program? */
+static bool is_absent(const struct trace *t, const struct trace_call *call)
+{
+    return !strcmp(t->names[call->name], RECORDER_NO_PROGRAM);
+}
+
+static void ended_until(struct cursor *c, vtime end)
+{
+    fill_whole(c,
+               (struct trace_piece){.state = TRACE_ENDED,
+                                    .call = TRACE_NONE,
+                                    .wait = TRACE_NONE,
+                                    .handler = TRACE_NONE,
+                                    .system = TRACE_NONE},
+               end, end);
+}
+
 /* The call's own part up to `end`: its waits, and the system between them. */
 static void call_until(struct cursor *c, const struct trace_call *call, vtime end, int32_t handler,
                        int32_t *wait)
@@ -99,6 +118,10 @@ static void call_until(struct cursor *c, const struct trace_call *call, vtime en
                             .wait = TRACE_NONE,
                             .handler = handler,
                             .system = TRACE_NONE};
+    if (is_absent(t, call)) {
+        ended_until(c, end);
+        return;
+    }
     for (; c->at < end;) {
         while (*wait < call->first_wait + call->waits && t->waits[*wait].end <= c->at)
             ++*wait;
@@ -116,17 +139,6 @@ static void call_until(struct cursor *c, const struct trace_call *call, vtime en
             c->owed = 0;
         }
     }
-}
-
-static void ended_until(struct cursor *c, vtime end)
-{
-    fill_whole(c,
-               (struct trace_piece){.state = TRACE_ENDED,
-                                    .call = TRACE_NONE,
-                                    .wait = TRACE_NONE,
-                                    .handler = TRACE_NONE,
-                                    .system = TRACE_NONE},
-               end, end);
 }
 
 /* The system's part of a handler, before or behind the program's. */
