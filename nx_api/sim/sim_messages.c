@@ -3,7 +3,7 @@
 #include "nx_api/calls/call.h"
 #include "net/protocol_record.h"
 #include "os/charge.h"
-#include "os/record.h"
+#include "os/node_record.h"
 
 void nx_about(struct node *n, long what)
 {

@@ -17,7 +17,7 @@
 #include "os/isolate.h"
 #include "os/match.h"
 #include "os/memory.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "lp/clock.h"
 #include "node/self.h"
 #include "trace/recorder.h"

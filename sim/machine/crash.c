@@ -10,7 +10,7 @@
 #include "kernel/xalloc.h"
 #include "kernel/fiber.h"
 #include "guest/image.h"
-#include "guest/trace.h"
+#include "guest/backtrace.h"
 #include "node/self.h"
 
 struct crash_guard {
@@ -35,7 +35,7 @@ static _Unwind_Reason_Code visit_frame(struct _Unwind_Context *context, void *ar
 {
     struct call_site *b = arg;
     uintptr_t at = _Unwind_GetIP(context);
-    if (!trace_in_program(b->node, at - 1))
+    if (!backtrace_in_program(b->node, at - 1))
         return _URC_NO_REASON;
     b->at = at;
     b->frame = _Unwind_GetGR(context, REGISTER_RBP);
@@ -46,14 +46,14 @@ static void note_frames(struct node_crash *c, const struct node *n, const greg_t
 {
     c->frames[0] = (uintptr_t)r[REG_RIP];
     c->depth = 1;
-    c->in_library = !trace_in_program(n, c->frames[0]);
+    c->in_library = !backtrace_in_program(n, c->frames[0]);
     uintptr_t frame = (uintptr_t)r[REG_RBP];
     struct call_site site = {.node = n};
     if (c->in_library)
         _Unwind_Backtrace(visit_frame, &site);
     if (site.at)
         c->frames[c->depth++] = site.at, frame = site.frame;
-    c->depth += trace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
+    c->depth += backtrace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
 }
 
 static void on_fault(int signal, siginfo_t *info, void *context)
@@ -70,7 +70,7 @@ static void on_fault(int signal, siginfo_t *info, void *context)
     const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
     g->crash.signal = signal;
     g->crash.address = (uintptr_t)info->si_addr;
-    g->crash.top = trace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
+    g->crash.top = backtrace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
     note_frames(&g->crash, n, r);
     n->crash = &g->crash;
     fiber_finish(f);
@@ -204,14 +204,14 @@ char *crash_report(const struct node *n)
             vt_seconds(n->stats.ended_at), n->call ? "in " : "computing", n->call ? n->call : "");
     print_cause(f, n);
     if (g->in_library && !n->call) {
-        const char *called = g->depth > 1 ? trace_called(n, g->frames[1]) : NULL;
+        const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
         fprintf(f, "\n  in %s", called ? called : "a library function");
     }
-    trace_print(f, n, "in", g->frames[0]);
+    backtrace_print(f, n, "in", g->frames[0]);
     if (!g->in_library && !has_frame(n, g->frames[0]))
-        trace_print(f, n, "called from", g->top - 1);
+        backtrace_print(f, n, "called from", g->top - 1);
     for (int i = 1; i < g->depth; i++)
-        trace_print(f, n, "called from", g->frames[i] - 1);
+        backtrace_print(f, n, "called from", g->frames[i] - 1);
     fclose(f);
     return text;
 }

@@ -6,7 +6,7 @@
 #include "guest/debugger.h"
 #include "guest/elffile.h"
 #include "guest/image.h"
-#include "guest/trace.h"
+#include "guest/backtrace.h"
 #include "machine/whereabouts.h"
 #include "nx_api/contract/program_image.h"
 
@@ -35,7 +35,7 @@ static void stop_on_thread(void *arg)
 static bool is_users(const struct node *n, uintptr_t returns)
 {
     char line[MOST_NAME];
-    return trace_in_program(n, returns) &&
+    return backtrace_in_program(n, returns) &&
            node_image_line(n->file, returns - 1 - (uintptr_t)n->program, line, sizeof line);
 }
 
@@ -44,11 +44,11 @@ static bool is_users(const struct node *n, uintptr_t returns)
 static uintptr_t resumes_at(const struct node *n)
 {
     uintptr_t returns[MOST_CALLS], in_program = 0;
-    int depth = trace_walk(n, (uintptr_t)fiber_frame(&n->lp.fiber), returns, MOST_CALLS);
+    int depth = backtrace_walk(n, (uintptr_t)fiber_frame(&n->lp.fiber), returns, MOST_CALLS);
     for (int i = 0; i < depth; i++) {
         if (is_users(n, returns[i]))
             return returns[i];
-        if (!in_program && trace_in_program(n, returns[i]))
+        if (!in_program && backtrace_in_program(n, returns[i]))
             in_program = returns[i];
     }
     return in_program;

@@ -2,7 +2,7 @@
  * end. */
 #include <assert.h>
 #include <stdlib.h>
-#include "guest/trace.h"
+#include "guest/backtrace.h"
 #include "kernel/hostclock.h"
 #include "lp/engine.h"
 #include "machine/crash.h"
@@ -12,7 +12,7 @@
 #include "net/protocol_record.h"
 #include "os/end.h"
 #include "os/first_failure.h"
-#include "os/record.h"
+#include "os/node_record.h"
 
 /* Reports a crash; called at the crash's place in the total order. */
 static void show_crash(struct node *n)
@@ -28,7 +28,7 @@ static void run_events(struct machine *m)
     struct node_system *s = &m->sys;
     struct crash_guard *guard = crash_watch();
     crash_catch();
-    s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = trace_print_calls;
+    s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = backtrace_print_calls;
     s->schedule.look = outside_look, s->schedule.look_ctx = m;
     debug_stop_begin(s, &m->stop, &m->options.stop);
     m->workers =

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "guest/trace.h"
+#include "guest/backtrace.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "nx_api/contract/program_image.h"
@@ -30,24 +30,24 @@ struct group {
 /* The source line in which a node's program is; NULL if it is not known. At a limit of virtual time, a
  * computing program's line is that of its last slice boundary: the program may have computed past the limit
  * before it was known that the system takes time from it, and the report must be equal in every run. */
-static const char *line_of(const struct node *n, struct trace_lines *lines)
+static const char *line_of(const struct node *n, struct backtrace_lines *lines)
 {
     if (n->lp.state == LP_ENDED)
         return NULL;
     if (!n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
-        return trace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
+        return backtrace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
     if (n->sys->schedule.stop == STOP_NOT && n->sys->running && !n->at_poll)
         return trace_line_away(lines, n);
     if (n->call)
-        return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? trace_line(lines, n) : NULL;
+        return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? backtrace_line(lines, n) : NULL;
     if (n->sys->schedule.stop == STOP_VIRTUAL_TIME)
-        return trace_line_at(lines, n, clock_last_place(&n->lp));
+        return backtrace_line_at(lines, n, clock_last_place(&n->lp));
     if (n->at_poll)
-        return trace_line(lines, n);
+        return backtrace_line(lines, n);
     return n->sys->schedule.stop == STOP_FAILED ? NULL : trace_line_away(lines, n);
 }
 
-static struct where where_is(const struct node *n, struct trace_lines *lines)
+static struct where where_is(const struct node *n, struct backtrace_lines *lines)
 {
     struct where w = {.line = line_of(n, lines), .since = n->call_since};
     if (n->end == NODE_NOT_LOADED) {
@@ -80,7 +80,7 @@ static void print_where(FILE *f, const struct where *w, vtime latest)
         fprintf(f, " (%s)", w->line);
 }
 
-static void print_node(FILE *f, const struct node *n, struct trace_lines *lines)
+static void print_node(FILE *f, const struct node *n, struct backtrace_lines *lines)
 {
     struct where w = where_is(n, lines);
     fprintf(f, "%s: ", n->name);
@@ -118,7 +118,7 @@ static void print_numbers(FILE *f, const struct group *g)
     }
 }
 
-static void print_groups(FILE *f, const struct node_system *s, struct trace_lines *lines)
+static void print_groups(FILE *f, const struct node_system *s, struct backtrace_lines *lines)
 {
     struct group *groups = NULL;
     size_t count = 0;
@@ -147,7 +147,7 @@ static char *describe(const struct node_system *s, const char *what, uint32_t mo
 {
     char *text;
     size_t size;
-    struct trace_lines *lines = trace_lines_new();
+    struct backtrace_lines *lines = backtrace_lines_new();
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s", what);
     if (s->host) {
@@ -160,7 +160,7 @@ static char *describe(const struct node_system *s, const char *what, uint32_t mo
     }
     if (s->count > most_alone)
         print_groups(f, s, lines);
-    trace_lines_free(lines);
+    backtrace_lines_free(lines);
     fclose(f);
     return text;
 }
@@ -179,10 +179,10 @@ char *whereabouts_of(const struct node *n)
 {
     char *text;
     size_t size;
-    struct trace_lines *lines = trace_lines_new();
+    struct backtrace_lines *lines = backtrace_lines_new();
     FILE *f = xchecked(open_memstream(&text, &size));
     print_node(f, n, lines);
-    trace_lines_free(lines);
+    backtrace_lines_free(lines);
     fclose(f);
     return text;
 }

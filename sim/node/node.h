@@ -29,7 +29,7 @@ struct node_heap;   /* guest/heap.h */
 struct node_region; /* node/self.h */
 struct node_system; /* what all nodes share: node/system.h */
 struct nxc_image;   /* nx_api/contract/program_image.h */
-struct node_record; /* what is to be written into a trace: os/record.h */
+struct node_record; /* what is to be written into a trace: os/node_record.h */
 struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
 /* Why a node ended. */

@@ -3,7 +3,7 @@
 #include "lp/clock.h"
 #include "lp/engine.h"
 #include "node/system.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "os/share.h"
 
 static void add(struct node *n, enum node_task task, vtime t)

@@ -9,7 +9,7 @@
 #include "os/charge.h"
 #include "os/match.h"
 #include "os/memory.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "os/unexpected.h"
 #include "os/gate.h"
 

@@ -5,7 +5,7 @@
 #include "os/charge.h"
 #include "os/gate.h"
 #include "os/match.h"
-#include "os/record.h"
+#include "os/node_record.h"
 
 static void has_ended(struct node *n, enum node_end how, int code, vtime at)
 {

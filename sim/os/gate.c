@@ -13,7 +13,7 @@
 #include "os/match.h"
 #include "os/memory.h"
 #include "os/order.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "lp/clock.h"
 #include "node/self.h"
 

@@ -12,7 +12,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "os/order.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "os/share.h"
 
 void mailbox_post_handler(struct node *n, const struct receive *what)

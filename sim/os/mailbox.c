@@ -10,7 +10,7 @@
 #include "os/gate.h"
 #include "nx_api/contract/backend.h"
 #include "os/match.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "os/unexpected.h"
 #include "os/fail.h"
 

@@ -29,7 +29,7 @@
 #include "lp/engine.h"
 #include "lp/upcalls.h"
 #include "node/system.h"
-#include "os/record.h"
+#include "os/node_record.h"
 #include "os/charge.h"
 #include "os/front.h"
 #include "os/gate.h"

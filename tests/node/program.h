@@ -15,7 +15,7 @@
 #include <cmocka.h>
 #include "guest/image.h"
 #include "guest/libc.h"
-#include "guest/trace.h"
+#include "guest/backtrace.h"
 #include "lp/engine.h"
 #include "machine/assemble.h"
 #include "node/system.h"
@@ -120,7 +120,7 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
                              .nodes = x->node,
                              .count = count,
                              .running = count,
-                             .print_calls = trace_print_calls};
+                             .print_calls = backtrace_print_calls};
     for (int i = 0; i < 2; i++)
         x->sys.out[i] = open_memstream(&x->text[i], &x->length[i]);
     x->image = node_image_open(path, &error);

@@ -1,11 +1,11 @@
-/* record.h - what a node's program and system do, told to the recorder of the run's trace (trace/recorder.h), if there
+/* node_record.h - what a node's program and system do, told to the recorder of the run's trace (trace/recorder.h), if there
  * is one. A call is told of when it ends, since it refers to what it sent, took and waited for; until then it lies on
  * a small stack: a call, a handler that interrupts it, a call of the handler.
  *
  * A deferred call (deferred.h) lies in a ring of its own until it is committed: only then its times are known. If its
  * program is still in the call then, the call goes on as one that is not deferred. */
-#ifndef OS_RECORD_H
-#define OS_RECORD_H
+#ifndef OS_NODE_RECORD_H
+#define OS_NODE_RECORD_H
 #include "node/system.h"
 
 /* Begins the record of a node that runs a program by its number; none if the trace leaves out the node. */

@@ -1,5 +1,5 @@
-/* record.c - see record.h. */
-#include "os/record.h"
+/* node_record.c - see node_record.h. */
+#include "os/node_record.h"
 #include <assert.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"

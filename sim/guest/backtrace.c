@@ -1,5 +1,5 @@
-/* trace.c - see trace.h. */
-#include "guest/trace.h"
+/* backtrace.c - see backtrace.h. */
+#include "guest/backtrace.h"
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
@@ -14,16 +14,16 @@ static bool lies_in(uintptr_t address, const char *begin, size_t bytes)
 }
 
 /* A program may also have stacks of its own making, in its data or heap. */
-bool trace_in_stack(const struct node *n, uintptr_t address)
+bool backtrace_in_stack(const struct node *n, uintptr_t address)
 {
     return lies_in(address, n->stack, n->stack_bytes) || lies_in(address, n->program, n->image_bytes) ||
            lies_in(address, n->heap_start, n->heap_used);
 }
 
-int trace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most)
+int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most)
 {
     int depth = 0;
-    while (depth < most && frame % sizeof frame == 0 && trace_in_stack(n, frame)) {
+    while (depth < most && frame % sizeof frame == 0 && backtrace_in_stack(n, frame)) {
         uintptr_t next = ((uintptr_t *)frame)[0];
         returns[depth++] = ((uintptr_t *)frame)[1];
         if (next <= frame)
@@ -33,25 +33,25 @@ int trace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int mo
     return depth;
 }
 
-bool trace_in_program(const struct node *n, uintptr_t address)
+bool backtrace_in_program(const struct node *n, uintptr_t address)
 {
     return address - (uintptr_t)n->program < n->image_bytes;
 }
 
-void trace_print(FILE *f, const struct node *n, const char *how, uintptr_t address)
+void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t address)
 {
     char where[256];
-    if (trace_in_program(n, address))
+    if (backtrace_in_program(n, address))
         fprintf(f, "\n  %s %s", how,
                 node_image_where(n->file, address - (uintptr_t)n->program, where, sizeof where));
 }
 
-void trace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
+void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
-    int depth = trace_walk(n, frame, returns, MOST_CALLS);
+    int depth = backtrace_walk(n, frame, returns, MOST_CALLS);
     for (int i = 0; i < depth; i++)
-        trace_print(f, n, "called from", returns[i] - 1);
+        backtrace_print(f, n, "called from", returns[i] - 1);
 }
 
 /* The word that an instruction addresses relative to the next instruction; 0 if the word is not in the
@@ -62,7 +62,7 @@ static uintptr_t word_at(const struct node *n, uintptr_t next)
     uintptr_t word;
     memcpy(&away, (void *)(next - sizeof away), sizeof away);
     uintptr_t slot = next + (uintptr_t)(intptr_t)away;
-    if (!trace_in_program(n, slot) || !trace_in_program(n, slot + sizeof word - 1))
+    if (!backtrace_in_program(n, slot) || !backtrace_in_program(n, slot + sizeof word - 1))
         return 0;
     memcpy(&word, (void *)slot, sizeof word);
     return word;
@@ -74,7 +74,7 @@ static uintptr_t stub_target(const struct node *n, uintptr_t at)
 {
     static const unsigned char ENDBR64[] = {0xf3, 0x0f, 0x1e, 0xfa};
     const unsigned char *code = (const unsigned char *)at;
-    if (!trace_in_program(n, at) || !trace_in_program(n, at + 16))
+    if (!backtrace_in_program(n, at) || !backtrace_in_program(n, at + 16))
         return 0;
     if (memcmp(code, ENDBR64, sizeof ENDBR64) == 0)
         code += sizeof ENDBR64;
@@ -83,9 +83,9 @@ static uintptr_t stub_target(const struct node *n, uintptr_t at)
     return code[0] == 0xff && code[1] == 0x25 ? word_at(n, (uintptr_t)code + 6) : 0;
 }
 
-const char *trace_called(const struct node *n, uintptr_t returns)
+const char *backtrace_called(const struct node *n, uintptr_t returns)
 {
-    if (!trace_in_program(n, returns - 6) || !trace_in_program(n, returns))
+    if (!backtrace_in_program(n, returns - 6) || !backtrace_in_program(n, returns))
         return NULL;
     const unsigned char *end = (const unsigned char *)returns;
     uintptr_t target = 0;
@@ -103,7 +103,7 @@ const char *trace_called(const struct node *n, uintptr_t returns)
 
 enum { MOST_LINES = 64 };
 
-struct trace_lines {
+struct backtrace_lines {
     struct found {
         const struct node_image *file;
         uintptr_t offset;
@@ -112,17 +112,17 @@ struct trace_lines {
     int count;
 };
 
-struct trace_lines *trace_lines_new(void)
+struct backtrace_lines *backtrace_lines_new(void)
 {
-    return xcalloc(1, sizeof(struct trace_lines));
+    return xcalloc(1, sizeof(struct backtrace_lines));
 }
 
-void trace_lines_free(struct trace_lines *t)
+void backtrace_lines_free(struct backtrace_lines *t)
 {
     free(t);
 }
 
-static const char *line_of(struct trace_lines *t, const struct node_image *file, uintptr_t offset)
+static const char *line_of(struct backtrace_lines *t, const struct node_image *file, uintptr_t offset)
 {
     for (int i = 0; i < t->count; i++)
         if (t->found[i].file == file && t->found[i].offset == offset)
@@ -136,32 +136,32 @@ static const char *line_of(struct trace_lines *t, const struct node_image *file,
     return f->text;
 }
 
-const char *trace_line_at(struct trace_lines *t, const struct node *n, uintptr_t address)
+const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address)
 {
-    if (!trace_in_program(n, address - 1))
+    if (!backtrace_in_program(n, address - 1))
         return NULL;
     const char *text = line_of(t, n->file, address - 1 - (uintptr_t)n->program);
     return *text ? text : NULL;
 }
 
-static const char *line_from(struct trace_lines *t, const struct node *n, uintptr_t frame)
+static const char *line_from(struct backtrace_lines *t, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
-    int depth = trace_walk(n, frame, returns, MOST_CALLS);
+    int depth = backtrace_walk(n, frame, returns, MOST_CALLS);
     for (int i = 0; i < depth; i++) {
-        const char *text = trace_line_at(t, n, returns[i]);
+        const char *text = backtrace_line_at(t, n, returns[i]);
         if (text)
             return text;
     }
     return NULL;
 }
 
-const char *trace_line(struct trace_lines *t, const struct node *n)
+const char *backtrace_line(struct backtrace_lines *t, const struct node *n)
 {
     return line_from(t, n, n->frame);
 }
 
-const char *trace_line_away(struct trace_lines *t, const struct node *n)
+const char *trace_line_away(struct backtrace_lines *t, const struct node *n)
 {
     return line_from(t, n, (uintptr_t)fiber_frame(&n->lp.fiber));
 }
