@@ -10,7 +10,9 @@ static const struct trace_command {
     const char *name;
     int (*run)(int argc, char **argv);
     const char *what;
-} COMMANDS[] = {{"info", cli_trace_info, "Show what a trace has"}};
+} COMMANDS[] = {
+    {"info", cli_trace_info, "Show what a trace has"},
+    {"export", cli_trace_export, "Write a trace for other tools: Perfetto, Paje, Vampir, ParaGraph, tables"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
 /* --- touchstone trace info --- */
