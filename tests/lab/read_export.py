@@ -5,6 +5,7 @@
         node 0 computing 123 waiting 45 system 6
         message node 0 to node 1 type 7 bytes 1024
     read_export.py table FILE                      checks a table of csv; prints its number of rows
+    read_export.py run FILE                        prints the nodes of what touchstone run --json FILE wrote
 
 Messages are those with both ends. Ends with status 1 and a sentence if a rule is broken."""
 import collections
@@ -309,7 +310,24 @@ def read_csv(path):
     return found
 
 
-READERS = {"json": read_json, "paje": read_paje, "otf2": read_otf2, "picl": read_picl, "csv": read_csv}
+# --- what the run itself says ---
+
+
+def read_run(path):
+    found = Found()
+    with open(path, encoding="utf-8") as file:
+        run = json.load(file)
+    nodes = {f"node {i}": of for i, of in enumerate(run["node"])}
+    if "host" in run:
+        nodes["host"] = run["host"]
+    for name, of in nodes.items():
+        sums = found.node(name)
+        for state, figure in zip(STATES, ("busy_s", "idle_s", "system_s")):
+            sums[state] = round(of[figure] * 10**12)
+    return found
+
+
+READERS = {"json": read_json, "paje": read_paje, "otf2": read_otf2, "picl": read_picl, "csv": read_csv, "run": read_run}
 if sys.argv[1] == "table":
     print(len(rows(sys.argv[2])))
 else:

@@ -92,10 +92,9 @@ static void put_pieces(const struct trace *t, FILE *out)
 
 static void put_calls(const struct trace *t, FILE *out)
 {
-    fputs(
-        "call,node,begin_s,end_s,name,called,type,in_handler,unfinished,first_message_sent,last_message_taken,"
-        "function,file,line\n",
-        out);
+    fputs("call,node,begin_s,end_s,name,called,type,in_handler,unfinished,first_message_sent,"
+          "last_message_taken,function,file,line\n",
+          out);
     for (const struct trace_call *c = t->calls; c < t->calls + t->call_count; c++) {
         put_index(out, (int32_t)(c - t->calls));
         put_node(out, t, c->node);
@@ -156,8 +155,8 @@ static void put_systems(const struct trace *t, FILE *out)
 static void put_messages(const struct trace *t, FILE *out)
 {
     fputs(
-        "message,from,to,from_address,to_address,type,bytes,long,sent_s,asked_s,granted_s,entered_s,moved_s,freed_s,left_s,"
-        "complete_s,taken_s,sending_call,taking_call,blocks\n",
+        "message,from,to,from_address,to_address,type,bytes,long,sent_s,asked_s,granted_s,entered_s,moved_s,"
+        "freed_s,left_s,complete_s,taken_s,sending_call,taking_call,blocks\n",
         out);
     for (const struct trace_message *m = t->messages; m < t->messages + t->message_count; m++) {
         put_index(out, (int32_t)(m - t->messages));
