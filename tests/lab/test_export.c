@@ -200,6 +200,29 @@ static void several_messages_a_call(void **state)
     reads_back_as(&t, (int32_t[]){0, 1, 2}, 3);
 }
 
+/* A message to all nodes, which node 1 has passed on to node 2: for readers it is from node 0, whose call it
+ * was. */
+static void a_message_passed_on(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(3, 9000);
+    int32_t all = made_call(&t, 0, "csend", TRACE_SENDS, 5, 100, 400);
+    int32_t one = made_call(&t, 1, "crecv", TRACE_RECEIVES, 5, 200, 800);
+    made_wait(&t, 210, 790);
+    int32_t two = made_call(&t, 2, "crecv", TRACE_RECEIVES, 5, 200, 1900);
+    made_wait(&t, 250, 1850);
+    made_message(&t, all, one, 1, 10, 300, 310, 700, 790);
+    int32_t second = made_message(&t, all, two, 2, 10, 750, 760, 1800, 1850);
+    t.calls[all].sent = 0;
+    t.messages[second].from = 1;
+    for (enum export_format f = 0; f < EXPORT_CSV; f++) {
+        char *text = read_back(&t, f);
+        assert_non_null(strstr(text, "message node 0 to node 2 type 5 bytes 10\n"));
+        assert_null(strstr(text, "message node 1 to node 2"));
+        free(text);
+    }
+}
+
 /* What has only one end, or one at a service, is no arrow; unfinished calls end with their node's time. */
 static void ends_missing(void **state)
 {
@@ -366,6 +389,7 @@ int main(void)
         cmocka_unit_test(sums_and_messages),
         cmocka_unit_test(handlers_nest),
         cmocka_unit_test(several_messages_a_call),
+        cmocka_unit_test(a_message_passed_on),
         cmocka_unit_test(ends_missing),
         cmocka_unit_test(a_cut_trace),
         cmocka_unit_test(nothing_happened),

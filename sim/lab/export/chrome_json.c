@@ -125,7 +125,10 @@ static void taken_arguments(struct writing *w, int32_t message)
         return;
     const struct trace_message *m = &t->messages[message];
     message_arguments(w, message);
-    text_argument(w, "from", node_name(t, m->from));
+    int32_t sender = timeline_sender(w->l, message);
+    text_argument(w, "from", node_name(t, sender));
+    if (m->from != sender)
+        text_argument(w, "by_way_of", node_name(t, m->from));
     number_argument(w, "message_type", m->type);
     time_argument(w, "sent_us", m->sent);
     time_argument(w, "complete_us", m->complete);

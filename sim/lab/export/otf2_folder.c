@@ -104,8 +104,8 @@ static void message(void *ctx, const struct timeline_end *e)
         return;
     OTF2_AttributeList_AddUint32(w->attributes, ATTRIBUTE_MESSAGE, (uint32_t)e->message);
     if (e->taken)
-        OTF2_EvtWriter_MpiRecv(w->events, w->attributes, e->at, w->rank[m->from], COMMUNICATOR,
-                               (uint32_t)m->type, m->bytes);
+        OTF2_EvtWriter_MpiRecv(w->events, w->attributes, e->at, w->rank[timeline_sender(w->l, e->message)],
+                               COMMUNICATOR, (uint32_t)m->type, m->bytes);
     else
         OTF2_EvtWriter_MpiSend(w->events, w->attributes, e->at, w->rank[m->to], COMMUNICATOR,
                                (uint32_t)m->type, m->bytes);

@@ -63,22 +63,23 @@ static void put_send(struct writing *w, const struct trace_message *m, vtime beg
     put(w, END, SEND, end);
 }
 
-static void put_receive(struct writing *w, int event, const struct trace_message *m, vtime begin, vtime end)
+static void put_receive(struct writing *w, int event, int32_t message, vtime begin, vtime end)
 {
+    const struct trace_message *m = &w->l->trace->messages[message];
+    int32_t from = timeline_sender(w->l, message);
     in_order_line(w->lines, begin, "%d %d %" PRI_SECONDS " %d %d 3 2 %d %d %d\n", BEGIN, event,
-                  SECONDS(begin), w->node, w->node, m->type, m->from, m->from);
+                  SECONDS(begin), w->node, w->node, m->type, from, from);
     in_order_line(w->lines, end, "%d %d %" PRI_SECONDS " %d %d 4 2 %" PRIu64 " %d %d %d\n", END, event,
-                  SECONDS(end), w->node, w->node, m->bytes, m->type, m->from, m->from);
+                  SECONDS(end), w->node, w->node, m->bytes, m->type, from, from);
 }
 
 /* An end of a message, as an event over that time. */
 static void put_end(struct writing *w, const struct timeline_end *e, int receive, vtime begin, vtime end)
 {
-    const struct trace_message *m = &w->l->trace->messages[e->message];
     if (e->taken)
-        put_receive(w, receive, m, begin, end);
+        put_receive(w, receive, e->message, begin, end);
     else
-        put_send(w, m, begin, end);
+        put_send(w, &w->l->trace->messages[e->message], begin, end);
 }
 
 /* --- pieces --- */
@@ -89,7 +90,8 @@ static void note_end(void *ctx, const struct timeline_end *e)
 {
     struct writing *w = ctx;
     const struct trace_message *m = &w->l->trace->messages[e->message];
-    if (m->from == TRACE_NONE || m->to == TRACE_NONE || (e->taken && !timeline_has_ends(w->l, e->message)))
+    if (timeline_sender(w->l, e->message) == TRACE_NONE || m->to == TRACE_NONE ||
+        (e->taken && !timeline_has_ends(w->l, e->message)))
         return;
     if (w->end_count == w->end_room) {
         w->end_room = 2 * w->end_room + 64;

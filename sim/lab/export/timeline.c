@@ -75,6 +75,12 @@ void timeline_end_all(struct timeline *l)
     free(l->handler);
 }
 
+int32_t timeline_sender(const struct timeline *l, int32_t message)
+{
+    const struct trace_message *m = &l->trace->messages[message];
+    return m->sending == TRACE_NONE ? m->from : l->trace->calls[m->sending].node;
+}
+
 bool timeline_has_ends(const struct timeline *l, int32_t message)
 {
     const struct trace_message *m = &l->trace->messages[message];

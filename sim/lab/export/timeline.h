@@ -50,6 +50,9 @@ void timeline_end_all(struct timeline *l);
 /* visit's functions may be NULL. */
 void timeline_walk(const struct timeline *l, int32_t node, const struct timeline_visitor *visit, void *ctx);
 
+/* The node whose call sent the message; TRACE_NONE: a service. A message to all nodes goes from node to node:
+ * it is `from` the last of these. */
+int32_t timeline_sender(const struct timeline *l, int32_t message);
 /* Does a walk come to both ends of the message? */
 bool timeline_has_ends(const struct timeline *l, int32_t message);
 /* "csend", "waiting", "system: receiving", "handler" ...: lives as long as the trace. */
