@@ -96,17 +96,6 @@ def json_events(path):
     return trace["traceEvents"]
 
 
-def thread_events(events):
-    """Events of a thread, X as B and E, in order of time: an X ends before what begins when it ends."""
-    for e in events:
-        at = ps(e["ts"], "us")
-        if e["ph"] == "X":
-            end = at + ps(e["dur"], "us")
-            yield from ((at, 1, "B", e), (end, 0, "E", e))
-        else:
-            yield (at, 1, e["ph"], e)
-
-
 def read_json(path):
     found, arrows, names = Found(), collections.defaultdict(dict), {}
     threads = collections.defaultdict(list)
@@ -118,23 +107,16 @@ def read_json(path):
             threads[e["tid"]].append(e)
     for tid, name in names.items():
         slices = Slices(found.node(name))
-        pending = []  # ends of X
-        for at, _, what, e in thread_events(threads[tid]):
-            if what == "E" and e["ph"] == "X":
-                pending.append(at)
-                continue
-            while pending and pending[-1] <= at:
-                slices.leave(pending.pop())
-            if what == "B":
+        for e in threads[tid]:
+            at = ps(e["ts"], "us")
+            if e["ph"] == "B":
                 slices.enter(at, e["cat"], e["name"])
-            elif what == "E":
-                slices.leave(at)
+            elif e["ph"] == "E":
+                slices.leave(at, e["name"])
             else:
-                rule(slices.open, f"the arrow of message {e['id']} is at a slice")
-                rule(what not in arrows[e["id"]], f"message {e['id']} has one {what}")
-                arrows[e["id"]][what] = (tid, at, e["args"])
-        while pending:
-            slices.leave(pending.pop())
+                rule(e["ph"] in ("s", "f") and slices.open, f"the arrow of message {e['id']} is at a slice")
+                rule(e["ph"] not in arrows[e["id"]], f"message {e['id']} has one {e['ph']}")
+                arrows[e["id"]][e["ph"]] = (tid, at, e["args"])
         slices.end()
     for key, arrow in arrows.items():
         rule(set(arrow) == {"s", "f"}, f"message {key} has a start and a finish")

@@ -39,6 +39,16 @@ static void add_system(struct trace *t, int32_t node, enum trace_task task, vtim
     t->systems[t->system_count++] = (struct trace_system){begin, end, node, task};
 }
 
+static void drop(struct trace *t)
+{
+    for (int32_t i = 0; i < t->name_count; i++)
+        free(t->names[i]);
+    void *const tables[] = {t->names,    t->classes, t->nodes,    t->calls, t->waits,
+                            t->handlers, t->systems, t->messages, t->blocks};
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
+        free(tables[i]);
+}
+
 /* Of what happened to a node: what a reader must find. */
 struct sums {
     vtime computing, waiting, system;
@@ -151,6 +161,7 @@ static void sums_and_messages(void **state)
     (void)state;
     struct trace t = exchange();
     reads_back_as(&t, (int32_t[]){0, 1}, 2);
+    drop(&t);
 }
 
 /* A handler interrupts computing and calls csend; another runs within a call that waits; the system steals
@@ -177,6 +188,7 @@ static void handlers_nest(void **state)
     add_handler(&t, 1, 2, second, 8000, 8500);
     t.waits[t.calls[w].first_wait].end = 7900; /* the rest is the system's */
     reads_back_as(&t, (int32_t[]){0, 1, 2}, 3);
+    drop(&t);
 }
 
 /* A call that sends to several nodes, one that takes two messages, one that takes no time. */
@@ -198,6 +210,7 @@ static void several_messages_a_call(void **state)
     t.messages[0].taken = 240;
     (void)none;
     reads_back_as(&t, (int32_t[]){0, 1, 2}, 3);
+    drop(&t);
 }
 
 /* A message to all nodes, which node 1 has passed on to node 2: for readers it is from node 0, whose call it
@@ -221,6 +234,7 @@ static void a_message_passed_on(void **state)
         assert_null(strstr(text, "message node 1 to node 2"));
         free(text);
     }
+    drop(&t);
 }
 
 /* What has only one end, or one at a service, is no arrow; unfinished calls end with their node's time. */
@@ -246,6 +260,7 @@ static void ends_missing(void **state)
     char *picl = read_back(&t, EXPORT_PICL);
     assert_non_null(strstr(picl, "node 0 computing 680 waiting 0 system 20\n"));
     free(picl);
+    drop(&t);
 }
 
 /* A trace cut to an interval: nothing is written outside of it. */
@@ -259,6 +274,7 @@ static void a_cut_trace(void **state)
         t.nodes[i].end = t.to;
     t.calls[0].sent = TRACE_NONE;
     reads_back_as(&t, (int32_t[]){1}, 1);
+    drop(&t);
 }
 
 static void nothing_happened(void **state)
@@ -266,6 +282,7 @@ static void nothing_happened(void **state)
     (void)state;
     struct trace t = made_trace(3, 12);
     reads_back_as(&t, NULL, 0);
+    drop(&t);
 }
 
 static void nodes_not_traced(void **state)
@@ -284,6 +301,7 @@ static void nodes_not_traced(void **state)
         free(text);
         free(line);
     }
+    drop(&t);
 }
 
 /* --- names and tables --- */
@@ -312,6 +330,7 @@ static void text_is_quoted(void **state)
         assert_true(strlen(text) > 0);
         free(text);
     }
+    drop(&t);
 }
 
 /* All cells of all tables are as long as the first row; times have twelve digits. */
@@ -337,6 +356,7 @@ static void tables_are_tables(void **state)
         free(command);
         free(out);
     }
+    drop(&t);
 }
 
 /* Thousands of lines a node, more than a buffer holds, come out in order of time. */
@@ -349,6 +369,7 @@ static void many_lines_in_order(void **state)
             made_call(&t, n, "flick", TRACE_OTHER, i, (vtime)(1000 + 7919 * i + n),
                       (vtime)(1500 + 7919 * i + 2 * n));
     reads_back_as(&t, NULL, 0);
+    drop(&t);
 }
 
 /* --- files --- */
@@ -363,6 +384,7 @@ static void folders_are_not_overwritten(void **state)
     assert_non_null(strstr(error, "already there"));
     free(error);
     free(out);
+    drop(&t);
 }
 
 static void no_file_is_left_of_a_failure(void **state)
@@ -381,6 +403,7 @@ static void no_file_is_left_of_a_failure(void **state)
     assert_int_equal(atoi(left), 0);
     free(left);
     free(command);
+    drop(&t);
 }
 
 int main(void)

@@ -1,11 +1,14 @@
 /* chrome_json.c - a trace in Chrome's trace event format: "Trace Event Format", Google, 2016, which
  * ui.perfetto.dev and chrome://tracing read.
  *
- * A node is a thread. Calls and handlers are slices by ph B and E, what has nothing inside by X; a message is
- * an arrow by s and f, between the slice that sent it and the one that took it. Times are microseconds with
- * six digits behind the point, that is picoseconds; Perfetto itself rounds down to nanoseconds. Slices by B
- * and E then still nest, and an X never reaches into the next one, as both its numbers are rounded down. */
+ * A node is a thread, and each slice a pair of ph B and E; a message is an arrow by s and f, between the
+ * slice that sent it and the one that took it. Times are microseconds with six digits behind the point, that
+ * is picoseconds. ph X, which would be one event a slice, gives a time and a duration: a reader that adds
+ * them as floating-point numbers, or rounds each to nanoseconds as Perfetto does, finds slices that
+ * overlap. */
+#include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "lab/export/decimal.h"
 #include "lab/export/formats.h"
 
@@ -185,18 +188,11 @@ static void slice_arguments(struct writing *w, const struct timeline_slice *s)
 
 /* --- a walk --- */
 
-static bool has_inside(const struct timeline_slice *s)
-{
-    return s->kind == TIMELINE_CALL || s->kind == TIMELINE_HANDLER;
-}
-
 static void enter(void *ctx, const struct timeline_slice *s)
 {
     static const char *const CATEGORIES[] = {"computing", "waiting", "system", "call", "handler"};
     struct writing *w = ctx;
-    begin_event_at(w, has_inside(s) ? "B" : "X", s->begin);
-    if (!has_inside(s))
-        fprintf(w->out, ",\"dur\":%" PRI_MICROSECONDS, MICROSECONDS(s->end - s->begin));
+    begin_event_at(w, "B", s->begin);
     fprintf(w->out, ",\"cat\":\"%s\",\"name\":", CATEGORIES[s->kind]);
     put_text(w->out, timeline_name(w->l->trace, s));
     slice_arguments(w, s);
@@ -206,9 +202,9 @@ static void enter(void *ctx, const struct timeline_slice *s)
 static void leave(void *ctx, const struct timeline_slice *s)
 {
     struct writing *w = ctx;
-    if (!has_inside(s))
-        return;
     begin_event_at(w, "E", s->end);
+    fputs(",\"name\":", w->out); /* not needed by the format, but by some readers */
+    put_text(w->out, timeline_name(w->l->trace, s));
     end_event(w);
 }
 
@@ -230,7 +226,9 @@ static void name_threads(struct writing *w)
     const struct trace *t = w->l->trace;
     begin_event(w, "M");
     fputs(",\"name\":\"process_name\"", w->out);
-    text_argument(w, "name", t->command);
+    char *name = xasprintf("%s on %s", basename(t->program), t->machine);
+    text_argument(w, "name", name);
+    free(name);
     end_event(w);
     for (w->node = 0; w->node < t->node_count; w->node++) {
         if (!t->nodes[w->node].traced)
