@@ -55,6 +55,7 @@ static inline int32_t made_call(struct trace *t, int32_t node, const char *name,
         n->first_call = t->call_count;
     t->calls[t->call_count] = (struct trace_call){.begin = begin,
                                                   .end = end,
+                                                  .ordered = begin,
                                                   .node = node,
                                                   .name = made_name(t, name, class),
                                                   .stack = TRACE_NONE,
