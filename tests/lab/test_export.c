@@ -24,6 +24,8 @@ static void add_handler(struct trace *t, int32_t node, int32_t type, int32_t mes
         n->first_handler = t->handler_count;
     t->handlers[t->handler_count++] = (struct trace_handler){.due = begin - 1,
                                                              .begin = begin,
+                                                             .entered = begin,
+                                                             .left = end,
                                                              .end = end,
                                                              .node = node,
                                                              .type = type,
@@ -36,7 +38,8 @@ static void add_system(struct trace *t, int32_t node, enum trace_task task, vtim
     struct trace_node *n = &t->nodes[node];
     if (!n->systems++)
         n->first_system = t->system_count;
-    t->systems[t->system_count++] = (struct trace_system){begin, end, node, task};
+    t->systems[t->system_count++] =
+        (struct trace_system){.begin = begin, .end = end, .charged = begin, .node = node, .task = task};
 }
 
 static void drop(struct trace *t)

@@ -126,11 +126,12 @@ static void put_waits(const struct trace *t, FILE *out)
 
 static void put_handlers(const struct trace *t, FILE *out)
 {
-    fputs("node,due_s,begin_s,end_s,type,message,unfinished,function,file,line\n", out);
+    fputs("node,due_s,begin_s,entered_s,left_s,end_s,type,message,unfinished,function,file,line\n", out);
     for (const struct trace_handler *h = t->handlers; h < t->handlers + t->handler_count; h++) {
         put_node(out, t, h->node);
         put_time(out, h->due);
-        put_span(out, h->begin, h->unfinished ? VT_NEVER : h->end);
+        put_span(out, h->begin, h->entered);
+        put_span(out, h->left, h->unfinished ? VT_NEVER : h->end);
         put_number(out, true, h->type);
         put_index(out, h->message);
         fprintf(out, "%d,", h->unfinished);
