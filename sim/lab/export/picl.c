@@ -106,11 +106,13 @@ static const struct timeline_end *next_until(const struct writing *w, vtime unti
     return w->next < w->end_count && w->ends[w->next].at <= until ? &w->ends[w->next] : NULL;
 }
 
-/* Is the piece the last wait of its call before the end, in which the call took a message? */
+/* Is the piece the last wait of its call before the end, in which the call took a message? Not if the message
+ * was sent later: then the rest of the wait counts as the system's, and nobody receives what is not sent. */
 static bool waited_for(const struct writing *w, size_t piece, const struct timeline_end *e)
 {
     const struct trace_piece *list = w->pieces.list;
-    if (!e->taken || e->call == TRACE_NONE || e->call != list[piece].call || e->at < list[piece].end)
+    if (!e->taken || e->call == TRACE_NONE || e->call != list[piece].call || e->at < list[piece].end ||
+        w->l->trace->messages[e->message].sent > list[piece].end)
         return false;
     for (size_t i = piece + 1; i < w->pieces.count && list[i].begin < e->at; i++)
         if (list[i].state == TRACE_WAITING && list[i].end > list[i].begin)
