@@ -26,29 +26,28 @@ static const struct argp_option OPTIONS[] = {
      1},
     {0}};
 
-static const char DOC[] =
-    "Writes a trace in the format of another tool. All times keep each picosecond.\n\n"
-    "  json   NAME.json: open in ui.perfetto.dev, or chrome://tracing\n"
-    "  paje   NAME.paje: for pajeng (pj_dump, pj_gantt) and ViTE\n"
-    "  otf2   NAME.otf2, a folder: open its traces.otf2 in Vampir; otf2-print\n"
-    "  picl   NAME.picl, NAME.trf: for ParaGraph\n"
-    "  csv    NAME.csv: tables, for a spreadsheet or a program of your own\v"
-    "Tables of csv:\n"
-    "  pieces    of each node's time: computing, in a call, waiting, in the system\n"
-    "  calls     of NX, with their place in the program\n"
-    "  waits     in calls, and what for\n"
-    "  handlers  that interrupted a program\n"
-    "  systems   what the operating system did for messages meanwhile\n"
-    "  messages  with the times of all their steps\n"
-    "  blocks    waits of messages for channels\n\n"
-    "Exit status:\n"
-    "  0   all is written\n"
-    "  1   a file could not be written\n"
-    "  64  wrong arguments\n"
-    "  65  the trace cannot be used\n\n"
-    "Examples:\n"
-    "  touchstone trace export -o ring.json ring.trace\n"
-    "  touchstone trace export -f csv --table waits --nodes 0-7 ring.trace | column -s, -t";
+static const char DOC[] = "Writes a trace in the format of another tool. All times keep each picosecond.\n\n"
+                          "  json   NAME.json: open in ui.perfetto.dev, or chrome://tracing\n"
+                          "  paje   NAME.paje: for pajeng (pj_dump, pj_gantt) and ViTE\n"
+                          "  otf2   NAME.otf2, a folder: open its traces.otf2 in Vampir; otf2-print\n"
+                          "  picl   NAME.picl, NAME.trf: for ParaGraph\n"
+                          "  csv    NAME.csv: tables, for a spreadsheet or a program of your own\v"
+                          "Tables of csv:\n"
+                          "  pieces    of each node's time: computing, in a call, waiting, in the system\n"
+                          "  calls     of NX, with their place in the program\n"
+                          "  waits     in calls, and what for\n"
+                          "  handlers  that interrupted a program\n"
+                          "  systems   what the operating system did for messages meanwhile\n"
+                          "  messages  with the times of all their steps\n"
+                          "  blocks    waits of messages for channels\n\n"
+                          "Exit status:\n"
+                          "  0   all is written\n"
+                          "  1   a file could not be written\n"
+                          "  64  wrong arguments\n"
+                          "  65  the trace cannot be used\n\n"
+                          "Examples:\n"
+                          "  touchstone trace export -o ring.json ring.trace\n"
+                          "  touchstone trace export -f csv --table waits --nodes 0-7 ring.trace";
 
 static void set_format(struct argp_state *state, struct export_request *r, const char *name)
 {
@@ -138,7 +137,7 @@ static int write_trace(const struct arguments *a)
 
 int cli_trace_export(int argc, char **argv)
 {
-    static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 0}, {0}};
+    static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, "A part of the trace:", 2}, {0}};
     static const struct argp ARGP = {OPTIONS, parse, "TRACE", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.request = {EXPORT_FORMATS, EXPORT_TABLES, "-", NULL}};
     cli_parse(&ARGP, "touchstone trace export", 0, argc, argv, &a);

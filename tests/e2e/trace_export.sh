@@ -45,6 +45,16 @@ cp check.out part
 check "are those nodes" test "$(grep '^node' part | cut -d' ' -f1,2 | tr '\n' ' ')" = "node 0 node 1 node 2 "
 check "for that long" awk '/^node/ && $4 + $6 + $8 != 1e10 { exit 1 }' part
 
+# The examples of the page.
+page=$tests/../../doc/trace-export.md
+ln -s "$BUILD" build && ln -s "$tests/.." tests
+for n in 1 2; do
+    block "$page" out $n >expected
+    block "$page" sh $n >commands
+    bash -e commands >out 2>err
+    check "doc/trace-export.md: example $n" cmp out expected
+done
+
 # Standard output, tables, names.
 export_trace -o ring.json ring.trace
 cp ring.json whole.json
