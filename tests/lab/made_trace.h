@@ -2,6 +2,7 @@
  * in order of time; a call's waits behind it. */
 #ifndef TESTS_MADE_TRACE_H
 #define TESTS_MADE_TRACE_H
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"

@@ -164,6 +164,7 @@ static void read_waits(struct loading *l, struct trace_call *c, bool wanted)
             w.type = (int32_t)unpack_signed(l->in);
         if (flags & WAIT_HAS_FROM)
             w.from = (int32_t)unpack(l->in);
+        l->bad |= w.from < TRACE_NONE || w.from >= l->t->node_count;
         if (wanted)
             ADD(l, wait, w);
     }
