@@ -6,11 +6,11 @@
  * is picoseconds. ph X, which would be one event a slice, gives a time and a duration: a reader that adds
  * them as floating-point numbers, or rounds each to nanoseconds as Perfetto does, finds slices that
  * overlap. */
+#include "lab/export/chrome_json.h"
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "lab/export/decimal.h"
-#include "lab/export/formats.h"
 
 struct writing {
     const struct timeline *l;
@@ -260,7 +260,7 @@ static void put_head(const struct trace *t, FILE *out)
     fprintf(out, "\"digest\":\"%016" PRIx64 "\"},\n\"traceEvents\":[\n", t->digest);
 }
 
-bool chrome_json_write(const struct timeline *l, FILE *out, struct export_progress *p, char **error)
+bool chrome_json_write(const struct timeline *l, FILE *out, const struct export_progress *p, char **error)
 {
     static const struct timeline_visitor VISITOR = {enter, leave, message};
     struct writing w = {.l = l, .out = out};
@@ -269,7 +269,7 @@ bool chrome_json_write(const struct timeline *l, FILE *out, struct export_progre
     name_threads(&w);
     for (w.node = 0; w.node < l->trace->node_count && !ferror(out); w.node++) {
         timeline_walk(l, w.node, &VISITOR, &w);
-        export_progress_show(p, l->trace, w.node);
+        export_progress_show(p, w.node);
     }
     fputs("\n]}\n", out);
     return true;

@@ -2,11 +2,10 @@
  * first line names the columns; those of times end in _s and are seconds, with twelve digits behind the
  * point. What is not known, or did not happen, is empty. Rows of `calls` and `messages` are numbered: other
  * tables refer to them. */
+#include "lab/export/csv_table.h"
 #include <stdlib.h>
 #include <string.h>
 #include "lab/export/decimal.h"
-#include "lab/export/formats.h"
-#include "lab/export/timeline.h"
 
 /* --- cells: each writes a comma behind itself, but the last of a row --- */
 

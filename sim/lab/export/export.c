@@ -2,10 +2,18 @@
 #include "lab/export/export.h"
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
-#include "lab/export/formats.h"
+#include "lab/export/chrome_json.h"
+#include "lab/export/csv_table.h"
+#include "lab/export/export_progress.h"
+#include "lab/export/otf2_folder.h"
+#include "lab/export/paje.h"
+#include "lab/export/picl.h"
+
+/* Writes a whole file; false with *error (malloc'd). Whether `out` failed, it says itself. */
+typedef bool export_writer(const struct timeline *l, FILE *out, const struct export_progress *p,
+                           char **error);
 
 static const struct {
     const char *name;
@@ -86,33 +94,10 @@ char **export_files(const struct export_request *r)
     return files;
 }
 
-/* --- progress --- */
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
-void export_progress_show(struct export_progress *p, const struct trace *t, int32_t node)
-{
-    if (p->to && now() > p->began + 1) {
-        fprintf(p->to, "\r%d of %d nodes written\033[K", node + 1, t->node_count);
-        fflush(p->to);
-    }
-}
-
-void export_progress_end(struct export_progress *p)
-{
-    if (p->to)
-        fputs("\r\033[K", p->to);
-}
-
 /* --- files --- */
 
 static bool write_file(const struct timeline *l, const struct export_request *r, const char *path,
-                       enum export_table table, struct export_progress *p, char **error)
+                       enum export_table table, const struct export_progress *p, char **error)
 {
     struct atomic_file f;
     if (!atomic_file_begin(&f, path, error))
@@ -147,9 +132,9 @@ static bool write_all(const struct timeline *l, const struct export_request *r, 
 bool export_write(const struct trace *t, const struct export_request *r, char **error)
 {
     struct timeline l = timeline_of(t);
-    struct export_progress p = {r->progress, now()};
+    struct export_progress p = export_progress_begin(r->progress, t->node_count);
     bool ok = write_all(&l, r, &p, error);
     export_progress_end(&p);
-    timeline_end_all(&l);
+    timeline_free(&l);
     return ok;
 }

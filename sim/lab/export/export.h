@@ -6,7 +6,8 @@
  *     picl   PICL's trace file format, for ParaGraph
  *     csv    tables, for a spreadsheet or a program of one's own
  *
- * All but otf2 are written as they are made: memory holds the trace and one node's slices. */
+ * Memory holds the trace and one node's slices; what of paje and picl must be sorted by time waits in a
+ * temporary file (in_order.h). */
 #ifndef LAB_EXPORT_EXPORT_H
 #define LAB_EXPORT_EXPORT_H
 #include <stdbool.h>

@@ -5,6 +5,7 @@
  * picoseconds. Messages are MpiSend and MpiRecv of one communicator, whose ranks are the nodes: readers such
  * as Vampir draw these, and pair them by nodes, type and order. The attribute `message` names the pairs; it
  * is the row of the table `messages` of csv. */
+#include "lab/export/otf2_folder.h"
 #include <ftw.h>
 #include <otf2/otf2.h>
 #include <stdlib.h>
@@ -12,7 +13,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "kernel/xalloc.h"
-#include "lab/export/formats.h"
 
 enum { COMMUNICATOR = 0, ATTRIBUTE_MESSAGE = 0, EVENT_BYTES = 1 << 20, DEFINITION_BYTES = 4 << 20 };
 
@@ -111,7 +111,7 @@ static void message(void *ctx, const struct timeline_end *e)
                                (uint32_t)m->type, m->bytes);
 }
 
-static void write_events(struct writing *w, struct export_progress *p)
+static void write_events(struct writing *w, const struct export_progress *p)
 {
     static const struct timeline_visitor VISITOR = {enter, leave, message};
     const struct trace *t = w->l->trace;
@@ -125,7 +125,7 @@ static void write_events(struct writing *w, struct export_progress *p)
         timeline_walk(w->l, i, &VISITOR, w);
         OTF2_EvtWriter_GetNumberOfEvents(w->events, &w->event_count[w->rank[i]]);
         OTF2_Archive_CloseEvtWriter(w->archive, w->events);
-        export_progress_show(p, t, i);
+        export_progress_show(p, i);
     }
     OTF2_Archive_CloseEvtFiles(w->archive);
 }
@@ -260,7 +260,7 @@ static void number_ranks(struct writing *w)
             w->rank[i] = w->ranks++;
 }
 
-static void write_archive(struct writing *w, const char *folder, struct export_progress *p)
+static void write_archive(struct writing *w, const char *folder, const struct export_progress *p)
 {
     w->archive = OTF2_Archive_Open(folder, "traces", OTF2_FILEMODE_WRITE, EVENT_BYTES, DEFINITION_BYTES,
                                    OTF2_SUBSTRATE_POSIX, OTF2_COMPRESSION_NONE);
@@ -299,7 +299,8 @@ static char *begin_folder(const char *folder)
     return NULL;
 }
 
-bool otf2_folder_write(const struct timeline *l, const char *folder, struct export_progress *p, char **error)
+bool otf2_folder_write(const struct timeline *l, const char *folder, const struct export_progress *p,
+                       char **error)
 {
     struct writing w = {.l = l};
     struct stat st;

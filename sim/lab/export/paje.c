@@ -4,10 +4,10 @@
  * The machine is a container, and so is each node in it. A node has two rows of states: `State`, the parts of
  * its time, of which one follows the other; and `Call`, its calls and handlers, which nest. A message is a
  * link between nodes. */
+#include "lab/export/paje.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 #include "lab/export/decimal.h"
-#include "lab/export/formats.h"
 #include "lab/export/in_order.h"
 
 static const char HEAD[] =
@@ -142,7 +142,7 @@ static void add_states(struct writing *w)
     free(pieces.list);
 }
 
-bool paje_write(const struct timeline *l, FILE *out, struct export_progress *p, char **error)
+bool paje_write(const struct timeline *l, FILE *out, const struct export_progress *p, char **error)
 {
     static const struct timeline_visitor VISITOR = {enter, leave, message};
     struct writing w = {.l = l, .lines = in_order_new(error)};
@@ -154,7 +154,7 @@ bool paje_write(const struct timeline *l, FILE *out, struct export_progress *p, 
         add_states(&w);
         in_order_stream(w.lines);
         timeline_walk(l, w.node, &VISITOR, &w);
-        export_progress_show(p, l->trace, w.node);
+        export_progress_show(p, w.node);
     }
     fputs(HEAD, out);
     define_values(l->trace, out);

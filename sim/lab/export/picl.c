@@ -22,11 +22,11 @@
  * Each picosecond of a node is in at most one event inside of -901: idle is in -52 and -601; the system,
  * whether in a call or for a message, in -21, -51 and -602; computing is in none. These are to be ParaGraph's
  * idle, overhead and busy. (ParaGraph itself was not at hand, either.) */
+#include "lab/export/picl.h"
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "lab/export/decimal.h"
-#include "lab/export/formats.h"
 #include "lab/export/in_order.h"
 
 enum { BEGIN = -3, END = -4 };
@@ -167,7 +167,7 @@ static void put_node(struct writing *w)
     put(w, END, TRACED, end);
 }
 
-bool picl_write(const struct timeline *l, FILE *out, struct export_progress *p, char **error)
+bool picl_write(const struct timeline *l, FILE *out, const struct export_progress *p, char **error)
 {
     struct writing w = {.l = l, .lines = in_order_new(error)};
     if (!w.lines)
@@ -176,7 +176,7 @@ bool picl_write(const struct timeline *l, FILE *out, struct export_progress *p, 
         if (!l->trace->nodes[w.node].traced)
             continue;
         put_node(&w);
-        export_progress_show(p, l->trace, w.node);
+        export_progress_show(p, w.node);
     }
     bool ok = in_order_write(w.lines, out, error);
     free(w.pieces.list);

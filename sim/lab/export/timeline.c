@@ -66,7 +66,7 @@ struct timeline timeline_of(const struct trace *t)
     return l;
 }
 
-void timeline_end_all(struct timeline *l)
+void timeline_free(struct timeline *l)
 {
     free(l->first_sent);
     free(l->next_sent);

@@ -44,9 +44,9 @@ struct timeline_visitor {
     void (*message)(void *ctx, const struct timeline_end *e);
 };
 
-/* t must outlive the result, of which timeline_end_all() frees the parts. */
+/* t must outlive the result, of which timeline_free() frees the parts. */
 struct timeline timeline_of(const struct trace *t);
-void timeline_end_all(struct timeline *l);
+void timeline_free(struct timeline *l);
 /* visit's functions may be NULL. */
 void timeline_walk(const struct timeline *l, int32_t node, const struct timeline_visitor *visit, void *ctx);
 
