@@ -18,6 +18,7 @@ int cli_trace(int argc, char **argv);
 /* touchstone trace's commands; argv[0] is the command's name. */
 int cli_trace_info(int argc, char **argv);
 int cli_trace_show(int argc, char **argv);
+int cli_trace_export(int argc, char **argv);
 
 /* The commands of the host's shell, such as getcube; cli_cube() is all of them, by argv[0]. */
 struct cli_cube_command {

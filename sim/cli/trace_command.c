@@ -12,7 +12,8 @@ static const struct trace_command {
     const char *what;
 } COMMANDS[] = {
     {"info", cli_trace_info, "Show what a trace has"},
-    {"show", cli_trace_show, "Draw pictures: utilisation, Gantt, space-time, matrix, channels ..."}};
+    {"show", cli_trace_show, "Draw pictures: utilisation, Gantt, space-time, matrix, channels ..."},
+    {"export", cli_trace_export, "Write a trace for other tools: Perfetto, Paje, Vampir, ParaGraph, tables"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
 /* --- touchstone trace info --- */

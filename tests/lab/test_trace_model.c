@@ -266,6 +266,7 @@ static void the_system_cuts_computing_and_waiting(void **state)
     made_call(&t, 0, "crecv", TRACE_RECEIVES, 1, 300, 600);
     made_wait(&t, 350, 550);
     t.calls[0].ordered = 550;
+    t.waits[0].idle -= 20;
     add_system(&t, 0, 100, 100, 150); /* while it computes */
     add_system(&t, 0, 120, 150, 160); /* comes meanwhile, and waits for the first */
     add_system(&t, 0, 400, 400, 420); /* while it waits */
@@ -275,6 +276,27 @@ static void the_system_cuts_computing_and_waiting(void **state)
                                  {TRACE_IN_SYSTEM, 420}, {TRACE_WAITING, 550},   {TRACE_IN_CALL, 600},
                                  {TRACE_IN_SYSTEM, 620}, {TRACE_COMPUTING, 1000}};
     check_pieces(&t, 0, e, sizeof e / sizeof *e);
+}
+
+/* The run counts more, or less, as the system's than lies in the wait. */
+static void a_wait_rests_for_its_idle_time(void **state)
+{
+    struct trace t = made_trace(1, 1000);
+    (void)state;
+    made_call(&t, 0, "crecv", TRACE_RECEIVES, 1, 300, 600);
+    made_wait(&t, 350, 550);
+    t.calls[0].ordered = 550;
+    add_system(&t, 0, 500, 500, 520);
+    t.waits[0].idle = 100;
+    const struct expected more[] = {{TRACE_COMPUTING, 300}, {TRACE_IN_CALL, 350},   {TRACE_WAITING, 450},
+                                    {TRACE_IN_SYSTEM, 500}, {TRACE_IN_SYSTEM, 520}, {TRACE_IN_SYSTEM, 550},
+                                    {TRACE_IN_CALL, 600},   {TRACE_COMPUTING, 1000}};
+    check_pieces(&t, 0, more, sizeof more / sizeof *more);
+    t.waits[0].idle = 190;
+    const struct expected less[] = {{TRACE_COMPUTING, 300}, {TRACE_IN_CALL, 350},   {TRACE_WAITING, 500},
+                                    {TRACE_WAITING, 510},   {TRACE_IN_SYSTEM, 520}, {TRACE_WAITING, 550},
+                                    {TRACE_IN_CALL, 600},   {TRACE_COMPUTING, 1000}};
+    check_pieces(&t, 0, less, sizeof less / sizeof *less);
 }
 
 static void a_handler_lies_on_top(void **state)
@@ -305,6 +327,7 @@ int main(void)
                                        cmocka_unit_test(a_part_is_what_overlaps),
                                        cmocka_unit_test(a_damaged_file_does_no_harm),
                                        cmocka_unit_test(the_system_cuts_computing_and_waiting),
+                                       cmocka_unit_test(a_wait_rests_for_its_idle_time),
                                        cmocka_unit_test(a_handler_lies_on_top)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

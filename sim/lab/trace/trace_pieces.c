@@ -1,7 +1,8 @@
 /* trace_pieces.c - a node's time as pieces without gap: see trace_model.h.
  *
- * What lies on top wins: a call in a handler, the handler, the call that it interrupts, computing. The system's intervals
- * cut computing and waiting: the system works for all that has come, one after the other. */
+ * What lies on top wins: a call in a handler, the handler, the call that it interrupts, computing. The
+ * system's intervals cut computing and waiting: the system works for all that has come, one after the
+ * other. */
 #include <assert.h>
 #include <string.h>
 #include "kernel/xalloc.h"
@@ -64,7 +65,8 @@ static void fill(struct cursor *c, struct trace_piece p, vtime end)
     }
 }
 
-/* Adds `p` from c->at to `end`: what the system does up to `ordered` is part of it; what comes later is owed. */
+/* Adds `p` from c->at to `end`: what the system does up to `ordered` is part of it; what comes later is
+ * owed. */
 static void fill_whole(struct cursor *c, struct trace_piece p, vtime end, vtime ordered)
 {
     if (c->at >= end)
@@ -108,6 +110,55 @@ static void ended_until(struct cursor *c, vtime end)
                end, end);
 }
 
+/* Inserts a piece of the system behind piece i of a wait, for the last `length` of it. */
+static void split_wait(struct trace_pieces *out, size_t i, vtime length)
+{
+    struct cursor room = {.out = out};
+    add(&room, out->list[out->count - 1]);
+    for (size_t k = out->count - 1; k > i + 1; k--)
+        out->list[k] = out->list[k - 1];
+    out->list[i + 1] = out->list[i];
+    out->list[i].end -= length;
+    out->list[i + 1].begin = out->list[i].end;
+    out->list[i + 1].state = TRACE_IN_SYSTEM, out->list[i + 1].wait = TRACE_NONE;
+}
+
+/* Has the pieces of a wait, those from `first` on, rest for the wait's idle time. The run counts all work
+ * that came in the wait, also such as runs beside other work, or is not done when the wait ends: what the
+ * system's intervals do not cover of it stands before them, so that the wait still ends when it did. */
+static void settle(struct cursor *c, size_t first, int32_t wait)
+{
+    struct trace_pieces *out = c->out;
+    const vtime idle = c->t->waits[wait].idle;
+    vtime rests = 0;
+    for (size_t i = first; i < out->count; i++)
+        if (out->list[i].state == TRACE_WAITING)
+            rests += out->list[i].end - out->list[i].begin;
+    for (size_t i = out->count; i-- > first && rests > idle;) {
+        struct trace_piece *p = &out->list[i];
+        vtime length = vt_min(p->end - p->begin, rests - idle);
+        if (p->state != TRACE_WAITING)
+            continue;
+        rests -= length;
+        if (length < p->end - p->begin)
+            split_wait(out, i, length);
+        else
+            p->state = TRACE_IN_SYSTEM, p->wait = TRACE_NONE;
+    }
+    for (size_t i = first; i < out->count && rests < idle; i++) {
+        struct trace_piece *p = &out->list[i];
+        vtime length = p->end - p->begin;
+        if (p->state != TRACE_IN_SYSTEM)
+            continue;
+        if (length > idle - rests) {
+            split_wait(out, i, length - (idle - rests));
+            p = &out->list[i], length = idle - rests;
+        }
+        rests += length;
+        p->state = TRACE_WAITING, p->wait = wait, p->system = TRACE_NONE;
+    }
+}
+
 /* The call's own part up to `end`: its waits, and the system between them. */
 static void call_until(struct cursor *c, const struct trace_call *call, vtime end, int32_t handler,
                        int32_t *wait)
@@ -130,10 +181,14 @@ static void call_until(struct cursor *c, const struct trace_call *call, vtime en
         p.state = waits ? TRACE_WAITING : TRACE_IN_CALL;
         p.wait = waits ? *wait : TRACE_NONE;
         vtime stop = w ? vt_min(end, waits ? w->end : w->begin) : end;
+        bool whole = waits && w->begin == c->at && w->end == stop;
+        size_t first = c->out->count;
         if (w)
             fill(c, p, stop);
         else
             fill_whole(c, p, stop, call->ordered);
+        if (whole)
+            settle(c, first, *wait);
         if (waits) { /* it is over although the system may have more to do, which does not hold up the program */
             owe(c);
             c->owed = 0;
@@ -177,7 +232,8 @@ static vtime end_of(const struct cursor *c)
     return vt_min(c->node->end, c->t->to);
 }
 
-/* Runs the handlers that begin before `end`, and what the program does between them: in call k (NULL: it computes). */
+/* Runs the handlers that begin before `end`, and what the program does between them: in call k (NULL: it
+ * computes). */
 static void until(struct cursor *c, const struct trace_call *k, vtime end, int32_t *handler, int32_t *call)
 {
     const struct trace *t = c->t;

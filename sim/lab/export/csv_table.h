@@ -1,0 +1,9 @@
+/* csv_table.h - a table of a trace as comma-separated values. */
+#ifndef LAB_EXPORT_CSV_TABLE_H
+#define LAB_EXPORT_CSV_TABLE_H
+#include <stdio.h>
+#include "lab/export/export.h"
+
+/* table: not EXPORT_TABLES. Whether `out` failed, it says itself. */
+void csv_table_write(const struct trace *t, enum export_table table, FILE *out);
+#endif
