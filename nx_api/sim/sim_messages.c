@@ -1,7 +1,9 @@
 /* sim_messages.c - messages, time and reports of calls in the simulator: nx_api/contract/backend.h. */
 #include "machine/cube.h"
 #include "nx_api/calls/call.h"
+#include "net/protocol_record.h"
 #include "os/charge.h"
+#include "os/record.h"
 
 void nx_about(struct node *n, long what)
 {
@@ -11,6 +13,7 @@ void nx_about(struct node *n, long what)
 
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
 {
+    RECORD(n, awaits, !r, r ? r->select.node : -1);
     gate_awaits(n, r ? (long)r->select.type : s->m ? (long)s->m->type : 0);
 }
 
@@ -76,6 +79,7 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
     word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
+    uint64_t order = n->record ? protocol_next_order(p, n->lp.address) : 0;
     struct message *m =
         all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
             : protocol_message(p, n->lp.address, address_of(n, o->node), type, pid, o->buf, len);
@@ -86,6 +90,7 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     }
     if (s)
         match_follow(last(m), s);
+    RECORD(n, sends, order, protocol_next_order(p, n->lp.address) - order);
     if (m)
         hand_over(n, m, receivers);
 }

@@ -12,6 +12,10 @@ int cli_run(int argc, char **argv);
 int cli_study(int argc, char **argv);
 int cli_tables(int argc, char **argv);
 int cli_srm(int argc, char **argv);
+int cli_trace(int argc, char **argv);
+
+/* touchstone trace's commands; argv[0] is the command's name. */
+int cli_trace_info(int argc, char **argv);
 
 /* The commands of the host's shell, such as getcube; cli_cube() is all of them, by argv[0]. */
 struct cli_cube_command {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-static const char VERSION[] = "0.1";
+const char CLI_VERSION[] = "0.1";
 
 enum { USAGE = CLI_KEY, SHOW_VERSION, MAX_JOBS = 1024 };
 
@@ -25,7 +25,7 @@ static error_t parse_help(int key, char *arg, struct argp_state *state)
         argp_state_help(state, state->out_stream, ARGP_HELP_USAGE | ARGP_HELP_EXIT_OK);
         return 0;
     case SHOW_VERSION:
-        fprintf(state->out_stream, "touchstone %s\n", VERSION);
+        fprintf(state->out_stream, "touchstone %s\n", CLI_VERSION);
         exit(0);
     case ARGP_KEY_ARG: /* the command's own parser did not take it */
         argp_error(state, "'%s' is one argument too many", arg);

@@ -20,6 +20,8 @@ enum {
     CLI_KEY_END = 0x30000
 };
 
+extern const char CLI_VERSION[]; /* of touchstone */
+
 /* Keys of options whose value, or true, cli_store() stores in a member of the struct of that type at
  * state->input. */
 #define CLI_TEXT(type, member) (CLI_KEY_TEXT + CLI_OFFSET(struct type, member, const char *))

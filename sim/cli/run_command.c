@@ -11,12 +11,14 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "machine/machine.h"
+#include "cli/trace_options.h"
+#include "observe/run_trace.h"
 #include "observe/summary.h"
 #include "observe/time_profile.h"
 
 enum { EXIT_OUTPUT = 74, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
 
-enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE };
+enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES };
 
 struct arguments {
     const char *machine, *json, *profile, *history, *cfs, *host, *engine;
@@ -25,6 +27,8 @@ struct arguments {
     uint32_t nodes, workers, shuffle;
     double max_virtual_s, max_wall_s, slice_s;
     bool quiet, verbose, isolate;
+    struct run_trace_options trace; /* path NULL: no trace */
+    bool *traced_nodes;
     char **program; /* with its arguments */
     int program_count;
     char *host_only[2]; /* arguments of a host program, if none are given */
@@ -43,6 +47,11 @@ static const struct argp_option OPTIONS[] = {
      "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
     {"history", CLI_TEXT(arguments, history), "FILE", 0,
      "Write a line for each message received: picoseconds, sender, receiver, type, length", 0},
+    {"trace", CLI_TEXT(arguments, trace.path), "FILE", 0,
+     "Write what each node and message did, and when; see touchstone trace", 0},
+    {"trace-from", TRACE_FROM, "TIME", 0, "Trace from a virtual time on, such as 1.5s, 12ms, 3us", 0},
+    {"trace-to", TRACE_TO, "TIME", 0, "Trace up to a virtual time", 0},
+    {"trace-nodes", TRACE_NODES, "LIST", 0, "Trace only nodes such as 0-7,12, and their messages", 0},
     {"quiet", 'q', NULL, 0, "No summary", 0},
     {"verbose", 'v', NULL, 0, "Show in the summary, too, what the simulator's threads did", 0},
     {NULL, 0, NULL, 0, "Limits:", 3},
@@ -89,6 +98,10 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "which program? (built by nxcc)");
     if (!a->host && !a->nodes)
         a->nodes = 1;
+    if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
+        argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
+    if (a->trace.to && a->trace.to <= a->trace.from)
+        argp_error(state, "--trace-to must be later than --trace-from");
 }
 
 static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
@@ -124,6 +137,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
     else if (key == SLICE)
         a->slice_s = cli_seconds(state, "--slice", arg);
+    else if (key == TRACE_FROM)
+        a->trace.from = cli_virtual_time(state, "--trace-from", arg);
+    else if (key == TRACE_TO)
+        a->trace.to = cli_virtual_time(state, "--trace-to", arg);
+    else if (key == TRACE_NODES)
+        cli_node_list(state, "--trace-nodes", arg, &a->traced_nodes, &a->trace.node_count);
     else if (key == 'q')
         a->quiet = true;
     else if (key == 'v')
@@ -131,7 +150,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == ARGP_KEY_ARGS)
         take_program(state, a);
     else if (key == ARGP_KEY_END)
-        check(state, a);
+        a->trace.nodes = a->traced_nodes, check(state, a);
     else
         return cli_store(key, arg, state);
     return 0;
@@ -241,14 +260,19 @@ static int run_machine(const struct arguments *a, const struct machine_options *
 {
     char *error = NULL;
     int status;
+    struct run_trace trace = {0};
     struct machine *m = machine_new(o, &error);
     if (!m)
         return input_error(error);
     if (a->profile && !profile_possible(m)) {
         status = unprofiled(a->program[0]);
+    } else if (a->trace.path && !run_trace_begin(&trace, m, &a->trace, &error)) {
+        status = output_error(error);
     } else {
         machine_run(m);
         status = report(m, a);
+        if (trace.recorder && !run_trace_end(&trace, m, &error))
+            status = output_error(error);
     }
     *ended_by = m->signal;
     machine_free(m);
@@ -287,10 +311,12 @@ int cli_run(int argc, char **argv)
     static const struct argp ARGP = {
         OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
+    a.trace.command = argv - 1, a.trace.version = CLI_VERSION; /* main's: "touchstone", "run", ... */
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
     bool other = a.engine && cli_is_other_engine(a.engine);
     int status =
         other ? cli_change_engine(a.engine, argv - 1) /* main's: "touchstone", "run", ... */ : run(&a);
     free(a.set);
+    free(a.traced_nodes);
     return status;
 }

@@ -15,8 +15,10 @@
 #include "os/isolate.h"
 #include "os/match.h"
 #include "os/memory.h"
+#include "os/record.h"
 #include "lp/clock.h"
 #include "node/self.h"
+#include "trace/recorder.h"
 
 static void run_program(void *arg)
 {
@@ -86,12 +88,20 @@ static struct node *make(struct node_system *sys, uint32_t id, uint32_t address)
     return n;
 }
 
+void node_record(struct node *n)
+{
+    record_begin(n, recorder_program(n->sys->recorder, node_image_path(n->file)));
+}
+
 static struct node *load(struct node *n, const struct node_image *img, int argc, char **argv, char **envp,
                          char **error)
 {
     n->argc = argc, n->argv = argv, n->envp = envp;
-    if (make_parts(n, img, error))
+    if (make_parts(n, img, error)) {
+        if (n->sys->recorder)
+            node_record(n);
         return n;
+    }
     node_delete(n);
     return NULL;
 }

@@ -26,7 +26,7 @@ static void move(void *ctx, uint32_t address, enum protocol_task task, vtime at,
     if (is_service(sys, address))
         cfs_work(sys->cfs, address, at, t);
     else
-        node_move(ctx, address, task, t);
+        node_move(ctx, address, task, at, t);
 }
 
 static bool envelope(void *ctx, struct message *m, vtime now)

@@ -10,6 +10,7 @@
 #include "machine/assemble.h"
 #include "machine/cube.h"
 #include "machine/endpoints.h"
+#include "net/protocol_record.h"
 
 /* The number of nodes asked for, or all that the machine has. */
 static uint32_t nodes_of(const struct machine_options *o)
@@ -130,6 +131,18 @@ struct machine *machine_new(const struct machine_options *options, char **error)
 fail:
     machine_free(m);
     return NULL;
+}
+
+void machine_record(struct machine *m, struct recorder *r)
+{
+    struct node_system *s = &m->sys;
+    assert(m->begin == 0);
+    s->recorder = r;
+    protocol_record(s->schedule.protocol, r);
+    for (uint32_t i = 0; i < s->count && !s->cube; i++)
+        node_record(s->nodes[i]);
+    if (s->host)
+        node_record(s->host);
 }
 
 void machine_free(struct machine *m)

@@ -39,6 +39,8 @@ struct machine {
 /* Makes a machine of its parts, with all programs loaded. Returns NULL and sets *error (malloc'd) on
  * failure. *options and what it refers to must last as long as the machine. */
 struct machine *machine_new(const struct machine_options *options, char **error);
+/* The machine's run is recorded: r must last until it has run. Call before machine_run(). */
+void machine_record(struct machine *m, struct recorder *r);
 /* Runs the machine until all programs have ended, or something stops it; sets outcome, message, end and the
  * figures. To be called once. */
 void machine_run(struct machine *m);

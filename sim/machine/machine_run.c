@@ -11,8 +11,10 @@
 #include "machine/crash.h"
 #include "machine/machine.h"
 #include "machine/verdict.h"
+#include "net/protocol_record.h"
 #include "os/end.h"
 #include "os/first_failure.h"
+#include "os/record.h"
 
 /* Signals that end a run. They are blocked during the run, and polled now and then, so that the nodes'
  * output is not lost and the user is told where each node is. */
@@ -98,6 +100,7 @@ static void note_end(struct machine *m, struct node *n)
 {
     const struct schedule *s = &m->sys.schedule;
     node_settle(n, end_of(s), stops_at_a_time(s));
+    RECORD(n, end, n->stats.ended_at);
     m->end = vt_max(m->end, n->stats.ended_at);
 }
 
@@ -115,6 +118,8 @@ void machine_run(struct machine *m)
         note_end(m, m->sys.nodes[i]);
     if (m->sys.host)
         note_end(m, m->sys.host);
+    if (m->sys.recorder)
+        protocol_record_end(m->sys.schedule.protocol);
     verdict(m);
     m->wall_s = hostclock_s() - m->begin;
 }

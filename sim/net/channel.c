@@ -37,6 +37,11 @@ void channel_free(struct channels *net)
     free(net);
 }
 
+void channel_tell_blocks(struct channels *net, const struct channel_calls *calls)
+{
+    net->calls.blocked = calls->blocked, net->calls.unblocked = calls->unblocked;
+}
+
 static void queue(struct channel *c, struct channel_transit *t)
 {
     t->next = t;
@@ -62,6 +67,8 @@ static void begin_wait(struct channels *net, struct channel *c, struct channel_t
     net->waited -= now;
     net->latest = now;
     queue(c, t);
+    if (net->calls.blocked)
+        net->calls.blocked(net->calls.ctx, t, (uint32_t)(c - net->channels), now);
 }
 
 static struct channel_transit *end_wait(struct channels *net, struct channel *c, vtime now)
@@ -70,13 +77,10 @@ static struct channel_transit *end_wait(struct channels *net, struct channel *c,
     net->waiting--;
     net->waited += now;
     net->latest = now;
-    return unqueue(c);
-}
-
-/* Does the transit give back the channels between nodes before it is done? */
-static bool gives_early(const struct channel_transit *t)
-{
-    return t->holds && t->holds < t->duration;
+    struct channel_transit *t = unqueue(c);
+    if (net->calls.unblocked)
+        net->calls.unblocked(net->calls.ctx, t, now);
+    return t;
 }
 
 static void give_links_early(void *ctx, void *arg, vtime now);
@@ -108,7 +112,7 @@ static void advance(struct channels *net, struct channel_transit *t, struct topo
         }
         c->held = true;
     }
-    if (gives_early(t))
+    if (channel_gives_early(t))
         evq_put(net->q, now + t->holds, t->to, give_links_early, net, t);
     evq_put(net->q, now + t->duration, t->to, finish, net, t);
     net->calls.started(net->calls.ctx, t, now);
@@ -150,7 +154,7 @@ static void finish(void *ctx, void *arg, vtime now)
     struct channel_transit *t = arg;
     uint32_t inner = net->channels[t->first].next;
     give(net, &net->channels[t->first], now);
-    if (!gives_early(t))
+    if (!channel_gives_early(t))
         give_links(net, t, inner, now);
     give(net, &net->channels[t->last], now);
     net->calls.done(net->calls.ctx, t, now);

@@ -35,10 +35,21 @@ struct channel_calls {
     void *ctx;
     void (*started)(void *ctx, struct channel_transit *t, vtime now); /* the whole route is taken */
     void (*done)(void *ctx, struct channel_transit *t, vtime now);    /* the last byte has arrived */
+    /* The transit begins to wait for a channel, and has waited. Both NULL: nobody asks. */
+    void (*blocked)(void *ctx, struct channel_transit *t, uint32_t channel, vtime now);
+    void (*unblocked)(void *ctx, struct channel_transit *t, vtime now);
 };
+
+/* Does the transit give back the channels between nodes before it is done? */
+static inline bool channel_gives_early(const struct channel_transit *t)
+{
+    return t->holds && t->holds < t->duration;
+}
 
 struct channels *channel_new(const struct topo *topo, struct evq *q, const struct channel_calls *calls);
 void channel_free(struct channels *net);
+/* Sets the calls `blocked` and `unblocked`. */
+void channel_tell_blocks(struct channels *net, const struct channel_calls *calls);
 /* The transit t must stay where it is until it is done. */
 void channel_send(struct channels *net, struct channel_transit *t, vtime now);
 /* Virtual time that transits have waited for channels, in sum, and how many transits did. Of a wait that has

@@ -14,7 +14,7 @@ struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *
     for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
         p->messages[i].bytes = sizeof(struct message) + PROTOCOL_IN_MESSAGE[i];
     p->trips.bytes = sizeof(struct trip);
-    p->channels = channel_new(topo, q, &(struct channel_calls){p, protocol_trip_started, protocol_trip_done});
+    p->channels = channel_new(topo, q, &(struct channel_calls){p, protocol_trip_started, protocol_trip_done, NULL, NULL});
     p->endpoints = xcalloc(topo->addresses, sizeof *p->endpoints);
     return p;
 }
@@ -76,6 +76,7 @@ void protocol_send(struct protocol *p, struct message *m, vtime when)
     struct trip *t = m->trip;
     const struct evq_sender sender = {t->source, t->order};
     t->followed = m->followed;
+    protocol_note(p, t, MESSAGE_TIMES, when);
     if (!t->link_in)
         protocol_link(p, t);
     if (m->is_long) {
@@ -164,7 +165,7 @@ static void request_arrives(void *ctx, void *arg, vtime now)
     if (m->trip->taken_back)
         protocol_message_free(m);
     else
-        envelope_comes(ctx, m, now);
+        protocol_note(ctx, m->trip, MESSAGE_ASKED, now), envelope_comes(ctx, m, now);
 }
 
 /* --- the second and third trip --- */
@@ -183,6 +184,7 @@ void protocol_clear_to_send(struct protocol *p, struct message *m, vtime when)
 {
     assert(m->is_long && !m->cleared);
     m->cleared = true;
+    protocol_note(p, m->trip, MESSAGE_GRANTED, when);
     vtime arrives = when + protocol_latency(p, m);
     m->trip->at_sender = protocol_at(arrives);
     m->trip->at_receiver = protocol_at(arrives + protocol_least(p, p->cfg->grant_receive_ps));
@@ -195,6 +197,7 @@ static void complete(struct protocol *p, struct message *m, vtime now, vtime sys
 {
     m->complete = forward(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, system));
     m->arrived = true;
+    protocol_note(p, m->trip, MESSAGE_COMPLETE, m->complete);
     protocol_end_trip(p, m);
     p->nodes.arrived(p->nodes.ctx, m, now);
 }

@@ -51,6 +51,8 @@ void protocol_begin_trip(struct protocol *p, struct message *m)
     t->waits = t->envelope = t->taken_back = false;
     t->is_long = m->is_long, t->pio = !small;
     t->forward = NULL;
+    if (p->recorder)
+        protocol_note_begin(t);
     t->transit.from = m->from, t->transit.to = m->to;
     t->transit.duration = hops + m->bytes * per_byte;
     t->transit.holds = c->channel_ps_per_byte ? hops + m->bytes * c->channel_ps_per_byte : 0;
@@ -134,6 +136,8 @@ static void unlink_in(struct protocol *p, struct trip *t)
 void protocol_end_trip(struct protocol *p, struct message *m)
 {
     struct trip *t = m->trip;
+    if (p->recorder)
+        protocol_note_end(p, t);
     m->trip = NULL;
     unlink_in(p, t);
     protocol_unlink_out(t);
@@ -205,7 +209,7 @@ static unsigned size_for(size_t bytes)
     return bytes <= PROTOCOL_IN_MESSAGE[PROTOCOL_FEW] ? PROTOCOL_FEW : PROTOCOL_SHORT;
 }
 
-static struct arena *pool_of(const struct message *m)
+struct arena *protocol_pool_of(const struct message *m)
 {
     return &m->protocol->messages[m->data == m->few ? size_for(m->bytes) : PROTOCOL_FEW];
 }
@@ -250,7 +254,7 @@ void protocol_message_free(struct message *m)
     if (m->trip)
         protocol_end_trip(m->protocol, m);
     release_data(m);
-    struct arena *pool = pool_of(m);
+    struct arena *pool = protocol_pool_of(m);
     m->protocol = NULL;
     arena_give(pool, m);
 }

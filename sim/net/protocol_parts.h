@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include "kernel/arena.h"
 #include "net/protocol.h"
+#include "trace/trace_format.h"
 
 /* A lower bound on when a message next affects a node: not before `at`, nor before the machine's next event
  * plus `after`. Lets a node with an armed handler compute on until then. */
@@ -50,7 +51,10 @@ struct protocol_endpoint {
     struct queues *flows; /* those of `in` whose envelope has not come, by source; NULL: there are few */
 };
 
+struct recorder;
+
 struct protocol {
+    struct recorder *recorder; /* NULL: none */
     const struct cfg_machine *cfg;
     struct topo topo;
     struct evq *q;
@@ -96,6 +100,8 @@ void *protocol_payload(const void *data, size_t bytes);
 /* A message whose data are of protocol_payload, which has one more user then, or NULL. */
 struct message *protocol_message_sharing(struct protocol *p, uint32_t from, uint32_t to, int32_t type,
                                          int32_t pid, void *payload, size_t bytes);
+/* Where a message's memory is from. */
+struct arena *protocol_pool_of(const struct message *m);
 /* The message's trip begins; once linked, the trip is on its way to the receiver and being sent by the
  * sender. */
 void protocol_begin_trip(struct protocol *p, struct message *m);
@@ -109,6 +115,18 @@ struct trip *protocol_first_coming(const struct protocol *p, uint32_t source, ui
 void protocol_unlink_out(struct trip *t);
 /* The message has arrived, or is freed: the trip is over. */
 void protocol_end_trip(struct protocol *p, struct message *m);
+
+/* --- the record: protocol_record.c --- */
+
+/* Notes a time of enum message_time (trace/trace_format.h), or that the message was sent: MESSAGE_TIMES. */
+void protocol_note_time(struct trip *t, int which, vtime when);
+static inline void protocol_note(const struct protocol *p, struct trip *t, int which, vtime when)
+{
+    if (__builtin_expect(p->recorder != NULL, 0))
+        protocol_note_time(t, which, when);
+}
+void protocol_note_begin(struct trip *t);
+void protocol_note_end(struct protocol *p, struct trip *t);
 
 /* --- trips: protocol_trip.c --- */
 

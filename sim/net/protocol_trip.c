@@ -26,6 +26,7 @@ void protocol_inject(void *ctx, void *arg, vtime now)
         protocol_message_free(t->m);
         return;
     }
+    protocol_note(p, t, MESSAGE_ENTERED, now);
     if (t->pio)
         pio_send(p, t, now);
     vtime duration = t->transit.duration;
@@ -56,6 +57,9 @@ void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now
 {
     struct protocol *p = ctx;
     struct trip *t = trip_of(transit);
+    protocol_note(p, t, MESSAGE_MOVED, now);
+    if (channel_gives_early(transit))
+        protocol_note(p, t, MESSAGE_FREED, now + transit->holds);
     t->at_sender = protocol_at(now + transit->duration);
     if (!t->pio) {
         t->at_receiver = protocol_at(now + transit->duration);
@@ -70,6 +74,7 @@ void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
 {
     struct protocol *p = ctx;
     struct trip *t = trip_of(transit);
+    protocol_note(p, t, MESSAGE_LEFT, now);
     if (t->is_long)
         sent(p, t, now);
     protocol_trip_ends(p, t->m, now);

@@ -138,6 +138,37 @@ void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32
     w->x = a.x, w->y = a.y, w->to_x = b.x, w->to_y = b.y;
 }
 
+/* The address that a mesh's link leads to. */
+static uint32_t mesh_neighbour(const struct topo *t, uint32_t address, uint32_t way)
+{
+    struct spot s = spot_of(t, address);
+    s.x += way == EAST ? 1 : way == WEST ? -1 : 0;
+    s.y += way == SOUTH ? 1 : way == NORTH ? -1 : 0;
+    return address_of(t, s);
+}
+
+/* A channel of the nodes': those of a kind lie side by side. */
+static struct topo_channel node_channel(const struct topo *t, uint32_t channel)
+{
+    uint32_t way = channel / t->positions, address = channel % t->positions;
+    if (way >= links(t))
+        return (struct topo_channel){way == links(t) ? TOPO_IN : TOPO_OUT, address, address};
+    return (struct topo_channel){TOPO_LINK, address,
+                                 t->rows ? mesh_neighbour(t, address, way) : address ^ UINT32_C(1) << way};
+}
+
+struct topo_channel topo_channel(const struct topo *t, uint32_t channel)
+{
+    uint32_t nodes = t->positions * (links(t) + 2), each = t->rows ? MESH_SERVICE : CUBE_SERVICE;
+    if (channel < nodes)
+        return node_channel(t, channel);
+    uint32_t address = t->positions + (channel - nodes) / each, which = (channel - nodes) % each;
+    uint32_t first_port = t->rows ? MESH_LINKS : 0;
+    if (which < first_port)
+        return (struct topo_channel){TOPO_LINK, address, mesh_neighbour(t, address, which)};
+    return (struct topo_channel){which == first_port ? TOPO_IN : TOPO_OUT, address, address};
+}
+
 static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32_t to)
 {
     uint32_t bit = (uint32_t)__builtin_ctz(w->at ^ to);

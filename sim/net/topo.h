@@ -57,6 +57,14 @@ static inline bool topo_is_host(const struct topo *t, uint32_t address)
 /* Hops between two addresses, ports not counted. */
 uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);
 
+/* What a channel is. */
+enum topo_kind { TOPO_LINK, TOPO_IN, TOPO_OUT };
+struct topo_channel {
+    enum topo_kind kind;
+    uint32_t from, to; /* a link's ends; of a port, which leads into or out of the network, both its address */
+};
+struct topo_channel topo_channel(const struct topo *t, uint32_t channel);
+
 /* A route under way: the channels from one address to another, one at a time. */
 struct topo_walk {
     uint32_t at, to;

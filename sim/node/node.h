@@ -29,6 +29,7 @@ struct node_heap;   /* guest/heap.h */
 struct node_region; /* node/self.h */
 struct node_system; /* what all nodes share: node/system.h */
 struct nxc_image;   /* nx_api/contract/program_image.h */
+struct node_record; /* what is to be written into a trace: os/record.h */
 struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
 /* Why a node ended. */
@@ -168,6 +169,7 @@ struct node {
     } wait;
     vtime waits_system; /* os: times.system when it began to wait */
     const char *call;   /* os: the call the program is in, for reports; NULL while it computes */
+    struct node_record *record; /* os. NULL: the node is in no trace */
     vtime call_since;   /* os */
     long call_type;     /* os: type, typesel or id it was given, if call_has_type */
     long awaited;       /* os: type or typesel of the message the call is about, if awaits */

@@ -8,6 +8,8 @@
 #include "lp/schedule.h"
 #include "node/self.h"
 
+struct recorder;
+
 enum { NODE_HOST_FILES = 64 };
 
 struct node_absent {
@@ -43,6 +45,7 @@ struct node_system {
     FILE *out[2];
 
     uint64_t digest;          /* os: of all messages received: time, nodes, type, length, in order */
+    struct recorder *recorder; /* of the run's trace: os/record.h. NULL: none */
     FILE *history;            /* the same as text, a line for each; NULL: not wanted */
     uint64_t messages, bytes; /* os: received */
     /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */

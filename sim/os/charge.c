@@ -3,6 +3,7 @@
 #include "lp/clock.h"
 #include "lp/engine.h"
 #include "node/system.h"
+#include "os/record.h"
 #include "os/share.h"
 
 static void add(struct node *n, enum node_task task, vtime t)
@@ -46,14 +47,19 @@ vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vti
     struct node *n = node_at(ctx, node);
     t = node_system_time(n, t);
     n->sys_free = vt_max(at, n->sys_free) + t;
-    steal(n, task == PROTOCOL_SEND ? NODE_SENDING : NODE_RECEIVING, t);
+    enum node_task what = task == PROTOCOL_SEND ? NODE_SENDING : NODE_RECEIVING;
+    steal(n, what, t);
+    RECORD(n, system, what, n->sys_free, t);
     return n->sys_free;
 }
 
-void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime t)
+void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     struct node *n = node_at(ctx, node);
-    steal(n, task == PROTOCOL_SEND ? NODE_FEEDING : NODE_EMPTYING, node_system_time(n, t));
+    enum node_task what = task == PROTOCOL_SEND ? NODE_FEEDING : NODE_EMPTYING;
+    t = node_system_time(n, t);
+    steal(n, what, t);
+    RECORD(n, system, what, at + t, t);
 }
 
 /* --- waiting --- */
@@ -70,6 +76,7 @@ void charge_wait_ends(struct node *n, vtime t)
     if (overlapped)
         n->times.system -= overlapped, n->stats.overlapped += overlapped;
     n->stats.idle += idle;
+    RECORD(n, waited, n->lp.blocked_since, t, waited - idle);
     if (idle)
         waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
 }

@@ -26,5 +26,5 @@ bool charge_adds_up(const struct node *n);
 
 /* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
-void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime t);
+void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 #endif

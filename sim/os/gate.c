@@ -13,6 +13,7 @@
 #include "os/match.h"
 #include "os/memory.h"
 #include "os/order.h"
+#include "os/record.h"
 #include "lp/clock.h"
 #include "node/self.h"
 
@@ -50,6 +51,7 @@ static void await_commit(struct node *n)
     n->call_since = VT_NEVER; /* the program has not come to the call */
     node_order(n);
     n->call_since = node_now(n);
+    RECORD(n, call_begins);
     while (handlers_run(n, false))
         node_order(n);
     node_memory_settle(n);
@@ -66,7 +68,7 @@ void node_enter(struct node *n, const char *call)
 static bool may_defer(const struct node *n)
 {
     const struct node_system *s = n->sys;
-    return !n->lp.offloaded && !n->armed && !n->is_host && !s->schedule.stop &&
+    return !n->lp.offloaded && !n->armed && !n->is_host && !n->record && !s->schedule.stop &&
            n->call_since <= s->schedule.max_time && !n->lp.clock.stolen && !s->cube && !s->flushes &&
            deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
            !lp_is_passed(&n->lp, n->call_since);
@@ -83,8 +85,9 @@ void node_enter_early(struct node *n, const char *call)
 
 void node_leave(struct node *n)
 {
-    n->call = NULL;
     clock_sync(&n->lp);
+    RECORD(n, call_ends);
+    n->call = NULL;
     if (!n->deferred.open) {
         node_memory_settle(n);
         clock_note_committed(&n->lp, n->lp.clock.units);

@@ -12,6 +12,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "os/order.h"
+#include "os/record.h"
 #include "os/share.h"
 
 void mailbox_post_handler(struct node *n, const struct receive *what)
@@ -57,6 +58,7 @@ static void run_first(struct node *n)
     n->stats.handlers++;
     n->stats.latest = vt_max(n->stats.latest, delay(n, d.at));
     n->in_handler = true;
+    RECORD(n, handler_begins, d.at);
 
     mailbox_handler *handler = d.receive ? d.receive->handler : d.send->handler;
     long param = d.receive ? d.receive->param : d.send->param;
@@ -72,6 +74,7 @@ static void run_first(struct node *n)
     node_enter(n, "(the end of a handler)");
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 
+    RECORD(n, handler_ends);
     n->in_handler = false;
     handlers_open(n);
     n->info = before;

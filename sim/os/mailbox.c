@@ -10,6 +10,7 @@
 #include "os/gate.h"
 #include "nx_api/contract/backend.h"
 #include "os/match.h"
+#include "os/record.h"
 #include "os/unexpected.h"
 #include "os/fail.h"
 
@@ -43,6 +44,7 @@ long mailbox_take(struct node *n, struct receive *r)
     long result = matching_take(n, r);
     r->m = NULL;
     m->receive = NULL;
+    RECORD(n, takes, m);
     front_received(n, m);
     return result;
 }

@@ -29,6 +29,7 @@
 #include "lp/engine.h"
 #include "lp/upcalls.h"
 #include "node/system.h"
+#include "os/record.h"
 #include "os/charge.h"
 #include "os/front.h"
 #include "os/gate.h"
@@ -137,6 +138,7 @@ static void enter(struct node *n, const char *call)
     n->call_since = VT_NEVER; /* it has not come so far */
     node_order(n);
     n->call_since = node_now(n);
+    RECORD(n, call_begins);
     while (handlers_run(n, false))
         node_order(n);
     node_memory_settle(n);
@@ -156,8 +158,9 @@ void node_enter_early(struct node *n, const char *call)
 
 void node_leave(struct node *n)
 {
-    n->call = NULL;
     clock_sync(&n->lp);
+    RECORD(n, call_ends);
+    n->call = NULL;
     gate_begin_segment(n);
     compute_on(&n->lp);
 }

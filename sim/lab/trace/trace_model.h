@@ -39,21 +39,20 @@ struct trace_call {
     bool has_type;
     bool unfinished; /* the run, or the trace, ended in the call */
     bool in_handler;
-    /* Messages, indexes into trace.messages: the first that the call sent, how many (more than one: a message
-     * to all nodes, or the like; they follow each other with the same call), and the last that the call put into
-     * the program's memory. */
+    /* Messages, indexes into trace.messages: the first that the call sent (of a message to all nodes there are more,
+     * with the same call as their `sending`), and the last that the call put into the program's memory. */
     int32_t sent, taken;
     int32_t first_wait, waits; /* into trace.waits */
 };
 
 struct trace_wait {
     vtime begin, end;
-    vtime idle;    /* of end - begin: the processor was at rest; the rest is the system's */
+    vtime idle; /* of end - begin: the processor was at rest; the rest is the system's */
     int32_t node, call;
-    int32_t type;  /* type or typesel of the message waited for, if has_type */
+    int32_t type; /* type or typesel of the message waited for, if has_type */
     bool has_type;
-    bool sends;    /* the call waits until a message has left, not for one to come */
-    int32_t from;  /* the node from which the message must be; TRACE_NONE: from any, or not known */
+    bool sends;   /* the call waits until a message has left, not for one to come */
+    int32_t from; /* the node from which the message must be; TRACE_NONE: from any, or not known */
 };
 
 struct trace_handler {
@@ -83,9 +82,11 @@ struct trace_message {
     vtime granted; /* long: the receiver sends the clear to send */
     vtime entered; /* it asks for the first channel */
     vtime moved;   /* it has its whole path: the first byte moves */
-    vtime left;    /* its tail has passed */
-    vtime complete; /* the receiver's system is done with it: a receive may return it */
-    vtime taken;   /* it is in the program's memory */
+    vtime
+        freed; /* it gives back the channels between nodes before it has left (channel.h); VT_NEVER: it does not */
+    vtime left;              /* its tail has passed */
+    vtime complete;          /* the receiver's system is done with it: a receive may return it */
+    vtime taken;             /* it is in the program's memory */
     int32_t sending, taking; /* the calls that did so, into trace.calls; TRACE_NONE: not known, or none did */
     int32_t first_block, blocks; /* into trace.blocks */
 };
@@ -99,28 +100,29 @@ struct trace_block {
 struct trace_node {
     char name[16]; /* "node 3", "host" */
     uint32_t address;
-    vtime end;     /* of its program; of the trace, if the program had not ended */
+    vtime end; /* of its program; of the trace, if the program had not ended */
     /* its parts of the tables, which are sorted by node, then by time of beginning */
     int32_t first_call, calls, first_handler, handlers, first_system, systems;
     int32_t first_wait, waits;
-    bool traced;   /* false: the trace was made with --trace-nodes, without this node */
+    bool traced; /* false: the trace was made with --trace-nodes, without this node */
 };
 
 struct trace_stacks; /* where programs were: trace_stack() */
 
 struct trace {
-    char *path;                      /* of the file */
-    char *program, *machine, *command; /* what ran: path; name of the machine; the whole command, for people */
-    char **argv;                     /* the whole command, ended by NULL; argv[0] is touchstone */
-    char *folder;                    /* in which it ran */
-    char *version;                   /* of touchstone */
-    vtime from, to;                  /* what is in memory: to == end unless the trace was cut */
-    vtime end;                       /* of the run */
-    uint64_t digest;                 /* of the run */
-    bool complete;                   /* false: the file ends early, the run was killed */
+    char *path; /* of the file */
+    char *program, *machine,
+        *command;    /* what ran: path; name of the machine; the whole command, for people */
+    char **argv;     /* the whole command, ended by NULL; argv[0] is touchstone */
+    char *folder;    /* in which it ran */
+    char *version;   /* of touchstone */
+    vtime from, to;  /* what is in memory: to == end unless the trace was cut */
+    vtime end;       /* of the run */
+    uint64_t digest; /* of the run */
+    bool complete;   /* false: the file ends early, the run was killed */
     struct topo topo;
-    char **names;                    /* of calls */
-    enum trace_class *classes;       /* of names */
+    char **names;              /* of calls */
+    enum trace_class *classes; /* of names */
     int32_t name_count;
     struct trace_node *nodes;
     struct trace_call *calls;
@@ -135,8 +137,8 @@ struct trace {
 
 /* What to read of a trace. All 0 and NULL: all of it. */
 struct trace_selection {
-    vtime from, to;        /* what overlaps [from, to]; to 0: to the end */
-    const bool *nodes;     /* by number, node_count of them; NULL: all. Messages with an end at one of them */
+    vtime from, to;    /* what overlaps [from, to]; to 0: to the end */
+    const bool *nodes; /* by number, node_count of them; NULL: all. Messages with an end at one of them */
     uint32_t node_count;
 };
 
@@ -148,10 +150,10 @@ void trace_free(struct trace *t);
 
 enum trace_state {
     TRACE_COMPUTING,
-    TRACE_IN_CALL,    /* the operating system works for the program's call */
-    TRACE_WAITING,    /* in a call, with the processor at rest */
-    TRACE_IN_SYSTEM,  /* the operating system works for a message, which the program did not ask for now */
-    TRACE_ENDED,      /* without a program */
+    TRACE_IN_CALL,   /* the operating system works for the program's call */
+    TRACE_WAITING,   /* in a call, with the processor at rest */
+    TRACE_IN_SYSTEM, /* the operating system works for a message, which the program did not ask for now */
+    TRACE_ENDED,     /* without a program */
     TRACE_STATES
 };
 
@@ -160,11 +162,11 @@ enum trace_state {
 struct trace_piece {
     vtime begin, end;
     enum trace_state state;
-    bool in_handler;   /* of a handler, or of a call that a handler made */
-    int32_t call;      /* of TRACE_IN_CALL, TRACE_WAITING; and of TRACE_IN_SYSTEM within a call; else TRACE_NONE */
-    int32_t wait;      /* of TRACE_WAITING */
-    int32_t handler;   /* if in_handler */
-    int32_t system;    /* of TRACE_IN_SYSTEM */
+    bool in_handler; /* of a handler, or of a call that a handler made */
+    int32_t call; /* of TRACE_IN_CALL, TRACE_WAITING; and of TRACE_IN_SYSTEM within a call; else TRACE_NONE */
+    int32_t wait; /* of TRACE_WAITING */
+    int32_t handler; /* if in_handler */
+    int32_t system;  /* of TRACE_IN_SYSTEM */
 };
 
 struct trace_pieces {
@@ -199,8 +201,7 @@ const char *trace_called_name(const struct trace *t, const struct trace_call *c)
 /* Calls use() for each interval in which a message held a channel of its path, in no order. */
 typedef void trace_use(void *ctx, uint32_t channel, int32_t message, vtime begin, vtime end);
 void trace_channel_uses(const struct trace *t, trace_use *use, void *ctx);
-/* What a channel is: "node 3 -> node 7", "node 3 in", "node 7 out". Writes at most size bytes; returns buf. */
+/* What a channel (topo_channel() of net/topo.h) is: "node 3 -> node 7", "node 3 into the network", "node 7 out of the
+ * network". Writes at most size bytes; returns buf. */
 const char *trace_channel_name(const struct trace *t, uint32_t channel, char *buf, size_t size);
-/* The addresses at both ends of a channel between positions. False: it is a port in or out of *from. */
-bool trace_channel_ends(const struct trace *t, uint32_t channel, uint32_t *from, uint32_t *to);
 #endif

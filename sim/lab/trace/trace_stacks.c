@@ -1,0 +1,193 @@
+/* trace_stacks.c - where programs were: the stacks of a trace, and their frames' functions and source lines, which are
+ * looked up in the programs' files when first asked for. */
+#include <stdlib.h>
+#include <string.h>
+#include "guest/elffile.h"
+#include "guest/source_line.h"
+#include "kernel/xalloc.h"
+#include "lab/trace/trace_parts.h"
+
+struct place {
+    int64_t offset; /* of the return address in the program */
+    struct trace_frame frame;
+};
+
+struct program {
+    char *path;
+    struct elf_file *elf;
+    bool tried;            /* to open it */
+    struct place **places; /* sorted by offset */
+    size_t count, room;
+};
+
+struct stack {
+    int program, depth;
+    int64_t *offsets;
+    struct trace_frame *frames; /* NULL: nobody has asked */
+};
+
+struct trace_stacks {
+    struct program *programs;
+    struct stack *stacks;
+    int program_count, stack_count, stack_room;
+};
+
+struct trace_stacks *trace_stacks_new(void)
+{
+    return xcalloc(1, sizeof(struct trace_stacks));
+}
+
+static void free_program(struct program *p)
+{
+    for (size_t i = 0; i < p->count; i++) {
+        free((char *)(uintptr_t)p->places[i]->frame.file);
+        free(p->places[i]);
+    }
+    free(p->places);
+    if (p->elf)
+        elf_close(p->elf);
+    free(p->path);
+}
+
+void trace_stacks_free(struct trace_stacks *s)
+{
+    if (!s)
+        return;
+    for (int i = 0; i < s->program_count; i++)
+        free_program(&s->programs[i]);
+    for (int i = 0; i < s->stack_count; i++) {
+        free(s->stacks[i].offsets);
+        free(s->stacks[i].frames);
+    }
+    free(s->programs);
+    free(s->stacks);
+    free(s);
+}
+
+void trace_stacks_program(struct trace_stacks *s, const char *folder, const char *path)
+{
+    s->programs = xreallocarray(s->programs, (size_t)s->program_count + 1, sizeof *s->programs);
+    s->programs[s->program_count++] =
+        (struct program){.path = *path == '/' ? xstrdup(path) : xasprintf("%s/%s", folder, path)};
+}
+
+int trace_stacks_programs(const struct trace_stacks *s)
+{
+    return s->program_count;
+}
+
+int trace_stacks_count(const struct trace_stacks *s)
+{
+    return s->stack_count;
+}
+
+void trace_stacks_add(struct trace_stacks *s, int program, const int64_t *offsets, int depth)
+{
+    if (s->stack_count == s->stack_room) {
+        s->stack_room = s->stack_room ? 2 * s->stack_room : 64;
+        s->stacks = xreallocarray(s->stacks, (size_t)s->stack_room, sizeof *s->stacks);
+    }
+    struct stack *k = &s->stacks[s->stack_count++];
+    *k = (struct stack){.program = program, .depth = depth};
+    k->offsets = xcalloc((size_t)depth, sizeof *k->offsets);
+    memcpy(k->offsets, offsets, (size_t)depth * sizeof *offsets);
+}
+
+/* --- looking up --- */
+
+static const struct elf_file *opened(struct program *p)
+{
+    if (!p->tried) {
+        char *error = NULL;
+        p->tried = true;
+        p->elf = elf_open(p->path, &error);
+        free(error); /* frames without names tell */
+    }
+    return p->elf;
+}
+
+static struct trace_frame look_up(const struct elf_file *f, uint64_t address)
+{
+    struct trace_frame frame = {.function = ""};
+    const char *name;
+    if (elf_function_at(f, address, &name))
+        frame.function = name;
+    char *path = f->debug ? source_line(f->bytes, f->size, address, &frame.line) : NULL;
+    if (!path)
+        return frame;
+    const char *slash = strrchr(path, '/');
+    frame.library = strstr(path, "/nx_api/") != NULL;
+    frame.file = xstrdup(slash ? slash + 1 : path);
+    free(path);
+    return frame;
+}
+
+/* Where the offset is, or belongs, among the places. */
+static size_t position(const struct program *p, int64_t offset)
+{
+    size_t low = 0, high = p->count;
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (p->places[middle]->offset < offset)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The frame whose call returns to the offset. */
+static struct trace_frame frame_at(struct program *p, const struct elf_file *f, int64_t offset)
+{
+    size_t at = position(p, offset);
+    if (at < p->count && p->places[at]->offset == offset)
+        return p->places[at]->frame;
+    if (p->count == p->room) {
+        p->room = p->room ? 2 * p->room : 32;
+        p->places = xreallocarray(p->places, p->room, sizeof *p->places);
+    }
+    memmove(p->places + at + 1, p->places + at, (p->count++ - at) * sizeof *p->places);
+    p->places[at] = xmalloc(sizeof **p->places);
+    *p->places[at] = (struct place){offset, look_up(f, (uint64_t)offset - 1)};
+    return p->places[at]->frame;
+}
+
+const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int *count)
+{
+    *count = 0;
+    if (stack == TRACE_NONE || !t->stacks)
+        return NULL;
+    struct stack *k = &t->stacks->stacks[stack];
+    struct program *p = &t->stacks->programs[k->program];
+    const struct elf_file *f = opened(p);
+    if (!f)
+        return NULL;
+    if (!k->frames) {
+        k->frames = xcalloc((size_t)k->depth, sizeof *k->frames);
+        for (int i = 0; i < k->depth; i++)
+            k->frames[i] = frame_at(p, f, k->offsets[i]);
+    }
+    *count = k->depth;
+    return k->frames;
+}
+
+const struct trace_frame *trace_place(const struct trace *t, int32_t stack)
+{
+    int count;
+    const struct trace_frame *frames = trace_stack(t, stack, &count);
+    for (int i = 0; i < count; i++)
+        if (!frames[i].library && *frames[i].function)
+            return &frames[i];
+    return NULL;
+}
+
+const char *trace_called_name(const struct trace *t, const struct trace_call *c)
+{
+    int count;
+    const struct trace_frame *frames = trace_stack(t, c->stack, &count);
+    const char *name = t->names[c->name];
+    for (int i = 0; i < count && frames[i].library; i++)
+        if (*frames[i].function)
+            name = frames[i].function;
+    return name;
+}

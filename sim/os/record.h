@@ -1,0 +1,37 @@
+/* record.h - what a node's program and system do, told to the recorder of the run's trace (trace/recorder.h), if there
+ * is one. A call is told of when it ends, since it refers to what it sent, took and waited for; until then it lies on
+ * a small stack: a call, a handler that interrupts it, a call of the handler.
+ *
+ * A recorded node defers no calls (gate.c), so that all of this happens in the order of virtual time. */
+#ifndef OS_RECORD_H
+#define OS_RECORD_H
+#include "node/system.h"
+
+/* Begins the record of a node that runs a program by its number; none if the trace leaves out the node. */
+void record_begin(struct node *n, uint32_t program);
+/* The node is gone, or the run is over: what is open ends at time t, unfinished unless the program has ended. */
+void record_end(struct node *n, vtime t);
+
+/* The rest for recorded nodes only: call these through the macro. */
+#define RECORD(n, what, ...)                                                                                 \
+    do {                                                                                                     \
+        if (__builtin_expect((n)->record != NULL, 0))                                                        \
+            record_##what((n)__VA_OPT__(, ) __VA_ARGS__);                                                    \
+    } while (0)
+
+/* The program has come to the call n->call; goes on. */
+void record_call_begins(struct node *n);
+void record_call_ends(struct node *n);
+/* The call waits for a message to leave, or to come from a node (-1: from any). */
+void record_awaits(struct node *n, bool sends, long from);
+/* It has waited; so long of it the system was busy. */
+void record_waited(struct node *n, vtime begin, vtime end, vtime busy);
+/* It sends messages: the order of the first among the node's, and how many. */
+void record_sends(struct node *n, uint64_t order, uint64_t count);
+/* It, or the handler about to run, puts a message into the program's memory. */
+void record_takes(struct node *n, const struct message *m);
+void record_handler_begins(struct node *n, vtime due);
+void record_handler_ends(struct node *n);
+/* The system works until `end` because of a message. */
+void record_system(struct node *n, enum node_task task, vtime end, vtime t);
+#endif
