@@ -65,6 +65,12 @@ static void made_long(struct trace *t, vtime asked, vtime granted, vtime entered
     m->is_long = true, m->asked = asked, m->granted = granted, m->entered = entered;
 }
 
+/* So long of the wait the processor was at rest: the system had it otherwise. */
+static void made_idle(struct trace *t, int32_t wait, vtime idle)
+{
+    t->waits[wait].idle = idle;
+}
+
 static int32_t send(struct trace *t, int32_t node, vtime begin, vtime end)
 {
     return made_call(t, node, "csend", TRACE_SENDS, 1, begin, end);
@@ -121,7 +127,7 @@ static void late_sender(void **state)
     struct trace t = made_trace(2, 100);
     t.nodes[0].end = 70;
     int32_t s = send(&t, 0, 60, 70), r = receive(&t, 1, 10, 95);
-    made_wait(&t, 10, 90);
+    made_idle(&t, made_wait(&t, 10, 90), 70);
     made_system(&t, 1, TRACE_RECEIVING, 80, 90);
     made_message(&t, s, r, 1, 10, 70, 70, 80, 90);
     struct found f = find(&t);
@@ -145,9 +151,9 @@ static void late_receiver(void **state)
     struct trace t = made_trace(2, 90);
     t.nodes[0].end = 85;
     int32_t s = send(&t, 0, 10, 85);
-    made_wait(&t, 12, 85);
+    made_idle(&t, made_wait(&t, 12, 85), 68);
     int32_t r = receive(&t, 1, 50, 90);
-    made_wait(&t, 50, 90);
+    made_idle(&t, made_wait(&t, 50, 90), 35);
     made_system(&t, 0, TRACE_SENDING, 60, 65);
     made_system(&t, 1, TRACE_RECEIVING, 20, 25); /* it cannot answer the request */
     made_system(&t, 1, TRACE_RECEIVING, 85, 90);
@@ -177,9 +183,9 @@ static void early_receiver(void **state)
     struct trace t = made_trace(2, 90);
     t.nodes[0].end = 85;
     int32_t s = send(&t, 0, 10, 85);
-    made_wait(&t, 12, 85);
+    made_idle(&t, made_wait(&t, 12, 85), 68);
     int32_t r = receive(&t, 1, 5, 90);
-    made_wait(&t, 5, 90);
+    made_idle(&t, made_wait(&t, 5, 90), 60);
     made_system(&t, 0, TRACE_SENDING, 60, 65);
     made_system(&t, 1, TRACE_RECEIVING, 30, 50); /* of them the last 20 for the request */
     made_system(&t, 1, TRACE_RECEIVING, 85, 90);
@@ -287,7 +293,7 @@ static void processor_stolen(void **state)
     struct trace t = made_trace(2, 100);
     t.nodes[0].end = 70;
     int32_t s = send(&t, 0, 60, 70), r = receive(&t, 1, 0, 100);
-    made_wait(&t, 0, 95);
+    made_idle(&t, made_wait(&t, 0, 95), 75);
     made_system(&t, 0, TRACE_RECEIVING, 20, 50);
     made_system(&t, 1, TRACE_EMPTYING, 40, 55);
     made_system(&t, 1, TRACE_RECEIVING, 90, 95);

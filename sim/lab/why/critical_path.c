@@ -66,6 +66,16 @@ static enum why_class class_of(const struct trace_piece *p)
     }
 }
 
+/* The stack of the last call that a handler made before a piece of it; TRACE_NONE. */
+static int32_t stack_before(struct walk *w, const struct trace_piece *p)
+{
+    const struct trace_piece *first = piece_map_of(w->map, w->node)->list;
+    for (const struct trace_piece *q = p; q > first && q[-1].in_handler && q[-1].handler == p->handler; q--)
+        if (q[-1].call != TRACE_NONE)
+            return w->t->calls[q[-1].call].stack;
+    return TRACE_NONE;
+}
+
 /* Where the program came to at the end of a piece: the next call's place, or that where the next handler
  * interrupted the program. */
 static int32_t stack_after(struct walk *w, const struct trace_piece *p)
@@ -74,12 +84,15 @@ static int32_t stack_after(struct walk *w, const struct trace_piece *p)
     if (p->call != TRACE_NONE)
         return w->t->calls[p->call].stack;
     for (const struct trace_piece *q = p + 1; q < end; q++) {
-        if (q->in_handler && (!p->in_handler || q->handler != p->handler))
-            return p->in_handler ? TRACE_NONE : w->t->handlers[q->handler].stack;
+        bool other = q->in_handler && (!p->in_handler || q->handler != p->handler);
+        if (p->in_handler && (other || !q->in_handler))
+            break;
+        if (other)
+            return w->t->handlers[q->handler].stack;
         if (q->call != TRACE_NONE)
-            return q->in_handler == p->in_handler ? w->t->calls[q->call].stack : TRACE_NONE;
+            return w->t->calls[q->call].stack;
     }
-    return TRACE_NONE;
+    return p->in_handler ? stack_before(w, p) : TRACE_NONE;
 }
 
 /* Goes back over the piece in which the walk is, to `least` at the earliest. */
@@ -168,7 +181,7 @@ static int32_t wait_ending_here(const struct walk *w, const struct trace_piece *
 {
     if (p->state != TRACE_WAITING && p->state != TRACE_IN_SYSTEM)
         return TRACE_NONE;
-    int32_t wait = piece_map_wait(w->map, w->node, w->at);
+    int32_t wait = piece_map_wait(w->map, p, w->at);
     return wait != TRACE_NONE && w->t->waits[wait].end == w->at ? wait : TRACE_NONE;
 }
 

@@ -84,15 +84,13 @@ static int32_t last_begun(const void *rows, int32_t count, size_t size, size_t o
     last_begun(rows, count, sizeof *(rows), (size_t)((const char *)&(rows)->begin - (const char *)(rows)),   \
                t, at_too)
 
-int32_t piece_map_wait(const struct piece_map *m, int32_t node, vtime t)
+int32_t piece_map_wait(const struct piece_map *m, const struct trace_piece *p, vtime t)
 {
-    const struct trace_node *n = &m->t->nodes[node];
-    int32_t i = n->waits ? LAST_BEGUN(m->t->waits + n->first_wait, n->waits, t, false) : TRACE_NONE;
-    /* A wait within a handler may stand within another call's. */
-    for (int32_t tries = 0; i >= 0 && tries < 8; i--, tries++)
-        if (m->t->waits[n->first_wait + i].end >= t)
-            return n->first_wait + i;
-    return TRACE_NONE;
+    if (p->wait != TRACE_NONE || p->call == TRACE_NONE)
+        return p->wait;
+    const struct trace_call *c = &m->t->calls[p->call];
+    int32_t i = c->waits ? LAST_BEGUN(m->t->waits + c->first_wait, c->waits, t, false) : TRACE_NONE;
+    return i >= 0 && m->t->waits[c->first_wait + i].end >= t ? c->first_wait + i : TRACE_NONE;
 }
 
 int32_t piece_map_handler(const struct piece_map *m, int32_t node, vtime t)

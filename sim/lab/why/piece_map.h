@@ -22,8 +22,9 @@ const struct trace_piece *piece_map_before(struct piece_map *m, int32_t node, vt
 const struct trace_piece *piece_map_from(struct piece_map *m, int32_t node, vtime t);
 const struct trace_piece *piece_map_end(struct piece_map *m, int32_t node);
 
-/* The wait of a node that `t` ends or lies in: begin < t <= end; TRACE_NONE. */
-int32_t piece_map_wait(const struct piece_map *m, int32_t node, vtime t);
+/* The wait of the piece's call that `t`, which is in the piece or its end, ends or lies in: begin < t <= end;
+ * TRACE_NONE. */
+int32_t piece_map_wait(const struct piece_map *m, const struct trace_piece *p, vtime t);
 /* A handler of a node that begins at t; TRACE_NONE. */
 int32_t piece_map_handler(const struct piece_map *m, int32_t node, vtime t);
 /* The interval in which a node's system did that task, that `t` ends or lies in; TRACE_NONE. */

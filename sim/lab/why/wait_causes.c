@@ -30,6 +30,11 @@ const char *wait_cause_key(enum wait_cause c)
     return CAUSES[c].key;
 }
 
+/* An interval in which the waiting processor was at rest. */
+struct rest {
+    vtime begin, end;
+};
+
 /* A wait that is being divided. */
 struct division {
     const struct trace *t;
@@ -37,25 +42,105 @@ struct division {
     const struct wait_enders *enders;
     struct wait_causes *causes;
     struct message_way way;
+    struct rest *rests; /* of the wait, in the order of time */
+    size_t rest_count, rest_room;
     int32_t wait, message, partner;
     int32_t block; /* the longest so far */
     vtime block_idle;
     vtime idle[WAIT_CAUSES][TRACE_STATES]; /* so far */
 };
 
+/* --- when the processor was at rest --- */
+
+static void add_rest(struct division *d, vtime begin, vtime end)
+{
+    if (d->rest_count == d->rest_room) {
+        d->rest_room = d->rest_room ? 2 * d->rest_room : 16;
+        d->rests = xreallocarray(d->rests, d->rest_room, sizeof *d->rests);
+    }
+    d->rests[d->rest_count++] = (struct rest){begin, end};
+}
+
+/* The node's books count works of the system one after the other, though moving bytes goes on while messages are
+ * handled: so a wait may have less rest than its pieces say. What is too much was at its end. */
+static void take_rest(struct division *d, vtime much)
+{
+    while (much) {
+        struct rest *last = &d->rests[d->rest_count - 1];
+        vtime takes = vt_min(much, last->end - last->begin);
+        last->end -= takes, much -= takes;
+        d->rest_count -= last->begin == last->end;
+    }
+}
+
+static int by_begin(const void *a, const void *b)
+{
+    const struct rest *x = a, *y = b;
+    return x->begin < y->begin ? -1 : x->begin > y->begin;
+}
+
+/* And a wait may have more: the books counted the system's work before the wait. */
+static void give_rest(struct division *d, const struct trace_wait *w, vtime much)
+{
+    const struct trace_piece *first = piece_map_from(d->map, w->node, w->begin);
+    const struct trace_piece *p = piece_map_before(d->map, w->node, w->end);
+    for (; much && p && p >= first; p--) {
+        vtime begin = vt_max(p->begin, w->begin), end = vt_min(p->end, w->end);
+        if (p->state == TRACE_WAITING || begin >= end)
+            continue;
+        vtime gives = vt_min(much, end - begin);
+        add_rest(d, end - gives, end);
+        much -= gives;
+    }
+    qsort(d->rests, d->rest_count, sizeof *d->rests, by_begin);
+}
+
+static vtime rest_of_all(const struct division *d)
+{
+    vtime sum = 0;
+    for (size_t i = 0; i < d->rest_count; i++)
+        sum += d->rests[i].end - d->rests[i].begin;
+    return sum;
+}
+
+/* Finds the rests of the wait: in all as long as the books say. Of a wait that is cut by the trace's limits, they
+ * are as long as the pieces say. */
+static void find_rests(struct division *d)
+{
+    const struct trace_wait *w = &d->t->waits[d->wait];
+    const struct trace_piece *p = piece_map_from(d->map, w->node, w->begin),
+                             *end = piece_map_end(d->map, w->node);
+    d->rest_count = 0;
+    for (; p && p < end && p->begin < w->end; p++)
+        if (p->state == TRACE_WAITING && p->wait == d->wait)
+            add_rest(d, p->begin, p->end);
+    vtime sum = rest_of_all(d);
+    if (w->begin < d->t->from || w->end > d->t->to)
+        return;
+    if (sum > w->idle)
+        take_rest(d, sum - w->idle);
+    else
+        give_rest(d, w, w->idle - sum);
+}
+
 /* Of the time from a to b: in which the wait's processor was at rest. */
 static vtime idle_in(const struct division *d, vtime a, vtime b)
 {
-    const struct trace_wait *w = &d->t->waits[d->wait];
+    size_t low = 0, high = d->rest_count;
     vtime idle = 0;
-    if (a >= b)
-        return 0;
-    const struct trace_piece *p = piece_map_from(d->map, w->node, a), *end = piece_map_end(d->map, w->node);
-    for (; p && p < end && p->begin < b; p++)
-        if (p->state == TRACE_WAITING && p->wait == d->wait)
-            idle += vt_min(b, p->end) - vt_max(a, p->begin);
+    while (low < high) { /* the first that ends after a */
+        size_t middle = (low + high) / 2;
+        if (d->rests[middle].end > a)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    for (; a < b && low < d->rest_count && d->rests[low].begin < b; low++)
+        idle += vt_min(b, d->rests[low].end) - vt_max(a, d->rests[low].begin);
     return idle;
 }
+
+/* --- dividing --- */
 
 /* The time from a to b is what the partner's doing made of it. */
 static void charge_doing(struct division *d, enum wait_cause late, int32_t partner, vtime a, vtime b)
@@ -152,6 +237,8 @@ static void divide(struct division *d, int32_t wait)
     struct wait_ender e = wait_enders_of(d->enders, d->map, wait);
     d->wait = wait, d->message = e.message, d->partner = d->block = TRACE_NONE, d->block_idle = 0;
     memset(d->idle, 0, sizeof d->idle);
+    find_rests(d);
+    d->causes->idle += rest_of_all(d);
     if (d->t->classes[c->name] == TRACE_FILES)
         charge(d, WAIT_DISK, w->begin, w->end);
     else if (e.message != TRACE_NONE)
@@ -161,21 +248,11 @@ static void divide(struct division *d, int32_t wait)
     add_parts(d);
 }
 
-/* The waits of a node, and pieces that no wait of the trace explains. */
 static void divide_node(struct division *d, int32_t node)
 {
-    const struct trace_pieces *p = piece_map_of(d->map, node);
     const struct trace_node *n = &d->t->nodes[node];
     for (int32_t i = 0; i < n->waits; i++)
         divide(d, n->first_wait + i);
-    for (size_t i = 0; i < p->count; i++)
-        if (p->list[i].state == TRACE_WAITING) {
-            d->causes->idle += p->list[i].end - p->list[i].begin;
-            if (p->list[i].wait == TRACE_NONE)
-                add_part(d->causes,
-                         (struct wait_part){WAIT_UNKNOWN, TRACE_COMPUTING, TRACE_NONE, node, TRACE_NONE,
-                                            TRACE_NONE, TRACE_NONE, p->list[i].end - p->list[i].begin});
-        }
 }
 
 /* The promise of wait_causes.h. */
@@ -196,6 +273,7 @@ struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map
         if (t->nodes[i].traced)
             divide_node(&d, i);
     free(d.way.legs);
+    free(d.rests);
     check(&causes);
     return causes;
 }

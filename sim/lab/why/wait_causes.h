@@ -2,7 +2,8 @@
  *
  * A wait is divided along the way of the message that ended it (message_way.h). While the message was on that
  * way, the leg is the cause; before it was sent, what its sender did. Only time counts in which the waiting
- * processor was at rest. So the amounts are exact, and their sum is the nodes' idle time. */
+ * processor was at rest. So the amounts are exact, and their sum is the nodes' idle time, as touchstone run --json
+ * gives it. */
 #ifndef LAB_WHY_WAIT_CAUSES_H
 #define LAB_WHY_WAIT_CAUSES_H
 #include "lab/why/message_way.h"
@@ -25,7 +26,7 @@ enum wait_cause {
 struct wait_part {
     enum wait_cause cause;
     enum trace_state doing; /* late sender, late receiver: what the partner did */
-    int32_t wait;           /* into trace.waits; TRACE_NONE: not known */
+    int32_t wait;           /* into trace.waits */
     int32_t node;           /* which waited */
     int32_t partner;        /* into trace.nodes; TRACE_NONE: nobody, or a service */
     int32_t message;        /* that ended the wait; TRACE_NONE: not known */

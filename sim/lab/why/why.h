@@ -1,0 +1,67 @@
+/* why.h - why a run took its time: all that is found in a trace, and sums of it.
+ *
+ *     path    the critical path (critical_path.h), and what has which share in it
+ *     causes  the waits of all nodes, by cause (wait_causes.h), and in groups of waits that are alike */
+#ifndef LAB_WHY_H
+#define LAB_WHY_H
+#include "lab/why/critical_path.h"
+#include "lab/why/places.h"
+#include "lab/why/tally.h"
+#include "lab/why/wait_causes.h"
+
+/* What the path's time is divided by. */
+enum why_share {
+    WHY_BY_NODE,     /* "node 0"; "network" */
+    WHY_BY_FUNCTION, /* of the program: where it came to, or the handler's; "" of the path's other time */
+    WHY_BY_CALL,     /* "csend at ring.c:12 (main)" */
+    WHY_BY_MESSAGE,  /* "type 2": calls that send or take messages, and the messages' way */
+    WHY_SHARES
+};
+
+/* Waits of one cause, in one call of the program, for messages of one sender and of one of its calls. */
+struct wait_group {
+    enum wait_cause cause;
+    enum trace_state doing; /* late sender, late receiver: what the partner did */
+    const char *call;       /* in which nodes waited: "crecv at ring.c:15 (main)" */
+    const char *partner;    /* "node 0"; "" */
+    const char *sent;       /* the partner's call: "csend at ring.c:12 (main)"; "" */
+    int32_t type;           /* of the message, if has_type */
+    bool has_type;
+    bool leaves;   /* they waited until messages had left */
+    int32_t block; /* WAIT_CHANNEL: of the longest; else TRACE_NONE */
+    vtime idle, longest_block;
+    uint64_t waits;
+    int32_t nodes;     /* so many different ones waited */
+    int32_t last_node; /* the last of them */
+};
+
+struct why {
+    struct trace *t;
+    struct piece_map map;
+    struct wait_enders enders;
+    struct places *places;
+    struct path path;
+    struct wait_causes causes;
+    vtime length; /* of the path: the trace's time */
+    vtime by_class[WHY_CLASSES];
+    struct tally shares[WHY_SHARES];
+    struct wait_group *groups; /* the longest first */
+    size_t group_count;
+    int32_t *holder; /* by block: the message that held the channel at the block's end; TRACE_NONE */
+};
+
+/* Takes over the trace. */
+struct why *why_new(struct trace *t);
+void why_free(struct why *w);
+
+/* "node 3"; "network" for TRACE_NONE. */
+const char *why_node_name(const struct why *w, int32_t node);
+/* The node that has the largest part of the path, and its part. */
+int32_t why_main_node(const struct why *w, vtime *part);
+/* Of the path, on a node (TRACE_NONE: anywhere): of one class. */
+vtime why_part(const struct why *w, int32_t node, enum why_class class);
+
+/* For all shares: how they are called in JSON, and as the title of a table. */
+const char *why_share_key(enum why_share s);
+const char *why_share_title(enum why_share s);
+#endif
