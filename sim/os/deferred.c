@@ -9,6 +9,7 @@
 #include "os/charge.h"
 #include "os/match.h"
 #include "os/memory.h"
+#include "os/record.h"
 #include "os/unexpected.h"
 #include "os/gate.h"
 
@@ -62,6 +63,7 @@ void deferred_begin(struct node *n)
     if (n->heap_moved)
         n->cold->calls.memory[i] = node_memory_now(n);
     n->heap_moved = false;
+    RECORD(n, deferred);
 }
 
 /* Nothing reaches the node before the call that has waited is committed: its program knows what is in its
@@ -90,6 +92,7 @@ void deferred_resume_caller(struct node *n)
     if (p->count == 0) { /* it is committed */
         deferred_begin(n);
         p->begun = n->call_since;
+        RECORD(n, deferred_again);
     }
     p->open = true;
     struct deferred_call *c = open_call(n);
@@ -216,14 +219,22 @@ static void put_off(struct node *n, vtime now)
         n->call_since += late;
 }
 
+/* How long the system copies what the call has received. */
+static vtime copying(const struct node *n, const struct deferred_call *c)
+{
+    vtime t = 0;
+    for (const struct message *m = c->consumes_message ? c->consumed : NULL; m; m = m->next)
+        t += node_system_time(n, match_copying(n, m));
+    return t;
+}
+
 static void take(struct node *n, const struct deferred_call *c, vtime now)
 {
     if (c->inline_message) {
         protocol_message_free_plain(n->sys->schedule.protocol, c->consumed);
         return;
     }
-    for (const struct message *m = c->consumed; m; m = m->next)
-        now += node_system_time(n, match_copying(n, m));
+    now += copying(n, c);
     for (struct message *m = c->consumed, *next; m; m = next) {
         next = m->next;
         n->taken -= buffered(m);
@@ -259,7 +270,8 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
 {
     struct deferred *p = &n->deferred;
     if (p->begun == VT_NEVER) {
-        vtime done = c->resumes_caller ? handed_over(n, 0) : 0;
+        vtime done = c->resumes_caller || n->record ? handed_over(n, 0) : 0;
+        RECORD(n, committed, now, now + done - c->commits);
         begin(n, c, now);
         if (c->resumes_caller) {
             p->commits = done + p->shift;
@@ -267,10 +279,13 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
             c->posts = c->selected = c->needs_event = c->has_message = c->sends = false;
             return;
         }
-    } else if (c->consumes_message) {
-        take(n, c, now);
+    } else {
+        RECORD(n, resumed, now, now + copying(n, c));
+        if (c->consumes_message)
+            take(n, c, now);
     }
     clock_note_committed(&n->lp, c->units);
+    RECORD(n, popped);
     pop(n);
 }
 
@@ -327,6 +342,7 @@ static void unmake(struct node *n)
 void deferred_undo(struct node *n)
 {
     struct deferred *p = &n->deferred;
+    RECORD(n, rolled_back);
     for (; p->count; p->count--)
         unmake(n);
     p->selects = false;

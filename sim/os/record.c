@@ -12,13 +12,16 @@ enum { DEEPEST_STACK = 32 };
 
 /* What has begun and not ended: a call, or a handler. */
 struct open {
+    union {
+        struct recorded_call call;
+        struct recorded_handler handler; /* if is_handler */
+    };
     bool is_handler;
-    struct recorded_call call;
-    struct recorded_handler handler;
     struct recorded_wait *waits;
     uint32_t wait_room;
     bool sends; /* what the call waits for: record_awaits */
     long from;
+    bool begun, left; /* of a deferred call: its time of beginning is known; its program has left it */
 };
 
 enum { DEEPEST = 4 };
@@ -27,6 +30,7 @@ struct node_record {
     uint32_t program;
     int depth;
     struct open open[DEEPEST];
+    struct open deferred[DEFERRED_MOST]; /* as node.calls */
 };
 
 static struct recorder *recorder_of(const struct node *n)
@@ -40,9 +44,21 @@ static struct open *top(const struct node *n)
     return r->depth ? &r->open[r->depth - 1] : NULL;
 }
 
-static struct open *top_call(const struct node *n)
+/* The i-th deferred call. */
+static struct open *nth_deferred(const struct node *n, uint32_t i)
 {
-    struct open *o = top(n);
+    return &n->record->deferred[(n->deferred.first + i) % DEFERRED_MOST];
+}
+
+/* What the program is in. */
+static struct open *innermost(const struct node *n)
+{
+    return n->deferred.open ? nth_deferred(n, n->deferred.count - 1) : top(n);
+}
+
+static struct open *innermost_call(const struct node *n)
+{
+    struct open *o = innermost(n);
     return o && !o->is_handler ? o : NULL;
 }
 
@@ -71,7 +87,8 @@ static bool in_stack(const struct node *n, uintptr_t address)
            address % sizeof address == 0;
 }
 
-/* The program's stack: its number +1, or 0. The frames of the simulator, which lie on the same stack, are left out. */
+/* The program's stack: its number +1, or 0. The frames of the simulator below it, on the same stack, are left out; the
+ * stack ends with those above it: the simulator has called main, or the handler. */
 static uint32_t stack_now(struct node *n, const void *innermost)
 {
     uintptr_t offsets[DEEPEST_STACK];
@@ -81,6 +98,8 @@ static uint32_t stack_now(struct node *n, const void *innermost)
                   offset = ((const uintptr_t *)frame)[1] - (uintptr_t)n->program;
         if (offset < n->image_bytes)
             offsets[depth++] = offset;
+        else if (depth)
+            break;
         if (next <= frame)
             break;
         frame = next;
@@ -90,15 +109,19 @@ static uint32_t stack_now(struct node *n, const void *innermost)
 
 /* --- calls --- */
 
-void record_call_begins(struct node *n)
+static void begin_call(struct node *n, struct open *o, const void *innermost_frame)
 {
-    struct open *o = push(n, false);
     o->call = (struct recorded_call){.address = n->lp.address,
                                      .name = recorder_name(recorder_of(n), n->call),
-                                     .stack = stack_now(n, __builtin_frame_address(0)),
+                                     .stack = stack_now(n, innermost_frame),
                                      .flags = n->in_handler ? CALL_IN_HANDLER : 0,
                                      .begin = node_now(n)};
-    o->sends = false, o->from = -1;
+    o->is_handler = o->sends = o->begun = o->left = false, o->from = -1;
+}
+
+void record_call_begins(struct node *n)
+{
+    begin_call(n, push(n, false), __builtin_frame_address(0));
 }
 
 static void end_call(struct node *n, struct open *o, vtime t)
@@ -110,25 +133,29 @@ static void end_call(struct node *n, struct open *o, vtime t)
 
 void record_call_ends(struct node *n)
 {
-    struct open *o = top_call(n);
+    struct open *o = innermost_call(n);
     if (!o)
         return; /* a program, or handler, begins */
     if (n->call_has_type)
         o->call.flags |= CALL_HAS_TYPE, o->call.type = n->call_type;
-    end_call(n, o, node_now(n));
-    n->record->depth--;
+    if (n->deferred.open) {
+        o->left = true;
+    } else {
+        end_call(n, o, node_now(n));
+        n->record->depth--;
+    }
 }
 
 void record_awaits(struct node *n, bool sends, long from)
 {
-    struct open *o = top_call(n);
+    struct open *o = innermost_call(n);
     if (o)
         o->sends = sends, o->from = from;
 }
 
 void record_waited(struct node *n, vtime begin, vtime end, vtime busy)
 {
-    struct open *o = top_call(n);
+    struct open *o = innermost_call(n);
     if (!o || end == begin)
         return;
     if (o->call.wait_count == o->wait_room) {
@@ -147,7 +174,7 @@ void record_waited(struct node *n, vtime begin, vtime end, vtime busy)
 
 void record_sends(struct node *n, uint64_t order, uint64_t count)
 {
-    struct open *o = top_call(n);
+    struct open *o = innermost_call(n);
     if (!o)
         return;
     if (!(o->call.flags & CALL_SENT))
@@ -158,7 +185,7 @@ void record_sends(struct node *n, uint64_t order, uint64_t count)
 
 void record_takes(struct node *n, const struct message *m)
 {
-    struct open *o = top(n);
+    struct open *o = innermost(n);
     if (o && o->is_handler) {
         o->handler.flags |= HANDLER_HAS_MESSAGE;
         o->handler.source = m->source, o->handler.order = protocol_recorded_order(m);
@@ -167,6 +194,57 @@ void record_takes(struct node *n, const struct message *m)
         o->call.taken_source = m->source, o->call.taken_order = protocol_recorded_order(m);
         o->call.taken_at = node_now(n);
     }
+}
+
+/* --- deferred calls --- */
+
+/* Exchanges two, each of which keeps its room for waits. */
+static void exchange(struct open *a, struct open *b)
+{
+    struct open before = *a;
+    *a = *b, *b = before;
+}
+
+void record_deferred(struct node *n)
+{
+    begin_call(n, nth_deferred(n, n->deferred.count - 1), __builtin_frame_address(0));
+}
+
+void record_deferred_again(struct node *n)
+{
+    struct open *o = nth_deferred(n, n->deferred.count - 1);
+    exchange(o, top(n));
+    n->record->depth--;
+    o->begun = true;
+}
+
+void record_committed(struct node *n, vtime t, vtime done)
+{
+    struct open *o = nth_deferred(n, 0);
+    o->call.begin = t, o->call.end = done;
+    o->begun = true;
+}
+
+void record_resumed(struct node *n, vtime t, vtime done)
+{
+    struct open *o = nth_deferred(n, 0);
+    o->call.taken_at = t, o->call.end = done;
+}
+
+void record_popped(struct node *n)
+{
+    struct open *o = nth_deferred(n, 0);
+    if (o->left)
+        end_call(n, o, o->call.end);
+    else
+        exchange(push(n, false), o);
+}
+
+/* The program goes no further. If it was in the first of them, it still is. */
+void record_rolled_back(struct node *n)
+{
+    if (n->deferred.count && nth_deferred(n, 0)->begun)
+        exchange(push(n, false), nth_deferred(n, 0));
 }
 
 /* --- handlers --- */
@@ -220,6 +298,8 @@ void record_end(struct node *n, vtime t)
     recorder_node_end(recorder_of(n), n->lp.address, t);
     for (int i = 0; i < DEEPEST; i++)
         free(r->open[i].waits);
+    for (int i = 0; i < DEFERRED_MOST; i++)
+        free(r->deferred[i].waits);
     free(r);
     n->record = NULL;
 }

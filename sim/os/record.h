@@ -2,7 +2,8 @@
  * is one. A call is told of when it ends, since it refers to what it sent, took and waited for; until then it lies on
  * a small stack: a call, a handler that interrupts it, a call of the handler.
  *
- * A recorded node defers no calls (gate.c), so that all of this happens in the order of virtual time. */
+ * A deferred call (deferred.h) lies in a ring of its own until it is committed: only then its times are known. If its
+ * program is still in the call then, the call goes on as one that is not deferred. */
 #ifndef OS_RECORD_H
 #define OS_RECORD_H
 #include "node/system.h"
@@ -30,6 +31,17 @@ void record_waited(struct node *n, vtime begin, vtime end, vtime busy);
 void record_sends(struct node *n, uint64_t order, uint64_t count);
 /* It, or the handler about to run, puts a message into the program's memory. */
 void record_takes(struct node *n, const struct message *m);
+/* The deferred call that has just begun: it is the one that the others above are about, while it is open. */
+void record_deferred(struct node *n);
+/* It is the call that the program was in already. */
+void record_deferred_again(struct node *n);
+/* The first deferred call is committed at time t, and done at time `done`; its caller resumes at time t, and is done at
+ * time `done`; it is deferred no more. */
+void record_committed(struct node *n, vtime t, vtime done);
+void record_resumed(struct node *n, vtime t, vtime done);
+void record_popped(struct node *n);
+/* All deferred calls are about to be undone, for good. */
+void record_rolled_back(struct node *n);
 void record_handler_begins(struct node *n, vtime due);
 void record_handler_ends(struct node *n);
 /* The system works until `end` because of a message. */

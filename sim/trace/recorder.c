@@ -7,8 +7,16 @@
 #include "trace/interned.h"
 #include "trace/packer.h"
 
+/* Names that have been asked for lately, by where their texts are. */
+enum { LATELY = 64 };
+struct lately {
+    const char *name;
+    uint32_t number;
+};
+
 struct recorder {
     struct recorder_options options;
+    struct lately lately[LATELY];
     struct packer *packer;
     struct interned *names, *programs, *stacks;
     vtime *last, *last_system; /* by address */
@@ -73,7 +81,10 @@ static uint32_t number_text(struct recorder *r, struct interned *all, enum recor
 
 uint32_t recorder_name(struct recorder *r, const char *name)
 {
-    return number_text(r, r->names, RECORD_NAME, name);
+    struct lately *l = &r->lately[((uintptr_t)name >> 3) % LATELY];
+    if (l->name != name)
+        *l = (struct lately){name, number_text(r, r->names, RECORD_NAME, name)};
+    return l->number;
 }
 
 uint32_t recorder_program(struct recorder *r, const char *path)

@@ -40,7 +40,7 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     machines "$source" >"$work/runs"
     while read -r arguments; do
         # shellcheck disable=SC2086
-        (cd "$work" && "$BUILD/touchstone" run --max-wall-time 60 $arguments "$name" >out 2>err <in)
+        (cd "$work" && "$BUILD/touchstone" run --max-wall-time 300 $arguments "$name" >out 2>err <in)
         status=$?
         [ $status = 0 ] || echo "status $status" >>"$work/out"
         [ -f "$expected" ] || [ $status != 0 ] || cp "$work/out" "$work/first"
