@@ -10,7 +10,8 @@ static const struct trace_command {
     const char *name;
     int (*run)(int argc, char **argv);
     const char *what;
-} COMMANDS[] = {{"info", cli_trace_info, "Show what a trace has"}};
+} COMMANDS[] = {{"info", cli_trace_info, "Show what a trace has"},
+                {"why", cli_trace_why, "Say why the run took its time: critical path, causes of waits"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
 /* --- touchstone trace info --- */
