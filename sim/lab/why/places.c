@@ -57,27 +57,20 @@ const char *places_text(struct places *p, const char *format, ...)
     return only(p, text);
 }
 
-static const char *line_of(struct places *p, const struct trace_frame *f)
+/* The function's name in the source: GCC calls parts of functions f.part.0, f.constprop.1 and the like. */
+static const char *function_of(struct places *p, const struct trace_frame *f)
 {
-    if (!f)
-        return places_text(p, "%s", "");
-    if (!f->file)
-        return places_text(p, "%s", f->function);
-    const char *slash = strrchr(f->file, '/'), *file = slash ? slash + 1 : f->file;
-    return *f->function ? places_text(p, "%s:%d (%s)", file, f->line, f->function)
-                        : places_text(p, "%s:%d", file, f->line);
+    return f ? places_text(p, "%.*s", (int)strcspn(f->function, "."), f->function) : places_text(p, "%s", "");
 }
 
-/* The innermost frame of the program's own: neither a function of NX's library, nor nxc_enter, through which a
- * program that computes comes to the simulator. NULL: none is known. */
-static const struct trace_frame *own_frame(const struct trace *t, int32_t stack)
+static const char *line_of(struct places *p, const struct trace_frame *f)
 {
-    int count;
-    const struct trace_frame *f = trace_stack(t, stack, &count);
-    for (; count > 0; f++, count--)
-        if (!f->library && *f->function && strncmp(f->function, "nxc_", 4) != 0)
-            return f;
-    return NULL;
+    const char *function = function_of(p, f);
+    if (!f || !f->file)
+        return function;
+    const char *slash = strrchr(f->file, '/'), *file = slash ? slash + 1 : f->file;
+    return *function ? places_text(p, "%s:%d (%s)", file, f->line, function)
+                     : places_text(p, "%s:%d", file, f->line);
 }
 
 static const struct known *known(struct places *p, int32_t stack)
@@ -93,9 +86,9 @@ static const struct known *known(struct places *p, int32_t stack)
     }
     struct known *k = &p->of[stack];
     if (!k->line) {
-        const struct trace_frame *f = own_frame(p->t, stack);
+        const struct trace_frame *f = trace_place(p->t, stack);
         k->line = line_of(p, f);
-        k->function = places_text(p, "%s", f ? f->function : "");
+        k->function = function_of(p, f);
     }
     return k;
 }

@@ -15,10 +15,7 @@ static int compare(const void *a, const void *b)
     BY(cause)
     BY(doing)
     BY(call)
-    BY(partner)
     BY(sent)
-    BY(type)
-    BY(has_type)
     BY(leaves)
 #undef BY
     return 0;
@@ -33,8 +30,8 @@ static struct wait_group group_of(struct why *w, const struct wait_part *p)
     struct wait_group g = {.cause = p->cause,
                            .doing = by_partner ? p->doing : TRACE_COMPUTING,
                            .call = places_call(w->places, t->waits[p->wait].call),
-                           .partner = p->partner == TRACE_NONE ? "" : t->nodes[p->partner].name,
                            .sent = "",
+                           .partner = p->partner,
                            .block = TRACE_NONE,
                            .last_node = TRACE_NONE};
     if (!m)
@@ -42,19 +39,26 @@ static struct wait_group group_of(struct why *w, const struct wait_part *p)
     g.leaves = m->from == p->node && m->to != p->node;
     if (g.leaves)
         return g;
-    g.type = m->type, g.has_type = true;
+    g.type = g.last_type = m->type, g.has_type = true;
     if (m->sending != TRACE_NONE)
         g.sent = places_call(w->places, m->sending);
     return g;
 }
 
-static void add(struct wait_group *g, const struct wait_part *p)
+static void add(struct wait_group *g, const struct wait_part *p, const struct wait_group *like)
 {
     g->idle += p->idle;
     g->waits++;
     if (p->node != g->last_node) /* parts come node by node */
         g->nodes++;
     g->last_node = p->node;
+    g->partners = g->partners || p->partner != g->partner;
+    if (like->type < g->type)
+        g->type = like->type;
+    if (like->type > g->last_type)
+        g->last_type = like->type;
+    if (p->idle > g->longest_idle)
+        g->longest_idle = p->idle, g->longest = p->wait;
     if (p->cause == WAIT_CHANNEL && p->idle > g->longest_block)
         g->longest_block = p->idle, g->block = p->block;
 }
@@ -67,12 +71,9 @@ static int by_idle(const void *a, const void *b)
         return x->idle > y->idle ? -1 : 1;
     if (x->cause != y->cause)
         return (int)x->cause - (int)y->cause;
-    if ((order = strcmp(x->call, y->call)) || (order = strcmp(x->partner, y->partner)) ||
-        (order = strcmp(x->sent, y->sent)))
+    if ((order = strcmp(x->call, y->call)) || (order = strcmp(x->sent, y->sent)))
         return order;
-    if (x->doing != y->doing)
-        return (int)x->doing - (int)y->doing;
-    return x->type < y->type ? -1 : x->type > y->type;
+    return x->doing != y->doing ? (int)x->doing - (int)y->doing : (int)x->leaves - (int)y->leaves;
 }
 
 static void collect(const void *node, VISIT which, void *closure)
@@ -94,7 +95,7 @@ void wait_groups_find(struct why *w)
             found = xchecked(tsearch(g, &tree, compare));
             count++;
         }
-        add(*found, &w->causes.parts[i]);
+        add(*found, &w->causes.parts[i], &key);
     }
     w->groups = xcalloc(count, sizeof *w->groups);
     twalk_r(tree, collect, w);

@@ -18,18 +18,21 @@ enum why_share {
     WHY_SHARES
 };
 
-/* Waits of one cause, in one call of the program, for messages of one sender and of one of its calls. */
+/* Waits of one cause, in one call of the program, for messages of one call of the program. */
 struct wait_group {
     enum wait_cause cause;
     enum trace_state doing; /* late sender, late receiver: what the partner did */
     const char *call;       /* in which nodes waited: "crecv at ring.c:15 (main)" */
-    const char *partner;    /* "node 0"; "" */
     const char *sent;       /* the partner's call: "csend at ring.c:12 (main)"; "" */
-    int32_t type;           /* of the message, if has_type */
-    bool has_type;
-    bool leaves;   /* they waited until messages had left */
-    int32_t block; /* WAIT_CHANNEL: of the longest; else TRACE_NONE */
-    vtime idle, longest_block;
+    bool leaves;            /* they waited until messages had left */
+    bool has_type;          /* of the messages: from type to last_type */
+    int32_t type, last_type;
+    int32_t partner; /* into trace.nodes; TRACE_NONE: nobody, or a service */
+    bool partners;   /* there are others, too */
+    vtime idle, longest_idle;
+    int32_t longest; /* the longest wait */
+    int32_t block;   /* WAIT_CHANNEL: the longest; else TRACE_NONE */
+    vtime longest_block;
     uint64_t waits;
     int32_t nodes;     /* so many different ones waited */
     int32_t last_node; /* the last of them */

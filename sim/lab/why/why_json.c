@@ -95,7 +95,17 @@ static json_t *path(struct why *w, bool with_path)
 
 /* --- waits --- */
 
-static json_t *group(const struct wait_group *g)
+static json_t *longest(const struct why *w, const struct wait_group *g)
+{
+    json_t *o = json_object();
+    json_set(o, "wait", json_integer(g->longest));
+    json_set(o, "node", json_text(why_node_name(w, w->t->waits[g->longest].node)));
+    json_set(o, "begin_ps", ps(w->t->waits[g->longest].begin));
+    json_set(o, "idle_ps", ps(g->longest_idle));
+    return o;
+}
+
+static json_t *group(const struct why *w, const struct wait_group *g)
 {
     json_t *row = json_object();
     json_set(row, "cause", json_text(wait_cause_key(g->cause)));
@@ -105,11 +115,14 @@ static json_t *group(const struct wait_group *g)
     json_set(row, "waits", json_integer((json_int_t)g->waits));
     json_set(row, "nodes", json_integer(g->nodes));
     json_set(row, "in", json_text(g->call));
-    json_set(row, "partner", json_text(g->partner));
     json_set(row, "sent_by", json_text(g->sent));
     json_set(row, "until_left", json_boolean(g->leaves));
+    if (g->partner != TRACE_NONE && !g->partners)
+        json_set(row, "partner", json_text(why_node_name(w, g->partner)));
+    json_set(row, "several_partners", json_boolean(g->partners));
     if (g->has_type)
-        json_set(row, "type", json_integer(g->type));
+        json_set(row, "types", json_pack("[i,i]", (int)g->type, (int)g->last_type));
+    json_set(row, "longest", longest(w, g));
     return row;
 }
 
@@ -121,7 +134,7 @@ static json_t *waits(const struct why *w)
         json_set(causes, wait_cause_key((enum wait_cause)i), ps(w->causes.by_cause[i]));
     json_set(o, "by_cause_ps", causes);
     for (size_t i = 0; i < w->group_count; i++)
-        json_append(list, group(&w->groups[i]));
+        json_append(list, group(w, &w->groups[i]));
     json_set(o, "groups", list);
     return o;
 }

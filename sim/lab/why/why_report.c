@@ -1,7 +1,9 @@
 /* why_report.c - see why_report.h: sentences and tables. */
 #include "lab/why/why_report.h"
 #include <inttypes.h>
+#include <stdlib.h>
 #include <string.h>
+#include "kernel/xalloc.h"
 #include "lab/why/why_sentences.h"
 #include "lab/why/why_unit.h"
 
@@ -88,26 +90,45 @@ static void causes(struct why *w, FILE *f)
 }
 
 /* What a group's waits were for: "type 6 of node 0, from isend at a.c:3 (f)". */
-static void group_for(struct why *w, const struct wait_group *g, FILE *f)
+static void group_partner(struct why *w, const struct wait_group *g, FILE *f)
+{
+    const char *partner = g->partners                ? "several nodes"
+                          : g->partner == TRACE_NONE ? "a service"
+                                                     : why_node_name(w, g->partner);
+    if (g->leaves)
+        fprintf(f, ", for messages to %s to leave", partner);
+    else if (g->has_type && g->type == g->last_type)
+        fprintf(f, ", for type %" PRId32 " of %s", g->type, partner);
+    else if (g->has_type)
+        fprintf(f, ", for types %" PRId32 " to %" PRId32 " of %s", g->type, g->last_type, partner);
+    if (*g->sent)
+        fprintf(f, ", from %s", g->sent);
+}
+
+static void group_block(struct why *w, const struct wait_group *g, FILE *f)
 {
     char channel[80];
+    int32_t holder = w->holder[g->block];
+    fprintf(f, "\n      longest at the channel %s",
+            trace_channel_name(w->t, w->t->blocks[g->block].channel, channel, sizeof channel));
+    if (holder != TRACE_NONE)
+        fprintf(f, ", held by type %" PRId32 " from %s to %s", w->t->messages[holder].type,
+                why_node_name(w, w->t->messages[holder].from), why_node_name(w, w->t->messages[holder].to));
+}
+
+static void group_for(struct why *w, const struct wait_group *g, FILE *f)
+{
+    struct why_unit u = why_unit_for(w->length);
+    const struct trace_wait *longest = &w->t->waits[g->longest];
     if (g->cause == WAIT_LATE_SENDER || g->cause == WAIT_LATE_RECEIVER)
         fprintf(f, " (partner %s)",
                 g->doing == TRACE_WAITING ? "waiting itself" : trace_state_name(g->doing));
     fprintf(f, "\n      in %s", g->call);
-    if (g->leaves)
-        fprintf(f, ", for messages to %s to leave", *g->partner ? g->partner : "a service");
-    else if (g->has_type)
-        fprintf(f, ", for type %" PRId32 " of %s%s%s", g->type, *g->partner ? g->partner : "a service",
-                *g->sent ? ", from " : "", g->sent);
-    if (g->block == TRACE_NONE)
-        return;
-    int32_t holder = w->holder[g->block];
-    fprintf(f, "\n      longest at %s",
-            trace_channel_name(w->t, w->t->blocks[g->block].channel, channel, sizeof channel));
-    if (holder != TRACE_NONE)
-        fprintf(f, ", which type %" PRId32 " from %s to %s held", w->t->messages[holder].type,
-                why_node_name(w, w->t->messages[holder].from), why_node_name(w, w->t->messages[holder].to));
+    group_partner(w, g, f);
+    fprintf(f, "\n      longest %s, on %s, from %s on", why_time(why_unit_for(g->longest_idle), g->longest_idle).text,
+            why_node_name(w, longest->node), why_time(u, longest->begin).text);
+    if (g->block != TRACE_NONE)
+        group_block(w, g, f);
 }
 
 static void groups(struct why *w, const struct why_report_options *o, FILE *f)
@@ -128,21 +149,26 @@ static void groups(struct why *w, const struct why_report_options *o, FILE *f)
 
 /* --- other runs --- */
 
+static void show_rerun(struct why_unit u, const struct rerun *x, vtime before, FILE *f)
+{
+    struct why_text now = why_time(u, x->end), then = why_time(u, before);
+    if (!x->done)
+        fprintf(f, "  no answer %s: %s\n", x->what, x->error);
+    else if (x->end == before)
+        fprintf(f, "  would still take %s %s\n", now.text, x->what);
+    else
+        fprintf(f, "  would take %s instead of %s (%s times %s) %s\n", now.text, then.text,
+                (x->end < before ? why_faster(before, x->end) : why_faster(x->end, before)).text,
+                x->end < before ? "faster" : "slower", x->what);
+}
+
+/* The first is the run as it was, and takes the time of the trace. */
 static void show_reruns(struct why *w, const struct reruns *r, FILE *f)
 {
     struct why_unit u = why_unit_for(w->t->end);
-    fprintf(f, "\nRun again, exactly: %s now\n", why_time(u, w->t->end).text);
-    for (size_t i = 0; i < r->count; i++) {
-        const struct rerun *x = &r->list[i];
-        if (!x->done)
-            fprintf(f, "  %s: %s\n", x->what, x->error);
-        else if (x->end <= w->t->end)
-            fprintf(f, "  would take %s instead of %s (%s times faster) %s\n", why_time(u, x->end).text,
-                    why_time(u, w->t->end).text, why_faster(w->t->end, x->end).text, x->what);
-        else
-            fprintf(f, "  would take %s instead of %s (%s times slower) %s\n", why_time(u, x->end).text,
-                    why_time(u, w->t->end).text, why_faster(x->end, w->t->end).text, x->what);
-    }
+    fprintf(f, "Run again with numbers of the machine changed, the program\n");
+    for (size_t i = 1; i < r->count; i++)
+        show_rerun(u, &r->list[i], w->t->end, f);
 }
 
 static double seconds_more(vtime a, vtime b)
@@ -150,25 +176,39 @@ static double seconds_more(vtime a, vtime b)
     return a >= b ? vt_seconds(a - b) : -vt_seconds(b - a);
 }
 
-/* The other run's path beside this one's. */
-static void compare(struct why *w, struct why *than, FILE *f)
+/* The class of which this run's path has most more than the other's. */
+static enum why_class grown(const struct why *w, const struct why *than)
 {
-    char text[400];
     int most = 0;
     for (int i = 1; i < WHY_CLASSES; i++)
         if (seconds_more(w->by_class[i], than->by_class[i]) >
             seconds_more(w->by_class[most], than->by_class[most]))
             most = i;
-    double longer = seconds_more(w->length, than->length),
-           of_it = seconds_more(w->by_class[most], than->by_class[most]);
-    snprintf(text, sizeof text,
-             "%s, with %" PRId32
-             " nodes, took %.6g s: this run took %.6g s %s. On the critical path, %s grew most: by "
-             "%.6g s.",
-             than->t->path, than->t->node_count, vt_seconds(than->length), longer < 0 ? -longer : longer,
-             longer < 0 ? "less" : "more", why_class_subject((enum why_class)most), of_it);
-    fputc('\n', f);
-    paragraph(text, f);
+    return (enum why_class)most;
+}
+
+/* How the other run differs, in a sentence. */
+static void say_difference(struct why *w, struct why *than, FILE *f)
+{
+    double longer = seconds_more(w->length, than->length);
+    enum why_class most = grown(w, than);
+    double more_of_it = seconds_more(w->by_class[most], than->by_class[most]);
+    char *text =
+        xasprintf("The run of %s, on %" PRId32 " node%s, took %.6g s. This one took %.6g s %s.",
+                  than->t->path, than->t->node_count, than->t->node_count == 1 ? "" : "s",
+                  vt_seconds(than->length), longer < 0 ? -longer : longer, longer < 0 ? "less" : "more");
+    char *grew = xasprintf("%s On the critical path, %s grew most: by %.6g s, from %.6g s to %.6g s.", text,
+                           why_class_subject(most), more_of_it, vt_seconds(than->by_class[most]),
+                           vt_seconds(w->by_class[most]));
+    paragraph(longer > 0 && more_of_it > 0 ? grew : text, f);
+    free(text);
+    free(grew);
+}
+
+/* The other run's path beside this one's. */
+static void compare(struct why *w, struct why *than, FILE *f)
+{
+    say_difference(w, than, f);
     fprintf(f, "%-28s %14s %14s %14s\n", "Critical path, s", "this run", "the other", "more");
     for (int i = 0; i < WHY_CLASSES; i++)
         if (w->by_class[i] || than->by_class[i])
@@ -176,7 +216,7 @@ static void compare(struct why *w, struct why *than, FILE *f)
                     vt_seconds(w->by_class[i]), vt_seconds(than->by_class[i]),
                     seconds_more(w->by_class[i], than->by_class[i]));
     fprintf(f, "  %-26s %14.6f %14.6f %+14.6f\n", "all", vt_seconds(w->length), vt_seconds(than->length),
-            longer);
+            seconds_more(w->length, than->length));
 }
 
 void why_report(struct why *w, const struct why_report_options *o, FILE *f)
@@ -186,11 +226,9 @@ void why_report(struct why *w, const struct why_report_options *o, FILE *f)
         paragraph(*p, f);
     why_sentences_free(paragraphs);
     if (o->than)
-        compare(w, o->than, f);
+        compare(w, o->than, f), fputc('\n', f);
     if (o->reruns)
-        show_reruns(w, o->reruns, f);
-    if (o->than || o->reruns)
-        fputc('\n', f);
+        show_reruns(w, o->reruns, f), fputc('\n', f);
     classes(w, f);
     for (int s = 0; s < WHY_SHARES; s++)
         shares(w, (enum why_share)s, o, f);

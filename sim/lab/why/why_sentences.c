@@ -120,10 +120,10 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
     };
     fprintf(f, "%s%s (%s) %s", first ? "" : "; ", time.text, share.text, WORDS[class]);
     if (class == WHY_HANDLERS) {
-        fprintf(f, ": %" PRIu64 " of them interrupted it", handlers_on(w, p->node));
+        fprintf(f, ", %s of them", why_count(handlers_on(w, p->node)).text);
         name_functions(w, p, class, ", most of that time in ", f);
     } else if (class == WHY_COMPUTING) {
-        name_functions(w, p, class, ", most of it up to calls in ", f);
+        name_functions(w, p, class, ", most of it up to calls and interrupts in ", f);
     }
 }
 
@@ -169,8 +169,8 @@ static void path(struct why *w, FILE *f)
         fprintf(
             f,
             "The critical path, which leads from the end of the run back to its start along what had to happen "
-            "first, goes %zu times from one node to another; the largest part of it, %s, is %s's. On it, ",
-            w->path.jumps, why_percent(time, w->length).text, why_node_name(w, node));
+            "first, goes %s times from one node to another; the largest part of it, %s, is %s's. On it, ",
+            why_count(w->path.jumps).text, why_percent(time, w->length).text, why_node_name(w, node));
     }
     say_classes(w, &p, f);
 }
@@ -250,7 +250,7 @@ static const char *cause_words(enum wait_cause cause, enum trace_state doing)
     if (cause == WAIT_LATE_SENDER && doing == TRACE_COMPUTING)
         return "the sender still computed";
     if (cause == WAIT_LATE_SENDER && doing == TRACE_WAITING)
-        return "the sender itself waited";
+        return "the sender waited itself (for what, the critical path tells)";
     return WORDS[cause];
 }
 
@@ -269,7 +269,7 @@ static int by_idle(const void *a, const void *b)
 }
 
 /* Why nodes waited for the partner (TRACE_NONE: for anybody), the longest first. */
-static void say_reasons(const struct why *w, int32_t partner, vtime all, FILE *f)
+static void say_reasons(const struct why *w, int32_t partner, vtime all, const char *of, FILE *f)
 {
     struct reason reasons[WAIT_CAUSES * TRACE_STATES];
     for (int i = 0; i < WAIT_CAUSES * TRACE_STATES; i++)
@@ -282,7 +282,7 @@ static void say_reasons(const struct why *w, int32_t partner, vtime all, FILE *f
     }
     qsort(reasons, WAIT_CAUSES * TRACE_STATES, sizeof *reasons, by_idle);
     for (int i = 0; i < 4 && worth_a_word(reasons[i].idle, all); i++)
-        fprintf(f, "%s%s of it because %s", i ? ", " : "", why_percent(reasons[i].idle, all).text,
+        fprintf(f, "%s%s%s because %s", i ? ", " : "", why_percent(reasons[i].idle, all).text, of,
                 cause_words(reasons[i].cause, reasons[i].doing));
 }
 
@@ -324,7 +324,8 @@ static void waiting(struct why *w, FILE *f)
                 why_percent(for_one, w->causes.idle).text);
     else
         fputs(" Of that, ", f);
-    say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle, f);
+    say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle,
+                mainly ? " of it" : "", f);
     fputc('.', f);
 }
 
