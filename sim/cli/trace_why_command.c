@@ -110,12 +110,13 @@ static int failed(char *error, int status)
     return status;
 }
 
+/* The path needs all nodes: --nodes is for the waits. */
 static struct why *why_of(const char *path, const struct trace_selection *select)
 {
     char *error = NULL;
-    struct trace *t = trace_load(path, select, &error);
+    struct trace *t = trace_load(path, &(struct trace_selection){select->from, select->to, NULL, 0}, &error);
     if (t && t->to > t->from)
-        return why_new(t);
+        return why_new(t, &(struct wait_nodes){select->nodes, select->node_count});
     failed(error ? error : xasprintf("%s: nothing of the run lies in that time", path), 0);
     trace_free(t);
     return NULL;

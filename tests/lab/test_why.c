@@ -22,7 +22,7 @@ static struct found find(const struct trace *t)
 {
     struct found f = {.map = piece_map_new(t), .enders = wait_enders_new(t)};
     f.path = path_find(t, &f.map, &f.enders);
-    f.causes = wait_causes_find(t, &f.map, &f.enders);
+    f.causes = wait_causes_find(t, &f.map, &f.enders, NULL);
     return f;
 }
 

@@ -129,7 +129,7 @@ static void go_on_at(struct walk *w, int32_t node)
     w->path.jumps += node != w->node;
     w->node = node;
     w->due.message = w->inside = TRACE_NONE;
-    const struct trace_piece *p = w->t->nodes[node].traced ? piece_map_before(w->map, node, w->at) : NULL;
+    const struct trace_piece *p = piece_map_before(w->map, node, w->at);
     if (p && p->in_handler)
         w->inside = p->handler;
 }
@@ -149,7 +149,8 @@ static void along_message(struct walk *w, int32_t message, bool leaves, int32_t 
         s.message = leg->message, s.block = leg->block, s.call = call;
         add(w, leg->begin, s);
     }
-    go_on_at(w, w->way.node == TRACE_NONE ? w->node : w->way.node);
+    int32_t sender = w->way.node;
+    go_on_at(w, sender == TRACE_NONE || !w->t->nodes[sender].traced ? w->node : sender);
 }
 
 /* Goes back over a whole wait of which no more is known. */
@@ -187,10 +188,6 @@ static int32_t wait_ending_here(const struct walk *w, const struct trace_piece *
 
 static void go_back(struct walk *w)
 {
-    if (!w->t->nodes[w->node].traced) {
-        add(w, w->t->from, step_of(WHY_ABSENT, w->node));
-        return;
-    }
     leave_handler(w);
     /* Events of one time may lead in a circle, since their order is not in the trace. */
     bool may_jump = w->jumps_here <= w->t->node_count;

@@ -8,6 +8,9 @@
  *  - A message that a handler sent leads through the handler to the moment at which the handler was due, and from
  *    there along the message that made it due. A handler that only delayed the program leads to the program.
  *
+ * Of nodes that are not in the trace nothing is known: the path stays on those that are, and has such waits as
+ * WHY_WAITING.
+ *
  * The steps fill the trace's time, from trace.from to trace.to, without gap or overlap. */
 #ifndef LAB_WHY_CRITICAL_PATH_H
 #define LAB_WHY_CRITICAL_PATH_H

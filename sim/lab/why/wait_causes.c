@@ -17,7 +17,7 @@ static const struct {
     [WAIT_MESSAGE] = {"message handled", "message_handled"},
     [WAIT_DISK] = {"disk", "disk"},
     [WAIT_NEVER] = {"nothing came", "nothing_came"},
-    [WAIT_UNKNOWN] = {"unknown", "unknown"},
+    [WAIT_UNKNOWN] = {"services, or unknown", "unknown"},
 };
 
 const char *wait_cause_name(enum wait_cause c)
@@ -230,6 +230,12 @@ static void add_parts(struct division *d)
                                                    .idle = d->idle[cause][doing]});
 }
 
+static bool lasts_to_the_end(const struct trace *t, const struct trace_wait *w)
+{
+    const struct trace_call *c = &t->calls[w->call];
+    return (c->unfinished && w->end >= c->end) || w->end > t->to;
+}
+
 static void divide(struct division *d, int32_t wait)
 {
     const struct trace_wait *w = &d->t->waits[wait];
@@ -244,7 +250,7 @@ static void divide(struct division *d, int32_t wait)
     else if (e.message != TRACE_NONE)
         along_way(d, &e);
     else
-        charge(d, c->unfinished && w->end >= c->end ? WAIT_NEVER : WAIT_UNKNOWN, w->begin, w->end);
+        charge(d, lasts_to_the_end(d->t, w) ? WAIT_NEVER : WAIT_UNKNOWN, w->begin, w->end);
     add_parts(d);
 }
 
@@ -265,12 +271,13 @@ static void check(const struct wait_causes *c)
     (void)sum;
 }
 
-struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map, const struct wait_enders *e)
+struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map, const struct wait_enders *e,
+                                    const struct wait_nodes *only)
 {
     struct wait_causes causes = {0};
     struct division d = {.t = t, .map = map, .enders = e, .causes = &causes};
     for (int32_t i = 0; i < t->node_count; i++)
-        if (t->nodes[i].traced)
+        if (t->nodes[i].traced && (!only || !only->list || ((uint32_t)i < only->count && only->list[i])))
             divide_node(&d, i);
     free(d.way.legs);
     free(d.rests);

@@ -17,8 +17,8 @@ enum wait_cause {
     WAIT_NETWORK,       /* the message, its request or its clear to send was on its way */
     WAIT_MESSAGE,       /* the partner's system worked for the message itself */
     WAIT_DISK,          /* the call waited for the file system */
-    WAIT_NEVER,         /* nothing ended the wait: it lasted to the end of the run */
-    WAIT_UNKNOWN,       /* the trace does not say */
+    WAIT_NEVER,         /* nothing ended the wait: it lasted to the end of the run, or of the trace */
+    WAIT_UNKNOWN, /* the call waited for a service (load, getcube), or the trace does not say for what */
     WAIT_CAUSES
 };
 
@@ -41,9 +41,15 @@ struct wait_causes {
     vtime by_cause[WAIT_CAUSES];
 };
 
-/* Divides all waits of all traced nodes. free(causes.parts) in the end. */
-struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map,
-                                    const struct wait_enders *e);
+/* Whose waits count: by number, `count` of them; list NULL: all nodes'. */
+struct wait_nodes {
+    const bool *list;
+    uint32_t count;
+};
+
+/* Divides the waits of the traced nodes; only NULL: of all. free(causes.parts) in the end. */
+struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map, const struct wait_enders *e,
+                                    const struct wait_nodes *only);
 
 /* "late sender", "channel busy" ...; and as a key of JSON: "late_sender". */
 const char *wait_cause_name(enum wait_cause c);

@@ -45,7 +45,8 @@ struct why {
     struct places *places;
     struct path path;
     struct wait_causes causes;
-    vtime length; /* of the path: the trace's time */
+    bool some_nodes; /* not all nodes' waits are in causes */
+    vtime length;    /* of the path: the trace's time */
     vtime by_class[WHY_CLASSES];
     struct tally shares[WHY_SHARES];
     struct wait_group *groups; /* the longest first */
@@ -53,8 +54,8 @@ struct why {
     int32_t *holder; /* by block: the message that held the channel at the block's end; TRACE_NONE */
 };
 
-/* Takes over the trace. */
-struct why *why_new(struct trace *t);
+/* Takes over the trace. only: whose waits count; NULL: all nodes'. */
+struct why *why_new(struct trace *t, const struct wait_nodes *only);
 void why_free(struct why *w);
 
 /* "node 3"; "network" for TRACE_NONE. */

@@ -13,7 +13,7 @@ static const struct {
     [WHY_CHANNEL] = {"channel busy", "channel", "contention for channels"},
     [WHY_GRANT] = {"late receiver", "late_receiver", "waiting for late receivers"},
     [WHY_FILES] = {"files", "files", "waiting for files"},
-    [WHY_WAITING] = {"waiting, unknown for what", "waiting", "the other waits"},
+    [WHY_WAITING] = {"services, or unknown", "waiting", "waiting for services"},
     [WHY_ABSENT] = {"no program", "absent", "time without a program"},
 };
 

@@ -13,7 +13,7 @@ enum why_class {
     WHY_CHANNEL,   /* the message waits for a channel that another message holds */
     WHY_GRANT,     /* the message waits for its receiver: for the clear to send */
     WHY_FILES,     /* a call waits for the file system */
-    WHY_WAITING,   /* a call waits, and the trace does not say for what */
+    WHY_WAITING,   /* a call waits for a service (load, getcube), or the trace does not say for what */
     WHY_ABSENT,    /* the node had no program, or is not in the trace */
     WHY_CLASSES
 };

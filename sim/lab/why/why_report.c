@@ -79,7 +79,8 @@ static void shares(struct why *w, enum why_share s, const struct why_report_opti
 static void causes(struct why *w, FILE *f)
 {
     struct why_unit u = why_unit_for(w->causes.idle);
-    fprintf(f, "\nWaits of all nodes, by cause %11s %7s\n", u.name, "%");
+    fprintf(f, "\nWaits of %s nodes, by cause %*s %7s\n", w->some_nodes ? "some" : "all",
+            w->some_nodes ? 10 : 11, u.name, "%");
     for (int i = 0; i < WAIT_CAUSES; i++)
         if (w->causes.by_cause[i])
             fprintf(f, "  %-24s %13s %7.2f\n", wait_cause_name((enum wait_cause)i),
@@ -125,8 +126,9 @@ static void group_for(struct why *w, const struct wait_group *g, FILE *f)
                 g->doing == TRACE_WAITING ? "waiting itself" : trace_state_name(g->doing));
     fprintf(f, "\n      in %s", g->call);
     group_partner(w, g, f);
-    fprintf(f, "\n      longest %s, on %s, from %s on", why_time(why_unit_for(g->longest_idle), g->longest_idle).text,
-            why_node_name(w, longest->node), why_time(u, longest->begin).text);
+    fprintf(f, "\n      longest %s, on %s, from %s on",
+            why_time(why_unit_for(g->longest_idle), g->longest_idle).text, why_node_name(w, longest->node),
+            why_time(u, longest->begin).text);
     if (g->block != TRACE_NONE)
         group_block(w, g, f);
 }

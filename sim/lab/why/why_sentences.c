@@ -29,20 +29,47 @@ static struct why_text capital(const char *name)
     return x;
 }
 
+/* A node in a sentence: "node 3", "the host". */
+static const char *node_words(const struct why *w, int32_t node)
+{
+    return strcmp(why_node_name(w, node), "host") ? why_node_name(w, node) : "the host";
+}
+
 /* --- what it is about --- */
+
+/* "8 nodes of ipsc860 and its host": those that had a program. */
+static void where(const struct trace *t, FILE *f)
+{
+    int32_t nodes = 0;
+    bool host = false;
+    for (int32_t i = 0; i < t->node_count; i++) {
+        bool is_host = !strcmp(t->nodes[i].name, "host");
+        host = host || is_host;
+        nodes += !is_host && (t->nodes[i].end > 0 || !t->nodes[i].traced);
+    }
+    fprintf(f, "%" PRId32 " node%s of %s%s", nodes, nodes == 1 ? "" : "s", t->machine,
+            host ? " and its host" : "");
+}
 
 static void about(struct why *w, FILE *f)
 {
     const struct trace *t = w->t;
     struct why_unit u = why_unit_for(t->end);
-    fprintf(f, "%s took %s on %" PRId32 " node%s of %s.", base_name(t->program), why_time(u, t->end).text,
-            t->node_count, t->node_count == 1 ? "" : "s", t->machine);
+    fprintf(f, "%s took %s on ", base_name(t->program), why_time(u, t->end).text);
+    where(t, f);
+    fputc('.', f);
     if (t->from || t->to < t->end)
         fprintf(f, " This is about the part from %s to %s.", why_time(u, t->from).text,
                 why_time(u, t->to).text);
     if (!t->complete)
         fprintf(f, " The trace ends early: the run was killed, and what it would have done is not known.");
-    int32_t stuck = 0;
+    int32_t stuck = 0, untraced = 0;
+    for (int32_t i = 0; i < t->node_count; i++)
+        untraced += !t->nodes[i].traced;
+    if (untraced)
+        fprintf(f,
+                " The trace has only %" PRId32 " of its %" PRId32 " nodes: what the others did is not known.",
+                t->node_count - untraced, t->node_count);
     for (int32_t i = 0; i < t->call_count; i++)
         stuck += t->calls[i].unfinished;
     if (t->complete && stuck && t->to == t->end)
@@ -115,7 +142,7 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
         [WHY_CHANNEL] = "messages waited for channels that others held",
         [WHY_GRANT] = "long messages waited for late receivers",
         [WHY_FILES] = "went into waiting for files",
-        [WHY_WAITING] = "went into waits whose cause the trace does not have",
+        [WHY_WAITING] = "went into waiting for a service, or for what the trace does not have",
         [WHY_ABSENT] = "no program was there",
     };
     fprintf(f, "%s%s (%s) %s", first ? "" : "; ", time.text, share.text, WORDS[class]);
@@ -163,14 +190,14 @@ static void path(struct why *w, FILE *f)
             f,
             "%s decides how long that is. The critical path, which leads from the end of the run back to its start "
             "along what had to happen first, is %s's time for %s, %s of it. There, ",
-            capital(why_node_name(w, node)).text, why_node_name(w, node), why_time(u, time).text,
+            capital(node_words(w, node)).text, node_words(w, node), why_time(u, time).text,
             why_percent(time, w->length).text);
     } else if (w->t->node_count > 1) {
         fprintf(
             f,
             "The critical path, which leads from the end of the run back to its start along what had to happen "
             "first, goes %s times from one node to another; the largest part of it, %s, is %s's. On it, ",
-            why_count(w->path.jumps).text, why_percent(time, w->length).text, why_node_name(w, node));
+            why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
     }
     say_classes(w, &p, f);
 }
@@ -194,13 +221,13 @@ static void cause(struct why *w, FILE *f)
             f,
             "So computing is the cause, and nothing else: the run becomes shorter only with less of it%s%s, or "
             "with a faster processor.",
-            one ? " on " : " on the path", one ? why_node_name(w, node) : "");
+            one ? " on " : " on the path", one ? node_words(w, node) : "");
     } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
         fprintf(
             f,
             "So what keeps %s from its own work is serving the others: their messages take %s from it, %s of its "
             "time, and %s are the larger part of that.",
-            why_node_name(w, node), why_time(u, served).text, why_percent(served, p.time).text,
+            node_words(w, node), why_time(u, served).text, why_percent(served, p.time).text,
             p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "its handlers" : "the interrupts of its system");
     } else {
         fprintf(f, "So, besides computing, the largest cause is this: %s, with %s of the path.",
@@ -244,8 +271,8 @@ static const char *cause_words(enum wait_cause cause, enum trace_state doing)
         [WAIT_NETWORK] = "the message was on its way",
         [WAIT_MESSAGE] = "the partner's system handled the message",
         [WAIT_DISK] = "the file system was not done",
-        [WAIT_NEVER] = "nothing came until the end of the run",
-        [WAIT_UNKNOWN] = "of something that the trace does not have",
+        [WAIT_NEVER] = "nothing came until the end",
+        [WAIT_UNKNOWN] = "a service was not done, or the trace does not have it",
     };
     if (cause == WAIT_LATE_SENDER && doing == TRACE_COMPUTING)
         return "the sender still computed";
@@ -306,6 +333,8 @@ static void waiting(struct why *w, FILE *f)
     struct why_unit u = why_unit_for(w->length);
     vtime part, for_one, idle;
     int32_t node, partner = awaited(w, &for_one);
+    if (w->some_nodes)
+        return; /* the tables are about some nodes, the sentences about all */
     bool one = one_decides(w, &node, &part);
     vtime all = time_of_others(w, one ? node : TRACE_NONE, &idle);
     if (!worth_a_word(idle, all)) {
@@ -320,7 +349,7 @@ static void waiting(struct why *w, FILE *f)
                 why_time(u, idle).text);
     bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
     if (mainly)
-        fprintf(f, " They waited for %s: %s of all waiting, ", why_node_name(w, partner),
+        fprintf(f, " They waited for %s: %s of all waiting, ", node_words(w, partner),
                 why_percent(for_one, w->causes.idle).text);
     else
         fputs(" Of that, ", f);
@@ -338,7 +367,7 @@ static void what_if(struct why *w, FILE *f)
     for (int n = 0; n < 3; n++) {
         int most = -1;
         for (int i = 0; i < WHY_CLASSES; i++)
-            if (!said[i] && worth_a_word(w->by_class[i], w->length) &&
+            if (!said[i] && i != WHY_ABSENT && i != WHY_WAITING && worth_a_word(w->by_class[i], w->length) &&
                 (most < 0 || w->by_class[i] > w->by_class[most]))
                 most = i;
         if (most < 0)
