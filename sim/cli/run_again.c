@@ -6,7 +6,8 @@
 #include "cli/commands.h"
 #include "kernel/xalloc.h"
 
-/* A machine file that is named relative to the folder of the run, as a path from here; or its name. malloc'd. */
+/* A machine file that is named relative to the folder of the run, as a path from here; or its name.
+ * malloc'd. */
 static char *machine_of(const struct trace *t, const char *machine)
 {
     size_t n = strlen(machine);

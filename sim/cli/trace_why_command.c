@@ -36,27 +36,29 @@ static const struct argp_option OPTIONS[] = {
     {"output", 'o', "FILE", 0, "Write into FILE; default standard output", 0},
     {NULL, 0, NULL, 0, "What if (runs the program again; it writes its own files again, too):", 2},
     {"rerun", CLI_FLAG(arguments, rerun), NULL, 0,
-     "Run again with handlers' interrupts, messages, calls, network, contention, disks or computing made free",
-     0},
+     "Run again with interrupts, messages, calls, network, contention, disks or computing made free", 0},
     {"set", SET, "KEY=VALUE", 0,
-     "Run again with this value for a key of the machine file, such as system.interrupt_us=0; may be repeated",
+     "Run again with a value for a key of the machine file, such as system.interrupt_us=0; may be repeated",
      0},
     {"cpu", CPU, "TIMES", 0, "Run again with processors that compute so many times faster", 0},
     {0}};
 
 static const char DOC[] =
-    "Says why a run took its time, from the trace that touchstone run --trace FILE wrote: in sentences, then in "
-    "tables.\n\n"
-    "The critical path leads from the end of the run back to its start: along a node's time, and where the node "
-    "waited, along the message that ended the wait, to its sender. Its steps fill the time of the run. Only what is on "
-    "the path can make the run shorter. A share of the path is what a class of work can save at most.\n\n"
-    "The waits of all nodes are divided by cause, to the picosecond: late sender (the message had not been sent), late "
-    "receiver (a long message had to wait for its receive), channel busy, handler busy (the partner was in a handler), "
-    "processor stolen (a processor was busy with other messages), disk, and the message's own way.\v"
-    "With --rerun, --set or --cpu the command of the trace runs again in its folder, with numbers of the machine "
-    "changed: exact answers. First it runs unchanged; if it takes another time than the trace says, the program "
-    "or its input has changed, and trace why stops. /cfs is a copy.\n\n"
-    "Computing counts for the function in which it ends: where the next call is, or a handler interrupts it.\n\n"
+    "Says why a run took its time, from the trace that touchstone run --trace FILE wrote: in sentences, then "
+    "in tables.\n\n"
+    "The critical path leads from the end of the run back to its start: along a node's time, and where the "
+    "node waited, along the message that ended the wait, to its sender. Its steps fill the time of the run. "
+    "Only what is on the path can make the run shorter: its share is what a class of work can save at "
+    "most.\n\n"
+    "The waits of all nodes are divided by cause, to the picosecond: late sender (the message had not been "
+    "sent), late receiver (a long message had to wait for its receive), channel busy, handler busy (the "
+    "partner was in a handler), processor stolen (a processor was busy with other messages), disk, and the "
+    "message's own way. With --nodes, those of some nodes.\v"
+    "With --rerun, --set or --cpu the command of the trace runs again in its folder, with numbers of the "
+    "machine changed: exact answers. First it runs unchanged; if it takes another time than the trace says, "
+    "the program or its input has changed, and trace why stops. /cfs is a copy.\n\n"
+    "Computing counts for the function in which it ends: where the next call is, or a handler interrupts "
+    "it.\n\n"
     "Exit status:\n"
     "  0   done\n"
     "  64  wrong arguments\n"

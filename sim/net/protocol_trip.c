@@ -53,8 +53,8 @@ static void pio_receive(void *ctx, void *arg, vtime now)
     m->trip->at_receiver = protocol_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
-/* Does the tail come with the first byte, since the network takes no time for bytes? The event of the tail's passing is
- * the earlier one then. */
+/* Does the tail come with the first byte, since the network takes no time for bytes? The event of the
+ * tail's passing is the earlier one then. */
 static bool comes_at_once(const struct protocol *p, const struct trip *t)
 {
     return t->transit.duration == protocol_latency(p, t->m);

@@ -1,5 +1,5 @@
-/* test_why.c - the critical path and the causes of waits: of traces whose answers are known, of random programs
- * whose longest path is found by trying all paths, and of random traces. */
+/* test_why.c - the critical path and the causes of waits: of traces whose answers are known, of random
+ * programs whose longest path is found by trying all paths, and of random traces. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -37,8 +37,8 @@ static int32_t first_at(const struct search *s, uint32_t channel, vtime t)
     return low;
 }
 
-/* A message held a channel: is it what ended a block last? Blocks of one channel end one after the other, each when
- * its holder gives the channel back: so only the next blocks can be concerned. */
+/* A message held a channel: is it what ended a block last? Blocks of one channel end one after the other,
+ * each when its holder gives the channel back: so only the next blocks can be concerned. */
 static void held(void *ctx, uint32_t channel, int32_t message, vtime begin, vtime end)
 {
     struct search *s = ctx;

@@ -134,7 +134,8 @@ static void go_on_at(struct walk *w, int32_t node)
         w->inside = p->handler;
 }
 
-/* Jumps along a message that has arrived (or left) now. `call` is the call that waited for it, or TRACE_NONE. */
+/* Jumps along a message that has arrived (or left) now. `call` is the call that waited for it, or
+ * TRACE_NONE. */
 static void along_message(struct walk *w, int32_t message, bool leaves, int32_t call)
 {
     w->jumps_here++;

@@ -1,15 +1,17 @@
-/* critical_path.h - the critical path of a run: what its time was needed for, from its end back to its start.
+/* critical_path.h - the critical path of a run: what its time was needed for, from its end back to its
+ * start.
  *
- * The path begins at the node that ended last, and goes back in that node's time: computing, calls, handlers,
- * the system. Where the node waited, the path jumps from the end of the wait, along the message that ended it
- * (message_way.h), to the call that sent the message, and goes on there. Two more rules:
- *  - A long message whose receiver let it wait leads to the receiver, at the moment of the clear to send: not
- *    the sender was late.
- *  - A message that a handler sent leads through the handler to the moment at which the handler was due, and from
- *    there along the message that made it due. A handler that only delayed the program leads to the program.
+ * The path begins at the node that ended last, and goes back in that node's time: computing, calls,
+ * handlers, the system. Where the node waited, the path jumps from the end of the wait, along the message
+ * that ended it (message_way.h), to the call that sent the message, and goes on there. Two more rules:
+ *  - A long message whose receiver let it wait leads to the receiver, at the moment of the clear to send:
+ *    not the sender was late.
+ *  - A message that a handler sent leads through the handler to the moment at which the handler was due,
+ *    and from there along the message that made it due. A handler that only delayed the program leads to
+ *    the program.
  *
- * Of nodes that are not in the trace nothing is known: the path stays on those that are, and has such waits as
- * WHY_WAITING.
+ * Of nodes that are not in the trace nothing is known: the path stays on those that are, and has such waits
+ * as WHY_WAITING.
  *
  * The steps fill the trace's time, from trace.from to trace.to, without gap or overlap. */
 #ifndef LAB_WHY_CRITICAL_PATH_H

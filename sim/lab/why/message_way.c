@@ -50,8 +50,8 @@ static void go_through_channels(struct walk *w)
     go_to(w, m->entered, WHY_NETWORK, TRACE_NONE, TRACE_NONE);
 }
 
-/* Did the receiver's system answer the request as soon as it could? Otherwise the clear to send waited for the
- * receiver's program. */
+/* Did the receiver's system answer the request as soon as it could? Otherwise the clear to send waited for
+ * the receiver's program. */
 static bool answered_at_once(const struct walk *w)
 {
     const struct trace_message *m = w->m;

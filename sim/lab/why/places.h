@@ -1,5 +1,5 @@
-/* places.h - where in the program, as text. Each different text is made once: equal texts have equal addresses, and
- * last until places_free(). */
+/* places.h - where in the program, as text. Each different text is made once: equal texts have equal
+ * addresses, and last until places_free(). */
 #ifndef LAB_WHY_PLACES_H
 #define LAB_WHY_PLACES_H
 #include "lab/trace/trace_model.h"
@@ -9,8 +9,8 @@ struct places;
 struct places *places_new(const struct trace *t);
 void places_free(struct places *p);
 
-/* "slices.c:88 (slices_prepare)", "slices_prepare"; "" if nothing is known: the innermost frame that is not the
- * library's. stack: TRACE_NONE is allowed. */
+/* "slices.c:88 (slices_prepare)", "slices_prepare"; "" if nothing is known: the innermost frame that is not
+ * the library's. stack: TRACE_NONE is allowed. */
 const char *places_line(struct places *p, int32_t stack);
 /* "slices_prepare"; "". */
 const char *places_function(struct places *p, int32_t stack);

@@ -1,9 +1,11 @@
-/* rerun.h - runs the command of a trace again, with other numbers of the machine: what if some of its work took no
- * time? Unlike an estimate from the critical path, that is exact: all that follows from the change is in it.
+/* rerun.h - runs the command of a trace again, with other numbers of the machine: what if some of its work
+ * took no time? Unlike an estimate from the critical path, that is exact: all that follows from the change
+ * is in it.
  *
- * Every re-run is a child process touchstone run in the folder of the first run. The first one is the command as it
- * was. If that does not take the time of the trace, then the program, its input or the machine file is another now,
- * and nothing can be said. Each re-run has a copy of the folder for /cfs, if the command names one. */
+ * Every re-run is a child process touchstone run in the folder of the first run. The first one is the
+ * command as it was. If that does not take the time of the trace, then the program, its input or the
+ * machine file is another now, and nothing can be said. Each re-run has a copy of the folder for /cfs, if
+ * the command names one. */
 #ifndef LAB_WHY_RERUN_H
 #define LAB_WHY_RERUN_H
 #include <stdio.h>
@@ -40,8 +42,8 @@ struct rerun_options {
     FILE *progress;
 };
 
-/* Runs them all. False with *error malloc'd if the command cannot be run any more, or takes another time now. The
- * caller frees *r in any case. */
+/* Runs them all. False with *error malloc'd if the command cannot be run any more, or takes another time
+ * now. The caller frees *r in any case. */
 bool rerun_all(const struct trace *t, const struct rerun_options *o, struct reruns *r, char **error);
 void reruns_free(struct reruns *r);
 #endif

@@ -61,8 +61,8 @@ static void add_rest(struct division *d, vtime begin, vtime end)
     d->rests[d->rest_count++] = (struct rest){begin, end};
 }
 
-/* The node's books count works of the system one after the other, though moving bytes goes on while messages are
- * handled: so a wait may have less rest than its pieces say. What is too much was at its end. */
+/* The node's books count works of the system one after the other, though moving bytes goes on while
+ * messages are handled: so a wait may have less rest than its pieces say. What is too much was at its end. */
 static void take_rest(struct division *d, vtime much)
 {
     while (much) {
@@ -103,8 +103,8 @@ static vtime rest_of_all(const struct division *d)
     return sum;
 }
 
-/* Finds the rests of the wait: in all as long as the books say. Of a wait that is cut by the trace's limits, they
- * are as long as the pieces say. */
+/* Finds the rests of the wait: in all as long as the books say. Of a wait that is cut by the trace's
+ * limits, they are as long as the pieces say. */
 static void find_rests(struct division *d)
 {
     const struct trace_wait *w = &d->t->waits[d->wait];

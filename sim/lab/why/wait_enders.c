@@ -86,8 +86,8 @@ static int fit(const struct trace *t, const struct trace_wait *w, int32_t messag
            (w->has_type && w->type == m->type ? 1 : 0);
 }
 
-/* Of the messages that arrived (or left) last in the wait: the one that fits best, if it is better than the one
- * there is. */
+/* Of the messages that arrived (or left) last in the wait: the one that fits best, if it is better than the
+ * one there is. */
 static void consider(const struct wait_enders *e, const struct trace_wait *w, bool leaving,
                      struct wait_ender *best, int *best_fit)
 {
@@ -136,7 +136,8 @@ struct wait_ender wait_enders_of(const struct wait_enders *e, const struct piece
 
 /* --- forwarding --- */
 
-/* The system forwards a message before it is done with it: so the forwarded one is among the next to arrive. */
+/* The system forwards a message before it is done with it: so the forwarded one is among the next to
+ * arrive. */
 enum { NEXT_ARRIVALS = 64 };
 
 int32_t wait_enders_forwarded(const struct wait_enders *e, int32_t m)

@@ -13,8 +13,8 @@ struct wait_ender {
 
 struct wait_enders {
     const struct trace *t;
-    /* Messages by their receiver, then the time at which they are complete; and by their sender, then the time
-     * at which the sender's buffer is free. */
+    /* Messages by their receiver, then the time at which they are complete; and by their sender, then the
+     * time at which the sender's buffer is free. */
     int32_t *arriving, *leaving;
 };
 

@@ -2,11 +2,17 @@
 #include "lab/why/why_json.h"
 #include "files/json_set.h"
 #include "lab/why/why_sentences.h"
-#include "observe/json_file.h"
 
 static json_t *ps(vtime t)
 {
     return json_integer((json_int_t)t);
+}
+
+/* A text; of one that is not UTF-8, a word that says so. */
+static json_t *json_text(const char *text)
+{
+    json_t *s = json_string(text);
+    return s ? s : json_string("(not UTF-8)");
 }
 
 static json_t *texts(char *const *list)

@@ -96,6 +96,8 @@ static void group_partner(struct why *w, const struct wait_group *g, FILE *f)
     const char *partner = g->partners                ? "several nodes"
                           : g->partner == TRACE_NONE ? "a service"
                                                      : why_node_name(w, g->partner);
+    if (g->cause == WAIT_DISK)
+        return;
     if (g->leaves)
         fprintf(f, ", for messages to %s to leave", partner);
     else if (g->has_type && g->type == g->last_type)

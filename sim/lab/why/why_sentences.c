@@ -171,11 +171,11 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
     fputc('.', f);
 }
 
-/* Does one node have more than half of the path? */
+/* Does one node have more than three quarters of the path? */
 static bool one_decides(struct why *w, int32_t *node, vtime *part)
 {
     *node = why_main_node(w, part);
-    return *part > w->length / 2 && w->t->node_count > 1;
+    return *part > w->length / 4 * 3 && w->t->node_count > 1;
 }
 
 static void path(struct why *w, FILE *f)
@@ -188,23 +188,25 @@ static void path(struct why *w, FILE *f)
     if (one) {
         fprintf(
             f,
-            "%s decides how long that is. The critical path, which leads from the end of the run back to its start "
+            "%s decides how long that is. The critical path, which leads from the end of the run back to its "
+            "start "
             "along what had to happen first, is %s's time for %s, %s of it. There, ",
             capital(node_words(w, node)).text, node_words(w, node), why_time(u, time).text,
             why_percent(time, w->length).text);
     } else if (w->t->node_count > 1) {
-        fprintf(
-            f,
-            "The critical path, which leads from the end of the run back to its start along what had to happen "
-            "first, goes %s times from one node to another; the largest part of it, %s, is %s's. On it, ",
-            why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
+        fprintf(f,
+                "The critical path, which leads from the end of the run back to its start along what had to "
+                "happen "
+                "first, goes %s times from one node to another; the largest part of it, %s, is %s's. On it, ",
+                why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
     }
     say_classes(w, &p, f);
 }
 
 /* --- the cause --- */
 
-/* What stands in the way of computing: the class, or the two that belong together, with the most of the path. */
+/* What stands in the way of computing: the class, or the two that belong together, with the most of the
+ * path. */
 static void cause(struct why *w, FILE *f)
 {
     int32_t node;
@@ -219,13 +221,15 @@ static void cause(struct why *w, FILE *f)
     if (p.time - p.of[WHY_COMPUTING] < p.time / 20) {
         fprintf(
             f,
-            "So computing is the cause, and nothing else: the run becomes shorter only with less of it%s%s, or "
+            "So computing is the cause, and nothing else: the run becomes shorter only with less of it%s%s, "
+            "or "
             "with a faster processor.",
             one ? " on " : " on the path", one ? node_words(w, node) : "");
     } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
         fprintf(
             f,
-            "So what keeps %s from its own work is serving the others: their messages take %s from it, %s of its "
+            "So what keeps %s from its own work is serving the others: their messages take %s from it, %s of "
+            "its "
             "time, and %s are the larger part of that.",
             node_words(w, node), why_time(u, served).text, why_percent(served, p.time).text,
             p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "its handlers" : "the interrupts of its system");
