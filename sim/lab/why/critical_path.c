@@ -58,7 +58,7 @@ static enum why_class class_of(const struct trace_piece *p)
     case TRACE_IN_CALL:
         return p->in_handler ? WHY_HANDLERS : WHY_CALLS;
     case TRACE_IN_SYSTEM:
-        return WHY_STOLEN;
+        return piece_enters_handler(p) ? WHY_HANDLERS : WHY_STOLEN;
     case TRACE_WAITING:
         return WHY_WAITING;
     default:
@@ -103,6 +103,7 @@ static void over_piece(struct walk *w, vtime least)
     struct path_step s = step_of(class_of(p), w->node);
     s.call = p->call;
     s.handler = p->in_handler ? p->handler : TRACE_NONE;
+    s.enters_handler = piece_enters_handler(p);
     s.stack = stack_after(w, p);
     add(w, vt_max(p->begin, least), s);
 }

@@ -22,12 +22,13 @@
 struct path_step {
     vtime begin, end;
     enum why_class class;
-    int32_t node;    /* whose processor it is about; TRACE_NONE: the network */
-    int32_t call;    /* in which the node was, or for which it waited */
-    int32_t handler; /* in which the node was */
-    int32_t message; /* whose way it is */
-    int32_t block;   /* WHY_CHANNEL */
-    int32_t stack;   /* where the program was at the step's end; computing: where it came to */
+    int32_t node;        /* whose processor it is about; TRACE_NONE: the network */
+    int32_t call;        /* in which the node was, or for which it waited */
+    int32_t handler;     /* in which the node was */
+    int32_t message;     /* whose way it is */
+    bool enters_handler; /* WHY_HANDLERS: the system enters the handler, or leaves it */
+    int32_t block;       /* WHY_CHANNEL */
+    int32_t stack;       /* where the program was at the step's end; computing: where it came to */
 };
 
 struct path {

@@ -54,6 +54,7 @@ static void share(struct why *w, const struct path_step *s)
     int32_t message = message_of(w->t, s);
     const char *call = call_of(w, s);
     w->by_class[s->class] += time;
+    w->entering += s->enters_handler ? time : 0;
     tally_add(&w->shares[WHY_BY_NODE], why_node_name(w, s->node), time);
     tally_add(&w->shares[WHY_BY_FUNCTION], function_of(w, s), time);
     if (call)

@@ -22,6 +22,12 @@ const struct trace_piece *piece_map_before(struct piece_map *m, int32_t node, vt
 const struct trace_piece *piece_map_from(struct piece_map *m, int32_t node, vtime t);
 const struct trace_piece *piece_map_end(struct piece_map *m, int32_t node);
 
+/* Does the system enter a handler in the piece, or leave one? */
+static inline bool piece_enters_handler(const struct trace_piece *p)
+{
+    return p->state == TRACE_IN_SYSTEM && p->in_handler && p->system == TRACE_NONE;
+}
+
 /* The wait of the piece's call that `t`, which is in the piece or its end, ends or lies in: begin < t <= end;
  * TRACE_NONE. */
 int32_t piece_map_wait(const struct piece_map *m, const struct trace_piece *p, vtime t);

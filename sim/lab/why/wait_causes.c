@@ -153,9 +153,8 @@ static void charge_doing(struct division *d, enum wait_cause late, int32_t partn
     }
     const struct trace_piece *p = piece_map_from(d->map, partner, a), *end = piece_map_end(d->map, partner);
     for (; p && p < end && p->begin < b; p++) {
-        enum wait_cause cause = p->state == TRACE_IN_SYSTEM ? WAIT_STOLEN
-                                : p->in_handler             ? WAIT_HANDLER
-                                                            : late;
+        bool stolen = p->state == TRACE_IN_SYSTEM && !piece_enters_handler(p);
+        enum wait_cause cause = stolen ? WAIT_STOLEN : p->in_handler ? WAIT_HANDLER : late;
         enum trace_state doing = cause == late ? p->state : TRACE_COMPUTING;
         d->idle[cause][doing] += idle_in(d, vt_max(a, p->begin), vt_min(b, p->end));
     }

@@ -48,6 +48,7 @@ struct why {
     bool some_nodes; /* not all nodes' waits are in causes */
     vtime length;    /* of the path: the trace's time */
     vtime by_class[WHY_CLASSES];
+    vtime entering; /* of WHY_HANDLERS: the system enters handlers, and leaves them */
     struct tally shares[WHY_SHARES];
     struct wait_group *groups; /* the longest first */
     size_t group_count;

@@ -87,6 +87,7 @@ static json_t *path(struct why *w, bool with_path)
     json_set(o, "length_ps", ps(w->length));
     json_set(o, "jumps", json_integer((json_int_t)w->path.jumps));
     json_set(o, "by_class", classes(w));
+    json_set(o, "entering_handlers_ps", ps(w->entering));
     for (int s = 0; s < WHY_SHARES; s++)
         json_set(o, why_share_key((enum why_share)s), share(&w->shares[s]));
     for (size_t i = 0; i < w->path.count && with_path; i++)

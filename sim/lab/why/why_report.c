@@ -38,11 +38,21 @@ static void more(size_t shown, size_t count, FILE *f)
 
 /* --- the path --- */
 
+/* A part of the path, and what would be without. */
+static void class_row(const struct why *w, const char *name, vtime part, FILE *f)
+{
+    struct why_unit u = why_unit_for(w->length);
+    vtime left = w->length - part;
+    fprintf(f, "  %-28s %12s %7.2f     at least %9s   at most %5s\n", name, why_number(u, part).text,
+            100 * (double)part / (double)w->length, why_number(u, left).text,
+            why_faster(w->length, left).text);
+}
+
 static void classes(struct why *w, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
     bool said[WHY_CLASSES] = {false};
-    fprintf(f, "Critical path, %zu steps %14s %7s %22s %13s\n", w->path.count, u.name, "%",
+    fprintf(f, "Critical path, %-10s steps %8s %7s %22s %13s\n", why_count(w->path.count).text, u.name, "%",
             "if it took no time", "times faster");
     for (int n = 0; n < WHY_CLASSES; n++) {
         int most = -1;
@@ -52,11 +62,9 @@ static void classes(struct why *w, FILE *f)
         if (most < 0)
             break;
         said[most] = true;
-        vtime part = w->by_class[most], left = w->length - part;
-        fprintf(f, "  %-28s %12s %7.2f     at least %9s   at most %5s\n",
-                why_class_name((enum why_class)most), why_number(u, part).text,
-                100 * (double)part / (double)w->length, why_number(u, left).text,
-                why_faster(w->length, left).text);
+        class_row(w, why_class_name((enum why_class)most), w->by_class[most], f);
+        if (most == WHY_HANDLERS && w->entering)
+            class_row(w, "  of it into and out of them", w->entering, f);
     }
 }
 
@@ -158,7 +166,7 @@ static void show_rerun(struct why_unit u, const struct rerun *x, vtime before, F
     struct why_text now = why_time(u, x->end), then = why_time(u, before);
     if (!x->done)
         fprintf(f, "  no answer %s: %s\n", x->what, x->error);
-    else if (x->end == before)
+    else if (!strcmp(now.text, then.text))
         fprintf(f, "  would still take %s %s\n", now.text, x->what);
     else
         fprintf(f, "  would take %s instead of %s (%s times %s) %s\n", now.text, then.text,

@@ -128,6 +128,18 @@ static uint64_t handlers_on(const struct why *w, int32_t node)
     return count;
 }
 
+/* How long the system entered and left handlers on the path. */
+static vtime entering_on(const struct why *w, int32_t node)
+{
+    vtime sum = 0;
+    for (size_t i = 0; i < w->path.count; i++) {
+        const struct path_step *s = &w->path.steps[i];
+        if (s->enters_handler && (node == TRACE_NONE || s->node == node))
+            sum += s->end - s->begin;
+    }
+    return sum;
+}
+
 static void say_class(struct why *w, const struct part *p, enum why_class class, bool first, FILE *f)
 {
     struct why_text time = why_time(why_unit_for(w->length), p->of[class]),
@@ -147,7 +159,9 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
     };
     fprintf(f, "%s%s (%s) %s", first ? "" : "; ", time.text, share.text, WORDS[class]);
     if (class == WHY_HANDLERS) {
-        fprintf(f, ", %s of them", why_count(handlers_on(w, p->node)).text);
+        fprintf(f, ", %s of them, of it %s only into them and out of them",
+                why_count(handlers_on(w, p->node)).text,
+                why_time(why_unit_for(w->length), entering_on(w, p->node)).text);
         name_functions(w, p, class, ", most of that time in ", f);
     } else if (class == WHY_COMPUTING) {
         name_functions(w, p, class, ", most of it up to calls and interrupts in ", f);
