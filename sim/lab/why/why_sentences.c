@@ -140,32 +140,39 @@ static vtime entering_on(const struct why *w, int32_t node)
     return sum;
 }
 
-static void say_class(struct why *w, const struct part *p, enum why_class class, bool first, FILE *f)
+static void say_handlers(struct why *w, const struct part *p, FILE *f)
 {
-    struct why_text time = why_time(why_unit_for(w->length), p->of[class]),
-                    share = why_percent(p->of[class], p->time);
+    struct why_unit u = why_unit_for(w->length);
+    fprintf(f, " %s handlers took %s (%s): %s of that to enter and leave them",
+            why_count(handlers_on(w, p->node)).text, why_time(u, p->of[WHY_HANDLERS]).text,
+            why_percent(p->of[WHY_HANDLERS], p->time).text, why_time(u, entering_on(w, p->node)).text);
+    name_functions(w, p, WHY_HANDLERS, "; most of it is for ", f);
+    fputc('.', f);
+}
+
+static void say_class(struct why *w, const struct part *p, enum why_class class, FILE *f)
+{
     static const char *const WORDS[WHY_CLASSES] = {
         [WHY_COMPUTING] = "the program computed",
         [WHY_CALLS] = "the system worked for the program's own calls",
-        [WHY_HANDLERS] = "went into handlers",
         [WHY_STOLEN] = "the system handled messages that are not on the path",
         [WHY_MESSAGE] = "the system handled the path's own messages",
         [WHY_NETWORK] = "messages were on their way through the network",
         [WHY_CHANNEL] = "messages waited for channels that others held",
         [WHY_GRANT] = "long messages waited for late receivers",
-        [WHY_FILES] = "went into waiting for files",
-        [WHY_WAITING] = "went into waiting for a service, or for what the trace does not have",
+        [WHY_FILES] = "calls waited for files",
+        [WHY_WAITING] = "calls waited for a service, or for what the trace does not have",
         [WHY_ABSENT] = "no program was there",
     };
-    fprintf(f, "%s%s (%s) %s", first ? "" : "; ", time.text, share.text, WORDS[class]);
     if (class == WHY_HANDLERS) {
-        fprintf(f, ", %s of them, of it %s only into them and out of them",
-                why_count(handlers_on(w, p->node)).text,
-                why_time(why_unit_for(w->length), entering_on(w, p->node)).text);
-        name_functions(w, p, class, ", most of that time in ", f);
-    } else if (class == WHY_COMPUTING) {
-        name_functions(w, p, class, ", most of it up to calls and interrupts in ", f);
+        say_handlers(w, p, f);
+        return;
     }
+    fprintf(f, " For %s (%s) %s", why_time(why_unit_for(w->length), p->of[class]).text,
+            why_percent(p->of[class], p->time).text, WORDS[class]);
+    if (class == WHY_COMPUTING)
+        name_functions(w, p, class, ", most of that up to calls and interrupts in ", f);
+    fputc('.', f);
 }
 
 /* The classes of the part that are worth a word, the longest first. */
@@ -179,10 +186,9 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
                 most = i;
         if (most < 0)
             break;
-        say_class(w, p, (enum why_class)most, n == 0, f);
+        say_class(w, p, (enum why_class)most, f);
         said[most] = true;
     }
-    fputc('.', f);
 }
 
 /* Does one node have more than three quarters of the path? */
@@ -203,15 +209,14 @@ static void path(struct why *w, FILE *f)
         fprintf(
             f,
             "%s decides how long that is. The critical path, which leads from the end of the run back to its "
-            "start "
-            "along what had to happen first, is %s's time for %s, %s of it. There, ",
+            "start along what had to happen first, is %s's time for %s, %s of it.",
             capital(node_words(w, node)).text, node_words(w, node), why_time(u, time).text,
             why_percent(time, w->length).text);
     } else if (w->t->node_count > 1) {
         fprintf(f,
                 "The critical path, which leads from the end of the run back to its start along what had to "
                 "happen "
-                "first, goes %s times from one node to another; the largest part of it, %s, is %s's. On it, ",
+                "first, goes %s times from one node to another; the largest part of it, %s, is %s's.",
                 why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
     }
     say_classes(w, &p, f);
@@ -236,15 +241,13 @@ static void cause(struct why *w, FILE *f)
         fprintf(
             f,
             "So computing is the cause, and nothing else: the run becomes shorter only with less of it%s%s, "
-            "or "
-            "with a faster processor.",
+            "or with a faster processor.",
             one ? " on " : " on the path", one ? node_words(w, node) : "");
     } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
         fprintf(
             f,
             "So what keeps %s from its own work is serving the others: their messages take %s from it, %s of "
-            "its "
-            "time, and %s are the larger part of that.",
+            "its time, and %s are the larger part of that.",
             node_words(w, node), why_time(u, served).text, why_percent(served, p.time).text,
             p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "its handlers" : "the interrupts of its system");
     } else {
