@@ -31,7 +31,9 @@ static void say_place(struct why *w, const struct path_step *s, FILE *f)
     if (s->handler != TRACE_NONE)
         fprintf(f, "  handler of type %" PRId32 ", due at %.12f s", w->t->handlers[s->handler].type,
                 vt_seconds(w->t->handlers[s->handler].due));
-    if (s->call != TRACE_NONE)
+    if (s->enters_handler)
+        fprintf(f, "  into it, or out of it");
+    else if (s->call != TRACE_NONE)
         fprintf(f, "  %s", places_call(w->places, s->call));
     else if (towards && *line)
         fprintf(f, "  up to %s", line);

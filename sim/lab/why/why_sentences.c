@@ -215,8 +215,7 @@ static void path(struct why *w, FILE *f)
     } else if (w->t->node_count > 1) {
         fprintf(f,
                 "The critical path, which leads from the end of the run back to its start along what had to "
-                "happen "
-                "first, goes %s times from one node to another; the largest part of it, %s, is %s's.",
+                "happen first, goes %s times from one node to another; the largest part of it, %s, is %s's.",
                 why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
     }
     say_classes(w, &p, f);
