@@ -9,6 +9,7 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/why/why_json.h"
+#include "lab/why/why_path_lines.h"
 #include "lab/why/why_report.h"
 
 enum { TOP = CLI_KEY, SET, CPU, USUAL_TOP = 10 };

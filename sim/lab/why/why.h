@@ -5,7 +5,7 @@
 #ifndef LAB_WHY_H
 #define LAB_WHY_H
 #include "lab/why/critical_path.h"
-#include "lab/why/places.h"
+#include "lab/why/program_places.h"
 #include "lab/why/tally.h"
 #include "lab/why/wait_causes.h"
 
@@ -61,12 +61,4 @@ void why_free(struct why *w);
 
 /* "node 3"; "network" for TRACE_NONE. */
 const char *why_node_name(const struct why *w, int32_t node);
-/* The node that has the largest part of the path, and its part. */
-int32_t why_main_node(const struct why *w, vtime *part);
-/* Of the path, on a node (TRACE_NONE: anywhere): of one class. */
-vtime why_part(const struct why *w, int32_t node, enum why_class class);
-
-/* For all shares: how they are called in JSON, and as the title of a table. */
-const char *why_share_key(enum why_share s);
-const char *why_share_title(enum why_share s);
 #endif

@@ -1,6 +1,7 @@
 /* why_json.c - see why_json.h. */
 #include "lab/why/why_json.h"
 #include "files/json_set.h"
+#include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
 
 static json_t *ps(vtime t)

@@ -1,6 +1,6 @@
-/* why_path_lines.c - the critical path, a line a step: see why_report.h. */
+/* why_path_lines.c - see why_path_lines.h. */
+#include "lab/why/why_path_lines.h"
 #include <inttypes.h>
-#include "lab/why/why_report.h"
 #include "lab/why/why_unit.h"
 
 /* The message: "type 6, 4096 bytes, node 0 -> node 5". */
@@ -23,14 +23,20 @@ static void say_block(struct why *w, int32_t block, FILE *f)
     say_message(w, holder, f);
 }
 
+static void say_handler(struct why *w, int32_t handler, FILE *f)
+{
+    const struct trace_handler *h = &w->t->handlers[handler];
+    int32_t type = h->message == TRACE_NONE ? h->type : w->t->messages[h->message].type;
+    fprintf(f, "  handler of type %" PRId32 ", due at %.12f s", type, vt_seconds(h->due));
+}
+
 /* Where in the program. */
 static void say_place(struct why *w, const struct path_step *s, FILE *f)
 {
     const char *line = places_line(w->places, s->stack);
     bool towards = s->class == WHY_COMPUTING || (s->class == WHY_HANDLERS && s->call == TRACE_NONE);
     if (s->handler != TRACE_NONE)
-        fprintf(f, "  handler of type %" PRId32 ", due at %.12f s", w->t->handlers[s->handler].type,
-                vt_seconds(w->t->handlers[s->handler].due));
+        say_handler(w, s->handler, f);
     if (s->enters_handler)
         fprintf(f, "  into it, or out of it");
     else if (s->call != TRACE_NONE)

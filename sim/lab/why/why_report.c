@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
+#include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
 #include "lab/why/why_unit.h"
 

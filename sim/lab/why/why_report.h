@@ -12,6 +12,4 @@ struct why_report_options {
 
 /* Sentences, then tables. */
 void why_report(struct why *w, const struct why_report_options *o, FILE *f);
-/* Each step of the critical path in a line, in the order of time. */
-void why_path_lines(struct why *w, FILE *f);
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
+#include "lab/why/path_shares.h"
 
 /* A part of the path, or of waits, is worth a word from one percent on. */
 enum { WORTH = 100 };

@@ -1,7 +1,7 @@
-/* places.h - where in the program, as text. Each different text is made once: equal texts have equal
+/* program_places.h - where in the program, as text. Each different text is made once: equal texts have equal
  * addresses, and last until places_free(). */
-#ifndef LAB_WHY_PLACES_H
-#define LAB_WHY_PLACES_H
+#ifndef LAB_WHY_PROGRAM_PLACES_H
+#define LAB_WHY_PROGRAM_PLACES_H
 #include "lab/trace/trace_model.h"
 
 struct places;
