@@ -43,6 +43,8 @@ why --json t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
 why --json --path t.trace
 check "ring: JSON has each step" eval '[ "$(grep -c "\"begin_ps\"" out)" -ge "$(ps step_count out)" ]'
+why --rerun t.trace
+check "ring: long messages cross a network that takes no time" prints 'would take [0-9.]+ ms instead of [0-9.]+ ms \([0-9.]+ times faster\) if the network took no time'
 
 # A node that serves others: its handlers are the cause. More others, more of that.
 promises "served" -m ipsc860 -n 32 served
