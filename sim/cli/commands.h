@@ -4,6 +4,7 @@
 #define CLI_COMMANDS_H
 #include <argp.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 int cli_check(int argc, char **argv);
 int cli_fit(int argc, char **argv);
@@ -19,6 +20,18 @@ int cli_trace(int argc, char **argv);
 int cli_trace_info(int argc, char **argv);
 int cli_trace_show(int argc, char **argv);
 int cli_trace_export(int argc, char **argv);
+int cli_trace_why(int argc, char **argv);
+
+/* What a command line of touchstone run asks for, without where its results go. The texts are argv's. */
+struct cli_run_parts {
+    const char *machine, *cfs, *host; /* cfs, host: NULL if not given */
+    uint32_t nodes;                   /* 0: as many as the host program asks for */
+    const char **set;                 /* ended by NULL; the caller frees the list */
+    char **program;                   /* with its arguments */
+    int program_count;
+};
+/* argv[0] is "run". A wrong argument ends the process. */
+void cli_run_read(int argc, char **argv, struct cli_run_parts *parts);
 
 /* The commands of the host's shell, such as getcube; cli_cube() is all of them, by argv[0]. */
 struct cli_cube_command {

@@ -351,11 +351,20 @@ static int run(struct arguments *a)
     return status;
 }
 
+static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
+static const struct argp ARGP = {
+    OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
+
+void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)
+{
+    struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
+    cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
+    *parts = (struct cli_run_parts){a.machine, a.cfs, a.host, a.nodes, a.set, a.program, a.program_count};
+    free(a.traced_nodes);
+}
+
 int cli_run(int argc, char **argv)
 {
-    static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
-    static const struct argp ARGP = {
-        OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
     char **whole = argv - 1; /* main's: "touchstone", "run", ... */
     a.trace.command = whole, a.trace.version = CLI_VERSION;

@@ -13,7 +13,8 @@ static const struct trace_command {
 } COMMANDS[] = {
     {"info", cli_trace_info, "Show what a trace has"},
     {"show", cli_trace_show, "Draw pictures: utilisation, Gantt, space-time, matrix, channels ..."},
-    {"export", cli_trace_export, "Write a trace for other tools: Perfetto, Paje, Vampir, ParaGraph, tables"}};
+    {"export", cli_trace_export, "Write a trace for other tools: Perfetto, Paje, Vampir, ParaGraph, tables"},
+    {"why", cli_trace_why, "Say why the run took its time: critical path, causes of waits"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
 /* --- touchstone trace info --- */

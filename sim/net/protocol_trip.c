@@ -53,6 +53,13 @@ static void pio_receive(void *ctx, void *arg, vtime now)
     m->trip->at_receiver = protocol_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
+/* Does the tail come with the first byte, since the network takes no time for bytes? The event of the
+ * tail's passing is the earlier one then. */
+static bool comes_at_once(const struct protocol *p, const struct trip *t)
+{
+    return t->transit.duration == protocol_latency(p, t->m);
+}
+
 void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now)
 {
     struct protocol *p = ctx;
@@ -67,7 +74,8 @@ void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now
     }
     vtime first_byte = now + protocol_latency(p, t->m);
     t->at_receiver = protocol_at(first_byte);
-    evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
+    if (!comes_at_once(p, t))
+        evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
 }
 
 void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)

@@ -144,6 +144,7 @@ void record_call_ends(struct node *n)
         return; /* the program begins */
     if (o->is_handler) {
         o->handler.entered = node_now(n);
+        o->handler.type = n->info.type;
         return;
     }
     if (n->call_has_type)
@@ -278,7 +279,6 @@ void record_handler_ends(struct node *n)
     assert(o->is_handler);
     o->handler.left = left;
     o->handler.end = node_now(n);
-    o->handler.type = n->info.type;
     recorder_handler(recorder_of(n), &o->handler);
     n->record->depth--;
 }

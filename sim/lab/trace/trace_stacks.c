@@ -106,17 +106,24 @@ static const struct elf_file *opened(struct program *p)
     return p->elf;
 }
 
+/* Is it the library's: a source file of nx_api, named from its root or by its whole path? */
+static bool is_library(const char *path)
+{
+    return !strncmp(path, "nx_api/", 7) || strstr(path, "/nx_api/");
+}
+
 static struct trace_frame look_up(const struct elf_file *f, uint64_t address)
 {
     struct trace_frame frame = {.function = ""};
     const char *name;
     if (elf_function_at(f, address, &name))
         frame.function = name;
+    frame.library = !strncmp(frame.function, "nxc_", 4); /* the way from a program that computes to the simulator */
     char *path = f->debug ? source_line(f->bytes, f->size, address, &frame.line) : NULL;
     if (!path)
         return frame;
     const char *slash = strrchr(path, '/');
-    frame.library = strstr(path, "/nx_api/") != NULL;
+    frame.library = frame.library || is_library(path);
     frame.file = xstrdup(slash ? slash + 1 : path);
     free(path);
     return frame;

@@ -1,0 +1,430 @@
+/* why_sentences.c - see why_sentences.h. Each function writes one paragraph, or nothing. */
+#include "lab/why/why_sentences.h"
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "kernel/xalloc.h"
+#include "lab/why/path_shares.h"
+
+/* A part of the path, or of waits, is worth a word from one percent on. */
+enum { WORTH = 100 };
+
+static bool worth_a_word(vtime part, vtime whole)
+{
+    return part && part >= whole / WORTH;
+}
+
+static const char *base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* The name with a capital letter. */
+static struct why_text capital(const char *name)
+{
+    struct why_text x;
+    snprintf(x.text, sizeof x.text, "%s", name);
+    if (x.text[0] >= 'a' && x.text[0] <= 'z')
+        x.text[0] = (char)(x.text[0] - 'a' + 'A');
+    return x;
+}
+
+/* A node in a sentence: "node 3", "the host". */
+static const char *node_words(const struct why *w, int32_t node)
+{
+    return strcmp(why_node_name(w, node), "host") ? why_node_name(w, node) : "the host";
+}
+
+/* --- what it is about --- */
+
+/* "8 nodes of ipsc860 and its host": those that had a program. */
+static void where(const struct trace *t, FILE *f)
+{
+    int32_t nodes = 0;
+    bool host = false;
+    for (int32_t i = 0; i < t->node_count; i++) {
+        bool is_host = !strcmp(t->nodes[i].name, "host");
+        host = host || is_host;
+        nodes += !is_host && (t->nodes[i].end > 0 || !t->nodes[i].traced);
+    }
+    fprintf(f, "%" PRId32 " node%s of %s%s", nodes, nodes == 1 ? "" : "s", t->machine,
+            host ? " and its host" : "");
+}
+
+static void about(struct why *w, FILE *f)
+{
+    const struct trace *t = w->t;
+    struct why_unit u = why_unit_for(t->end);
+    fprintf(f, "%s took %s on ", base_name(t->program), why_time(u, t->end).text);
+    where(t, f);
+    fputc('.', f);
+    if (t->from || t->to < t->end)
+        fprintf(f, " This is about the part from %s to %s.", why_time(u, t->from).text,
+                why_time(u, t->to).text);
+    if (!t->complete)
+        fprintf(f, " The trace ends early: the run was killed, and what it would have done is not known.");
+    int32_t stuck = 0, untraced = 0;
+    for (int32_t i = 0; i < t->node_count; i++)
+        untraced += !t->nodes[i].traced;
+    if (untraced)
+        fprintf(f,
+                " The trace has only %" PRId32 " of its %" PRId32 " nodes: what the others did is not known.",
+                t->node_count - untraced, t->node_count);
+    for (int32_t i = 0; i < t->call_count; i++)
+        stuck += t->calls[i].unfinished;
+    if (t->complete && stuck && t->to == t->end)
+        fprintf(f, " %" PRId32 " node%s had not ended: in a call whose end did not come.", stuck,
+                stuck == 1 ? "" : "s");
+}
+
+/* --- the critical path --- */
+
+/* The path's steps that count: those of one node, or all. */
+struct part {
+    int32_t node; /* TRACE_NONE: all */
+    vtime time, of[WHY_CLASSES];
+};
+
+static struct part part_of(struct why *w, int32_t node)
+{
+    struct part p = {.node = node};
+    for (int i = 0; i < WHY_CLASSES; i++)
+        p.time += p.of[i] = why_part(w, node, (enum why_class)i);
+    return p;
+}
+
+/* The functions of the program that have most of a class: "most of it in a (1 s) and b (2 s)". */
+static void name_functions(struct why *w, const struct part *p, enum why_class class, const char *before,
+                           FILE *f)
+{
+    struct why_unit u = why_unit_for(w->length);
+    struct tally functions = {0};
+    for (size_t i = 0; i < w->path.count; i++) {
+        const struct path_step *s = &w->path.steps[i];
+        const char *name = places_function(w->places, s->stack);
+        if (s->class == class && (p->node == TRACE_NONE || s->node == p->node) && *name)
+            tally_add(&functions, name, s->end - s->begin);
+    }
+    tally_sort(&functions);
+    for (size_t i = 0; i < functions.count && i < 2; i++)
+        if (i == 0 || functions.rows[i].time >= p->of[class] / 10)
+            fprintf(f, "%s%s (%s)", i ? " and " : before, functions.rows[i].label,
+                    why_time(u, functions.rows[i].time).text);
+    tally_free(&functions);
+}
+
+/* How many handlers have a part of the path. */
+static uint64_t handlers_on(const struct why *w, int32_t node)
+{
+    uint64_t count = 0;
+    int32_t last = TRACE_NONE;
+    for (size_t i = 0; i < w->path.count; i++) {
+        const struct path_step *s = &w->path.steps[i];
+        if (s->class != WHY_HANDLERS || (node != TRACE_NONE && s->node != node))
+            continue;
+        count += s->handler != last;
+        last = s->handler;
+    }
+    return count;
+}
+
+/* How long the system entered and left handlers on the path. */
+static vtime entering_on(const struct why *w, int32_t node)
+{
+    vtime sum = 0;
+    for (size_t i = 0; i < w->path.count; i++) {
+        const struct path_step *s = &w->path.steps[i];
+        if (s->enters_handler && (node == TRACE_NONE || s->node == node))
+            sum += s->end - s->begin;
+    }
+    return sum;
+}
+
+static void say_handlers(struct why *w, const struct part *p, FILE *f)
+{
+    struct why_unit u = why_unit_for(w->length);
+    fprintf(f, " %s handlers took %s (%s): %s of that to enter and leave them",
+            why_count(handlers_on(w, p->node)).text, why_time(u, p->of[WHY_HANDLERS]).text,
+            why_percent(p->of[WHY_HANDLERS], p->time).text, why_time(u, entering_on(w, p->node)).text);
+    name_functions(w, p, WHY_HANDLERS, "; most of it is for ", f);
+    fputc('.', f);
+}
+
+static void say_class(struct why *w, const struct part *p, enum why_class class, FILE *f)
+{
+    static const char *const WORDS[WHY_CLASSES] = {
+        [WHY_COMPUTING] = "the program computed",
+        [WHY_CALLS] = "the system worked for the program's own calls",
+        [WHY_STOLEN] = "the system handled messages that are not on the path",
+        [WHY_MESSAGE] = "the system handled the path's own messages",
+        [WHY_NETWORK] = "messages were on their way through the network",
+        [WHY_CHANNEL] = "messages waited for channels that others held",
+        [WHY_GRANT] = "long messages waited for late receivers",
+        [WHY_FILES] = "calls waited for files",
+        [WHY_WAITING] = "calls waited for a service, or for what the trace does not have",
+        [WHY_ABSENT] = "no program was there",
+    };
+    if (class == WHY_HANDLERS) {
+        say_handlers(w, p, f);
+        return;
+    }
+    fprintf(f, " For %s (%s) %s", why_time(why_unit_for(w->length), p->of[class]).text,
+            why_percent(p->of[class], p->time).text, WORDS[class]);
+    if (class == WHY_COMPUTING)
+        name_functions(w, p, class, ", most of that up to calls and interrupts in ", f);
+    fputc('.', f);
+}
+
+/* The classes of the part that are worth a word, the longest first. */
+static void say_classes(struct why *w, const struct part *p, FILE *f)
+{
+    bool said[WHY_CLASSES] = {false};
+    for (int n = 0; n < WHY_CLASSES; n++) {
+        int most = -1;
+        for (int i = 0; i < WHY_CLASSES; i++)
+            if (!said[i] && worth_a_word(p->of[i], p->time) && (most < 0 || p->of[i] > p->of[most]))
+                most = i;
+        if (most < 0)
+            break;
+        say_class(w, p, (enum why_class)most, f);
+        said[most] = true;
+    }
+}
+
+/* Does one node have more than three quarters of the path? */
+static bool one_decides(struct why *w, int32_t *node, vtime *part)
+{
+    *node = why_main_node(w, part);
+    return *part > w->length / 4 * 3 && w->t->node_count > 1;
+}
+
+static void path(struct why *w, FILE *f)
+{
+    int32_t node;
+    vtime time;
+    struct why_unit u = why_unit_for(w->length);
+    bool one = one_decides(w, &node, &time);
+    struct part p = part_of(w, one ? node : TRACE_NONE);
+    if (one) {
+        fprintf(
+            f,
+            "%s decides how long that is. The critical path, which leads from the end of the run back to its "
+            "start along what had to happen first, is %s's time for %s, %s of it.",
+            capital(node_words(w, node)).text, node_words(w, node), why_time(u, time).text,
+            why_percent(time, w->length).text);
+    } else if (w->t->node_count > 1) {
+        fprintf(f,
+                "The critical path, which leads from the end of the run back to its start along what had to "
+                "happen first, goes %s times from one node to another; the largest part of it, %s, is %s's.",
+                why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
+    }
+    say_classes(w, &p, f);
+}
+
+/* --- the cause --- */
+
+/* What stands in the way of computing: the class, or the two that belong together, with the most of the
+ * path. */
+static void cause(struct why *w, FILE *f)
+{
+    int32_t node;
+    vtime time;
+    bool one = one_decides(w, &node, &time);
+    struct why_unit u = why_unit_for(w->length);
+    struct part p = part_of(w, one ? node : TRACE_NONE);
+    vtime served = p.of[WHY_HANDLERS] + p.of[WHY_STOLEN];
+    int most = WHY_CALLS;
+    for (int i = WHY_CALLS; i < WHY_CLASSES; i++)
+        most = p.of[i] > p.of[most] ? i : most;
+    if (p.time - p.of[WHY_COMPUTING] < p.time / 20) {
+        fprintf(
+            f,
+            "So computing is the cause, and nothing else: the run becomes shorter only with less of it%s%s, "
+            "or with a faster processor.",
+            one ? " on " : " on the path", one ? node_words(w, node) : "");
+    } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
+        fprintf(
+            f,
+            "So what keeps %s from its own work is serving the others: their messages take %s from it, %s of "
+            "its time, and %s are the larger part of that.",
+            node_words(w, node), why_time(u, served).text, why_percent(served, p.time).text,
+            p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "its handlers" : "the interrupts of its system");
+    } else {
+        fprintf(f, "So, besides computing, the largest cause is this: %s, with %s of the path.",
+                why_class_subject((enum why_class)most), why_percent(p.of[most], w->length).text);
+    }
+}
+
+/* --- waiting --- */
+
+static vtime wait_for(const struct why *w, int32_t partner)
+{
+    vtime sum = 0;
+    for (size_t i = 0; i < w->causes.count; i++)
+        sum += w->causes.parts[i].partner == partner ? w->causes.parts[i].idle : 0;
+    return sum;
+}
+
+/* The node for which others waited longest. */
+static int32_t awaited(const struct why *w, vtime *time)
+{
+    vtime *of = xcalloc((size_t)w->t->node_count, sizeof *of);
+    int32_t most = 0;
+    for (size_t i = 0; i < w->causes.count; i++)
+        if (w->causes.parts[i].partner != TRACE_NONE)
+            of[w->causes.parts[i].partner] += w->causes.parts[i].idle;
+    for (int32_t i = 1; i < w->t->node_count; i++)
+        most = of[i] > of[most] ? i : most;
+    *time = of[most];
+    free(of);
+    return most;
+}
+
+static const char *cause_words(enum wait_cause cause, enum trace_state doing)
+{
+    static const char *const WORDS[WAIT_CAUSES] = {
+        [WAIT_LATE_SENDER] = "the sender had not come to sending",
+        [WAIT_LATE_RECEIVER] = "the receiver of a long message was late",
+        [WAIT_HANDLER] = "the partner was in a handler",
+        [WAIT_STOLEN] = "a processor was busy with other messages",
+        [WAIT_CHANNEL] = "another message held a channel",
+        [WAIT_NETWORK] = "the message was on its way",
+        [WAIT_MESSAGE] = "the partner's system handled the message",
+        [WAIT_DISK] = "the file system was not done",
+        [WAIT_NEVER] = "nothing came until the end",
+        [WAIT_UNKNOWN] = "a service was not done, or the trace does not have it",
+    };
+    if (cause == WAIT_LATE_SENDER && doing == TRACE_COMPUTING)
+        return "the sender still computed";
+    if (cause == WAIT_LATE_SENDER && doing == TRACE_WAITING)
+        return "the sender waited itself (for what, the critical path tells)";
+    return WORDS[cause];
+}
+
+struct reason {
+    enum wait_cause cause;
+    enum trace_state doing;
+    vtime idle;
+};
+
+static int by_idle(const void *a, const void *b)
+{
+    const struct reason *x = a, *y = b;
+    if (x->idle != y->idle)
+        return x->idle > y->idle ? -1 : 1;
+    return x->cause != y->cause ? (int)x->cause - (int)y->cause : (int)x->doing - (int)y->doing;
+}
+
+/* Why nodes waited for the partner (TRACE_NONE: for anybody), the longest first. */
+static void say_reasons(const struct why *w, int32_t partner, vtime all, const char *of, FILE *f)
+{
+    struct reason reasons[WAIT_CAUSES * TRACE_STATES];
+    for (int i = 0; i < WAIT_CAUSES * TRACE_STATES; i++)
+        reasons[i] =
+            (struct reason){(enum wait_cause)(i / TRACE_STATES), (enum trace_state)(i % TRACE_STATES), 0};
+    for (size_t i = 0; i < w->causes.count; i++) {
+        const struct wait_part *p = &w->causes.parts[i];
+        if (partner == TRACE_NONE || p->partner == partner)
+            reasons[(int)p->cause * TRACE_STATES + (int)p->doing].idle += p->idle;
+    }
+    qsort(reasons, WAIT_CAUSES * TRACE_STATES, sizeof *reasons, by_idle);
+    for (int i = 0; i < 4 && worth_a_word(reasons[i].idle, all); i++)
+        fprintf(f, "%s%s%s because %s", i ? ", " : "", why_percent(reasons[i].idle, all).text, of,
+                cause_words(reasons[i].cause, reasons[i].doing));
+}
+
+/* The time of the nodes' programs, but for one node. */
+static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
+{
+    vtime all = 0;
+    *idle = 0;
+    for (int32_t i = 0; i < w->t->node_count; i++) {
+        vtime end = vt_min(w->t->nodes[i].end, w->t->to);
+        if (i != but && w->t->nodes[i].traced && end > w->t->from)
+            all += end - w->t->from;
+    }
+    for (size_t i = 0; i < w->causes.count; i++)
+        *idle += w->causes.parts[i].node != but ? w->causes.parts[i].idle : 0;
+    return all;
+}
+
+static void waiting(struct why *w, FILE *f)
+{
+    struct why_unit u = why_unit_for(w->length);
+    vtime part, for_one, idle;
+    int32_t node, partner = awaited(w, &for_one);
+    if (w->some_nodes)
+        return; /* the tables are about some nodes, the sentences about all */
+    bool one = one_decides(w, &node, &part);
+    vtime all = time_of_others(w, one ? node : TRACE_NONE, &idle);
+    if (!worth_a_word(idle, all)) {
+        fprintf(f, "The nodes hardly waited: %s of their time.", why_percent(w->causes.idle, all).text);
+        return;
+    }
+    if (one)
+        fprintf(f, "The other nodes waited for %s of their time, %s in all.", why_percent(idle, all).text,
+                why_time(u, idle).text);
+    else
+        fprintf(f, "The nodes waited for %s of their time, %s in all.", why_percent(idle, all).text,
+                why_time(u, idle).text);
+    bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
+    if (mainly)
+        fprintf(f, " They waited for %s: %s of all waiting, ", node_words(w, partner),
+                why_percent(for_one, w->causes.idle).text);
+    else
+        fputs(" Of that, ", f);
+    say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle,
+                mainly ? " of it" : "", f);
+    fputc('.', f);
+}
+
+/* --- what if --- */
+
+static void what_if(struct why *w, FILE *f)
+{
+    struct why_unit u = why_unit_for(w->length);
+    bool said[WHY_CLASSES] = {false};
+    for (int n = 0; n < 3; n++) {
+        int most = -1;
+        for (int i = 0; i < WHY_CLASSES; i++)
+            if (!said[i] && i != WHY_ABSENT && i != WHY_WAITING && worth_a_word(w->by_class[i], w->length) &&
+                (most < 0 || w->by_class[i] > w->by_class[most]))
+                most = i;
+        if (most < 0)
+            return;
+        said[most] = true;
+        vtime left = w->length - w->by_class[most];
+        fprintf(f, "%s%s took no time, the run would take at least %s: it would be at most %s times faster.",
+                n ? " If " : "If ", why_class_subject((enum why_class)most), why_time(u, left).text,
+                why_faster(w->length, left).text);
+    }
+}
+
+/* --- all of them --- */
+
+char **why_sentences(struct why *w)
+{
+    static void (*const PARAGRAPHS[])(struct why *, FILE *) = {about, path, cause, waiting, what_if};
+    enum { COUNT = sizeof PARAGRAPHS / sizeof *PARAGRAPHS };
+    char **paragraphs = xcalloc(COUNT + 1, sizeof *paragraphs);
+    int used = 0;
+    for (int i = 0; i < COUNT; i++) {
+        size_t size;
+        FILE *f = xchecked(open_memstream(&paragraphs[used], &size));
+        PARAGRAPHS[i](w, f);
+        fclose(f);
+        if (size)
+            used++;
+        else
+            free(paragraphs[used]), paragraphs[used] = NULL;
+    }
+    return paragraphs;
+}
+
+void why_sentences_free(char **paragraphs)
+{
+    for (char **p = paragraphs; p && *p; p++)
+        free(*p);
+    free(paragraphs);
+}

@@ -1,0 +1,62 @@
+/* why_unit.c - see why_unit.h. */
+#include "lab/why/why_unit.h"
+#include <inttypes.h>
+
+struct why_unit why_unit_for(vtime length)
+{
+    if (length >= VT_SECOND)
+        return (struct why_unit){"s", VT_SECOND};
+    if (length >= VT_MILLISECOND)
+        return (struct why_unit){"ms", VT_MILLISECOND};
+    return (struct why_unit){"us", VT_MICROSECOND};
+}
+
+struct why_text why_number(struct why_unit u, vtime t)
+{
+    struct why_text x;
+    snprintf(x.text, sizeof x.text, "%.3f", (double)t / (double)u.ps);
+    return x;
+}
+
+struct why_text why_time(struct why_unit u, vtime t)
+{
+    struct why_text x;
+    snprintf(x.text, sizeof x.text, "%.3f %s", (double)t / (double)u.ps, u.name);
+    return x;
+}
+
+struct why_text why_percent(vtime part, vtime whole)
+{
+    struct why_text x;
+    double percent = whole ? 100 * (double)part / (double)whole : 0;
+    if (part && percent < 0.1)
+        snprintf(x.text, sizeof x.text, "less than 0.1 %%");
+    else if (part < whole && percent >= 99.95)
+        snprintf(x.text, sizeof x.text, "more than 99.9 %%");
+    else
+        snprintf(x.text, sizeof x.text, "%.1f %%", percent);
+    return x;
+}
+
+struct why_text why_faster(vtime before, vtime after)
+{
+    struct why_text x;
+    if (after)
+        snprintf(x.text, sizeof x.text, "%.2f", (double)before / (double)after);
+    else
+        snprintf(x.text, sizeof x.text, "very many");
+    return x;
+}
+
+struct why_text why_count(uint64_t n)
+{
+    struct why_text x = {""};
+    char digits[24];
+    int length = snprintf(digits, sizeof digits, "%" PRIu64, n);
+    for (int i = 0, out = 0; i < length; i++) {
+        if (i && (length - i) % 3 == 0)
+            x.text[out++] = ',';
+        x.text[out++] = digits[i];
+    }
+    return x;
+}

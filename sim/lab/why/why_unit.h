@@ -1,0 +1,28 @@
+/* why_unit.h - times as text, all of a report in one unit. */
+#ifndef LAB_WHY_UNIT_H
+#define LAB_WHY_UNIT_H
+#include <stdio.h>
+#include "kernel/vtime.h"
+
+struct why_unit {
+    const char *name; /* "s" */
+    vtime ps;
+};
+
+/* A unit in which a run of that length reads well: s, ms or us. */
+struct why_unit why_unit_for(vtime length);
+
+/* Room for a time, or a percentage, as text. */
+struct why_text {
+    char text[40];
+};
+/* "107.224 s" and "107.224": three digits behind the point. */
+struct why_text why_time(struct why_unit u, vtime t);
+struct why_text why_number(struct why_unit u, vtime t);
+/* The part of the whole, in percent: "99.9 %", "less than 0.1 %". */
+struct why_text why_percent(vtime part, vtime whole);
+/* How many times faster: "1.64"; "very many" if nothing is left. */
+struct why_text why_faster(vtime before, vtime after);
+/* A count with commas: "65,325". */
+struct why_text why_count(uint64_t n);
+#endif

@@ -1,0 +1,98 @@
+#!/bin/bash
+# trace_why.sh - touchstone trace why: its path fills the run's time, its causes are the nodes' idle time, handlers and disks are
+# named where they are the cause, and re-runs take exactly the time that such a run takes.
+. "$(dirname "$0")/common.bash"
+compile ring
+compile served
+
+why() { # ARGS...: leaves out, err and status
+    "$BUILD/touchstone" trace why "$@" >out 2>err </dev/null
+    status=$?
+}
+traced() { "$BUILD/touchstone" run -q --json run.json --trace t.trace "$@" >/dev/null 2>&1; }
+prints() { tr '\n' ' ' <out | grep -qE -- "$1"; } # across the ends of lines
+ps() { awk -v key="\"$1\":" '$1 == key { sub(/,$/, "", $2); printf "%.0f\n", $2; exit }' "$2"; }
+# Of run.json: a figure in seconds, added up over all nodes and the host, in picoseconds.
+added() { awk -v key="\"$1\":" '$1 == key && /^   "/ { sum += int($2 * 1e12 + 0.5) } END { printf "%.0f\n", sum }' run.json; }
+end_of_run() { awk '$1 == "\"virtual_time_s\":" { printf "%.0f\n", $2 * 1e12 }' run.json; }
+
+# Do the lines of --path follow each other from 0 to the run's end?
+tiles() {
+    why --path t.trace
+    tail -n +2 out | sed 's/\.//g' | awk -v end="$(end_of_run)" \
+        '$1 + 0 != at || $2 + 0 <= at { print "line", NR, at; bad = 1; exit } { at = $2 + 0 } END { exit bad || at != end }'
+}
+same_idle() { why --json t.trace && [ "$(ps idle_ps out)" = "$(added idle_s)" ] && [ "$(ps idle_ps out)" -gt 0 ]; }
+causes() { awk '/"by_cause_ps"/ { on = 1; next } on && /}/ { exit } on { sub(/,$/, ""); sum += $2 } END { printf "%.0f\n", sum }' out; }
+promises() { # NAME ARGS...
+    traced "${@:2}"
+    check "$1: the path's steps fill the time of the run" tiles
+    check "$1: the waits are the nodes' idle time" same_idle
+    check "$1: the causes add up to that" eval '[ "$(causes)" = "$(ps idle_ps out)" ]'
+}
+promises "the model program" -m delta -n 16 "$BUILD/app/model" -sphere 48 48 9 -group 8
+promises "files" -m ipsc860 -n 4 served
+
+# A ring: messages are the cause, and there is no wait without one.
+promises "ring" -m ipsc860 -n 16 ring
+why t.trace
+check "ring: the sentences come first" eval "head -1 out | grep -q '^ring took [0-9.]* ms on 16 nodes of ipsc860\.'"
+check "ring: its cause is the network" prints 'largest cause is this: the network'
+check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
+why --json t.trace
+check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
+why --json --path t.trace
+check "ring: JSON has each step" eval '[ "$(grep -c "\"begin_ps\"" out)" -ge "$(ps step_count out)" ]'
+why --rerun t.trace
+check "ring: long messages cross a network that takes no time" prints 'would take [0-9.]+ ms instead of [0-9.]+ ms \([0-9.]+ times faster\) if the network took no time'
+
+# A node that serves others: its handlers are the cause. More others, more of that.
+promises "served" -m ipsc860 -n 32 served
+cp t.trace many.trace
+why many.trace
+check "served: node 0 decides" prints 'Node 0 decides how long that is'
+check "served: handlers are the cause" prints 'serving the others: their messages take [0-9.]+ s from it, 7[0-9.]+ % of its time, and its handlers are the larger part'
+check "served: each request is one" prints '620 handlers took [0-9.]+ s \([0-9.]+ %\): 0.062 s of that to enter and leave them; most of it is for serve \('
+check "served: others wait for the handler" prints 'handler busy +in crecv at served.c:29 \(main\), for type 1 of node 0, from csend at served.c:21 \(serve\)'
+check "served: the file is waited for" prints 'disk +in cwrite at served.c:42 \(main\)'
+traced -m ipsc860 -n 2 served
+why --than t.trace many.trace
+check "--than: what grew" prints 'The run of t.trace, on 2 nodes, took [0-9.]+ s. This one took [0-9.]+ s more. On the critical path, handlers grew most'
+why --nodes 5 many.trace
+check "--nodes: waits of one node" prints 'Waits of some nodes.* 1  handler busy'
+why --from 20ms --to 30ms many.trace
+check "--from, --to: a part" prints 'This is about the part from 0.020 s to 0.030 s'
+
+# What if.
+run -q --json run.json -m ipsc860 -n 32 --set system.interrupt_us=0 served
+why --set system.interrupt_us=0 many.trace
+check "--set: the time that such a run takes" prints "would take $(awk -v ps="$(end_of_run)" 'BEGIN { printf "%.3f", ps / 1e12 }') s instead of [0-9.]+ s \([0-9.]+ times faster\) with system.interrupt_us=0"
+why --cpu 2 many.trace
+check "--cpu" prints 'times faster\) if the processors computed 2 times faster'
+why --rerun -o answers many.trace
+check "--rerun: all that may be free" test "$(grep -c '  would .* if ' answers)" = 7
+check "--rerun: nothing failed" eval '! grep -q "no answer" answers'
+why --set system.nothing=0 many.trace
+check "--set: a wrong key is that row's answer" prints 'no answer with system.nothing=0: .*nothing'
+check "no other file is left" test "$(echo answers*)" = answers
+cp served before && "$BUILD/nxcc" -O0 -o served "$tests/served.c"
+why --rerun many.trace
+check "--rerun: the program has changed: exit status" ended_with 65
+check "--rerun: it says so" said 'takes [0-9.]+ s now, not [0-9.]+ s: the program, its input or the machine file has changed'
+cp before served
+mkdir files && traced -m ipsc860 -n 4 --cfs files served && echo mine >files/served
+why --cpu 3 t.trace
+check "--rerun: the files of /cfs stay as they are" eval "[ \$status = 0 ] && echo mine | cmp - files/served"
+
+# Faults.
+head -c $(($(stat -c %s many.trace) / 2)) many.trace >cut.trace
+why cut.trace
+check "a trace that was cut off: as far as it goes" test "$status" -le 65
+why no.trace
+check "no trace: exit status" ended_with 65
+why
+check "which trace?: exit status" ended_with 64
+why --top 0 many.trace
+check "--top 0: exit status" ended_with 64
+why -o /nowhere/x many.trace
+check "a folder that is not there: exit status" ended_with 74
