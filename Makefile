@@ -10,7 +10,7 @@ SAN    ?=
 LTO    ?= -flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -Inx_api/sim/include -I.
-LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lzstd -lnlopt -lgsl -lgslcblas -ldw -lelf -lz -lm
+LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lzstd -lnlopt -lgsl -lgslcblas -ldw -lelf -lpng -lwebpmux -lwebp -lz -lm
 
 # touchstone is linked twice, with the fast engine and with the one that defines its results: sim/lp/engine.h.
 FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c lp/commit.c lp/deferral.c lp/dispatch.c lp/lookahead.c lp/offload.c lp/prefetch_coming.c \

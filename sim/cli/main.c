@@ -13,6 +13,7 @@ static const struct command {
 } COMMANDS[] = {{"run", cli_run, "Run a program built by nxcc on a machine"},
                 {"study", cli_study, "Run a program for all values of several axes"},
                 {"plot", cli_plot, "Draw pictures of a study's results"},
+                {"render", cli_render, "Draw surfaces, or write them in other formats"},
                 {"check", cli_check, "Compare studies with a baseline"},
                 {"fit", cli_fit, "Fit numbers of a machine to measurements"},
                 {"tables", cli_tables, "Reproduce Tables 1-5 of Bajaj & Lin"},
