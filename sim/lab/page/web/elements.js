@@ -76,10 +76,12 @@ function later(title, make) {
 /* Calls draw(width) now and whenever the width of the element, or the colour scheme, changes. */
 function onWidth(e, draw) {
     let width = 0;
-    new ResizeObserver(() => {
+    const follow = () => {
         if (Math.abs(e.clientWidth - width) >= 1 && e.clientWidth > 0)
             draw(width = e.clientWidth);
-    }).observe(e);
+    };
+    follow();
+    new ResizeObserver(follow).observe(e);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => width && draw(width));
 }
 

@@ -44,6 +44,7 @@ async function startPage() {
         await showSurfaces(surfaces);
     state.remove();
     followSections();
+    await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
     document.documentElement.dataset.ready = 'yes'; /* for whoever drives the page */
 }
 

@@ -12,6 +12,7 @@ class TimelinePainter {
     }
     readColours() {
         this.colours = PIECE_COLOURS.map(name => rgb(colour(name)));
+        this.tones = Float64Array.from(this.colours.flat());
         this.ink = colour('ink');
         this.soft = colour('soft');
         this.line = colour('line');
@@ -56,7 +57,7 @@ class TimelinePainter {
         this.paintNames(g, view);
         const arrows = messages ? this.paintMessages(g, view) : {drawn: 0, count: 0};
         if (message >= 0)
-            this.paintMessage(g, view, message, this.mark, 2);
+            this.paintArrows(g, view, [message], this.mark, 2);
         this.paintSelected(g, view, selected);
         g.restore();
         this.paintAxis(g, view);
@@ -121,12 +122,13 @@ class TimelinePainter {
         }
     }
     mixed(sums, all) {
+        const tones = this.tones;
         let r = 0, g = 0, b = 0;
-        for (let k = 0; k < sums.length; k++) {
-            const share = sums[k] / all, c = this.colours[k];
-            r += share * c[0];
-            g += share * c[1];
-            b += share * c[2];
+        for (let k = 0, t = 0; k < sums.length; k++, t += 3) {
+            const share = sums[k] / all;
+            r += share * tones[t];
+            g += share * tones[t + 1];
+            b += share * tones[t + 2];
         }
         return (0xff000000 | Math.min(255, b) << 16 | Math.min(255, g) << 8 | Math.min(255, r)) >>> 0;
     }
@@ -175,44 +177,45 @@ class TimelinePainter {
         };
         return {first: bisect(latest, view.from), last: bisect(sentAt, view.to)};
     }
+    /* Of many arrows, some are drawn: always the same ones, which a hash of their number chooses. */
     paintMessages(g, view) {
-        const {first, last} = this.messageRange(view), most = 1200, list = [];
+        const {first, last} = this.messageRange(view), {overAt, fromRow, toRow} = this.trace, most = 1000;
+        let count = 0;
         for (let i = first; i < last; i++)
-            if (this.trace.overAt[i] >= view.from && this.rowOf(i, 'from') >= 0 && this.rowOf(i, 'to') >= 0)
+            if (overAt[i] >= view.from && fromRow[i] >= 0 && toRow[i] >= 0)
+                count++;
+        const limit = count > most ? most / count * 4294967296 : 4294967296, list = [];
+        for (let i = first; i < last; i++)
+            if (overAt[i] >= view.from && fromRow[i] >= 0 && toRow[i] >= 0 &&
+                Math.imul(i, 2654435761) >>> 0 < limit)
                 list.push(i);
-        const step = Math.max(1, Math.ceil(list.length / most));
-        for (let i = 0; i < list.length; i += step)
-            this.paintMessage(g, view, list[i], this.ink, list.length > 300 ? 0.4 : 0.8);
-        return {drawn: Math.ceil(list.length / step), count: list.length};
+        this.paintArrows(g, view, list, this.ink, count > 300 ? 0.4 : 0.8);
+        return {drawn: list.length, count};
     }
-    rowOf(message, which) {
-        if (!this.rowNumbers) {
-            this.rowNumbers = new Int32Array(this.trace.nodes.length).fill(-1);
-            this.trace.rows.forEach((row, i) => { this.rowNumbers[row.index] = i; });
-        }
-        const node = this.trace.columns['message.' + which][message];
-        return node >= 0 ? this.rowNumbers[node] : -1;
-    }
-    paintMessage(g, view, i, ink, weight) {
-        const from = this.rowOf(i, 'from'), to = this.rowOf(i, 'to');
-        if (from < 0 || to < 0)
-            return;
-        const half = view.rowHeight / 2, limit = x => Math.max(-1e5, Math.min(1e5, x));
-        const x1 = limit(this.x(this.trace.sentAt[i], view)), y1 = this.y(from, view) + half;
-        const x2 = limit(this.x(this.trace.overAt[i], view)), y2 = this.y(to, view) + half;
-        const length = Math.hypot(x2 - x1, y2 - y1) || 1, head = Math.min(7, length), dx = (x2 - x1) / length,
-              dy = (y2 - y1) / length;
+    paintArrows(g, view, list, ink, weight) {
+        const heads = new Path2D();
         g.strokeStyle = g.fillStyle = ink;
         g.lineWidth = weight;
         g.beginPath();
-        g.moveTo(x1, y1);
-        g.lineTo(x2, y2);
+        for (const i of list)
+            this.addArrow(g, heads, view, i);
         g.stroke();
-        g.beginPath();
-        g.moveTo(x2, y2);
-        g.lineTo(x2 - head * dx - head / 2.5 * dy, y2 - head * dy + head / 2.5 * dx);
-        g.lineTo(x2 - head * dx + head / 2.5 * dy, y2 - head * dy - head / 2.5 * dx);
-        g.fill();
+        g.fill(heads);
+    }
+    addArrow(lines, heads, view, i) {
+        const {fromRow, toRow, sentAt, overAt} = this.trace;
+        if (fromRow[i] < 0 || toRow[i] < 0)
+            return;
+        const half = view.rowHeight / 2, limit = x => Math.max(-1e5, Math.min(1e5, x));
+        const x1 = limit(this.x(sentAt[i], view)), y1 = this.y(fromRow[i], view) + half;
+        const x2 = limit(this.x(overAt[i], view)), y2 = this.y(toRow[i], view) + half;
+        const length = Math.hypot(x2 - x1, y2 - y1) || 1, head = Math.min(7, length);
+        const dx = (x2 - x1) / length, dy = (y2 - y1) / length;
+        lines.moveTo(x1, y1);
+        lines.lineTo(x2, y2);
+        heads.moveTo(x2, y2);
+        heads.lineTo(x2 - head * dx - head / 2.5 * dy, y2 - head * dy + head / 2.5 * dx);
+        heads.lineTo(x2 - head * dx + head / 2.5 * dy, y2 - head * dy - head / 2.5 * dx);
     }
     paintSelected(g, view, selected) {
         if (!selected)

@@ -51,6 +51,7 @@ class Timeline {
             element('div', {class: 'readout', id: 'timeline-readout', role: 'status', 'aria-live': 'polite'},
                 element('p', {}, 'A click on a piece, or the keys , and . tell what it is.'));
         this.painter = new TimelinePainter(this.trace, this.canvas);
+        this.canvas.timeline = this; /* for whoever drives the page */
         this.canvas.addEventListener('keydown', e => this.key(e));
         this.canvas.addEventListener('focus', () => this.canvas.classList.add('active'));
         this.canvas.addEventListener('blur', () => this.canvas.classList.remove('active'));

@@ -48,6 +48,10 @@ class Trace {
         this.sentAt = c['message.sent'].numbers();
         this.overAt = new Float64Array(count);
         this.latest = new Float64Array(count);
+        const rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: of a service, number -1 */
+        this.rows.forEach((row, i) => { rowOf[row.index] = i; });
+        this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
+        this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
         for (let i = 0, latest = 0; i < count; i++) {
             this.overAt[i] = this.messageOver(i);
             this.latest[i] = latest = Math.max(latest, this.overAt[i]);
