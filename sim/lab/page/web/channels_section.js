@@ -244,12 +244,12 @@ function channelTable(trace) {
         [
             {name: 'Channel', text: true, get: r => r.name},
             {name: 'messages', get: r => c['channel.uses'][r.i]},
-            {name: 'in use', get: r => c['channel.busy'].at(r.i), show: duration}, {
+            {name: 'in use', get: r => c['channel.busy'].at(r.i), show: moment}, {
                 name: 'share',
                 get: r => c['channel.busy'].number(r.i) / (trace.stop - trace.start),
                 show: v => `${(v * 100).toFixed(2)} %`
             },
-            {name: 'waited for', get: r => c['channel.blocked'].at(r.i), show: duration}
+            {name: 'waited for', get: r => c['channel.blocked'].at(r.i), show: moment}
         ],
         rows);
 }

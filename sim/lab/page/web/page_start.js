@@ -20,7 +20,8 @@ async function readTables(script) { return readColumns(await takeBytes(script));
 async function startPage() {
     const state = document.getElementById('state'),
           scripts = [...document.querySelectorAll('script[data-kind]')];
-    const items = scripts.filter(s => s.dataset.kind in KINDS), surfaces = [];
+    const items = scripts.filter(s => s.dataset.kind in KINDS);
+    const surfaces = [], paths = [], timelines = [];
     await runLibrary('d3');
     const summary = addSection('Summary', 'Summary'), cards = element('ul', {class: 'cards'});
     summary.append(cards);
@@ -34,12 +35,17 @@ async function startPage() {
             const section = KINDS[kind].section ? KINDS[kind].section(data, name) : null;
             if (kind === 'surface')
                 surfaces.push({data, name, card});
+            if (kind === 'path')
+                paths.push({data, name});
+            if (data.timeline)
+                timelines.push(data.timeline);
             fillCard(card, KINDS[kind].summary(data, name), name, section);
         } catch (problem) {
             card.append(element('p', {class: 'problem'}, `${name} cannot be shown: ${problem.message}`));
             console.error(problem);
         }
     }
+    linkPaths(paths, timelines);
     if (surfaces.length)
         await showSurfaces(surfaces);
     state.remove();

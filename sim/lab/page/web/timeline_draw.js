@@ -43,7 +43,7 @@ class TimelinePainter {
     }
     /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows. Returns how many arrows
      * were drawn, of how many. */
-    paint(view, {selected, marks, messages, message}) {
+    paint(view, {selected, marks, messages, message, path}) {
         const g = this.canvas.getContext('2d', {alpha: false}),
               {width, height, scale, axis, left} = this.layout;
         g.setTransform(scale, 0, 0, scale, 0, 0);
@@ -56,6 +56,8 @@ class TimelinePainter {
         g.clip();
         this.paintNames(g, view);
         const arrows = messages ? this.paintMessages(g, view) : {drawn: 0, count: 0};
+        if (path)
+            this.paintPath(g, view, path);
         if (message >= 0)
             this.paintArrows(g, view, [message], this.mark, 2);
         this.paintSelected(g, view, selected);
@@ -216,6 +218,30 @@ class TimelinePainter {
         heads.moveTo(x2, y2);
         heads.lineTo(x2 - head * dx - head / 2.5 * dy, y2 - head * dy + head / 2.5 * dx);
         heads.lineTo(x2 - head * dx + head / 2.5 * dy, y2 - head * dy - head / 2.5 * dx);
+    }
+    /* The critical path: along the rows, and from row to row where a message leads. */
+    paintPath(g, view, path) {
+        const first = d3.bisector(s => s.to).left(path, view.from);
+        let x = null, row = null;
+        g.beginPath();
+        for (let i = Math.max(0, first - 1); i < path.length && (i === 0 || path[i - 1].from <= view.to);
+             i++) {
+            const s = path[i], to = this.x(s.to, view);
+            if (s.row < 0 || (s.row === row && to - x < 0.5))
+                continue;
+            const y = this.y(s.row, view) + view.rowHeight * 0.8;
+            if (row === null)
+                g.moveTo(Math.max(-1e5, this.x(s.from, view)), y);
+            else
+                g.lineTo(this.x(s.from, view), y);
+            g.lineTo(Math.min(1e5, to), y);
+            x = to;
+            row = s.row;
+        }
+        g.strokeStyle = this.mark;
+        g.lineWidth = Math.max(1.5, Math.min(3, view.rowHeight / 6));
+        g.lineJoin = 'round';
+        g.stroke();
     }
     paintSelected(g, view, selected) {
         if (!selected)

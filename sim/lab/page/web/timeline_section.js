@@ -9,15 +9,15 @@ function traceSections(trace, name) {
         section.append(element('p', {}, 'The trace has no node.'));
         return section;
     }
-    const timeline = new Timeline(trace, section);
+    const timeline = trace.timeline = new Timeline(trace, section, name);
     matrixSection(trace, name, timeline);
     channelsSection(trace, name);
     return section;
 }
 
 class Timeline {
-    constructor(trace, section) {
-        Object.assign(this, {trace, section, selected: null, found: [], message: -1, onrange: []});
+    constructor(trace, section, name) {
+        Object.assign(this, {trace, section, name, selected: null, found: [], message: -1, onrange: []});
         const shown = trace.rows.length;
         this.view = {
             from: trace.start,
@@ -74,8 +74,13 @@ class Timeline {
             });
     }
     paint() {
-        const arrows = this.painter.paint(this.view,
-            {selected: this.selected, marks: this.found, messages: this.messages, message: this.message});
+        const arrows = this.painter.paint(this.view, {
+            selected: this.selected,
+            marks: this.found,
+            messages: this.messages,
+            message: this.message,
+            path: this.pathShown ? this.path : null
+        });
         this.arrowNote.textContent =
             this.messages && arrows.drawn < arrows.count
                 ? `${grouped(String(arrows.drawn))} of ${grouped(String(arrows.count))} drawn`
@@ -120,6 +125,19 @@ class Timeline {
                 this.messages = on;
                 this.draw();
             }), this.arrowNote);
+    }
+    /* steps: of the critical path, as touchstone trace why --json --path has them. */
+    showPath(steps, name) {
+        const rows = new Map(this.trace.rows.map((row, i) => [row.index, i]));
+        this.path =
+            steps.map(s => ({from: Number(s.begin_ps), to: Number(s.end_ps), row: rows.get(s.node) ?? -1}));
+        this.path.sort((a, b) => a.from - b.from);
+        this.pathShown = true;
+        this.controls.append(checkbox(`critical path (${name})`, true, on => {
+            this.pathShown = on;
+            this.draw();
+        }));
+        this.draw();
     }
     /* --- what is shown --- */
     setRange(from, to) {
@@ -365,7 +383,7 @@ class Timeline {
             ...figureTable('Each node\'s time',
                 [
                     {name: 'Node', text: true, get: r => r.name},
-                    ...STATE_NAMES.map((name, k) => ({name, get: r => r.sums[k], show: duration}))
+                    ...STATE_NAMES.map((name, k) => ({name, get: r => r.sums[k], show: moment}))
                 ],
                 rows, 1024)
         ];
