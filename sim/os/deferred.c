@@ -270,8 +270,8 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
 {
     struct deferred *p = &n->deferred;
     if (p->begun == VT_NEVER) {
-        vtime done = c->resumes_caller || n->record ? handed_over(n, 0) : 0;
-        RECORD(n, committed, now, now + done - c->commits);
+        vtime done = c->resumes_caller ? handed_over(n, 0) : 0;
+        RECORD(n, committed, now);
         begin(n, c, now);
         if (c->resumes_caller) {
             p->commits = done + p->shift;

@@ -21,7 +21,10 @@ struct open {
     uint32_t wait_room;
     bool sends; /* what the call waits for: record_awaits */
     long from;
-    bool begun, left; /* of a deferred call: its time of beginning is known; its program has left it */
+    /* Of a deferred call: its time of beginning is known; its program has left it, after such a time, whatever puts off
+     * both. */
+    bool begun, left;
+    vtime takes;
 };
 
 enum { DEEPEST = 4 };
@@ -139,6 +142,7 @@ void record_call_ends(struct node *n)
     if (n->call_has_type)
         o->call.flags |= CALL_HAS_TYPE, o->call.type = n->call_type;
     if (n->deferred.open) {
+        o->takes = node_now(n) - o->call.begin;
         o->left = true;
     } else {
         end_call(n, o, node_now(n));
@@ -218,10 +222,11 @@ void record_deferred_again(struct node *n)
     o->begun = true;
 }
 
-void record_committed(struct node *n, vtime t, vtime done)
+void record_committed(struct node *n, vtime t)
 {
     struct open *o = nth_deferred(n, 0);
-    o->call.begin = t, o->call.end = done;
+    o->call.end = t + o->takes;
+    o->call.begin = t;
     o->begun = true;
 }
 

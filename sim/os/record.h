@@ -35,9 +35,9 @@ void record_takes(struct node *n, const struct message *m);
 void record_deferred(struct node *n);
 /* It is the call that the program was in already. */
 void record_deferred_again(struct node *n);
-/* The first deferred call is committed at time t, and done at time `done`; its caller resumes at time t, and is done at
- * time `done`; it is deferred no more. */
-void record_committed(struct node *n, vtime t, vtime done);
+/* The first deferred call is committed at time t; its caller resumes at time t, and is done at time `done`; it is
+ * deferred no more. */
+void record_committed(struct node *n, vtime t);
 void record_resumed(struct node *n, vtime t, vtime done);
 void record_popped(struct node *n);
 /* All deferred calls are about to be undone, for good. */

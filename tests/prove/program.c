@@ -339,6 +339,7 @@ static void choose_machine(struct chooser *c)
         while (p->nodes & (p->nodes - 1))
             p->nodes++;
     p->flushes = !p->host && random_chance(r, 0.15);
+    p->traced = p->seed % 2;
     p->profile = !p->host && !p->flushes && random_chance(r, 0.15);
     p->most_virtual_s = random_chance(r, 0.1) ? 1e-6 * (double)spread(r, 1e5) : 20;
 }

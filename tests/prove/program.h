@@ -25,6 +25,7 @@ struct program {
     uint32_t nodes;
     bool flushes, host, cube; /* host: there is a host program; cube: it calls getcube itself */
     bool profile;
+    bool traced;
     double most_virtual_s;
     char set[MOST_SET][48]; /* KEY=VALUE of the machine file */
     int set_count;

@@ -52,7 +52,7 @@ static void choose_ways(uint64_t seed, char way[WAYS][MOST_WAY])
     uint64_t r = seed ^ UINT64_C(0x5eed);
     unsigned shuffle = 1 + (unsigned)random_below(&r, 1000);
     double slice = 1e-7 * (double)(1 + random_below(&r, 3000));
-    strcpy(way[0], "-w 1");
+    strcpy(way[0], TRIAL_UNTRACED);
     strcpy(way[1], "-w 2");
     strcpy(way[2], random_chance(&r, 0.5) ? "-w 4" : "-w 8");
     snprintf(way[3], MOST_WAY, "-w 3 --shuffle %u", shuffle);

@@ -15,9 +15,9 @@ $(PROVE)/parts.h: tests/prove/parts.h
 	@mkdir -p $(@D)
 	cp $< $@
 
-$(PROVE)/prove: $(wildcard tests/prove/*.c) $(PROVE_PARTS)
+$(PROVE)/prove: $(wildcard tests/prove/*.c) $(PROVE_PARTS) $B/libtouchstone.a
 	@mkdir -p $(@D)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -D_GNU_SOURCE -o $@ $(filter-out %player.c,$(filter %.c,$^)) -lm
+	$(CC) -std=gnu17 $(OPT) $(SAN) $(WARN) -D_GNU_SOURCE -Isim -I. -o $@ $(filter-out %player.c,$(filter %.c,$^)) $B/libtouchstone.a $(LIBS)
 
 prover: $(PROVE)/prove $(PROVE_PLAYERS) $(PROVE)/parts.h
 .PHONY: prover

@@ -1,5 +1,6 @@
 /* trial.c - see trial.h. */
 #include "trial.h"
+#include "trace_text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -12,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-const char *const RESULT_NAMES[RESULTS] = {"messages", "output", "errors", "figures", "profile"};
+const char *const RESULT_NAMES[RESULTS] = {"messages", "output", "errors", "figures", "profile", "trace"};
 
 enum { MOST_ARGUMENTS = 64, PATIENCE_S = 120 };
 
@@ -70,6 +71,11 @@ static void add_program(struct arguments *a, const struct program *p, const char
     add(a, "%splayer%s", folder, p->flushes ? "-flushes" : p->profile ? "-profile" : "");
 }
 
+static bool is_traced(const struct program *p, const char *way)
+{
+    return p->traced && strcmp(way, TRIAL_UNTRACED) != 0;
+}
+
 static struct arguments command(const struct place *place, const struct program *p, const char *way)
 {
     struct arguments a = {0};
@@ -85,6 +91,10 @@ static struct arguments command(const struct place *place, const struct program 
     if (p->profile) {
         add(&a, "--profile");
         add(&a, "%s/%s", place->folder, RESULT_NAMES[PROFILE]);
+    }
+    if (is_traced(p, way)) {
+        add(&a, "--trace");
+        add(&a, "%s/%s", place->folder, RESULT_NAMES[TRACE]);
     }
     add_words(&a, way);
     snprintf(folder, sizeof folder, "%s/tests/prove/", place->build);
@@ -193,7 +203,7 @@ static char *read_result(const char *path)
 
 struct trial trial_run(const struct place *place, const struct program *p, const char *way)
 {
-    struct trial t;
+    struct trial t = {.traced = is_traced(p, way)};
     char path[PATH_MAX];
     for (int i = 0; i < RESULTS; i++) {
         path_of(place, i, path);
@@ -202,7 +212,7 @@ struct trial trial_run(const struct place *place, const struct program *p, const
     t.status = run(place, p, way);
     for (int i = 0; i < RESULTS; i++) {
         path_of(place, i, path);
-        t.text[i] = read_result(path);
+        t.text[i] = i == TRACE ? trace_text(path) : read_result(path);
     }
     return t;
 }
@@ -216,7 +226,7 @@ void trial_free(struct trial *t)
 int trial_differs(const struct trial *a, const struct trial *b)
 {
     for (int i = 0; i < RESULTS; i++)
-        if (strcmp(a->text[i], b->text[i]) != 0)
+        if (strcmp(a->text[i], b->text[i]) != 0 && (i != TRACE || (a->traced && b->traced)))
             return i;
     return a->status == b->status ? -1 : RESULTS;
 }

@@ -58,10 +58,11 @@ enum trace_class trace_class_of(const char *call)
 
 /* --- sorting --- */
 
-/* A stable order of a table's entries: by node, then time, then as they came. */
+/* The order of a table's entries: by node, then time, then `tie`, then as they came. */
 struct key {
     int32_t node, index;
     vtime time;
+    uint64_t tie;
 };
 
 static int by_key(const void *a, const void *b)
@@ -71,6 +72,8 @@ static int by_key(const void *a, const void *b)
         return x->node < y->node ? -1 : 1;
     if (x->time != y->time)
         return x->time < y->time ? -1 : 1;
+    if (x->tie != y->tie)
+        return x->tie < y->tie ? -1 : 1;
     return x->index < y->index ? -1 : x->index > y->index;
 }
 
@@ -99,7 +102,7 @@ static int32_t *sort_calls(struct trace *t)
 {
     struct key *k = room(t->call_count);
     for (int32_t i = 0; i < t->call_count; i++)
-        k[i] = (struct key){t->calls[i].node, i, t->calls[i].begin};
+        k[i] = (struct key){t->calls[i].node, i, t->calls[i].begin, 0};
     return sort(t->calls, sizeof *t->calls, t->call_count, k);
 }
 
@@ -107,15 +110,18 @@ static int32_t *sort_handlers(struct trace *t)
 {
     struct key *k = room(t->handler_count);
     for (int32_t i = 0; i < t->handler_count; i++)
-        k[i] = (struct key){t->handlers[i].node, i, t->handlers[i].begin};
+        k[i] = (struct key){t->handlers[i].node, i, t->handlers[i].begin, 0};
     return sort(t->handlers, sizeof *t->handlers, t->handler_count, k);
 }
 
-static int32_t *sort_messages(struct trace *t)
+/* Those sent at one time: by their names, since the file has them in the order in which they arrived. */
+static int32_t *sort_messages(struct loading *l)
 {
+    struct trace *t = l->t;
     struct key *k = room(t->message_count);
-    for (int32_t i = 0; i < t->message_count; i++)
-        k[i] = (struct key){0, i, t->messages[i].sent};
+    for (const struct link *m = l->links; m < l->links + l->link_count; m++)
+        if (m->kind == LINK_IS)
+            k[m->index] = (struct key){0, m->index, t->messages[m->index].sent, (uint64_t)m->source << 40 | m->order};
     return sort(t->messages, sizeof *t->messages, t->message_count, k);
 }
 
@@ -123,7 +129,7 @@ static void sort_systems(struct trace *t)
 {
     struct key *k = room(t->system_count);
     for (int32_t i = 0; i < t->system_count; i++)
-        k[i] = (struct key){t->systems[i].node, i, t->systems[i].begin};
+        k[i] = (struct key){t->systems[i].node, i, t->systems[i].begin, 0};
     free(sort(t->systems, sizeof *t->systems, t->system_count, k));
 }
 
@@ -133,7 +139,7 @@ static void sort_waits(struct trace *t, const int32_t *call_gone)
     struct key *k = room(t->wait_count);
     for (int32_t i = 0; i < t->wait_count; i++) {
         t->waits[i].call = call_gone[t->waits[i].call];
-        k[i] = (struct key){t->waits[i].call, i, 0};
+        k[i] = (struct key){t->waits[i].call, i, 0, 0};
     }
     int32_t *gone = sort(t->waits, sizeof *t->waits, t->wait_count, k);
     for (int32_t i = 0; i < t->call_count; i++)
@@ -146,7 +152,7 @@ static void sort_blocks(struct trace *t, const int32_t *message_gone)
     struct key *k = room(t->block_count);
     for (int32_t i = 0; i < t->block_count; i++) {
         t->blocks[i].message = message_gone[t->blocks[i].message];
-        k[i] = (struct key){t->blocks[i].message, i, 0};
+        k[i] = (struct key){t->blocks[i].message, i, 0, 0};
     }
     int32_t *gone = sort(t->blocks, sizeof *t->blocks, t->block_count, k);
     for (int32_t i = 0; i < t->message_count; i++)
@@ -245,7 +251,7 @@ static void connect_messages(struct loading *l)
 void trace_connect(struct loading *l)
 {
     struct trace *t = l->t;
-    int32_t *call_gone = sort_calls(t), *handler_gone = sort_handlers(t), *message_gone = sort_messages(t);
+    int32_t *call_gone = sort_calls(t), *handler_gone = sort_handlers(t), *message_gone = sort_messages(l);
     const int32_t *const gone[] = {[LINK_IS] = message_gone,
                                    [LINK_SENDS] = call_gone,
                                    [LINK_TAKES] = call_gone,
