@@ -114,6 +114,14 @@ static struct trace late_trace(void)
     return t;
 }
 
+static void free_made(struct trace *t)
+{
+    for (int32_t i = 0; i < t->name_count; i++)
+        free(t->names[i]);
+    free(t->names), free(t->classes), free(t->nodes), free(t->calls), free(t->waits);
+    free(t->handlers), free(t->systems), free(t->messages), free(t->blocks);
+}
+
 static void times_are_exact(void **state)
 {
     (void)state;
@@ -138,6 +146,7 @@ static void times_are_exact(void **state)
     free(bytes);
     free(page);
     page_free(p);
+    free_made(&trace);
 }
 
 static void names_are_no_markup(void **state)
@@ -153,6 +162,7 @@ static void names_are_no_markup(void **state)
     assert_non_null(strstr(page, "<h1>a &#38; b&#39;s &#60;title&#62;</h1>"));
     free(page);
     page_free(p);
+    free_made(&trace);
 }
 
 static void a_page_is_written_as_often_as_asked(void **state)
@@ -169,6 +179,7 @@ static void a_page_is_written_as_often_as_asked(void **state)
     free(once);
     free(again);
     page_free(p);
+    free_made(&trace);
 }
 
 static uint64_t square(const void *of, size_t i)

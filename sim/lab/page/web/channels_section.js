@@ -1,11 +1,12 @@
-/* channels_section.js - the map of the network's channels: how busy each was, in all or in a part of the run. */
+/* channels_section.js - the map of the network's channels: how busy each was, in all or in a part of the
+ * run. */
 
 function channelsSection(trace, name) {
     if (!trace.channels.length || !trace.messageCount)
         return;
     const section = addSection('The network\'s channels', 'Channels: ' + baseName(name),
-        `Each way of a connection is a line of its own, the wider and the darker, the longer a message held it. A circle is a node; its own channels into and out of the network colour it (${
-            name}).`);
+        'Each way of a connection is a line of its own, the wider and darker, the longer a message held it. ' +
+            `A circle is a node; its own channels into and out of the network colour it (${name}).`);
     const map = {
         trace,
         bin: -1,
@@ -68,7 +69,8 @@ function channelControls(map) {
         button('Whole run', () => show(-1)), note);
 }
 
-/* Places of all addresses, in units of one position. A hypercube's lower dimensions go to the right, the others down. */
+/* Places of all addresses, in units of one position. A hypercube's lower dimensions go to the right, the
+ * others down. */
 function layOut(map) {
     const {topology, channels} = map.trace, cube = !topology.columns;
     const across = cube ? 2 ** Math.ceil(topology.dimension / 2) : topology.columns;
@@ -101,7 +103,8 @@ function dropIdle(map) {
     });
 }
 
-/* On a mesh, only neighbours have a connection; channels are numbered as if those at the edges had some, too. */
+/* On a mesh, only neighbours have a connection; channels are numbered as if those at the edges had some,
+ * too. */
 function isLink(map, c) {
     const a = map.places[c.from], b = map.places[c.to];
     return map.cube || Math.abs(a.x - b.x) + Math.abs(a.y - b.y) === 1;
@@ -161,8 +164,8 @@ function centre(map, address) {
     return {x: map.space + (p.x + 0.5) * map.cell, y: 12 + (p.y + 0.5) * map.cell};
 }
 
-/* The two ends of a link and the point to which it is bent: a straight line between neighbours, moved to its right,
- * an arc over those between. */
+/* The two ends of a link and the point to which it is bent: a straight line between neighbours, moved to
+ * its right, an arc over those between. */
 function linkCurve(map, link) {
     const a = centre(map, link.from), b = centre(map, link.to), dx = b.x - a.x, dy = b.y - a.y,
           length = Math.hypot(dx, dy) || 1;

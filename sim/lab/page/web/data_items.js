@@ -27,7 +27,8 @@ async function takeBytes(script) {
 
 async function takeText(script) { return new TextDecoder().decode(await takeBytes(script)); }
 
-/* Integers of 64 bits, as lower and upper halves. at() is exact; number() is exact up to 2^53, and is for drawing. */
+/* Integers of 64 bits, as lower and upper halves. at() is exact; number() is exact up to 2^53, and is for
+ * drawing. */
 class Wide {
     constructor(lower, upper) {
         this.lower = lower;

@@ -1,5 +1,5 @@
-/* elements.js - makes the elements of the page. Texts become text nodes only, so that a name of a program can never
- * become markup. */
+/* elements.js - makes the elements of the page. Texts become text nodes only, so that a name of a program
+ * can never become markup. */
 
 /* element('td', { class: 'text', onclick: f }, 'some text', anotherElement, null) */
 function element(tag, attributes, ...children) {

@@ -1,4 +1,5 @@
-/* exact_time.js - virtual times as people read them. Times are BigInts of picoseconds; no digit is rounded away. */
+/* exact_time.js - virtual times as people read them. Times are BigInts of picoseconds; no digit is rounded
+ * away. */
 const PICOSECONDS = {
     s: 1000000000000n,
     ms: 1000000000n,

@@ -1,4 +1,5 @@
-/* figure_table.js - tables of figures: they scroll in a region of their own, and show many rows only when asked. */
+/* figure_table.js - tables of figures: they scroll in a region of their own, and show many rows only when
+ * asked. */
 
 /* columns: [ { name, text, get(row), show(value) } ]; text: true for texts. */
 function figureTable(label, columns, rows, most = 200) {

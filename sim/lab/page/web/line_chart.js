@@ -1,5 +1,5 @@
-/* line_chart.js - curves: a point's figures under the mouse or by the arrow keys, lines switched off in the legend,
- * linear or logarithmic scales. */
+/* line_chart.js - curves: a point's figures under the mouse or by the arrow keys, lines switched off in
+ * the legend, linear or logarithmic scales. */
 /* d3 is there only when the page starts. */
 function markerOf(i) {
     return [
@@ -10,10 +10,10 @@ function markerOf(i) {
 const DASHES = ['', '7 3', '2 3', '9 3 2 3', '4 2', '12 4', '1 3', '6 2 1 2'];
 
 /* Draws into a new figure element, which is returned with a method update(options).
- * options: { title, xLabel, yLabel, logX, logY, series: [ { name, points: [ { x, y, tip, spread } ], line } ],
- *            ticksX, zero, height }
- * ticksX: values of the horizontal axis that get a label; spread: half the length of a point's error bar; line: false:
- * markers only; hollow: rings instead of dots. */
+ * options: { title, xLabel, yLabel, logX, logY, ticksX, zero, height,
+ *            series: [ { name, points: [ { x, y, tip, spread } ], line, hollow } ] }
+ * ticksX: values of the horizontal axis that get a label; zero: a line at 0; spread: half the length of a point's
+ * error bar; line: false: markers only; hollow: rings instead of dots. */
 function lineChart(options) {
     const chart = {hidden: new Set(), near: null};
     const holder = element('div'), tip = element('div', {class: 'tip', role: 'status'});

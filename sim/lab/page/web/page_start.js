@@ -81,4 +81,7 @@ function followSections() {
     document.querySelectorAll('main section').forEach(section => watch.observe(section));
 }
 
-startPage();
+startPage().catch(problem => {
+    document.getElementById('state').textContent = `The page cannot be shown as a whole: ${problem.message}`;
+    console.error(problem);
+});

@@ -1,5 +1,6 @@
-/* path_section.js - why a run took its time: what touchstone trace why --json found. Times are picoseconds: BigInt()
- * takes them as numbers, and as texts where a number of JavaScript would not hold them. */
+/* path_section.js - why a run took its time: what touchstone trace why --json found. Times are
+ * picoseconds: BigInt() takes them as numbers, and as texts where a number of JavaScript would not hold
+ * them. */
 
 const WAIT_CAUSE_TEXTS = {
     late_sender: 'late sender',

@@ -1,4 +1,5 @@
-/* study_section.js - curves of a study: any figure against any axis, a line for each value of another axis. */
+/* study_section.js - curves of a study: any figure against any axis, a line for each value of another
+ * axis. */
 
 function studySummary(data) {
     const failed = data.points.filter(p => p.failure).length;

@@ -1,4 +1,5 @@
-/* surface_section.js - surfaces in WebGL, turned by mouse, touch and keys; coloured by isovalue or by node. */
+/* surface_section.js - surfaces in WebGL, turned by mouse, touch and keys; coloured by isovalue or by
+ * node. */
 
 function surfaceSummary(data) {
     return {
@@ -70,15 +71,33 @@ function surfaceLegend(surfaces, view) {
     }));
 }
 
+/* Where the viewer is, as for touchstone render: azimuth around the z axis from x to y, and elevation, in degrees. */
+function viewerDirection(azimuth, elevation) {
+    const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
+    return new THREE.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
+}
+
+/* What a surface that is seen through draws first: only its depth, so that then only its nearest layer is seen. */
+function makeVeil(mesh) {
+    const veil = new THREE.Mesh(
+        mesh.geometry, new THREE.MeshBasicMaterial({colorWrite: false, side: THREE.DoubleSide}));
+    veil.renderOrder = 1;
+    veil.visible = false;
+    return veil;
+}
+
 class SurfaceView {
     constructor(canvas, surfaces) {
         this.canvas = canvas;
         this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
         this.scene = new THREE.Scene();
         this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
+        this.camera.up.set(0, 0, 1); /* as in touchstone render */
+        this.upright = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
         this.clearBoxes = [];
         this.meshes = surfaces.map((s, i) => this.makeMesh(s.data, i));
-        this.meshes.forEach(m => this.scene.add(m));
+        this.veils = this.meshes.map(makeVeil);
+        this.scene.add(...this.meshes, ...this.veils);
         this.addLights();
         this.controls = new THREE.OrbitControls(this.camera, canvas);
         this.controls.enableKeys = false;
@@ -134,11 +153,10 @@ class SurfaceView {
         this.meshes.forEach(m => box.expandByObject(m));
         const middle = box.getCenter(new THREE.Vector3()),
               size = box.getSize(new THREE.Vector3()).length() || 1;
-        const distance = size / 2 / Math.sin(this.camera.fov / 2 * Math.PI / 180) * 0.95;
+        const distance = size / 2 / Math.sin(this.camera.fov / 2 * Math.PI / 180) * 0.82;
         this.camera.near = size / 200;
         this.camera.far = size * 20;
-        this.camera.position.copy(middle).add(
-            new THREE.Vector3(0.55, 0.4, 1).normalize().multiplyScalar(distance));
+        this.camera.position.copy(middle).add(viewerDirection(60, 20).multiplyScalar(distance));
         this.camera.updateProjectionMatrix();
         this.controls.target.copy(middle);
         this.controls.update();
@@ -146,11 +164,13 @@ class SurfaceView {
     }
     /* Turns around the middle: angles in radians, to the right and down. */
     turn(right, down) {
-        const spot =
-            new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.controls.target));
+        const spot = new THREE.Spherical().setFromVector3(
+            this.camera.position.clone().sub(this.controls.target).applyQuaternion(this.upright));
         spot.theta += right;
         spot.phi = Math.min(Math.PI - 0.02, Math.max(0.02, spot.phi + down));
-        this.camera.position.setFromSpherical(spot).add(this.controls.target);
+        this.camera.position.setFromSpherical(spot)
+            .applyQuaternion(this.upright.clone().inverse())
+            .add(this.controls.target);
         this.controls.update();
         this.draw();
     }
@@ -187,6 +207,7 @@ class SurfaceView {
     }
     toggle(i) {
         this.meshes[i].visible = !this.meshes[i].visible;
+        this.veils[i].visible = this.meshes[i].visible && this.meshes[i].material.transparent;
         this.draw();
         return this.meshes[i].visible;
     }
@@ -234,7 +255,8 @@ function vertexNormals(place, corner) {
     return sums;
 }
 
-/* Colours by node: a vertex where polygons of several nodes meet is doubled, one for each node; its normal stays. */
+/* Colours by node: a vertex where polygons of several nodes meet is doubled, one for each node; its normal
+ * stays. */
 function splitByNode(place, corner, normal, node) {
     const normals = normal || vertexNormals(place, corner), count = place.length / 3,
           owner = new Int32Array(count).fill(-2), extra = new Map();

@@ -1,8 +1,10 @@
-/* timeline_draw.js - draws the nodes' time into a canvas. Where pieces are narrower than a pixel, the pixel's colour is
- * the mix of theirs, by their time; so nothing is left out, and drawing takes a time that hardly grows with the trace. */
+/* timeline_draw.js - draws the nodes' time into a canvas. Where pieces are narrower than a pixel, the
+ * pixel's colour is the mix of theirs, by their time; so nothing is left out, and drawing takes a time
+ * that hardly grows with the trace. */
 
-/* view: { from, to (ps), top (rows above, may be a fraction), rowHeight (CSS pixels) }. layout: { width, height, left,
- * axis, scale (device pixels for one) } in CSS pixels: left: room for the names, axis: for the times. */
+/* view: { from, to (ps), top (rows above, may be a fraction), rowHeight (CSS pixels) }. layout: { width,
+ * height, left, axis, scale (device pixels for one) } in CSS pixels: left: room for the names, axis: for
+ * the times. */
 class TimelinePainter {
     constructor(trace, canvas) {
         this.trace = trace;
@@ -41,8 +43,8 @@ class TimelinePainter {
             Math.ceil(view.top + (this.layout.height - this.layout.axis) / view.rowHeight));
         return {first, last};
     }
-    /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows. Returns how many arrows
-     * were drawn, of how many. */
+    /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows; message: the one
+     * to be marked; path: steps of the critical path. Returns how many arrows were drawn, of how many. */
     paint(view, {selected, marks, messages, message, path}) {
         const g = this.canvas.getContext('2d', {alpha: false}),
               {width, height, scale, axis, left} = this.layout;

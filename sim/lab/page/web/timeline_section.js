@@ -1,4 +1,5 @@
-/* timeline_section.js - the timeline of a trace: zoom, pan, search, messages, and all that is known of a piece. */
+/* timeline_section.js - the timeline of a trace: zoom, pan, search, messages, and all that is known of a
+ * piece. */
 
 function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)}`, 'Timeline: ' + baseName(name),
