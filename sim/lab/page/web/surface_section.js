@@ -9,6 +9,8 @@ function surfaceSummary(data) {
     };
 }
 
+const SLOW_PICTURE = 120; /* ms */
+const COARSE_CELLS = 48;  /* along the longest side */
 const SURFACE_TONES =
     ['#d9b48f', '#7fb3d9', '#8fc7a0', '#d98fb0', '#c9c27a', '#a79be0', '#e0946c', '#9aa7b3'];
 
@@ -89,6 +91,7 @@ function makeVeil(mesh) {
 class SurfaceView {
     constructor(canvas, surfaces) {
         this.canvas = canvas;
+        canvas.view = this; /* for whoever drives the page */
         this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
         this.scene = new THREE.Scene();
         this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
@@ -97,11 +100,14 @@ class SurfaceView {
         this.clearBoxes = [];
         this.meshes = surfaces.map((s, i) => this.makeMesh(s.data, i));
         this.veils = this.meshes.map(makeVeil);
+        this.whole = this.meshes.map(m => m.geometry);
+        this.coarseGeometry = [];
+        this.late = 0; /* how many pictures in a row came late */
         this.scene.add(...this.meshes, ...this.veils);
         this.addLights();
         this.controls = new THREE.OrbitControls(this.camera, canvas);
         this.controls.enableKeys = false;
-        this.controls.addEventListener('change', () => this.draw());
+        this.controls.addEventListener('change', () => this.draw(true));
         canvas.addEventListener('keydown', e => this.key(e));
         matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
         this.showAll();
@@ -133,19 +139,54 @@ class SurfaceView {
     resize(width) {
         this.width = width;
         const height = this.canvas.clientHeight || 400;
-        this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
+        this.share = 0; /* the picture has a new size */
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
         this.draw();
     }
-    draw() {
-        if (!this.waiting)
-            this.waiting = requestAnimationFrame(() => {
-                this.waiting = 0;
-                this.renderer.setClearColor(colour('panel'));
-                this.renderer.render(this.scene, this.camera);
-            });
+    /* Draws before the browser shows the next picture. Where pictures of all triangles take long, for want of a
+     * graphics processor, the browser asks for the next one late. Then a coarse one is drawn while the surfaces
+     * move, and all of them when they stand still. */
+    draw(moving) {
+        clearTimeout(this.still);
+        if (moving && this.late > 1)
+            this.still = setTimeout(() => this.draw(), 500);
+        this.coarse = Boolean(moving && this.late > 1);
+        if (this.waiting)
+            return;
+        const asked = performance.now();
+        this.waiting = requestAnimationFrame(() => {
+            this.waiting = 0;
+            if (moving && !this.coarse)
+                this.late = performance.now() - asked > SLOW_PICTURE ? this.late + 1 : 0;
+            this.render();
+        });
+    }
+    render() {
+        this.meshes.forEach((m, i) => {
+            m.geometry = this.veils[i].geometry = this.coarse ? this.coarseOf(i) : this.whole[i];
+        });
+        this.setPixels(this.coarse ? 0.5 : 1);
+        this.renderer.setClearColor(colour('panel'));
+        this.renderer.render(this.scene, this.camera);
+    }
+    /* How many pixels are drawn: a share of those that the screen has. */
+    setPixels(share) {
+        if (this.share === share)
+            return;
+        this.share = share;
+        this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2) * share);
+    }
+    /* The same surface with the triangles that are left when all vertices within a cell of space are one. */
+    coarseOf(i) {
+        if (this.coarseGeometry[i])
+            return this.coarseGeometry[i];
+        const geometry = new THREE.BufferGeometry(), {attributes, index} = this.whole[i];
+        Object.assign(geometry.attributes, attributes);
+        geometry.setIndex(
+            new THREE.BufferAttribute(coarseCorners(attributes.position.array, index.array), 1));
+        return this.coarseGeometry[i] = geometry;
     }
     /* Puts the camera where all is seen, obliquely from the front. */
     showAll() {
@@ -172,12 +213,12 @@ class SurfaceView {
             .applyQuaternion(this.upright.clone().inverse())
             .add(this.controls.target);
         this.controls.update();
-        this.draw();
+        this.draw(true);
     }
     zoom(factor) {
         this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
         this.controls.update();
-        this.draw();
+        this.draw(true);
     }
     key(e) {
         const actions = {
@@ -231,6 +272,31 @@ class SurfaceView {
         });
         this.draw();
     }
+}
+
+/* For each vertex, the first one of its cell stands; triangles with three different ones stay. */
+function coarseCorners(place, corner) {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity],
+          cells = COARSE_CELLS;
+    for (let i = 0; i < place.length; i++) {
+        low[i % 3] = Math.min(low[i % 3], place[i]);
+        high[i % 3] = Math.max(high[i % 3], place[i]);
+    }
+    const size = Math.max(...high.map((h, k) => h - low[k]), 1e-30) / cells, first = new Map();
+    const cell = i => Math.floor((place[i] - low[i % 3]) / size);
+    const stands = new Uint32Array(place.length / 3), kept = [];
+    for (let v = 0; v < stands.length; v++) {
+        const key = (cell(3 * v) * (cells + 1) + cell(3 * v + 1)) * (cells + 1) + cell(3 * v + 2);
+        if (!first.has(key))
+            first.set(key, v);
+        stands[v] = first.get(key);
+    }
+    for (let t = 0; t < corner.length; t += 3) {
+        const a = stands[corner[t]], b = stands[corner[t + 1]], c = stands[corner[t + 2]];
+        if (a !== b && b !== c && c !== a)
+            kept.push(a, b, c);
+    }
+    return new Uint32Array(kept);
 }
 
 /* Normals of vertices: the sum of their triangles', by area. */
