@@ -210,7 +210,7 @@ function drawNodes(g, map, tone) {
         g.strokeStyle = node || service ? tone(shares.get(address) || 0) : colour('line');
         g.stroke();
         g.fillStyle = colour(node ? 'ink' : 'soft');
-        if (radius >= 7 && !service)
+        if (!service && g.measureText(String(address)).width < radius * 1.75)
             g.fillText(String(address), at.x, at.y + 0.5);
     });
 }

@@ -31,7 +31,7 @@ function surfaceSection(surfaces) {
     });
     const plot = element('div', {class: 'plot surface'}, canvas);
     const view = new SurfaceView(canvas, surfaces);
-    const nodes = surfaces.some(s => s.data.node);
+    const nodes = surfaces.some(s => s.data.node), key = nodeLegend(surfaces);
     section.append(element('div', {class: 'controls'},
                        element('span', {class: 'group', role: 'group', 'aria-label': 'Turn and zoom'},
                            button('◀', () => view.turn(-0.2, 0), {'aria-label': 'Turn left'}),
@@ -46,15 +46,33 @@ function surfaceSection(surfaces) {
                                ['surface', 'of the surface'],
                                ...(nodes ? [['node', 'of the node that made each polygon']] : [])
                            ],
-                           'surface', v => view.colourBy(v)),
+                           'surface',
+                           v => {
+                               view.colourBy(v);
+                               key.hidden = v !== 'node';
+                           }),
                        checkbox('turn by itself', false, on => view.spin(on))),
-        plot, surfaceLegend(surfaces, view),
+        plot, surfaceLegend(surfaces, view), key,
         element('p', {class: 'note hint'},
             'Drag to turn, wheel or two fingers to zoom, right button or two fingers to move. Keys: ',
             keys('← → ↑ ↓'), ' turn, ', keys('+ −'), ' zoom, ', keys('0'), ' everything.'));
     view.outermostClear();
     onWidth(plot, width => view.resize(width));
     return section;
+}
+
+/* Which colour is whose node, of the first nodes. */
+function nodeLegend(surfaces) {
+    const found = new Set(surfaces.flatMap(s => [...new Set(s.data.node || [])])), most = 64;
+    const nodes = [...found].sort((a, b) => a - b);
+    const keys = nodes.slice(0, most).map(node => {
+        const box = element('span', {class: 'swatch'});
+        box.style.backgroundColor = nodeTone(node).toString();
+        return element('li', {class: 'key'}, box, `node ${node}`);
+    });
+    const rest =
+        nodes.length > most ? element('li', {class: 'key'}, `and ${nodes.length - most} more`) : null;
+    return element('ul', {class: 'legend', hidden: true}, keys, rest);
 }
 
 /* A button a surface, which shows or hides it, and how much of it is seen through. */

@@ -22,7 +22,7 @@ class TimelinePainter {
         this.mark = colour('mark');
     }
     resize(width, height, scale) {
-        this.layout = {width, height, scale, left: width < 500 ? 52 : 72, axis: 26};
+        this.layout = {width, height, scale, left: width < 500 ? 40 : 72, axis: 26};
         this.canvas.width = Math.round(width * scale);
         this.canvas.height = Math.round(height * scale);
         this.canvas.style.height = height + 'px';
@@ -297,7 +297,9 @@ class TimelinePainter {
                 g.fillStyle = selected && selected.row === r ? this.ink : this.soft;
                 const y = this.y(r, view) + view.rowHeight / 2;
                 if (y > axis + 4)
-                    g.fillText(this.trace.rows[r].name, left - 10, y);
+                    g.fillText(this.layout.left < 60 ? this.trace.rows[r].name.replace('node ', '')
+                                                     : this.trace.rows[r].name,
+                        left - 10, y);
             }
         g.textAlign = 'left';
         g.fillStyle = this.ground;

@@ -24,7 +24,7 @@ class Timeline {
             from: trace.start,
             to: trace.stop,
             top: 0,
-            rowHeight: Math.max(3, Math.min(22, Math.floor(440 / shown)))
+            rowHeight: shown > 267 ? Math.max(1, 534 / shown) : Math.min(22, Math.floor(534 / shown))
         };
         this.messages = trace.messageCount > 0 && trace.messageCount <= 400;
         this.makeCanvas();
@@ -75,6 +75,7 @@ class Timeline {
             });
     }
     paint() {
+        this.noteRows();
         const arrows = this.painter.paint(this.view, {
             selected: this.selected,
             marks: this.found,
@@ -86,6 +87,14 @@ class Timeline {
             this.messages && arrows.drawn < arrows.count
                 ? `${grouped(String(arrows.drawn))} of ${grouped(String(arrows.count))} drawn`
                 : '';
+    }
+    /* Which rows are seen, unless all are. */
+    noteRows() {
+        const {first, last} = this.painter.visibleRows(this.view), rows = this.trace.rows;
+        this.rowNote.textContent = last - first >= rows.length
+                                       ? ''
+                                       : `${rows[first].name} to ${rows[last - 1].name} of ${
+                                             rows.length}: drag, or Page Up and Page Down`;
     }
     legend() {
         return element('ul', {class: 'legend'}, PIECE_NAMES.map((name, i) => {
@@ -105,11 +114,14 @@ class Timeline {
         this.fromInput = range('From, such as 1.5 s or 12 ms');
         this.toInput = range('To, such as 1.5 s or 12 ms');
         this.arrowNote = element('span', {class: 'note'});
+        this.rowNote = element('span', {class: 'note'});
         const rowSizes = [2, 3, 6, 12, 16, 22].map(n => [n, n < 6 ? `small (${n})`
                                                             : n < 16 ? `middle (${n})`
                                                                      : `large (${n})`]);
+        const all = Math.min(22, 534 / this.trace.rows.length);
+        rowSizes.push([all, 'all in view']);
         if (!rowSizes.some(([n]) => n === this.view.rowHeight))
-            rowSizes.push([this.view.rowHeight, `to fit (${this.view.rowHeight})`]);
+            rowSizes.push([this.view.rowHeight, 'to fit']);
         this.controls = element('div', {class: 'controls'},
             element('span', {class: 'group', role: 'group', 'aria-label': 'Zoom'},
                 button('−', () => this.zoom(2), {'aria-label': 'Zoom out'}),
@@ -125,7 +137,7 @@ class Timeline {
             }), checkbox('messages', this.messages, on => {
                 this.messages = on;
                 this.draw();
-            }), this.arrowNote);
+            }), this.arrowNote, this.rowNote);
     }
     /* steps: of the critical path, as touchstone trace why --json --path has them. */
     showPath(steps, name) {
