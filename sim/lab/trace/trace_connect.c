@@ -121,7 +121,8 @@ static int32_t *sort_messages(struct loading *l)
     struct key *k = room(t->message_count);
     for (const struct link *m = l->links; m < l->links + l->link_count; m++)
         if (m->kind == LINK_IS)
-            k[m->index] = (struct key){0, m->index, t->messages[m->index].sent, (uint64_t)m->source << 40 | m->order};
+            k[m->index] =
+                (struct key){0, m->index, t->messages[m->index].sent, (uint64_t)m->source << 40 | m->order};
     return sort(t->messages, sizeof *t->messages, t->message_count, k);
 }
 
@@ -129,7 +130,7 @@ static void sort_systems(struct trace *t)
 {
     struct key *k = room(t->system_count);
     for (int32_t i = 0; i < t->system_count; i++)
-        k[i] = (struct key){t->systems[i].node, i, t->systems[i].begin, 0};
+        k[i] = (struct key){t->systems[i].node, i, t->systems[i].charged, 0};
     free(sort(t->systems, sizeof *t->systems, t->system_count, k));
 }
 
