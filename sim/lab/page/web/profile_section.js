@@ -1,9 +1,4 @@
 /* profile_section.js - a profile: where the nodes' time went, by function of the program. */
-const PROFILE_CLASS = {
-    with_handlers: 'nodes with handlers',
-    others: 'nodes'
-};
-
 function profileSummary(data) {
     const top = [...data.functions].sort((a, b) => b.share - a.share)[0];
     return {

@@ -43,8 +43,9 @@ class TimelinePainter {
             Math.ceil(view.top + (this.layout.height - this.layout.axis) / view.rowHeight));
         return {first, last};
     }
-    /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows; message: the one
-     * to be marked; path: steps of the critical path. Returns how many arrows were drawn, of how many. */
+    /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows;
+     * message: the one to be marked; path: steps of the critical path. Returns how many arrows were
+     * drawn, of how many. */
     paint(view, {selected, marks, messages, message, path}) {
         const g = this.canvas.getContext('2d', {alpha: false}),
               {width, height, scale, axis, left} = this.layout;
