@@ -40,7 +40,7 @@ $B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
 
 -include $(SIM_OBJ:.o=.d) $(REF_OBJ:.o=.d) $B/obj/sim/cli/main.d
 
-include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk nx_api/kmath/kmath.mk
+include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk nx_api/kmath/kmath.mk sim/lab/page/page.mk
 include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
 
 # The model program: plain NX C, built like any node program.

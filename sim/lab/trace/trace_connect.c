@@ -82,9 +82,10 @@ static int32_t *sort(void *table, size_t bytes, int32_t count, struct key *keys)
 {
     int32_t *gone = xcalloc((size_t)count, sizeof *gone);
     char *old = xmalloc((size_t)count * bytes);
-    if (count) /* an empty table has no address */
+    if (count) { /* an empty table has no address */
         memcpy(old, table, (size_t)count * bytes);
-    qsort(keys, (size_t)count, sizeof *keys, by_key);
+        qsort(keys, (size_t)count, sizeof *keys, by_key);
+    }
     for (int32_t i = 0; i < count; i++) {
         memcpy((char *)table + (size_t)i * bytes, old + (size_t)keys[i].index * bytes, bytes);
         gone[keys[i].index] = i;

@@ -1,0 +1,73 @@
+/* exact_time.js - virtual times as people read them. Times are BigInts of picoseconds; no digit is rounded
+ * away. */
+const PICOSECONDS = {
+    s: 1000000000000n,
+    ms: 1000000000n,
+    us: 1000000n,
+    ns: 1000n,
+    ps: 1n
+};
+const UNIT_TEXT = {
+    s: 's',
+    ms: 'ms',
+    us: 'µs',
+    ns: 'ns',
+    ps: 'ps'
+};
+
+/* Groups of three digits, apart by narrow spaces. */
+function grouped(digits, fromLeft) {
+    const space = '\u202f';
+    return fromLeft ? digits.replace(/(\d{3})(?=\d)/g, '$1' + space)
+                    : digits.replace(/\B(?=(\d{3})+$)/g, space);
+}
+
+function inUnit(time, unit) {
+    const one = PICOSECONDS[unit], whole = time / one, rest = time % one;
+    const decimals = rest ? String(rest).padStart(String(one).length - 1, '0').replace(/0+$/, '') : '';
+    return grouped(String(whole)) + (decimals ? '.' + grouped(decimals, true) : '') + '\u00a0' +
+           UNIT_TEXT[unit];
+}
+
+/* A moment: in seconds. */
+function moment(time) { return inUnit(time, 's'); }
+
+/* A duration: in the unit that leaves something before the point. */
+function duration(time) {
+    if (time < 0n)
+        return '-' + duration(-time);
+    for (const unit of ['s', 'ms', 'us', 'ns'])
+        if (time >= PICOSECONDS[unit])
+            return inUnit(time, unit);
+    return inUnit(time, 'ps');
+}
+
+/* A duration that is not exact, to four figures: for axes and shares. */
+function roughly(picoseconds) {
+    for (const unit of ['s', 'ms', 'us', 'ns'])
+        if (Math.abs(picoseconds) >= Number(PICOSECONDS[unit]))
+            return Number((picoseconds / Number(PICOSECONDS[unit])).toPrecision(4)) + '\u00a0' +
+                   UNIT_TEXT[unit];
+    return Math.round(picoseconds) + '\u00a0ps';
+}
+
+/* "1.5", "12ms", "3 us" as picoseconds; null if the text is no time. */
+function parseTime(text) {
+    const found = /^(\d+)(?:\.(\d*))?(s|ms|us|µs|ns|ps)?$/.exec(text.replace(/[\s\u202f\u00a0]/g, ''));
+    if (!found)
+        return null;
+    const unit = (found[3] || 's').replace('µ', 'u'), places = String(PICOSECONDS[unit]).length - 1;
+    const decimals = (found[2] || '').padEnd(places, '0').slice(0, places);
+    return BigInt(found[1]) * PICOSECONDS[unit] + BigInt(decimals || 0);
+}
+
+/* The same as text that parseTime reads. */
+function timeText(time) { return moment(time).replace(/[\u202f]/g, '').replace('\u00a0', ' '); }
+
+/* Seconds as a file of results has them, all digits. */
+function seconds(value) {
+    const [whole, decimals] = String(value).split('.');
+    return value === Math.abs(value) && !String(value).includes('e')
+               ? grouped(whole) + (decimals ? '.' + grouped(decimals, true) : '') + '\u00a0s'
+               : `${value}\u00a0s`;
+}

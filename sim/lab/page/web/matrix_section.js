@@ -1,0 +1,160 @@
+/* matrix_section.js - who sent how much to whom. */
+
+function matrixSection(trace, name, timeline) {
+    if (!trace.messageCount)
+        return;
+    const section = addSection('Who sends to whom', 'Matrix: ' + baseName(name),
+        `A row is a sender, a column a receiver; the scale is logarithmic (${name}).`);
+    const state = {figure: 'bytes', shownOnly: false}, canvas = element('canvas', {
+        tabindex: '0',
+        role: 'img',
+        'aria-label':
+            'Communication matrix; the table behind has the figures. Arrow keys go from pair to pair.'
+    });
+    const plot = element('div', {class: 'plot'}, canvas),
+          readout = element('div', {class: 'readout', role: 'status'});
+    const scaleKey = element('p', {class: 'note'});
+    let width = 0, matrix, at = null;
+    const draw = () => {
+        matrix = sumMatrix(trace, state.figure, state.shownOnly ? timeline.view : null);
+        drawMatrix(canvas, matrix, width, at);
+        showScale(scaleKey, matrix, state.figure);
+        tell();
+    };
+    const tell = () => readout.replaceChildren(element('p', {},
+        at ? pairText(matrix, at, state.figure)
+           : 'The pair under the mouse, or that the arrow keys lead to.'));
+    const go = (from, to) => {
+        at = {
+            from: Math.max(0, Math.min(matrix.count - 1, from)),
+            to: Math.max(0, Math.min(matrix.count - 1, to))
+        };
+        drawMatrix(canvas, matrix, width, at);
+        tell();
+    };
+    canvas.addEventListener('pointermove', e => go(Math.floor((e.offsetY - matrix.space) / matrix.cell),
+                                               Math.floor((e.offsetX - matrix.space) / matrix.cell)));
+    canvas.addEventListener('keydown', e => {
+        const step = {ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1]}[e.key];
+        if (step) {
+            e.preventDefault();
+            go(at ? at.from + step[0] : 0, at ? at.to + step[1] : 0);
+        }
+    });
+    section.append(element('div', {class: 'controls'},
+                       choice('Shown', [['bytes', 'bytes'], ['messages', 'messages']], 'bytes',
+                           v => {
+                               state.figure = v;
+                               draw();
+                           }),
+                       checkbox('only the interval that the timeline shows', false,
+                           on => {
+                               state.shownOnly = on;
+                               draw();
+                           })),
+        element('div', {class: 'beside'}, plot,
+            element('div', {}, scaleKey, readout, later('The table behind', () => pairsTable(trace)))));
+    timeline.onrange.push(() => state.shownOnly && width && draw());
+    onWidth(section, w => {
+        width = Math.min(w, 600);
+        draw();
+    });
+}
+
+/* Sums the messages by pair. Services have no row of their own; they share the last. */
+function sumMatrix(trace, what, view) {
+    const c = trace.columns, count = trace.nodes.length + 1, sums = new Float64Array(count * count);
+    let most = 0, services = false;
+    for (let i = 0; i < trace.messageCount; i++) {
+        if (view && (trace.sentAt[i] > view.to || trace.overAt[i] < view.from))
+            continue;
+        const from = c['message.from'][i] >= 0 ? c['message.from'][i] : count - 1,
+              to = c['message.to'][i] >= 0 ? c['message.to'][i] : count - 1;
+        services ||= from === count - 1 || to === count - 1;
+        most = Math.max(most, sums[from * count + to] += what === 'bytes' ? c['message.bytes'].number(i) : 1);
+    }
+    const names = [...trace.nodes.map(n => n.name), 'services'];
+    return {sums, stride: count, count: services ? count : count - 1, most, names};
+}
+
+function matrixRamp(share) {
+    return d3.interpolateRgbBasis([colour('panel'), colour('c0'), colour('ink')])(share);
+}
+
+function drawMatrix(canvas, matrix, width, at) {
+    const scale = devicePixelRatio || 1, space = 34, size = width - 2, g = canvas.getContext('2d');
+    const cell = Math.max((size - space) / matrix.count, 0.25);
+    Object.assign(matrix, {cell: Math.min(cell, 28), space});
+    const side = space + matrix.cell * matrix.count;
+    canvas.width = (side + 2) * scale;
+    canvas.height = (side + 2) * scale;
+    canvas.style.height = canvas.style.width = side + 2 + 'px';
+    g.scale(scale, scale);
+    g.fillStyle = colour('ground');
+    g.fillRect(0, 0, side + 2, side + 2);
+    const ramp = d3.range(65).map(i => matrixRamp(0.12 + i / 64 * 0.88)), empty = colour('panel'),
+          most = Math.log(matrix.most + 1);
+    for (let from = 0; from < matrix.count; from++)
+        for (let to = 0; to < matrix.count; to++) {
+            const sum = matrix.sums[from * matrix.stride + to], gap = matrix.cell > 5 ? 1 : 0;
+            g.fillStyle = sum ? ramp[Math.round(Math.log(sum + 1) / most * 64)] : empty;
+            g.fillRect(
+                space + to * matrix.cell, space + from * matrix.cell, matrix.cell - gap, matrix.cell - gap);
+        }
+    matrixLabels(g, matrix, at);
+}
+
+function matrixLabels(g, matrix, at) {
+    const every = [1, 2, 4, 8, 16, 32, 64, 128].find(n => n * matrix.cell >= 20) || 256,
+          {cell, space} = matrix;
+    g.font = '11px system-ui, sans-serif';
+    g.fillStyle = colour('soft');
+    g.textBaseline = 'middle';
+    for (let i = 0; i < matrix.count; i += every) {
+        const name = matrix.names[i].replace('node ', '').slice(0, 4);
+        g.textAlign = 'right';
+        g.fillText(name, space - 5, space + (i + 0.5) * cell);
+        g.textAlign = 'center';
+        g.fillText(name, space + (i + 0.5) * cell, space - 10);
+    }
+    if (at) {
+        g.strokeStyle = colour('mark');
+        g.lineWidth = 2;
+        g.strokeRect(space + at.to * cell - 1, space + at.from * cell - 1, cell + 1, cell + 1);
+    }
+}
+
+function pairText(matrix, {from, to}, figureName) {
+    const sum = matrix.sums[from * matrix.stride + to];
+    return `${matrix.names[from]} to ${matrix.names[to]}: ${grouped(String(sum))} ${figureName}`;
+}
+
+function showScale(line, matrix, figureName) {
+    const ramp = element('span', {class: 'ramp'});
+    ramp.style.background =
+        `linear-gradient(to right, ${d3.range(9).map(i => matrixRamp(0.12 + i / 8 * 0.88)).join(', ')})`;
+    line.replaceChildren('1 ', ramp, ` ${grouped(String(matrix.most))} ${figureName}`);
+}
+
+function pairsTable(trace) {
+    const c = trace.columns, pairs = new Map();
+    for (let i = 0; i < trace.messageCount; i++) {
+        const key = c['message.from'][i] * 65536 + c['message.to'][i];
+        const pair = pairs.get(key) || {
+            from: trace.nodeName(c['message.from'][i]),
+            to: trace.nodeName(c['message.to'][i]),
+            messages: 0,
+            bytes: 0n
+        };
+        pair.messages++;
+        pair.bytes += c['message.bytes'].at(i);
+        pairs.set(key, pair);
+    }
+    return figureTable('Messages by pair',
+        [
+            {name: 'From', text: true, get: p => p.from}, {name: 'to', text: true, get: p => p.to},
+            {name: 'messages', get: p => p.messages},
+            {name: 'bytes', get: p => p.bytes, show: v => grouped(String(v))}
+        ],
+        [...pairs.values()].sort((a, b) => (a.bytes < b.bytes ? 1 : -1)));
+}

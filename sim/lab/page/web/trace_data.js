@@ -1,0 +1,191 @@
+/* trace_data.js - a trace as page_trace.c wrote it, and what is said of its parts. */
+
+/* What a piece of a node's time is drawn as; the order is that of the legend. */
+const PIECE_COLOURS = ['computing', 'handler', 'call', 'system', 'waiting', 'ended'];
+const PIECE_NAMES = [
+    'computing', 'computing in a handler', 'system, for a call of the program',
+    'system, for messages and handlers', 'waiting', 'ended'
+];
+const STATE_DRAWN = [0, 2, 4, 3, 5]; /* of enum trace_state */
+const STATE_NAMES = ['computing', 'in call', 'waiting', 'in system', 'ended'];
+const TASK_NAMES =
+    ['sending a message', 'receiving a message', 'feeding the network', 'emptying the network'];
+const PIECE_BLOCK = 64; /* pieces whose times are summed, so that drawing can pass over them */
+
+async function readTrace(script) { return new Trace(readColumns(await takeBytes(script))); }
+
+class Trace {
+    constructor(columns) {
+        Object.assign(this, columns.header);
+        this.columns = columns;
+        this.from = BigInt(columns.header.from);
+        this.to = BigInt(columns.header.to);
+        this.end = BigInt(columns.header.end);
+        this.start = Number(this.from);
+        this.stop = Math.max(Number(this.to), this.start + 1);
+        this.pieceEnd = columns['piece.end'].numbers();
+        this.pieceCount = this.pieceEnd.length;
+        this.rows = this.nodes.map((n, i) => ({...n, index: i})).filter(n => n.traced && n.pieces);
+        this.drawn = this.columns['piece.state'].map(s => ((s & 7) === 0 && s & 8 ? 1 : STATE_DRAWN[s & 7]));
+        this.sumBlocks();
+        this.sortMessages();
+    }
+    /* For each block of pieces of one node: the time of each kind. */
+    sumBlocks() {
+        const kinds = PIECE_COLOURS.length;
+        this.blockSums = new Float64Array((Math.floor(this.pieceCount / PIECE_BLOCK) + 1) * kinds);
+        for (const row of this.rows)
+            for (let i = row.first, from = this.start; i < row.first + row.pieces; i++) {
+                this.blockSums[Math.floor(i / PIECE_BLOCK) * kinds + this.drawn[i]] +=
+                    this.pieceEnd[i] - from;
+                from = this.pieceEnd[i];
+            }
+    }
+    /* Messages are in order of sending; latest[i]: when the last of those up to i was over. */
+    sortMessages() {
+        const c = this.columns, count = c['message.from'].length;
+        this.messageCount = count;
+        this.sentAt = c['message.sent'].numbers();
+        this.overAt = new Float64Array(count);
+        this.latest = new Float64Array(count);
+        const rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: of a service, number -1 */
+        this.rows.forEach((row, i) => { rowOf[row.index] = i; });
+        this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
+        this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
+        for (let i = 0, latest = 0; i < count; i++) {
+            this.overAt[i] = this.messageOver(i);
+            this.latest[i] = latest = Math.max(latest, this.overAt[i]);
+        }
+    }
+    /* When the message is there: where its arrow ends. */
+    messageOver(i) {
+        for (const name of ['complete', 'left', 'moved', 'entered', 'sent'])
+            if (!this.columns['message.' + name].isNever(i))
+                return this.columns['message.' + name].number(i);
+        return this.sentAt[i];
+    }
+    /* The piece of the row at that time, by bisection. */
+    pieceAt(row, time) {
+        let low = row.first, high = row.first + row.pieces - 1;
+        while (low < high) {
+            const middle = (low + high) >> 1;
+            if (this.pieceEnd[middle] > time)
+                high = middle;
+            else
+                low = middle + 1;
+        }
+        return low;
+    }
+    pieceFrom(row, i) { return i === row.first ? this.from : this.columns['piece.end'].at(i - 1); }
+    nodeName(index) { return index >= 0 ? this.nodes[index].name : 'a service'; }
+    text(number) { return number >= 0 ? this.texts[number] : ''; }
+    callName(call) { return this.text(this.columns['call.called'][call]); }
+    /* "crecv, type 5, at relax, relax.c:12" */
+    callText(call) {
+        const c = this.columns, name = this.names[c['call.name'][call]], called = this.callName(call);
+        return [
+            name === called ? name : `${called} (${name})`,
+            c['call.flags'][call] & 1 ? `type ${c['call.type'][call]}` : '',
+            c['call.place'][call] >= 0 ? `at ${this.text(c['call.place'][call])}` : '',
+            c['call.flags'][call] & 4 ? 'made by a handler' : '',
+            c['call.flags'][call] & 2 ? 'not finished' : ''
+        ].filter(Boolean)
+            .join(', ');
+    }
+    messageText(i) {
+        const c = this.columns,
+              part = (name, text) =>
+                  (c['message.' + name].isNever(i) ? '' : `${text} ${moment(c['message.' + name].at(i))}`);
+        return `message ${i}: ${this.nodeName(c['message.from'][i])} to ${
+                   this.nodeName(c['message.to'][i])}, type ${c['message.type'][i]}, ` +
+               `${grouped(String(c['message.bytes'].at(i)))} bytes; ` + [
+                   part('sent', 'sent'), part('asked', 'asked'), part('granted', 'granted'),
+                   part('moved', 'has its path'), part('left', 'left the network'),
+                   part('complete', 'complete'), part('taken', 'taken')
+               ].filter(Boolean).join(', ');
+    }
+    /* What is known of a piece, in lines. */
+    pieceText(row, i) {
+        const c = this.columns, state = c['piece.state'][i], call = c['piece.call'][i],
+              wait = c['piece.wait'][i];
+        const from = this.pieceFrom(row, i), to = c['piece.end'].at(i), handler = c['piece.handler'][i],
+              system = c['piece.system'][i];
+        const lines = [`${row.name}: ${STATE_NAMES[state & 7]}${state & 8 ? ' in a handler' : ''} for ${
+            duration(to - from)}, from ${moment(from)} to ${moment(to)}`];
+        if (system >= 0)
+            lines.push(`The operating system is ${TASK_NAMES[c['system.task'][system]] || 'busy'}.`);
+        else if ((state & 7) === 3 && handler >= 0)
+            lines.push('The operating system enters or leaves the handler.');
+        if (wait >= 0)
+            lines.push(this.waitText(wait));
+        if (call >= 0)
+            lines.push('Call: ' + this.callText(call));
+        if (handler >= 0)
+            lines.push(`Handler for type ${c['handler.type'][handler]}, due ${
+                moment(c['handler.due'].at(handler))}`);
+        for (const message of this.pieceMessages(i))
+            lines.push(this.messageText(message));
+        return lines;
+    }
+    waitText(wait) {
+        const c = this.columns, flags = c['wait.flags'][wait], from = c['wait.from'][wait];
+        return `Waits ${flags & 2 ? 'until a message has left' : 'for a message'}${
+            flags & 1 ? `, type ${c['wait.type'][wait]}`
+                      : ''}${from >= 0 ? `, from ${this.nodeName(from)}` : ''}.`;
+    }
+    /* The messages of the piece's call or handler. */
+    pieceMessages(i) {
+        const c = this.columns, call = c['piece.call'][i], handler = c['piece.handler'][i], found = [];
+        if (call >= 0)
+            found.push(c['call.sent'][call], c['call.taken'][call]);
+        else if (handler >= 0)
+            found.push(c['handler.message'][handler]);
+        return found.filter(m => m >= 0);
+    }
+    /* What a call did: "csend, type 5 on node 3". Words of the query must all be in it. */
+    search(query, most) {
+        const words = query.toLowerCase().match(/\S+/g) || [], c = this.columns, found = [],
+              numbers = {type: null, node: null, message: null};
+        if (!words.length)
+            return {found, count: 0};
+        const texts = words.filter((w, i) => {
+            const number = /^-?\d+$/.test(w) && words[i - 1] in numbers;
+            if (number)
+                numbers[words[i - 1]] = Number(w);
+            return !number && !(w in numbers && /^-?\d+$/.test(words[i + 1] || ''));
+        });
+        if (numbers.message !== null)
+            return this.searchMessage(numbers.message);
+        const fits = list => list.map(t => texts.map(w => t.toLowerCase().includes(w)));
+        const names = fits(this.names), others = fits(this.texts);
+        let count = 0;
+        for (let i = 0; i < c['call.node'].length; i++) {
+            if ((numbers.type !== null && !(c['call.flags'][i] & 1 && c['call.type'][i] === numbers.type)) ||
+                (numbers.node !== null && this.nodes[c['call.node'][i]].name !== `node ${numbers.node}`))
+                continue;
+            const name = names[c['call.name'][i]], called = others[c['call.called'][i]],
+                  place = others[c['call.place'][i]];
+            if (texts.every((w, k) => name[k] || called[k] || (place && place[k]) ||
+                                      this.nodes[c['call.node'][i]].name === w)) {
+                count++;
+                if (found.length < most)
+                    found.push({call: i});
+            }
+        }
+        return {found, count};
+    }
+    searchMessage(i) {
+        const there = i >= 0 && i < this.messageCount;
+        return {found: there ? [{message: i}] : [], count: there ? 1 : 0};
+    }
+}
+
+function traceSummary(trace) {
+    return {
+        kind: 'Trace',
+        big: moment(trace.end),
+        small: `${baseName(trace.program)} on ${plural(trace.nodes.length, 'node')} of ${trace.machine}; ${
+            plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${
+            trace.complete ? '' : '; the trace ends early'}`
+    };
+}

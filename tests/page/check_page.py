@@ -1,0 +1,264 @@
+"""check_page.py PAGE MANY FOLDER - tries a page in a browser: prints "ok RULE" or "not ok RULE", as tests/run reads it.
+
+PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals. FOLDER has the files that the page was made of."""
+import json
+import sys
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+from browser import Browser
+
+page, many, folder = sys.argv[1:]
+
+
+def rule(name, holds, why=""):
+    print(("ok " if holds else "not ok ") + name + ("" if holds else f" ({why})"), flush=True)
+
+
+def load(name):
+    with open(f"{folder}/{name}", encoding="utf-8") as file:
+        return json.load(file)
+
+
+def section(b, word):
+    """The section whose heading has the word."""
+    for s in b.driver.find_elements(By.CSS_SELECTOR, "main > section"):
+        if word in s.find_element(By.TAG_NAME, "h2").text:
+            return s
+    raise AssertionError(f"no section {word}")
+
+
+def show(b, element):
+    b.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", element)
+
+
+def check_tables(b):
+    rows = load("paper/tables.json")["rows"]
+    shown = b.run("""return [...document.querySelectorAll('main table')].filter(t => t.querySelector('td.error'))
+        .flatMap(t => [...t.tBodies[0].rows].map(r => [...r.cells].map(c => c.textContent)))""")
+    rule("tables: a row each", len(shown) == len(rows) and len(rows) >= 8, f"{len(shown)} of {len(rows)}")
+    wrong = [(s, r["nodes"]) for s, r in zip(shown, rows)
+             if int(s[0].rstrip("\u2009†")) != r["nodes"] or abs(float(s[1]) - r["total_s"]) > 1e-4 * r["total_s"]
+             or float(s[2]) != r["paper_total_s"] or abs(float(s[3].replace("\u2212", "-")) - r["error_pct"]) > 0.006]
+    rule("tables: times, the paper's and errors are right", not wrong, wrong)
+    tones = b.run("return [...document.querySelectorAll('td.error')].map(c => getComputedStyle(c).backgroundColor)")
+    slow = [t for t, r in zip(tones, rows) if r["error_pct"] > 0.1]
+    fast = [t for t, r in zip(tones, rows) if r["error_pct"] < -0.1]
+    rule("tables: slower and faster have other colours", slow and fast and not
+         {t.split(",")[0] for t in slow} & {t.split(",")[0] for t in fast}, (slow, fast))
+
+
+def check_study(b):
+    s = section(b, "Halves")
+    show(b, s)
+    points = [p for p in load("study/results.json")["points"] if not p["failure"]]
+    curves = lambda: b.run("return arguments[0].querySelectorAll('svg g[data-series]').length", s)
+    markers = lambda: b.run("return arguments[0].querySelectorAll('svg g[data-series] path[transform]').length", s)
+    before = curves()
+    rule("study: a curve a value, a marker a point", before == 2 and markers() == len(points), (before, markers()))
+    b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".legend button"))
+    rule("study: the legend switches a curve off", curves() == before - 1)
+    b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".legend button"))
+    rule("study: and on", curves() == before)
+    ticks = lambda: b.run("return [...arguments[0].querySelectorAll('svg text')].map(t => t.textContent).join()", s)
+    logarithmic = ticks()
+    b.run("arguments[0].click()", s.find_elements(By.CSS_SELECTOR, ".controls input[type=checkbox]")[1])
+    rule("study: linear or logarithmic", ticks() != logarithmic)
+    chart = s.find_element(By.CSS_SELECTOR, "figure svg")
+    b.run("arguments[0].focus()", chart)
+    chart.send_keys(Keys.ARROW_RIGHT)
+    tip = s.find_element(By.CSS_SELECTOR, ".tip").text
+    rule("study: a point's figures are shown, whole", any(f"nodes {p['nodes']}, share {p['share']}\ntime_s {p['time_s']}" == tip for p in points), tip)
+    details = [d for d in s.find_elements(By.TAG_NAME, "details") if "table behind" in d.text][0]
+    b.run("arguments[0].open = true", details)
+    b.until("return document.querySelector('details[open] table')")
+    text = b.run("return arguments[0].textContent", details)
+    rule("study: the table behind has each figure", all(str(p["total_s"]) in text for p in points))
+
+
+def check_run(b):
+    data = load("run.json")
+    text = section(b, "Run of").text.replace("\u202f", "").replace("\u00a0", " ")
+    rule("run: its virtual time, all digits", f"{data['virtual_time_s']!r} s" in text, text[:300])
+    rule("run: its digest", data["digest"] in text)
+
+
+def check_timeline(b):
+    s = section(b, "Timeline")
+    canvas = s.find_element(By.TAG_NAME, "canvas")
+    show(b, canvas)
+    begin, end = s.find_elements(By.CSS_SELECTOR, ".controls input[type=text]")[:2]
+    interval = lambda: (begin.get_attribute("value"), end.get_attribute("value"))
+    pieces = b.run("""const t = arguments[0].timeline.trace, c = t.columns;
+        return t.rows.map(r => String(c['piece.end'].at(r.first + r.pieces - 1)))""", canvas)
+    last = b.run("return String(arguments[0].timeline.trace.end)", canvas)
+    exact = str(round(load("run.json")["virtual_time_s"] * 1e12))
+    rule("timeline: pieces reach the end, to the picosecond", set(pieces) == {last} and last == exact, (last, exact, pieces))
+    whole = interval()
+    rule("timeline: it begins with the whole run", whole[0] == "0 s" and float(whole[1][:-2]) * 1e12 == int(last), whole)
+    b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, "[aria-label='Zoom in']"))
+    rule("timeline: a button zooms", interval()[0] != "0 s", interval())
+    zoomed = interval()
+    canvas.send_keys(Keys.ARROW_RIGHT)
+    rule("timeline: a key moves", interval() != zoomed)
+    canvas.send_keys("0")
+    rule("timeline: a key shows all again", interval() == whole, interval())
+    ActionChains(b.driver).move_to_element(canvas).click().perform()
+    b.run("""arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: -400, bubbles: true, cancelable: true}))""", canvas)
+    rule("timeline: the wheel zooms once it is clicked", interval() != whole)
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    rule("timeline: a click tells what a piece is", told.startswith("node ") and " from " in told, told)
+    canvas.send_keys("0")
+    ActionChains(b.driver).move_to_element(canvas).click_and_hold().move_by_offset(90, 0).release().perform()
+    begin.clear()
+    begin.send_keys("0.01ms" + Keys.ENTER)
+    b.run("arguments[0].blur()", begin)
+    rule("timeline: an interval can be typed", interval()[0] == "0.00001 s", interval())
+    canvas.send_keys("0")
+    search = s.find_element(By.CSS_SELECTOR, "input[type=search]")
+    search.send_keys("crecv type 5 node 3")
+    found = [e.text for e in s.find_elements(By.CSS_SELECTOR, ".results button")]
+    rule("timeline: search finds calls", len(found) == 20 and all("node 3" in f and "crecv, type 5" in f and "many.c" in f for f in found),
+         (len(found), found[:1]))
+    search.send_keys(Keys.ENTER)
+    rule("timeline: and goes to one", interval() != whole and "crecv" in s.find_element(By.CSS_SELECTOR, ".readout").text)
+    canvas.send_keys("0")
+    check_arrows(b, s, canvas)
+    check_shares(b, s, last)
+
+
+def check_arrows(b, s, canvas):
+    pixels = lambda: b.run("arguments[0].timeline.paint(); return arguments[0].toDataURL()", canvas)
+    with_arrows = pixels()
+    b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".controls input[type=checkbox]"))
+    rule("timeline: messages can be switched off", pixels() != with_arrows)
+
+
+def check_shares(b, s, last):
+    details = [d for d in s.find_elements(By.TAG_NAME, "details") if "table behind" in d.text][0]
+    b.run("arguments[0].open = true", details)
+    cells = b.until("""const rows = [...arguments[0].querySelectorAll('tbody tr')];
+        return rows.length && rows.map(r => [...r.cells].slice(1).map(c => c.textContent))""".replace("arguments[0]",
+                    "[...document.querySelectorAll('details[open]')].at(-1)"))
+    number = lambda text: int(round(float(text.replace("\u202f", "").replace("\u00a0", "").rstrip("s")) * 1e12))
+    sums = {sum(number(c) for c in row) for row in cells}
+    rule("timeline: the states of each node add up to the run", sums == {int(last)}, (sums, last))
+
+
+def check_trace_rest(b):
+    matrix = section(b, "Who sends")
+    show(b, matrix)
+    canvas = matrix.find_element(By.TAG_NAME, "canvas")
+    canvas.send_keys(Keys.ARROW_RIGHT)
+    canvas.send_keys(Keys.ARROW_RIGHT)
+    rule("matrix: keys lead to a pair and its bytes", "node 0 to node 1: " in matrix.find_element(By.CSS_SELECTOR, ".readout").text)
+    channels = section(b, "channels")
+    show(b, channels)
+    drawn = b.run("""const c = arguments[0], copy = document.createElement('canvas'), tones = new Set();
+        copy.width = c.width;
+        copy.height = c.height;
+        const g = copy.getContext('2d', {willReadFrequently: true});
+        g.drawImage(c, 0, 0);
+        const d = g.getImageData(0, 0, copy.width, copy.height).data;
+        for (let i = 0; i < d.length; i += 4) tones.add(d[i] << 16 | d[i + 1] << 8 | d[i + 2]); return tones.size""",
+                  channels.find_element(By.TAG_NAME, "canvas"))
+    rule("channels: a map in colours", drawn > 10, drawn)
+    why = section(b, "Flame")
+    frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]
+    rule("flame graph: a frame's share", frame.get_attribute("aria-label") == "crecv, 30.00 %", frame.get_attribute("aria-label"))
+    wide = b.run("return arguments[0].querySelector('rect').getBBox().width", frame)
+    b.run("arguments[0].dispatchEvent(new MouseEvent('click'))", frame)
+    now = b.run("return document.querySelector('g[aria-label^=crecv] rect').getBBox().width")
+    rule("flame graph: a click widens it", now > 3 * wide, (wide, now))
+
+
+def check_surfaces(b):
+    s = section(b, "Surfaces")
+    canvas = s.find_element(By.TAG_NAME, "canvas")
+    show(b, canvas)
+    picture = lambda: b.run("""return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
+        const c = arguments[0], copy = document.createElement('canvas'); copy.width = 160; copy.height = 90;
+        const g = copy.getContext('2d', {willReadFrequently: true}); g.drawImage(c, 0, 0, 160, 90);
+        done([...g.getImageData(0, 0, 160, 90).data].filter((v, i) => i % 4 < 3)) })))""", canvas)
+    tones = lambda p: len({tuple(p[i:i + 3]) for i in range(0, len(p), 3)})
+    first = picture()
+    rule("surfaces: WebGL draws them", tones(first) > 50, tones(first))
+    canvas.send_keys(Keys.ARROW_LEFT * 4)
+    turned = picture()
+    rule("surfaces: keys turn them", turned != first)
+    ActionChains(b.driver).move_to_element(canvas).click_and_hold().move_by_offset(60, 20).release().perform()
+    rule("surfaces: the mouse turns them", picture() != turned)
+    canvas.send_keys("0")
+    before = picture()
+    b.run("const c = arguments[0].querySelector('select'); c.value = 'node'; c.dispatchEvent(new Event('change'))", s)
+    rule("surfaces: coloured by node", picture() != before)
+
+
+def check_keyboard(b):
+    """Tab leads to everything that a mouse reaches."""
+    b.run("document.querySelectorAll('details[open]').forEach(d => { d.open = false; }); document.activeElement.blur(); scrollTo(0, 0)")
+    wanted = b.run("""window.reached = new Set(); document.addEventListener('focusin', e => reached.add(e.target));
+        window.wanted = [...document.querySelectorAll('a[href], button, select, input, summary, canvas, [role=button][tabindex]')]
+            .filter(e => !e.disabled && e.getClientRects().length && !(e.closest('details:not([open])') && e.tagName !== 'SUMMARY'));
+        return wanted.length""")
+    body = b.driver.find_element(By.TAG_NAME, "body")
+    for _ in range(0, wanted + 60, 20):
+        ActionChains(b.driver).send_keys(Keys.TAB * 20).perform()
+    missed = b.run("return wanted.filter(e => !reached.has(e)).map(e => e.outerHTML.slice(0, 90))")
+    rule(f"keyboard: Tab reaches all {wanted} controls", wanted > 40 and not missed, missed[:3])
+    nameless = b.run("""return wanted.filter(e => !(e.textContent.trim() || e.getAttribute('aria-label') || e.labels?.length || e.title))
+        .map(e => e.outerHTML.slice(0, 90))""")
+    rule("keyboard: each has a name", not nameless, nameless)
+    marks = b.run("""return ['header', 'nav', 'main', 'footer'].every(t => document.querySelectorAll(`body > ${t}`).length === 1) &&
+        [...document.querySelectorAll('main > section')].every(s => document.getElementById(s.getAttribute('aria-labelledby')))""")
+    rule("screen reader: landmarks, and a heading names each section", marks)
+
+
+def check_widths(b):
+    for width, dark in ((360, False), (768, True)):
+        b.resize(width, 740, dark)
+        b.until(f"return innerWidth === {width}")
+        wide = b.until("return new Promise(d => requestAnimationFrame(() => setTimeout(() => d(document.documentElement.scrollWidth), 200)))")
+        rule(f"{width} pixels: nothing sticks out", wide <= width, wide)
+    tone = b.run("return getComputedStyle(document.body).backgroundColor")
+    rule("dark: the ground is", sum(int(v) for v in tone[4:-1].split(",")) < 120, tone)
+    b.resize(1280)
+
+
+def check_markup(b):
+    rule("a name of markup stays text", b.run("return document.title").startswith("<script>document.title")
+         and b.run("return window.struck === undefined && !document.querySelector('main script, main img, header img')"))
+
+
+def check_speed(b):
+    b.open(many)
+    canvas = b.driver.find_element(By.CSS_SELECTOR, ".plot canvas")
+    pieces, times = b.run("""const t = arguments[0].timeline, list = [];
+        for (let i = 0; i < 40; i++) {
+            t.setRange(t.trace.stop * i / 400, t.trace.stop * (0.9 + i / 400));
+            const from = performance.now();
+            t.paint();
+            list.push(performance.now() - from);
+        }
+        return [t.trace.pieceCount, list.sort((a, b) => a - b)]""", canvas)
+    print(f"# {pieces} intervals: a redraw takes {times[0]:.1f} ms at best, {times[20]:.1f} ms in the middle of 40")
+    rule("timeline: 100,000 intervals are redrawn in a frame", pieces >= 100000 and times[0] < 33, (pieces, times[0]))
+
+
+browser = Browser()
+try:
+    browser.open(page)
+    for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
+                  check_widths, check_markup, check_speed):
+        try:
+            check(browser)
+        except Exception as problem:  # what is not there is a rule that does not hold
+            rule(f"{check.__name__} comes to its end", False, f"{type(problem).__name__}: {str(problem)[:500]}")
+    said = browser.said()
+    rule("the console stays silent", not said, said[:3])
+    asked = [u for u in browser.requests() if not u.startswith(("data:", "blob:"))]
+    rule("nothing is fetched but the pages", set(asked) == {"file://" + page, "file://" + many}, asked)
+finally:
+    browser.close()
