@@ -303,6 +303,7 @@ static void end_open(struct node *n, struct open *o, vtime t, bool unfinished)
         recorder_handler(recorder_of(n), &o->handler);
     } else {
         o->call.flags |= unfinished ? CALL_UNFINISHED : 0;
+        o->call.ordered = t;
         end_call(n, o, vt_max(t, o->call.begin));
     }
 }
