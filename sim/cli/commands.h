@@ -8,6 +8,7 @@
 int cli_check(int argc, char **argv);
 int cli_fit(int argc, char **argv);
 int cli_plot(int argc, char **argv);
+int cli_profile(int argc, char **argv);
 int cli_run(int argc, char **argv);
 int cli_study(int argc, char **argv);
 int cli_tables(int argc, char **argv);
