@@ -1,6 +1,7 @@
 /* call_tree.c - see call_tree.h. The nodes' trees of paths are laid over each other: a body of the program is the same
  * on all nodes if it lies at the same distance from the program's start. */
 #include "observe/call_tree.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "guest/image.h"
@@ -207,19 +208,63 @@ static uint32_t spot_of(struct call_tree *t, const struct machine *m, const stru
     return path_spot(t, m, n, spot_of(t, m, n, p->parent), p);
 }
 
-static void add_places(struct call_tree *t, const struct machine *m, const struct node *n)
+/* A place with its spot's names, by which places are sorted: the order in which they came is the engine's. */
+struct named_place {
+    const struct place *place;
+    char *name;
+};
+
+static void write_name(const struct nxc_path *p, FILE *f)
 {
-    for (size_t i = 0; i < n->places->count; i++) {
-        const struct place *p = &n->places->list[i];
-        uint32_t above = spot_of(t, m, n, p->path);
-        uint32_t call = named_child(t, above, *p->call == '(' ? SPOT_OTHER : SPOT_CALL, p->call);
-        if (p->system)
-            t->shares[share_at(t, call, "", 0, false)].time[n->id] += p->system;
-        if (!p->idle)
-            continue;
+    if (!p || !p->body)
+        return;
+    write_name(p->parent, f);
+    fprintf(f, "%s;", (const char *)cells_of(p->body) + cells_of(p->body)[p->body->cell].function);
+}
+
+static char *name_of(const struct place *p)
+{
+    char *text;
+    size_t length;
+    FILE *f = open_memstream(&text, &length);
+    write_name(p->path, f);
+    fprintf(f, "%s", p->call);
+    fclose(f);
+    return text;
+}
+
+static int by_place_name(const void *a, const void *b)
+{
+    const struct named_place *x = a, *y = b;
+    return strcmp(x->name, y->name);
+}
+
+static void add_place(struct call_tree *t, const struct machine *m, const struct node *n,
+                      const struct place *p)
+{
+    if (!p->system && !p->idle)
+        return;
+    uint32_t above = spot_of(t, m, n, p->path);
+    uint32_t call = named_child(t, above, *p->call == '(' ? SPOT_OTHER : SPOT_CALL, p->call);
+    if (p->system)
+        t->shares[share_at(t, call, "", 0, false)].time[n->id] += p->system;
+    if (p->idle) {
         uint32_t waiting = named_child(t, call, SPOT_WAITING, WAITING);
         t->shares[share_at(t, waiting, "", 0, false)].time[n->id] += p->idle;
     }
+}
+
+static void add_places(struct call_tree *t, const struct machine *m, const struct node *n)
+{
+    struct named_place *sorted = xcalloc(n->places->count + 1, sizeof *sorted);
+    for (size_t i = 0; i < n->places->count; i++)
+        sorted[i] = (struct named_place){&n->places->list[i], name_of(&n->places->list[i])};
+    qsort(sorted, n->places->count, sizeof *sorted, by_place_name);
+    for (size_t i = 0; i < n->places->count; i++) {
+        add_place(t, m, n, sorted[i].place);
+        free(sorted[i].name);
+    }
+    free(sorted);
 }
 
 struct call_tree call_tree_collect(const struct machine *m)

@@ -68,9 +68,9 @@ static void write_colour(const struct svg *s, const struct flame_frame *f)
 {
     static const struct {
         int hue, saturation, light, span;
-    } KINDS[FLAME_KINDS] = {[FLAME_ROOT] = {0, 0, 88, 0},       [FLAME_FUNCTION] = {22, 90, 66, 26},
-                            [FLAME_INLINED] = {46, 90, 68, 10}, [FLAME_LIBRARY] = {95, 45, 68, 20},
-                            [FLAME_CALL] = {212, 60, 72, 10},   [FLAME_WAITING] = {212, 12, 84, 6},
+    } KINDS[FLAME_KINDS] = {[FLAME_ROOT] = {0, 0, 88, 0},      [FLAME_FUNCTION] = {12, 88, 68, 22},
+                            [FLAME_INLINED] = {48, 90, 72, 8}, [FLAME_LIBRARY] = {95, 45, 68, 20},
+                            [FLAME_CALL] = {212, 60, 72, 10},  [FLAME_WAITING] = {212, 12, 84, 6},
                             [FLAME_OTHER] = {275, 35, 80, 14}};
     double change = s->largest > 0 ? change_of(s->flame, f) / s->largest : 0;
     if (!flame_is_diff(s->flame))
