@@ -26,8 +26,8 @@
  *              control given    poll strikes                    no call before
  *
  * Profile. A program built with --profile also counts what it spends by path of calls (profile.h). At each
- * call and each poll that strikes, the counts are up to date with *left. *path is then the path of the function
- * that calls. Whoever calls a function of the program sets *path to the caller's path before.
+ * call and each poll that strikes, the counts are up to date with *left. *path is then the path of the
+ * function that calls. Whoever calls a function of the program sets *path to the caller's path before.
  */
 #ifndef NXC_IMAGE_H
 #define NXC_IMAGE_H
@@ -43,8 +43,8 @@ enum { NXC_CACHE_SETS = 1024, NXC_TLB_SETS = 64, NXC_CACHE_WAYS = 4, NXC_CACHE_S
 /* --- profile: the tables of a compiled file, which nobody writes to --- */
 
 /* A function of the source, where it is not inlined or inlined into another; or a line in such a function,
- * where only calls of one library function count if there is one. Texts lie so many bytes behind the first cell of the
- * file; 0: none. */
+ * where only calls of one library function count if there is one. Texts lie so many bytes behind the first
+ * cell of the file; 0: none. */
 struct nxc_cell {
     int32_t parent;   /* of a line: its function; of a function: that into which it is inlined, -1: none */
     int32_t file;     /* of the source */

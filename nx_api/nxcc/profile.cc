@@ -1,5 +1,5 @@
-/* profile.cc - see profile.h. The tables of a compiled file are written as assembly at the end of the file. They
- * refer to each other by distances in bytes, so that nothing is relocated. */
+/* profile.cc - see profile.h. The tables of a compiled file are written as assembly at the end of the file.
+ * They refer to each other by distances in bytes, so that nothing is relocated. */
 #include "gcc.h"
 #include "costs.h"
 #include "profile.h"
@@ -16,7 +16,7 @@ const char FIND[] = "nxc_find_path"; /* runtime.c */
 
 /* A struct nxc_cell to be written. */
 struct cell {
-    int parent; /* the function's cell of a line; or that of the function into which it is inlined. -1: none */
+    int parent; /* of a line: its function's cell; of a function: that into which it is inlined; -1: none */
     std::string file, function, called; /* function "": a line */
     int line;
     bool operator<(const cell &o) const

@@ -1,16 +1,16 @@
 /* profile.h - what a program has spent, by path of calls, function and source line: for programs built with
  * nxcc --profile.
  *
- * A program keeps a tree of *paths* (struct nxc_path in program_image.h): main; relax called by main; exchange
- * called by that. A function enters its path where it begins, and leaves it where it returns:
+ * A program keeps a tree of *paths* (struct nxc_path in program_image.h): main; relax called by main;
+ * exchange called by that. A function enters its path where it begins, and leaves it where it returns:
  *
  *     path = find(&body)                     the child of nxc_path that is of this function
  *     nxc_path = path                        only if it calls others
  *     ...
  *     nxc_path = that of the caller; return
  *
- * A path has *counts*, one for each segment of the function, and one for each statement with a cost of its own
- * that depends on arguments. Where a segment is charged, its count grows by 1:
+ * A path has *counts*, one for each segment of the function, and one for each statement with a cost of its
+ * own that depends on arguments. Where a segment is charged, its count grows by 1:
  *
  *     left -= 7; path->count[3] += 1         3 units were written in line 12, 4 in line 13 of twice()
  *
@@ -49,7 +49,8 @@ class profiling
     void add(gimple_seq *seq, basic_block bb, int cell, tree amount);
     /* Appends: the shares have been charged in bb, so many times. */
     void add(gimple_seq *seq, basic_block bb, const profile_shares &shares, tree times);
-    /* Appends what is to be done before a call, and around a preemption; `before` is what the first returns. */
+    /* Appends what is to be done before a call, and around a preemption. `before` is what the one before the
+     * preemption has returned. */
     void before_call(gimple_seq *seq) const;
     tree before_preemption(gimple_seq *seq, basic_block bb) const;
     void behind_preemption(gimple_seq *seq, tree before) const;

@@ -63,8 +63,8 @@ __asm__(".text\n"
         "    call nxc_preempt@PLT\n"
         "    ldmxcsr 256(%rsp)\n" RESTORE_SSE NXC_ENTER_RESTORE);
 
-/* Deeper paths, and more of them, fold recursion: then a function's time is told for the path of the function's
- * nearest call to itself. So the tree is bounded. */
+/* Deeper paths, and more of them, fold recursion: then a function's time is told for the path of the
+ * function's nearest call to itself. So the tree is bounded. */
 enum { DEEPEST = 200, MOST = 20000 };
 static __attribute__((section(".data"))) int64_t paths;
 

@@ -30,7 +30,8 @@ struct arguments {
 
 static const struct argp_option OPTIONS[] = {
     {"format", 'f', "FORMAT", 0,
-     "text: a tree as a table (the default); folded: stacks as flamegraph.pl reads them, in picoseconds; svg: a flame "
+     "text: a tree as a table (the default); folded: stacks as flamegraph.pl reads them, in picoseconds; svg: a "
+     "flame "
      "graph for browsers, to hover, zoom and search; json: nested, as d3-flame-graph reads it",
      0},
     {"output", 'o', "OUT", 0,
@@ -109,9 +110,11 @@ int cli_profile(int argc, char **argv)
         OPTIONS,
         parse,
         "PROFILE",
-        "Shows where the virtual time of a run went: by path of calls, or by line of source. Nothing is sampled: the "
+        "Shows where the virtual time of a run went: by path of calls, or by line of source. Nothing is sampled: "
+        "the "
         "frames add up to what the nodes computed, waited, and had the system work, to the picosecond.\v"
-        "PROFILE is what touchstone run --profile FILE writes, for a program built with nxcc --profile; - is standard "
+        "PROFILE is what touchstone run --profile FILE writes, for a program built with nxcc --profile; - is "
+        "standard "
         "input.\n\nExamples:\n"
         "  nxcc -O2 --profile -o relax relax.c\n"
         "  touchstone run -n 16 --profile relax.json relax\n"

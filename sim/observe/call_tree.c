@@ -1,5 +1,5 @@
-/* call_tree.c - see call_tree.h. The nodes' trees of paths are laid over each other: a body of the program is the same
- * on all nodes if it lies at the same distance from the program's start. */
+/* call_tree.c - see call_tree.h. The nodes' trees of paths are laid over each other: a body of the program is
+ * the same on all nodes if it lies at the same distance from the program's start. */
 #include "observe/call_tree.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,8 @@
 
 /* Stands for what is computed in functions compiled without --profile. */
 static const char REST[] = "(compiled without --profile)";
-/* Stands for the computing of programs that another program's end stopped: their counts may go beyond that moment. */
+/* Stands for the computing of programs that another program's end stopped: their counts may go beyond that
+ * moment. */
 static const char CUT[] = "(in programs cut short)";
 static const char HANDLERS[] = "(handlers)", WAITING[] = "(waiting)";
 
@@ -181,8 +182,8 @@ static void add_computing(struct call_tree *t, const struct machine *m, const st
     }
 }
 
-/* A node's shares take the time of their units. What a sum of units takes is not always the sum of what they take in
- * whole picoseconds: then the shares behind have the rest. */
+/* A node's shares take the time of their units. What a sum of units takes is not always the sum of what they
+ * take in whole picoseconds: then the shares behind have the rest. */
 static void take_time(struct call_tree *t, const struct node *n)
 {
     int64_t units = 0;

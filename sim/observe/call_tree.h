@@ -1,9 +1,9 @@
-/* call_tree.h - where the time of each node went, by path of calls and source line: computing, system time and waits,
- * for programs built with nxcc --profile.
+/* call_tree.h - where the time of each node went, by path of calls and source line: computing, system time
+ * and waits, for programs built with nxcc --profile.
  *
- * A *spot* is a frame with all those above it: relax, called by main. Spots are one tree for all nodes. A *share* is
- * the time that nodes spent at a spot itself, in a line. So a node's shares add up to its computing, system and idle
- * time, to the picosecond. */
+ * A *spot* is a frame with all those above it: relax, called by main. Spots are one tree for all nodes. A
+ * *share* is the time that nodes spent at a spot itself, in a line. So a node's shares add up to its
+ * computing, system and idle time, to the picosecond. */
 #ifndef OBSERVE_CALL_TREE_H
 #define OBSERVE_CALL_TREE_H
 #include <jansson.h>

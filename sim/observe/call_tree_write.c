@@ -1,5 +1,5 @@
-/* call_tree_write.c - a call tree as JSON: see call_tree.h. Most of it are texts, since a number an element would make
- * the file ten times as large. */
+/* call_tree_write.c - a call tree as JSON: see call_tree.h. Most of it are texts, since a number an element
+ * would make the file ten times as large. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

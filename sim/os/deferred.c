@@ -245,7 +245,8 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
     }
 }
 
-/* What is charged from now on belongs to the i-th call, not to that which the program has come to; to the latter. */
+/* What is charged from now on belongs to the i-th call, not to that which the program has come to; to the
+ * latter. */
 static void charge_call(struct node *n, uint32_t i)
 {
     if (n->places)

@@ -1,9 +1,9 @@
-/* places.h - where in its program a node's system time and waits fall: by path of calls (program_image.h) and call of
- * NX, for programs built with nxcc --profile.
+/* places.h - where in its program a node's system time and waits fall: by path of calls (program_image.h) and
+ * call of NX, for programs built with nxcc --profile.
  *
- * The sums over the places of a node are its times.system and stats.idle. System time that falls while the program
- * computes, because a message comes or leaves, has a place of its own: how far the program is then, it does not
- * tell. */
+ * The sums over the places of a node are its times.system and stats.idle. System time that falls while the
+ * program computes, because a message comes or leaves, has a place of its own: how far the program is then,
+ * it does not tell. */
 #ifndef OS_PLACES_H
 #define OS_PLACES_H
 #include "node/node.h"
@@ -28,10 +28,12 @@ struct node_places {
 void places_begin(struct node *n);
 void places_end(struct node *n);
 
-/* The rest only if n->places. What is added is for the call that the program is in, on the path where the program is. */
+/* The rest only if n->places. What is added is for the call that the program is in, on the path where the
+ * program is. */
 void places_add(struct node *n, vtime system, vtime idle);
 void places_add_interrupt(struct node *n, vtime system);
-/* The path where the program is; what is added from now on is for a call made on a path; for the program's again. */
+/* The path where the program is; what is added from now on is for a call made on a path; for the program's
+ * again. */
 const struct nxc_path *places_now(const struct node *n);
 void places_charge(struct node *n, const struct nxc_path *path, const char *call);
 void places_charge_program(struct node *n);

@@ -1,5 +1,5 @@
-/* flame.c - for flame.sh: recursion, functions called back, a handler that computes, longjmp out of calls, and exit
- * inside of a function. Node 0 waits for what node 1 computes. */
+/* flame.c - for flame.sh: recursion, functions called back, a handler that computes, longjmp out of calls,
+ * and exit inside of a function. Node 0 waits for what node 1 computes. */
 #include <nx.h>
 #include <setjmp.h>
 #include <stdio.h>

@@ -36,7 +36,8 @@ static int order(const struct flame_frame *f, const char *name, enum flame_kind 
     return by_kind ? by_kind : strcmp(f->file, file);
 }
 
-/* The child of that name. Functions of one name and file are one: a function may have moved within its file. */
+/* The child of that name. Functions of one name and file are one: a function may have moved within its
+ * file. */
 static struct flame_frame *child(struct flame_frame *parent, enum flame_kind kind, const char *name,
                                  const char *file, int line)
 {

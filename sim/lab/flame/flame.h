@@ -1,7 +1,7 @@
 /* flame.h - profiles of touchstone run --profile as trees of frames, one or two of them laid over each other.
  *
- * Times are virtual, in picoseconds, summed over nodes. Of two profiles the first is what changed from the second:
- * `now` and `before`. Of one profile all of `before` is 0. */
+ * Times are virtual, in picoseconds, summed over nodes. Of two profiles the first is what changed from the
+ * second: `now` and `before`. Of one profile all of `before` is 0. */
 #ifndef LAB_FLAME_H
 #define LAB_FLAME_H
 #include <stdbool.h>
@@ -55,8 +55,8 @@ struct flame_selection {
     uint32_t node_count;
 };
 
-/* Reads a profile, and another that it is compared with unless that is NULL. NULL with *error (malloc'd, names the
- * file) on failure. */
+/* Reads a profile, and another that it is compared with unless that is NULL. NULL with *error (malloc'd,
+ * names the file) on failure. */
 struct flame *flame_load(const char *path, const char *before, const struct flame_selection *s, char **error);
 void flame_free(struct flame *f);
 
@@ -65,8 +65,9 @@ bool flame_is_diff(const struct flame *f);
 double flame_share(const struct flame *f, const vtime time[FLAME_PROFILES], int profile);
 const char *flame_kind_name(enum flame_kind k);
 
-/* Writes: stacks as flamegraph.pl reads them, "main;relax;csend 12345", of two profiles with both times;
- * a table; nested objects "name", "value", "children" as d3-flame-graph reads them; a picture; lines of source. */
+/* Writes: stacks as flamegraph.pl reads them, "main;relax;csend 12345", of two profiles with both times; a
+ * table; nested objects "name", "value", "children" as d3-flame-graph reads them; a picture;
+ * lines of source. */
 void flame_write_folded(const struct flame *f, FILE *out);
 void flame_write_text(const struct flame *f, FILE *out);
 void flame_write_json(const struct flame *f, FILE *out);

@@ -1,9 +1,9 @@
 /* flame_svg.c - a flame graph as one SVG file, which needs no other: see flame.h.
  *
- * A frame is a rectangle as wide as its time, above the one that has called it. The picture is complete without its
- * script: a viewer of pictures shows it, and a title tells each frame's times. In a browser the script zooms into a
- * frame (click, or Enter at the one with the focus), marks the frames that a search finds, and tells what the
- * pointer is at. */
+ * A frame is a rectangle as wide as its time, above the one that has called it. The picture is complete
+ * without its script: a viewer of pictures shows it, and a title tells each frame's times. In a browser the
+ * script zooms into a frame (click, or Enter at the one with the focus), marks the frames that a search
+ * finds, and tells what the pointer is at. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -18,11 +18,11 @@ struct svg {
     const struct flame *flame;
     FILE *out;
     int rows;
-    double largest; /* change of a frame's own share, of all that are drawn */
+    double largest; /* change of all frames */
     size_t left_out;
 };
 
-/* The time by which a frame is drawn: that of now; in a difference, a frame that is gone has that of before. */
+/* In pixels. A frame that is gone, in a difference, has no width. */
 static double width_of(const struct svg *s, const struct flame_frame *f)
 {
     double all = (double)s->flame->root->total[FLAME_NOW];
@@ -41,14 +41,24 @@ static int rows_of(const struct svg *s, const struct flame_frame *f)
     return most + 1;
 }
 
-static double change_of(const struct flame *f, const struct flame_frame *frame)
+/* What a frame itself takes more than before, in seconds. */
+static double change_of(const struct flame_frame *f)
 {
-    return flame_share(f, frame->self, FLAME_NOW) - flame_share(f, frame->self, FLAME_BEFORE);
+    return (double)(int64_t)(f->self[FLAME_NOW] - f->self[FLAME_BEFORE]) / (double)VT_SECOND;
+}
+
+/* The time of frames that are there no more: nothing is as wide as they were. */
+static vtime gone(const struct flame_frame *f)
+{
+    vtime sum = f->total[FLAME_NOW] ? 0 : f->total[FLAME_BEFORE];
+    for (const struct flame_frame *c = f->total[FLAME_NOW] ? f->children : NULL; c; c = c->next)
+        sum += gone(c);
+    return sum;
 }
 
 static void find_largest(struct svg *s, const struct flame_frame *f)
 {
-    s->largest = fmax(s->largest, fabs(change_of(s->flame, f)));
+    s->largest = fmax(s->largest, fabs(change_of(f)));
     for (const struct flame_frame *c = f->children; c; c = c->next)
         find_largest(s, c);
 }
@@ -72,7 +82,7 @@ static void write_colour(const struct svg *s, const struct flame_frame *f)
                             [FLAME_INLINED] = {48, 90, 72, 8}, [FLAME_LIBRARY] = {95, 45, 68, 20},
                             [FLAME_CALL] = {212, 60, 72, 10},  [FLAME_WAITING] = {212, 12, 84, 6},
                             [FLAME_OTHER] = {275, 35, 80, 14}};
-    double change = s->largest > 0 ? change_of(s->flame, f) / s->largest : 0;
+    double change = s->largest > 0 ? change_of(f) / s->largest : 0;
     if (!flame_is_diff(s->flame))
         fprintf(s->out, "hsl(%.0f,%d%%,%d%%)", KINDS[f->kind].hue + shade(f->name) * KINDS[f->kind].span,
                 KINDS[f->kind].saturation, KINDS[f->kind].light);
@@ -207,7 +217,8 @@ static const char SCRIPT[] =
     "Array.prototype.forEach.call(document.getElementsByClassName('f'),function(g){\n"
     " var r=g.getElementsByTagName('rect')[0],t=g.getElementsByTagName('text')[0],\n"
     " f={g:g,r:r,t:t,x:(+r.getAttribute('x')-M)/(W-2*M),w:+r.getAttribute('width')/(W-2*M),\n"
-    "  y:+r.getAttribute('y'),n:g.getAttribute('data-n'),title:g.getElementsByTagName('title')[0].textContent};\n"
+    "  y:+r.getAttribute('y'),n:g.getAttribute('data-n'),\n"
+    "  title:g.getElementsByTagName('title')[0].textContent};\n"
     " fs.push(f);\n"
     " g.addEventListener('mouseover',function(){info.textContent=f.title});\n"
     " g.addEventListener('focus',function(){info.textContent=f.title});\n"
@@ -233,7 +244,8 @@ static const char SCRIPT[] =
     " spans.sort(function(a,b){return a[0]-b[0]}).forEach(function(p){\n"
     "  sum+=Math.max(0,p[1]-Math.max(p[0],end));end=Math.max(end,p[1])});\n"
     " found.textContent=re?'found: '+(100*sum).toFixed(2)+' %':''}\n"
-    "[[reset,function(){zoom(fs[0])}],[search,find]].forEach(function(b){b[0].addEventListener('click',b[1]);\n"
+    "[[reset,function(){zoom(fs[0])}],[search,find]].forEach(function(b){\n"
+    " b[0].addEventListener('click',b[1]);\n"
     " b[0].addEventListener('keydown',function(e){if(e.key==='Enter')b[1]()})});\n"
     "window.addEventListener('keydown',function(e){\n"
     " if(e.key==='Escape')zoom(fs[0]);\n"
@@ -260,7 +272,7 @@ static void write_head(const struct svg *s)
             flame_is_diff(f) ? ", compared" : "");
     fprintf(out, "<text class='note' x='%d' y='44'>", MARGIN);
     if (flame_is_diff(f)) {
-        fputs("width: time now; red: grew, blue: shrank, by share. Before: ", out);
+        fputs("width: time now; red: itself takes more, blue: less. Before: ", out);
         write_escaped(f->program[FLAME_BEFORE], 60, out);
         fprintf(out, ", %.6f s of nodes' time; now %.6f s", vt_seconds(f->root->total[FLAME_BEFORE]),
                 vt_seconds(f->root->total[FLAME_NOW]));
@@ -309,6 +321,10 @@ void flame_write_svg(const struct flame *f, FILE *out)
     fprintf(out, "<text id='info' class='note' x='%d' y='%d'>", MARGIN, y);
     if (s.left_out)
         fprintf(out, "%zu frames are too narrow to be drawn", s.left_out);
+    if (flame_is_diff(f) && gone(f->root)) {
+        fputs(s.left_out ? "; gone with their frames: " : "gone with their frames: ", out);
+        write_time(gone(f->root), out);
+    }
     fputs("</text>\n", out);
     write_legend(&s, y + (s.rows ? 0 : ROW));
     fputs(SCRIPT, out);
