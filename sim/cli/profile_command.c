@@ -30,7 +30,8 @@ struct arguments {
 
 static const struct argp_option OPTIONS[] = {
     {"format", 'f', "FORMAT", 0,
-     "text: a tree as a table (the default); folded: stacks as flamegraph.pl reads them, in picoseconds; svg: a "
+     "text: a tree as a table (the default); folded: stacks as flamegraph.pl reads them, in picoseconds; "
+     "svg: a "
      "flame "
      "graph for browsers, to hover, zoom and search; json: nested, as d3-flame-graph reads it",
      0},
@@ -110,7 +111,8 @@ int cli_profile(int argc, char **argv)
         OPTIONS,
         parse,
         "PROFILE",
-        "Shows where the virtual time of a run went: by path of calls, or by line of source. Nothing is sampled: "
+        "Shows where the virtual time of a run went: by path of calls, or by line of source. "
+        "Nothing is sampled: "
         "the "
         "frames add up to what the nodes computed, waited, and had the system work, to the picosecond.\v"
         "PROFILE is what touchstone run --profile FILE writes, for a program built with nxcc --profile; - is "

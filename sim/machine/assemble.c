@@ -15,7 +15,7 @@
 #include "os/isolate.h"
 #include "os/match.h"
 #include "os/memory.h"
-#include "os/places.h"
+#include "os/path_times.h"
 #include "os/record.h"
 #include "lp/clock.h"
 #include "node/self.h"
@@ -99,7 +99,7 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
 {
     n->argc = argc, n->argv = argv, n->envp = envp;
     if (make_parts(n, img, error)) {
-        places_begin(n);
+        path_times_begin(n);
         if (n->sys->recorder)
             node_record(n);
         return n;
@@ -145,7 +145,7 @@ static void strip(struct node *n)
         match_abandon(n); /* what its messages under way would report to */
     match_end(n);
     waits_free(&n->stats.waits);
-    places_end(n);
+    path_times_end(n);
     free(n->crash);
     if (n->libc)
         node_libc_free(n);

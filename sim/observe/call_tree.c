@@ -8,7 +8,7 @@
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "nx_api/contract/program_image.h"
-#include "os/places.h"
+#include "os/path_times.h"
 
 /* Stands for what is computed in functions compiled without --profile. */
 static const char REST[] = "(compiled without --profile)";
@@ -173,8 +173,8 @@ static void add_computing(struct call_tree *t, const struct machine *m, const st
     int64_t rest = (int64_t)n->lp.clock.units;
     if (!n->cut_short) {
         rest -= add_paths(t, m, n, 0, n->image->root);
-        if (n->places->handlers.children)
-            rest -= add_paths(t, m, n, named_child(t, 0, SPOT_OTHER, HANDLERS), &n->places->handlers);
+        if (n->path_times->handlers.children)
+            rest -= add_paths(t, m, n, named_child(t, 0, SPOT_OTHER, HANDLERS), &n->path_times->handlers);
     }
     if (rest) {
         uint32_t spot = named_child(t, 0, SPOT_OTHER, n->cut_short ? CUT : REST);
@@ -204,14 +204,14 @@ static uint32_t spot_of(struct call_tree *t, const struct machine *m, const stru
 {
     if (!p || p == n->image->root)
         return 0;
-    if (p == &n->places->handlers)
+    if (p == &n->path_times->handlers)
         return named_child(t, 0, SPOT_OTHER, HANDLERS);
     return path_spot(t, m, n, spot_of(t, m, n, p->parent), p);
 }
 
 /* A place with its spot's names, by which places are sorted: the order in which they came is the engine's. */
 struct named_place {
-    const struct place *place;
+    const struct path_time *place;
     char *name;
 };
 
@@ -223,7 +223,7 @@ static void write_name(const struct nxc_path *p, FILE *f)
     fprintf(f, "%s;", (const char *)cells_of(p->body) + cells_of(p->body)[p->body->cell].function);
 }
 
-static char *name_of(const struct place *p)
+static char *name_of(const struct path_time *p)
 {
     char *text;
     size_t length;
@@ -241,7 +241,7 @@ static int by_place_name(const void *a, const void *b)
 }
 
 static void add_place(struct call_tree *t, const struct machine *m, const struct node *n,
-                      const struct place *p)
+                      const struct path_time *p)
 {
     if (!p->system && !p->idle)
         return;
@@ -257,11 +257,11 @@ static void add_place(struct call_tree *t, const struct machine *m, const struct
 
 static void add_places(struct call_tree *t, const struct machine *m, const struct node *n)
 {
-    struct named_place *sorted = xcalloc(n->places->count + 1, sizeof *sorted);
-    for (size_t i = 0; i < n->places->count; i++)
-        sorted[i] = (struct named_place){&n->places->list[i], name_of(&n->places->list[i])};
-    qsort(sorted, n->places->count, sizeof *sorted, by_place_name);
-    for (size_t i = 0; i < n->places->count; i++) {
+    struct named_place *sorted = xcalloc(n->path_times->count + 1, sizeof *sorted);
+    for (size_t i = 0; i < n->path_times->count; i++)
+        sorted[i] = (struct named_place){&n->path_times->list[i], name_of(&n->path_times->list[i])};
+    qsort(sorted, n->path_times->count, sizeof *sorted, by_place_name);
+    for (size_t i = 0; i < n->path_times->count; i++) {
         add_place(t, m, n, sorted[i].place);
         free(sorted[i].name);
     }

@@ -3,7 +3,7 @@
 #include "lp/clock.h"
 #include "lp/engine.h"
 #include "node/system.h"
-#include "os/places.h"
+#include "os/path_times.h"
 #include "os/record.h"
 #include "os/share.h"
 
@@ -16,8 +16,8 @@ static void add(struct node *n, enum node_task task, vtime t)
 void node_account(struct node *n, enum node_task task, vtime t)
 {
     add(n, task, t);
-    if (n->places)
-        places_add(n, t, 0);
+    if (n->path_times)
+        path_times_add(n, t, 0);
     share_use(n, t);
 }
 
@@ -25,8 +25,8 @@ void charge_undo(struct node *n, enum node_task task, vtime t)
 {
     n->times.tasks[task] -= t;
     n->times.system -= t;
-    if (n->places)
-        places_add(n, -t, 0);
+    if (n->path_times)
+        path_times_add(n, -t, 0);
 }
 
 vtime node_system_time(const struct node *n, vtime t)
@@ -46,10 +46,10 @@ static void steal(struct node *n, enum node_task task, vtime t)
     if (computes)
         clock_steal(&n->lp, t);
     add(n, task, t);
-    if (n->places && computes)
-        places_add_interrupt(n, t);
-    else if (n->places)
-        places_add(n, t, 0);
+    if (n->path_times && computes)
+        path_times_add_interrupt(n, t);
+    else if (n->path_times)
+        path_times_add(n, t, 0);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
@@ -87,8 +87,8 @@ void charge_wait_ends(struct node *n, vtime t)
         n->times.system -= overlapped, n->stats.overlapped += overlapped;
     n->stats.idle += idle;
     RECORD(n, waited, n->lp.blocked_since, t, waited - idle);
-    if (n->places)
-        places_add(n, -overlapped, idle);
+    if (n->path_times)
+        path_times_add(n, -overlapped, idle);
     if (idle)
         waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
 }

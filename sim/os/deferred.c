@@ -9,7 +9,7 @@
 #include "os/charge.h"
 #include "os/match.h"
 #include "os/memory.h"
-#include "os/places.h"
+#include "os/path_times.h"
 #include "os/record.h"
 #include "os/unexpected.h"
 #include "os/gate.h"
@@ -64,8 +64,8 @@ void deferred_begin(struct node *n)
     if (n->heap_moved)
         n->cold->calls.memory[i] = node_memory_now(n);
     n->heap_moved = false;
-    if (n->places)
-        n->cold->calls.path[i] = places_now(n);
+    if (n->path_times)
+        n->cold->calls.path[i] = path_times_now(n);
     RECORD(n, deferred);
 }
 
@@ -249,13 +249,13 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
  * latter. */
 static void charge_call(struct node *n, uint32_t i)
 {
-    if (n->places)
-        places_charge(n, n->cold->calls.path[index_of(n, i)], nth(n, i)->name);
+    if (n->path_times)
+        path_times_charge(n, n->cold->calls.path[index_of(n, i)], nth(n, i)->name);
 }
 static void charge_program(struct node *n)
 {
-    if (n->places)
-        places_charge_program(n);
+    if (n->path_times)
+        path_times_charge_program(n);
 }
 
 /* The call's commit time: hands over what it has to. */

@@ -12,7 +12,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "os/order.h"
-#include "os/places.h"
+#include "os/path_times.h"
 #include "os/record.h"
 #include "os/share.h"
 
@@ -55,7 +55,7 @@ static void run_first(struct node *n)
     struct mailbox *b = &n->mailbox;
     struct due d = due_take(b);
     struct node_info before = n->info;
-    struct nxc_path *path = n->places ? places_handler_begins(n) : NULL;
+    struct nxc_path *path = n->path_times ? path_times_handler_begins(n) : NULL;
     b->handlers--;
     n->stats.handlers++;
     n->stats.latest = vt_max(n->stats.latest, delay(n, d.at));
@@ -78,7 +78,7 @@ static void run_first(struct node *n)
 
     RECORD(n, handler_ends);
     if (path)
-        places_handler_ends(n, path);
+        path_times_handler_ends(n, path);
     n->in_handler = false;
     handlers_open(n);
     n->info = before;
