@@ -178,7 +178,8 @@ static void add_computing(struct call_tree *t, const struct machine *m, const st
     }
     if (rest) {
         uint32_t spot = named_child(t, 0, SPOT_OTHER, n->cut_short ? CUT : REST);
-        t->shares[share_at(t, spot, "", 0, true)].units[n->id] = rest;
+        uint32_t share = share_at(t, spot, "", 0, true); /* may move t->shares */
+        t->shares[share].units[n->id] = rest;
     }
 }
 
@@ -240,6 +241,12 @@ static int by_place_name(const void *a, const void *b)
     return strcmp(x->name, y->name);
 }
 
+static void add_time(struct call_tree *t, uint32_t spot, const struct node *n, vtime time)
+{
+    uint32_t share = share_at(t, spot, "", 0, false);
+    t->shares[share].time[n->id] += time;
+}
+
 static void add_place(struct call_tree *t, const struct machine *m, const struct node *n,
                       const struct path_time *p)
 {
@@ -248,11 +255,9 @@ static void add_place(struct call_tree *t, const struct machine *m, const struct
     uint32_t above = spot_of(t, m, n, p->path);
     uint32_t call = named_child(t, above, *p->call == '(' ? SPOT_OTHER : SPOT_CALL, p->call);
     if (p->system)
-        t->shares[share_at(t, call, "", 0, false)].time[n->id] += p->system;
-    if (p->idle) {
-        uint32_t waiting = named_child(t, call, SPOT_WAITING, WAITING);
-        t->shares[share_at(t, waiting, "", 0, false)].time[n->id] += p->idle;
-    }
+        add_time(t, call, n, p->system);
+    if (p->idle)
+        add_time(t, named_child(t, call, SPOT_WAITING, WAITING), n, p->idle);
 }
 
 static void add_places(struct call_tree *t, const struct machine *m, const struct node *n)
