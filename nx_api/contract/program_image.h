@@ -25,30 +25,57 @@
  *     *left:   B ........ 0 ... -3 ............................ *lookahead
  *              control given    poll strikes                    no call before
  *
- * Profile. A program built with --profile also adds what it spends to cells (profile.h). At each call and
- * each poll that strikes, the cells are up to date with *left, and the sum over the bodies is what has been
- * spent since the program began.
+ * Profile. A program built with --profile also counts what it spends by path of calls (profile.h). At each
+ * call and each poll that strikes, the counts are up to date with *left. *path is then the path of the
+ * function that calls. Whoever calls a function of the program sets *path to the caller's path before.
  */
 #ifndef NXC_IMAGE_H
 #define NXC_IMAGE_H
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 4u
+#define NXC_IMAGE_VERSION 5u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
 /* The largest data cache and translation buffer that can be simulated: cache.h. */
 enum { NXC_CACHE_SETS = 1024, NXC_TLB_SETS = 64, NXC_CACHE_WAYS = 4, NXC_CACHE_SET_BYTES = 32 };
 
-/* The units spent in the body of one function, with all that is inlined into it; or in a part of a body: in
- * what is inlined from one other function, or in one library function. A function has spent the sum of the
- * cells with its name, less the sum of the parts of its bodies. */
+/* --- profile: the tables of a compiled file, which nobody writes to --- */
+
+/* A function of the source, where it is not inlined or inlined into another; or a line in such a function,
+ * where only calls of one library function count if there is one. Texts lie so many bytes behind the first
+ * cell of the file; 0: none. */
 struct nxc_cell {
+    int32_t parent;   /* of a line: its function; of a function: that into which it is inlined, -1: none */
+    int32_t file;     /* of the source */
+    int32_t function; /* 0: it is a line */
+    int32_t called;   /* the library function */
+    int32_t line;     /* of the function's beginning, or the line itself */
+};
+
+/* What one of a count costs for a cell. */
+struct nxc_weight {
     int64_t units;
-    const char *file, *function; /* of the source */
-    const char *called;          /* the library function, NULL: none */
-    struct nxc_cell *body;       /* the cell of which this is a part, NULL: this is a body */
-    int64_t line;                /* of the function */
+    int32_t slot, cell;
+};
+
+/* A compiled function. */
+struct nxc_body {
+    int32_t cells;   /* the first struct nxc_cell of the file is so many bytes from here */
+    int32_t weights; /* and the function's first struct nxc_weight */
+    int32_t cell;    /* of the function */
+    int32_t slots, weight_count, unused;
+};
+
+/* A path of calls: a function, called by the function of the path's parent. */
+struct nxc_path {
+    const struct nxc_body *body;      /* NULL: no compiled function */
+    struct nxc_path *recent;          /* the child that was entered last, or any path without a body */
+    struct nxc_path *parent;          /* NULL: nobody has called it */
+    struct nxc_path *children, *next; /* the first child; the parent's next one */
+    struct nxc_path *older;           /* of all paths of the node */
+    int64_t depth;
+    int64_t counts[]; /* body->slots of them */
 };
 
 struct nxc_image {
@@ -59,11 +86,15 @@ struct nxc_image {
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);
-    struct nxc_cell *cells_begin; /* both NULL: built without --profile */
-    struct nxc_cell *cells_end;
-    int64_t long_bytes; /* the size of long in C: 8, or 4 (nxcc --long32) */
+    const struct nxc_body *bodies_begin; /* both NULL: built without --profile */
+    const struct nxc_body *bodies_end;
+    struct nxc_path *root;  /* has called main; the node's first path */
+    struct nxc_path **path; /* where the program is */
+    int64_t long_bytes;     /* the size of long in C: 8, or 4 (nxcc --long32) */
 };
 
 /* Served by the simulator: lets virtual time catch up with the program, and returns with *left set anew. */
 void nxc_preempt(void);
+/* Served by the simulator: a zeroed path with so many counts. */
+struct nxc_path *nxc_new_path(int64_t counts);
 #endif

@@ -23,7 +23,7 @@ static const char help[] =
     "                     looked for in touchstone's own cpu directory as well (default " DEFAULT_COSTS ")\n"
     "    --factors FILE   cost factors of source files or functions:\n"
     "                     factors = ( { file = \"a.c\"; factor = 1.02; } );\n"
-    "    --profile        also count by function, for touchstone run --profile; the times stay the same\n"
+    "    --profile        count by path of calls and line, too, for touchstone run --profile\n"
     "    -node -nx -K... -M... -i860\n"
     "                     accepted, as icc and if77 had them; those that mean something in GNU Fortran\n"
     "                     are translated\n"

@@ -194,8 +194,6 @@ void counting::charge_call(gimple_seq *seq, gcall *call, tree amount)
 /* Appends counter = value, for a callee or the simulator to read. */
 void counting::store(gimple_seq *seq, tree value)
 {
-    if (profile && left)
-        profile->give_away(seq, counter, value);
     gimple_seq_add_stmt_without_update(seq, gimple_build_assign(counter, value));
 }
 
@@ -214,7 +212,7 @@ void counting::add_leaf_cost(segment *s, gimple *stmt)
     int64_t cost = leaf_charge_cost(stmt);
     s->cost += cost;
     if (profile && cost)
-        s->shares[profile->cell_of_leaf(gimple_call_fndecl(stmt))] += cost;
+        s->shares[profile->cell_of_leaf(as_a<gcall *>(stmt))] += cost;
 }
 
 /* The source line of the first statement that has one. */
@@ -275,9 +273,9 @@ void counting::charge_segment(basic_block bb, gimple *behind, const segment &s)
     if (!s.cost && !poll_here)
         return;
     gimple_seq seq = NULL;
+    if (profile)
+        profile->add(&seq, bb, s.shares, units_constant(1)); /* before the poll */
     poll charged = subtract(&seq, units_constant(s.cost));
-    for (auto &share : s.shares)
-        profile->add(&seq, bb, share.first, units_constant(share.second));
     if (poll_here) {
         add_lookahead(&seq, &charged, bb, s.cost);
         polls.safe_push(charged);
@@ -351,13 +349,16 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
  * and the callee leaves the counter in memory, where this function's caller loads it. */
 gimple *counting::hand_over(gcall *call)
 {
-    if (!left)
-        return call;
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gimple_seq seq = NULL;
-    store(&seq, left);
+    if (profile) {
+        gimple_call_set_tail(call, false); /* its path is left after it */
+        profile->before_call(&seq);
+    }
+    if (left)
+        store(&seq, left);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
-    if (stmt_ends_bb_p(call))
+    if (!left || stmt_ends_bb_p(call))
         return call;
     gimple *reload = gimple_build_assign(left, counter);
     gsi_insert_after(&gsi, reload, GSI_SAME_STMT);
@@ -399,9 +400,10 @@ void counting::precharge(const precharged_loop &loop)
         gimple_seq_add_stmt_without_update(&seq, gimple_build_assign(left, rest));
     else
         subtract(&seq, append_trips(&seq, loop, each.cost, last.cost));
-    for (auto &share : each.shares)
-        profile->add(&seq, loop.first, share.first,
-                     append_trips(&seq, loop, share.second, last.shares[share.first]));
+    if (profile) {
+        profile->add(&seq, loop.first, each.shares, loop.trips);
+        profile->add(&seq, loop.first, last.shares, units_constant(1));
+    }
     gsi = gsi_after_labels(loop.first);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
@@ -569,14 +571,15 @@ void counting::insert_poll(const poll &p)
         where = location_of_statements(rest);
     if (where == UNKNOWN_LOCATION)
         where = location_of(bb);
-    if (profile)
-        profile->flush(&seq, bb);
+    tree path = profile ? profile->before_preemption(&seq, bb) : NULL_TREE;
     if (p.ahead)
         lookahead_append(&seq, *p.ahead, p.charged, lookahead_word, left);
     if (p.in_parts)
         preempt_in_time(&seq);
     else
         preempt(&seq);
+    if (profile)
+        profile->behind_preemption(&seq, path);
     for (gimple_stmt_iterator i = gsi_start(seq); !gsi_end_p(i); gsi_next(&i))
         gimple_set_location(gsi_stmt(i), where);
     gsi = gsi_start_bb(cold);

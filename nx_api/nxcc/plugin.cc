@@ -3,7 +3,7 @@
  * Arguments:
  *     costs=FILE      the cost table; needed, unless there is `poll`
  *     factors=FILE    cost factors
- *     profile         count by function, too (profile.h)
+ *     profile         count by path of calls and line, too (profile.h)
  *     long32=FOLDER   longs of 32 bits; FOLDER has NX's headers (long32.h)
  *     poll            no counting, only polls (poll.h)
  *     before=PASS     for tests: the pass before which the counting pass stands
@@ -99,7 +99,7 @@ void begin_function(void *, void *)
 
 void finish_unit(void *, void *)
 {
-    profile_write_cells();
+    profile_write_tables();
     call_free_write_flags();
 }
 

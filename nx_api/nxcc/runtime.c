@@ -19,9 +19,12 @@ NXC_DATA int64_t nxc_lookahead = NXC_NO_LOOKAHEAD;
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
 extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
-/* The linker's symbols for the ends of section nxc_cells, if there is one. */
-extern struct nxc_cell __start_nxc_cells[] __attribute__((visibility("hidden"), weak));
-extern struct nxc_cell __stop_nxc_cells[] __attribute__((visibility("hidden"), weak));
+/* The linker's symbols for the ends of section nxc_bodies, if there is one. */
+extern const struct nxc_body __start_nxc_bodies[] __attribute__((visibility("hidden"), weak));
+extern const struct nxc_body __stop_nxc_bodies[] __attribute__((visibility("hidden"), weak));
+
+NXC_DATA struct nxc_path nxc_root = {.recent = &nxc_root};
+NXC_DATA struct nxc_path *nxc_path = &nxc_root;
 
 #ifndef NXC_LONG_BYTES
 #define NXC_LONG_BYTES 8
@@ -38,8 +41,10 @@ struct nxc_image nxc_image = {
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,
-    .cells_begin = __start_nxc_cells,
-    .cells_end = __stop_nxc_cells,
+    .bodies_begin = __start_nxc_bodies,
+    .bodies_end = __stop_nxc_bodies,
+    .root = &nxc_root,
+    .path = &nxc_path,
     .long_bytes = NXC_LONG_BYTES,
 };
 
@@ -57,6 +62,87 @@ __asm__(".text\n"
         "    andq $-16, %rsp\n" SAVE_SSE "    stmxcsr 256(%rsp)\n"
         "    call nxc_preempt@PLT\n"
         "    ldmxcsr 256(%rsp)\n" RESTORE_SSE NXC_ENTER_RESTORE);
+
+/* Deeper paths, and more of them, fold recursion: then a function's time is told for the path of the
+ * function's nearest call to itself. So the tree is bounded. */
+enum { DEEPEST = 200, MOST = 20000 };
+static __attribute__((section(".data"))) int64_t paths;
+
+/* The nearest path of the function among those that lead to `at`; NULL: none. */
+static struct nxc_path *recursion(struct nxc_path *at, const struct nxc_body *body)
+{
+    while (at && at->body != body)
+        at = at->parent;
+    return at;
+}
+
+static struct nxc_path *new_child(struct nxc_path *parent, const struct nxc_body *body)
+{
+    struct nxc_path *p = nxc_new_path(body->slots);
+    paths++;
+    p->body = body;
+    p->recent = &nxc_root;
+    p->parent = parent;
+    p->next = parent->children;
+    p->depth = parent->depth + 1;
+    return parent->children = p;
+}
+
+/* The path of a function that is called where the program is. */
+__attribute__((visibility("hidden"), used)) struct nxc_path *nxc_other_path(const struct nxc_body *body);
+struct nxc_path *nxc_other_path(const struct nxc_body *body)
+{
+    struct nxc_path *parent = nxc_path, *p = parent->children;
+    while (p && p->body != body)
+        p = p->next;
+    if (!p && (parent->depth >= DEEPEST || paths >= MOST))
+        p = recursion(parent, body);
+    return parent->recent = p ? p : new_child(parent, body);
+}
+
+/* nxc_find_path: from the address of a body, in %rax, its path. All other registers stay, but the flags. */
+__asm__(".text\n"
+        ".globl nxc_find_path\n"
+        ".hidden nxc_find_path\n"
+        ".type nxc_find_path, @function\n"
+        "nxc_find_path:\n"
+        "    .cfi_startproc\n"
+        "    pushq %rbp\n"
+        "    .cfi_def_cfa_offset 16\n"
+        "    .cfi_offset %rbp, -16\n"
+        "    movq nxc_path(%rip), %rbp\n"
+        "    movq 8(%rbp), %rbp\n"
+        "    cmpq %rax, (%rbp)\n"
+        "    jne 1f\n"
+        "    movq %rbp, %rax\n"
+        "    popq %rbp\n"
+        "    ret\n"
+        "1:  movq %rsp, %rbp\n"
+        "    .cfi_def_cfa_register %rbp\n"
+        "    pushq %rcx\n"
+        "    pushq %rdx\n"
+        "    pushq %rsi\n"
+        "    pushq %rdi\n"
+        "    pushq %r8\n"
+        "    pushq %r9\n"
+        "    pushq %r10\n"
+        "    pushq %r11\n"
+        "    subq $264, %rsp\n"
+        "    andq $-16, %rsp\n" SAVE_SSE "    movq %rax, %rdi\n"
+        "    call nxc_other_path\n" RESTORE_SSE "    leaq -64(%rbp), %rsp\n"
+        "    popq %r11\n"
+        "    popq %r10\n"
+        "    popq %r9\n"
+        "    popq %r8\n"
+        "    popq %rdi\n"
+        "    popq %rsi\n"
+        "    popq %rdx\n"
+        "    popq %rcx\n"
+        "    popq %rbp\n"
+        "    .cfi_def_cfa %rsp, 8\n"
+        "    ret\n"
+        "    .cfi_endproc\n"
+        ".size nxc_find_path, .-nxc_find_path\n");
 
 #ifndef NXC_HOSTED
 /* Runs when somebody starts the program in a shell. Nothing has been relocated, so that the code may use only

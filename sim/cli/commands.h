@@ -10,6 +10,7 @@ int cli_check(int argc, char **argv);
 int cli_fit(int argc, char **argv);
 int cli_page(int argc, char **argv);
 int cli_plot(int argc, char **argv);
+int cli_profile(int argc, char **argv);
 int cli_render(int argc, char **argv);
 int cli_run(int argc, char **argv);
 int cli_study(int argc, char **argv);

@@ -19,6 +19,7 @@ static const struct command {
                 {"fit", cli_fit, "Fit numbers of a machine to measurements"},
                 {"tables", cli_tables, "Reproduce Tables 1-5 of Bajaj & Lin"},
                 {"trace", cli_trace, "Look into a run: timelines, pictures, what it waited for"},
+                {"profile", cli_profile, "Show where the time of a run went: flame graphs, lines of source"},
                 {"srm", cli_srm, "Share out a machine's nodes among users"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, MOST_LINES = COMMAND_COUNT + 16 };
 

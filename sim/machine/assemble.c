@@ -18,6 +18,7 @@
 #include "os/match.h"
 #include "os/memory.h"
 #include "os/node_record.h"
+#include "os/path_times.h"
 #include "lp/clock.h"
 #include "node/self.h"
 #include "trace/recorder.h"
@@ -110,6 +111,7 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
 {
     n->argc = argc, n->argv = argv, n->envp = envp;
     if (make_parts(n, img, error)) {
+        path_times_begin(n);
         if (n->sys->recorder)
             node_record(n);
         return n;
@@ -155,6 +157,7 @@ static void strip(struct node *n)
         match_abandon(n); /* what its messages under way would report to */
     match_end(n);
     waits_free(&n->stats.waits);
+    path_times_end(n);
     free(n->crash);
     if (n->libc)
         node_libc_free(n);

@@ -24,13 +24,15 @@
 #include "nx_api/contract/ids.h"
 
 struct node;
-struct node_image;  /* a program file, read once: guest/image.h */
-struct node_heap;   /* guest/heap.h */
-struct node_region; /* node/self.h */
-struct node_system; /* what all nodes share: node/system.h */
-struct nxc_image;   /* nx_api/contract/program_image.h */
-struct node_record; /* what is to be written into a trace: os/node_record.h */
-struct node_crash;  /* what is known of a program's crash: machine/crash.h */
+struct node_image;      /* a program file, read once: guest/image.h */
+struct node_heap;       /* guest/heap.h */
+struct node_region;     /* node/self.h */
+struct node_system;     /* what all nodes share: node/system.h */
+struct nxc_image;       /* nx_api/contract/program_image.h */
+struct node_record;     /* what is to be written into a trace: os/node_record.h */
+struct node_path_times; /* where system time and waits fall, by path of calls: os/path_times.h */
+struct nxc_path;        /* nx_api/contract/program_image.h */
+struct node_crash;      /* what is known of a program's crash: machine/crash.h */
 
 /* Why a node ended. */
 enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED, NODE_NOT_LOADED };
@@ -131,8 +133,9 @@ struct node_memory {
 struct deferred_cold {
     struct message *message[DEFERRED_MOST];
     struct node_memory
-        memory[DEFERRED_MOST];   /* the program's at the call, if it has changed since the one before */
-    int32_t type[DEFERRED_MOST]; /* in node.call_type when the caller resumes, if it has any */
+        memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
+    const struct nxc_path *path[DEFERRED_MOST]; /* on which the call was made, if the node has path_times */
+    int32_t type[DEFERRED_MOST];                /* in node.call_type when the caller resumes, if it has any */
 };
 
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
@@ -167,12 +170,13 @@ struct node {
         bool (*ready)(struct node *n, void *arg);
         void *arg;
     } wait;
-    vtime waits_system; /* os: times.system when it began to wait */
-    const char *call;   /* os: the call the program is in, for reports; NULL while it computes */
+    vtime waits_system;         /* os: times.system when it began to wait */
+    const char *call;           /* os: the call the program is in, for reports; NULL while it computes */
     struct node_record *record; /* os. NULL: the node is in no trace */
-    vtime call_since;   /* os */
-    long call_type;     /* os: type, typesel or id it was given, if call_has_type */
-    long awaited;       /* os: type or typesel of the message the call is about, if awaits */
+    struct node_path_times *path_times; /* os. NULL: the program was built without --profile */
+    vtime call_since;                   /* os */
+    long call_type;                     /* os: type, typesel or id it was given, if call_has_type */
+    long awaited;                       /* os: type or typesel of the message the call is about, if awaits */
     uintptr_t
         frame; /* os: on the stack: of the call while it is blocked, or of the poll where it has stopped */
     bool masked, in_handler; /* os */

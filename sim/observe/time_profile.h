@@ -9,6 +9,7 @@
 #ifndef OBSERVE_TIME_PROFILE_H
 #define OBSERVE_TIME_PROFILE_H
 #include "machine/machine.h"
+#include "observe/call_tree.h"
 
 enum profile_class { PROFILE_OTHERS, PROFILE_ARMED, PROFILE_CLASSES };
 
@@ -42,6 +43,7 @@ struct profile {
     struct profile_times times[PROFILE_CLASSES];
     vtime end; /* of the run */
     uint64_t units_per_second;
+    struct call_tree tree;
 };
 
 /* Was the program built with nxcc --profile? */

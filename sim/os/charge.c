@@ -4,6 +4,7 @@
 #include "lp/engine.h"
 #include "node/system.h"
 #include "os/node_record.h"
+#include "os/path_times.h"
 #include "os/share.h"
 
 static void add(struct node *n, enum node_task task, vtime t)
@@ -15,6 +16,8 @@ static void add(struct node *n, enum node_task task, vtime t)
 void node_account(struct node *n, enum node_task task, vtime t)
 {
     add(n, task, t);
+    if (n->path_times)
+        path_times_add(n, t, 0);
     share_use(n, t);
 }
 
@@ -22,6 +25,8 @@ void charge_undo(struct node *n, enum node_task task, vtime t)
 {
     n->times.tasks[task] -= t;
     n->times.system -= t;
+    if (n->path_times)
+        path_times_add(n, -t, 0);
 }
 
 vtime node_system_time(const struct node *n, vtime t)
@@ -37,9 +42,14 @@ static void steal(struct node *n, enum node_task task, vtime t)
     if (n->lp.state == LP_ENDED)
         return; /* the node has no program whose time it would be */
     lp_synchronise(&n->lp);
-    if (n->lp.state == LP_COMPUTING)
+    bool computes = n->lp.state == LP_COMPUTING;
+    if (computes)
         clock_steal(&n->lp, t);
     add(n, task, t);
+    if (n->path_times && computes)
+        path_times_add_interrupt(n, t);
+    else if (n->path_times)
+        path_times_add(n, t, 0);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
@@ -77,6 +87,8 @@ void charge_wait_ends(struct node *n, vtime t)
         n->times.system -= overlapped, n->stats.overlapped += overlapped;
     n->stats.idle += idle;
     RECORD(n, waited, n->lp.blocked_since, t, waited - idle);
+    if (n->path_times)
+        path_times_add(n, -overlapped, idle);
     if (idle)
         waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
 }

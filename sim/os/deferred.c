@@ -10,6 +10,7 @@
 #include "os/match.h"
 #include "os/memory.h"
 #include "os/node_record.h"
+#include "os/path_times.h"
 #include "os/unexpected.h"
 #include "os/gate.h"
 
@@ -63,6 +64,8 @@ void deferred_begin(struct node *n)
     if (n->heap_moved)
         n->cold->calls.memory[i] = node_memory_now(n);
     n->heap_moved = false;
+    if (n->path_times)
+        n->cold->calls.path[i] = path_times_now(n);
     RECORD(n, deferred);
 }
 
@@ -242,6 +245,19 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
     }
 }
 
+/* What is charged from now on belongs to the i-th call, not to that which the program has come to; to the
+ * latter. */
+static void charge_call(struct node *n, uint32_t i)
+{
+    if (n->path_times)
+        path_times_charge(n, n->cold->calls.path[index_of(n, i)], nth(n, i)->name);
+}
+static void charge_program(struct node *n)
+{
+    if (n->path_times)
+        path_times_charge_program(n);
+}
+
 /* The call's commit time: hands over what it has to. */
 static void begin(struct node *n, struct deferred_call *c, vtime now)
 {
@@ -250,8 +266,11 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
         node_memory_was(n, n->cold->calls.memory[index_of(n, 0)]);
     if (c->posts)
         match_post(n, c->receive, now + c->spent);
-    if (c->has_message && !c->sends)
+    if (c->has_message && !c->sends) {
+        charge_call(n, 0);
         match_send(n, message_of(n, 0), now + c->spent);
+        charge_program(n);
+    }
 }
 
 static void pop(struct node *n)
@@ -330,6 +349,7 @@ static void unsend(struct node *n, const struct deferred_call *c, struct message
 static void unmake(struct node *n)
 {
     struct deferred_call *c = last(n);
+    charge_call(n, n->deferred.count - 1);
     if (c->consumes_message)
         put_back(n, c);
     if (c->has_message)
@@ -337,6 +357,7 @@ static void unmake(struct node *n)
     if (c->selected && c->receive->m)
         match_withdraw(n, c->receive);
     charge_undo(n, NODE_CALL, c->spent);
+    charge_program(n);
 }
 
 void deferred_undo(struct node *n)

@@ -13,6 +13,7 @@
 #include "os/gate.h"
 #include "os/order.h"
 #include "os/node_record.h"
+#include "os/path_times.h"
 #include "os/share.h"
 
 void mailbox_post_handler(struct node *n, const struct receive *what)
@@ -54,6 +55,7 @@ static void run_first(struct node *n)
     struct mailbox *b = &n->mailbox;
     struct due d = due_take(b);
     struct node_info before = n->info;
+    struct nxc_path *path = n->path_times ? path_times_handler_begins(n) : NULL;
     b->handlers--;
     n->stats.handlers++;
     n->stats.latest = vt_max(n->stats.latest, delay(n, d.at));
@@ -75,6 +77,8 @@ static void run_first(struct node *n)
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 
     RECORD(n, handler_ends);
+    if (path)
+        path_times_handler_ends(n, path);
     n->in_handler = false;
     handlers_open(n);
     n->info = before;

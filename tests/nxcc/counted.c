@@ -219,6 +219,12 @@ int c_jump_out(int depth)
     return deeper(depth);
 }
 
+__attribute__((noinline)) long c_count_down(long n)
+{
+    volatile long here = n; /* keeps it a recursion */
+    return n > 0 ? c_count_down(n - 1) + here : 0;
+}
+
 long c_nested(long n)
 {
     long sum = 0;

@@ -32,6 +32,7 @@ int c_compare(const void *a, const void *b);
 long c_goto(const unsigned char *code);
 int c_jump_back(int times);
 int c_jump_out(int depth);
+long c_count_down(long n);
 long c_nested(long n);
 int c_asm_goto(int x);
 int c_never_returns(int x);

@@ -1,6 +1,7 @@
 /* counter.c - see counter.h. A preemption changes every register that a call may change, to prove that
  * programs rely on none. */
 #include "counter.h"
+#include <stdlib.h>
 #include <string.h>
 
 struct counter counter;
@@ -36,13 +37,29 @@ void nxc_preempt(void)
     spoil_registers();
 }
 
+/* --- the profile --- */
+
+static struct nxc_path *made;
+
+struct nxc_path *nxc_new_path(int64_t counts)
+{
+    struct nxc_path *p = calloc(1, sizeof *p + (size_t)counts * sizeof p->counts[0]);
+    p->older = made;
+    return made = p;
+}
+
+static void forget_counts(void)
+{
+    for (struct nxc_path *p = made; p; p = p->older)
+        memset(p->counts, 0, (size_t)p->body->slots * sizeof p->counts[0]);
+}
+
 void counter_start(int64_t budget)
 {
     counter = (struct counter){.budget = budget};
     *nxc_image.left = budget;
     *nxc_image.lookahead = NXC_NO_LOOKAHEAD;
-    for (struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++)
-        c->units = 0;
+    forget_counts();
 }
 
 int64_t counter_spent(void)
@@ -55,25 +72,94 @@ void served(void)
     counter.broken += counter_spent() < counter.lookahead;
 }
 
-int64_t counter_profiled(void)
+static const struct nxc_cell *cells_of(const struct nxc_path *p)
 {
-    int64_t sum = 0;
-    for (const struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++)
-        sum += c->body ? 0 : c->units;
-    return sum;
+    return (const struct nxc_cell *)((const char *)p->body + p->body->cells);
 }
 
-static int names(const struct nxc_cell *c, const char *function, const char *called)
+static int is_text(const struct nxc_path *p, int32_t text, const char *what)
 {
-    return !strcmp(c->function, function) && !strcmp(c->called ? c->called : "", called ? called : "");
+    return !strcmp(text ? (const char *)cells_of(p) + text : "", what ? what : "");
+}
+
+/* The units of the path's cells that count. */
+static int64_t sum(const struct nxc_path *p,
+                   int (*counts)(const struct nxc_path *, const struct nxc_cell *, const void *),
+                   const void *what)
+{
+    const struct nxc_weight *w = (const struct nxc_weight *)((const char *)p->body + p->body->weights);
+    int64_t units = 0;
+    for (int32_t i = 0; i < p->body->weight_count; i++)
+        if (counts(p, &cells_of(p)[w[i].cell], what))
+            units += w[i].units * p->counts[w[i].slot];
+    return units;
+}
+
+static int all(const struct nxc_path *p, const struct nxc_cell *c, const void *what)
+{
+    (void)p, (void)c, (void)what;
+    return 1;
+}
+
+int64_t counter_profiled(void)
+{
+    int64_t units = 0;
+    for (const struct nxc_path *p = made; p; p = p->older)
+        units += sum(p, all, NULL);
+    return units;
+}
+
+struct name {
+    const char *function, *called;
+    int line;
+};
+
+static int has_name(const struct nxc_path *p, const struct nxc_cell *c, const void *what)
+{
+    const struct name *name = what;
+    return is_text(p, cells_of(p)[c->parent].function, name->function) &&
+           is_text(p, c->called, name->called) && (!name->line || c->line == name->line);
 }
 
 int64_t counter_of(const char *function, const char *called)
 {
-    int64_t sum = 0;
-    for (const struct nxc_cell *c = nxc_image.cells_begin; c < nxc_image.cells_end; c++) {
-        sum += names(c, function, called) ? c->units : 0;
-        sum -= c->body && names(c->body, function, called) ? c->units : 0;
+    struct name name = {function, called, 0};
+    int64_t units = 0;
+    for (const struct nxc_path *p = made; p; p = p->older)
+        units += sum(p, has_name, &name);
+    return units;
+}
+
+int64_t counter_of_line(const char *function, int line)
+{
+    struct name name = {function, NULL, line};
+    int64_t units = 0;
+    for (const struct nxc_path *p = made; p; p = p->older)
+        units += sum(p, has_name, &name);
+    return units;
+}
+
+/* Appends the path's functions to text, the outermost first. */
+static void append(const struct nxc_path *p, char *text)
+{
+    if (p->parent && p->parent->body)
+        append(p->parent, text), strcat(text, ";");
+    strcat(text, (const char *)cells_of(p) + cells_of(p)[p->body->cell].function);
+}
+
+int64_t counter_of_path(const char *path)
+{
+    int64_t units = 0;
+    for (const struct nxc_path *p = made; p; p = p->older) {
+        char text[20000] = "";
+        append(p, text);
+        if (!strcmp(text, path))
+            units += sum(p, all, NULL);
     }
-    return sum;
+    return units;
+}
+
+int counter_at_root(void)
+{
+    return *nxc_image.path == nxc_image.root;
 }

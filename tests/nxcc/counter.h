@@ -24,8 +24,13 @@ void counter_start(int64_t budget);
 int64_t counter_spent(void);
 /* A call that the simulator would serve. */
 void served(void);
-/* What all functions have spent since counter_start, by the cells of a program built with --profile. */
+/* What all functions have spent since counter_start, by the paths of a program built with --profile. */
 int64_t counter_profiled(void);
 /* What one of them has, itself or in the library function called, if that is not NULL. */
 int64_t counter_of(const char *function, const char *called);
+/* What the line of the function has; what a path has by itself, "main;relax". */
+int64_t counter_of_line(const char *function, int line);
+int64_t counter_of_path(const char *path);
+/* Is nobody's path entered that has not been left? */
+int counter_at_root(void);
 #endif

@@ -18,7 +18,7 @@ __attribute__((destructor)) static void end(void)
     fprintf(stderr, "%lld\n", (long long)spent);
     if (counter.broken)
         fprintf(stderr, "%ld calls came before the end of the lookahead\n", counter.broken);
-    if (nxc_image.cells_begin != nxc_image.cells_end && counter_profiled() != spent)
+    if (nxc_image.bodies_begin != nxc_image.bodies_end && counter_profiled() != spent)
         fprintf(stderr, "but %lld by function\n", (long long)counter_profiled());
     if (getenv("BUDGET"))
         fprintf(stderr, "%ld preemptions, times %llx\n", counter.preemptions,

@@ -103,6 +103,69 @@ static void setjmp_and_longjmp(void **state)
     assert_int_equal(counter_profiled(), cost);
 }
 
+/* --- paths --- */
+
+static void a_path_for_each_caller(void **state)
+{
+    (void)state;
+    int64_t cost = COST(c_nested(12));
+    assert_int_equal(counter_profiled(), cost);
+    assert_true(counter_at_root());
+    cost = COST(c_count_down(3));
+    int64_t first = counter_of_path("c_count_down"), second = counter_of_path("c_count_down;c_count_down"),
+            third = counter_of_path("c_count_down;c_count_down;c_count_down"),
+            last = counter_of_path("c_count_down;c_count_down;c_count_down;c_count_down");
+    assert_true(first > 0 && first == second && first == third && last > 0);
+    assert_int_equal(3 * first + last, cost);
+    assert_true(counter_at_root());
+}
+
+static void who_is_called_back_by_a_library_is_called_by_its_caller(void **state)
+{
+    int a[50];
+    (void)state;
+    for (int i = 0; i < 50; i++)
+        a[i] = i * 37 % 50;
+    COST(c_sort(a, 50));
+    assert_true(counter_of_path("c_sort;c_compare") > 0);
+    assert_int_equal(counter_of_path("c_sort;c_compare"), own("c_compare"));
+    assert_true(counter_at_root());
+}
+
+static void longjmp_leaves_paths(void **state)
+{
+    (void)state;
+    int64_t cost = COST(c_jump_out(30));
+    assert_int_equal(counter_profiled(), cost);
+    assert_true(counter_at_root());
+    int64_t first = counter_of_path("c_jump_out;deeper");
+    assert_true(first > 0 && counter_of_path("c_jump_out;deeper;deeper") > 0);
+    COST((c_jump_out(30), c_jump_out(30)));
+    assert_int_equal(counter_of_path("c_jump_out;deeper"), 2 * first);
+}
+
+static void deep_recursion_is_folded(void **state)
+{
+    (void)state;
+    int64_t cost = COST(c_count_down(100000));
+    assert_int_equal(own("c_count_down"), cost);
+    assert_int_equal(counter_profiled(), cost);
+    assert_true(counter_at_root());
+}
+
+/* --- lines --- */
+
+static void lines_add_up(void **state)
+{
+    (void)state;
+    int64_t cost = COST(c_inlined_in_loop(40)), own_lines = 0, inlined = 0;
+    for (int line = 1; line < 1000; line++)
+        own_lines += counter_of_line("c_inlined_in_loop", line),
+            inlined += counter_of_line("twice_and_one", line);
+    assert_int_equal(inlined, 3 * 40);
+    assert_int_equal(own_lines, cost - 3 * 40);
+}
+
 /* --- interrupts --- */
 
 static void handler(void)
@@ -200,6 +263,11 @@ int main(void)
         cmocka_unit_test(recursion),
         cmocka_unit_test(functions_called_and_called_back),
         cmocka_unit_test(setjmp_and_longjmp),
+        cmocka_unit_test(a_path_for_each_caller),
+        cmocka_unit_test(who_is_called_back_by_a_library_is_called_by_its_caller),
+        cmocka_unit_test(longjmp_leaves_paths),
+        cmocka_unit_test(deep_recursion_is_folded),
+        cmocka_unit_test(lines_add_up),
         cmocka_unit_test(handlers_pay_for_themselves),
         cmocka_unit_test(handlers_pay_for_themselves_in_a_long_call),
         cmocka_unit_test(a_handler_may_leave_a_loop_for_good),

@@ -132,8 +132,10 @@ static json_t *record_of(struct outcome *o, const struct task *t)
         json_object_del(figures, left_out[i]);
     json_t *record = json_pack("{s:f, s:o}", "wall_time_s", t->job.wall_time_s, "figures", figures);
     json_t *profile = t->profile ? json_load_file(t->profile, 0, NULL) : NULL;
-    if (profile)
+    if (profile) {
+        json_object_del(profile, "tree"); /* it is large, and a study compares functions */
         json_set(record, "profile", profile);
+    }
     return record;
 }
 
