@@ -45,10 +45,10 @@ struct node_system {
     FILE *out[2];
     struct progress_line *progress; /* on the terminal that has the output; NULL: none */
 
-    uint64_t digest;          /* os: of all messages received: time, nodes, type, length, in order */
+    uint64_t digest;           /* os: of all messages received: time, nodes, type, length, in order */
     struct recorder *recorder; /* of the run's trace: os/node_record.h. NULL: none */
-    FILE *history;            /* the same as text, a line for each; NULL: not wanted */
-    uint64_t messages, bytes; /* os: received */
+    FILE *history;             /* the same as text, a line for each; NULL: not wanted */
+    uint64_t messages, bytes;  /* os: received */
     /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */
     char **host_files;
     /* guest: functions that nodes do not have, and programs called; by first call */

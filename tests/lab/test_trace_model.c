@@ -276,6 +276,7 @@ static void the_system_cuts_computing_and_waiting(void **state)
                                  {TRACE_IN_SYSTEM, 420}, {TRACE_WAITING, 550},   {TRACE_IN_CALL, 600},
                                  {TRACE_IN_SYSTEM, 620}, {TRACE_COMPUTING, 1000}};
     check_pieces(&t, 0, e, sizeof e / sizeof *e);
+    made_free(&t);
 }
 
 /* The run counts more, or less, as the system's than lies in the wait. */
@@ -297,6 +298,7 @@ static void a_wait_rests_for_its_idle_time(void **state)
                                     {TRACE_WAITING, 510},   {TRACE_IN_SYSTEM, 520}, {TRACE_WAITING, 550},
                                     {TRACE_IN_CALL, 600},   {TRACE_COMPUTING, 1000}};
     check_pieces(&t, 0, less, sizeof less / sizeof *less);
+    made_free(&t);
 }
 
 static void a_handler_lies_on_top(void **state)
@@ -317,6 +319,7 @@ static void a_handler_lies_on_top(void **state)
                                  {TRACE_COMPUTING, 480}, {TRACE_IN_SYSTEM, 500}, {TRACE_WAITING, 750},
                                  {TRACE_IN_CALL, 800},   {TRACE_COMPUTING, 900}, {TRACE_ENDED, 1000}};
     check_pieces(&t, 0, e, sizeof e / sizeof *e);
+    made_free(&t);
 }
 
 int main(void)
