@@ -117,7 +117,7 @@ int cli_profile(int argc, char **argv)
         "frames add up to what the nodes computed, waited, and had the system work, to the picosecond.\v"
         "PROFILE is what touchstone run --profile FILE writes, for a program built with nxcc --profile; - is "
         "standard "
-        "input.\n\nExamples:\n"
+        "input.\n\nExample:\n"
         "  nxcc -O2 --profile -o relax relax.c\n"
         "  touchstone run -n 16 --profile relax.json relax\n"
         "  touchstone profile relax.json\n"
