@@ -14,7 +14,8 @@ struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *
     for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
         p->messages[i].bytes = sizeof(struct message) + PROTOCOL_IN_MESSAGE[i];
     p->trips.bytes = sizeof(struct trip);
-    p->channels = channel_new(topo, q, &(struct channel_calls){p, protocol_trip_started, protocol_trip_done, NULL, NULL});
+    p->channels = channel_new(
+        topo, q, &(struct channel_calls){p, protocol_trip_started, protocol_trip_done, NULL, NULL});
     p->endpoints = xcalloc(topo->addresses, sizeof *p->endpoints);
     return p;
 }

@@ -41,8 +41,8 @@ static inline struct trace made_trace(uint32_t nodes, vtime end)
 
 static inline void made_free(struct trace *t)
 {
-    void *const parts[] = {t->names, t->classes,  t->nodes,   t->calls,
-                           t->waits, t->handlers, t->systems, t->messages, t->blocks};
+    void *const parts[] = {t->names,    t->classes, t->nodes,    t->calls, t->waits,
+                           t->handlers, t->systems, t->messages, t->blocks};
     for (int32_t i = 0; i < t->name_count; i++)
         free(t->names[i]);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
