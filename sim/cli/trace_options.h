@@ -1,4 +1,5 @@
-/* trace_options.h - what the commands that make and read traces share: an interval of virtual time, and nodes. */
+/* trace_options.h - what the commands that make and read traces share: an interval of virtual time, and
+ * nodes. */
 #ifndef CLI_TRACE_OPTIONS_H
 #define CLI_TRACE_OPTIONS_H
 #include "cli/options.h"
@@ -9,7 +10,7 @@
 void cli_node_list(struct argp_state *state, const char *option, const char *text, bool **nodes,
                    uint32_t *count);
 
-/* The options --from, --to and --nodes of what reads traces; input: struct trace_selection *, whose nodes the caller
- * frees. */
+/* The options --from, --to and --nodes of what reads traces; input: struct trace_selection *, whose nodes
+ * the caller frees. */
 extern const struct argp CLI_TRACE_SELECTION;
 #endif

@@ -13,8 +13,8 @@ struct node *node_new_empty(struct node_system *sys, uint32_t id);
 /* As node_new(), for the host at its address. */
 struct node *node_new_host(struct node_system *sys, uint32_t address, const struct node_image *img, int argc,
                            char **argv, char **envp, char **error);
-/* What the node's program does is recorded, if the run's trace (trace/recorder.h) wants the node. New nodes are so
- * from the start. */
+/* What the node's program does is recorded, if the run's trace (trace/recorder.h) wants the node. New
+ * nodes are so from the start. */
 void node_record(struct node *n);
 /* Makes n, a new node, the successor of `before`, whose program has ended, at time t: n continues the
  * accounts of `before` and gets the messages that wait. `before` keeps only what events may still refer to.

@@ -1,4 +1,5 @@
-/* protocol_record.c - see protocol_record.h. In a run that is recorded, trips and messages have more room behind them. */
+/* protocol_record.c - see protocol_record.h. In a run that is recorded, trips and messages have more room
+ * behind them. */
 #include "net/protocol_record.h"
 #include <stdlib.h>
 #include <string.h>

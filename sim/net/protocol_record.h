@@ -1,5 +1,5 @@
-/* protocol_record.h - messages under way, told to the recorder of the run's trace (trace/recorder.h): the times of
- * each step, and the channels for which it waited. A message is told of when its trip is over. */
+/* protocol_record.h - messages under way, told to the recorder of the run's trace (trace/recorder.h): the
+ * times of each step, and the channels for which it waited. A message is told of when its trip is over. */
 #ifndef NET_PROTOCOL_RECORD_H
 #define NET_PROTOCOL_RECORD_H
 #include "net/protocol.h"

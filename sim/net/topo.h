@@ -61,8 +61,8 @@ uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to);
 enum topo_kind { TOPO_LINK, TOPO_IN, TOPO_OUT };
 struct topo_channel {
     enum topo_kind kind;
-    uint32_t from,
-        to; /* a link's ends; of a port, which leads into or out of the network, both its address */
+    /* A link's ends; of a port, which leads into or out of the network, both its address. */
+    uint32_t from, to;
 };
 struct topo_channel topo_channel(const struct topo *t, uint32_t channel);
 

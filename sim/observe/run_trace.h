@@ -18,8 +18,8 @@ struct run_trace {
     struct recorder *recorder; /* NULL: the run is in no trace */
 };
 
-/* Opens the file and has the machine's run recorded; the machine has been made and has not run. *o must last as
- * long. False with *error, a malloc'd text. */
+/* Opens the file and has the machine's run recorded; the machine has been made and has not run. *o must
+ * last as long. False with *error, a malloc'd text. */
 bool run_trace_begin(struct run_trace *t, struct machine *m, const struct run_trace_options *o, char **error);
 /* Writes the end of a machine that has run; the file is complete. False with *error. */
 bool run_trace_end(struct run_trace *t, const struct machine *m, char **error);

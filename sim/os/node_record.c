@@ -21,8 +21,8 @@ struct open {
     uint32_t wait_room;
     bool sends; /* what the call waits for: record_awaits */
     long from;
-    /* Of a deferred call: its time of beginning is known; its program has left it, after such a time, whatever puts off
-     * both. */
+    /* Of a deferred call: its time of beginning is known; its program has left it, after such a time,
+     * whatever puts off both. */
     bool begun, left;
     vtime takes;
 };
@@ -92,8 +92,8 @@ static bool in_stack(const struct node *n, uintptr_t address)
            address % sizeof address == 0;
 }
 
-/* The program's stack: its number +1, or 0. The frames of the simulator below it, on the same stack, are left out; the
- * stack ends with those above it: the simulator has called main, or the handler. */
+/* The program's stack: its number +1, or 0. The frames of the simulator below it, on the same stack, are
+ * left out; the stack ends with those above it: the simulator has called main, or the handler. */
 static uint32_t stack_now(struct node *n, const void *innermost)
 {
     uintptr_t offsets[DEEPEST_STACK];

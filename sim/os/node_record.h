@@ -1,16 +1,18 @@
-/* node_record.h - what a node's program and system do, told to the recorder of the run's trace (trace/recorder.h), if there
- * is one. A call is told of when it ends, since it refers to what it sent, took and waited for; until then it lies on
- * a small stack: a call, a handler that interrupts it, a call of the handler.
+/* node_record.h - what a node's program and system do, told to the recorder of the run's trace
+ * (trace/recorder.h), if there is one. A call is told of when it ends, since it refers to what it sent,
+ * took and waited for; until then it lies on a small stack: a call, a handler that interrupts it, a call
+ * of the handler.
  *
- * A deferred call (deferred.h) lies in a ring of its own until it is committed: only then its times are known. If its
- * program is still in the call then, the call goes on as one that is not deferred. */
+ * A deferred call (deferred.h) lies in a ring of its own until it is committed: only then its times are
+ * known. If its program is still in the call then, the call goes on as one that is not deferred. */
 #ifndef OS_NODE_RECORD_H
 #define OS_NODE_RECORD_H
 #include "node/system.h"
 
 /* Begins the record of a node that runs a program by its number; none if the trace leaves out the node. */
 void record_begin(struct node *n, uint32_t program);
-/* The node is gone, or the run is over: what is open ends at time t, unfinished unless the program has ended. */
+/* The node is gone, or the run is over: what is open ends at time t, unfinished unless the program has
+ * ended. */
 void record_end(struct node *n, vtime t);
 
 /* The rest for recorded nodes only: call these through the macro. */
@@ -35,8 +37,8 @@ void record_takes(struct node *n, const struct message *m);
 void record_deferred(struct node *n);
 /* It is the call that the program was in already. */
 void record_deferred_again(struct node *n);
-/* The first deferred call is committed at time t; its caller resumes at time t, and is done at time `done`; it is
- * deferred no more. */
+/* The first deferred call is committed at time t; its caller resumes at time t, and is done at time
+ * `done`; it is deferred no more. */
 void record_committed(struct node *n, vtime t);
 void record_resumed(struct node *n, vtime t, vtime done);
 void record_popped(struct node *n);

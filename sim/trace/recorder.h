@@ -1,6 +1,6 @@
-/* recorder.h - writes the trace of a run (trace_format.h) while it goes on. The recorder knows nothing of nodes and
- * messages but what it is told; it changes nothing. Its memory is bounded by the number of addresses, names and
- * different stacks. All times are virtual, in picoseconds. */
+/* recorder.h - writes the trace of a run (trace_format.h) while it goes on. The recorder knows nothing of
+ * nodes and messages but what it is told; it changes nothing. Its memory is bounded by the number of
+ * addresses, names and different stacks. All times are virtual, in picoseconds. */
 #ifndef TRACE_RECORDER_H
 #define TRACE_RECORDER_H
 #include <jansson.h>

@@ -1,5 +1,5 @@
-/* unpacker.h - reads what packer.h writes. A stream that ends early, or is damaged, reads as zeros from there on:
- * unpacker_good() tells. */
+/* unpacker.h - reads what packer.h writes. A stream that ends early, or is damaged, reads as zeros from
+ * there on: unpacker_good() tells. */
 #ifndef TRACE_UNPACKER_H
 #define TRACE_UNPACKER_H
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* made_trace.h - traces made by hand, for tests of what reads traces: trace_model.h. Calls are added node by node,
- * in order of time; a call's waits behind it. */
+/* made_trace.h - traces made by hand, for tests of what reads traces: trace_model.h. Calls are added node
+ * by node, in order of time; a call's waits behind it. */
 #ifndef TESTS_MADE_TRACE_H
 #define TESTS_MADE_TRACE_H
 #include <stdio.h>

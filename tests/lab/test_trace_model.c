@@ -1,4 +1,5 @@
-/* test_trace_model.c - a trace that is recorded is the trace that is read; and where a node's time goes in it. */
+/* test_trace_model.c - a trace that is recorded is the trace that is read; and where a node's time goes in
+ * it. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>

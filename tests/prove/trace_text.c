@@ -1,5 +1,5 @@
-/* trace_text.c - see trace_text.h. Numbers of names and stacks are left out: they depend on the order in which the file
- * has them. */
+/* trace_text.c - see trace_text.h. Numbers of names and stacks are left out: they depend on the order in
+ * which the file has them. */
 #include "trace_text.h"
 #include <inttypes.h>
 #include <stdio.h>

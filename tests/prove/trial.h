@@ -19,8 +19,8 @@ struct trial {
     int status; /* as of wait(2); -1: it took too long */
 };
 
-/* way: arguments for touchstone run, such as "-w 2". A traced program writes a trace except with TRIAL_UNTRACED, so that
- * a run without trace is compared with those that write one. */
+/* way: arguments for touchstone run, such as "-w 2". A traced program writes a trace except with
+ * TRIAL_UNTRACED, so that a run without trace is compared with those that write one. */
 #define TRIAL_UNTRACED "-w 1"
 struct trial trial_run(const struct place *place, const struct program *p, const char *way);
 void trial_free(struct trial *t);

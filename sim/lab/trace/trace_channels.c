@@ -1,9 +1,11 @@
-/* trace_channels.c - which channels messages held, and when: see trace_model.h. A message takes the channels of its
- * path in order, and takes no time for a free one; it gives all of them back when its tail has passed. */
+/* trace_channels.c - which channels messages held, and when: see trace_model.h. A message takes the
+ * channels of its path in order, and takes no time for a free one; it gives all of them back when its tail
+ * has passed. */
 #include <stdio.h>
 #include "lab/trace/trace_parts.h"
 
-/* When the message held the i-th channel of its path: from when it had waited for the last channel up to there. */
+/* When the message held the i-th channel of its path: from when it had waited for the last channel up to
+ * there. */
 static void use_path(const struct trace *t, int32_t message, trace_use *use, void *ctx)
 {
     const struct trace_message *m = &t->messages[message];

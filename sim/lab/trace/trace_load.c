@@ -1,7 +1,7 @@
 /* trace_load.c - reads a trace file into tables: see trace_model.h and trace/trace_format.h.
  *
- * The file names a message by its source and its order there. The reader collects all that it selects, sorts the
- * tables, and then replaces such names by indexes. */
+ * The file names a message by its source and its order there. The reader collects all that it selects,
+ * sorts the tables, and then replaces such names by indexes. */
 #include <errno.h>
 #include <jansson.h>
 #include <stdio.h>

@@ -1,7 +1,8 @@
 /* trace_model.h - a trace in memory: what a run of touchstone run --trace noted, as tables.
  *
- * A trace file (doc/trace-format.md) is a stream in the order in which things became known. trace_load() reads
- * it into tables that are sorted and refer to each other by index. All times are virtual, in picoseconds.
+ * A trace file (doc/trace-format.md) is a stream in the order in which things became known. trace_load()
+ * reads it into tables that are sorted and refer to each other by index. All times are virtual, in
+ * picoseconds.
  *
  *     nodes                 one an address that runs a program; the host, if there is one, is the last
  *       calls               one a call of NX: in order of their beginnings
@@ -12,7 +13,8 @@
  *     messages              one a message, in the order of sending
  *       blocks              one an interval in which the message waited for a channel that another held
  *
- * What a program did not do in calls, handlers or system it computed: trace_pieces() divides a node's time. */
+ * What a program did not do in calls, handlers or system it computed: trace_pieces() divides a node's
+ * time. */
 #ifndef LAB_TRACE_MODEL_H
 #define LAB_TRACE_MODEL_H
 #include <stdbool.h>
@@ -32,8 +34,8 @@ enum trace_class { TRACE_SENDS, TRACE_RECEIVES, TRACE_GLOBAL, TRACE_FILES, TRACE
 
 struct trace_call {
     vtime begin, end; /* the program came to the call; went on */
-    vtime
-        ordered; /* what the system did for messages up to then is part of the call; later it delays the program */
+    /* what the system did for messages up to then is part of the call; later it delays the program */
+    vtime ordered;
     int32_t node;  /* index into trace.nodes */
     int32_t name;  /* index into trace.names: "csend" */
     int32_t stack; /* of the program, at the call: trace_stack(); TRACE_NONE: not known */
@@ -41,8 +43,9 @@ struct trace_call {
     bool has_type;
     bool unfinished; /* the run, or the trace, ended in the call */
     bool in_handler;
-    /* Messages, indexes into trace.messages: the first that the call sent (of a message to all nodes there are more,
-     * with the same call as their `sending`), and the last that the call put into the program's memory. */
+    /* Messages, indexes into trace.messages: the first that the call sent (of a message to all nodes there
+     * are more, with the same call as their `sending`), and the last that the call put into the program's
+     * memory. */
     int32_t sent, taken;
     int32_t first_wait, waits; /* into trace.waits */
 };
@@ -69,8 +72,8 @@ struct trace_handler {
 
 struct trace_system {
     vtime begin, end;
-    vtime
-        charged; /* when the program was charged with it: before begin, if the system had other work to do first */
+    /* when the program was charged with it: before begin, if the system had other work to do first */
+    vtime charged;
     int32_t node;
     enum trace_task task;
 };
@@ -87,8 +90,8 @@ struct trace_message {
     vtime granted; /* long: the receiver sends the clear to send */
     vtime entered; /* it asks for the first channel */
     vtime moved;   /* it has its whole path: the first byte moves */
-    vtime
-        freed; /* it gives back the channels between nodes before it has left (channel.h); VT_NEVER: it does not */
+    /* it gives back the channels between nodes before it has left (channel.h); VT_NEVER: it does not */
+    vtime freed;
     vtime left;              /* its tail has passed */
     vtime complete;          /* the receiver's system is done with it: a receive may return it */
     vtime taken;             /* it is in the program's memory */
@@ -162,8 +165,8 @@ enum trace_state {
     TRACE_STATES
 };
 
-/* A part of a node's time. Pieces of a node follow each other without gap, and fill the time from trace.from to
- * trace.to. */
+/* A part of a node's time. Pieces of a node follow each other without gap, and fill the time from
+ * trace.from to trace.to. */
 struct trace_piece {
     vtime begin, end;
     enum trace_state state;
@@ -206,7 +209,7 @@ const char *trace_called_name(const struct trace *t, const struct trace_call *c)
 /* Calls use() for each interval in which a message held a channel of its path, in no order. */
 typedef void trace_use(void *ctx, uint32_t channel, int32_t message, vtime begin, vtime end);
 void trace_channel_uses(const struct trace *t, trace_use *use, void *ctx);
-/* What a channel (topo_channel() of net/topo.h) is: "node 3 -> node 7", "node 3 into the network", "node 7 out of the
- * network". Writes at most size bytes; returns buf. */
+/* What a channel (topo_channel() of net/topo.h) is: "node 3 -> node 7", "node 3 into the network", "node 7
+ * out of the network". Writes at most size bytes; returns buf. */
 const char *trace_channel_name(const struct trace *t, uint32_t channel, char *buf, size_t size);
 #endif

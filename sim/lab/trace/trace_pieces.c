@@ -189,7 +189,7 @@ static void call_until(struct cursor *c, const struct trace_call *call, vtime en
             fill_whole(c, p, stop, call->ordered);
         if (whole)
             settle(c, first, *wait);
-        if (waits) { /* it is over although the system may have more to do, which does not hold up the program */
+        if (waits) { /* what the system still has to do does not hold up the program */
             owe(c);
             c->owed = 0;
         }

@@ -1,5 +1,5 @@
-/* trace_stacks.c - where programs were: the stacks of a trace, and their frames' functions and source lines, which are
- * looked up in the programs' files when first asked for. */
+/* trace_stacks.c - where programs were: the stacks of a trace, and their frames' functions and source
+ * lines, which are looked up in the programs' files when first asked for. */
 #include <stdlib.h>
 #include <string.h>
 #include "guest/elffile.h"
@@ -118,8 +118,7 @@ static struct trace_frame look_up(const struct elf_file *f, uint64_t address)
     const char *name;
     if (elf_function_at(f, address, &name))
         frame.function = name;
-    frame.library =
-        !strncmp(frame.function, "nxc_", 4); /* the way from a program that computes to the simulator */
+    frame.library = !strncmp(frame.function, "nxc_", 4); /* from a program that computes to the simulator */
     char *path = f->debug ? source_line(f->bytes, f->size, address, &frame.line) : NULL;
     if (!path)
         return frame;
