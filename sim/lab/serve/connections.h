@@ -12,7 +12,7 @@
 #include <event2/http.h>
 #include <stdbool.h>
 
-enum { CONNECTION_MOST = 512, CONNECTION_TO_ASK_S = 8, CONNECTION_TO_LIVE_S = 120 };
+enum { CONNECTION_MOST = 512, CONNECTION_TO_ASK_S = 5, CONNECTION_TO_LIVE_S = 120 };
 
 struct connections;
 
