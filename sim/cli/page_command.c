@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/trace_options.h"
@@ -60,6 +61,25 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
+/* May the page be written there? A file that is no page is most likely an input, and OUT.html was
+ * forgotten. */
+static bool is_free(const char *path, char **error)
+{
+    static const char DOCTYPE[] = "<!doctype html>";
+    char head[sizeof DOCTYPE] = "";
+    struct stat st;
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || st.st_size == 0)
+        return true;
+    FILE *in = fopen(path, "re");
+    size_t size = in ? fread(head, 1, sizeof DOCTYPE - 1, in) : 0;
+    if (in)
+        fclose(in);
+    if (size == sizeof DOCTYPE - 1 && strcasecmp(head, DOCTYPE) == 0)
+        return true;
+    *error = xasprintf("%s is there, and is no page: the first argument is the page to be written", path);
+    return false;
+}
+
 static bool add_inputs(struct page *p, const struct arguments *a, char **error)
 {
     for (size_t i = 0; i < a->count; i++)
@@ -88,7 +108,7 @@ int cli_page(int argc, char **argv)
     char *error = NULL;
     cli_parse(&ARGP, "touchstone page", 0, argc, argv, &a);
     struct page *p = page_new();
-    bool ok = add_inputs(p, &a, &error) && write_file(p, &a, &error);
+    bool ok = is_free(a.out, &error) && add_inputs(p, &a, &error) && write_file(p, &a, &error);
     if (!ok)
         fprintf(stderr, "touchstone page: %s\n", error);
     else if (strcmp(a.out, "-"))

@@ -9,7 +9,7 @@
 #include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/render/colours.h"
-#include "lab/render/output.h"
+#include "lab/render/render_output.h"
 #include "lab/render/render.h"
 
 enum { SIZE = CLI_KEY, VIEW, ZOOM, BY, COLOUR, OPACITY, BACKGROUND, TURNTABLE, WELD };
@@ -17,6 +17,7 @@ enum { SIZE = CLI_KEY, VIEW, ZOOM, BY, COLOUR, OPACITY, BACKGROUND, TURNTABLE, W
 struct arguments {
     struct output_request request;
     const char *colours, *opacities; /* lists, as given */
+    char *chosen;                    /* the result's path, if the user gave none */
     const char *of_pictures;         /* an option that was given and is for pictures only */
 };
 
@@ -35,7 +36,9 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"zoom", ZOOM, "Z", 0, "Enlarge Z times around the middle, 0.01 to 100; 1: all is in the picture", 0},
     {"by", BY, "node", 0,
-     "Colour each polygon by the node that made it (the files' faces have a property node)", 0},
+     "Colour each polygon by the node that made it: the files' faces have a property node, as the model "
+     "writes it with -bynode",
+     0},
     {"colour", COLOUR, "C,C...", 0,
      "A colour for each FILE, or one for all: RRGGBB in hexadecimal, or a name (below); default colours that "
      "colour-blind people tell apart",
@@ -140,13 +143,13 @@ static void set_opacity(struct argp_state *state, struct output_request *r, size
     r->has_opacity[i] = true;
 }
 
-/* The name of the result if the user gives none. */
-static const char *default_path(const struct output_request *r)
+/* The name of the result if the user gives none; malloc'd. */
+static char *default_path(const struct output_request *r)
 {
     const char *first = r->file[0], *ending = r->frames ? "webp" : "png";
     size_t length = strlen(first);
     if (!strcmp(first, "-"))
-        return "-";
+        return xstrdup("-");
     if (length > 4 && !strcasecmp(first + length - 4, ".ply"))
         length -= 4;
     return xasprintf("%.*s.%s", (int)length, first, ending);
@@ -159,7 +162,7 @@ static void finish(struct argp_state *state, struct arguments *a)
     if (!r->count)
         argp_error(state, "which surfaces? (PLY files)");
     if (!r->path)
-        r->path = default_path(r);
+        r->path = a->chosen = default_path(r);
     if (!output_kind_of(r->path, r->frames, &kind))
         argp_error(state,
                    r->frames ? "a turntable is a .webp file, not '%s'"
@@ -246,22 +249,50 @@ static void show_progress(unsigned frame, unsigned frames)
     fprintf(stderr, frame < frames ? "\rpicture %u of %u" : "\r\033[K", frame, frames);
 }
 
+/* Says what is in each file, how it is shown, and last the name of the result. */
+static void say(const struct output_request *r, const struct output_file *file)
+{
+    enum output_kind kind;
+    output_kind_of(r->path, r->frames, &kind);
+    for (size_t i = 0; i < r->count; i++) {
+        const struct output_file *f = &file[i];
+        if (!f->polygons)
+            fprintf(stderr, "touchstone render: there are no polygons in %s\n", r->file[i]);
+        if (!strcmp(r->path, "-"))
+            continue;
+        printf("%s: %ju polygons, %ju vertices", r->file[i], (uintmax_t)f->polygons, (uintmax_t)f->vertices);
+        if (kind != OUTPUT_MESH && f->has_colour)
+            printf("; colour %02x%02x%02x", f->colour[0], f->colour[1], f->colour[2]);
+        if (kind != OUTPUT_MESH)
+            printf("%s opacity %.2g", f->has_colour ? "," : ";", f->opacity);
+        printf("\n");
+    }
+    if (strcmp(r->path, "-"))
+        puts(r->path);
+}
+
+/* Returns the exit status. */
+static int make(const struct output_request *r)
+{
+    struct output_file file[OUTPUT_MOST_FILES];
+    char *error = NULL;
+    enum output_status status = output_make(r, file, &error);
+    if (status == OUTPUT_DONE) {
+        say(r, file);
+        return 0;
+    }
+    fprintf(stderr, "touchstone render: %s\n", error);
+    free(error);
+    return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
+}
+
 int cli_render(int argc, char **argv)
 {
     static const struct argp ARGP = {OPTIONS, parse, "FILE.ply...", DOC, NULL, NULL, NULL};
     struct arguments a = {.request = {.azimuth = 60, .elevation = 20, .zoom = 1}};
-    struct output_sums sums;
-    char *error = NULL;
     cli_parse(&ARGP, "touchstone render", 0, argc, argv, &a);
     a.request.progress = isatty(STDERR_FILENO) ? show_progress : NULL;
-    enum output_status status = output_make(&a.request, &sums, &error);
-    if (status != OUTPUT_DONE) {
-        fprintf(stderr, "touchstone render: %s\n", error);
-        free(error);
-        return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
-    }
-    if (strcmp(a.request.path, "-"))
-        printf("%s: %ju polygons, %ju vertices\n", a.request.path, (uintmax_t)sums.polygons,
-               (uintmax_t)sums.vertices);
-    return 0;
+    int status = make(&a.request);
+    free(a.chosen);
+    return status;
 }

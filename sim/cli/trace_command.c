@@ -50,6 +50,7 @@ static void print_info(const struct trace *t, FILE *f)
             vt_seconds(t->end), t->complete ? "" : " (the trace is cut off: the run was killed)");
     fprintf(f, "calls            %" PRId32 ", with %" PRId32 " waits\n", t->call_count, t->wait_count);
     fprintf(f, "handlers         %" PRId32 "\n", t->handler_count);
+    fprintf(f, "system intervals %" PRId32 "\n", t->system_count);
     fprintf(f, "messages         %" PRId32 ", with %" PRId32 " waits for channels\n", t->message_count,
             t->block_count);
     for (int s = 0; s < TRACE_ENDED; s++)

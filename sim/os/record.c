@@ -130,21 +130,27 @@ void record_call_begins(struct node *n)
 static void end_call(struct node *n, struct open *o, vtime t)
 {
     o->call.end = t;
+    o->call.ordered = vt_min(vt_max(o->call.ordered, o->call.begin), t);
     o->call.waits = o->waits;
     recorder_call(recorder_of(n), &o->call);
 }
 
 void record_call_ends(struct node *n)
 {
-    struct open *o = innermost_call(n);
+    struct open *o = innermost(n);
     if (!o)
-        return; /* a program, or handler, begins */
+        return; /* the program begins */
+    if (o->is_handler) {
+        o->handler.entered = node_now(n);
+        return;
+    }
     if (n->call_has_type)
         o->call.flags |= CALL_HAS_TYPE, o->call.type = n->call_type;
     if (n->deferred.open) {
         o->takes = node_now(n) - o->call.begin;
         o->left = true;
     } else {
+        o->call.ordered = schedule_reached(&n->sys->schedule).time;
         end_call(n, o, node_now(n));
         n->record->depth--;
     }
@@ -233,7 +239,7 @@ void record_committed(struct node *n, vtime t)
 void record_resumed(struct node *n, vtime t, vtime done)
 {
     struct open *o = nth_deferred(n, 0);
-    o->call.taken_at = t, o->call.end = done;
+    o->call.taken_at = o->call.ordered = t, o->call.end = done;
 }
 
 void record_popped(struct node *n)
@@ -258,15 +264,17 @@ void record_handler_begins(struct node *n, vtime due)
 {
     uint32_t stack = stack_now(n, __builtin_frame_address(0));
     struct open *o = push(n, true);
-    o->handler =
-        (struct recorded_handler){.address = n->lp.address, .stack = stack, .due = due, .begin = node_now(n)};
+    o->handler = (struct recorded_handler){
+        .address = n->lp.address, .stack = stack, .due = due, .begin = node_now(n), .entered = VT_NEVER};
 }
 
 void record_handler_ends(struct node *n)
 {
-    while (!top(n)->is_handler) /* the call by which the system ends a handler */
-        n->record->depth--;
+    vtime left = top(n)->call.begin; /* of the call by which the system ends a handler */
+    n->record->depth--;
     struct open *o = top(n);
+    assert(o->is_handler);
+    o->handler.left = left;
     o->handler.end = node_now(n);
     o->handler.type = n->info.type;
     recorder_handler(recorder_of(n), &o->handler);
@@ -277,7 +285,8 @@ void record_handler_ends(struct node *n)
 
 void record_system(struct node *n, enum node_task task, vtime end, vtime t)
 {
-    recorder_system(recorder_of(n), n->lp.address, task, end - t, end);
+    vtime now = schedule_reached(&n->sys->schedule).time;
+    recorder_system(recorder_of(n), n->lp.address, task, vt_min(now, end - t), end - t, end);
 }
 
 /* --- the end --- */
@@ -286,6 +295,8 @@ static void end_open(struct node *n, struct open *o, vtime t, bool unfinished)
 {
     if (o->is_handler) {
         o->handler.end = vt_max(t, o->handler.begin);
+        o->handler.entered = vt_min(o->handler.entered, o->handler.end);
+        o->handler.left = o->handler.end;
         o->handler.flags |= unfinished ? HANDLER_UNFINISHED : 0;
         recorder_handler(recorder_of(n), &o->handler);
     } else {

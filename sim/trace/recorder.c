@@ -146,6 +146,7 @@ void recorder_call(struct recorder *r, const struct recorded_call *c)
         pack_signed(p, c->type);
     pack_time(p, &r->last[c->address], c->begin);
     pack(p, c->end - c->begin);
+    pack(p, c->ordered - c->begin);
     if (c->flags & CALL_SENT)
         pack(p, c->sent_order), pack(p, c->sent_count);
     if (c->flags & CALL_TOOK)
@@ -168,20 +169,24 @@ void recorder_handler(struct recorder *r, const struct recorded_handler *h)
     pack(p, h->stack);
     pack_time(p, &r->last[h->address], h->begin);
     pack(p, h->begin - h->due);
-    pack(p, h->end - h->begin);
+    pack(p, h->entered - h->begin);
+    pack(p, h->left - h->entered);
+    pack(p, h->end - h->left);
     if (h->flags & HANDLER_HAS_MESSAGE)
         pack(p, h->source), pack(p, h->order);
     r->last[h->address] = h->end;
 }
 
-void recorder_system(struct recorder *r, uint32_t address, uint32_t task, vtime begin, vtime end)
+void recorder_system(struct recorder *r, uint32_t address, uint32_t task, vtime charged, vtime begin,
+                     vtime end)
 {
     if (!recorder_wants(r, address) || !overlaps(r, begin, end))
         return;
     pack_kind(r->packer, RECORD_SYSTEM);
     pack(r->packer, address);
     pack(r->packer, task);
-    pack_time(r->packer, &r->last_system[address], begin);
+    pack_time(r->packer, &r->last_system[address], charged);
+    pack(r->packer, begin - charged);
     pack(r->packer, end - begin);
     r->last_system[address] = end;
 }

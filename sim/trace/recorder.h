@@ -42,6 +42,7 @@ struct recorded_call {
     uint8_t flags;
     int64_t type;
     vtime begin, end;
+    vtime ordered; /* when the call last waited for its turn: all earlier events have been seen */
     uint64_t sent_order, sent_count;
     uint32_t taken_source;
     uint64_t taken_order;
@@ -54,7 +55,7 @@ struct recorded_handler {
     uint32_t address, stack; /* as above */
     uint8_t flags;
     int64_t type;
-    vtime due, begin, end;
+    vtime due, begin, entered, left, end;
     uint32_t source;
     uint64_t order;
 };
@@ -78,7 +79,9 @@ struct recorded_message {
 
 void recorder_call(struct recorder *r, const struct recorded_call *c);
 void recorder_handler(struct recorder *r, const struct recorded_handler *h);
-void recorder_system(struct recorder *r, uint32_t address, uint32_t task, vtime begin, vtime end);
+/* charged: when the program was charged with it, not later than begin. */
+void recorder_system(struct recorder *r, uint32_t address, uint32_t task, vtime charged, vtime begin,
+                     vtime end);
 void recorder_message(struct recorder *r, const struct recorded_message *m);
 void recorder_node_end(struct recorder *r, uint32_t address, vtime t);
 #endif

@@ -21,13 +21,13 @@ enum record_kind {
     RECORD_STACK, /* program, depth, then offsets in the program of the return addresses, innermost first: each as a
                        signed difference from the one before */
     /* address, flags, name, stack +1, [signed type], signed begin since the last record of the address, duration,
-     * [first order, count of sent], [source, order of the one taken, how long before the end], number of waits,
+     * ordered since its begin, [first order, count of sent], [source, order of the one taken, how long before the end], number of waits,
      * each: begin since the last end or the call's begin, duration, busy time, flags, [signed type], [from] */
     RECORD_CALL,
     /* address, flags, signed type, stack +1, signed begin since the last record of the address, begin less due,
-     * duration, [source, order] */
+     * duration of the system's part, of the program's, of the system's, [source, order] */
     RECORD_HANDLER,
-    RECORD_SYSTEM, /* address, task, signed begin since the last such record of the address, duration */
+    RECORD_SYSTEM, /* address, task, signed: charged since the last such record's end, begin since then, duration */
     /* source, order, from, to, flags, signed type, bytes, signed sent since the last such record's, then the times
      * whose bits are set in the flags, each since the one before; number of blocks, each: channel, begin since the last
      * end or `entered`, duration +1 */

@@ -25,7 +25,7 @@ END
 run -m ipsc860 -n 8 --json run.json --trace run.trace ./many 20
 check "a program runs" ended_with 0
 run -m ipsc860 -n 8 --profile=profile.json ./profiled 20
-run -m ipsc860 -n 32 --trace many.trace ./many 500
+run -m ipsc860 -n 32 --trace many.trace ./many 600
 printf 'main;relax 500\nmain;csend 200\nmain;crecv;wait 300\n' >stacks
 name='<script>document.title="struck"<img src=x onerror="struck=1">'
 cat >"${name//\//}" <<'END'
@@ -88,6 +88,12 @@ page none.html hello
 check "a text is told, with its line" said '^touchstone page: hello:1: '
 page none.html .
 check "a folder without results is told" said '^touchstone page: \.: a folder without results.json'
+cp run.json kept.json
+page run.json run.trace
+check "a page is not written over results" said '^touchstone page: run.json is there, and is no page'
+check "which stay" cmp run.json kept.json
+page part.html run.json
+check "it is written over another page" ended_with 0
 page
 check "without arguments it says what it takes" ended_with 64
 

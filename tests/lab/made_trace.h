@@ -2,6 +2,7 @@
  * in order of time; a call's waits behind it. */
 #ifndef TESTS_MADE_TRACE_H
 #define TESTS_MADE_TRACE_H
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
@@ -55,6 +56,7 @@ static inline int32_t made_call(struct trace *t, int32_t node, const char *name,
         n->first_call = t->call_count;
     t->calls[t->call_count] = (struct trace_call){.begin = begin,
                                                   .end = end,
+                                                  .ordered = begin,
                                                   .node = node,
                                                   .name = made_name(t, name, class),
                                                   .stack = TRACE_NONE,

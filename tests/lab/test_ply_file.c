@@ -195,10 +195,9 @@ static void broken_text_is_named_by_its_line(void **state)
                  ":15: face 2 of 2: 2 corners, and a polygon has at least 3");
     refused_text(HEAD SQUARE "4 0 1 2 3\n3 0 1\n", ":16: face 2 of 2: the file ends here");
     refused_text(HEAD SQUARE "4 0 1 2 3\n3.5 0 1 2\n", ":15: face 2 of 2: 3.5 is no length of a list");
-    refused_text(
-        "ply\nformat ascii 1.0\n" VERTICES("400") FACES("2") "end_header\n" SQUARE,
-        ": its head promises 400 of element vertex, and the file is too short for them: it was cut, or its head "
-        "is wrong");
+    refused_text("ply\nformat ascii 1.0\n" VERTICES("400") FACES("2") "end_header\n" SQUARE,
+                 ": its head promises 400 of element vertex, and the file is too short for them: "
+                 "it was cut, or its head is wrong");
 }
 
 static void broken_bytes_are_named_by_their_place(void **state)

@@ -11,9 +11,9 @@
 static void print_calls(const struct trace *t, FILE *f)
 {
     for (const struct trace_call *c = t->calls; c < t->calls + t->call_count; c++) {
-        fprintf(f, "call node %d %s %" PRIu64 " %" PRIu64 " type %d %d%s%s sent %d taken %d\n", c->node,
-                t->names[c->name], c->begin, c->end, c->has_type, c->type, c->unfinished ? " unfinished" : "",
-                c->in_handler ? " in handler" : "", c->sent, c->taken);
+        fprintf(f, "call node %d %s %" PRIu64 " %" PRIu64 " %" PRIu64 " type %d %d%s%s sent %d taken %d\n",
+                c->node, t->names[c->name], c->begin, c->ordered, c->end, c->has_type, c->type,
+                c->unfinished ? " unfinished" : "", c->in_handler ? " in handler" : "", c->sent, c->taken);
         for (const struct trace_wait *w = t->waits + c->first_wait; w < t->waits + c->first_wait + c->waits;
              w++)
             fprintf(f, "  wait %" PRIu64 " %" PRIu64 " idle %" PRIu64 " type %d %d sends %d from %d\n",
@@ -42,10 +42,14 @@ static void print(const struct trace *t, FILE *f)
         fprintf(f, "%s ends %" PRIu64 "\n", t->nodes[i].name, t->nodes[i].end);
     print_calls(t, f);
     for (const struct trace_handler *h = t->handlers; h < t->handlers + t->handler_count; h++)
-        fprintf(f, "handler node %d type %d %" PRIu64 " %" PRIu64 " %" PRIu64 " message %d%s\n", h->node,
-                h->type, h->due, h->begin, h->end, h->message, h->unfinished ? " unfinished" : "");
+        fprintf(f,
+                "handler node %d type %d %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64
+                " message %d%s\n",
+                h->node, h->type, h->due, h->begin, h->entered, h->left, h->end, h->message,
+                h->unfinished ? " unfinished" : "");
     for (const struct trace_system *s = t->systems; s < t->systems + t->system_count; s++)
-        fprintf(f, "system node %d task %d %" PRIu64 " %" PRIu64 "\n", s->node, s->task, s->begin, s->end);
+        fprintf(f, "system node %d task %d %" PRIu64 " %" PRIu64 " %" PRIu64 "\n", s->node, s->task,
+                s->charged, s->begin, s->end);
     print_messages(t, f);
 }
 

@@ -30,8 +30,8 @@ static void put(struct bands *b, size_t band, uint32_t triangle)
     b->triangle[b->first[band + 1]++] = triangle;
 }
 
-/* Counts into the entry after the next; sums make it each band's first; putting moves that to its end, which is
- * the next one's first. */
+/* Counts into the entry after the next; sums make it each band's first; putting moves that to its end,
+ * which is the next one's first. */
 struct bands bands_make(const struct projection *p, int32_t rows, int32_t height)
 {
     struct bands b = {.count = (size_t)((height + rows - 1) / rows)};

@@ -9,7 +9,8 @@ struct bands {
     uint32_t *triangle; /* numbered through; in each band in rising order */
 };
 
-/* rows: of samples in a band; height: of the picture, in samples. Triangles that cover no row are left out. */
+/* rows: of samples in a band; height: of the picture, in samples. Triangles that cover no row are left
+ * out. */
 struct bands bands_make(const struct projection *p, int32_t rows, int32_t height);
 void bands_free(struct bands *b);
 #endif

@@ -1,7 +1,7 @@
 /* camera.h - where a picture is seen from, and where each point comes to be in it.
  *
- * The z axis points up, x and y along the ground; the axes are right-handed. The viewer looks at the middle of
- * what is seen, in perspective:
+ * The z axis points up, x and y along the ground; the axes are right-handed. The viewer looks at the middle
+ * of what is seen, in perspective:
  *
  *             z |   . viewer        azimuth: the viewer's direction, in degrees from x towards y
  *               |  /                elevation: degrees above the ground
@@ -27,7 +27,7 @@ struct camera_ball {
     double middle[3], radius;
 };
 
-/* Boxes grow by camera_ball_box() over all points of a scene; then camera_ball_radius() is called over all. */
+/* camera_ball_box() is called with all points of a scene, then camera_ball_radius() with all. */
 struct camera_ball camera_ball(void);
 void camera_ball_box(struct camera_ball *ball, const float (*place)[3], size_t count);
 void camera_ball_radius(struct camera_ball *ball, const float (*place)[3], size_t count);

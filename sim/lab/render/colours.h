@@ -15,8 +15,8 @@ void colours_of_surface(unsigned surface, float linear[3]);
 /* A colour for each node; neighbouring numbers differ much in hue and lightness. */
 void colours_of_node(uint32_t node, float linear[3]);
 
-/* sRGB's transfer function (IEC 61966-2-1): a value of 0 to 255 as linear light, and back; rounded, and cut to
- * 0 to 255. */
+/* sRGB's transfer function (IEC 61966-2-1): a value of 0 to 255 as linear light, and back; rounded, and cut
+ * to 0 to 255. */
 float colours_linear(uint8_t srgb);
 uint8_t colours_srgb(float linear);
 #endif

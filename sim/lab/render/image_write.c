@@ -60,9 +60,8 @@ bool film_write(struct film *film, FILE *out, char **error)
               WebPAnimEncoderAssemble(film->encoder, &data);
     if (!ok)
         *error = xasprintf("WebP: %s", WebPAnimEncoderGetError(film->encoder));
-    ok = ok && fwrite(data.bytes, 1, data.size, out) == data.size;
-    if (!ok && !*error)
-        *error = xasprintf("cannot be written: %m");
+    if (ok)
+        fwrite(data.bytes, 1, data.size, out);
     WebPDataClear(&data);
     return ok;
 }

@@ -1,10 +1,11 @@
-/* layers.h - what is seen at each sample of a band: the nearest opaque triangle, and all transparent ones before
- * it, from the nearest on.
+/* layers.h - what is seen at each sample of a band: the nearest opaque triangle, and all transparent ones
+ * before it, from the nearest on.
  *
  *   sample   opaque: near, triangle        the z-buffer
  *            transparent ----> layer ----> layer ----> ...      nearest first
  *
- * Samples are numbered row by row. Where two triangles are equally near, the one of the lower number is first. */
+ * Samples are numbered row by row. Where two triangles are equally near, the one of the lower number is
+ * first. */
 #ifndef LAB_RENDER_LAYERS_H
 #define LAB_RENDER_LAYERS_H
 #include <stddef.h>

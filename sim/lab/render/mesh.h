@@ -1,10 +1,11 @@
 /* mesh.h - a surface of polygons: vertices, faces, and the same faces cut into triangles.
  *
- *   vertex  0      1      2     ...            place, and if the file has them: normal, colour
- *   face    0              1        ...        corners corner[first[f]] to corner[first[f + 1] - 1]
- *   triangle 0     1       2     ...           of face of_face[t]; a face of n corners has n - 2
+ *   vertex   0 1 2 ...   place, and if the file has them: normal, colour
+ *   face     0 1 2 ...   corners corner[first[f]] to corner[first[f + 1] - 1]
+ *   triangle 0 1 2 ...   of face of_face[t]; a face of n corners has n - 2
  *
- * Faces are counter-clockwise, seen from the side to which the normals point. The arrays belong to the mesh. */
+ * Faces are counter-clockwise, seen from the side to which the normals point. The arrays belong to the
+ * mesh. */
 #ifndef LAB_RENDER_MESH_H
 #define LAB_RENDER_MESH_H
 #include <stdint.h>

@@ -18,8 +18,8 @@ struct mesh_writer; /* a format */
 const struct mesh_writer *mesh_writer(const char *path);
 
 /* Writes surfaces as one file. name: of each, for formats with names. A property is written if all surfaces
- * have it. False with *error malloc'd: they have more vertices than the format can count. Whether all was written,
- * out knows (ferror). */
+ * have it. False with *error malloc'd: they have more vertices than the format can count. Whether all was
+ * written, out knows (ferror). */
 bool mesh_write(const struct mesh_writer *writer, const struct mesh *const *mesh, const char *const *name,
                 size_t count, FILE *out, char **error);
 #endif

@@ -1,7 +1,8 @@
 /* raster.h - which samples of a picture a triangle covers.
  *
- * Corners are in fixed point, so that "covers" is exact: triangles that share an edge cover each sample along
- * that edge once, whatever their sizes: no holes, and no sample twice, which a transparent surface would show. */
+ * Corners are in fixed point, so that "covers" is exact: triangles that share an edge cover each sample
+ * along that edge once, whatever their sizes: no holes, and no sample twice, which a transparent surface
+ * would show. */
 #ifndef LAB_RENDER_RASTER_H
 #define LAB_RENDER_RASTER_H
 #include <stdbool.h>

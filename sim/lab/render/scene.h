@@ -1,5 +1,5 @@
-/* scene.h - what a picture shows: surfaces with their colours, and a background. Colours are linear light, red,
- * green and blue from 0 to 1 (colours.h makes them). */
+/* scene.h - what a picture shows: surfaces with their colours, and a background. Colours are linear light,
+ * red, green and blue from 0 to 1 (colours.h makes them). */
 #ifndef LAB_RENDER_SCENE_H
 #define LAB_RENDER_SCENE_H
 #include <stdbool.h>

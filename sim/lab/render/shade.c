@@ -38,9 +38,9 @@ static void plane_of(const struct mesh *m, const uint32_t v[3], float n[3])
     normalise(n);
 }
 
-/* Turns the normal to the viewer. Near the outline an interpolated normal may point a little away although the
- * triangle's front is seen; there the triangle's plane decides, and the normal is bent back: else the outline
- * would have speckles. */
+/* Turns the normal to the viewer. Near the outline an interpolated normal may point a little away although
+ * the triangle's front is seen; there the triangle's plane decides, and the normal is bent back: else the
+ * outline would have speckles. */
 static void face_viewer(const struct camera *c, const struct mesh *m, const uint32_t v[3],
                         struct shade_point *at)
 {
@@ -102,8 +102,8 @@ struct shade_point shade_point(const struct projection *p, uint32_t triangle, in
     return at;
 }
 
-/* Lights that stay with the camera, in its axes: a strong one from above on the left, a weak one from the right,
- * one from behind that draws the outline. */
+/* Lights that stay with the camera, in its axes: a strong one from above on the left, a weak one from the
+ * right, one from behind that draws the outline. */
 static const struct {
     float way[3]; /* to the light, of length 1 */
     float strength[3];

@@ -82,8 +82,10 @@ static int32_t *sort(void *table, size_t bytes, int32_t count, struct key *keys)
 {
     int32_t *gone = xcalloc((size_t)count, sizeof *gone);
     char *old = xmalloc((size_t)count * bytes);
-    memcpy(old, table, (size_t)count * bytes);
-    qsort(keys, (size_t)count, sizeof *keys, by_key);
+    if (count) { /* there is no table without entries */
+        memcpy(old, table, (size_t)count * bytes);
+        qsort(keys, (size_t)count, sizeof *keys, by_key);
+    }
     for (int32_t i = 0; i < count; i++) {
         memcpy((char *)table + (size_t)i * bytes, old + (size_t)keys[i].index * bytes, bytes);
         gone[keys[i].index] = i;
@@ -121,7 +123,8 @@ static int32_t *sort_messages(struct loading *l)
     struct key *k = room(t->message_count);
     for (const struct link *m = l->links; m < l->links + l->link_count; m++)
         if (m->kind == LINK_IS)
-            k[m->index] = (struct key){0, m->index, t->messages[m->index].sent, (uint64_t)m->source << 40 | m->order};
+            k[m->index] =
+                (struct key){0, m->index, t->messages[m->index].sent, (uint64_t)m->source << 40 | m->order};
     return sort(t->messages, sizeof *t->messages, t->message_count, k);
 }
 
@@ -129,7 +132,7 @@ static void sort_systems(struct trace *t)
 {
     struct key *k = room(t->system_count);
     for (int32_t i = 0; i < t->system_count; i++)
-        k[i] = (struct key){t->systems[i].node, i, t->systems[i].begin, 0};
+        k[i] = (struct key){t->systems[i].node, i, t->systems[i].charged, 0};
     free(sort(t->systems, sizeof *t->systems, t->system_count, k));
 }
 

@@ -164,6 +164,7 @@ static void read_waits(struct loading *l, struct trace_call *c, bool wanted)
             w.type = (int32_t)unpack_signed(l->in);
         if (flags & WAIT_HAS_FROM)
             w.from = (int32_t)unpack(l->in);
+        l->bad |= w.from < TRACE_NONE || w.from >= l->t->node_count;
         if (wanted)
             ADD(l, wait, w);
     }
@@ -185,6 +186,7 @@ static void read_call(struct loading *l)
         c.type = (int32_t)unpack_signed(in);
     c.begin = since(&l->last[c.node], unpack_signed(in));
     c.end = since(&l->last[c.node], (int64_t)unpack(in));
+    c.ordered = c.begin + unpack(in);
     if (flags & CALL_SENT)
         order = unpack(in), count = unpack(in);
     if (flags & CALL_TOOK)
@@ -215,6 +217,8 @@ static void read_handler(struct loading *l)
     h.stack = (int32_t)unpack(in) - 1;
     h.begin = since(&l->last[h.node], unpack_signed(in));
     h.due = h.begin - unpack(in);
+    h.entered = since(&l->last[h.node], (int64_t)unpack(in));
+    h.left = since(&l->last[h.node], (int64_t)unpack(in));
     h.end = since(&l->last[h.node], (int64_t)unpack(in));
     if (flags & HANDLER_HAS_MESSAGE)
         source = unpack(in), order = unpack(in);
@@ -241,7 +245,8 @@ static void read_system(struct loading *l)
     struct trace_system s = {0};
     s.node = node_of_record(l, unpack(l->in));
     l->bad |= !task_of(unpack(l->in), &s.task);
-    s.begin = since(&l->last_system[s.node], unpack_signed(l->in));
+    s.charged = since(&l->last_system[s.node], unpack_signed(l->in));
+    s.begin = since(&l->last_system[s.node], (int64_t)unpack(l->in));
     s.end = since(&l->last_system[s.node], (int64_t)unpack(l->in));
     if (s.end > s.begin && wants(l, s.node) && wants_time(l, s.begin, s.end))
         ADD(l, system, s);

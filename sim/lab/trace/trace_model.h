@@ -32,10 +32,12 @@ enum trace_class { TRACE_SENDS, TRACE_RECEIVES, TRACE_GLOBAL, TRACE_FILES, TRACE
 
 struct trace_call {
     vtime begin, end; /* the program came to the call; went on */
-    int32_t node;     /* index into trace.nodes */
-    int32_t name;     /* index into trace.names: "csend" */
-    int32_t stack;    /* of the program, at the call: trace_stack(); TRACE_NONE: not known */
-    int32_t type;     /* the type, typesel or id that the call was given, if has_type */
+    vtime
+        ordered; /* what the system did for messages up to then is part of the call; later it delays the program */
+    int32_t node;  /* index into trace.nodes */
+    int32_t name;  /* index into trace.names: "csend" */
+    int32_t stack; /* of the program, at the call: trace_stack(); TRACE_NONE: not known */
+    int32_t type;  /* the type, typesel or id that the call was given, if has_type */
     bool has_type;
     bool unfinished; /* the run, or the trace, ended in the call */
     bool in_handler;
@@ -57,6 +59,7 @@ struct trace_wait {
 
 struct trace_handler {
     vtime due, begin, end;
+    vtime entered, left; /* the program's function runs between both; before and behind it the system */
     int32_t node;
     int32_t type;    /* of the message */
     int32_t message; /* into trace.messages: that it was run for; TRACE_NONE: not in the trace */
@@ -66,6 +69,8 @@ struct trace_handler {
 
 struct trace_system {
     vtime begin, end;
+    vtime
+        charged; /* when the program was charged with it: before begin, if the system had other work to do first */
     int32_t node;
     enum trace_task task;
 };
@@ -166,7 +171,7 @@ struct trace_piece {
     int32_t call; /* of TRACE_IN_CALL, TRACE_WAITING; and of TRACE_IN_SYSTEM within a call; else TRACE_NONE */
     int32_t wait; /* of TRACE_WAITING */
     int32_t handler; /* if in_handler */
-    int32_t system;  /* of TRACE_IN_SYSTEM */
+    int32_t system;  /* of TRACE_IN_SYSTEM, unless the system enters or leaves a handler */
 };
 
 struct trace_pieces {

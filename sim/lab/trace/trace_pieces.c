@@ -1,7 +1,7 @@
 /* trace_pieces.c - a node's time as pieces without gap: see trace_model.h.
  *
- * What lies on top wins: a call in a handler, the handler, the call that it interrupts, computing. Within the top, the
- * system's intervals cut computing and waiting. */
+ * What lies on top wins: a call in a handler, the handler, the call that it interrupts, computing. The system's intervals
+ * cut computing and waiting: the system works for all that has come, one after the other. */
 #include <assert.h>
 #include "kernel/xalloc.h"
 #include "lab/trace/trace_model.h"
@@ -29,73 +29,51 @@ static void add(struct cursor *c, struct trace_piece p)
     out->list[out->count++] = p;
 }
 
-/* The first system interval that does not end before c->at; NULL: none. */
-static const struct trace_system *system_at(struct cursor *c)
+/* Takes the system's intervals that have begun: their work is owed from now on. */
+static void owe(struct cursor *c)
 {
     const int32_t last = c->node->first_system + c->node->systems;
-    while (c->system < last && c->t->systems[c->system].end <= c->at)
-        c->system++;
-    return c->system < last ? &c->t->systems[c->system] : NULL;
+    for (; c->system < last && c->t->systems[c->system].charged <= c->at; c->system++)
+        c->owed += c->t->systems[c->system].end - vt_max(c->t->systems[c->system].begin, c->t->from);
 }
 
-/* The system's work between c->at and `end`, which takes no time of what the program does there, is owed. */
-static void owe(struct cursor *c, vtime end)
+/* When the next interval of the system begins; not before c->at. */
+static vtime next_system(const struct cursor *c)
 {
-    for (const struct trace_system *s; (s = system_at(c)) && s->begin < end; c->system++) {
-        c->owed += vt_min(s->end, end) - vt_max(s->begin, c->at);
-        if (s->end > end)
-            break;
-    }
-    c->at = end;
+    return c->system < c->node->first_system + c->node->systems ? c->t->systems[c->system].charged : VT_NEVER;
 }
 
-/* Adds an interval of the system from c->at to `end`: of interval number `system`. */
-static void add_system(struct cursor *c, struct trace_piece p, vtime end, int32_t system)
-{
-    p.begin = c->at, p.end = end;
-    p.state = TRACE_IN_SYSTEM, p.system = system, p.wait = TRACE_NONE;
-    add(c, p);
-}
-
-/* Adds the system's part of what is owed: meanwhile more may come. */
-static void pay(struct cursor *c, struct trace_piece p, vtime end)
-{
-    while (c->owed && c->at < end) {
-        vtime until = vt_min(end, c->at + c->owed);
-        int32_t last = c->node->first_system + c->node->systems - 1;
-        add_system(c, p, until, c->system < last ? c->system : last);
-        c->owed -= until - c->at;
-        owe(c, until);
-    }
-}
-
-/* Adds `p` from c->at to `end`, cut by the system's intervals. */
+/* Adds `p` from c->at to `end`; what the system is owed comes first. */
 static void fill(struct cursor *c, struct trace_piece p, vtime end)
 {
-    pay(c, p, end);
     while (c->at < end) {
-        const struct trace_system *s = system_at(c);
-        vtime until = end;
-        if (s && s->begin <= c->at) {
-            until = vt_min(end, s->end);
-            add_system(c, p, until, c->system);
+        owe(c);
+        struct trace_piece q = p;
+        q.begin = c->at;
+        if (c->owed) {
+            q.end = vt_min(end, c->at + c->owed);
+            q.state = TRACE_IN_SYSTEM, q.system = c->system - 1, q.wait = TRACE_NONE;
+            c->owed -= q.end - q.begin;
         } else {
-            until = s ? vt_min(end, s->begin) : end;
-            p.begin = c->at, p.end = until;
-            add(c, p);
+            q.end = vt_min(end, next_system(c));
         }
-        c->at = until;
+        add(c, q);
+        c->at = q.end;
     }
 }
 
-/* Adds `p`, which the system's intervals do not cut: they cut what follows. */
-static void fill_whole(struct cursor *c, struct trace_piece p, vtime end)
+/* Adds `p` from c->at to `end`: what the system does up to `ordered` is part of it; what comes later is owed. */
+static void fill_whole(struct cursor *c, struct trace_piece p, vtime end, vtime ordered)
 {
     if (c->at >= end)
         return;
     p.begin = c->at, p.end = end;
     add(c, p);
-    owe(c, end);
+    c->at = vt_min(ordered, end);
+    owe(c);
+    c->owed = 0;
+    c->at = end;
+    owe(c);
 }
 
 /* What the program does between c->at and `end`, in a handler or outside. */
@@ -129,10 +107,14 @@ static void call_until(struct cursor *c, const struct trace_call *call, vtime en
         p.state = waits ? TRACE_WAITING : TRACE_IN_CALL;
         p.wait = waits ? *wait : TRACE_NONE;
         vtime stop = w ? vt_min(end, waits ? w->end : w->begin) : end;
-        if (waits)
+        if (w)
             fill(c, p, stop);
         else
-            fill_whole(c, p, stop);
+            fill_whole(c, p, stop, call->ordered);
+        if (waits) { /* it is over although the system may have more to do, which does not hold up the program */
+            owe(c);
+            c->owed = 0;
+        }
     }
 }
 
@@ -144,7 +126,20 @@ static void ended_until(struct cursor *c, vtime end)
                                     .wait = TRACE_NONE,
                                     .handler = TRACE_NONE,
                                     .system = TRACE_NONE},
-               end);
+               end, end);
+}
+
+/* The system's part of a handler, before or behind the program's. */
+static void enter_or_leave(struct cursor *c, int32_t handler, vtime end)
+{
+    fill_whole(c,
+               (struct trace_piece){.state = TRACE_IN_SYSTEM,
+                                    .in_handler = true,
+                                    .call = TRACE_NONE,
+                                    .wait = TRACE_NONE,
+                                    .handler = handler,
+                                    .system = TRACE_NONE},
+               vt_min(end, c->t->to), 0);
 }
 
 /* The handler's time, up to its end: its calls come next in the table. */
@@ -153,13 +148,15 @@ static void in_handler(struct cursor *c, int32_t handler, int32_t *call)
     const struct trace *t = c->t;
     const struct trace_handler *h = &t->handlers[handler];
     const int32_t last = c->node->first_call + c->node->calls;
+    enter_or_leave(c, handler, h->entered);
     for (; *call < last && t->calls[*call].in_handler && t->calls[*call].begin < h->end; ++*call) {
         const struct trace_call *k = &t->calls[*call];
         int32_t wait = k->first_wait;
         compute_until(c, vt_min(k->begin, t->to), handler);
         call_until(c, k, vt_min(k->end, t->to), handler, &wait);
     }
-    compute_until(c, vt_min(h->end, t->to), handler);
+    compute_until(c, vt_min(h->left, t->to), handler);
+    enter_or_leave(c, handler, h->end);
 }
 
 /* The end of what is known of the node. */

@@ -5,7 +5,7 @@ function channelsSection(trace, name) {
     if (!trace.channels.length || !trace.messageCount)
         return;
     const section = addSection('The network\'s channels', 'Channels: ' + baseName(name),
-        'Each way of a connection is a line of its own, the wider and darker, the longer a message held it. ' +
+        'Each way of a connection is a line of its own, the wider and darker, the longer it was held. ' +
             `A circle is a node; its own channels into and out of the network colour it (${name}).`);
     const map = {
         trace,

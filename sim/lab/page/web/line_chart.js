@@ -12,8 +12,8 @@ const DASHES = ['', '7 3', '2 3', '9 3 2 3', '4 2', '12 4', '1 3', '6 2 1 2'];
 /* Draws into a new figure element, which is returned with a method update(options).
  * options: { title, xLabel, yLabel, logX, logY, ticksX, zero, height,
  *            series: [ { name, points: [ { x, y, tip, spread } ], line, hollow } ] }
- * ticksX: values of the horizontal axis that get a label; zero: a line at 0; spread: half the length of a point's
- * error bar; line: false: markers only; hollow: rings instead of dots. */
+ * ticksX: values of the horizontal axis that get a label; zero: a line at 0; spread: half the length of
+ * a point's error bar; line: false: markers only; hollow: rings instead of dots. */
 function lineChart(options) {
     const chart = {hidden: new Set(), near: null};
     const holder = element('div'), tip = element('div', {class: 'tip', role: 'status'});

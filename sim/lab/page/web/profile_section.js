@@ -1,9 +1,4 @@
 /* profile_section.js - a profile: where the nodes' time went, by function of the program. */
-const PROFILE_CLASS = {
-    with_handlers: 'nodes with handlers',
-    others: 'nodes'
-};
-
 function profileSummary(data) {
     const top = [...data.functions].sort((a, b) => b.share - a.share)[0];
     return {
@@ -16,8 +11,8 @@ function profileSummary(data) {
 
 function profileSection(data, name) {
     const section = addSection(`Profile of ${baseName(data.program)}`, 'Profile: ' + baseName(name),
-        `${data.program} ${data.arguments.join(' ')}, on ${plural(data.nodes, 'node')} of ${data.machine} (${
-            name}). Times are sums over the nodes, counted and not sampled.`);
+        `${[data.program, ...data.arguments].join(' ')}, on ${plural(data.nodes, 'node')} of ${
+            data.machine} (${name}). Times are sums over the nodes, counted and not sampled.`);
     const functions = [...data.functions].sort((a, b) => b.seconds - a.seconds);
     const most = functions.length ? functions[0].share : 1;
     section.append(element('h3', {}, 'By function'),

@@ -91,13 +91,15 @@ function surfaceLegend(surfaces, view) {
     }));
 }
 
-/* Where the viewer is, as for touchstone render: azimuth around the z axis from x to y, and elevation, in degrees. */
+/* Where the viewer is, as for touchstone render: azimuth around the z axis from x to y, and elevation, in
+ * degrees. */
 function viewerDirection(azimuth, elevation) {
     const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
     return new THREE.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
 }
 
-/* What a surface that is seen through draws first: only its depth, so that then only its nearest layer is seen. */
+/* What a surface that is seen through draws first: only its depth, so that then only its nearest layer is
+ * seen. */
 function makeVeil(mesh) {
     const veil = new THREE.Mesh(
         mesh.geometry, new THREE.MeshBasicMaterial({colorWrite: false, side: THREE.DoubleSide}));
@@ -163,9 +165,9 @@ class SurfaceView {
         this.camera.updateProjectionMatrix();
         this.draw();
     }
-    /* Draws before the browser shows the next picture. Where pictures of all triangles take long, for want of a
-     * graphics processor, the browser asks for the next one late. Then a coarse one is drawn while the surfaces
-     * move, and all of them when they stand still. */
+    /* Draws before the browser shows the next picture. Where pictures of all triangles take long, for
+     * want of a graphics processor, the browser asks for the next one late. Then a coarse one is drawn
+     * while the surfaces move, and all of them when they stand still. */
     draw(moving) {
         clearTimeout(this.still);
         if (moving && this.late > 1)

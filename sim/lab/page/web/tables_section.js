@@ -11,7 +11,8 @@ function tablesSummary(data) {
 }
 
 function signed(value, decimals = 2) {
-    return (value < 0 ? '\u2212' : '+') + Math.abs(value).toFixed(decimals);
+    const digits = Math.abs(value).toFixed(decimals);
+    return (Number(digits) === 0 ? '' : value < 0 ? '\u2212' : '+') + digits;
 }
 
 function tablesSection(data, name) {

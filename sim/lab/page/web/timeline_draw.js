@@ -43,8 +43,9 @@ class TimelinePainter {
             Math.ceil(view.top + (this.layout.height - this.layout.axis) / view.rowHeight));
         return {first, last};
     }
-    /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows; message: the one
-     * to be marked; path: steps of the critical path. Returns how many arrows were drawn, of how many. */
+    /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows;
+     * message: the one to be marked; path: steps of the critical path. Returns how many arrows were
+     * drawn, of how many. */
     paint(view, {selected, marks, messages, message, path}) {
         const g = this.canvas.getContext('2d', {alpha: false}),
               {width, height, scale, axis, left} = this.layout;
@@ -284,6 +285,10 @@ class TimelinePainter {
                     g.fillRect(this.x(time, view) - 1, this.layout.axis - 5, 2, 5);
             }
     }
+    rowName(r) {
+        const name = this.trace.rows[r].name;
+        return this.layout.left < 60 ? name.replace('node ', '') : name;
+    }
     paintNodes(g, view, selected) {
         const {first, last} = this.visibleRows(view), {left, axis, height} = this.layout;
         g.fillStyle = this.ground;
@@ -292,15 +297,15 @@ class TimelinePainter {
         g.textAlign = 'right';
         g.textBaseline = 'middle';
         const every = [1, 2, 4, 8, 16, 32, 64].find(n => n * view.rowHeight >= 12) || 128;
-        for (let r = first; r < last; r++)
-            if (r % every === 0 || (selected && selected.row === r)) {
-                g.fillStyle = selected && selected.row === r ? this.ink : this.soft;
-                const y = this.y(r, view) + view.rowHeight / 2;
-                if (y > axis + 4)
-                    g.fillText(this.layout.left < 60 ? this.trace.rows[r].name.replace('node ', '')
-                                                     : this.trace.rows[r].name,
-                        left - 10, y);
-            }
+        const chosen = selected ? selected.row : -1, near = 11 / view.rowHeight;
+        for (let r = first; r < last; r++) {
+            const y = this.y(r, view) + view.rowHeight / 2,
+                  hidden = chosen >= 0 && Math.abs(r - chosen) < near;
+            if (y <= axis + 4 || (r !== chosen && (r % every || hidden)))
+                continue;
+            g.fillStyle = r === chosen ? this.ink : this.soft;
+            g.fillText(this.rowName(r), left - 10, y);
+        }
         g.textAlign = 'left';
         g.fillStyle = this.ground;
         g.fillRect(0, 0, left - 4, axis);

@@ -45,12 +45,12 @@ class Timeline {
             tabindex: '0',
             role: 'application',
             'aria-label': 'Timeline of the nodes',
-            'aria-describedby': 'timeline-readout'
+            'aria-describedby': this.section.id + '-readout'
         });
         this.plot = element('div', {class: 'plot'}, this.canvas);
-        this.readout =
-            element('div', {class: 'readout', id: 'timeline-readout', role: 'status', 'aria-live': 'polite'},
-                element('p', {}, 'A click on a piece, or the keys , and . tell what it is.'));
+        this.readout = element('div',
+            {class: 'readout', id: this.section.id + '-readout', role: 'status', 'aria-live': 'polite'},
+            element('p', {}, 'A click on a piece, or the keys , and . tell what it is.'));
         this.painter = new TimelinePainter(this.trace, this.canvas);
         this.canvas.timeline = this; /* for whoever drives the page */
         this.canvas.addEventListener('keydown', e => this.key(e));

@@ -3,8 +3,8 @@
 /* What a piece of a node's time is drawn as; the order is that of the legend. */
 const PIECE_COLOURS = ['computing', 'handler', 'call', 'system', 'waiting', 'ended'];
 const PIECE_NAMES = [
-    'computing', 'computing in a handler', 'system, for a call of the program', 'system, for a message',
-    'waiting', 'ended'
+    'computing', 'computing in a handler', 'system, for a call of the program',
+    'system, for messages and handlers', 'waiting', 'ended'
 ];
 const STATE_DRAWN = [0, 2, 4, 3, 5]; /* of enum trace_state */
 const STATE_NAMES = ['computing', 'in call', 'waiting', 'in system', 'ended'];
@@ -114,6 +114,8 @@ class Trace {
             duration(to - from)}, from ${moment(from)} to ${moment(to)}`];
         if (system >= 0)
             lines.push(`The operating system is ${TASK_NAMES[c['system.task'][system]] || 'busy'}.`);
+        else if ((state & 7) === 3 && handler >= 0)
+            lines.push('The operating system enters or leaves the handler.');
         if (wait >= 0)
             lines.push(this.waitText(wait));
         if (call >= 0)

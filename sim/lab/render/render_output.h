@@ -1,6 +1,7 @@
-/* output.h - what touchstone render makes of PLY files: a picture, a turntable, or a file of another format. */
-#ifndef LAB_RENDER_OUTPUT_H
-#define LAB_RENDER_OUTPUT_H
+/* render_output.h - what touchstone render makes of PLY files: a picture, a turntable, or a file of another
+ * format. */
+#ifndef LAB_RENDER_RENDER_OUTPUT_H
+#define LAB_RENDER_RENDER_OUTPUT_H
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -32,10 +33,15 @@ bool output_kind_of(const char *path, unsigned frames, enum output_kind *kind);
 
 enum output_status { OUTPUT_DONE, OUTPUT_BAD_INPUT, OUTPUT_NOT_WRITTEN };
 
-struct output_sums {
-    uint64_t vertices, polygons, triangles;
+/* What became of a file. */
+struct output_file {
+    uint64_t vertices, polygons;
+    bool has_colour;   /* in a picture, one colour; otherwise those of nodes, or the file's own */
+    uint8_t colour[3]; /* sRGB */
+    double opacity;
 };
 
-/* Does what is asked. Unless it returns OUTPUT_DONE, *error is malloc'd and no result has appeared. */
-enum output_status output_make(const struct output_request *r, struct output_sums *sums, char **error);
+/* Does what is asked, and fills file for each of the request's files. Unless it returns OUTPUT_DONE, *error
+ * is malloc'd and no result has appeared. */
+enum output_status output_make(const struct output_request *r, struct output_file *file, char **error);
 #endif

@@ -1,11 +1,12 @@
-/* output.c - see output.h. */
-#include "lab/render/output.h"
+/* render_output.c - see render_output.h. */
+#include "lab/render/render_output.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
+#include "lab/render/colours.h"
 #include "lab/render/image_write.h"
 #include "lab/render/mesh_weld.h"
 #include "lab/render/mesh_write.h"
@@ -34,8 +35,9 @@ static bool read_mesh(const struct output_request *r, size_t i, struct mesh *mes
     if (!ply_file_read(r->file[i], mesh, error))
         return false;
     if (r->by_node && !mesh->node) {
-        *error = xasprintf("%s: its faces have no property node, by which --by node could colour them",
-                           r->file[i]);
+        *error =
+            xasprintf("%s: its faces have no property node for --by node: the model writes it with -bynode",
+                      r->file[i]);
         mesh_free(mesh);
         return false;
     }
@@ -103,30 +105,47 @@ static void set_background(const struct output_request *r, struct scene *scene)
     memcpy(scene->background_bottom, r->background, sizeof r->background);
 }
 
+static void tell(const struct mesh *m, struct output_file *file)
+{
+    *file = (struct output_file){.vertices = m->vertex_count, .polygons = m->face_count};
+}
+
+/* What is told of a surface after it has its colour. */
+static void tell_colour(const struct scene_surface *s, struct output_file *file)
+{
+    file->has_colour = s->colouring == SCENE_BY_SURFACE;
+    file->opacity = (double)s->opacity;
+    for (int i = 0; i < 3; i++)
+        file->colour[i] = colours_srgb(s->colour[i]);
+}
+
 /* NULL with *error: a file cannot be used. */
-static struct scene *read_scene(const struct output_request *r, struct output_sums *sums, char **error)
+static struct scene *read_scene(const struct output_request *r, struct output_file *file, char **error)
 {
     struct scene *scene = scene_new();
+    uint64_t triangles = 0, vertices = 0;
     for (size_t i = 0; i < r->count; i++) {
         struct mesh mesh;
         if (!read_mesh(r, i, &mesh, error)) {
             scene_free(scene);
             return NULL;
         }
-        sums->vertices += mesh.vertex_count;
-        sums->polygons += mesh.face_count;
-        sums->triangles += mesh.triangle_count;
+        vertices += mesh.vertex_count;
+        triangles += mesh.triangle_count;
+        tell(&mesh, &file[i]);
         scene_add(scene, &mesh);
     }
-    if (sums->triangles > UINT32_MAX - 1 || sums->vertices > UINT32_MAX - 1) {
+    if (triangles > UINT32_MAX - 1 || vertices > UINT32_MAX - 1) {
         *error = xasprintf("%ju triangles and %ju vertices are more than a picture can have: 4294967294",
-                           (uintmax_t)sums->triangles, (uintmax_t)sums->vertices);
+                           (uintmax_t)triangles, (uintmax_t)vertices);
         scene_free(scene);
         return NULL;
     }
     choose_opacities(scene);
-    for (size_t i = 0; i < r->count; i++)
+    for (size_t i = 0; i < r->count; i++) {
         dress(r, i, &scene->surface[i]);
+        tell_colour(&scene->surface[i], &file[i]);
+    }
     set_background(r, scene);
     return scene;
 }
@@ -145,6 +164,12 @@ static bool write_still(const struct output_request *r, const struct scene *scen
     return ok;
 }
 
+/* How long a frame is shown: the frames' times add up to TURN_MS exactly. */
+static int frame_ms(unsigned frame, unsigned frames)
+{
+    return (int)(TURN_MS * (frame + 1) / frames - TURN_MS * frame / frames);
+}
+
 static bool add_frames(const struct output_request *r, const struct scene *scene, struct film *film,
                        char **error)
 {
@@ -154,7 +179,7 @@ static bool add_frames(const struct output_request *r, const struct scene *scene
     scene_cameras(scene, r->azimuth, r->elevation, r->zoom, r->width, r->height, camera, r->frames);
     for (unsigned f = 0; f < r->frames && ok; f++) {
         render(scene, &camera[f], &image);
-        ok = film_add(film, &image, TURN_MS / (int)r->frames, error);
+        ok = film_add(film, &image, frame_ms(f, r->frames), error);
         if (r->progress)
             r->progress(f + 1, r->frames);
     }
@@ -171,21 +196,30 @@ static bool write_turntable(const struct output_request *r, const struct scene *
     return ok;
 }
 
-static enum output_status picture(const struct output_request *r, enum output_kind kind,
-                                  struct output_sums *sums, char **error)
+/* After an error: names the file in it. */
+static void give_up(const struct output_request *r, struct atomic_file *result, char **error)
 {
-    struct atomic_file file;
-    struct scene *scene = read_scene(r, sums, error);
+    char *why = *error;
+    *error = xasprintf("%s cannot be written: %s", r->path, why);
+    free(why);
+    atomic_file_drop(result);
+}
+
+static enum output_status picture(const struct output_request *r, enum output_kind kind,
+                                  struct output_file *file, char **error)
+{
+    struct atomic_file result;
+    struct scene *scene = read_scene(r, file, error);
     if (!scene)
         return OUTPUT_BAD_INPUT;
-    bool ok = atomic_file_begin(&file, r->path, error);
+    bool ok = atomic_file_begin(&result, r->path, error);
     if (ok) {
-        ok = r->frames ? write_turntable(r, scene, file.out, error)
-                       : write_still(r, scene, kind, file.out, error);
+        ok = r->frames ? write_turntable(r, scene, result.out, error)
+                       : write_still(r, scene, kind, result.out, error);
         if (ok)
-            ok = atomic_file_end(&file, error);
+            ok = atomic_file_end(&result, error);
         else
-            atomic_file_drop(&file);
+            give_up(r, &result, error);
     }
     scene_free(scene);
     return ok ? OUTPUT_DONE : OUTPUT_NOT_WRITTEN;
@@ -213,16 +247,14 @@ static enum output_status write_meshes(const struct output_request *r, const str
     return atomic_file_end(&file, error) ? OUTPUT_DONE : OUTPUT_NOT_WRITTEN;
 }
 
-static enum output_status convert(const struct output_request *r, struct output_sums *sums, char **error)
+static enum output_status convert(const struct output_request *r, struct output_file *file, char **error)
 {
     struct mesh *mesh = xcalloc(r->count, sizeof *mesh);
     enum output_status status = OUTPUT_DONE;
     for (size_t i = 0; i < r->count && status == OUTPUT_DONE; i++) {
         if (!read_mesh(r, i, &mesh[i], error))
             status = OUTPUT_BAD_INPUT;
-        sums->vertices += mesh[i].vertex_count;
-        sums->polygons += mesh[i].face_count;
-        sums->triangles += mesh[i].triangle_count;
+        tell(&mesh[i], &file[i]);
     }
     if (status == OUTPUT_DONE)
         status = write_meshes(r, mesh, error);
@@ -232,14 +264,13 @@ static enum output_status convert(const struct output_request *r, struct output_
     return status;
 }
 
-enum output_status output_make(const struct output_request *r, struct output_sums *sums, char **error)
+enum output_status output_make(const struct output_request *r, struct output_file *file, char **error)
 {
     enum output_kind kind;
-    *sums = (struct output_sums){0};
     if (!output_kind_of(r->path, r->frames, &kind)) {
         *error = xasprintf(
             "%s: pictures are .png or .webp, turntables .webp, surfaces .ply, .obj, .stl or .vtk", r->path);
         return OUTPUT_NOT_WRITTEN;
     }
-    return kind == OUTPUT_MESH ? convert(r, sums, error) : picture(r, kind, sums, error);
+    return kind == OUTPUT_MESH ? convert(r, file, error) : picture(r, kind, file, error);
 }

@@ -1,5 +1,5 @@
-/* image.c - see image.h. */
-#include "lab/render/image.h"
+/* pixel_image.c - see pixel_image.h. */
+#include "lab/render/pixel_image.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 

@@ -1,6 +1,6 @@
-/* image.h - a picture as pixels. */
-#ifndef LAB_RENDER_IMAGE_H
-#define LAB_RENDER_IMAGE_H
+/* pixel_image.h - a picture as pixels. */
+#ifndef LAB_RENDER_PIXEL_IMAGE_H
+#define LAB_RENDER_PIXEL_IMAGE_H
 #include <stdint.h>
 
 struct image {
