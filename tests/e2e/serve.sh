@@ -131,3 +131,13 @@ check "no such address is said" said "^touchstone serve: '999.1.1.1' is no addre
 begin --address 0.0.0.0 study
 check "an address that others reach is warned of" said '^touchstone serve: warning: other computers can reach 0.0.0.0'
 end INT
+
+# As a person uses it.
+if ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null || ! /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
+    echo "skip the form in a browser: chromium, chromium-driver and python3-selenium are not installed (make setup)"
+    exit
+fi
+begin study
+PYTHONDONTWRITEBYTECODE=1 HOME=$work timeout 100 /usr/bin/python3 "$tests/../serve/check_live.py" "$address" 2>browser.err
+[ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }
+end INT

@@ -142,17 +142,30 @@ void point_request_clear(struct point_request *r)
 
 /* --- the form ------------------------------------------------------------------------------------------- */
 
+static json_t *axis_form(const struct spec_axis *axis)
+{
+    bool open = point_axis_is_open(axis);
+    json_t *form = json_pack("{s:s, s:b}", "name", axis->name, "open", open), *values = json_array();
+    char label[SPEC_MAX_LABEL];
+    for (size_t i = 0; !open && i < axis->count; i++) {
+        const char *text;
+        spec_value(axis, i, &text, label);
+        json_append(values, json_string(text));
+    }
+    json_set(form, "values", values);
+    return form;
+}
+
 json_t *point_request_form(const json_t *note)
 {
     char *error = NULL, *file = text_of(note, "study");
     struct spec *s = note ? spec_read(file, &error) : NULL;
-    json_t *form = s ? json_array() : json_object(), *text;
+    json_t *form = s ? json_array() : json_object();
     for (size_t i = 0; s && i < s->axis_count; i++)
         if (s->axes[i].kind != SPEC_DERIVED)
-            json_append(form, json_pack("{s:s, s:b}", "name", s->axes[i].name, "open",
-                                        point_axis_is_open(&s->axes[i])));
+            json_append(form, axis_form(&s->axes[i]));
     if (!s) {
-        text = json_string(error ? error : NO_NOTE);
+        json_t *text = json_string(error ? error : NO_NOTE);
         json_set(form, "error", text ? text : json_string("the study file cannot be read"));
     }
     spec_free(s);

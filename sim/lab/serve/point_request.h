@@ -26,7 +26,7 @@ bool point_request_read(struct point_request *r, const json_t *note, const json_
                         const struct point_request_places *places, char **error);
 void point_request_clear(struct point_request *r);
 
-/* The axes that a page can choose on: [{ name, open }], open: any number is allowed; { error } if points
- * cannot be run, and why. The caller owns it. */
+/* The axes that a page can choose on: [{ name, open, values }]; open: any number is allowed, otherwise one of
+ * the values. { error } if points cannot be run, and why. The caller owns it. */
 json_t *point_request_form(const json_t *note);
 #endif

@@ -38,7 +38,7 @@ function newLiveStudy(number, name) {
 
 /* A field for each axis: any number, or one of the study's values; and one for numbers of the machine. */
 function fillForm(study, data) {
-    const form = data.form, same = JSON.stringify([form, data.axes]);
+    const form = data.form, same = JSON.stringify(form);
     if (study.form === same)
         return;
     study.form = same;
@@ -48,11 +48,11 @@ function fillForm(study, data) {
     }
     const kept = new Map([...study.fields.querySelectorAll('[name]')].map(f => [f.name, f.value]));
     const before = axis => kept.get('axis ' + axis) ?? String(data.axes[axis]?.at(-1) ?? '');
-    study.fields.replaceChildren(...form.map(({name, open}) => labelled(name, open
+    study.fields.replaceChildren(...form.map(({name, open, values}) => labelled(name, open
         ? element('input', {type: 'text', inputmode: 'decimal', required: true, size: 7, name: 'axis ' + name,
             value: before(name)})
-        : element('select', {name: 'axis ' + name}, (data.axes[name] || []).map(
-            v => element('option', {selected: String(v) === before(name)}, String(v)))))),
+        : element('select', {name: 'axis ' + name}, values.map(
+            v => element('option', {selected: v === before(name)}, v))))),
         labelled('numbers of the machine', element('input', {type: 'text', name: 'set', value: kept.get('set') || '',
             placeholder: 'system.interrupt_us=150', title: 'KEY=NUMBER, with blanks between several'})),
         element('button', {type: 'submit'}, 'Run'));
