@@ -96,7 +96,7 @@ begin study
 get '/data?study=0'
 check "points that were added are there again" grep -q '"added":true' out
 sed -i 's/2, 4/2, 4, 16, 32/' short.cfg
-curl -sN -m 4 "$(at /events)" >events &
+curl -sN -m 3 "$(at /events)" >events &
 "$touchstone" study short.cfg -o study -j 1 >out 2>err </dev/null
 wait $!
 check "events tell that the study has more points" grep -q '"all":8,' events
@@ -137,6 +137,7 @@ if ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null || !
     echo "skip the form in a browser: chromium, chromium-driver and python3-selenium are not installed (make setup)"
     exit
 fi
+sed -i "s,short.cfg,groups.cfg," study/study.json
 begin study
 PYTHONDONTWRITEBYTECODE=1 HOME=$work timeout 100 /usr/bin/python3 "$tests/../serve/check_live.py" "$address" 2>browser.err
 [ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }

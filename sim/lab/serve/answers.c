@@ -1,4 +1,5 @@
-/* answers.c - answers requests; see serve.h. */
+/* answers.c - see answers.h. */
+#include "lab/serve/answers.h"
 #include <event2/buffer.h>
 #include <event2/keyvalq_struct.h>
 #include <stdlib.h>
@@ -6,7 +7,6 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/serve/point_request.h"
-#include "lab/serve/server.h"
 
 /* --- replies -------------------------------------------------------------------------------------------- */
 

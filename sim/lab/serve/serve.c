@@ -5,8 +5,8 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "lab/page/page.h"
+#include "lab/serve/answers.h"
 #include "lab/serve/listening.h"
-#include "lab/serve/server.h"
 
 /* --- what is shown -------------------------------------------------------------------------------------- */
 

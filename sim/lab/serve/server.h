@@ -1,4 +1,4 @@
-/* server.h - what a server consists of: serve.c puts it together, answers.c answers requests. */
+/* server.h - what a server consists of: serve.c puts it together, answers.c lets it answer. */
 #ifndef LAB_SERVE_SERVER_H
 #define LAB_SERVE_SERVER_H
 #include <event2/http.h>
@@ -20,9 +20,4 @@ struct server {
     size_t size;
     char *error; /* why it cannot listen */
 };
-
-/* The request callback of evhttp; arg: the server. */
-void answer(struct evhttp_request *request, void *arg);
-/* Tells all pages that listen what is new. */
-void answer_news(struct server *s);
 #endif
