@@ -29,7 +29,8 @@ struct event_streams *event_streams_new(void)
     return e;
 }
 
-/* The connection has ended, and evhttp frees the request. */
+/* The connection has ended. If its client ended it, evhttp has taken the request from it and forgotten the
+ * request; otherwise evhttp is about to free the request. */
 static void on_end(struct evhttp_connection *connection, void *arg)
 {
     struct stream *s = arg, **at = &s->of->first;
@@ -38,6 +39,8 @@ static void on_end(struct evhttp_connection *connection, void *arg)
         at = &(*at)->next;
     *at = s->next;
     s->of->count--;
+    if (!evhttp_request_get_connection(s->request))
+        evhttp_request_free(s->request);
     free(s);
 }
 

@@ -17,17 +17,23 @@ static const char ADDED[] = "added", RESULTS[] = "results.json", JOURNAL[] = "jo
 
 /* --- opening -------------------------------------------------------------------------------------------- */
 
-bool live_study_is(const char *dir)
+static bool has(int folder, const char *name)
 {
-    int folder = study_folder_open(AT_FDCWD, dir, false), file = -1;
-    static const char *const NAMES[] = {STUDY_NOTE_NAME, RESULTS};
-    for (size_t i = 0; folder >= 0 && file < 0 && i < sizeof NAMES / sizeof *NAMES; i++)
-        file = study_folder_file(folder, NAMES[i]);
+    int file = study_folder_file(folder, name);
     if (file >= 0)
         close(file);
+    return file >= 0;
+}
+
+/* A study that has just begun has only its lock and journal. The paper's tables have those, too. */
+bool live_study_is(const char *dir)
+{
+    int folder = study_folder_open(AT_FDCWD, dir, false);
+    bool is = folder >= 0 && (has(folder, STUDY_NOTE_NAME) || has(folder, RESULTS) ||
+                              (has(folder, "lock") && !has(folder, "tables.json")));
     if (folder >= 0)
         close(folder);
-    return file >= 0;
+    return is;
 }
 
 struct live_study *live_study_open(const char *dir, char **error)
