@@ -21,23 +21,23 @@ struct arguments {
 static const struct argp_option OPTIONS[] = {
     {"port", PORT, "PORT", 0, "Listen at that port; default any that is free", 1},
     {"address", CLI_TEXT(arguments, address), "ADDRESS", 0,
-     "Listen at that address of this computer, such as 192.168.1.5; default 127.0.0.1, which only this computer "
-     "reaches",
+     "Listen at that address of this computer, such as 192.168.1.5; default 127.0.0.1, which only this "
+     "computer reaches",
      1},
     {0}};
 
 static const char DOC[] =
-    "Shows the page of touchstone page in a browser, live: a study's points appear as they are computed, whoever "
-    "runs the study; a form runs one more point, of any number of nodes, any value on the study's axes, and any "
-    "number of the machine file, and the point joins the curves. Prints the address to open, and serves until "
-    "Ctrl-C.\v"
-    "DIR is the folder of a study, which may be running or yet to begin again: points that the form added are in "
-    "DIR/added, and stay when the study is run again. Anything else that touchstone page shows may be given, too; "
-    "it is read once, at the start.\n\n"
+    "Shows the page of touchstone page in a browser, live: a study's points appear as they are computed, "
+    "whoever runs the study; a form runs one more point, of any number of nodes, any value on the study's "
+    "axes, and any number of the machine file, and the point joins the curves. Prints the address to open, "
+    "and serves until Ctrl-C.\v"
+    "DIR is the folder of a study, which may be running or yet to begin again: points that the form added "
+    "are in DIR/added, and stay when the study is run again. Anything else that touchstone page shows may "
+    "be given, too; it is read once, at the start.\n\n"
     "The address has a token: who does not know it gets nothing, also on this computer. With --address, "
-    "others can reach the server: what they send and get is not encrypted, and who learns the token can run the "
-    "study's program with numbers of his own. Rather leave the server where it is, and reach it from another "
-    "computer by ssh -L 8860:127.0.0.1:8860 THIS-COMPUTER.\n\n"
+    "others can reach the server: what they send and get is not encrypted, and who learns the token can "
+    "run the study's program with numbers of his own. Rather leave the server where it is, and reach it "
+    "from another computer by ssh -L 8860:127.0.0.1:8860 THIS-COMPUTER.\n\n"
     "Exit status:\n"
     "  0   ended by Ctrl-C (SIGINT) or SIGTERM; runs under way were stopped\n"
     "  64  wrong arguments\n"
@@ -65,11 +65,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static void warn(const char *address)
 {
     if (!listening_is_local(address))
-        fprintf(
-            stderr,
-            "touchstone serve: warning: other computers can reach %s; nothing is encrypted, and whoever learns the "
-            "token can run the study's program\n",
-            address);
+        fprintf(stderr,
+                "touchstone serve: warning: other computers can reach %s; nothing is encrypted, and whoever "
+                "learns the token can run the study's program\n",
+                address);
 }
 
 int cli_serve(int argc, char **argv)

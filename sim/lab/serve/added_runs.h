@@ -1,11 +1,12 @@
-/* added_runs.h - runs of single points that pages ask for: checked, started as children (lab/jobs/process_pool.h),
- * stored in the study's folder (live_study.h). A request is a JSON object:
+/* added_runs.h - runs of single points that pages ask for: checked, started as children
+ * (lab/jobs/process_pool.h), stored in the study's folder (live_study.h). A request is a JSON object:
  *
  *     values    AXIS: value for each axis of the study that is not derived
  *     set       [KEY=NUMBER ...]: more numbers of the machine; may be missing
  *
- * What is run is the study's own program, with the arguments and settings that the study file gives for the
- * values. A value is one of the study file's, or a number; of a setting, too, only the number is the page's. */
+ * What is run is the study's own program, with the arguments and settings that the study file gives for
+ * the values. A value is one of the study file's, or a number; of a setting, too, only the number is the
+ * page's. */
 #ifndef LAB_SERVE_ADDED_RUNS_H
 #define LAB_SERVE_ADDED_RUNS_H
 #include "lab/jobs/process_pool.h"

@@ -1,5 +1,5 @@
-/* journal_points.h - the points of a journal (lab/jobs/journal.h) that others write, read on as it grows. Of a
- * point that has several lines, the last counts. */
+/* journal_points.h - the points of a journal (lab/jobs/journal.h) that others write, read on as it grows.
+ * Of a point that has several lines, the last counts. */
 #ifndef LAB_SERVE_JOURNAL_POINTS_H
 #define LAB_SERVE_JOURNAL_POINTS_H
 #include <jansson.h>

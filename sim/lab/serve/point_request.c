@@ -10,7 +10,8 @@
 #include "lab/study/spec_read.h"
 
 static const char NO_NOTE[] =
-    "this folder does not tell which study it belongs to: run touchstone study once more, which writes study.json";
+    "this folder does not tell which study it belongs to: run touchstone study once more, which writes "
+    "study.json";
 
 /* --- settings ------------------------------------------------------------------------------------------- */
 

@@ -24,7 +24,7 @@ struct server_name {
 /* Makes a token of the system's random numbers. */
 bool token_make(char token[TOKEN_DIGITS + 1]);
 
-/* What the request says that is wrong, with the status of HTTP to answer; NULL if nothing is. Neither path nor
+/* What is wrong with the request, with the status of HTTP to answer; NULL if nothing is. Neither path nor
  * method is looked at. */
 const char *request_wrong(struct evhttp_request *request, const struct server_name *s, int *status);
 #endif

@@ -1,5 +1,5 @@
-/* serve.h - a page (lab/page/page.h) that is live: studies' progress, and single points run on request. A server
- * of HTTP by libevent, in the loop of the process pool that runs the points.
+/* serve.h - a page (lab/page/page.h) that is live: studies' progress, and single points run on request. A
+ * server of HTTP by libevent, in the loop of the process pool that runs the points.
  *
  *     GET  /           the page
  *     GET  /data       ?study=N: its data as results.json, with added points, and the form for more (JSON)

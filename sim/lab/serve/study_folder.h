@@ -12,7 +12,8 @@ struct watched_file {
     struct stat seen; /* all zeros: the file was not there */
 };
 
-/* Opens the folder of that name in a folder (AT_FDCWD: path is any). make: if it is missing. -1 with errno. */
+/* Opens the folder of that name in a folder (AT_FDCWD: path is any). make: makes it if it is missing. -1 with
+ * errno. */
 int study_folder_open(int in, const char *path, bool make);
 /* Opens a file of the folder for reading. -1 with errno. */
 int study_folder_file(int folder, const char *name);

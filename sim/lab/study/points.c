@@ -52,8 +52,8 @@ static bool derive(const struct spec *s, struct point *p, size_t axis, char **er
     return true;
 }
 
-/* Derives what follows from the other values, and asks whether the point is wanted. Sets *broken to a condition
- * of `only` that does not hold. */
+/* Derives what follows from the other values, and asks whether the point is wanted. Sets *broken to a
+ * condition of `only` that does not hold. */
 static enum point_is finish(const struct spec *s, struct point *p, const char **broken, char **error)
 {
     for (size_t i = 0; i < s->axis_count; i++)
