@@ -38,7 +38,7 @@ def main(b):
     rule("with its progress", "points" in b.run("return document.querySelector('.live [role=status]').textContent"))
     choice = "[...document.querySelectorAll('main .controls select')].find(s => s.parentElement.textContent.startsWith('Figure'))"
     b.run(f"const s = {choice}; s.value = 'total_s'; s.dispatchEvent(new Event('change'))")
-    b.driver.find_element(By.XPATH, "//summary[.='Run one more point']").click()
+    b.run("document.querySelector('.live summary').click()")
     rule("a form has a field for each axis", b.until("return document.querySelectorAll('.live [name]').length === 4"))
     fill(b, nodes="12", share="0.5", case="short")
     field(b, "nodes").send_keys(Keys.ENTER)
@@ -56,7 +56,7 @@ def main(b):
     b.until("return document.querySelector('.runs [data-state=running] button')", 10)
     if len(sys.argv) > 2:
         b.driver.save_screenshot(sys.argv[2])
-    b.driver.find_element(By.CSS_SELECTOR, ".runs [data-state=running] button").click()
+    b.run("document.querySelector('.runs [data-state=running] button').click()")
     rule("a run is stopped", b.until("return document.querySelector('.runs [data-state=stopped]')", 10) is not None)
     asked = [url for url in b.requests() if not url.startswith(address.split("/?")[0]) and url[:5] not in ("data:", "blob:")]
     rule("nothing was asked of others", not asked, asked)
