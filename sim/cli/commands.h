@@ -13,6 +13,7 @@ int cli_plot(int argc, char **argv);
 int cli_profile(int argc, char **argv);
 int cli_render(int argc, char **argv);
 int cli_run(int argc, char **argv);
+int cli_serve(int argc, char **argv);
 int cli_study(int argc, char **argv);
 int cli_tables(int argc, char **argv);
 int cli_srm(int argc, char **argv);

@@ -15,6 +15,7 @@ static const struct command {
                 {"plot", cli_plot, "Draw pictures of a study's results"},
                 {"render", cli_render, "Draw surfaces, or write them in other formats"},
                 {"page", cli_page, "Show results in a browser: one HTML file"},
+                {"serve", cli_serve, "Show results in a browser, live; run more points"},
                 {"check", cli_check, "Compare studies with a baseline"},
                 {"fit", cli_fit, "Fit numbers of a machine to measurements"},
                 {"tables", cli_tables, "Reproduce Tables 1-5 of Bajaj & Lin"},

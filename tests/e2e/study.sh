@@ -48,7 +48,7 @@ study halves.cfg -o again -j 1
 grep -v wall_time first/results.json >a
 grep -v wall_time again/results.json >b
 check "all but wall times is the same twice" cmp a b
-check "nothing unfinished is left" test "$(ls again | sort | tr '\n' ' ')" = "best.png best.svg findings.md journal lock results.csv results.json time.png time.svg "
+check "nothing unfinished is left" test "$(ls again | sort | tr '\n' ' ')" = "best.png best.svg findings.md journal lock results.csv results.json study.json time.png time.svg "
 
 sed -i '/^only/d; s/2, 4, 8/2, 4/' halves.cfg
 study halves.cfg -o first

@@ -143,6 +143,11 @@ size_t journal_count(const struct journal *j)
     return j->count;
 }
 
+uint64_t journal_size(const struct journal *j)
+{
+    return j->read_to;
+}
+
 /* --- adding --------------------------------------------------------------------------------------------- */
 
 static bool lock(struct journal *j, short type)

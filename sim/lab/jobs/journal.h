@@ -35,6 +35,8 @@ void journal_each(const struct journal *j, void (*visit)(void *arg, struct diges
                   void *arg);
 /* How many points have a line. */
 size_t journal_count(const struct journal *j);
+/* How many bytes of the file have been read, all of them complete lines. */
+uint64_t journal_size(const struct journal *j);
 
 /* Sets *state from the last line of the point of that key. False if the point has no line. */
 bool journal_find(const struct journal *j, struct digest key, enum journal_line_state *state);

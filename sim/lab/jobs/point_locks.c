@@ -94,6 +94,16 @@ void point_locks_leave(struct point_locks *c)
     free(c);
 }
 
+bool point_locks_are_held(int folder)
+{
+    struct flock one = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = SESSION, .l_len = 1};
+    int fd = openat(folder, "lock", O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    bool held = fd >= 0 && fcntl(fd, F_OFD_GETLK, &one) == 0 && one.l_type != F_UNLCK;
+    if (fd >= 0)
+        close(fd);
+    return held;
+}
+
 bool point_locks_take(struct point_locks *c, struct digest key)
 {
     return lock(c, byte_of(key), F_WRLCK);

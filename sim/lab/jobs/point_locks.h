@@ -13,6 +13,8 @@
  * the folder. */
 struct point_locks *point_locks_enter(const char *dir, const char *session, char **error);
 void point_locks_leave(struct point_locks *c);
+/* Does a session have the folder, which is open as a descriptor? */
+bool point_locks_are_held(int folder);
 
 /* Locks the point; false if another process has it. The lock ends with point_locks_release(),
  * point_locks_leave() or the process. */

@@ -106,6 +106,7 @@ static void become(const struct pool_job *job, const char *threads, int out, int
     sigprocmask(SIG_SETMASK, &none, NULL);
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
+    signal(SIGPIPE, SIG_DFL);
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setenv("TOUCHSTONE_WORKERS", threads, 0);
@@ -247,10 +248,10 @@ static void on_second(evutil_socket_t fd, short what, void *arg)
     (void)fd, (void)what;
     for (unsigned i = 0; i < p->at_once; i++) {
         struct child *c = &p->children[i];
-        if (c->pid && c->job->limit_s > 0 && hostclock_s() - c->started_s > c->job->limit_s) {
+        if (c->pid && c->job->limit_s > 0 && hostclock_s() - c->started_s > c->job->limit_s)
             c->late = true;
+        if (c->pid && (c->late || c->job->stop))
             kill(-c->pid, SIGKILL);
-        }
     }
     if (p->source->second)
         p->source->second(p->source->arg);
@@ -282,9 +283,12 @@ static void loop(struct pool *p)
     for (int i = 0; i < EVENTS; i++)
         if (!p->refill || !events[i] || event_add(events[i], i == EVENTS - 1 ? &second : NULL) != 0)
             xexhausted();
+    p->no_more = p->source->began && !p->source->began(p->source->arg, p->base);
     fill(p);
     while (p->running > 0 || !(p->no_more || p->stopped))
         event_base_loop(p->base, EVLOOP_ONCE);
+    if (p->source->ending)
+        p->source->ending(p->source->arg);
     for (int i = 0; i < EVENTS; i++)
         event_free(events[i]);
     event_free(p->refill);
@@ -362,7 +366,8 @@ struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
                          const struct pool_watcher *watcher)
 {
     struct list l = {.begun_s = hostclock_s(), .watcher = watcher, .status.jobs = count};
-    struct pool_source source = {next_of_list, ended_of_list, second_of_list, &l};
+    struct pool_source source = {
+        .next = next_of_list, .ended = ended_of_list, .second = second_of_list, .arg = &l};
     l.order = xcalloc(count + 1, sizeof *l.order);
     for (size_t i = 0; i < count; i++) {
         l.order[i] = &jobs[i];

@@ -13,6 +13,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+struct event_base; /* libevent's */
+
 enum pool_state { POOL_WAITING, POOL_RUNNING, POOL_DONE, POOL_FAILED };
 
 /* One child. The caller fills in the first part; the strings and argv stay the caller's. */
@@ -23,6 +25,7 @@ struct pool_job {
     const char *dir;   /* its working folder; NULL: the parent's */
     char *const *env;  /* its environment, ended by NULL; NULL: the parent's */
     double limit_s;    /* of host time, after which the child is killed; 0: none */
+    bool stop;         /* may be set while it runs: the child is killed within a second */
 
     /* Filled in by pool_run(); text is freed by pool_clear(). */
     enum pool_state state;
@@ -67,6 +70,10 @@ struct pool_source {
     void (*ended)(void *arg, struct pool_job *job);
     void (*second)(void *arg); /* called once a second; may be NULL */
     void *arg;
+    /* For a source that waits for more than its jobs, such as requests: began() may add events to the pool's
+     * base, ending() frees them. Either may be NULL. If began() returns false, no job is started. */
+    bool (*began)(void *arg, struct event_base *base);
+    void (*ending)(void *arg);
 };
 struct pool_end pool_run_from(const struct pool_source *source, unsigned at_once);
 

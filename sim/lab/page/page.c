@@ -14,6 +14,7 @@
 struct page {
     struct page_item *items;
     size_t count;
+    bool live;
 };
 
 /* As web/page_start.js calls them. */
@@ -50,6 +51,11 @@ void page_add_trace(struct page *p, const char *name, const struct trace *t)
 {
     *new_item(p) = (struct page_item){.kind = PAGE_TRACE, .name = xstrdup(name), .trace = t};
     p->count++;
+}
+
+void page_set_live(struct page *p)
+{
+    p->live = true;
 }
 
 /* --- text ----------------------------------------------------------------------------------------------- */
@@ -96,26 +102,30 @@ static void write_file_hash(struct web_file f, FILE *out)
     write_hash(&sha, out);
 }
 
-static void write_scripts_hash(FILE *out)
+static void write_scripts_hash(const struct page *p, FILE *out)
 {
     struct sha256_ctx sha;
     sha256_init(&sha);
     for (const struct web_script *s = WEB_SCRIPTS; s->bytes; s++)
         sha256_update(&sha, (size_t)(s->end - s->bytes), (const uint8_t *)s->bytes);
+    if (p->live)
+        sha256_update(&sha, web_live().size, (const uint8_t *)web_live().bytes);
     write_hash(&sha, out);
 }
 
 /* The Content-Security-Policy: nothing is fetched, and no script runs but those of touchstone, whatever a
  * name in the data may hold. */
-static void write_policy(FILE *out)
+static void write_policy(const struct page *p, FILE *out)
 {
     fputs("default-src 'none'; base-uri 'none'; form-action 'none'; img-src data: blob:; style-src", out);
     write_file_hash(web_style(), out);
     fputs("; script-src", out);
-    write_scripts_hash(out);
+    write_scripts_hash(p, out);
     write_file_hash(web_d3(), out);
     write_file_hash(web_three(), out);
     write_file_hash(web_orbit(), out);
+    if (p->live)
+        fputs("; connect-src 'self'", out);
 }
 
 /* --- data ----------------------------------------------------------------------------------------------- */
@@ -184,11 +194,13 @@ static void write_file(struct web_file f, FILE *out)
     fwrite(f.bytes, 1, f.size, out);
 }
 
-static void write_scripts(FILE *out)
+static void write_scripts(const struct page *p, FILE *out)
 {
     fputs("<script>", out);
     for (const struct web_script *s = WEB_SCRIPTS; s->bytes; s++)
         fwrite(s->bytes, 1, (size_t)(s->end - s->bytes), out);
+    if (p->live)
+        write_file(web_live(), out);
     fputs("</script>", out);
 }
 
@@ -206,7 +218,7 @@ static void write_marked(const char *mark, size_t length, const struct page *p, 
     if (IS("title"))
         write_title(p, title, out);
     else if (IS("policy"))
-        write_policy(out);
+        write_policy(p, out);
     else if (IS("licences"))
         write_file(web_licences(), out);
     else if (IS("style"))
@@ -214,7 +226,7 @@ static void write_marked(const char *mark, size_t length, const struct page *p, 
     else if (IS("data"))
         write_data(p, out);
     else if (IS("scripts"))
-        write_scripts(out);
+        write_scripts(p, out);
 #undef IS
 }
 

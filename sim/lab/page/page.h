@@ -29,6 +29,10 @@ bool page_add(struct page *p, const char *path, const struct trace_selection *se
 /* Adds a trace in memory, which must outlive the page. name: as people shall read it. */
 void page_add_trace(struct page *p, const char *name, const struct trace *t);
 
+/* From now on the page is a live one: its scripts may ask where the page came from, and only there, for
+ * what is new (web/live.js); see lab/serve/serve.h. */
+void page_set_live(struct page *p);
+
 /* Writes the page. title: NULL: made from what it shows. False if the stream has an error (errno may say
  * which). May be called several times. */
 bool page_write(const struct page *p, const char *title, FILE *out);

@@ -38,8 +38,7 @@ static enum page_kind kind_of_json(const json_t *j)
     return has(j, "critical_path", JSON_OBJECT) && has(j, "sentences", JSON_ARRAY) ? PAGE_PATH : PAGE_KINDS;
 }
 
-/* A browser's numbers hold 53 bits: a larger integer becomes a text of its digits. Takes over j. */
-static json_t *within_53_bits(json_t *j)
+json_t *page_json_within_53_bits(json_t *j)
 {
     const int64_t most = INT64_C(1) << 53;
     json_int_t value = json_integer_value(j);
@@ -47,8 +46,9 @@ static json_t *within_53_bits(json_t *j)
     json_t *member, *text;
     size_t i;
     void *next;
-    json_object_foreach_safe(j, next, key, member) json_set(j, key, within_53_bits(json_incref(member)));
-    json_array_foreach(j, i, member) json_array_set_new(j, i, within_53_bits(json_incref(member)));
+    json_object_foreach_safe(j, next, key, member)
+        json_set(j, key, page_json_within_53_bits(json_incref(member)));
+    json_array_foreach(j, i, member) json_array_set_new(j, i, page_json_within_53_bits(json_incref(member)));
     if (value >= -most && value <= most)
         return j;
     text = json_sprintf("%lld", value);
@@ -65,7 +65,7 @@ static bool read_json(struct page_item *item, const char *path, char **error)
     item->kind = kind_of_json(item->json);
     if (item->kind == PAGE_KINDS)
         return *error = xasprintf("%s: JSON, but not of touchstone: %s", path, ACCEPTED), false;
-    item->json = within_53_bits(item->json);
+    item->json = page_json_within_53_bits(item->json);
     return true;
 }
 

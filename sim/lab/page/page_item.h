@@ -32,5 +32,7 @@ struct page_item {
 /* Reads what is at the path. False with *error malloc'd. */
 bool page_item_read(struct page_item *item, const char *path, const struct trace_selection *selection,
                     char **error);
+/* A browser's numbers hold 53 bits: a larger integer becomes a text of its digits. Takes over j. */
+json_t *page_json_within_53_bits(json_t *j);
 void page_item_free(struct page_item *item);
 #endif

@@ -12,6 +12,7 @@ struct web_file {
 struct web_file web_page(void);  /* web/page.html: marks such as <!--title--> stand for what page.c writes */
 struct web_file web_style(void); /* web/page.css */
 struct web_file web_licences(void); /* of the libraries, for the page's comment */
+struct web_file web_live(void);     /* web/live.js: runs behind the page's own scripts on live pages */
 struct web_file web_d3(void);       /* scales, axes, zoom: node-d3 */
 struct web_file web_three(void);    /* WebGL: libjs-three */
 struct web_file web_orbit(void);    /* its controls for mouse and touch */

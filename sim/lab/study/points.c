@@ -1,6 +1,7 @@
 /* points.c - turns a point's number into values, and values into settings and arguments; see points.h. */
 #include "lab/study/points.h"
 #include "files/json_set.h"
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/words.h"
 
@@ -51,9 +52,27 @@ static bool derive(const struct spec *s, struct point *p, size_t axis, char **er
     return true;
 }
 
+/* Derives what follows from the other values, and asks whether the point is wanted. Sets *broken to a
+ * condition of `only` that does not hold. */
+static enum point_is finish(const struct spec *s, struct point *p, const char **broken, char **error)
+{
+    for (size_t i = 0; i < s->axis_count; i++)
+        if (s->axes[i].kind == SPEC_DERIVED && !derive(s, p, i, error))
+            return POINT_WRONG;
+    for (size_t i = 0; i < s->only_count; i++) {
+        double holds = expr_number(s->only[i], p->value);
+        if (holds == 0 || isnan(holds)) {
+            *broken = expr_text(s->only[i]);
+            return POINT_LEFT_OUT;
+        }
+    }
+    return POINT_WANTED;
+}
+
 enum point_is point_make(const struct spec *s, size_t number, struct point *p, char **error)
 {
     size_t rest = number;
+    const char *broken;
     p->number = number;
     for (size_t i = s->axis_count; i-- > 0;) {
         const struct spec_axis *axis = &s->axes[i];
@@ -62,15 +81,95 @@ enum point_is point_make(const struct spec *s, size_t number, struct point *p, c
         if (axis->kind != SPEC_DERIVED)
             p->value[i].number = spec_value(axis, at, &p->value[i].text, p->label[i]);
     }
-    for (size_t i = 0; i < s->axis_count; i++)
-        if (s->axes[i].kind == SPEC_DERIVED && !derive(s, p, i, error))
-            return POINT_WRONG;
-    for (size_t i = 0; i < s->only_count; i++) {
-        double holds = expr_number(s->only[i], p->value);
-        if (holds == 0 || isnan(holds))
-            return POINT_LEFT_OUT;
+    return finish(s, p, &broken, error);
+}
+
+/* --- a point that is not of the study ------------------------------------------------------------------- */
+
+bool point_axis_is_open(const struct spec_axis *axis)
+{
+    return axis->numeric && axis->kind != SPEC_DERIVED && !config_setting_get_member(axis->at, "cases");
+}
+
+/* The number that a text or number of JSON is; NAN if none. */
+static double number_of(const json_t *value)
+{
+    double number = json_is_number(value) ? json_number_value(value) : NAN, unit;
+    if (json_is_string(value) && !number_read(json_string_value(value), &number, &unit))
+        return NAN;
+    return number;
+}
+
+/* Finds the value among the axis's own; axis->count if there is none. */
+static size_t own_value(const struct spec_axis *axis, double number, const char *text)
+{
+    char label[SPEC_MAX_LABEL];
+    const char *own;
+    size_t i = 0;
+    for (; i < axis->count; i++) {
+        double value = spec_value(axis, i, &own, label);
+        if ((text && strcmp(own, text) == 0) || value == number)
+            break;
     }
-    return POINT_WANTED;
+    return i;
+}
+
+/* Sets the point's value on an axis to one that the study file does not name. */
+static bool choose_new(const struct spec *s, const struct spec_axis *axis, double number, struct point *p,
+                       char **error)
+{
+    size_t i = spec_axis_index(s, axis);
+    bool nodes = strcmp(axis->name, "nodes") == 0;
+    if (!point_axis_is_open(axis) || !isfinite(number))
+        return *error = xasprintf("%s: %s", axis->name,
+                                  point_axis_is_open(axis) ? "a number is needed"
+                                                           : "this is none of the study's values"),
+               false;
+    if (nodes && (number < 1 || number > SPEC_MAX_NODES || number != floor(number)))
+        return *error = xasprintf("nodes: a whole number from 1 to %d is needed", SPEC_MAX_NODES), false;
+    spec_label(number, p->label[i]);
+    p->value[i] = (struct expr_value){strtod(p->label[i], NULL), p->label[i]};
+    return true;
+}
+
+static bool choose_on(const struct spec *s, const struct spec_axis *axis, const json_t *value,
+                      struct point *p, char **error)
+{
+    size_t i = spec_axis_index(s, axis);
+    double number = number_of(value);
+    if (!json_is_string(value) && !json_is_number(value))
+        return *error = xasprintf("%s: a value is needed", axis->name), false;
+    size_t own = own_value(axis, number, json_string_value(value));
+    if (own == axis->count)
+        return choose_new(s, axis, number, p, error);
+    p->value[i].number = spec_value(axis, own, &p->value[i].text, p->label[i]);
+    p->number += own;
+    return true;
+}
+
+enum point_is point_choose(const struct spec *s, const json_t *values, struct point *p, char **error)
+{
+    const char *broken, *name;
+    json_t *value;
+    json_object_foreach((json_t *)values, name, value)
+    {
+        const struct spec_axis *axis = spec_axis(s, name);
+        if (!axis || axis->kind == SPEC_DERIVED)
+            return *error = xasprintf("%s: there is no such axis whose value can be chosen", name),
+                   POINT_WRONG;
+    }
+    p->number = 0;
+    for (size_t i = 0; i < s->axis_count; i++) {
+        const struct spec_axis *axis = &s->axes[i];
+        p->number *= axis->count;
+        p->value[i] = (struct expr_value){NAN, "?"};
+        if (axis->kind != SPEC_DERIVED && !choose_on(s, axis, json_object_get(values, axis->name), p, error))
+            return POINT_WRONG;
+    }
+    enum point_is is = finish(s, p, &broken, error);
+    if (is == POINT_LEFT_OUT)
+        *error = xasprintf("the study leaves out points for which this does not hold: %s", broken);
+    return is;
 }
 
 /* --- what it is called, and what its run is given ------------------------------------------------------- */

@@ -21,6 +21,14 @@ enum point_is {
 };
 enum point_is point_make(const struct spec *s, size_t number, struct point *p, char **error);
 
+/* May the axis have values that the study file does not name? An axis of numbers may, whose settings and
+ * arguments are equal for all values. */
+bool point_axis_is_open(const struct spec_axis *axis);
+/* As point_make(), of values given as texts or numbers: AXIS: value for each axis that is not derived. A
+ * value is one of the study file, or any number on an open axis. POINT_WRONG and POINT_LEFT_OUT with
+ * *error. */
+enum point_is point_choose(const struct spec *s, const json_t *values, struct point *p, char **error);
+
 /* The point's name, malloc'd: "nodes 16, group 2". */
 char *point_name(const struct spec *s, const struct point *p);
 uint64_t point_nodes(const struct spec *s, const struct point *p);

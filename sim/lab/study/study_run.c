@@ -10,7 +10,8 @@
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
 #include "lab/jobs/result_cache.h"
-#include "lab/study/point_figures.h"
+#include "lab/study/point_run.h"
+#include "lab/study/study_note.h"
 #include "lab/study/study_parts.h"
 
 #include <stdlib.h>
@@ -123,30 +124,6 @@ static bool depends_on_unnamed(struct study_session *e, const json_t *run)
     return false;
 }
 
-static json_t *record_of(struct outcome *o, const struct task *t)
-{
-    /* paths of this run, and what is equal for all that went well */
-    static const char *const left_out[] = {"program", "host_files", "outcome"};
-    json_t *figures = point_figures_of(o);
-    for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
-        json_object_del(figures, left_out[i]);
-    json_t *record = json_pack("{s:f, s:o}", "wall_time_s", t->job.wall_time_s, "figures", figures);
-    json_t *profile = t->profile ? json_load_file(t->profile, 0, NULL) : NULL;
-    if (profile) {
-        json_object_del(profile, "tree"); /* it is large, and a study compares functions */
-        json_set(record, "profile", profile);
-    }
-    return record;
-}
-
-static json_t *record_of_failure(const char *error, double wall_time_s)
-{
-    json_t *text = json_string(error);
-    if (!text) /* not UTF-8 */
-        text = json_string("failed with a message that is not UTF-8 text");
-    return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", text);
-}
-
 /* Writes the result of the task's run to the journal and the result cache. */
 static void record_end(struct study_session *e, struct task *t)
 {
@@ -158,7 +135,8 @@ static void record_end(struct study_session *e, struct task *t)
         error = o.error ? xstrdup(o.error) : NULL;
     }
     bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run);
-    json_t *record = error ? record_of_failure(error, t->job.wall_time_s) : record_of(&o, t);
+    json_t *record = error ? point_record_of_failure(error, t->job.wall_time_s)
+                           : point_record(&o, t->profile, t->job.wall_time_s);
     if (keep)
         result_cache_add(s->options.cache, t->work->key, t->inputs, record, s->options.progress);
     if (write_down(e, t->work, error ? LINE_FAILED : LINE_DONE, record, true)) {
@@ -175,56 +153,6 @@ static void record_end(struct study_session *e, struct task *t)
 
 /* --- running -------------------------------------------------------------------------------------------- */
 
-/* TMPDIR is the scratch folder: the simulated machine's files are removed with it at the latest. Of the rest
- * of the environment a run gets only what it needs, since results must not depend on it. */
-static char **environment(const struct study *s)
-{
-    static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
-                                         "ASAN_OPTIONS"};
-    char **env = NULL;
-    words_add(&env, xasprintf("TMPDIR=%s", s->scratch.path));
-    for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)
-        if (getenv(passed[i]))
-            words_add(&env, xasprintf("%s=%s", passed[i], getenv(passed[i])));
-    return env;
-}
-
-static void add_option(char ***argv, const char *option, char *value)
-{
-    words_add(argv, xstrdup(option));
-    words_add(argv, value);
-}
-
-static void add_list(char ***argv, const char *option, char **list)
-{
-    for (char **word = list; word && *word; word++) {
-        if (option)
-            words_add(argv, xstrdup(option));
-        words_add(argv, xstrdup(*word));
-    }
-    words_free(list);
-}
-
-static void build_argv(const struct study *s, const struct point *p, struct task *t)
-{
-    const struct spec *spec = s->spec;
-    words_add(&t->argv, xstrdup(s->options.runner));
-    words_add(&t->argv, xasprintf("run"));
-    words_add(&t->argv, xasprintf("-q"));
-    add_option(&t->argv, "-m", xstrdup(point_machine(spec, p)));
-    add_option(&t->argv, "-n", xasprintf("%lu", point_nodes(spec, p)));
-    add_option(&t->argv, "--json", xstrdup(t->json));
-    if (t->profile)
-        add_option(&t->argv, "--profile", xstrdup(t->profile));
-    if (spec->max_virtual_s > 0)
-        add_option(&t->argv, "--max-virtual-time", xasprintf("%.15g", spec->max_virtual_s));
-    if (spec->max_wall_s > 0)
-        add_option(&t->argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
-    add_list(&t->argv, "--set", inputs_settings(s->inputs, p));
-    words_add(&t->argv, xstrdup(s->program));
-    add_list(&t->argv, NULL, inputs_arguments(s->inputs, p));
-}
-
 static void begin_task(struct study_session *e, struct task *t, const struct work *w, const struct point *p,
                        json_t *inputs)
 {
@@ -232,7 +160,8 @@ static void begin_task(struct study_session *e, struct task *t, const struct wor
     *t = (struct task){.used = true, .work = w, .inputs = inputs, .name = point_name(s->spec, p)};
     t->json = xasprintf("%s/%lu.json", s->scratch.path, w->number);
     t->profile = s->spec->profile ? xasprintf("%s/%lu.profile", s->scratch.path, w->number) : NULL;
-    build_argv(s, p, t);
+    struct point_run_files files = {s->options.runner, s->program, t->json, t->profile};
+    t->argv = point_run_argv(s->spec, s->inputs, p, &files);
     t->job = (struct pool_job){.name = t->name,
                                .argv = t->argv,
                                .dir = s->dir,
@@ -373,15 +302,17 @@ enum study_end study_run(struct study *s, char **error)
 {
     struct study_session e = {
         .study = s, .begun_s = hostclock_s(), .progress = progress_to(s->options.progress)};
-    struct pool_source source = {next, ended, second, &e};
+    struct pool_source source = {.next = next, .ended = ended, .second = second, .arg = &e};
     e.tasks = xcalloc(s->options.at_once, sizeof *e.tasks);
-    e.env = environment(s);
+    e.env = point_run_environment(s->scratch.path);
     study_estimate(s);
     study_sort(s, true);
     count(&e);
     e.cost_done = 0;
     s->counts.before = e.have;
-    struct pool_end end = pool_run_from(&source, s->options.at_once);
+    struct pool_end end = {0};
+    if (study_note_write(s, &e.error))
+        end = pool_run_from(&source, s->options.at_once);
     progress_end(&e.progress);
     count(&e);
     s->counts.signal = end.stopped;

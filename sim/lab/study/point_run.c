@@ -1,0 +1,83 @@
+/* point_run.c - see point_run.h. */
+#include "lab/study/point_run.h"
+#include <stdlib.h>
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
+#include "lab/study/point_figures.h"
+
+static void add_option(char ***argv, const char *option, char *value)
+{
+    words_add(argv, xstrdup(option));
+    words_add(argv, value);
+}
+
+static void add_list(char ***argv, const char *option, char **list)
+{
+    for (char **word = list; word && *word; word++) {
+        if (option)
+            words_add(argv, xstrdup(option));
+        words_add(argv, xstrdup(*word));
+    }
+    words_free(list);
+}
+
+char **point_run_argv(const struct spec *spec, const struct inputs *inputs, const struct point *p,
+                      const struct point_run_files *files)
+{
+    char **argv = NULL;
+    words_add(&argv, xstrdup(files->runner));
+    words_add(&argv, xstrdup("run"));
+    words_add(&argv, xstrdup("-q"));
+    add_option(&argv, "-m", xstrdup(point_machine(spec, p)));
+    add_option(&argv, "-n", xasprintf("%lu", point_nodes(spec, p)));
+    add_option(&argv, "--json", xstrdup(files->json));
+    if (files->profile)
+        add_option(&argv, "--profile", xstrdup(files->profile));
+    if (spec->max_virtual_s > 0)
+        add_option(&argv, "--max-virtual-time", xasprintf("%.15g", spec->max_virtual_s));
+    if (spec->max_wall_s > 0)
+        add_option(&argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
+    add_list(&argv, "--set", inputs_settings(inputs, p));
+    words_add(&argv, xstrdup(files->program));
+    add_list(&argv, NULL, inputs_arguments(inputs, p));
+    return argv;
+}
+
+/* TMPDIR is the scratch folder: the simulated machine's files are removed with it at the latest. Of the rest
+ * of the environment a run gets only what it needs, since results must not depend on it. */
+char **point_run_environment(const char *scratch)
+{
+    static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
+                                         "ASAN_OPTIONS"};
+    char **env = NULL;
+    words_add(&env, xasprintf("TMPDIR=%s", scratch));
+    for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)
+        if (getenv(passed[i]))
+            words_add(&env, xasprintf("%s=%s", passed[i], getenv(passed[i])));
+    return env;
+}
+
+json_t *point_record(const struct outcome *o, const char *profile, double wall_time_s)
+{
+    /* paths of this run, and what is equal for all that went well */
+    static const char *const left_out[] = {"program", "host_files", "outcome"};
+    json_t *figures = point_figures_of(o);
+    for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
+        json_object_del(figures, left_out[i]);
+    json_t *record = json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "figures", figures);
+    json_t *by_function = profile ? json_load_file(profile, 0, NULL) : NULL;
+    if (by_function) {
+        json_object_del(by_function, "tree"); /* it is large, and a study compares functions */
+        json_set(record, "profile", by_function);
+    }
+    return record;
+}
+
+json_t *point_record_of_failure(const char *error, double wall_time_s)
+{
+    json_t *text = json_string(error);
+    if (!text) /* not UTF-8 */
+        text = json_string("failed with a message that is not UTF-8 text");
+    return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", text);
+}
