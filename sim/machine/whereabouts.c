@@ -27,24 +27,32 @@ struct group {
     uint32_t first, *nodes, count;
 };
 
+/* Has the run been stopped, or asked, from outside, at a moment that differs from run to run? All other
+ * reports must be equal in every run. */
+static bool is_from_outside(enum stop stop)
+{
+    return stop == STOP_NOT || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED;
+}
+
 /* The source line in which a node's program is; NULL if it is not known. At a limit of virtual time, a
  * computing program's line is that of its last slice boundary: the program may have computed past the limit
- * before it was known that the system takes time from it, and the report must be equal in every run. */
+ * before it was known that the system takes time from it. */
 static const char *line_of(const struct node *n, struct backtrace_lines *lines)
 {
+    const enum stop stop = n->sys->schedule.stop;
     if (n->lp.state == LP_ENDED)
         return NULL;
-    if (!n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
+    if (is_from_outside(stop) && !n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
         return backtrace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
-    if (n->sys->schedule.stop == STOP_NOT && n->sys->running && !n->at_poll)
+    if (stop == STOP_NOT && n->sys->running && !n->at_poll)
         return trace_line_away(lines, n);
     if (n->call)
         return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? backtrace_line(lines, n) : NULL;
-    if (n->sys->schedule.stop == STOP_VIRTUAL_TIME)
+    if (stop == STOP_VIRTUAL_TIME)
         return backtrace_line_at(lines, n, clock_last_place(&n->lp));
     if (n->at_poll)
         return backtrace_line(lines, n);
-    return n->sys->schedule.stop == STOP_FAILED ? NULL : trace_line_away(lines, n);
+    return is_from_outside(stop) ? trace_line_away(lines, n) : NULL;
 }
 
 static struct where where_is(const struct node *n, struct backtrace_lines *lines)
