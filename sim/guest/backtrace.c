@@ -161,7 +161,7 @@ const char *backtrace_line(struct backtrace_lines *t, const struct node *n)
     return line_from(t, n, n->frame);
 }
 
-const char *trace_line_away(struct backtrace_lines *t, const struct node *n)
+const char *backtrace_line_away(struct backtrace_lines *t, const struct node *n)
 {
     return line_from(t, n, (uintptr_t)fiber_frame(&n->lp.fiber));
 }

@@ -35,7 +35,7 @@ void backtrace_lines_free(struct backtrace_lines *t);
  * text. */
 const char *backtrace_line(struct backtrace_lines *t, const struct node *n);
 /* The same of any program that does not run at the moment, wherever it has switched away. */
-const char *trace_line_away(struct backtrace_lines *t, const struct node *n);
+const char *backtrace_line_away(struct backtrace_lines *t, const struct node *n);
 /* As backtrace_line(), for the address behind a poll or call. */
 const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address);
 #endif

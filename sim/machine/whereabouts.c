@@ -45,14 +45,14 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
     if (is_from_outside(stop) && !n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
         return backtrace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
     if (stop == STOP_NOT && n->sys->running && !n->at_poll)
-        return trace_line_away(lines, n);
+        return backtrace_line_away(lines, n);
     if (n->call)
         return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? backtrace_line(lines, n) : NULL;
     if (stop == STOP_VIRTUAL_TIME)
         return backtrace_line_at(lines, n, clock_last_place(&n->lp));
     if (n->at_poll)
         return backtrace_line(lines, n);
-    return is_from_outside(stop) ? trace_line_away(lines, n) : NULL;
+    return is_from_outside(stop) ? backtrace_line_away(lines, n) : NULL;
 }
 
 static struct where where_is(const struct node *n, struct backtrace_lines *lines)

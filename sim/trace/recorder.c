@@ -203,17 +203,12 @@ static void pack_blocks(struct packer *p, const struct recorded_message *m)
     }
 }
 
-/* Up to when the message is in the trace: it has arrived, or is still under way. */
-static vtime message_end(const struct recorded_message *m)
-{
-    return m->times[MESSAGE_COMPLETE];
-}
-
 void recorder_message(struct recorder *r, const struct recorded_message *m)
 {
     struct packer *p = r->packer;
     uint64_t flags = m->is_long ? MESSAGE_LONG : 0;
-    if (!overlaps(r, m->sent, message_end(m)) || (!recorder_wants(r, m->from) && !recorder_wants(r, m->to)))
+    if (!overlaps(r, m->sent, m->times[MESSAGE_COMPLETE]) ||
+        (!recorder_wants(r, m->from) && !recorder_wants(r, m->to)))
         return;
     for (int i = 0; i < MESSAGE_TIMES; i++)
         if (m->times[i] != VT_NEVER)
