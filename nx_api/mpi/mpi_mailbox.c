@@ -5,6 +5,8 @@
 #include <string.h>
 #include "nx_api/contract/ids.h"
 #include "nx_api/contract/matching.h"
+#include "nx_api/mpi/past_messages.h"
+#include "nx_api/mpi/order_record.h"
 #include "nx_api/mpi/tick.h"
 
 /* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
@@ -88,6 +90,7 @@ static void add_due(struct mpi_mailbox *b, struct receive *r, struct send *s)
 static void give(struct mpi_mailbox *b, struct receive *r, struct message *m)
 {
     r->m = m;
+    RECORD_ORDER(match, r, m);
     if (r->handler)
         add_due(b, r, NULL);
 }
@@ -104,6 +107,7 @@ void mpi_mailbox_deliver(struct node *n, struct message *m)
         return;
     }
     if (m->type >= FORCED || n->over) {
+        past_lost(WAITFOR_DISCARDED, m);
         message_free(m);
         return;
     }
@@ -120,6 +124,7 @@ void mpi_mailbox_flush(struct node *n, int64_t typesel)
             continue;
         }
         unkeep(n->mailbox, link);
+        past_lost(WAITFOR_FLUSHED, m);
         message_free(m);
     }
 }
@@ -130,6 +135,9 @@ void mailbox_post(struct node *n, struct receive *r)
 {
     struct mpi_mailbox *b = n->mailbox;
     struct message *m = matching_first(n, &r->select, b->unexpected), **link = &b->unexpected;
+    r->place = n->caller;
+    RECORD_ORDER(receive, r);
+    past_receive(n, r);
     if (!m) {
         posted_append(&b->posted, r);
         return;
@@ -147,6 +155,7 @@ void mailbox_withdraw(struct node *n, struct receive *r)
         return;
     struct message *m = r->m;
     r->m = NULL;
+    RECORD_ORDER(withdraw, r);
     m->next = b->unexpected;
     if (!b->unexpected)
         b->unexpected_end = &m->next;
@@ -162,6 +171,8 @@ bool mailbox_complete(struct node *n, const struct receive *r)
 long mailbox_take(struct node *n, struct receive *r)
 {
     long result = matching_take(n, r);
+    if (past_matters(n, r))
+        past_taken(n, r);
     message_free(r->m);
     r->m = NULL;
     return result;
@@ -232,18 +243,41 @@ bool mpi_mailbox_run_handler(struct node *n)
     const char *call = n->call;
     long type = n->call_type;
     bool has_type = n->call_has_type;
+    uintptr_t caller = n->caller;
     int saved_errno = n->saved_errno;
     free(b->due);
     b->due = d.next;
     if (!b->due)
         b->due_end = &b->due;
     count_handlers(b, -1);
+    RECORD_ORDER(handler);
     n->in_handler = true;
     n->call = NULL;
     call_handler(n, &d);
     n->in_handler = false;
-    n->call = call, n->call_type = type, n->call_has_type = has_type;
+    n->call = call, n->call_type = type, n->call_has_type = has_type, n->caller = caller;
     n->info = info;
     n->saved_errno = saved_errno;
     return true;
+}
+
+/* --- for reports --- */
+
+const struct message *mpi_mailbox_unexpected(const struct node *n)
+{
+    return n->mailbox->unexpected;
+}
+
+const struct receive *mpi_mailbox_posted(const struct node *n)
+{
+    return n->mailbox->posted.first;
+}
+
+bool mpi_mailbox_due(const struct node *n, unsigned i, const struct receive **r)
+{
+    const struct mpi_due *d = n->mailbox->due;
+    for (; d && i; i--)
+        d = d->next;
+    *r = d ? d->receive : NULL;
+    return d;
 }

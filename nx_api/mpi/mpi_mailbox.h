@@ -11,4 +11,10 @@ void mpi_mailbox_deliver(struct node *n, struct message *m);
 void mpi_mailbox_flush(struct node *n, int64_t typesel);
 /* Runs the first handler that is due; false if none is, or may run now. */
 bool mpi_mailbox_run_handler(struct node *n);
+
+/* For reports: lists, linked by next; and the receive of the i-th handler that is due, NULL if it is of a
+ * send. False: there are not so many. */
+const struct message *mpi_mailbox_unexpected(const struct node *n);
+const struct receive *mpi_mailbox_posted(const struct node *n);
+bool mpi_mailbox_due(const struct node *n, unsigned i, const struct receive **r);
 #endif

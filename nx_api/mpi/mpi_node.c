@@ -1,30 +1,29 @@
-/* mpi_node.c - a process's beginning and end, its waiting, and its errors. See mpi_node.h.
- *
- * A process whose program has ended keeps taking messages in until all programs have ended: no send may fail
- * because its receiver was quick. */
+/* mpi_node.c - a process's beginning, and its waiting. See mpi_node.h. */
 #include "nx_api/mpi/mpi_node.h"
 #include <cpuid.h>
 #include <errno.h>
 #include <sched.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/syscall.h>
 #include <time.h>
-#include <unistd.h>
 #include "nx_api/calls/call.h"
+#include "nx_api/mpi/deadlock.h"
+#include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/mpi_mailbox.h"
+#include "nx_api/mpi/quiet.h"
+#include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/stack.h"
 #include "nx_api/mpi/signals.h"
+#include "nx_api/mpi/sleep.h"
 #include "nx_api/mpi/tick.h"
 #include "nx_api/mpi/mpi_wire.h"
 
-enum { MESSAGE_IDS = 500, PATIENCE_S = 5 };
+enum { MESSAGE_IDS = 500 };
 
 static struct mpi_system all;
 struct node mpi_me = {.sys = &all, .info = {-1, -1, -1, -1}};
 static struct timespec began;
-static pid_t process; /* of the program itself, not of its children */
 
 static void nap(long ns)
 {
@@ -36,74 +35,6 @@ double mpi_seconds(void)
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)(now.tv_sec - began.tv_sec) + 1e-9 * (double)(now.tv_nsec - began.tv_nsec);
-}
-
-/* --- ends --- */
-
-/* Tells all nodes of this process's end and waits for theirs; after `patience` seconds (0: never) aborts
- * them. */
-static void finish(struct node *n, int status, double patience)
-{
-    double begin = mpi_seconds();
-    n->over = true;
-    n->ends[n->id].ended = true;
-    n->ended++;
-    wire_send(n, ALL_NODES, (struct wire_head){WIRE_END, status, (int32_t)n->pid, 0}, NULL, 0);
-    for (long pause = 1000; n->ended < n->sys->count || !wire_is_empty();) {
-        if (wire_progress(n))
-            pause = 1000;
-        nap(pause);
-        pause += pause < 1000000 ? pause / 4 : 0;
-        if (patience > 0 && mpi_seconds() - begin > patience)
-            wire_abort(status);
-    }
-    wire_end();
-}
-
-static void kill_others(struct node *n)
-{
-    wire_send(n, ALL_NODES, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);
-}
-
-/* The program has called exit or _exit. A status other than 0 ends all nodes, so that none waits in vain. */
-static void exits(struct node *n, int status)
-{
-    if (n->over || getpid() != process)
-        return;
-    if (status == 0) {
-        finish(n, 0, 0);
-        return;
-    }
-    fprintf(stderr, "nx: node %ld, at %.6f s: exit(%d), which ends the program on all nodes\n", n->id,
-            mpi_seconds(), status);
-    kill_others(n);
-    finish(n, status, PATIENCE_S);
-}
-
-/* Runs when main has returned, too. What main returns is no exit status. */
-static void at_exit(int status, void *unused)
-{
-    struct node *n = node_self();
-    (void)unused;
-    fflush(NULL);
-    if (n->returned && !n->over)
-        finish(n, (int)n->exit_code, 0);
-    exits(n, status);
-}
-
-_Noreturn void node__exit(int status) NX_EXPORT("_exit");
-_Noreturn void node__exit(int status)
-{
-    exits(node_self(), status);
-    syscall(SYS_exit_group, status);
-    __builtin_unreachable();
-}
-
-_Noreturn void mpi_end_here(struct node *n)
-{
-    fflush(NULL);
-    finish(n, 0, PATIENCE_S);
-    node__exit(0);
 }
 
 /* --- longs --- */
@@ -132,25 +63,6 @@ void node_put_long(const struct node *n, long *array, size_t i, long value)
         array[i] = value;
 }
 
-/* --- errors --- */
-
-_Noreturn void node_fail(struct node *n, const char *fmt, ...)
-{
-    va_list ap;
-    char text[512];
-    va_start(ap, fmt);
-    vsnprintf(text, sizeof text, fmt, ap);
-    va_end(ap);
-    fflush(stdout);
-    fprintf(stderr, "nx: node %ld, at %.6f s: %s\n", n->id, mpi_seconds(), text);
-    if (n->over || !n->ends)
-        wire_abort(1);
-    fflush(NULL);
-    kill_others(n);
-    finish(n, 1, PATIENCE_S);
-    node__exit(1);
-}
-
 /* --- calls --- */
 
 static void heed(struct node *n)
@@ -171,6 +83,7 @@ void node_enter(struct node *n, const char *call)
 {
     n->saved_errno = errno;
     n->call = call;
+    n->caller = stack_caller(__builtin_frame_address(0));
     n->call_has_type = false;
     wire_progress(n);
     heed(n);
@@ -193,33 +106,58 @@ void node_order(struct node *n)
     (void)n; /* node_enter has taken in what has come */
 }
 
+/* The program rests in its wait. *since: when this began, less than 0: it begins now. */
+static void rest(struct node *n, double *since)
+{
+    nap(50000);
+    if (n->ready == sleep_is_over)
+        return;
+    if (*since < 0)
+        *since = mpi_seconds();
+    n->since = *since;
+    if (deadlock_look(n, *since))
+        mpi_end_deadlocked(n);
+}
+
 /* Polls without a pause at first, then yields the processor, and at last sleeps a little. */
-static void pause_after(unsigned polls)
+static void pause_after(struct node *n, unsigned polls, double *since)
 {
     enum { YIELDING = 200, SLEEPING = 4000 };
     if (polls > SLEEPING)
-        nap(50000);
+        rest(n, since);
     else if (polls > YIELDING)
         sched_yield();
 }
 
+/* Takes in what has come, and runs handlers. False: nothing has come. */
+static bool progress(struct node *n)
+{
+    bool any = wire_progress(n);
+    heed(n);
+    if (run_handlers(n)) {
+        any = true;
+        tick_rest(true); /* a handler may have waited, too */
+    }
+    return any;
+}
+
 void node_wait(struct node *n, bool (*ready)(struct node *, void *), void *arg)
 {
+    bool (*outer)(struct node *, void *) = n->ready; /* of the call that a handler has interrupted */
+    void *outer_for = n->ready_for;
+    double since = -1;
+    n->ready = ready, n->ready_for = arg;
     tick_rest(true);
     for (unsigned polls = 0;; polls++) {
-        bool any = wire_progress(n);
-        heed(n);
-        if (run_handlers(n)) {
-            any = true;
-            tick_rest(true); /* a handler may have waited, too */
-        }
+        bool any = progress(n);
         if (ready(n, arg))
             break;
         if (any)
             polls = 0;
-        pause_after(polls);
+        pause_after(n, polls, &since);
     }
     tick_rest(false);
+    n->ready = outer, n->ready_for = outer_for;
 }
 
 /* A poll of the program has found nxc_due set: tick.c. */
@@ -239,6 +177,11 @@ void nxc_preempt(void)
 
 /* --- for calls: contract/backend.h --- */
 
+void nx_begins_call(struct node *n)
+{
+    order_calls += !n->in_handler;
+}
+
 void nx_about(struct node *n, long what)
 {
     n->call_type = what;
@@ -248,6 +191,11 @@ void nx_about(struct node *n, long what)
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
 {
     (void)n, (void)r, (void)s;
+}
+
+void nx_found_nothing(struct node *n, const struct selector *select)
+{
+    (void)n, (void)select;
 }
 
 void nx_spend_call(struct node *n)
@@ -318,18 +266,19 @@ static unsigned state_to_save(void)
 
 static void begin(struct node *n, int *argc, char ***argv)
 {
-    process = getpid();
     clock_gettime(CLOCK_MONOTONIC, &began);
     wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);
     n->ends = calloc(n->sys->count, sizeof *n->ends);
     n->mailbox = mpi_mailbox_new();
+    quiet_begin(n);
+    record_begin(n);
     nxc_saved = state_to_save();
     signals_begin();
     if (!n->ends || !tick_start())
         node_fail(n, "the node cannot start: %s", strerror(errno));
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
-    on_exit(at_exit, NULL);
+    mpi_end_begin();
     errno = 0;
 }
 

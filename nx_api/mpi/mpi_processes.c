@@ -3,6 +3,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 #include "nx_api/calls/call.h"
+#include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/mpi_node.h"
 #include "nx_api/mpi/mpi_wire.h"
 
@@ -21,9 +22,11 @@ long nxs_killproc(word node, word pid)
         return nxs_killcube(node, pid);
     if (nx_check_victim(n, node) < 0)
         return -1;
-    if (node == (word)n->id)
+    if (node == (word)n->id) {
+        n->killed_alone = true;
         mpi_end_here(n);
-    wire_send(n, node, (struct wire_head){.kind = WIRE_KILL}, NULL, 0);
+    }
+    wire_send(n, node, (struct wire_head){.kind = WIRE_KILL, .type = 1}, NULL, 0);
     return 0;
 }
 

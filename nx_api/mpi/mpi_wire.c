@@ -12,7 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/mpi_mailbox.h"
+#include "nx_api/mpi/quiet.h"
+#include "nx_api/mpi/order_record.h"
 #include "nx_api/mpi/shared_pointer.h"
+#include "nx_api/mpi/states.h"
 
 struct packet {
     uint32_t flights;
@@ -54,6 +57,25 @@ void wire_begin(struct node *n, int *argc, char ***argv)
     MPI_Barrier(comm); /* clocks begin together */
 }
 
+void wire_share(void *bytes, int count)
+{
+    MPI_Bcast(bytes, count, MPI_BYTE, 0, comm);
+}
+
+bool wire_all_are_here(bool here)
+{
+    static MPI_Request barrier;
+    static bool begun;
+    int all = 0;
+    if (here && !begun) {
+        MPI_Ibarrier(comm, &barrier);
+        begun = true;
+    }
+    if (begun)
+        MPI_Test(&barrier, &all, MPI_STATUS_IGNORE);
+    return all;
+}
+
 void wire_end(void)
 {
     MPI_Comm_free(&comm);
@@ -67,6 +89,11 @@ _Noreturn void wire_abort(int status)
 }
 
 /* --- sending --- */
+
+static bool is_control(int32_t kind)
+{
+    return kind >= WIRE_TOKEN;
+}
 
 static bool free_if_sent(struct flight *f)
 {
@@ -110,6 +137,8 @@ static void launch(struct node *n, long node, struct packet *p, size_t bytes)
     if (!f)
         node_fail(n, "out of memory for messages that are on their way");
     f->packet = p;
+    if (!is_control(p->head.kind))
+        quiet_sent();
     MPI_Isend(&p->head, (int)bytes, MPI_BYTE, (int)node, TAG, comm, &f->request);
     if (!free_if_sent(f))
         append_flight(f);
@@ -173,6 +202,7 @@ static void deliver(struct node *n, struct arrival *a)
                           .data = (const char *)(a->head + 1),
                           .block = a->head};
     a->head = NULL;
+    RECORD_ORDER(arrival, m);
     mpi_mailbox_deliver(n, m);
 }
 
@@ -180,6 +210,8 @@ static void deliver(struct node *n, struct arrival *a)
 static void act(struct node *n, struct arrival *a)
 {
     const struct wire_head *head = a->head;
+    if (!is_control(head->kind) && a->source != n->id)
+        quiet_received();
     switch ((enum wire_kind)head->kind) {
     case WIRE_DATA:
         deliver(n, a);
@@ -189,12 +221,25 @@ static void act(struct node *n, struct arrival *a)
         break;
     case WIRE_KILL:
         n->killed = true;
+        n->killed_alone = head->type;
         break;
     case WIRE_END:
         note_end(n, (uint32_t)a->source, head);
         break;
     case WIRE_FILES:
         shared_message(n, a->source, head->type, head->value, head + 1);
+        break;
+    case WIRE_TOKEN:
+        quiet_take(head + 1);
+        break;
+    case WIRE_ASK:
+        states_tell(n);
+        break;
+    case WIRE_STATE:
+        states_heard((uint32_t)a->source, head + 1, (size_t)a->bytes - sizeof *head);
+        break;
+    case WIRE_RECORD:
+        record_part(head + 1, (size_t)a->bytes - sizeof *head);
         break;
     }
     free(a->head);
@@ -207,8 +252,9 @@ static bool has_arrived(struct arrival *a)
     return done;
 }
 
-/* Takes the first message that MPI has, without waiting for its bytes. False: there is none. */
-static bool take_one(struct node *n)
+/* Takes the first message that MPI has, without waiting for its bytes. False: there is none. *tells: it
+ * may end a wait. */
+static bool take_one(struct node *n, bool *tells)
 {
     int any;
     MPI_Message message;
@@ -224,10 +270,12 @@ static bool take_one(struct node *n)
         node_fail(n, "no memory for a message of %d bytes from node %d", a->bytes, a->source);
     MPI_Imrecv(a->head, a->bytes, MPI_BYTE, &message, &a->request);
     if (!arrivals && has_arrived(a)) {
+        *tells |= !is_control(a->head->kind);
         act(n, a);
         free(a);
         return true;
     }
+    *tells = true;
     a->next = NULL;
     *arrivals_end = a;
     arrivals_end = &a->next;
@@ -244,7 +292,7 @@ static bool is_passing(const struct arrival *a)
 
 static bool test_arrivals(struct node *n)
 {
-    bool any = false;
+    bool tells = false;
     struct arrival **link = &arrivals;
     while (*link) {
         struct arrival *a = *link;
@@ -255,18 +303,18 @@ static bool test_arrivals(struct node *n)
         *link = a->next;
         if (arrivals_end == &a->next)
             arrivals_end = link;
+        tells |= !is_control(a->head->kind);
         act(n, a);
         free(a);
-        any = true;
     }
-    return any;
+    return tells;
 }
 
 bool wire_progress(struct node *n)
 {
-    bool any = false;
-    for (int i = 0; i < TAKEN_AT_ONCE && take_one(n); i++)
-        any = true;
+    bool tells = false;
+    for (int i = 0; i < TAKEN_AT_ONCE && take_one(n, &tells); i++)
+        ;
     test_flights();
-    return test_arrivals(n) || any;
+    return test_arrivals(n) || tells;
 }

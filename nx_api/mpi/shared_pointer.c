@@ -148,6 +148,11 @@ static bool has_token(struct node *n, void *number)
     return find(TOKEN, *(int32_t *)number, 0);
 }
 
+bool shared_is_awaited(bool (*ready)(struct node *n, void *arg))
+{
+    return ready == is_answered || ready == has_token;
+}
+
 static void wait_for(struct node *n, bool (*ready)(struct node *, void *), void *arg)
 {
     bool before = n->in_handler;

@@ -17,6 +17,8 @@ int64_t shared_borrow(struct node *n, int mode, int32_t number, int64_t begin);
 void shared_give_back(struct node *n, int mode, int32_t number, int64_t offset);
 /* Says that this node moves `bytes` in a round. Ends the program if another node moves more or fewer. */
 void shared_check(struct node *n, int32_t number, int64_t round, int64_t bytes);
+/* For reports: is this the condition of a wait for a shared pointer? */
+bool shared_is_awaited(bool (*ready)(struct node *n, void *arg));
 /* Handles a message of another node's library. */
 void shared_message(struct node *n, int source, int32_t what, int32_t number, const void *bytes);
 #endif

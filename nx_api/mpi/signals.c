@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "nx_api/mpi/mpi_node.h"
+#include "nx_api/mpi/order_record.h"
 
 struct text {
     char bytes[200];
@@ -63,6 +64,7 @@ static void crashed(int sig)
         : sig == SIGFPE ? "crashed (arithmetic error)"
         : sig == SIGBUS ? "crashed (bus error)"
                         : "crashed (illegal instruction)");
+    record_rescue();
     signal(sig, SIG_DFL);
     raise(sig);
 }
@@ -75,10 +77,21 @@ static void asked(int sig)
     errno = saved;
 }
 
+/* mpirun ends a process so when another has crashed. */
+static void told_to_end(int sig)
+{
+    record_rescue();
+    signal(sig, SIG_DFL);
+    raise(sig);
+}
+
 void signals_begin(void)
 {
     static const int crashes[] = {SIGSEGV, SIGFPE, SIGBUS, SIGILL};
     for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
         sigaction(crashes[i], &(struct sigaction){.sa_handler = crashed, .sa_flags = SA_NODEFER}, NULL);
+    static const int ends[] = {SIGTERM, SIGABRT};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        sigaction(ends[i], &(struct sigaction){.sa_handler = told_to_end, .sa_flags = SA_NODEFER}, NULL);
     sigaction(SIGUSR1, &(struct sigaction){.sa_handler = asked, .sa_flags = SA_RESTART}, NULL);
 }

@@ -1,6 +1,7 @@
 /* sleep.c - sleep and usleep of libnx.a, in which a program's handlers run as on a node. They precede the C
  * library's, in which no handler would run. Libraries call them, too: MPI sleeps while it starts, and no
  * handler may run then. */
+#include "nx_api/mpi/sleep.h"
 #include <errno.h>
 #include <stdbool.h>
 #include <time.h>
@@ -14,11 +15,10 @@ static bool is_program(const void *caller)
     return (const char *)caller >= __executable_start && (const char *)caller < etext;
 }
 
-/* Seconds since the program began at which the pause ends. */
-static bool is_over(struct node *n, void *end)
+bool sleep_is_over(struct node *n, void *time)
 {
     (void)n;
-    return mpi_seconds() >= *(const double *)end;
+    return mpi_seconds() >= *(const double *)time;
 }
 
 static void pause_program(const char *call, double seconds)
@@ -26,7 +26,7 @@ static void pause_program(const char *call, double seconds)
     struct node *n = node_self();
     double end = mpi_seconds() + seconds;
     node_enter(n, call);
-    node_wait(n, is_over, &end);
+    node_wait(n, sleep_is_over, &end);
     node_leave(n);
 }
 

@@ -76,4 +76,6 @@ __asm__(".text\n" NXC_ENTER_SAVE "    subq $2816, %rsp\n"
         "1:  fxsave64 (%rsp)\n"
         "    call nxc_preempt\n"
         "    fxrstor64 (%rsp)\n"
-        "2:\n" NXC_ENTER_RESTORE);
+        "2:\n" NXC_ENTER_RESTORE ".globl nxc_enter_end\n"
+        ".hidden nxc_enter_end\n"
+        "nxc_enter_end:\n");

@@ -8,6 +8,9 @@
 #include <stdbool.h>
 
 extern volatile int nxc_due;
+/* The bounds of the code that a poll of the program calls. */
+extern const char nxc_enter[];
+extern const char nxc_enter_end[] __attribute__((visibility("hidden")));
 
 /* Start the thread; false and errno when there is no room for one. */
 bool tick_start(void);

@@ -15,10 +15,12 @@
 #include "os/end.h"
 #include "os/gate.h"
 #include "os/isolate.h"
+#include "os/livelock.h"
 #include "os/match.h"
 #include "os/memory.h"
 #include "os/node_record.h"
 #include "os/path_times.h"
+#include "races/race_check.h"
 #include "lp/clock.h"
 #include "node/self.h"
 #include "trace/recorder.h"
@@ -75,11 +77,18 @@ static bool make_parts(struct node *n, const struct node_image *img, char **erro
     return true;
 }
 
+/* The processor has so many clocks a second, or fewer in a run with another timing than usual. */
+static void set_hz(struct node *n, uint64_t hz)
+{
+    const struct timing *t = n->sys->timing;
+    clock_set(&n->lp, t ? timing_clock_hz(t, node_timed(n), hz) : hz);
+}
+
 static void set_clock(struct node *n)
 {
     const struct cfg_machine *c = n->sys->cfg;
     bool fast = c->fast_every && n->id % c->fast_every == 0;
-    clock_set(&n->lp, fast ? c->fast_clock_hz : c->clock_hz);
+    set_hz(n, fast ? c->fast_clock_hz : c->clock_hz);
     n->system_milli = fast ? (uint32_t)cfg_fast_system_milli(c) : 1000;
 }
 
@@ -92,6 +101,7 @@ static struct node *make(struct node_system *sys, uint32_t id, uint32_t address)
     memset(n->cold, 0, sizeof *n->cold);
     n->error = &n->cold->error;
     n->sys = sys, n->id = id;
+    n->is_host = topo_is_host(&sys->topo, address);
     lp_begin(&n->lp, &sys->schedule, address, &n->cold->lp);
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
@@ -112,6 +122,7 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
     n->argc = argc, n->argv = argv, n->envp = envp;
     if (make_parts(n, img, error)) {
         path_times_begin(n);
+        n->races = races_begin(n->sys->races, n);
         if (n->sys->recorder)
             node_record(n);
         return n;
@@ -139,11 +150,19 @@ struct node *node_new_host(struct node_system *sys, uint32_t address, const stru
 {
     assert(!sys->host);
     struct node *n = make(sys, sys->count, address);
-    n->is_host = true;
-    clock_set(&n->lp, sys->cfg->host.clock_hz);
+    set_hz(n, sys->cfg->host.clock_hz);
     n->system_milli = (uint32_t)sys->cfg->host.system_milli;
     snprintf(n->name, sizeof n->name, "host");
     return load(n, img, argc, argv, envp, error);
+}
+
+void node_start(struct node *n, vtime t)
+{
+    vtime late = n->sys->timing ? timing_start(n->sys->timing, node_timed(n)) : 0;
+    n->stats.away += late;
+    if (late)
+        RECORD(n, no_program, t + late);
+    lp_start(&n->lp, t + late);
 }
 
 /* Frees all of a node except what messages and events may still refer to. */
@@ -158,6 +177,9 @@ static void strip(struct node *n)
     match_end(n);
     waits_free(&n->stats.waits);
     path_times_end(n);
+    livelock_free(n);
+    if (n->races)
+        races_end(n);
     free(n->crash);
     if (n->libc)
         node_libc_free(n);
@@ -187,6 +209,7 @@ void node_succeed(struct node *n, struct node *before, vtime t)
     n->stats.memory_peak = peak > n->stats.memory_peak ? peak : n->stats.memory_peak;
     n->sys_free = before->sys_free;
     match_inherit(n, before);
+    races_succeed(n, before);
     strip(before);
 }
 

@@ -3,10 +3,12 @@
 #define MACHINE_ASSEMBLE_H
 #include "node/system.h"
 
-/* Makes a node with its program loaded; lp_start() starts it. Returns NULL and sets *error (malloc'd) if
+/* Makes a node with its program loaded; node_start() starts it. Returns NULL and sets *error (malloc'd) if
  * the program cannot be loaded. The caller ends the node by node_delete(). */
 struct node *node_new(struct node_system *sys, uint32_t id, const struct node_image *img, int argc,
                       char **argv, char **envp, char **error);
+/* Starts the node's program at time t, or later in a run with another timing than usual. */
+void node_start(struct node *n, vtime t);
 /* Makes a node without a program, which counts as ended. Messages that come wait for a program to be
  * loaded. */
 struct node *node_new_empty(struct node_system *sys, uint32_t id);

@@ -16,6 +16,7 @@
 #include "os/fail.h"
 #include "os/gate.h"
 #include "os/match.h"
+#include "os/race_hooks.h"
 
 enum { ALL = -1, MOST_NAME = 32 };
 
@@ -271,9 +272,10 @@ static long load_one(struct node *host, struct program *p, uint32_t i, long pid)
     s->cube->former = f;
     node_succeed(n, before, node_now(host));
     n->pid = pid;
+    RACES(n, loaded, host);
     s->nodes[i] = n;
     s->running++;
-    lp_start(&n->lp, node_now(host));
+    node_start(n, node_now(host));
     return 0;
 }
 

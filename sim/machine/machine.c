@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "cfs/cfs.h"
+#include "guest/backtrace.h"
 #include "guest/debugger.h"
 #include "guest/image.h"
 #include "kernel/hostclock.h"
@@ -12,6 +13,8 @@
 #include "machine/cube.h"
 #include "machine/endpoints.h"
 #include "net/protocol_record.h"
+#include "os/numbering.h"
+#include "races/race_check.h"
 
 /* The number of nodes asked for, or all that the machine has. */
 static uint32_t nodes_of(const struct machine_options *o)
@@ -31,6 +34,38 @@ static bool has_host(const struct machine *m, char **error)
                        "an iPSC/860, -m ipsc860",
                        c->name, c->path);
     return false;
+}
+
+/* Sets the run's timing. */
+static bool make_timing(struct machine *m, char **error)
+{
+    const struct machine_options *o = &m->options;
+    const struct plan *p = o->plan;
+    if (p && p->nodes != m->sys.count) {
+        *error = xasprintf("%s is the schedule of a run on %u nodes, and this one has %u (-n)", p->path,
+                           p->nodes, m->sys.count);
+        return false;
+    }
+    m->sys.timing = o->draw || p ? timing_new(o->draw, p, m->sys.count) : NULL;
+    return true;
+}
+
+static const char *line_on_stack(void *lines, const struct node *n, uintptr_t frame)
+{
+    return backtrace_line_from(lines, n, frame);
+}
+
+/* A run that is recorded, or keeps orders, has numbers. */
+static void make_numbering(struct machine *m)
+{
+    const struct machine_options *o = &m->options;
+    const struct plan *orders = o->plan && o->plan->orders ? o->plan : NULL;
+    if (!o->schedule && !orders)
+        return;
+    m->sys.numbering = numbering_new(m->sys.count, orders, o->schedule);
+    m->lines = backtrace_lines_new();
+    m->sys.numbering->line = line_on_stack, m->sys.numbering->line_ctx = m->lines;
+    protocol_number(m->sys.schedule.protocol);
 }
 
 static bool make_shape(struct machine *m, char **error)
@@ -81,7 +116,7 @@ static bool make_host(struct machine *m, char **error)
     if (!s->host)
         return false;
     s->running = 1;
-    lp_start(&s->host->lp, 0);
+    node_start(s->host, 0);
     return true;
 }
 
@@ -99,9 +134,16 @@ static bool make_nodes(struct machine *m, char **error)
         s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);
         if (!s->nodes[i])
             return false;
-        lp_start(&s->nodes[i]->lp, 0);
+        node_start(s->nodes[i], 0);
     }
     return true;
+}
+
+/* The last moment that may be committed. */
+static vtime limit_of(const struct machine_options *o)
+{
+    vtime limit = o->max_virtual_s > 0 ? (vtime)(o->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
+    return o->until ? vt_min(limit, o->until) : limit;
 }
 
 struct machine *machine_new(const struct machine_options *options, char **error)
@@ -113,19 +155,20 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     struct node_system *s = &m->sys;
     s->cfg = options->cfg;
     s->count = s->running = nodes_of(options);
-    s->schedule.max_time =
-        options->max_virtual_s > 0 ? (vtime)(options->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
+    s->schedule.max_time = limit_of(options);
     s->schedule.longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
     s->history = options->history;
     s->guards = NODE_GUARDS_ALL;
     s->isolate = options->isolate;
     s->debugger = options->debugged ? debugger_new() : NULL;
+    s->races = races_new();
     s->out[0] = options->out, s->out[1] = options->err;
     s->schedule.q = evq_new();
-    if (!has_host(m, error) || !make_shape(m, error))
+    if (!has_host(m, error) || !make_shape(m, error) || !make_timing(m, error))
         goto fail;
     struct protocol_nodes up = endpoints_calls(s);
     s->schedule.protocol = protocol_new(s->cfg, &s->topo, s->schedule.q, &up);
+    make_numbering(m);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;
     m->start_s = hostclock_s() - begin;
@@ -162,8 +205,12 @@ void machine_free(struct machine *m)
     cfs_free(m->sys.cfs);
     debugger_free(m->sys.debugger);
     protocol_free(m->sys.schedule.protocol);
+    races_free(m->sys.races);
     evq_free(m->sys.schedule.q);
     mintree_free(&m->sys.schedule.polls);
+    timing_free(m->sys.timing);
+    numbering_free(m->sys.numbering);
+    backtrace_lines_free(m->lines);
     if (m->image)
         node_image_close(m->image);
     for (size_t i = 0; i < m->sys.host_file_count; i++)
@@ -176,6 +223,7 @@ void machine_free(struct machine *m)
     free(m->sys.absent);
     free(m->sys.failure);
     free(m->message);
+    waitfor_free(m->waits);
     free(m);
 }
 

@@ -5,6 +5,7 @@
 #include "guest/progress_line.h"
 #include "machine/debug_stop.h"
 #include "node/system.h"
+#include "nx_api/waitfor/waitfor.h"
 
 struct machine_options {
     const struct cfg_machine *cfg;
@@ -14,6 +15,7 @@ struct machine_options {
     int argc;            /* arguments of the program; argv[0] is its path */
     char **argv, **envp;
     double max_virtual_s; /* 0: none */
+    vtime until;          /* the run stops then, and reports where the nodes are; 0: at no time */
     double max_wall_s;    /* 0: none */
     double slice_s;       /* longest slice of computing; 0: no slices. For tests: changes no result */
     unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
@@ -23,13 +25,17 @@ struct machine_options {
      * time, and there is no limit of real time. Changes no result. */
     bool debugged;
     struct debug_stop_options stop; /* in the debugger */
+    /* Another timing than the machine's usual: one of the two, or both NULL. */
+    const struct draw *draw;
+    const struct plan *plan;
+    FILE *schedule;      /* gets the run's schedule; NULL: none */
     bool isolate;        /* a node that writes to another's memory crashes; the run uses one thread */
     FILE *out, *err;     /* the programs' output */
     FILE *history;       /* gets a line for each message received; NULL: no history */
     const char *cfs_dir; /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 
-enum machine_outcome { MACHINE_ENDED, MACHINE_FAILED, MACHINE_DEADLOCK };
+enum machine_outcome { MACHINE_ENDED, MACHINE_FAILED, MACHINE_DEADLOCK, MACHINE_STOPPED };
 
 struct machine {
     struct machine_options options;
@@ -37,8 +43,10 @@ struct machine {
     struct node_image *image;
     enum machine_outcome outcome;
     char *message; /* how the run ended, for the user, one or more lines; NULL: nothing to say. Malloc'd */
+    struct waitfor *waits;        /* of a deadlock: who waits for whom, analysed; NULL: there is none */
     struct workers_stats workers; /* figures of the threads; all 0: there was one */
     struct debug_stop stop;
+    struct backtrace_lines *lines; /* for the schedule; NULL: none */
     struct progress_line progress;
     double progress_at;      /* hostclock_s() at the next */
     sigset_t signals_before; /* what was blocked before the run */

@@ -13,6 +13,9 @@
 #include "os/end.h"
 #include "os/first_failure.h"
 #include "os/node_record.h"
+#include "os/numbering.h"
+#include "os/schedule_record.h"
+#include "timing/draw_read.h"
 
 /* Reports a crash; called at the crash's place in the total order. */
 static void show_crash(struct node *n)
@@ -58,10 +61,34 @@ static void note_end(struct machine *m, struct node *n)
     m->end = vt_max(m->end, n->stats.ended_at);
 }
 
+static void begin_schedule(const struct machine *m)
+{
+    if (!m->sys.numbering || !m->sys.numbering->out)
+        return;
+    char *drawn = m->options.draw ? draw_text(m->options.draw) : NULL;
+    schedule_record_begin(&m->sys, drawn);
+    free(drawn);
+}
+
+/* What receives have and programs never asked for; what nobody received. */
+static void end_schedule(struct machine *m)
+{
+    struct node_system *s = &m->sys;
+    if (!s->numbering)
+        return;
+    for (uint32_t i = 0; i < machine_nodes(m); i++)
+        number_end(s->nodes[i]);
+    if (s->host)
+        number_end(s->host);
+    if (s->numbering->out)
+        schedule_record_end(s);
+}
+
 void machine_run(struct machine *m)
 {
     assert(m->begin == 0);
     outside_begin(m);
+    begin_schedule(m);
     run_events(m);
     outside_end(m);
     for (uint32_t i = 0; i < machine_nodes(m); i++)
@@ -70,6 +97,7 @@ void machine_run(struct machine *m)
         note_end(m, m->sys.host);
     if (m->sys.recorder)
         protocol_record_end(m->sys.schedule.protocol);
+    end_schedule(m);
     verdict(m);
     m->wall_s = hostclock_s() - m->begin;
 }

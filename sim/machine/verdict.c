@@ -3,7 +3,9 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
+#include "machine/waits_for.h"
 #include "machine/whereabouts.h"
+#include "os/orders.h"
 
 static bool exited_badly(const struct node *n)
 {
@@ -19,7 +21,42 @@ static struct node *bad_exit(const struct machine *m)
     return m->sys.host && exited_badly(m->sys.host) ? m->sys.host : NULL;
 }
 
-void verdict(struct machine *m)
+static char *explain(const struct waitfor *w)
+{
+    char *text;
+    size_t size;
+    FILE *f = xchecked(open_memstream(&text, &size));
+    fputs("deadlock: every program waits, and no message is under way\n", f);
+    waitfor_write_text(w, f);
+    fclose(f);
+    return text;
+}
+
+/* The run was to go no further than this. */
+static void stopped_at_time(struct machine *m)
+{
+    char *what = xasprintf("stopped at %.9f s of virtual time:", vt_seconds(m->options.until));
+    m->outcome = MACHINE_STOPPED;
+    m->message = whereabouts(&m->sys, what);
+    free(what);
+}
+
+/* Adds the lines of the schedule that the run has not kept; a run that has ended all the same has failed.
+ * (What failed for another reason has told that reason.) */
+static void add_unkept(struct machine *m)
+{
+    bool asks = m->outcome == MACHINE_ENDED || m->outcome == MACHINE_DEADLOCK;
+    char *unkept = asks ? orders_unkept(&m->sys) : NULL, *before = m->message;
+    if (!unkept)
+        return;
+    if (m->outcome == MACHINE_ENDED)
+        m->outcome = MACHINE_FAILED;
+    m->message = xasprintf("%s%s", before ? before : "the run has not kept its schedule:", unkept);
+    free(before);
+    free(unkept);
+}
+
+static void judge(struct machine *m)
 {
     assert(!m->message);
     struct node_system *s = &m->sys;
@@ -27,7 +64,9 @@ void verdict(struct machine *m)
     enum stop stop = s->schedule.stop;
     bool limit = stop == STOP_VIRTUAL_TIME || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED;
     m->outcome = MACHINE_ENDED;
-    if (s->failure) {
+    if (stop == STOP_VIRTUAL_TIME && s->schedule.max_time == m->options.until) {
+        stopped_at_time(m);
+    } else if (s->failure) {
         m->outcome = MACHINE_FAILED;
         m->message = limit ? whereabouts(s, s->failure) : xstrdup(s->failure);
     } else if (bad) {
@@ -40,6 +79,14 @@ void verdict(struct machine *m)
         m->message = whereabouts(s, "the host program has ended; what still waits on its nodes is killed");
     } else if (s->running && stop != STOP_KILLED) {
         m->outcome = MACHINE_DEADLOCK;
-        m->message = whereabouts(s, "deadlock: every program waits, and no message is under way");
+        m->waits = waits_for(s);
+        m->waits->program = waitfor_text(m->waits, m->options.argv[0]);
+        m->message = explain(m->waits);
     }
+}
+
+void verdict(struct machine *m)
+{
+    judge(m);
+    add_unkept(m);
 }

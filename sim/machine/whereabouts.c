@@ -3,9 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/number_ranges.h"
 #include "guest/backtrace.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
+#include "machine/standstill.h"
 #include "nx_api/contract/program_image.h"
 
 /* More nodes are grouped by their states. */
@@ -113,19 +115,6 @@ static void join(struct group *g, uint32_t node, const struct where *w)
     g->nodes[g->count++] = node;
 }
 
-/* "node 3", "nodes 1-5, 7" */
-static void print_numbers(FILE *f, const struct group *g)
-{
-    fprintf(f, "node%s ", g->count > 1 ? "s" : "");
-    for (uint32_t i = 0, last; i < g->count; i = last + 1) {
-        for (last = i; last + 1 < g->count && g->nodes[last + 1] == g->nodes[last] + 1;)
-            last++;
-        fprintf(f, "%s%u", i ? ", " : "", g->nodes[i]);
-        if (last > i)
-            fprintf(f, "%s%u", last > i + 1 ? "-" : ", ", g->nodes[last]);
-    }
-}
-
 static void print_groups(FILE *f, const struct node_system *s, struct backtrace_lines *lines)
 {
     struct group *groups = NULL;
@@ -143,7 +132,7 @@ static void print_groups(FILE *f, const struct node_system *s, struct backtrace_
     }
     for (size_t k = 0; k < count; k++) {
         fprintf(f, "\n  ");
-        print_numbers(f, &groups[k]);
+        number_ranges_print_nodes(f, groups[k].nodes, groups[k].count);
         fprintf(f, ": ");
         print_where(f, &groups[k].where, groups[k].latest);
         free(groups[k].nodes);
@@ -168,6 +157,7 @@ static char *describe(const struct node_system *s, const char *what, uint32_t mo
     }
     if (s->count > most_alone)
         print_groups(f, s, lines);
+    standstill_print(f, s, lines, "\n  ");
     backtrace_lines_free(lines);
     fclose(f);
     return text;

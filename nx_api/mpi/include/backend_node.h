@@ -32,10 +32,13 @@ struct node {
     const char *call; /* NULL while the program computes */
     long call_type;   /* the type, typesel or id the call is about, if call_has_type */
     bool call_has_type;
+    uintptr_t caller; /* the address in the program behind the call; outside of calls that of the last one */
     int saved_errno;
     bool masked, in_handler;
-    bool killed; /* is to end at its next call or poll */
-    bool over;   /* its program has ended; messages are thrown away */
+    bool names_senders; /* a receive has selected a certain sender */
+    bool killed;        /* is to end at its next call or poll */
+    bool killed_alone;  /* and the others go on */
+    bool over;          /* its program has ended; messages are thrown away */
     bool returned;
     long exit_code; /* of main, if returned */
     struct mpi_mailbox *mailbox;
@@ -43,6 +46,11 @@ struct node {
     struct own_calls own;   /* of other calls */
     struct mpi_end *ends;   /* by node */
     uint64_t ended;         /* how many of them have */
+
+    /* For reports, while the program is in node_wait. */
+    bool (*ready)(struct node *n, void *arg);
+    void *ready_for; /* its argument */
+    double since;    /* seconds since the program began: at rest, or ended */
 };
 
 /* A message that has come whole. */
@@ -51,6 +59,7 @@ struct message {
     long type, pid;
     uint32_t source;
     size_t bytes;
+    uint64_t nth;     /* of those that its sender has sent here, if the run is recorded */
     const char *data; /* inside block */
     void *block;      /* malloc'd: freed with the message */
 };

@@ -1,0 +1,43 @@
+/* waitfor_parts.h - what the files of this folder share. */
+#ifndef WAITFOR_WAITFOR_PARTS_H
+#define WAITFOR_WAITFOR_PARTS_H
+#include "nx_api/waitfor/waitfor.h"
+
+/* As malloc's family, but abort() without memory. */
+void *waitfor_alloc(size_t count, size_t bytes);
+void *waitfor_grow(void *block, size_t count, size_t bytes);
+/* A stream into memory: *text is there, and the caller's to free, when it has been closed. */
+FILE *waitfor_stream(char **text, size_t *size);
+
+/* The name of the global operation whose messages have this type; NULL: the type is a program's. */
+const char *waitfor_operation(long type);
+/* Does a typesel select a type; a selector a message of this type, node and process type? */
+bool waitfor_type_selected(long typesel, long type);
+bool waitfor_selects(const struct waitfor_select *s, long type, long from, long pid);
+
+/* For people: "type 7", "any type", "one of the types 3, 5"; "node 3", "any node", "the host". */
+void waitfor_print_typesel(FILE *f, long typesel);
+void waitfor_print_node(FILE *f, const struct waitfor *w, long node);
+/* "node 3", "nodes 1-5, 7", "the host", and "none" of no node: those of which is(w, i, arg) is true. */
+typedef bool waitfor_choice(const struct waitfor *w, uint32_t i, const void *arg);
+void waitfor_print_nodes(FILE *f, const struct waitfor *w, waitfor_choice *is, const void *arg);
+
+/* Steps of the analysis, in this order. */
+void waitfor_find_whom(struct waitfor *w);
+void waitfor_find_cycle(struct waitfor *w);
+void waitfor_find_causes(struct waitfor *w);
+void waitfor_find_reasons(struct waitfor *w);
+/* Could the node still do something for others: has it a program that has not ended? */
+static inline bool waitfor_lives(const struct waitfor_node *n)
+{
+    return n->state == WAITFOR_WAITS || n->state == WAITFOR_COMPUTES;
+}
+/* What of a node's mailbox explains its wait for a message: one that is selected but for its sender, or but
+ * for its type; the latest of those it has had; a receive under way that has it. NULL: none. */
+bool waitfor_is_wrong_node(const struct waitfor_node *n, const struct waitfor_message *m);
+bool waitfor_is_wrong_type(const struct waitfor_node *n, const struct waitfor_message *m);
+const struct waitfor_taken *waitfor_taken_away(const struct waitfor_node *n);
+const struct waitfor_receive *waitfor_held_by(const struct waitfor_node *n);
+/* Is it awaited by the nodes in this operation? */
+bool waitfor_is_missed(const struct waitfor *w, uint32_t i, const void *operation);
+#endif

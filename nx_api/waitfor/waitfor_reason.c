@@ -1,0 +1,364 @@
+/* waitfor_reason.c - the cause of each wait in sentences, and what to do about it. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include "nx_api/waitfor/waitfor_parts.h"
+
+enum { MOST_TOLD = 4 }; /* messages of one node */
+
+static double seconds(uint64_t ps)
+{
+    return (double)ps / 1e12;
+}
+
+static void print_wanted(FILE *f, const struct waitfor *w, const struct waitfor_select *s)
+{
+    waitfor_print_typesel(f, s->typesel);
+    fputs(" from ", f);
+    waitfor_print_node(f, w, s->node);
+    if (s->pid != WAITFOR_ANY)
+        fprintf(f, ", process type %ld", s->pid);
+}
+
+/* --- what is here --- */
+
+/* In what a message that is here differs from one that is selected. */
+static void print_difference(FILE *f, const struct waitfor *w, const struct waitfor_node *n,
+                             const struct waitfor_message *m)
+{
+    const struct waitfor_select *s = &n->select;
+    bool type = !waitfor_type_selected(s->typesel, m->type);
+    bool node = s->node != WAITFOR_ANY && s->node != m->from;
+    bool pid = s->pid != WAITFOR_ANY && s->pid != m->pid;
+    fputs(type || node || pid ? " (it wants " : "", f);
+    if (type)
+        waitfor_print_typesel(f, s->typesel);
+    fputs(type && node ? " from " : "", f);
+    if (node)
+        waitfor_print_node(f, w, s->node);
+    if (pid)
+        fprintf(f, "%sprocess type %ld, not %ld", type || node ? ", " : "", s->pid, m->pid);
+    fputs(type || node || pid ? ")" : m->held_back ? " (there is no room for it)" : "", f);
+}
+
+static bool is_told(const struct waitfor_message *m)
+{
+    return !waitfor_operation(m->type);
+}
+
+static void print_messages(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    uint64_t count = n->more_messages, told = 0;
+    for (size_t i = 0; i < n->message_count; i++)
+        count += is_told(&n->messages[i]);
+    if (!count)
+        return;
+    if (count == 1)
+        fputs("\n1 message is here: ", f);
+    else
+        fprintf(f, "\n%" PRIu64 " messages are here: ", count);
+    for (size_t i = 0; i < n->message_count && told < MOST_TOLD; i++) {
+        const struct waitfor_message *m = &n->messages[i];
+        if (!is_told(m))
+            continue;
+        fprintf(f, "%stype %ld from ", told++ ? ", " : "", m->type);
+        waitfor_print_node(f, w, m->from);
+        print_difference(f, w, n, m);
+    }
+    if (count > told)
+        fprintf(f, ", and %" PRIu64 " more", count - told);
+    fputc('.', f);
+}
+
+/* --- what has been here --- */
+
+/* "crecv(-1) at ring.c:17" */
+static void print_receive(FILE *f, const struct waitfor *w, const char *call, const struct waitfor_select *s)
+{
+    fprintf(f, "%s(%ld)", call ? call : "a receive", s->typesel);
+    if (s->node != WAITFOR_ANY) {
+        fputs(" from ", f);
+        waitfor_print_node(f, w, s->node);
+    }
+}
+
+static void print_line(FILE *f, const char *line)
+{
+    if (line)
+        fprintf(f, " at %s", line);
+}
+
+static void print_fate(FILE *f, const struct waitfor *w, const struct waitfor_taken *t)
+{
+    if (t->fate == WAITFOR_FLUSHED) {
+        fputs("flushmsg threw it away.", f);
+        return;
+    }
+    if (t->fate == WAITFOR_DISCARDED) {
+        fputs("NX threw it away, because its type is a forced one and no receive was posted for it.", f);
+        return;
+    }
+    print_receive(f, w, t->call, &t->by);
+    if (t->fate == WAITFOR_HANDLED)
+        fputs(" with its handler", f);
+    print_line(f, t->line);
+    fputs(" took it.", f);
+}
+
+static void print_held(FILE *f, const struct waitfor *w, const struct waitfor_receive *r)
+{
+    fprintf(f, "\nA message of type %ld from ", r->type);
+    waitfor_print_node(f, w, r->from);
+    fputs(" is here: ", f);
+    print_receive(f, w, "irecv", &r->select);
+    print_line(f, r->line);
+    fputs(" has it, and the program has not waited for its id.", f);
+}
+
+static void print_taken(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    const struct waitfor_receive *r = waitfor_held_by(n);
+    const struct waitfor_taken *t = waitfor_taken_away(n);
+    if (r) {
+        print_held(f, w, r);
+    } else if (t) {
+        fprintf(f, "\nA message of type %ld from ", t->type);
+        waitfor_print_node(f, w, t->from);
+        fputs(" came", f);
+        if (t->came_ps != WAITFOR_NEVER)
+            fprintf(f, " at %.9f s", seconds(t->came_ps));
+        fputs(": ", f);
+        print_fate(f, w, t);
+    }
+}
+
+static void print_masked(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    bool one = n->due == 1;
+    fprintf(f, "\n%" PRIu32 " handler%s due and do%s not run", n->due, one ? " is" : "s are",
+            one ? "es" : "");
+    for (size_t i = 0; i < n->receive_count; i++) {
+        const struct waitfor_receive *r = &n->receives[i];
+        if (!r->has_handler || !r->filled)
+            continue;
+        fputs(", that of ", f);
+        print_receive(f, w, "hrecv", &r->select);
+        print_line(f, r->line);
+        fprintf(f, " for type %ld from ", r->type);
+        waitfor_print_node(f, w, r->from);
+    }
+    fputs(n->masked ? ": masktrap has masked handlers." : ": the program waits inside of another handler.",
+          f);
+}
+
+/* --- for whom it waits --- */
+
+static bool is_missed_and_ended(const struct waitfor *w, uint32_t i, const void *operation)
+{
+    return waitfor_is_missed(w, i, operation) && !waitfor_lives(&w->nodes[i]);
+}
+
+static bool is_missed_and_lives(const struct waitfor *w, uint32_t i, const void *operation)
+{
+    return waitfor_is_missed(w, i, operation) && waitfor_lives(&w->nodes[i]);
+}
+
+static bool is_other_that_lives(const struct waitfor *w, uint32_t i, const void *n)
+{
+    return &w->nodes[i] != n && waitfor_lives(&w->nodes[i]);
+}
+
+static bool is_other_that_ended(const struct waitfor *w, uint32_t i, const void *n)
+{
+    return &w->nodes[i] != n && !waitfor_lives(&w->nodes[i]);
+}
+
+static bool any(const struct waitfor *w, waitfor_choice *is, const void *arg)
+{
+    for (uint32_t i = 0; i < w->count; i++)
+        if (is(w, i, arg))
+            return true;
+    return false;
+}
+
+static void print_missed(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    bool living = any(w, is_missed_and_lives, n->operation);
+    fprintf(f, "%s waits for ", n->operation);
+    if (living) {
+        waitfor_print_nodes(f, w, is_missed_and_lives, n->operation);
+        fputs(" to come to it", f);
+    }
+    if (any(w, is_missed_and_ended, n->operation)) {
+        fputs(living ? ", and for " : "", f);
+        waitfor_print_nodes(f, w, is_missed_and_ended, n->operation);
+        fputs(", which ended without it", f);
+    }
+    fputc('.', f);
+}
+
+/* ", which waits, too" */
+static void print_state(FILE *f, const struct waitfor_node *n, const struct waitfor_node *whom)
+{
+    if (whom == n)
+        fputs(", which is itself", f);
+    else if (whom->state == WAITFOR_WAITS)
+        fputs(", which waits, too", f);
+    else if (whom->state == WAITFOR_COMPUTES)
+        fputs(", which computes", f);
+    else if (whom->state == WAITFOR_ENDED)
+        fprintf(f, ", which ended at %.9f s", seconds(whom->since_ps));
+    else
+        fputs(", on which no program runs", f);
+}
+
+static void print_any(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    if (!any(w, is_other_that_lives, n)) {
+        fputs(", and all other nodes have ended.", f);
+        return;
+    }
+    fputs("; ", f);
+    if (any(w, is_other_that_ended, n))
+        waitfor_print_nodes(f, w, is_other_that_lives, n);
+    else
+        fputs("each other node", f);
+    fputs(" could send it, but none has.", f);
+}
+
+static void print_message_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    fputs("It waits for ", f);
+    print_wanted(f, w, &n->select);
+    if (n->who != WAITFOR_ONE_NODE) {
+        print_any(f, w, n);
+        return;
+    }
+    bool any = n->select.node == WAITFOR_ANY;
+    if (any) {
+        fputs("; only ", f);
+        waitfor_print_node(f, w, n->whom);
+    }
+    print_state(f, n, &w->nodes[n->whom]);
+    fputs(any ? ", could send it." : ".", f);
+}
+
+static void print_buffer_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    const struct waitfor_node *to = n->who == WAITFOR_ONE_NODE ? &w->nodes[n->whom] : NULL;
+    fprintf(f, "Its message of %zu bytes has no room at ", n->to_bytes);
+    waitfor_print_node(f, w, n->to);
+    if (to)
+        print_state(f, n, to);
+    fputc('.', f);
+    if (to && to->buffer_bytes)
+        fprintf(f, "\nThat has %zu bytes of messages that no receive has asked for, and room for %zu in all.",
+                to->buffered_bytes, to->buffer_bytes);
+}
+
+static void print_end_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    fputs("It waits for the end of the program on ", f);
+    if (n->to == WAITFOR_ANY)
+        fputs(n->of_all ? "each other node" : "another node", f);
+    else
+        waitfor_print_node(f, w, n->to);
+    if (n->to != WAITFOR_ANY && n->who == WAITFOR_ONE_NODE)
+        print_state(f, n, &w->nodes[n->whom]);
+    fputc('.', f);
+}
+
+static void print_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    if (n->operation)
+        print_missed(f, w, n);
+    else if (n->what == WAITFOR_MESSAGE)
+        print_message_wait(f, w, n);
+    else if (n->what == WAITFOR_BUFFER)
+        print_buffer_wait(f, w, n);
+    else if (n->what == WAITFOR_END)
+        print_end_wait(f, w, n);
+    else if (n->what == WAITFOR_HANDLER)
+        fputs("It waits for a handler to run.", f);
+    else if (n->what == WAITFOR_FILE)
+        fputs("It waits for calls of other nodes on the file, whose pointer they share (I/O modes 1 to 4).",
+              f);
+}
+
+static void print_why(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+{
+    print_wait(f, w, n);
+    if (n->cause == WAITFOR_MASKED)
+        print_masked(f, w, n);
+    if (n->what != WAITFOR_MESSAGE || n->operation)
+        return;
+    if (n->cause == WAITFOR_TAKEN)
+        print_taken(f, w, n);
+    print_messages(f, w, n);
+}
+
+/* --- what to do --- */
+
+static const char *remedy_for_taken(const struct waitfor_node *n)
+{
+    const struct waitfor_taken *t = waitfor_held_by(n) ? NULL : waitfor_taken_away(n);
+    if (!t)
+        return "msgwait on that id, or give the two receives different types.";
+    switch (t->fate) {
+    case WAITFOR_FLUSHED:
+        return "flushmsg with fewer types, or before the message may come.";
+    case WAITFOR_DISCARDED:
+        return "Post the receive (irecv) before its sender sends, or use a type below 2^30.";
+    default:
+        return "Let the earlier receive select fewer types or nodes, or give the messages different types.";
+    }
+}
+
+/* Of a cycle through global operations only? */
+static bool is_of_operations(const struct waitfor *w)
+{
+    for (uint32_t k = 0; k < w->cycle_count; k++)
+        if (!w->nodes[w->cycle[k]].operation)
+            return false;
+    return w->cycle_count > 0;
+}
+
+static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
+{
+    static const char *const TEXTS[WAITFOR_CAUSES] = {
+        [WAITFOR_WRONG_TYPE] = "Compare the type here with that in the sender's call.",
+        [WAITFOR_WRONG_NODE] = "Compare the sender selected here with the one that has sent.",
+        [WAITFOR_BUFFERS_FULL] =
+            "Post receives (irecv) before the messages come, or let fewer come before they are received.",
+        [WAITFOR_NODE_HAS_ENDED] =
+            "See why it ended before that, or whether one message too many is awaited.",
+        [WAITFOR_CYCLE] = "One of the cycle has to send before it receives, or to post its receive (irecv) "
+                          "and go on.",
+        [WAITFOR_KNOT] = "One of them has to send before it receives.",
+        [WAITFOR_ORPHAN] = "Look for the send that has not been made.",
+    };
+    if (n->cause == WAITFOR_TAKEN)
+        return remedy_for_taken(n);
+    if (n->cause == WAITFOR_MASKED)
+        return n->masked ? "masktrap(0) before this call lets the handlers run."
+                         : "Handlers do not run inside of handlers: wait outside.";
+    if (n->cause == WAITFOR_CYCLE && is_of_operations(w))
+        return "All nodes have to call the global operations in the same order.";
+    return TEXTS[n->cause];
+}
+
+void waitfor_find_reasons(struct waitfor *w)
+{
+    for (uint32_t i = 0; i < w->count; i++) {
+        struct waitfor_node *n = &w->nodes[i];
+        if (n->state != WAITFOR_WAITS)
+            continue;
+        char *text;
+        size_t size;
+        FILE *f = waitfor_stream(&text, &size);
+        print_why(f, w, n);
+        fclose(f);
+        n->why = waitfor_text(w, text);
+        n->remedy = remedy(w, n);
+        free(text);
+    }
+}

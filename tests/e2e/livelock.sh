@@ -1,0 +1,72 @@
+#!/bin/bash
+# livelock.sh - programs that poll for what nobody sends, or stand still for handlers, are named at limits, in the summary and in
+# the JSON file, alike in both engines; programs that come to their ends are not.
+. "$(dirname "$0")/common.bash"
+compile livelock
+line_of() { grep -n "line of $1 " "$tests/livelock.c" | cut -d: -f1; }
+of_json() { jq -r "$1" f.json; }
+
+# --- polls, at a limit of virtual time ---
+run --json f.json -n 4 --max-virtual-time 0.2 livelock iprobe
+check "iprobe: who, how long, where, how often, and that nobody has sent it" said "^  nodes 1-3 poll: [89][0-9]\\.[0-9] % of the last \
+0\\.1999[0-9]* s in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\), [0-9]+ times without an answer; no message of type 7 has come to any node$"
+check "iprobe: the summary does not say it again" test "$(grep -c 'in iprobe(7)' err)" = 1
+check "iprobe: the JSON file has it" test "$(of_json '.node[1].livelock | .kind, .call, .type, .goes_on')" = $'polls\niprobe\n7\ntrue'
+check "iprobe: with its line" test "$(of_json '.node[3].livelock.line')" = "livelock.c:$(line_of iprobe)"
+check "iprobe: a node that waits has none" test "$(of_json '.node[0].livelock')" = null
+# Of so long a time, so many polls of a known time each: the share is what a call takes on the Delta.
+check "iprobe: the share is that of the calls" jq -e '.node[1].livelock | .count * 5e-6 / (.until_s - .since_s) - .share | fabs < 0.001' f.json
+run -n 3 --max-virtual-time 0.2 livelock two
+check "two polls in turn: one is named, and the other's part" said "in iprobe\\(7\\) \\(livelock.c:$(line_of two)\\), [0-9]+ times without an answer; \
+and [0-9.]+ % in other polls"
+run -n 3 --max-virtual-time 0.2 livelock msgdone
+check "msgdone: the receive's type" said "in msgdone of a receive of type 11 \\(livelock.c:$(line_of msgdone)\\), [0-9]+ times without an answer; no message of type 11"
+run -n 3 --max-virtual-time 0.2 livelock flick
+check "flick" said "in flick \\(livelock.c:$(line_of flick)\\), [0-9]+ times, and no message or handler came$"
+run -n 3 --max-wall-time 0.5 livelock iprobe
+check "a limit of wall time names them, too" said "^  nodes 1, 2 poll: .* in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\)"
+env --default-signal=INT "$BUILD/touchstone" run --max-wall-time 20 -n 3 livelock iprobe >out 2>err &
+sleep 0.6
+kill -INT $!
+wait $!
+check "SIGINT, too" said "^  nodes 1, 2 poll: .* in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\)"
+
+# --- handlers ---
+run --json f.json -n 4 livelock flood
+check "handlers: in the summary of a run that ends well" said "^livelock +node 0 stands still: [0-9]+ handlers of hrecv\\(5\\) \
+\\(livelock.c:[0-9]+\\) take 9[0-9.]+ % of the time (since|from) [0-9.]+ s"
+first=$(grep -n '^static void on_message' "$tests/livelock.c" | cut -d: -f1)
+check "handlers: the function's first line" grep -qxE "livelock.c:($first|$((first + 1)))" <(of_json .node[0].livelock.line)
+check "handlers: no more than the program stood still" jq -e '.node[0].livelock | .kind == "handlers" and .share <= 1 and .share >= 0.8' f.json
+run -n 2 --max-virtual-time 0.35 livelock flood
+check "handlers: at a limit" said "^  node 0 stands still: [0-9]+ handlers of hrecv\\(5\\)"
+
+# --- what comes to its end is not named ---
+for what in served looks; do
+    run --json f.json -n 3 livelock $what
+    check "$what: ends well" ended_with 0
+    check "$what: is not named" eval '! said "livelock  |poll"'
+    check "$what: nor in the JSON file" test "$(jq '[.node[] | select(.livelock)] | length' f.json)" = 0
+done
+run -n 8 "$BUILD/app/model" -group 4 -sphere 48 40 9
+check "the model is not named" eval '! said "livelock  "'
+
+# --- both engines, and any number of workers, tell the same ---
+for what in iprobe two msgdone flick; do
+    for time in 0.02 0.1 0.100003; do
+        how="-n 5 --max-virtual-time $time livelock $what"
+        # shellcheck disable=SC2086
+        run_results --engine reference $how >reference
+        check "$what, $time s: polls are named" grep -q ' poll' reference
+        for workers in 1 3; do
+            # shellcheck disable=SC2086
+            check "$what, $time s, $workers workers: as the reference engine" cmp reference <(run_results -w $workers $how)
+        done
+    done
+done
+for how in "livelock flood" "--max-virtual-time 0.35 livelock flood" "--max-virtual-time 0.4000001 livelock flood"; do
+    # shellcheck disable=SC2086
+    run_results --engine reference -n 4 $how >reference
+    # shellcheck disable=SC2086
+    check "$how: as the reference engine" cmp reference <(run_results -w 2 -n 4 $how)
+done
