@@ -55,10 +55,15 @@ long node_error(struct node *n, int code, const char *fmt, ...) __attribute__((f
 _Noreturn void node_fail(struct node *n, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* How an entry point ends its call, given the result, or -1 after an error: calls/call.h. */
 typedef long nx_end(struct node *n, long result);
+/* For schedules: a call of calls.def begins, which has been entered. */
+void nx_begins_call(struct node *n);
 /* For reports: the type, typesel or id that the call is about. */
 void nx_about(struct node *n, long what);
 /* For reports: the messages that the call waits for. One of the two may be NULL. */
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s);
+/* For reports: the call, which does not wait, and whose time has been spent, has not found what it asked for;
+ * NULL: it asks for nothing. */
+void nx_found_nothing(struct node *n, const struct selector *select);
 /* Spends the system time of a call that looks at messages or changes what is known of them. */
 void nx_spend_call(struct node *n);
 /* Spends what a call that enters the kernel takes besides, where NX is a library above a kernel. */

@@ -41,14 +41,19 @@ struct selector {
 /* A receive, from its posting to its completion. */
 struct receive {
     struct selector select;
-    struct receive *next;     /* posted */
-    struct message *m;        /* NULL: no message has been selected yet */
-    uint64_t complete;        /* simulator: the virtual time from which m, if it has arrived, is complete */
+    struct receive *next; /* posted */
+    struct message *m;    /* NULL: no message has been selected yet */
+    union {
+        uint64_t complete; /* simulator: the virtual time from which m, if it has arrived, is complete */
+        uint64_t number;   /* MPI: of the node's receives, if the run is recorded */
+    };
+    uintptr_t place;          /* MPI, for reports: in the program, behind the call; 0: not known */
     mailbox_handler *handler; /* of hrecv; NULL: none */
     void *buf;
-    size_t room; /* bytes of buf */
-    long *info;  /* the program's array; NULL: none */
-    long param;  /* the handler's */
+    size_t room;                       /* bytes of buf */
+    long *info;                        /* the program's array; NULL: none */
+    long param;                        /* the handler's */
+    struct numbered_receive *numbered; /* simulator: in runs that are recorded, or keep orders */
 };
 
 /* Posted receives, in the order of posting. */

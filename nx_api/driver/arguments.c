@@ -124,6 +124,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         a->kmath = true;
     else if (!strcmp(option, "--profile"))
         a->profile = true;
+    else if (!strcmp(option, "--races"))
+        a->races = true;
     else if (!strcmp(option, "-host"))
         add(a, "-D__NX_HOST__");
     else if (!strcmp(option, "--long32"))
@@ -174,6 +176,8 @@ struct arguments arguments_read(int argc, char **argv)
     }
     if (a.mpi && a.profile)
         fail("--profile: only for simulated nodes; leave it out with --mpi");
+    if (a.mpi && a.races)
+        fail("--races: races are found on simulated nodes; leave it out with --mpi");
     if (!a.silent)
         intel_note(&a);
     return a;

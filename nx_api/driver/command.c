@@ -23,6 +23,8 @@ static void add_plugin(struct arguments *a, const struct places *p)
     }
     if (a->profile)
         add(a, "-fplugin-arg-count-profile");
+    if (a->races)
+        add(a, "-fplugin-arg-count-races");
 }
 
 /* What old Fortran programs need; the user's may take it back. */

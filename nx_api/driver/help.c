@@ -24,6 +24,8 @@ static const char help[] =
     "    --factors FILE   cost factors of source files or functions:\n"
     "                     factors = ( { file = \"a.c\"; factor = 1.02; } );\n"
     "    --profile        count by path of calls and line, too, for touchstone run --profile\n"
+    "    --races          tell the simulator of accesses to memory, so that touchstone run reports races\n"
+    "                     between handlers and what they interrupt; costs no virtual time\n"
     "    -node -nx -K... -M... -i860\n"
     "                     accepted, as icc and if77 had them; those that mean something in GNU Fortran\n"
     "                     are translated\n"
@@ -55,7 +57,11 @@ static const char help[] =
     "out. Common variables may be defined in several files. What needs more: -std=gnu89, --long32.\n"
     "\n"
     "Handlers (hrecv, hsend) interrupt a program at loops and function calls. As everywhere in C, a\n"
-    "variable that a handler changes must be volatile if a loop without calls waits for it.\n";
+    "variable that a handler changes must be volatile if a loop without calls waits for it.\n"
+    "\n"
+    "With --races, touchstone run finds variables that a handler and the program change without masktrap\n"
+    "between them, and buffers used while a message is on its way. A comment \"nxcc: race-ok\" on the line\n"
+    "of an access, or alone on the line before, says that the access is no race.\n";
 
 void help_show(void)
 {

@@ -1,24 +1,25 @@
-/* enter.h - the beginning and the end of nxc_enter, the routine to which a poll that strikes goes (runtime.c,
- * nx_api/mpi/tick.c).
+/* enter.h - the beginning and the end of routines to which inline assembly of the program goes, and which
+ * save what a C function may change: nxc_enter, to which a poll that strikes goes (runtime.c,
+ * nx_api/mpi/tick.c), and those of race_runtime.c.
  *
- * A poll has saved nothing. These two save and restore the general registers that a C function may change.
- * Between the two, %rsp may be lowered and aligned freely.
+ * The inline assembly has saved nothing. Between the beginning and the end, %rsp may be lowered and aligned
+ * freely.
  */
 #ifndef NXCC_ENTER_H
 #define NXCC_ENTER_H
 
-#define NXC_ENTER_SAVE                                                                                       \
-    ".globl nxc_enter\n"                                                                                     \
-    ".type nxc_enter, @function\n"                                                                           \
-    "nxc_enter:\n"                                                                                           \
+#define NXC_BEGIN_ROUTINE(name)                                                                              \
+    ".globl " name "\n"                                                                                      \
+    ".type " name ", @function\n" name ":\n"                                                                 \
     "    .cfi_startproc\n"                                                                                   \
     "    pushq %rbp\n"                                                                                       \
     "    .cfi_def_cfa_offset 16\n"                                                                           \
     "    .cfi_offset %rbp, -16\n"                                                                            \
     "    movq %rsp, %rbp\n"                                                                                  \
-    "    .cfi_def_cfa_register %rbp\n"                                                                       \
-    "    pushq %rax\n"                                                                                       \
-    "    pushq %rcx\n"                                                                                       \
+    "    .cfi_def_cfa_register %rbp\n"
+
+/* Saves the general registers behind %rax and %rcx, which have been pushed. */
+#define NXC_PUSH_REGISTERS                                                                                   \
     "    pushq %rdx\n"                                                                                       \
     "    pushq %rsi\n"                                                                                       \
     "    pushq %rdi\n"                                                                                       \
@@ -27,7 +28,8 @@
     "    pushq %r10\n"                                                                                       \
     "    pushq %r11\n"
 
-#define NXC_ENTER_RESTORE                                                                                    \
+/* Restores all of them, and returns. */
+#define NXC_END_ROUTINE(name)                                                                                \
     "    leaq -72(%rbp), %rsp\n"                                                                             \
     "    popq %r11\n"                                                                                        \
     "    popq %r10\n"                                                                                        \
@@ -42,5 +44,18 @@
     "    .cfi_def_cfa %rsp, 8\n"                                                                             \
     "    ret\n"                                                                                              \
     "    .cfi_endproc\n"                                                                                     \
-    ".size nxc_enter, .-nxc_enter\n"
+    ".size " name ", .-" name "\n"
+
+#define NXC_ENTER_SAVE                                                                                       \
+    NXC_BEGIN_ROUTINE("nxc_enter")                                                                           \
+    "    pushq %rax\n"                                                                                       \
+    "    pushq %rcx\n" NXC_PUSH_REGISTERS
+#define NXC_ENTER_RESTORE NXC_END_ROUTINE("nxc_enter")
+
+/* Of the SSE registers, in 256 bytes at %rsp, which is aligned to 16. */
+#define NXC_SSE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15)
+#define NXC_SAVE_ONE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
+#define NXC_RESTORE_ONE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
+#define NXC_SAVE_SSE NXC_SSE(NXC_SAVE_ONE)
+#define NXC_RESTORE_SSE NXC_SSE(NXC_RESTORE_ONE)
 #endif

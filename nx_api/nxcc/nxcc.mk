@@ -17,6 +17,7 @@ NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CP
 NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: $(DRIVER_OBJ)
+	$(call say,LINK,$@)
 	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
 
 -include $(DRIVER_OBJ:.o=.d)
@@ -27,18 +28,22 @@ $B/nxf77: | $B/nxcc
 # GCC's headers are not clean under our own warnings; ours are, so theirs are system headers.
 $B/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
 	@mkdir -p $(@D)
+	$(call say,CXX,$<)
 	g++ -std=gnu++17 -O2 -g -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -c -o $@ $<
 
 $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)
+	$(call say,LINK,$@)
 	g++ -shared -o $@ $^ -lconfig
 
 $(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
 $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/guest/exports.def nx_api/contract/calls.def
 	@mkdir -p $(@D)
+	$(call say,LINK,$@)
 	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
 
 # What -lm, -lc and -lz find instead of the host's libraries: libnode.so has their names already.
@@ -52,11 +57,13 @@ COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
+	$$(call say,NXCC,$$@)
 	$B/nxcc -std=gnu17 -O2 $(WARN) $(2) -c -o $$@ $$<
 	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
 $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
+	$$(call say,NXF77,$$@)
 	$B/nxf77 -O2 -Wall $(2) -c -o $$@ $$<
 endef
 $(eval $(call NODE_CODE,,))
@@ -64,14 +71,17 @@ $(eval $(call NODE_CODE,profile/,--profile))
 $(eval $(call NODE_CODE,long32/,--long32))
 $(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
-# A simulated cache is not counted.
-$(NODE)/obj/cache_runtime.o: nx_api/nxcc/cache_runtime.c nx_api/contract/program_image.h
+# A simulated cache is not counted, nor is the telling of accesses.
+RUNTIMES := $(NODE)/obj/cache_runtime.o $(NODE)/obj/race_runtime.o
+$(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/%_runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h nx_api/contract/races.h
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
 
 # What stands in for parts of GNU Fortran's library is not counted either.
 $(NODE)/obj/libgfortran/%.o: nx_api/libgfortran/%.c nx_api/libgfortran/libgfortran.h
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -mno-direct-extern-access -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
 
 # XDR: what of the library of <rpc/rpc.h> needs no network.
@@ -90,13 +100,15 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 
 $(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<
 
-$(NODE)/libnx.a: $(COMMON_OBJ) $(NODE)/obj/cache_runtime.o
-$(NODE)/libnx_profile.a: $(PROFILED) $(NODE)/obj/cache_runtime.o
-$(NODE)/libnx_long32.a: $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/long32/%) $(NODE)/obj/cache_runtime.o
-$(NODE)/libnx_long32_profile.a: $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/long32_profile/%) $(NODE)/obj/cache_runtime.o
+$(NODE)/libnx.a: $(COMMON_OBJ) $(RUNTIMES)
+$(NODE)/libnx_profile.a: $(PROFILED) $(RUNTIMES)
+$(NODE)/libnx_long32.a: $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/long32/%) $(RUNTIMES)
+$(NODE)/libnx_long32_profile.a: $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/long32_profile/%) $(RUNTIMES)
 $(LIBNX):
+	$(call say,AR,$@)
 	@mkdir -p $(@D)
 	@rm -f $@
 	ar rcs $@ $^

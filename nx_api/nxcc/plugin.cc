@@ -4,6 +4,7 @@
  *     costs=FILE      the cost table; needed, unless there is `poll`
  *     factors=FILE    cost factors
  *     profile         count by path of calls and line, too (profile.h)
+ *     races           tell the simulator of accesses to memory (race_pass.h)
  *     long32=FOLDER   longs of 32 bits; FOLDER has NX's headers (long32.h)
  *     poll            no counting, only polls (poll.h)
  *     before=PASS     for tests: the pass before which the counting pass stands
@@ -19,6 +20,12 @@
 #include "poll.h"
 #include "profile.h"
 #include "purity.h"
+#include "race_address.h"
+#include "race_moved.h"
+#include "race_pass.h"
+#include "race_sites.h"
+#include "race_update.h"
+#include "race_written.h"
 #include "redeclare.h"
 #include "statics.h"
 #include "symbols.h"
@@ -32,6 +39,7 @@ struct arguments {
     const char *factors = nullptr;
     const char *long32 = nullptr;
     bool poll = false;
+    bool races = false;
     const char *before = "optimized"; /* GCC's clean-up of the control flow, before expansion */
 };
 
@@ -50,6 +58,8 @@ arguments read_arguments(const plugin_name_args *info)
             a.long32 = arg.value;
         else if (!strcmp(arg.key, "poll"))
             a.poll = true;
+        else if (!strcmp(arg.key, "races"))
+            a.races = true;
         else if (!strcmp(arg.key, "profile"))
             profile_on = true;
         else if (!strcmp(arg.key, "memory"))
@@ -95,12 +105,14 @@ void check_target(void *, void *)
 void begin_function(void *, void *)
 {
     purity_prepare_function();
+    race_address_restore();
 }
 
 void finish_unit(void *, void *)
 {
     profile_write_tables();
     call_free_write_flags();
+    race_sites_write();
 }
 
 /* The C library declares that errno keeps its address. But after a call a node may go on on another thread of
@@ -111,6 +123,17 @@ void scan_declaration(void *decl, void *)
     if (TREE_CODE(d) == FUNCTION_DECL && DECL_NAME(d) &&
         !strcmp(IDENTIFIER_POINTER(DECL_NAME(d)), "__errno_location"))
         TREE_READONLY(d) = 0;
+}
+/* The pass stands behind the counting pass, which has been registered first. */
+void register_races(const char *plugin, const char *before)
+{
+    register_pass_info names = {race_written_make_pass(), "ssa", 1, PASS_POS_INSERT_AFTER};
+    register_pass_info updates = {race_update_make_pass(), before, 1, PASS_POS_INSERT_BEFORE};
+    register_pass_info races = {race_pass_make(), before, 1, PASS_POS_INSERT_BEFORE};
+    register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &names);
+    race_moved_register(plugin);
+    register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &updates);
+    register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &races);
 }
 } // namespace
 
@@ -135,6 +158,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     read_files(a);
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
+    if (a.races)
+        register_races(info->base_name, a.before);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);

@@ -5,8 +5,8 @@
 #include "profile.h"
 #include "output.h"
 #include "symbols.h"
+#include "texts.h"
 #include "../contract/program_image.h"
-#include <string>
 
 bool profile_on;
 
@@ -355,36 +355,6 @@ void profiling::finish()
 
 namespace
 {
-/* The texts of a file, each once. */
-class texts
-{
-  public:
-    int number(const std::string &s)
-    {
-        auto found = numbers.find(s);
-        if (found != numbers.end())
-            return found->second;
-        all.push_back(s);
-        return numbers[s] = (int)all.size() - 1;
-    }
-    void write() const
-    {
-        for (size_t i = 0; i < all.size(); i++) {
-            fprintf(asm_out_file, ".Lnxc_text%zu:\t.string \"", i);
-            for (char c : all[i]) {
-                if (c == '"' || c == '\\')
-                    fputc('\\', asm_out_file);
-                fputc(c, asm_out_file);
-            }
-            fputs("\"\n", asm_out_file);
-        }
-    }
-
-  private:
-    std::vector<std::string> all;
-    std::map<std::string, int> numbers;
-};
-
 void write_bodies()
 {
     size_t weight = 0;
@@ -404,7 +374,7 @@ void write_bodies()
 
 void write_cells()
 {
-    texts all;
+    texts all("nxc_text");
     auto write = [&all](const char *end, const std::string &s) {
         if (s.empty())
             fprintf(asm_out_file, "0%s", end);

@@ -23,6 +23,9 @@ extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
 extern const struct nxc_body __start_nxc_bodies[] __attribute__((visibility("hidden"), weak));
 extern const struct nxc_body __stop_nxc_bodies[] __attribute__((visibility("hidden"), weak));
 
+/* Of race_runtime.c, which is linked only if a file was compiled with --races. */
+extern const struct nxc_races nxc_races __attribute__((visibility("hidden"), weak));
+
 NXC_DATA struct nxc_path nxc_root = {.recent = &nxc_root};
 NXC_DATA struct nxc_path *nxc_path = &nxc_root;
 
@@ -46,22 +49,17 @@ struct nxc_image nxc_image = {
     .root = &nxc_root,
     .path = &nxc_path,
     .long_bytes = NXC_LONG_BYTES,
+    .races = &nxc_races,
 };
 
 /* nxc_enter: the inline assembly of a poll that strikes calls it. The stack may have any alignment, and
  * nothing is saved but the x87 registers. So nxc_enter saves all else that a C function may change, and calls
  * nxc_preempt. The direction flag and the control words are as the ABI wants them. */
-#define SSE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15)
-#define SAVE_ONE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
-#define RESTORE_ONE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
-#define SAVE_SSE SSE(SAVE_ONE)
-#define RESTORE_SSE SSE(RESTORE_ONE)
-
 __asm__(".text\n"
         ".hidden nxc_enter\n" NXC_ENTER_SAVE "    subq $264, %rsp\n"
-        "    andq $-16, %rsp\n" SAVE_SSE "    stmxcsr 256(%rsp)\n"
+        "    andq $-16, %rsp\n" NXC_SAVE_SSE "    stmxcsr 256(%rsp)\n"
         "    call nxc_preempt@PLT\n"
-        "    ldmxcsr 256(%rsp)\n" RESTORE_SSE NXC_ENTER_RESTORE);
+        "    ldmxcsr 256(%rsp)\n" NXC_RESTORE_SSE NXC_ENTER_RESTORE);
 
 /* Deeper paths, and more of them, fold recursion: then a function's time is told for the path of the
  * function's nearest call to itself. So the tree is bounded. */
@@ -128,8 +126,8 @@ __asm__(".text\n"
         "    pushq %r10\n"
         "    pushq %r11\n"
         "    subq $264, %rsp\n"
-        "    andq $-16, %rsp\n" SAVE_SSE "    movq %rax, %rdi\n"
-        "    call nxc_other_path\n" RESTORE_SSE "    leaq -64(%rbp), %rsp\n"
+        "    andq $-16, %rsp\n" NXC_SAVE_SSE "    movq %rax, %rdi\n"
+        "    call nxc_other_path\n" NXC_RESTORE_SSE "    leaq -64(%rbp), %rsp\n"
         "    popq %r11\n"
         "    popq %r10\n"
         "    popq %r9\n"

@@ -144,7 +144,7 @@ const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, u
     return *text ? text : NULL;
 }
 
-static const char *line_from(struct backtrace_lines *t, const struct node *n, uintptr_t frame)
+const char *backtrace_line_from(struct backtrace_lines *t, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS);
@@ -158,10 +158,10 @@ static const char *line_from(struct backtrace_lines *t, const struct node *n, ui
 
 const char *backtrace_line(struct backtrace_lines *t, const struct node *n)
 {
-    return line_from(t, n, n->frame);
+    return backtrace_line_from(t, n, n->frame);
 }
 
 const char *backtrace_line_away(struct backtrace_lines *t, const struct node *n)
 {
-    return line_from(t, n, (uintptr_t)fiber_frame(&n->lp.fiber));
+    return backtrace_line_from(t, n, (uintptr_t)fiber_frame(&n->lp.fiber));
 }

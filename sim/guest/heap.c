@@ -325,6 +325,12 @@ bool node_heap_owns(const struct node_heap *h, const void *p)
     return block_of(h, p) != NULL;
 }
 
+size_t node_heap_bytes(const struct node_heap *h, const void *p)
+{
+    const struct block *b = block_of(h, p);
+    return b ? b->asked : 0;
+}
+
 int node_heap_release(struct node_heap *h, void *p)
 {
     struct block *b = block_of(h, p);

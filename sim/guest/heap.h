@@ -19,7 +19,9 @@ void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes);
 /* Returns NULL and leaves p unchanged if there is no room or p is not a block of this heap. */
 void *node_heap_resize(struct node_heap *h, void *p, size_t bytes);
 bool node_heap_owns(const struct node_heap *h, const void *p); /* is p an undamaged block in use? */
-int node_heap_release(struct node_heap *h, void *p);           /* 0, or -1 if p is no such block */
+/* The bytes that it was asked for; 0: p is no such block. */
+size_t node_heap_bytes(const struct node_heap *h, const void *p);
+int node_heap_release(struct node_heap *h, void *p); /* 0, or -1 if p is no such block */
 /* Looks for a block that was written past its end, or before its start. Sets *block to the address that the
  * program has of it, NULL if there is none, and returns the bytes that the program had asked for there. */
 size_t node_heap_check(const struct node_heap *h, const void **block);

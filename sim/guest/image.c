@@ -375,6 +375,12 @@ size_t node_image_function(const struct node_image *img, size_t offset)
     return s ? s->st_value : offset;
 }
 
+const char *node_image_function_name(const struct node_image *img, size_t offset)
+{
+    const char *name;
+    return elf_function_at(img->elf, offset, &name) ? name : NULL;
+}
+
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size)
 {
     uint64_t vaddr = offset;

@@ -41,6 +41,9 @@ const struct elf_file *node_image_elf(const struct node_image *img);
  * no function is known. */
 size_t node_image_function(const struct node_image *img, size_t offset);
 
+/* Its name; NULL if no function is known. */
+const char *node_image_function_name(const struct node_image *img, size_t offset);
+
 /* Writes the name of the function at an offset from the program's start, such as "pack+0x1c", and
  * "FILE:LINE" if the program was built with -g. Writes at most size bytes; returns buf. */
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size);

@@ -7,6 +7,7 @@
 #include "node/node.h"
 #include "node/self.h"
 #include "nx_api/contract/backend.h"
+#include "os/race_hooks.h"
 
 void *node_malloc(size_t bytes);
 int node_getpagesize(void);
@@ -19,6 +20,7 @@ static void *answer(struct node *n, void *p, size_t bytes)
         n->failed_malloc = bytes;
         errno = ENOMEM;
     }
+    RACES(n, allocated, p, bytes);
     return p;
 }
 
@@ -77,6 +79,7 @@ void *node_calloc(size_t count, size_t size)
 void node_free(void *p)
 {
     struct node *n = node_self();
+    RACES(n, freed, p, node_heap_bytes(n->heap, p));
     if (p != NULL && node_heap_release(n->heap, p) != 0)
         refuse(n, "free", p);
 }

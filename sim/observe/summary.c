@@ -1,10 +1,16 @@
 /* summary.c - see summary.h. */
 #include "observe/summary.h"
 #include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
 #include "cfs/cfs.h"
 #include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "lp/clock.h"
+#include "machine/standstill.h"
 #include "observe/json_file.h"
+#include "observe/race_json.h"
+#include "observe/race_print.h"
 #include "node/self.h"
 #include "os/memory.h"
 
@@ -89,6 +95,24 @@ static void print_handlers(const struct machine *m, FILE *f)
     fputc('\n', f);
 }
 
+/* Lines only if some node came no further. A limit's report has told of them already. */
+static void print_livelocks(const struct machine *m, FILE *f)
+{
+    enum stop stop = m->sys.schedule.stop;
+    if (stop == STOP_VIRTUAL_TIME || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED)
+        return;
+    char *text;
+    size_t size;
+    FILE *lines_of = xchecked(open_memstream(&text, &size));
+    struct backtrace_lines *lines = backtrace_lines_new();
+    standstill_print(lines_of, &m->sys, lines, "\n               ");
+    backtrace_lines_free(lines);
+    fclose(lines_of);
+    if (size)
+        fprintf(f, "livelock       %s\n", text + strspn(text, "\n "));
+    free(text);
+}
+
 static void print_files(const struct machine *m, FILE *f)
 {
     struct cfs_stats s = m->sys.cfs ? cfs_stats(m->sys.cfs) : (struct cfs_stats){0};
@@ -132,7 +156,7 @@ static void print_absent(const struct node_system *s, FILE *f)
                 s->absent[i].calls == 1 ? "call" : "calls", s->absent[i].first);
 }
 
-void summary_print(const struct machine *m, bool verbose, FILE *f)
+void summary_print(const struct machine *m, const struct race_reports *races, bool verbose, FILE *f)
 {
     size_t peak = 0;
     uint32_t where = 0;
@@ -152,12 +176,14 @@ void summary_print(const struct machine *m, bool verbose, FILE *f)
     print_class(m, f, "with handlers", true);
     print_class(m, f, "others", false);
     print_handlers(m, f);
+    print_livelocks(m, f);
     print_files(m, f);
     if (machine_nodes(m))
         fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n",
                 (double)peak / 1048576, where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
     print_absent(&m->sys, f);
     print_guards(m->sys.guards, f);
+    race_print_count(races, f);
     fprintf(f, "digest         %016" PRIx64 "\n", m->sys.digest);
 }
 
@@ -188,18 +214,39 @@ static json_t *waits_json(const struct node *n)
     return list;
 }
 
+/* What the node did instead of coming further; NULL: nothing is to be told. */
+static json_t *livelock_json(const struct node *n, struct backtrace_lines *lines)
+{
+    struct standstill s;
+    if (!standstill_of(n, lines, &s))
+        return NULL;
+    json_t *j = json_pack("{s:s, s:I, s:f, s:f, s:f, s:b}", "kind", s.poll ? "polls" : "handlers", "count",
+                          (json_int_t)s.count, "since_s", vt_seconds(s.since), "until_s", vt_seconds(s.until),
+                          "share", s.share, "goes_on", s.goes_on);
+    json_set(j, "call", json_text(s.poll ? s.poll->call : s.handler->sends ? "hsend" : "hrecv"));
+    if (s.poll ? s.poll->asks : !s.handler->sends)
+        json_set(j, "type", json_integer(s.poll ? s.poll->select.type : s.handler->type));
+    if (s.line)
+        json_set(j, "line", json_text(s.line));
+    return j;
+}
+
 /* busy_s, idle_s, system_s and away_s (without a program) add up to ended_s; the tasks add up to system_s and
  * beside_s. */
-static json_t *node_json(const struct node *n)
+static json_t *node_json(const struct node *n, struct backtrace_lines *lines)
 {
-    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
-                     (double)(int64_t)n->stats.away / (double)VT_SECOND, "ended_s",
-                     vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
-                     vt_seconds(n->stats.idle), "system_s", vt_seconds(n->times.system), "beside_s",
-                     vt_seconds(n->stats.overlapped), "waits", waits_json(n), "tasks",
-                     json_tasks(n->times.tasks), "memory_peak_bytes", (json_int_t)n->stats.memory_peak,
-                     "exit_code", n->exit_code, "messages_sent", (json_int_t)n->stats.sent, "handlers",
-                     (json_int_t)n->stats.handlers);
+    json_t *j = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
+                          (double)(int64_t)n->stats.away / (double)VT_SECOND, "ended_s",
+                          vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
+                          vt_seconds(n->stats.idle), "system_s", vt_seconds(n->times.system), "beside_s",
+                          vt_seconds(n->stats.overlapped), "waits", waits_json(n), "tasks",
+                          json_tasks(n->times.tasks), "memory_peak_bytes", (json_int_t)n->stats.memory_peak,
+                          "exit_code", n->exit_code, "messages_sent", (json_int_t)n->stats.sent, "handlers",
+                          (json_int_t)n->stats.handlers);
+    json_t *livelock = livelock_json(n, lines);
+    if (livelock)
+        json_set(j, "livelock", livelock);
+    return j;
 }
 
 static json_t *files_json(const struct cfs *c)
@@ -211,9 +258,22 @@ static json_t *files_json(const struct cfs *c)
                      "busiest_disk_s", vt_seconds(s.disk_busy));
 }
 
-static json_t *machine_json(const struct machine *m)
+/* The report of a deadlock, as touchstone run --deadlock writes it. */
+static json_t *deadlock_json(const struct waitfor *w)
 {
-    static const char *const OUTCOMES[] = {"ended", "failed", "deadlock"};
+    char *text;
+    size_t size;
+    FILE *f = xchecked(open_memstream(&text, &size));
+    waitfor_write_json(w, f);
+    fclose(f);
+    json_t *report = xchecked(json_loadb(text, size, 0, NULL));
+    free(text);
+    return report;
+}
+
+static json_t *machine_json(const struct machine *m, const struct race_reports *races)
+{
+    static const char *const OUTCOMES[] = {"ended", "failed", "deadlock", "stopped"};
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, m->sys.digest);
     json_t *root = json_pack("{s:o, s:o, s:i, s:s, s:f, s:f, s:s, s:I, s:I, s:o, s:o, s:o}", "program",
@@ -224,21 +284,27 @@ static json_t *machine_json(const struct machine *m)
                              json_texts(m->options.argv + 1), "settings", json_texts(m->sys.cfg->set),
                              "host_files", json_texts(m->sys.host_files));
     json_t *nodes = json_array();
+    struct backtrace_lines *lines = backtrace_lines_new();
     for (uint32_t k = 0; k < machine_nodes(m); k++)
-        json_append(nodes, node_json(m->sys.nodes[k]));
+        json_append(nodes, node_json(m->sys.nodes[k], lines));
     if (m->sys.absent_count)
         json_set(root, "absent", absent_json(&m->sys));
     json_set(root, "node", nodes);
     if (m->sys.host)
-        json_set(root, "host", node_json(m->sys.host));
+        json_set(root, "host", node_json(m->sys.host, lines));
+    backtrace_lines_free(lines);
     if (m->sys.cfs)
         json_set(root, "files", files_json(m->sys.cfs));
+    if (m->waits)
+        json_set(root, "deadlock", deadlock_json(m->waits));
+    if (races->checked)
+        json_set(root, "races", race_json(races));
     if (m->message)
         json_set(root, "message", json_text(m->message));
     return root;
 }
 
-char *summary_json(const struct machine *m, const char *path)
+char *summary_json(const struct machine *m, const struct race_reports *races, const char *path)
 {
-    return json_file_write(machine_json(m), path);
+    return json_file_write(machine_json(m, races), path);
 }

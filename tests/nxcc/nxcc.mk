@@ -1,6 +1,6 @@
 # nxcc.mk - tests of the counting compiler: counted objects linked into ordinary programs, and a script for the driver.
 NXCC_TEST := $B/tests/nxcc
-UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(addprefix $(NXCC_TEST)/test_,driver random lookahead)
+UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(addprefix $(NXCC_TEST)/test_,driver random lookahead races)
 
 # runtime.o without _start, for programs that are not node programs
 $(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
@@ -34,7 +34,7 @@ $(NXCC_TEST)/random: tests/nxcc/random.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -o $@ $<
 
-$(addprefix $(NXCC_TEST)/,counter.o report.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h nx_api/contract/program_image.h
+$(addprefix $(NXCC_TEST)/,counter.o report.o told.o): $(NXCC_TEST)/%.o: tests/nxcc/%.c tests/nxcc/counter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -I. -c -o $@ $<
 
@@ -44,4 +44,11 @@ $(addprefix $(NXCC_TEST)/test_,driver random): $(NXCC_TEST)/test_%: tests/nxcc/t
 
 $(NXCC_TEST)/test_lookahead: tests/nxcc/test_lookahead.sh $(NXCC_DEPS) $B/touchstone
 	@mkdir -p $(@D)
+	install $< $@
+
+# What a program tells of its accesses, without a simulator.
+RACE_OBJ := $(NODE)/obj/race_runtime.o $(addprefix $(NODE)/obj/libgfortran/,race_array.o elements.o)
+$(NXCC_TEST)/test_races: tests/nxcc/test_races.sh $(NXCC_TOOLS) $(RACE_OBJ) $(addprefix $(NXCC_TEST)/,hosted.o told.o)
+	@mkdir -p $(@D)
+	cp $(RACE_OBJ) $(@D)
 	install $< $@

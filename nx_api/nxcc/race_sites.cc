@@ -1,0 +1,75 @@
+/* race_sites.cc - see race_sites.h. */
+#include "race_sites.h"
+#include "costs.h"
+#include "output.h"
+#include "race_comments.h"
+#include "race_written.h"
+#include "texts.h"
+#include "../contract/races.h"
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace
+{
+struct site {
+    std::string file, function, variable;
+    int line;
+    unsigned bytes, flags;
+    bool operator<(const site &o) const
+    {
+        return std::tie(file, function, variable, line, bytes, flags) <
+               std::tie(o.file, o.function, o.variable, o.line, o.bytes, o.flags);
+    }
+};
+
+std::vector<site> sites;
+std::map<site, size_t> known;
+
+/* Where a statement is written, or its function if GCC does not know. */
+expanded_location place_of(gimple *stmt, tree function)
+{
+    expanded_location x = expand_location(race_location(stmt));
+    return x.file ? x : expand_location(DECL_SOURCE_LOCATION(function));
+}
+
+void write_site(texts &all, const site &s, size_t at)
+{
+    fputs("\t.long ", asm_out_file);
+    for (const std::string &t : {s.file, s.function, s.variable})
+        fprintf(asm_out_file, ".Lnxc_race_text%d-.Lnxc_races-%zu, ", all.number(t), at);
+    fprintf(asm_out_file, "%d\n\t.short %u, %u\n", s.line, s.bytes, s.flags);
+}
+} // namespace
+
+bool race_site_is_ignored(gimple *stmt)
+{
+    expanded_location x = place_of(stmt, DECL_ORIGIN(costs_written_in(stmt)));
+    return race_comments_say_ok(x.file, x.line);
+}
+
+size_t race_site(gimple *stmt, const std::string &variable, unsigned bytes, unsigned flags)
+{
+    tree function = DECL_ORIGIN(costs_written_in(stmt));
+    expanded_location x = place_of(stmt, function);
+    std::string name = race_function(stmt);
+    if (name.empty())
+        name = DECL_NAME(function) ? IDENTIFIER_POINTER(DECL_NAME(function)) : "?";
+    site s = {x.file ? x.file : "", name, variable, x.line, bytes, flags};
+    auto found = known.insert({s, sites.size()});
+    if (found.second)
+        sites.push_back(s);
+    return found.first->second * sizeof(struct nxc_race_site);
+}
+
+void race_sites_write()
+{
+    if (sites.empty() || !asm_out_file)
+        return;
+    texts all("nxc_race_text");
+    fputs("\t.section nxc_races,\"a\"\n\t.balign 4\n.Lnxc_races:\n", asm_out_file);
+    for (size_t i = 0; i < sites.size(); i++)
+        write_site(all, sites[i], i * sizeof(struct nxc_race_site));
+    fputs("\t.section .rodata.nxc,\"a\"\n", asm_out_file);
+    all.write();
+}

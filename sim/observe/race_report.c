@@ -1,0 +1,195 @@
+/* race_report.c - see race_report.h. A race of two lines and one variable is one race, on whichever nodes
+ * and by whichever of the lines' accesses it was found. */
+#include "observe/race_report.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "kernel/xalloc.h"
+#include "races/node_races.h"
+#include "observe/race_suppress.h"
+#include "observe/race_texts.h"
+
+static struct race_report_side side_of(struct race_texts *t, const struct node_races *r,
+                                       const struct race_side *s, const char **variable)
+{
+    const struct race_place *p = race_places_at(r->places, s->place);
+    struct race_report_side out = {.reads = !s->write,
+                                   .writes = s->write,
+                                   .in_handler = s->in_handler,
+                                   .call = p->call ? race_text(t, p->call) : NULL,
+                                   .at = s->at};
+    out.depth = race_text_of_place(t, r, s->place, out.frames, variable);
+    if (!p->posted)
+        return out;
+    struct race_frame posted[RACE_MOST_FRAMES];
+    const char *none;
+    race_text_of_place(t, r, p->posted, posted, &none);
+    const char *call = race_places_at(r->places, p->posted)->call;
+    out.posted = posted[0];
+    out.posted_by = call ? race_text(t, call) : "hrecv";
+    return out;
+}
+
+/* Of two accesses the handler's comes first, of a buffer and an access the buffer's call. */
+static bool is_first(const struct race_finding *f, const struct race_side *s)
+{
+    return f->what > RACE_OF_UPDATE ? s == &f->earlier : s->in_handler;
+}
+
+static struct race_report report_of(struct race_texts *t, const struct node_races *r,
+                                    const struct race_finding *f, size_t nodes)
+{
+    const struct race_side *first = is_first(f, &f->earlier) ? &f->earlier : &f->later;
+    const struct race_side *second = first == &f->earlier ? &f->later : &f->earlier;
+    const char *variable, *other;
+    struct race_report out = {
+        .what = f->what, .count = f->count, .node = race_text(t, r->name), .nodes = nodes};
+    out.side[0] = side_of(t, r, first, &variable);
+    out.side[1] = side_of(t, r, second, &other);
+    out.first_came_later = first == &f->later;
+    out.variable = *other ? other : *variable ? variable : race_text_of_data(t, r->file, f->offset);
+    for (int i = 1; i >= 0 && !*out.variable; i--)
+        out.variable = race_text_given(t, r, &out.side[i].frames[0]);
+    return out;
+}
+
+/* --- merging --- */
+
+/* The length of a variable's name without members and indices. */
+static size_t base_length(const char *variable)
+{
+    return strcspn(variable, "[.-(");
+}
+
+static int compare_frames(const struct race_frame *a, const struct race_frame *b)
+{
+    int c = strcmp(a->file, b->file);
+    c = c ? c : (a->line > b->line) - (a->line < b->line);
+    return c ? c : strcmp(a->function, b->function);
+}
+
+static int compare_variables(const char *a, const char *b)
+{
+    size_t x = base_length(a), y = base_length(b);
+    int c = strncmp(a, b, x < y ? x : y);
+    return c ? c : (x > y) - (x < y);
+}
+
+static int compare_sides(const struct race_report_side *a, const struct race_report_side *b)
+{
+    int c = compare_frames(&a->frames[0], &b->frames[0]);
+    c = c ? c : a->in_handler - b->in_handler;
+    return c ? c : strcmp(a->call ? a->call : "", b->call ? b->call : "");
+}
+
+/* Equal: they are instances of one race. In the order of the source. */
+static int compare_races(const void *left, const void *right)
+{
+    const struct race_report *a = left, *b = right;
+    int c = compare_sides(&a->side[1], &b->side[1]);
+    c = c ? c : compare_sides(&a->side[0], &b->side[0]);
+    c = c ? c : compare_variables(a->variable, b->variable);
+    return c ? c : (a->what > b->what) - (a->what < b->what);
+}
+
+static vtime when(const struct race_report *r)
+{
+    return r->side[r->first_came_later ? 0 : 1].at;
+}
+
+/* Instances of one race in the order of time; nodes and their findings are in order already. */
+static int compare(const void *left, const void *right)
+{
+    const struct race_report *a = left, *b = right;
+    int c = compare_races(a, b);
+    c = c ? c : (when(a) > when(b)) - (when(a) < when(b));
+    return c ? c : (a->order > b->order) - (a->order < b->order);
+}
+
+static void add_instance(struct race_report *to, const struct race_report *r)
+{
+    to->count += r->count;
+    for (int i = 0; i < 2; i++) {
+        to->side[i].reads |= r->side[i].reads;
+        to->side[i].writes |= r->side[i].writes;
+    }
+    for (size_t i = 0; i < to->nodes; i++)
+        to->on_node[i] |= r->on_node[i];
+    free(r->on_node);
+}
+
+/* The list is sorted. Returns how many are left. */
+static size_t merge(struct race_report *list, size_t count)
+{
+    size_t left = 0;
+    for (size_t i = 0; i < count; i++)
+        if (left && compare_races(&list[left - 1], &list[i]) == 0)
+            add_instance(&list[left - 1], &list[i]);
+        else
+            list[left++] = list[i];
+    return left;
+}
+
+static void suppress(struct race_reports *t, const struct race_suppressions *s)
+{
+    size_t left = 0;
+    for (size_t i = 0; i < t->count; i++)
+        if (race_suppress_matches(s, &t->list[i]))
+            free(t->list[i].on_node);
+        else
+            t->list[left++] = t->list[i];
+    t->suppressed = t->count - left;
+    t->count = left;
+}
+
+/* --- collecting --- */
+
+static size_t components(const struct races *all)
+{
+    size_t most = 0;
+    for (const struct node_races *r = all->nodes; r; r = r->next)
+        most = r->number + 1 > most ? r->number + 1 : most;
+    return most;
+}
+
+static void add_node(struct race_reports *t, const struct node_races *r, size_t nodes)
+{
+    const struct race_findings *f = &r->findings;
+    t->checked = true;
+    t->dropped += f->dropped;
+    if (f->count < 2)
+        return;
+    t->list = xreallocarray(t->list, t->count + f->count, sizeof *t->list);
+    for (uint32_t i = 1; i < f->count; i++) {
+        struct race_report *new = &t->list[t->count];
+        *new = report_of(t->texts, r, &f->list[i], nodes);
+        new->order = t->count++;
+        new->on_node = xcalloc(nodes, sizeof *new->on_node);
+        new->on_node[r->number] = true;
+    }
+}
+
+struct race_reports *race_reports_collect(const struct races *all, const struct race_suppressions *s)
+{
+    struct race_reports *t = xcalloc(1, sizeof *t);
+    size_t nodes = components(all);
+    t->texts = race_texts_new();
+    for (const struct node_races *r = all->nodes; r; r = r->next)
+        add_node(t, r, nodes);
+    if (t->count) {
+        qsort(t->list, t->count, sizeof *t->list, compare);
+        t->count = merge(t->list, t->count);
+        suppress(t, s);
+    }
+    return t;
+}
+
+void race_reports_free(struct race_reports *t)
+{
+    for (size_t i = 0; i < t->count; i++)
+        free(t->list[i].on_node);
+    free(t->list);
+    race_texts_free(t->texts);
+    free(t);
+}

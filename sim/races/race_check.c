@@ -1,0 +1,79 @@
+/* race_check.c - see race_check.h. */
+#include "races/race_check.h"
+#include <stdlib.h>
+#include <string.h>
+#include "kernel/xalloc.h"
+#include "races/node_races.h"
+#include "nx_api/contract/program_image.h"
+
+struct races *races_new(void)
+{
+    struct races *r = xcalloc(1, sizeof *r);
+    r->last = &r->nodes;
+    return r;
+}
+
+static void free_parts(struct node_races *r)
+{
+    race_clock_free(r->main.heard);
+    race_clock_free(r->handlers.heard);
+    r->main.heard = r->handlers.heard = NULL;
+    race_shadow_free(r->shadow);
+    r->shadow = NULL;
+    race_flights_end(&r->flights);
+}
+
+void races_free(struct races *all)
+{
+    if (!all)
+        return;
+    for (struct node_races *r = all->nodes, *next; r; r = next) {
+        next = r->next;
+        free_parts(r);
+        race_places_free(r->places);
+        race_findings_end(&r->findings);
+        free(r);
+    }
+    for (struct race_stamp *s = all->stamps, *next; s; s = next) { /* of messages that nobody has freed */
+        next = s->next;
+        race_clock_free(s->heard);
+        free(s);
+    }
+    free(all);
+}
+
+struct node_races *races_begin(struct races *all, struct node *n)
+{
+    if (!n->image->races)
+        return NULL;
+    struct node_races *r = xcalloc(1, sizeof *r);
+    r->all = all;
+    r->file = n->file;
+    r->number = n->is_host ? 0 : n->id + 1;
+    memcpy(r->name, n->name, sizeof r->name);
+    r->on = n->image->races->on;
+    r->sites_begin = (uint32_t)((uintptr_t)n->image->races->sites_begin - (uintptr_t)n->program);
+    r->sites_end = (uint32_t)((uintptr_t)n->image->races->sites_end - (uintptr_t)n->program);
+    r->main.epoch = 1;
+    r->stack_low = UINTPTR_MAX;
+    r->shadow = race_shadow_new();
+    r->places = race_places_new();
+    *all->last = r;
+    all->last = &r->next;
+    return r;
+}
+
+void races_end(struct node *n)
+{
+    free_parts(n->races);
+    n->races->gone = true;
+}
+
+void races_succeed(struct node *n, const struct node *before)
+{
+    if (!n->races || !before->races)
+        return;
+    n->races->main.epoch = before->races->main.epoch + 1;
+    n->races->handlers.run = before->races->handlers.run;
+    n->races->main.knows = n->races->handlers.run; /* of another program's handlers nothing is left */
+}

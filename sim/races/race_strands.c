@@ -1,0 +1,307 @@
+/* race_strands.c - what orders a node's two strands: os/race_hooks.h. See node_races.h. */
+#include <stdlib.h>
+#include <string.h>
+#include "kernel/xalloc.h"
+#include "net/protocol.h"
+#include "os/order.h"
+#include "os/race_hooks.h"
+#include "races/node_races.h"
+
+/* --- epochs --- */
+
+static struct race_moment *slot(struct race_moment *ring, uint64_t epoch)
+{
+    return &ring[epoch % RACE_MOMENTS];
+}
+
+static const uint64_t LAST_EPOCH = (UINT64_C(1) << RACE_EPOCH_BITS) - 1;
+
+/* (17 thousand million epochs take longer than anybody waits; what comes then is taken for one epoch.) */
+uint64_t race_main_epoch(struct node_races *r)
+{
+    if (r->main.released && r->main.epoch < LAST_EPOCH) {
+        r->main.epoch++;
+        *slot(r->main_moments, r->main.epoch) = (struct race_moment){r->main.epoch, r->since, 0};
+    }
+    r->main.released = false;
+    return r->main.epoch;
+}
+
+vtime race_main_moment(const struct node_races *r, uint64_t epoch)
+{
+    const struct race_moment *m = &r->main_moments[epoch % RACE_MOMENTS];
+    return m->epoch == epoch ? m->at : VT_NEVER;
+}
+
+vtime race_run_moment(const struct node_races *r, uint64_t run)
+{
+    const struct race_moment *m = &r->runs[run % RACE_MOMENTS];
+    return m->epoch == run ? m->at : VT_NEVER;
+}
+
+static void begin_run(struct node_races *r, vtime now)
+{
+    r->handlers.run++;
+    struct race_moment *m = slot(r->runs, r->handlers.run);
+    r->older_knows = m->knows > r->older_knows ? m->knows : r->older_knows;
+    *m = (struct race_moment){r->handlers.run, now, r->handlers.knows};
+}
+
+/* --- are accesses to be told? --- */
+
+static void set_on(struct node *n)
+{
+    struct node_races *r = n->races;
+    bool tracks = n->mailbox.handlers || r->handlers.runs || r->main.knows < r->handlers.run;
+    if (r->tracks && !tracks) {
+        race_shadow_clear(r->shadow);
+        r->stack_low = UINTPTR_MAX;
+    }
+    r->tracks = tracks;
+    *r->on = tracks || r->flights.count;
+}
+
+void races_computes(struct node *n)
+{
+    n->races->since = node_now(n);
+    set_on(n);
+}
+
+/* --- hearing --- */
+
+static void main_hears(struct node_races *r, uint64_t run)
+{
+    r->main.knows = run > r->main.knows ? run : r->main.knows;
+}
+
+static void handler_hears(struct node_races *r, uint64_t epoch)
+{
+    if (epoch <= r->handlers.knows)
+        return;
+    r->handlers.knows = epoch;
+    slot(r->runs, r->handlers.run)->knows = epoch;
+}
+
+void race_main_hears_run(struct node_races *r, uint64_t run)
+{
+    main_hears(r, run);
+    race_clock_join(&r->main.heard, r->handlers.heard);
+}
+
+void race_handler_hears_main(struct node_races *r, uint64_t epoch)
+{
+    handler_hears(r, epoch);
+    race_clock_join(&r->handlers.heard, r->main.heard);
+}
+
+void race_handler_hears_run(struct node_races *r, uint64_t run)
+{
+    const struct race_moment *m = &r->runs[run % RACE_MOMENTS];
+    handler_hears(r, m->epoch == run ? m->knows : r->older_knows);
+}
+
+void race_hear(struct node_races *r, uint32_t node, struct race_known known, const struct race_clock *heard)
+{
+    struct race_known own = node == r->number ? known : race_clock_of(heard, r->number);
+    struct race_clock **mine = r->handlers.runs ? &r->handlers.heard : &r->main.heard;
+    race_clock_join(mine, heard);
+    if (node != r->number)
+        race_clock_hear(mine, node, known);
+    if (r->handlers.runs) {
+        handler_hears(r, own.main);
+        r->handlers.told = own.main > r->handlers.told ? own.main : r->handlers.told;
+    } else
+        main_hears(r, own.handlers);
+}
+
+/* --- sending --- */
+
+/* What the strand that runs is, and has heard of the other. */
+static struct race_known now(struct node_races *r)
+{
+    if (r->handlers.runs)
+        return (struct race_known){r->handlers.knows, r->handlers.run};
+    struct race_known k = {race_main_epoch(r), r->main.knows};
+    r->main.released = true;
+    return k;
+}
+
+static struct race_clock *heard(const struct node_races *r)
+{
+    return race_clock_share(r->handlers.runs ? r->handlers.heard : r->main.heard);
+}
+
+static void end_stamp(struct protocol_cargo *cargo)
+{
+    struct race_stamp *s = (struct race_stamp *)cargo;
+    *s->link = s->next;
+    if (s->next)
+        s->next->link = s->link;
+    race_clock_free(s->heard);
+    free(s);
+}
+
+static struct race_stamp *new_stamp(struct node_races *r)
+{
+    struct race_stamp *s = xcalloc(1, sizeof *s);
+    *s = (struct race_stamp){{0, end_stamp}, r->all, r->all->stamps, &r->all->stamps,
+                             r->number,      now(r), heard(r)};
+    if (s->next)
+        s->next->link = &s->next;
+    return r->all->stamps = s;
+}
+
+/* Can anybody learn anything from the node? */
+static bool knows_something(const struct node_races *r)
+{
+    return r->tracks || r->handlers.run || r->main.heard;
+}
+
+/* A buffer is under way from now on. */
+static void take_off(struct node *n, const void *key, const void *buf, size_t bytes, bool receives,
+                     uint32_t place)
+{
+    struct node_races *r = n->races;
+    uintptr_t begin = (uintptr_t)buf;
+    race_flights_add(&r->flights, &(struct race_flight){.key = key,
+                                                        .begin = begin,
+                                                        .end = begin + bytes,
+                                                        .receives = receives,
+                                                        .by_handler = r->handlers.runs,
+                                                        .place = place,
+                                                        .call = n->call,
+                                                        .began = node_now(n),
+                                                        .now = now(r),
+                                                        .heard = heard(r)});
+    set_on(n);
+}
+
+static void land(struct node *n, const void *key)
+{
+    struct race_flight f;
+    if (!race_flights_remove(&n->races->flights, key, &f))
+        return;
+    race_clock_free(f.heard);
+    set_on(n);
+}
+
+void races_sends(struct node *n, const void *buf, size_t bytes, struct message *first, const struct send *s)
+{
+    struct node_races *r = n->races;
+    bool lasts = s && s != &n->cold->own.send[0] && s != &n->cold->own.send[1];
+    set_on(n);
+    uint32_t place = *r->on || lasts ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
+    race_buffer_in_call(n, (uintptr_t)buf, bytes, false, place);
+    race_access_in_call(n, (uintptr_t)buf, bytes, false, place);
+    if (first && knows_something(r))
+        protocol_carry(first, &new_stamp(r)->cargo);
+    if (lasts)
+        take_off(n, s, buf, bytes, false, place);
+}
+
+void races_sent(struct node *n, const struct send *s)
+{
+    land(n, s);
+}
+
+/* --- receiving --- */
+
+void races_posts(struct node *n, const struct receive *r)
+{
+    uint32_t place = race_place_in_call(n, n->call, __builtin_frame_address(0));
+    race_buffer_in_call(n, (uintptr_t)r->buf, r->room, true, place);
+    take_off(n, r, r->buf, r->room, true, place);
+}
+
+void races_withdraws(struct node *n, const struct receive *r)
+{
+    land(n, r);
+}
+
+void races_takes(struct node *n, const struct receive *r)
+{
+    struct node_races *c = n->races;
+    const struct message *m = r->m;
+    uint32_t place;
+    if (m->carries) {
+        const struct race_stamp *s = (const struct race_stamp *)m->cargo;
+        race_hear(c, s->node, s->known, s->heard);
+    }
+    land(n, r);
+    if (!c->tracks || m->bytes > r->room)
+        return;
+    if (r->handler)
+        place = race_places_of_handler(c->places, c->handlers.call, c->handlers.posted);
+    else
+        place = race_place_in_call(n, n->call, __builtin_frame_address(0));
+    race_access_in_call(n, (uintptr_t)r->buf, m->bytes, true, place);
+}
+
+/* --- handlers --- */
+
+void races_handler_begins(struct node *n, const struct receive *r, const struct send *s)
+{
+    struct node_races *c = n->races;
+    struct race_flight f = {0};
+    race_flights_remove(&c->flights, r ? (const void *)r : s, &f);
+    c->handlers.runs = true;
+    c->handlers.knows = c->handlers.told = f.now.main;
+    memset(c->handlers.read, 0, sizeof c->handlers.read);
+    c->handlers.posted = f.place, c->handlers.call = f.call;
+    c->handlers.frame = (uintptr_t)__builtin_frame_address(0);
+    begin_run(c, node_now(n));
+    race_clock_join(&c->handlers.heard, f.heard);
+    race_clock_free(f.heard);
+    set_on(n);
+}
+
+void races_handler_ends(struct node *n)
+{
+    struct node_races *r = n->races;
+    r->handlers.runs = false;
+    r->main.released = true;
+    r->since = node_now(n);
+    set_on(n);
+}
+
+void races_masks(struct node *n, bool masked)
+{
+    struct node_races *r = n->races;
+    if (masked)
+        return;
+    r->main.released = true;
+    if (r->handlers.runs)
+        return;
+    r->since = node_now(n);
+    r->main.part =
+        race_main_epoch(r); /* reads that synchronise begin none, and must be known from those before */
+}
+
+/* --- the rest --- */
+
+void races_moves(struct node *n, bool write, const void *at, size_t bytes)
+{
+    uint32_t place = *n->races->on ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
+    race_buffer_in_call(n, (uintptr_t)at, bytes, write, place);
+    race_access_in_call(n, (uintptr_t)at, bytes, write, place);
+}
+
+void races_freed(struct node *n, const void *at, size_t bytes)
+{
+    if (n->races->flights.count)
+        race_buffer_in_call(n, (uintptr_t)at, bytes, true,
+                            race_place_in_call(n, "free", __builtin_frame_address(0)));
+}
+
+void races_allocated(struct node *n, const void *at, size_t bytes)
+{
+    if (at && n->races->tracks)
+        race_shadow_forget(n->races->shadow, (uintptr_t)at, bytes);
+}
+
+void races_loaded(struct node *n, struct node *host)
+{
+    if (host->races)
+        race_hear(n->races, host->races->number, now(host->races),
+                  host->races->handlers.runs ? host->races->handlers.heard : host->races->main.heard);
+}

@@ -1,0 +1,42 @@
+#!/bin/bash
+# races.sh - the pairs of tests/races: each seeded fault is reported with its variable and its lines, and none of the correct
+# programs that look alike. Both print the same: the fault does not show in this run's timing, and is found all the same.
+. "$(dirname "$0")/common.bash"
+seeds=$tests/../races
+pairs=0
+
+compiled() { # SOURCE PROGRAM
+    local compiler=nxcc
+    [ "${1##*.}" = f ] && compiler=nxf77
+    "$BUILD/$compiler" --races -O2 -g -o "$2" "$1"
+}
+
+run_seed() { # SOURCE
+    check "$(basename "$1"): compiles" compiled "$1" seed
+    run -m delta -n "$(sed -n 's/.*run: -n \([0-9]*\).*/\1/p' "$1" | grep . || echo 2)" seed
+}
+
+# Is there a report on the fault's variable (one of the names of it that the head gives) that names both lines that the source marks;
+# if it marks one, that line for both accesses?
+reported() { # SOURCE
+    local variable first last file
+    file=$(basename "$1" | sed 's/\./\\./')
+    variable=$(sed -nE 's/^( \*|c    ) variable: ([a-z0-9_|]+).*/\2/p' "$1")
+    first=$(grep -nE '/\* RACE \*/|! RACE' "$1" | head -1 | cut -d: -f1)
+    last=$(grep -nE '/\* RACE \*/|! RACE' "$1" | tail -1 | cut -d: -f1)
+    grep -E "^race on [^:]*\<($variable)\>[^:]*: .*$file:($first\>.*$file:$last|$last\>.*$file:$first)\>" err
+}
+
+for fault in "$seeds"/*_fault.*; do
+    correct=${fault/_fault./_correct.}
+    run_seed "$fault"
+    mv out fault.out
+    check "$(basename "$fault"): the fault is reported" reported "$fault"
+    check "$(basename "$fault"): status 3" ended_with 3
+    run_seed "$correct"
+    check "$(basename "$correct"): is checked, and nothing is reported" eval "grep -qx 'races  *0 found' err && ! said '^race on'"
+    check "$(basename "$correct"): status 0" ended_with 0
+    check "$(basename "$fault"): prints what $(basename "$correct") does" eval "[ -s out ] && diff fault.out out"
+    pairs=$((pairs + 1))
+done
+check "at least thirty pairs" test "$pairs" -ge 30

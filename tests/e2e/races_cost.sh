@@ -1,0 +1,53 @@
+#!/bin/bash
+# races_cost.sh - a program built with nxcc --races takes the same virtual time as without, to the picosecond, and prints the
+# same: the programs of tests/nx, Fortran programs, and app/.
+. "$(dirname "$0")/common.bash"
+
+# What a run gives but for races found, its memory and wall times.
+results() { # ARGS...
+    timeout 100 "${touchstone:-$BUILD/touchstone}" run --max-wall-time 60 "$@" >out 2>err </dev/null
+    status=$?
+    grep -q '^virtual time' err || { echo "cannot be run: $RANDOM$RANDOM" && cat err; }
+    cat out && grep -E '^(virtual time|messages|nodes|interrupts|digest)' err
+}
+
+# The same results with and without --races, at an optimisation level, of the program that NAME is made of by nxcc ARGS.
+same() { # NAME "RUN ARGS" NXCC ARGS...
+    local name=$1 arguments=$2
+    shift 2
+    mkdir -p with without
+    "$BUILD/nxcc" "$@" -o "without/$name" -lm 2>compile.err && "$BUILD/nxcc" --races "$@" -o "with/$name" -lm 2>compile.err ||
+        { echo "not ok $name compiles" && cat compile.err && return; }
+    # shellcheck disable=SC2086
+    (cd without && results ${arguments/PROGRAM/$name}) >one
+    # shellcheck disable=SC2086
+    (cd with && results ${arguments/PROGRAM/$name}) >other
+    check "$name ${*: -1:1}: the same times" diff one other
+}
+
+for source in "$tests"/../nx/*.c; do
+    options=$(sed -n 's/^ \* compile: //p' "$source")
+    # shellcheck disable=SC2086
+    same "$(basename "$source" .c)" "$(first_run "$source") PROGRAM" "$source" $options -O2
+done
+for source in "$tests"/../nx/*.f; do
+    arguments=$(sed -n 's/^[cC!*] run: //p' "$source" | head -1 | sed 's/^all$/-m delta -n 8/')
+    same "$(basename "$source" .f)" "$arguments PROGRAM" "$source" -O2
+done
+
+# At other levels, and combined with what changes code most.
+for options in -O0 -O1 -O3 --profile --long32; do
+    # shellcheck disable=SC2086
+    same talk "-n 7 PROGRAM 3 6" "$tests/talk.c" $options
+    # shellcheck disable=SC2086
+    same private "-n 3 PROGRAM" "$tests/fortran/private.f" $options
+done
+
+# A part of a program may be built without: it tells nothing.
+"$BUILD/nxcc" -c "$tests/parts.c" && "$BUILD/nxcc" --races -c "$tests/talk.c" && "$BUILD/nxcc" -o linked talk.o
+check "linked without --races, an object built with it brings what it needs" eval 'nm linked | grep -q nxc_race_tell && ! nm parts.o | grep -q nxc_race'
+
+app=("$tests"/../../app/*.c)
+same model "-n 8 PROGRAM -digest -grid 2 -sphere 24 20 16" "${app[@]}" -lz --factors "$tests/../../bench/paper/fitted.cfg" -O2
+# (Many functions of times.c use one static variable, whose address nobody takes.)
+same model_times "-m delta -n 32 PROGRAM -sphere 64 64 17 -group 8 -times" "${app[@]}" -lz --factors "$tests/../../bench/paper/fitted.cfg" -O2

@@ -1,0 +1,28 @@
+c     f77_no_order_correct.f - main reads what the handler has computed after a message that node 1 sends
+c     when it has the handler's answer.
+      program order
+      include 'fnx.h'
+      double precision total, part
+      external onpart
+      integer i
+      common /sums/ total, part
+      if (mynode() .eq. 0) then
+         total = 1d0
+         call hrecv(5, part, 8, onpart)
+         call crecv(7, i, 4)
+         print *, total
+      else
+         call csend(5, 2.5d0, 8, 0, 0)
+         call crecv(6, i, 0)
+         call csend(7, i, 4, 0, 0)
+      endif
+      end
+
+      subroutine onpart(type, count, node, pid)
+      include 'fnx.h'
+      integer type, count, node, pid
+      double precision total, part
+      common /sums/ total, part
+      total = total + part
+      call csend(6, part, 0, 1, 0)
+      end

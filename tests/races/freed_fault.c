@@ -1,0 +1,26 @@
+/* freed_fault.c - main frees a block before the isend from it is complete; whoever gets the block next
+ * writes into the message.
+ * variable: block */
+#include <stdio.h>
+#include <stdlib.h>
+#include "nx.h"
+
+enum { BLOCK = 5, N = 500 };
+
+int main(void)
+{
+    long *block = malloc(N * sizeof *block), i, id;
+
+    if (mynode() == 0) {
+        for (i = 0; i < N; i++)
+            block[i] = i;
+        id = isend(BLOCK, block, N * sizeof *block, 1, 0); /* RACE */
+        free(block);                                       /* RACE */
+        msgwait(id);
+    } else {
+        crecv(BLOCK, block, N * sizeof *block);
+        printf("%ld\n", block[N - 1]);
+        free(block);
+    }
+    return 0;
+}

@@ -1,0 +1,48 @@
+/* pointers_correct.c - main and the handler reach accounts through pointers that they give to functions:
+ * main its own account, the handler another one. */
+#include <stdio.h>
+#include "nx.h"
+
+enum { PAY = 5, ENOUGH = 6, PAYS = 3 };
+struct account {
+    long cash, entries;
+};
+static struct account ours, theirs;
+static long amount, pays;
+
+static void put(struct account *a, long what)
+{
+    a->cash += what;
+}
+
+static void take(struct account *a, long what)
+{
+    a->cash -= what;
+}
+
+static void on_pay(long type, long count, long node, long pid)
+{
+    put(&theirs, amount);
+    if (++pays < PAYS)
+        hrecv(PAY, &amount, sizeof amount, on_pay);
+    else
+        csend(ENOUGH, NULL, 0, mynode(), 0);
+}
+
+int main(void)
+{
+    struct account *a[2] = {&ours, &theirs};
+    long i;
+
+    if (mynode() == 0) {
+        hrecv(PAY, &amount, sizeof amount, on_pay);
+        for (i = 0; i < 10; i++)
+            take(a[0], i);
+        crecv(ENOUGH, NULL, 0);
+        printf("%ld\n", ours.cash + theirs.cash);
+    } else {
+        for (i = 100; i < 100 + PAYS; i++)
+            csend(PAY, &i, sizeof i, 0, 0);
+    }
+    return 0;
+}

@@ -1,0 +1,30 @@
+/* posted_early_fault.c - the handler is posted before the table that it looks into is filled. In the usual
+ * run the first message comes later.
+ * variable: square */
+#include <stdio.h>
+#include "nx.h"
+
+enum { ASK = 5, ANSWER = 6, END = 7 };
+static long square[10], asked;
+
+static void on_ask(long type, long count, long node, long pid)
+{
+    csend(ANSWER, &square[asked], sizeof square[asked], node, 0); /* RACE */
+}
+
+int main(void)
+{
+    long i, answer, what = 7;
+
+    if (mynode() == 0) {
+        hrecv(ASK, &asked, sizeof asked, on_ask);
+        for (i = 0; i < 10; i++)
+            square[i] = i * i; /* RACE */
+        crecv(END, NULL, 0);
+    } else {
+        csendrecv(ASK, &what, sizeof what, 0, 0, ANSWER, &answer, sizeof answer);
+        csend(END, NULL, 0, 0, 0);
+        printf("%ld\n", answer);
+    }
+    return 0;
+}
