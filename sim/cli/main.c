@@ -12,10 +12,12 @@ static const struct command {
     const char *what;
 } COMMANDS[] = {{"run", cli_run, "Run a program built by nxcc on a machine"},
                 {"study", cli_study, "Run a program for all values of several axes"},
+                {"explore", cli_explore, "Run a program under other timings, and compare"},
                 {"plot", cli_plot, "Draw pictures of a study's results"},
                 {"render", cli_render, "Draw surfaces, or write them in other formats"},
                 {"page", cli_page, "Show results in a browser: one HTML file"},
                 {"serve", cli_serve, "Show results in a browser, live; run more points"},
+                {"deadlock", cli_deadlock, "Show why programs wait for ever: text, picture, page"},
                 {"check", cli_check, "Compare studies with a baseline"},
                 {"fit", cli_fit, "Fit numbers of a machine to measurements"},
                 {"tables", cli_tables, "Reproduce Tables 1-5 of Bajaj & Lin"},

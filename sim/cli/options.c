@@ -1,11 +1,10 @@
 /* options.c - see options.h. */
 #include "cli/options.h"
-#include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "files/virtual_time.h"
 
 const char CLI_VERSION[] = "0.1";
 
@@ -132,19 +131,10 @@ uint32_t cli_whole(struct argp_state *state, const char *option, const char *wha
 
 vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text)
 {
-    static const struct {
-        const char *name;
-        double ps;
-    } UNITS[] = {{"", 1e12}, {"s", 1e12}, {"ms", 1e9}, {"us", 1e6}, {"ns", 1e3}, {"ps", 1}};
-    char *end;
-    errno = 0;
-    double value = strtod(text, &end);
-    for (size_t i = 0; i < sizeof UNITS / sizeof *UNITS; i++)
-        if (end != text && !errno && value >= 0 && !strcmp(end, UNITS[i].name) &&
-            value * UNITS[i].ps < 0x1p63)
-            return (vtime)llround(value * UNITS[i].ps);
-    argp_error(state, "%s takes a virtual time such as 1.5s, 12ms or 3us, not '%s'", option, text);
-    return 0;
+    vtime t = 0;
+    if (!virtual_time_read(text, &t))
+        argp_error(state, "%s takes a virtual time such as 1.5s, 12ms or 3us, not '%s'", option, text);
+    return t;
 }
 
 double cli_seconds(struct argp_state *state, const char *option, const char *text)
@@ -159,4 +149,17 @@ unsigned cli_processors(void)
 {
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     return processors > 0 ? (unsigned)processors : 1;
+}
+
+unsigned cli_workers(uint32_t asked)
+{
+    enum { USUAL = 8 };
+    unsigned processors = cli_processors();
+    const char *told = getenv("TOUCHSTONE_WORKERS");
+    uint32_t n;
+    if (asked)
+        return asked;
+    if (told && cli_is_whole(told, CLI_MOST_WORKERS, &n))
+        return n;
+    return processors < USUAL ? processors : USUAL;
 }

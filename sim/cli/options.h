@@ -54,4 +54,8 @@ double cli_seconds(struct argp_state *state, const char *option, const char *tex
 
 /* How many processors this computer has. */
 unsigned cli_processors(void);
+/* How many threads a run has: as many as asked for; 0: $TOUCHSTONE_WORKERS, or as many as there are
+ * processors, at most 8. */
+enum { CLI_MOST_WORKERS = 256 };
+unsigned cli_workers(uint32_t asked);
 #endif

@@ -9,21 +9,27 @@
 #include "cli/gdb_start.h"
 #include "cli/installation.h"
 #include "cli/options.h"
+#include "cli/run_files.h"
+#include "cli/stop_options.h"
+#include "cli/timing_options.h"
 #include "cli/trace_options.h"
-#include "files/atomic_file.h"
 #include "guest/debugger.h"
 #include "kernel/xalloc.h"
 #include "machine/machine.h"
+#include "observe/race_json.h"
 #include "observe/run_trace.h"
 #include "observe/summary.h"
 #include "observe/time_profile.h"
+#include "observe/race_print.h"
+#include "observe/race_suppress.h"
+#include "timing/plan_read.h"
 
-enum { EXIT_OUTPUT = 74, MOST_WORKERS = 256, USUAL_WORKERS = 8 };
+enum { EXIT_RACES = 3, EXIT_OUTPUT = 74 };
 
 enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT };
 
 struct arguments {
-    const char *machine, *json, *profile, *history, *cfs, *host, *engine;
+    const char *machine, *json, *deadlock, *races, *suppress, *profile, *history, *cfs, *host, *engine;
     const char **set; /* ended by NULL */
     size_t set_count;
     uint32_t nodes, workers, shuffle;
@@ -32,7 +38,9 @@ struct arguments {
     struct run_trace_options trace; /* path NULL: no trace */
     bool *traced_nodes;
     struct debug_stop_options stop;
-    char **program; /* with its arguments */
+    struct timing_arguments timing;
+    struct plan *plan; /* of timing.replay */
+    char **program;    /* with its arguments */
     int program_count;
     char *host_only[2]; /* arguments of a host program, if none are given */
 };
@@ -46,6 +54,12 @@ static const struct argp_option OPTIONS[] = {
     {"host", CLI_TEXT(arguments, host), "HOST", 0, "Run HOST, built by nxcc -host, on the machine's host", 0},
     {NULL, 0, NULL, 0, "Results:", 2},
     {"json", CLI_TEXT(arguments, json), "FILE", 0, "Write the figures of run and nodes as JSON", 0},
+    {"deadlock", CLI_TEXT(arguments, deadlock), "FILE", 0,
+     "Write why the programs wait, in a deadlock, as JSON; 'null' if there is none", 0},
+    {"races", CLI_TEXT(arguments, races), "FILE", 0,
+     "Write the races found as JSON; for programs built with nxcc --races", 0},
+    {"suppress", CLI_TEXT(arguments, suppress), "FILE", 0,
+     "Report no races that FILE names: lines 'file NAME:LINE', 'variable NAME', 'function NAME'", 0},
     {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
      "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
     {"history", CLI_TEXT(arguments, history), "FILE", 0,
@@ -60,10 +74,10 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Limits:", 3},
     {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
     {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
-    {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 4},
+    {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
     {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
-    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 5},
+    {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 6},
     {"workers", 'w', "N", 0,
      "Compute with N threads; default $TOUCHSTONE_WORKERS, else the number of processors, at most 8", 0},
     {"engine", CLI_TEXT(arguments, engine), "ENGINE", 0,
@@ -88,31 +102,12 @@ static const char DOC[] =
     "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"
     "      was reached\n"
     "  2   deadlock: every program waits, and no message is under way\n"
+    "  3   all programs ended, but races were found (programs built with nxcc --races)\n"
     "  64  wrong arguments\n"
     "  65  the machine or the program cannot be used\n"
     "  74  standard output or a result cannot be written\n\n"
     "Example:\n"
     "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
-
-static void check_stop(struct argp_state *state, const struct arguments *a)
-{
-    const struct debug_stop_options *stop = &a->stop;
-    if (stop->time && !stop->wanted)
-        argp_error(state, "--at needs --gdb NODE");
-    if (stop->host && !a->host)
-        argp_error(state, "--gdb host: there is no host program (--host)");
-    if (stop->wanted && !stop->host && a->nodes && stop->node >= a->nodes)
-        argp_error(state, "--gdb %u: nodes are 0 to %u", stop->node, a->nodes - 1);
-}
-
-/* "3", "host" */
-static void take_stop(struct argp_state *state, struct debug_stop_options *stop, const char *node)
-{
-    stop->wanted = true;
-    stop->host = strcmp(node, "host") == 0;
-    if (!stop->host && strcmp(node, "0") && !cli_is_whole(node, UINT32_MAX, &stop->node))
-        argp_error(state, "--gdb takes a node's number, from 0 up, or 'host', not '%s'", node);
-}
 
 static void check(struct argp_state *state, struct arguments *a)
 {
@@ -129,7 +124,9 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
     if (a->trace.to && a->trace.to <= a->trace.from)
         argp_error(state, "--trace-to must be later than --trace-from");
-    check_stop(state, a);
+    if (a->stop.wanted && a->timing.until && !a->stop.time)
+        a->stop.time = a->timing.until, a->timing.until = 0;
+    cli_check_stop(state, &a->stop, a->host, a->nodes);
 }
 
 static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
@@ -150,11 +147,11 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->machine;
+        state->child_inputs[0] = &a->machine, state->child_inputs[1] = &a->timing;
     else if (key == 'n')
         a->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX, arg);
     else if (key == 'w')
-        a->workers = cli_whole(state, "-w", "a number of threads", MOST_WORKERS, arg);
+        a->workers = cli_whole(state, "-w", "a number of threads", CLI_MOST_WORKERS, arg);
     else if (key == SHUFFLE)
         a->shuffle = cli_whole(state, "--shuffle", "a seed", UINT32_MAX, arg);
     else if (key == SET)
@@ -172,7 +169,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == TRACE_NODES)
         cli_node_list(state, "--trace-nodes", arg, &a->traced_nodes, &a->trace.node_count);
     else if (key == GDB)
-        take_stop(state, &a->stop, arg);
+        cli_take_stop(state, &a->stop, arg);
     else if (key == AT)
         a->stop.time = cli_virtual_time(state, "--at", arg);
     else if (key == 'q')
@@ -226,15 +223,43 @@ static char *report_profile(const struct machine *m, const struct arguments *a)
     return error;
 }
 
-static int report(const struct machine *m, const struct arguments *a)
+/* NULL, or an error. */
+static char *write_deadlock(const struct waitfor *w, const char *path)
 {
-    int status = m->outcome == MACHINE_ENDED ? 0 : m->outcome == MACHINE_DEADLOCK ? 2 : 1;
+    struct atomic_file f;
+    char *error = NULL;
+    if (!atomic_file_begin(&f, path, &error))
+        return error;
+    if (w)
+        waitfor_write_json(w, f.out);
+    else
+        fputs("null", f.out);
+    fputc('\n', f.out);
+    atomic_file_end(&f, &error);
+    return error;
+}
+
+static int status_of(const struct machine *m, const struct race_reports *races)
+{
+    if (m->outcome == MACHINE_ENDED || m->outcome == MACHINE_STOPPED)
+        return races->count ? EXIT_RACES : 0;
+    return m->outcome == MACHINE_DEADLOCK ? 2 : 1;
+}
+
+static int report(const struct machine *m, const struct race_reports *races, const struct arguments *a)
+{
+    int status = status_of(m, races);
     char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
     if (m->message)
         fprintf(stderr, "touchstone run: %s\n", m->message);
     if (!a->quiet)
-        summary_print(m, a->verbose, stderr);
-    char *error = a->json ? summary_json(m, a->json) : NULL;
+        summary_print(m, races, a->verbose, stderr);
+    race_print(races, stderr);
+    char *error = a->json ? summary_json(m, races, a->json) : NULL;
+    if (!error && a->deadlock)
+        error = write_deadlock(m->waits, a->deadlock);
+    if (!error && a->races)
+        error = race_json_write(races, a->races);
     if (!error && a->profile)
         error = report_profile(m, a);
     int result = lost ? output_error(lost) : 0;
@@ -243,22 +268,19 @@ static int report(const struct machine *m, const struct arguments *a)
     return result ? result : status;
 }
 
+static int report_with_races(const struct machine *m, const struct race_suppressions *s,
+                             const struct arguments *a)
+{
+    struct race_reports *races = race_reports_collect(m->sys.races, s);
+    int status = report(m, races, a);
+    race_reports_free(races);
+    return status;
+}
+
 static int unprofiled(const char *program)
 {
     return input_error(
         xasprintf("--profile: %s was built without it: compile and link it with nxcc --profile", program));
-}
-
-static unsigned workers(const struct arguments *a)
-{
-    unsigned processors = cli_processors();
-    const char *told = getenv("TOUCHSTONE_WORKERS");
-    uint32_t n;
-    if (a->workers)
-        return a->workers;
-    if (told && cli_is_whole(told, MOST_WORKERS, &n))
-        return n;
-    return processors < USUAL_WORKERS ? processors : USUAL_WORKERS;
 }
 
 static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
@@ -272,10 +294,13 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .max_virtual_s = a->max_virtual_s,
                                 .max_wall_s = a->max_wall_s,
                                 .slice_s = a->slice_s,
-                                .workers = workers(a),
+                                .workers = cli_workers(a->workers),
                                 .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
                                 .isolate = a->isolate,
+                                .until = a->timing.until,
+                                .draw = a->timing.drawn ? &a->timing.draw : NULL,
+                                .plan = a->plan,
                                 .progress = !a->quiet && isatty(STDERR_FILENO),
                                 .debugged = debugger_is_attached(),
                                 .stop = a->stop,
@@ -296,22 +321,26 @@ static int run_machine(const struct arguments *a, const struct machine_options *
     char *error = NULL;
     int status;
     struct run_trace trace = {0};
-    struct machine *m = machine_new(o, &error);
-    if (!m)
+    struct race_suppressions *suppressed = a->suppress ? race_suppress_read(a->suppress, &error) : NULL;
+    struct machine *m = error ? NULL : machine_new(o, &error);
+    if (!m) {
+        race_suppress_free(suppressed);
         return input_error(error);
+    }
     if (a->profile && !profile_possible(m)) {
         status = unprofiled(a->program[0]);
     } else if (a->trace.path && !run_trace_begin(&trace, m, &a->trace, &error)) {
         status = output_error(error);
     } else {
         machine_run(m);
-        status = report(m, a);
+        status = report_with_races(m, suppressed, a);
         if (trace.recorder && !run_trace_end(&trace, m, &error))
             status = output_error(error);
         debug_stop_end(&m->sys, m->outcome == MACHINE_DEADLOCK);
     }
     *ended_by = m->signal;
     machine_free(m);
+    race_suppress_free(suppressed);
     return status;
 }
 
@@ -324,6 +353,23 @@ static void keep_questions(void)
     sigprocmask(SIG_BLOCK, &one, NULL);
 }
 
+/* Runs, and writes the files that are written as the run goes on. */
+static int run_with_files(const struct arguments *a, struct machine_options *o)
+{
+    struct run_files files;
+    int ended_by = 0;
+    char *error = run_files_begin(&files, a->history, a->timing.record);
+    if (error)
+        return output_error(error);
+    o->history = files.history.out, o->schedule = files.schedule.out;
+    int status = run_machine(a, o, &ended_by);
+    if ((error = run_files_end(&files)))
+        status = output_error(error);
+    if (ended_by)
+        raise(ended_by); /* the parent process is to know */
+    return status;
+}
+
 static int run(struct arguments *a)
 {
     struct cli_installation places;
@@ -334,24 +380,19 @@ static int run(struct arguments *a)
     struct cfg_machine *cfg = cfg_load_with(a->machine, places.machines, a->set, &error);
     if (!cfg)
         return input_error(error);
-    struct machine_options o = options_of(a, cfg);
-    struct atomic_file history = {0};
-    int status, ended_by = 0;
-    if (a->history && !atomic_file_begin(&history, a->history, &error)) {
-        cfg_free(cfg);
-        return output_error(error);
+    int status;
+    if (a->timing.replay && !(a->plan = plan_read(a->timing.replay, &error))) {
+        status = input_error(error);
+    } else {
+        struct machine_options o = options_of(a, cfg);
+        status = run_with_files(a, &o);
     }
-    o.history = history.out;
-    status = run_machine(a, &o, &ended_by);
     cfg_free(cfg);
-    if (o.history && !atomic_file_end(&history, &error))
-        return output_error(error);
-    if (ended_by)
-        raise(ended_by); /* the parent process is to know */
+    plan_free(a->plan);
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
+static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {0}};
 static const struct argp ARGP = {
     OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
 

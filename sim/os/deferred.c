@@ -163,7 +163,7 @@ void deferred_send(struct node *n, struct message *m)
     clock_advance(&n->lp, sending);
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
-        protocol_send(n->sys->schedule.protocol, m, node_now(n));
+        protocol_send_late(n->sys->schedule.protocol, m, node_now(n), match_send_late(n));
     }
     c->has_message = true;
     if (c->posts || c->selected)

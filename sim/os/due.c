@@ -5,6 +5,9 @@
 #include "lp/clock.h"
 #include "lp/engine.h"
 #include "net/protocol.h"
+#include "node/system.h"
+#include "os/numbering.h"
+#include "os/orders.h"
 
 struct due due_take(struct mailbox *b)
 {
@@ -27,9 +30,19 @@ void due_free(struct mailbox *b)
     }
 }
 
+/* By how much the node's next handler becomes due late, in a run with another timing than usual. */
+static vtime lateness(const struct node *n)
+{
+    struct timing *t = n->sys->timing;
+    return t ? timing_next_interrupt(t, node_timed(n)) : 0;
+}
+
 void due_add(struct node *n, vtime at, struct receive *r, struct send *s)
 {
     lp_synchronise(&n->lp);
+    vtime late = lateness(n);
+    at += late;
+    NUMBER(n, due, at, late);
     struct mailbox *b = &n->mailbox;
     struct due *d = xmalloc(sizeof *d);
     *d = (struct due){.at = at, .receive = r, .send = s, .next = d};
@@ -47,11 +60,14 @@ bool due_may_interrupt(const struct node *n)
 vtime due_next(const struct node *n)
 {
     const struct due *first = due_first(&n->mailbox);
+    if (first && orders_are_kept(n->sys) && !orders_let_handler_run(n))
+        return VT_NEVER; /* it waits for a call */
     return first ? vt_max(first->at, clock_when(&n->lp, n->share_until)) : VT_NEVER;
 }
 
 bool due_now(const struct node *n, vtime now)
 {
     const struct due *first = due_first(&n->mailbox);
-    return first && first->at <= now && !n->masked && !n->in_handler;
+    return first && first->at <= now && !n->masked && !n->in_handler &&
+           (!orders_are_kept(n->sys) || orders_let_handler_run(n));
 }

@@ -14,7 +14,8 @@ struct due {
     struct due *next;
 };
 
-/* A handler is due from time `at` on: r's, whose message is complete then, or s's, whose buffer is free. */
+/* A handler is due from time `at` on, or later in a run with another timing than usual: r's, whose message is
+ * complete then, or s's, whose buffer is free. */
 void due_add(struct node *n, vtime at, struct receive *r, struct send *s);
 /* Takes the first; there must be one. The caller frees its receive or send. */
 struct due due_take(struct mailbox *b);

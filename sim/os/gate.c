@@ -14,6 +14,7 @@
 #include "os/memory.h"
 #include "os/order.h"
 #include "os/node_record.h"
+#include "os/race_hooks.h"
 #include "lp/clock.h"
 #include "node/self.h"
 
@@ -68,9 +69,9 @@ void node_enter(struct node *n, const char *call)
 static bool may_defer(const struct node *n)
 {
     const struct node_system *s = n->sys;
-    return !n->lp.offloaded && !n->armed && !n->is_host && !s->schedule.stop &&
+    return !n->lp.offloaded && !n->armed && !n->races && !n->is_host && !s->schedule.stop &&
            n->call_since <= s->schedule.max_time && !n->lp.clock.stolen && !s->cube && !s->flushes &&
-           deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
+           !s->numbering && deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
            !lp_is_passed(&n->lp, n->call_since);
 }
 
@@ -87,6 +88,7 @@ void node_leave(struct node *n)
 {
     clock_sync(&n->lp);
     RECORD(n, call_ends);
+    RACES(n, computes);
     n->call = NULL;
     if (!n->deferred.open) {
         node_memory_settle(n);

@@ -11,6 +11,10 @@
 #include "nx_api/contract/backend.h"
 #include "os/match.h"
 #include "os/node_record.h"
+#include "os/taken.h"
+#include "os/numbering.h"
+#include "os/orders.h"
+#include "os/race_hooks.h"
 #include "os/unexpected.h"
 #include "os/fail.h"
 
@@ -21,11 +25,15 @@ struct mailbox_ids *mailbox_ids(const struct node *n)
 
 void mailbox_post(struct node *n, struct receive *r)
 {
+    if (r->select.node >= 0)
+        n->names_senders = true;
+    RACES(n, posts, r);
     front_post(n, r);
 }
 
 void mailbox_withdraw(struct node *n, struct receive *r)
 {
+    RACES(n, withdraws, r);
     match_withdraw(n, r);
 }
 
@@ -41,17 +49,21 @@ long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
     m->too_long = !matching_fits(r);
+    RACES(n, takes, r);
     long result = matching_take(n, r);
     r->m = NULL;
     m->receive = NULL;
     RECORD(n, takes, m);
+    if (taken_matters(n, r))
+        taken_note(n, r, m);
+    NUMBER(n, take, r);
     front_received(n, m);
     return result;
 }
 
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
-    const struct message *m = unexpected_first(n, select);
+    const struct message *m = orders_are_kept(n->sys) ? orders_probe(n, select) : unexpected_first(n, select);
     return m && m->whole && m->complete <= node_now(n) ? m : NULL;
 }
 
@@ -63,5 +75,6 @@ void mailbox_drop(struct receive *r)
 
 void mailbox_unfollow(struct send *s)
 {
+    RACES(node_self(), sent, s);
     match_unfollow(s);
 }

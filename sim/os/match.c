@@ -7,6 +7,10 @@
 #include "os/due.h"
 #include "os/history.h"
 #include "os/memory.h"
+#include "os/livelock.h"
+#include "os/taken.h"
+#include "os/numbering.h"
+#include "os/orders.h"
 #include "os/unexpected.h"
 #include "nx_api/contract/matching.h"
 
@@ -46,6 +50,8 @@ void match_end(struct node *n)
     due_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */
+    free(n->cold->taken);
+    n->cold->taken = NULL;
 }
 
 /* --- system buffers --- */
@@ -87,8 +93,9 @@ static void unbuffer(struct node *n, struct message *m, vtime now)
 
 /* --- what the protocol tells --- */
 
-static void give(struct receive *r, struct message *m)
+static void give(struct node *n, struct receive *r, struct message *m)
 {
+    NUMBER(n, give, r, m);
     r->m = m;
     r->complete = m->arrived ? m->complete : VT_NEVER;
     m->receive = r;
@@ -98,17 +105,19 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
 {
     struct node *n = node_at(ctx, m->to);
     struct mailbox *b = &n->mailbox;
-    (void)now;
     if (m->unwanted)
         return true;
     lp_synchronise(&n->lp);
-    struct receive *r = posted_take(n, &b->posted, m);
+    NUMBER(n, came, m, now);
+    struct receive *r = orders_are_kept(n->sys) ? orders_take_posted(n, m) : posted_take(n, &b->posted, m);
     if (r) {
-        give(r, m);
+        give(n, r, m);
         return true;
     }
-    if (m->forced)
+    if (m->forced) {
+        taken_note_loss(n, m, TAKEN_AS_FORCED, now);
         return false;
+    }
     unexpected_add(n, m);
     lp_message_kept(&n->lp);
     if (m->is_long && !room_for(n, m)) {
@@ -131,6 +140,8 @@ void match_arrived(void *ctx, struct message *m, vtime now)
     sys->messages++;
     sys->bytes += m->bytes;
     history_add(sys, m, now);
+    sys->types_come[node_type_hash(m->type) / 64] |= UINT64_C(1) << node_type_hash(m->type) % 64;
+    livelock_progress(n, m);
     if (m->unwanted)
         protocol_message_free(m);
     else if (r && r->handler)
@@ -172,13 +183,20 @@ vtime match_send_time(const struct node *n, const struct message *m)
     return node_system_time(n, protocol_send_time(n->sys->schedule.protocol, m->type, m->bytes));
 }
 
+vtime match_send_late(const struct node *n)
+{
+    struct timing *t = n->sys->timing;
+    return __builtin_expect(t != NULL, 0) ? timing_next_message(t, node_timed(n)) : 0;
+}
+
 vtime match_send(struct node *n, struct message *first, vtime now)
 {
-    vtime begun = now;
+    vtime begun = now, late = match_send_late(n);
+    NUMBER(n, send, first, now + match_send_time(n, first), late);
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
         now += match_send_time(n, m);
-        protocol_send(n->sys->schedule.protocol, m, now);
+        protocol_send_late(n->sys->schedule.protocol, m, now, late);
     }
     node_account(n, NODE_SENDING, now - begun);
     return now;
@@ -188,13 +206,14 @@ vtime match_send(struct node *n, struct message *first, vtime now)
 
 void match_post(struct node *n, struct receive *r, vtime now)
 {
-    struct message *m = unexpected_first(n, &r->select);
+    NUMBER(n, post, r, now);
+    struct message *m = orders_are_kept(n->sys) ? orders_unexpected(n, r) : unexpected_first(n, &r->select);
     if (!m) {
         posted_append(&n->mailbox.posted, r);
         return;
     }
     unexpected_take(n, m);
-    give(r, m);
+    give(n, r, m);
     if (m->is_long && !m->cleared) {
         n->mailbox.waiting--;
         protocol_clear_to_send(m->protocol, m, now);
@@ -211,6 +230,7 @@ void match_put_back(struct node *n, struct message *m)
 
 void match_withdraw(struct node *n, struct receive *r)
 {
+    NUMBER(n, withdraw, r);
     if (posted_remove(&n->mailbox.posted, r))
         return;
     struct message *m = r->m;
@@ -250,6 +270,7 @@ static void throw_away_all(struct node *n, struct message *list, int64_t typesel
         next = m->next;
         if (!mailbox_selects(typesel, m->type))
             continue;
+        taken_note_loss(n, m, TAKEN_BY_FLUSH, now);
         unexpected_take(n, m);
         throw_away(n, m, now);
     }
@@ -295,6 +316,7 @@ void match_abandon(struct node *n)
          m = protocol_next_to(m))
         if (m->receive)
             drop_receive(m);
+    NUMBER(n, end);
     due_free(b);
     free_posted(b);
     posted_begin(&b->posted);

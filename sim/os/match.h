@@ -36,6 +36,8 @@ void match_withdraw(struct node *n, struct receive *r);
  * processor so long. */
 vtime match_send(struct node *n, struct message *first, vtime now);
 vtime match_send_time(const struct node *n, const struct message *m);
+/* By how much the messages that a call sends next leave late, in a run with another timing than usual. */
+vtime match_send_late(const struct node *n);
 
 /* What an ordinary node's system takes to copy m to its program's buffer. A program is done with m: a waiting
  * one may get its room. */

@@ -80,8 +80,14 @@ void record_begin(struct node *n, uint32_t program)
         return;
     n->record = xcalloc(1, sizeof *n->record);
     n->record->program = program;
-    if (schedule_reached(&n->sys->schedule).time)
-        recorder_no_program(recorder_of(n), n->lp.address, schedule_reached(&n->sys->schedule).time);
+    vtime begins = vt_max(schedule_reached(&n->sys->schedule).time, n->lp.clock.now);
+    if (begins)
+        record_no_program(n, begins);
+}
+
+void record_no_program(struct node *n, vtime t)
+{
+    recorder_no_program(recorder_of(n), n->lp.address, t);
 }
 
 /* --- where the program is --- */

@@ -15,6 +15,9 @@ void record_begin(struct node *n, uint32_t program);
  * ended. */
 void record_end(struct node *n, vtime t);
 
+/* A node that is recorded has been without a program up to time t, or since another has ended. */
+void record_no_program(struct node *n, vtime t);
+
 /* The rest for recorded nodes only: call these through the macro. */
 #define RECORD(n, what, ...)                                                                                 \
     do {                                                                                                     \

@@ -166,6 +166,26 @@ static void many_results_are_found(void **state)
 }
 
 /* Each of two writers finds the other's lines, and no line is lost. */
+/* Processes that mpirun starts together find no journal: one of them makes it. */
+static void a_journal_is_begun_once(void **state)
+{
+    enum { PROCESSES = 8, TIMES = 50 };
+    size_t alone = 0;
+    (void)state;
+    for (int time = 0; time <= TIMES; time++) {
+        unlink("journal");
+        for (int i = 0; i < (time ? PROCESSES : 1); i++)
+            if (fork() == 0) {
+                char *error = NULL;
+                _exit(journal_open(".", stderr, &error) ? 0 : 1);
+            }
+        for (int status; wait(&status) > 0;)
+            assert_int_equal(status, 0);
+        alone = time ? alone : size_of_file();
+        assert_int_equal(size_of_file(), alone);
+    }
+}
+
 static void writers_take_turns(void **state)
 {
     enum { EACH = 50 };
@@ -296,6 +316,7 @@ int main(void)
         TEST(damage_is_named_and_costs_its_line),
         TEST(what_is_no_journal_is_refused),
         TEST(many_results_are_found),
+        TEST(a_journal_is_begun_once),
         TEST(writers_take_turns),
         TEST(failures_can_be_forgotten),
         TEST(the_cache_gives_only_what_it_was_given),

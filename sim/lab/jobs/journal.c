@@ -180,26 +180,40 @@ static bool put(struct journal *j, const char *line, size_t size)
     return true;
 }
 
-bool journal_add(struct journal *j, struct digest key, enum journal_line_state state, const json_t *record,
-                 bool safe, char **error)
+/* Adds a line. Call with the file locked. */
+static bool append(struct journal *j, struct digest key, enum journal_line_state state, const json_t *record,
+                   bool safe, char **error)
 {
     size_t size;
     char *line = journal_line_write(key, state, record, &size);
-    bool ok = lock(j, F_WRLCK);
+    bool ok = find_end(j) && put(j, line, size) && (!safe || fdatasync(j->fd) == 0);
     if (ok) {
-        ok = find_end(j) && put(j, line, size) && (!safe || fdatasync(j->fd) == 0);
-        if (!ok) {
-            *error = xasprintf("%s cannot be written: %m", j->path);
-            if (ftruncate(j->fd, (off_t)j->read_to) != 0) /* leave no partial line */
-                fprintf(j->notes, "%s ends with a part of a line\n", j->path);
-        }
-        lock(j, F_UNLCK);
-        if (ok)
-            take_line(j, line, size - 1);
+        take_line(j, line, size - 1);
     } else {
-        *error = xasprintf("%s cannot be locked: %m", j->path);
+        *error = xasprintf("%s cannot be written: %m", j->path);
+        if (ftruncate(j->fd, (off_t)j->read_to) != 0) /* leave no partial line */
+            fprintf(j->notes, "%s ends with a part of a line\n", j->path);
     }
     free(line);
+    return ok;
+}
+
+static bool lock_to_write(struct journal *j, char **error)
+{
+    bool ok = lock(j, F_WRLCK);
+    if (!ok)
+        *error = xasprintf("%s cannot be locked: %m", j->path);
+    return ok;
+}
+
+bool journal_add(struct journal *j, struct digest key, enum journal_line_state state, const json_t *record,
+                 bool safe, char **error)
+{
+    bool ok = lock_to_write(j, error);
+    if (ok) {
+        ok = append(j, key, state, record, safe, error);
+        lock(j, F_UNLCK);
+    }
     return ok;
 }
 
@@ -219,10 +233,11 @@ static bool check_head(struct journal *j, char **error)
     return false;
 }
 
+/* Writes the first line. Call with the file locked. */
 static bool begin(struct journal *j, const char *dir, char **error)
 {
     json_t *head = json_pack("{s:i}", "journal of a touchstone study", 1);
-    bool ok = journal_add(j, (struct digest){0}, LINE_HEAD, head, true, error);
+    bool ok = append(j, (struct digest){0}, LINE_HEAD, head, true, error);
     int folder = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
         fsync(folder); /* makes the file's name durable */
@@ -239,6 +254,16 @@ static bool is_empty(const struct journal *j)
     return got <= 0 || !memchr(text, '\n', (size_t)got);
 }
 
+/* Of processes that make the journal together, the first writes the head. */
+static bool read_or_begin(struct journal *j, const char *dir, char **error)
+{
+    if (!lock_to_write(j, error))
+        return false;
+    bool ok = is_empty(j) ? begin(j, dir, error) : check_head(j, error);
+    lock(j, F_UNLCK);
+    return ok;
+}
+
 struct journal *journal_open(const char *dir, FILE *notes, char **error)
 {
     struct journal *j = xcalloc(1, sizeof *j);
@@ -251,9 +276,7 @@ struct journal *journal_open(const char *dir, FILE *notes, char **error)
     bool ok = j->fd >= 0;
     if (!ok)
         *error = xasprintf("%s cannot be opened: %m", j->path);
-    else if (is_empty(j))
-        ok = begin(j, dir, error);
-    else if ((ok = check_head(j, error)))
+    else if ((ok = read_or_begin(j, dir, error)))
         journal_refresh(j);
     if (ok)
         return j;

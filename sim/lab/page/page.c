@@ -18,8 +18,8 @@ struct page {
 };
 
 /* As web/page_start.js calls them. */
-static const char *const KIND_NAMES[PAGE_KINDS] = {"tables", "study", "run",    "profile",
-                                                   "trace",  "path",  "stacks", "surface"};
+static const char *const KIND_NAMES[PAGE_KINDS] = {"tables",   "study", "run",    "profile", "trace",
+                                                   "deadlock", "path",  "stacks", "surface"};
 
 struct page *page_new(void)
 {
@@ -158,18 +158,30 @@ static int add_part(const char *part, size_t size, void *blob)
     return 0;
 }
 
+static void write_json(enum page_kind kind, const char *name, const json_t *j, FILE *out)
+{
+    struct data_blob b;
+    begin_data(KIND_NAMES[kind], name, &b, out);
+    json_dump_callback(j, add_part, &b, JSON_COMPACT | JSON_REAL_PRECISION(17));
+    end_data(&b, out);
+}
+
 static void write_item(const struct page_item *item, FILE *out)
 {
     struct data_blob b;
+    if (item->json) {
+        write_json(item->kind, item->name, item->json, out);
+        if (item->deadlock)
+            write_json(PAGE_DEADLOCK, item->name, item->deadlock, out);
+        return;
+    }
     begin_data(KIND_NAMES[item->kind], item->name, &b, out);
     if (item->kind == PAGE_TRACE)
         page_trace_write(item->trace, &b);
     else if (item->kind == PAGE_SURFACE)
         page_surface_write(&item->mesh, &b);
-    else if (item->kind == PAGE_STACKS)
-        data_blob_add(&b, item->text, strlen(item->text));
     else
-        json_dump_callback(item->json, add_part, &b, JSON_COMPACT | JSON_REAL_PRECISION(17));
+        data_blob_add(&b, item->text, strlen(item->text));
     end_data(&b, out);
 }
 

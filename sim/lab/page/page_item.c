@@ -7,6 +7,7 @@
 #include "files/json_set.h"
 #include "files/text_file.h"
 #include "kernel/xalloc.h"
+#include "lab/page/page_deadlock.h"
 #include "lab/render/ply_file.h"
 #include "trace/trace_format.h"
 
@@ -14,7 +15,7 @@ enum { HEAD = 4096, MOST_TEXT = 1 << 30 };
 
 static const char ACCEPTED[] =
     "a page shows results of touchstone run --json and --profile, of study and of tables, traces of "
-    "run --trace, paths of trace why --json, folded stacks, and PLY surfaces";
+    "run --trace, deadlocks of run --deadlock, paths of trace why --json, folded stacks, and PLY surfaces";
 
 /* --- JSON ----------------------------------------------------------------------------------------------- */
 
@@ -33,6 +34,8 @@ static enum page_kind kind_of_json(const json_t *j)
         return PAGE_TABLES;
     if (has(j, "functions", JSON_ARRAY) && has(j, "classes", JSON_OBJECT))
         return PAGE_PROFILE;
+    if (has(j, "nodes", JSON_ARRAY) && has(j, "cycle", JSON_ARRAY))
+        return PAGE_DEADLOCK;
     if (has(j, "node", JSON_ARRAY) && has(j, "outcome", JSON_STRING))
         return PAGE_RUN;
     return has(j, "critical_path", JSON_OBJECT) && has(j, "sentences", JSON_ARRAY) ? PAGE_PATH : PAGE_KINDS;
@@ -65,6 +68,14 @@ static bool read_json(struct page_item *item, const char *path, char **error)
     item->kind = kind_of_json(item->json);
     if (item->kind == PAGE_KINDS)
         return *error = xasprintf("%s: JSON, but not of touchstone: %s", path, ACCEPTED), false;
+    json_t *deadlock = page_deadlock_make(item->json);
+    if (item->kind == PAGE_DEADLOCK) {
+        json_decref(item->json);
+        item->json = deadlock;
+        return true;
+    }
+    item->deadlock = deadlock;
+    json_object_del(item->json, "deadlock");
     item->json = page_json_within_53_bits(item->json);
     return true;
 }
@@ -173,6 +184,7 @@ void page_item_free(struct page_item *item)
     free(item->name);
     free(item->text);
     json_decref(item->json);
+    json_decref(item->deadlock);
     if (item->own_trace)
         trace_free(item->own_trace);
     mesh_free(&item->mesh);

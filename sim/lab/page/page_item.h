@@ -8,22 +8,24 @@
 
 /* Recognised by what the file holds, never by its name. */
 enum page_kind {
-    PAGE_TABLES,  /* the paper's tables: tables.json of touchstone tables */
-    PAGE_STUDY,   /* results.json of touchstone study */
-    PAGE_RUN,     /* touchstone run --json */
-    PAGE_PROFILE, /* touchstone run --profile */
-    PAGE_TRACE,   /* touchstone run --trace */
-    PAGE_PATH,    /* touchstone trace why --json */
-    PAGE_STACKS,  /* folded stacks: "main;relax;csend 1234" */
-    PAGE_SURFACE, /* PLY */
+    PAGE_TABLES,   /* the paper's tables: tables.json of touchstone tables */
+    PAGE_STUDY,    /* results.json of touchstone study */
+    PAGE_RUN,      /* touchstone run --json */
+    PAGE_PROFILE,  /* touchstone run --profile */
+    PAGE_TRACE,    /* touchstone run --trace */
+    PAGE_DEADLOCK, /* touchstone run --deadlock */
+    PAGE_PATH,     /* touchstone trace why --json */
+    PAGE_STACKS,   /* folded stacks: "main;relax;csend 1234" */
+    PAGE_SURFACE,  /* PLY */
     PAGE_KINDS
 };
 
 struct page_item {
     enum page_kind kind;
-    char *name;   /* the path, as given */
-    json_t *json; /* the first four, and PAGE_PATH */
-    char *text;   /* PAGE_STACKS */
+    char *name;       /* the path, as given */
+    json_t *json;     /* the first five, and PAGE_PATH */
+    json_t *deadlock; /* of a PAGE_RUN that ended in one: page_deadlock.h; NULL: it did not */
+    char *text;       /* PAGE_STACKS */
     const struct trace *trace;
     struct trace *own_trace; /* the same, if the item frees it */
     struct mesh mesh;        /* PAGE_SURFACE */

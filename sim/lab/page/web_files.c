@@ -35,6 +35,7 @@ WEB_FILE(orbit, "/usr/share/javascript/three/examples/js/controls/OrbitControls.
     X(line_chart)                                                                                            \
     X(tables_section)                                                                                        \
     X(study_section)                                                                                         \
+    X(deadlock_section)                                                                                      \
     X(run_section)                                                                                           \
     X(profile_section)                                                                                       \
     X(trace_data)                                                                                            \

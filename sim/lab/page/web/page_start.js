@@ -7,6 +7,7 @@ const KINDS = {
     run: {read: readJson, section: runSection, summary: runSummary},
     profile: {read: readJson, section: profileSection, summary: profileSummary},
     trace: {read: readTrace, section: traceSections, summary: traceSummary},
+    deadlock: {read: readJson, section: deadlockSection, summary: deadlockSummary},
     path: {read: readJson, section: pathSection, summary: pathSummary},
     stacks: {read: takeText, section: flameSection, summary: flameSummary},
     surface: {read: readTables, section: null, summary: surfaceSummary},

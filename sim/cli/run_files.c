@@ -1,0 +1,40 @@
+/* run_files.c - see run_files.h. */
+#include "cli/run_files.h"
+#include <stdlib.h>
+
+static char *begin(struct atomic_file *f, const char *path)
+{
+    char *error = NULL;
+    if (path)
+        atomic_file_begin(f, path, &error);
+    return error;
+}
+
+static char *end(struct atomic_file *f)
+{
+    char *error = NULL;
+    if (f->out)
+        atomic_file_end(f, &error);
+    return error;
+}
+
+char *run_files_begin(struct run_files *f, const char *history, const char *schedule)
+{
+    *f = (struct run_files){0};
+    char *error = begin(&f->history, history);
+    if (error)
+        return error;
+    error = begin(&f->schedule, schedule);
+    if (error && f->history.out)
+        atomic_file_drop(&f->history);
+    return error;
+}
+
+char *run_files_end(struct run_files *f)
+{
+    char *error = end(&f->history), *other = end(&f->schedule);
+    if (!error)
+        return other;
+    free(other);
+    return error;
+}

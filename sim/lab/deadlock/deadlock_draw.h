@@ -1,0 +1,12 @@
+/* deadlock_draw.h - pictures of a wait-for graph. They can be told without colours: the cycle is thick, a
+ * wait that any of several nodes could end is dashed, nodes that do not wait are grey. */
+#ifndef LAB_DEADLOCK_DEADLOCK_DRAW_H
+#define LAB_DEADLOCK_DEADLOCK_DRAW_H
+#include "lab/show/picture_file.h"
+#include "nx_api/waitfor/waitfor.h"
+
+/* Of an analysed w. False with *error, malloc'd, which names the file. kind: PNG or SVG. */
+bool deadlock_draw_file(const struct waitfor *w, const char *path, enum picture_kind kind, char **error);
+/* The picture as the text of an SVG, malloc'd. */
+char *deadlock_draw_svg(const struct waitfor *w);
+#endif

@@ -1,0 +1,204 @@
+/* explore_report.c - see explore_report.h. */
+#include "lab/explore/explore_report.h"
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "kernel/xalloc.h"
+#include "lab/explore/guarantee.h"
+#include "lab/explore/line_changes.h"
+#include "lab/explore/words_of.h"
+
+enum { MOST_LINES = 8, MOST_DELAYS = 10 };
+
+static const char *text_of(const json_t *record, const char *key)
+{
+    const char *text = json_string_value(json_object_get(record, key));
+    return text ? text : "";
+}
+
+static const char *plural(size_t count)
+{
+    return count == 1 ? "" : "s";
+}
+
+char *explore_repeat(const struct explore *x, const struct explored *run)
+{
+    char *file = run->schedule ? batch_recording(&x->place, run->key) : NULL;
+    char *command = subject_command_text(x->subject, run->timing, file);
+    free(file);
+    return command;
+}
+
+/* --- the runs ------------------------------------------------------------------------------------------- */
+
+static void print_bounds(const struct explore *x, FILE *out)
+{
+    char message[REC_TIME], interrupt[REC_TIME], start[REC_TIME];
+    const struct draw *d = &x->options.draw;
+    fprintf(out,
+            "  bounds     messages leave up to %s later, handlers become due %s later, programs start %s\n"
+            "             later, nodes compute %.4g %% slower\n",
+            rec_duration((int64_t)d->messages, message), rec_duration((int64_t)d->interrupts, interrupt),
+            rec_duration((int64_t)d->start, start), d->speed_ppm / 1e4);
+}
+
+static void print_kinds(const struct search *s, FILE *out)
+{
+    size_t pct = s->seeds / 2;
+    fprintf(out, "  runs       the usual timing; %zu random, %zu in the manner of PCT, %zu directed\n",
+            s->seeds - pct, pct, s->directed);
+    fprintf(
+        out,
+        "  orders     %zu different; %zu other%s not run, since a run had begun so; %zu beyond the bounds; "
+        "%zu left\n",
+        s->orders.count, s->pruned, plural(s->pruned), s->out_of_bounds, s->flip_count);
+}
+
+/* How many runs of that depth were made: seeds go round (search.c). */
+static size_t made_of_depth(const struct search *s, uint32_t depth)
+{
+    size_t pct = s->seeds / 2;
+    return pct / s->draw.depth + (pct % s->draw.depth >= depth);
+}
+
+static void print_guarantee(const struct explore *x, FILE *out)
+{
+    const struct search *s = &x->search;
+    uint64_t events = (uint64_t)json_integer_value(json_object_get(s->outcomes[0].record, "events"));
+    fprintf(out,
+            "  guarantee  PCT, if these bounds allow every order, finds with 95 %% probability a fault of");
+    for (uint32_t depth = 1; depth <= s->draw.depth && depth <= 3; depth++)
+        fprintf(out, "\n             depth %" PRIu32 " in at most %.0f runs of that depth; %zu made", depth,
+                guarantee_runs(s->base_nodes, events, depth), made_of_depth(s, depth));
+    fprintf(out, "\n             (%" PRIu32 " programs, %" PRIu64 " messages and handlers)\n", s->base_nodes,
+            events);
+}
+
+/* --- an outcome ----------------------------------------------------------------------------------------- */
+
+static void print_indented(const char *text, size_t lines, FILE *out)
+{
+    for (size_t i = 0; i < lines && *text; i++) {
+        size_t length = strcspn(text, "\n");
+        fprintf(out, "       %.*s\n", (int)length, text);
+        text += length + (text[length] == '\n');
+    }
+    if (*text)
+        fprintf(out, "       ...\n");
+}
+
+static void print_delays(const struct explore *x, const struct explained *e, FILE *out)
+{
+    const struct delays *d = &e->least.delays;
+    fprintf(out, "     %s, %zu delay%s, found by %zu runs, in %s/%s.schedule:\n",
+            e->least.is_least ? "the fewest delays that show it" : "delays that show it", d->count,
+            plural(d->count), e->least.tests, x->options.dir, e->name);
+    for (size_t i = 0; i < d->count && i < MOST_DELAYS; i++) {
+        char *words = delay_words(&d->list[i], x->search.base_nodes);
+        fprintf(out, "       %s\n", words);
+        free(words);
+    }
+    if (d->count > MOST_DELAYS)
+        fprintf(out, "       ...\n");
+    char *file = xasprintf("%s/%s.schedule", x->options.dir, e->name);
+    char *command = subject_command_text(x->subject, NULL, file);
+    fprintf(out, "       %s\n", command);
+    free(command);
+    free(file);
+}
+
+static void print_explained(const struct explore *x, const struct explained *e, FILE *out)
+{
+    if (!e->name)
+        return;
+    if (e->least.repeats)
+        print_delays(x, e, out);
+    else
+        fprintf(out, "     its delays alone do not repeat it: use the command above\n");
+    if (e->first)
+        fprintf(out, "     first difference: %s\n", e->first);
+}
+
+static void print_change(const struct explore *x, size_t outcome, FILE *out)
+{
+    const json_t *base = x->search.outcomes[0].record, *other = x->search.outcomes[outcome].record;
+    if (json_object_get(other, "message")) {
+        print_indented(text_of(other, "message"), MOST_LINES, out);
+        return;
+    }
+    char *change = line_changes(text_of(base, "shown"), text_of(other, "shown"));
+    print_indented(change, MOST_LINES, out);
+    free(change);
+}
+
+static const char *name_of_end(const json_t *record)
+{
+    const char *end = text_of(record, "end");
+    return strcmp(end, "ended") ? end : "another output";
+}
+
+static void print_outcome(const struct explore *x, size_t outcome, FILE *out)
+{
+    const struct outcome_group *g = &x->search.outcomes[outcome];
+    const struct explored *run = &x->search.runs[g->first];
+    char *command = explore_repeat(x, run);
+    fprintf(out, "\n  %zu. %s: %zu run%s, first %s\n", outcome, name_of_end(g->record), g->runs,
+            plural(g->runs), run->name);
+    print_change(x, outcome, out);
+    fprintf(out, "     to repeat the first:\n       %s\n", command);
+    print_explained(x, &x->explained[outcome], out);
+    free(command);
+}
+
+/* --- all ------------------------------------------------------------------------------------------------ */
+
+static void print_usual(const struct search *s, FILE *out)
+{
+    const struct outcome_group *base = &s->outcomes[0];
+    fprintf(out, "  usual      %s; so %s %zu of %zu runs\n", text_of(base->record, "end"),
+            base->runs == 1 ? "is" : "are", base->runs, s->run_count);
+    print_indented(text_of(base->record, "message"), MOST_LINES, out);
+}
+
+static void print_summary(const struct explore *x, FILE *out)
+{
+    const struct search *s = &x->search;
+    const struct subject_options *o = &x->subject->options;
+    fprintf(out, "%s: %zu run%s, %zu order%s: ", o->host ? o->host : o->program[0], s->run_count,
+            plural(s->run_count), s->orders.count, plural(s->orders.count));
+    if (s->outcome_count == 1)
+        fprintf(out, "all the same\n");
+    else
+        fprintf(out, "%zu outcome%s differ%s from that of the usual timing\n", s->outcome_count - 1,
+                plural(s->outcome_count - 1), s->outcome_count == 2 ? "s" : "");
+    print_usual(s, out);
+}
+
+static void print_warnings(const struct explore *x, FILE *out)
+{
+    const struct search *s = &x->search;
+    if (s->failed)
+        fprintf(out, "  %zu run%s came to no end in %.4g s of this computer, and count%s for nothing\n",
+                s->failed, plural(s->failed), x->options.limit_s, s->failed == 1 ? "s" : "");
+    if (s->times_differ)
+        fprintf(
+            out,
+            "  Runs of one order have different outputs. If the program prints times, choose the lines\n"
+            "  that must be equal with --same; else it looks at clocks, polls, or has a race of handlers.\n");
+    if (x->out_of_time)
+        fprintf(out, "  The time is over: not all runs were made.\n");
+}
+
+void explore_print(const struct explore *x, FILE *out)
+{
+    print_summary(x, out);
+    print_kinds(&x->search, out);
+    print_bounds(x, out);
+    print_guarantee(x, out);
+    print_warnings(x, out);
+    for (size_t i = 1; i < x->search.outcome_count; i++)
+        print_outcome(x, i, out);
+    fprintf(out, "\n  %zu runs made in %.1f s, %.1f a second, %u at a time; %zu were in %s/journal\n",
+            x->made, x->wall_s, x->wall_s > 0 ? (double)x->made / x->wall_s : 0, x->options.at_once,
+            x->before, x->options.dir);
+}

@@ -1,0 +1,213 @@
+/* run_verdict.c - see run_verdict.h. */
+#include "lab/explore/run_verdict.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "lab/jobs/digest.h"
+#include "lab/jobs/words.h"
+
+enum { MOST_SHOWN = 4096 };
+
+/* --- lines ---------------------------------------------------------------------------------------------- */
+
+struct lines {
+    char **list;
+    size_t count;
+};
+
+static void add_line(struct lines *l, char *line)
+{
+    if ((l->count & (l->count - 1)) == 0)
+        l->list = xreallocarray(l->list, l->count ? 2 * l->count : 1, sizeof *l->list);
+    l->list[l->count++] = line;
+}
+
+static void free_lines(struct lines *l)
+{
+    for (size_t i = 0; i < l->count; i++)
+        free(l->list[i]);
+    free(l->list);
+}
+
+static int by_text(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static void sort_lines(struct lines *l)
+{
+    if (l->count)
+        qsort(l->list, l->count, sizeof *l->list, by_text);
+}
+
+static char *joined(const struct lines *l)
+{
+    size_t size = 1;
+    for (size_t i = 0; i < l->count; i++)
+        size += strlen(l->list[i]) + 1;
+    char *text = xmalloc(size), *end = text;
+    for (size_t i = 0; i < l->count; i++) {
+        end = stpcpy(end, l->list[i]);
+        *end++ = '\n';
+    }
+    *end = '\0';
+    return text;
+}
+
+/* The output's lines that count. */
+static char *compared(const struct verdict_rules *rules, const char *out)
+{
+    struct lines l = {0};
+    for (const char *at = out; *at; at += *at == '\n') {
+        size_t length = strcspn(at, "\n");
+        char *line = xstrndup(at, length);
+        at += length;
+        if (rules->same && regexec(rules->same, line, 0, NULL, 0))
+            free(line);
+        else
+            add_line(&l, line);
+    }
+    if (!rules->ordered)
+        sort_lines(&l);
+    char *text = joined(&l);
+    free_lines(&l);
+    return text;
+}
+
+/* --- messages ------------------------------------------------------------------------------------------- */
+
+static bool is_of_name(char c)
+{
+    return isalnum((unsigned char)c) || strchr("._-/+", c);
+}
+
+/* The places "file.c:42" in a message, each once, sorted: they are the same whatever the times and nodes. */
+static char *places_in(const char *message)
+{
+    struct lines l = {0};
+    for (const char *colon = message; (colon = strchr(colon, ':')); colon++) {
+        const char *begin = colon, *end = colon + 1;
+        while (begin > message && is_of_name(begin[-1]) && begin[-1])
+            begin--;
+        while (isdigit((unsigned char)*end))
+            end++;
+        if (end > colon + 1 && memchr(begin, '.', (size_t)(colon - begin)))
+            add_line(&l, xstrndup(begin, (size_t)(end - begin)));
+    }
+    sort_lines(&l);
+    size_t kept = 0;
+    for (size_t i = 0; i < l.count; i++)
+        if (kept && !strcmp(l.list[kept - 1], l.list[i]))
+            free(l.list[i]);
+        else
+            l.list[kept++] = l.list[i];
+    l.count = kept;
+    char *text = joined(&l);
+    free_lines(&l);
+    return text;
+}
+
+/* The lines of a report that say where a node waits; all of it if there are none. */
+static char *waits_in(const char *message)
+{
+    char *waits = xstrdup("");
+    for (const char *at = message; *at; at += *at == '\n') {
+        size_t length = strcspn(at, "\n");
+        if (memmem(at, length, " since ", 7))
+            words_append(&waits, "%.*s\n", (int)length, at);
+        at += length;
+    }
+    if (!*waits)
+        words_append(&waits, "%s", message);
+    return waits;
+}
+
+/* The words of the first line, but for those with digits: nodes, times, addresses. */
+static char *first_line(const char *message)
+{
+    char *text = xstrdup("");
+    for (const char *at = message; *at && *at != '\n';) {
+        size_t length = strcspn(at, " \n");
+        if (length && strcspn(at, "0123456789") >= length)
+            words_append(&text, "%.*s ", (int)length, at);
+        at += length + (at[length] == ' ');
+    }
+    return text;
+}
+
+/* Of a run that did not end: the same for all nodes and times. */
+static char *of_unended(const char *end, const char *message)
+{
+    bool deadlock = !strcmp(end, "deadlock");
+    char *waits = waits_in(message), *places = places_in(waits), *line = first_line(message);
+    char *text = xasprintf("%s%s%s", deadlock ? "" : line, deadlock ? "" : "\n", places);
+    free(waits);
+    free(places);
+    free(line);
+    return text;
+}
+
+/* --- the record ----------------------------------------------------------------------------------------- */
+
+static void set_digest(json_t *record, const char *key, const char *text)
+{
+    char digits[DIGEST_DIGITS + 1];
+    digest_write(digest_of(text, strlen(text)), digits);
+    json_set(record, key, json_string(digits));
+}
+
+/* A text that JSON can have: its first lines, as UTF-8. */
+static json_t *shown(const char *text)
+{
+    size_t size = strlen(text);
+    json_t *all = json_stringn(text, size < MOST_SHOWN ? size : MOST_SHOWN);
+    return all ? all : json_string("(not UTF-8 text)\n");
+}
+
+static char *file_text(const char *path)
+{
+    struct digest d;
+    char digits[DIGEST_DIGITS + 1] = "there is none";
+    if (digest_file(path, &d))
+        digest_write(d, digits);
+    return xasprintf("digest of the file: %s\n", digits);
+}
+
+static char *of_ended(const struct verdict_rules *rules, const char *out, const char *file)
+{
+    char *text = rules->file_only && file ? xstrdup("") : compared(rules, out);
+    char *of_file = file ? file_text(file) : xstrdup("");
+    words_append(&text, "%s", of_file);
+    free(of_file);
+    return text;
+}
+
+json_t *verdict_of(const struct verdict_rules *rules, const char *out, const char *json, const char *file)
+{
+    json_t *run = json_load_file(json, 0, NULL), *record = json_object();
+    const char *end = json_string_value(json_object_get(run, "outcome"));
+    const char *message = json_string_value(json_object_get(run, "message"));
+    if (!end) {
+        json_decref(run);
+        json_decref(record);
+        return NULL;
+    }
+    bool ended = !strcmp(end, "ended");
+    char *text = ended ? of_ended(rules, out, file) : of_unended(end, message ? message : "");
+    char *whole = xasprintf("%s\n%s", end, text);
+    json_set(record, "end", json_string(end));
+    set_digest(record, "group", whole);
+    json_set(record, "shown", shown(text));
+    if (!ended)
+        json_set(record, "message", json_string(message ? message : ""));
+    json_set(record, "virtual_time_s", json_incref(json_object_get(run, "virtual_time_s")));
+    if (json_object_get(run, "races"))
+        json_set(record, "races", json_incref(json_object_get(run, "races")));
+    json_set(record, "host_files", json_incref(json_object_get(run, "host_files")));
+    free(whole);
+    free(text);
+    json_decref(run);
+    return record;
+}

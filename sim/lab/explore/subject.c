@@ -1,0 +1,224 @@
+/* subject.c - see subject.h. */
+#include "lab/explore/subject.h"
+#include <gnu/libc-version.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "config/config.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
+#include "lab/study/inputs.h"
+
+/* --- what a run depends on ------------------------------------------------------------------------------ */
+
+static json_t *digest_json(struct digest d)
+{
+    char text[DIGEST_DIGITS + 1];
+    digest_write(d, text);
+    return json_string(text);
+}
+
+static bool add_file(json_t *to, const char *key, const char *path, char **error)
+{
+    struct digest d;
+    if (!path)
+        return true;
+    if (!digest_file(path, &d)) {
+        *error = xasprintf("%s cannot be read: %m", path);
+        return false;
+    }
+    json_set(to, key, digest_json(d));
+    return true;
+}
+
+static json_t *words_json(const char *const *words, size_t most)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; words && i < most && words[i]; i++)
+        json_append(list, json_string(words[i]));
+    return list;
+}
+
+static bool add_machine(json_t *to, const struct subject *s, char **error)
+{
+    struct digest d;
+    struct cfg_machine *m =
+        cfg_load_with(s->machine, s->options.machines, (const char **)(uintptr_t)s->options.set, error);
+    bool read = m && inputs_machine_file(m->path, &d);
+    if (read)
+        json_set(to, "machine", digest_json(d));
+    else if (m)
+        *error = xasprintf("%s cannot be read", m->path);
+    cfg_free(m);
+    return read;
+}
+
+static struct digest digest_of_json(json_t *all)
+{
+    char *text = xchecked(json_dumps(all, JSON_COMPACT | JSON_SORT_KEYS));
+    struct digest d = digest_of(text, strlen(text));
+    free(text);
+    json_decref(all);
+    return d;
+}
+
+static bool take_digest(struct subject *s, char **error)
+{
+    const struct subject_options *o = &s->options;
+    json_t *all = json_object();
+    json_set(all, "libc", json_string(gnu_get_libc_version()));
+    json_set(all, "nodes", json_integer(o->nodes));
+    json_set(all, "settings", words_json(o->set, SIZE_MAX));
+    json_set(
+        all, "arguments",
+        words_json((const char *const *)o->program + 1, o->program_count ? (size_t)o->program_count - 1 : 0));
+    json_set(all, "folder", json_string(s->folder));
+    json_set(all, "limit", json_real(o->max_virtual_s));
+    json_set(all, "rules", json_string(o->rules));
+    json_set(all, "file", o->compare_file ? json_string(o->compare_file) : json_null());
+    bool good = add_file(all, "touchstone", o->runner, error) &&
+                add_file(all, "program", s->program, error) && add_file(all, "host", s->host, error) &&
+                add_machine(all, s, error);
+    s->digest = digest_of_json(all);
+    return good;
+}
+
+struct digest subject_run_key(const struct subject *s, const struct run_timing *t)
+{
+    json_t *all = json_object();
+    json_set(all, "subject", digest_json(s->digest));
+    json_set(all, "timing", t->timing ? json_string(t->timing) : json_null());
+    json_set(all, "schedule", t->schedule ? json_string(t->schedule) : json_null());
+    return digest_of_json(all);
+}
+
+/* --- a subject ------------------------------------------------------------------------------------------ */
+
+static bool find(const char *name, char **path, char **error)
+{
+    char real[PATH_MAX];
+    if (!name)
+        return true;
+    if (!realpath(name, real) || access(real, X_OK)) {
+        *error = xasprintf("%s: %m (programs are built by nxcc)", name);
+        return false;
+    }
+    *path = xstrdup(real);
+    return true;
+}
+
+static char *machine_of(const char *name)
+{
+    char real[PATH_MAX];
+    size_t n = strlen(name);
+    bool is_path = strchr(name, '/') || (n >= 4 && !strcmp(name + n - 4, ".cfg"));
+    return xstrdup(is_path && realpath(name, real) ? real : name);
+}
+
+struct subject *subject_open(const struct subject_options *o, char **error)
+{
+    struct subject *s = xcalloc(1, sizeof *s);
+    *s = (struct subject){
+        .options = *o, .folder = xchecked(getcwd(NULL, 0)), .machine = machine_of(o->machine)};
+    if (find(o->program_count ? o->program[0] : NULL, &s->program, error) && find(o->host, &s->host, error) &&
+        take_digest(s, error))
+        return s;
+    subject_close(s);
+    return NULL;
+}
+
+void subject_close(struct subject *s)
+{
+    if (!s)
+        return;
+    free(s->folder);
+    free(s->program);
+    free(s->host);
+    free(s->machine);
+    free(s);
+}
+
+void subject_limit(struct subject *s, double max_virtual_s)
+{
+    if (s->options.max_virtual_s <= 0)
+        s->options.max_virtual_s = max_virtual_s;
+}
+
+/* --- commands ------------------------------------------------------------------------------------------- */
+
+static void add(char ***argv, const char *option, const char *value)
+{
+    if (!value)
+        return;
+    words_add(argv, xstrdup(option));
+    words_add(argv, xstrdup(value));
+}
+
+static void add_machine_options(char ***argv, const struct subject *s, const char *machine, const char *host)
+{
+    const struct subject_options *o = &s->options;
+    add(argv, "-m", machine);
+    for (const char *const *set = o->set; set && *set; set++)
+        add(argv, "--set", *set);
+    if (o->nodes) {
+        words_add(argv, xstrdup("-n"));
+        words_add(argv, xasprintf("%u", o->nodes));
+    }
+    add(argv, "--host", host);
+}
+
+static void add_program(char ***argv, const struct subject *s, const char *program)
+{
+    if (program)
+        words_add(argv, xstrdup(program));
+    for (int i = 1; i < s->options.program_count; i++)
+        words_add(argv, xstrdup(s->options.program[i]));
+}
+
+char **subject_command(const struct subject *s, const char *timing, const struct run_files *f)
+{
+    char **argv = NULL;
+    words_add(&argv, xstrdup(s->options.runner));
+    words_add(&argv, xstrdup("run"));
+    words_add(&argv, xstrdup("-q"));
+    add_machine_options(&argv, s, s->machine, s->host);
+    add(&argv, "--json", f->json);
+    add(&argv, "--record", f->record);
+    add(&argv, "--cfs", f->cfs);
+    add(&argv, "--timing", timing);
+    add(&argv, "--replay", f->replay);
+    if (s->options.max_virtual_s > 0) {
+        words_add(&argv, xstrdup("--max-virtual-time"));
+        words_add(&argv, xasprintf("%.15g", s->options.max_virtual_s));
+    }
+    add_program(&argv, s, s->program);
+    return argv;
+}
+
+/* A word as a shell takes it. */
+static void append_word(char **text, const char *word)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+    if (*word && !word[strspn(word, plain)]) {
+        words_append(text, " %s", word);
+        return;
+    }
+    char *quoted = words_filled(word, "'", "'\\''");
+    words_append(text, " '%s'", quoted);
+    free(quoted);
+}
+
+char *subject_command_text(const struct subject *s, const char *timing, const char *replay)
+{
+    char *text = xstrdup("touchstone run"), **argv = NULL;
+    add_machine_options(&argv, s, s->options.machine, s->options.host);
+    add(&argv, "--timing", timing);
+    add(&argv, "--replay", replay);
+    add_program(&argv, s, s->options.program_count ? s->options.program[0] : NULL);
+    for (char **word = argv; word && *word; word++)
+        append_word(&text, *word);
+    words_free(argv);
+    return text;
+}
