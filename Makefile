@@ -16,26 +16,36 @@ LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lzstd -lnlopt -lg
 FAST_ENGINE := $(addprefix sim/,kernel/evq.c kernel/workers.c lp/commit.c lp/deferral.c lp/dispatch.c lp/lookahead.c lp/offload.c lp/prefetch_coming.c \
     lp/roll_back.c lp/run_program.c lp/wake.c os/deferred.c os/front.c os/gate.c os/order.c os/upcalls_ahead.c)
 REFERENCE   := $(wildcard sim/reference/*.c)
-SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c sim/*/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c))
+SIM_SRC := $(filter-out sim/cli/main.c $(REFERENCE),$(wildcard sim/*/*.c sim/*/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
 APP_SRC := $(wildcard app/*.c)
+
+# A line a file; V=1 shows the whole commands.
+ifndef V
+.SILENT:
+say = @printf '  %-6s %s\n' $(1) $(2)
+endif
 
 all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/libkmath.a ## Build everything into build/
 
 $B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) $(CFLAGS) $(LTO) -MMD -MP -c -o $@ $<
 
 $B/libtouchstone.a: $(SIM_OBJ)
+	$(call say,AR,$@)
 	@rm -f $@
 	ar rcs $@ $^
 
 # (Of the same objects from a library GCC inlines less, and messages take 4 % longer.)
 $B/touchstone: $B/obj/sim/cli/main.o $(SIM_OBJ)
+	$(call say,LINK,$@)
 	$(CC) $(SAN) $(OPT) $(LTO) -Wno-lto-type-mismatch -o $@ $^ $(LIBS)
 
 $B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
+	$(call say,LINK,$@)
 	$(CC) $(SAN) $(OPT) -fno-lto -o $@ $^ $(LIBS)
 
 -include $(SIM_OBJ:.o=.d) $(REF_OBJ:.o=.d) $B/obj/sim/cli/main.d
@@ -46,6 +56,7 @@ include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk benc
 # The model program: plain NX C, built like any node program.
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
 	@mkdir -p $(@D)
+	$(call say,NXCC,$@)
 	$B/nxcc -O2 -Wall -Wextra --factors bench/paper/fitted.cfg -o $@ $(APP_SRC) -lz -lm
 
 # --- tests ---------------------------------------------------------------------------------------------------
@@ -57,6 +68,7 @@ UNIT      := $(UNIT:%.c=$B/%)
 
 $(UNIT): $B/%: %.c $B/libtouchstone.a
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) $(CFLAGS) -MMD -MP -o $@ $< $B/libtouchstone.a -lcmocka $(LIBS)
 
 -include $(UNIT:=.d)
@@ -66,7 +78,7 @@ unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
 HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
-E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx,%/$(once).sh@$(ASAN))
+E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
@@ -119,7 +131,7 @@ bench-setup: ## Install what make bench compares with (packages-bench.txt)
 INST = $(DESTDIR)$(PREFIX)
 
 install: all ## Install into PREFIX (default /usr/local)
-	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci)
+	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci examples)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
 	install $B/touchstone-reference $(INST)/lib/touchstone
@@ -134,10 +146,11 @@ install: all ## Install into PREFIX (default /usr/local)
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
 	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
+	install -m 644 share/examples/*.c $(INST)/share/touchstone/examples
 
 include doc/man/man.mk
 
-FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
+FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)

@@ -18,9 +18,10 @@ enum stage {
 
 enum waiting { NOT, FOR_REQUESTS, FOR_SLAVES };
 
-/* What a host knows about another group. */
+/* What a host knows about another group, from that group's messages: handlers set the words, and the main
+ * program reads them one by one. */
 struct news {
-    int layers_left, half, done;
+    volatile int layers_left, half, done;
 };
 
 struct host {
@@ -49,7 +50,8 @@ struct host {
     double few_left_at; /* time when at most one row was left, while the main program waited; or < 0 */
 
     /* measurements */
-    double handler_s, idle_s, idle_last_s, drain_s;
+    volatile double handler_s; /* added to by handlers only, or while they are masked */
+    double idle_s, idle_last_s, drain_s;
     double chunks, helped;
 };
 

@@ -9,8 +9,8 @@
 enum { START, TOTAL, READ, HELPED, SERVED, PACKED, WAITED, FIGURES };
 
 static struct {
-    int on, layers, layer; /* layer: the open one, or -1 */
-    enum activity now;
+    int on, layers, layer;      /* layer: the open one, or -1 */
+    volatile enum activity now; /* a handler puts back what it has found */
     double begin, last, end;
     double spent[ACTIVITIES];
     double opened_at, before[ACTIVITIES]; /* of the open layer: when, and spent until then */
@@ -41,9 +41,15 @@ enum activity times_enter(enum activity a)
 {
     enum activity before = times.now;
 
-    if (times.on)
+    if (times.on) {
+        long old = masktrap(1);
+
         stamp();
-    times.now = a;
+        times.now = a;
+        masktrap(old);
+    } else {
+        times.now = a;
+    }
     return before;
 }
 
@@ -88,8 +94,10 @@ void times_end(void)
 {
     if (!times.on)
         return;
+    masktrap(1);
     times_enter(OTHER);
     times.end = times.last;
+    masktrap(0);
 }
 
 /* Sums over the nodes of a class: how many, when they began and ended, their seconds by activity. */
@@ -135,7 +143,9 @@ void times_print(int is_host)
     mine[NODES] = 1;
     mine[BEGAN] = times.begin;
     mine[ENDED] = times.end;
+    masktrap(1);
     memcpy(mine + SPENT, times.spent, sizeof times.spent);
+    masktrap(0);
     gdsum(&sum[0][0], 2 * SUMS, work);
     masktrap(1);
     if (mynode() == 0) {

@@ -3,9 +3,7 @@
  *
  * A node has one activity at a time, so that the seconds of all activities add up to the node's time from
  * times_begin() to times_end(). System time that the program cannot see (receiving messages, entering and
- * leaving a handler) counts as part of the activity that it interrupts. On a machine that takes an interrupt
- * between two instructions of times_enter(), some seconds may be booked on the wrong activity; the sum stays
- * right.
+ * leaving a handler) counts as part of the activity that it interrupts.
  */
 #ifndef TIMES_H
 #define TIMES_H

@@ -121,6 +121,7 @@ static struct node *enter(const char *call)
 {
     struct node *n = node_self();
     node_enter(n, call);
+    nx_begins_call(n);
     return n;
 }
 
@@ -128,6 +129,7 @@ static struct node *enter_early(const char *call)
 {
     struct node *n = node_self();
     node_enter_early(n, call);
+    nx_begins_call(n);
     return n;
 }
 

@@ -20,7 +20,7 @@ static long check_id(struct node *n, long id)
     return node_error(n, EQMID, "%ld is no message id in use", id);
 }
 
-static bool is_complete(struct node *n, void *id)
+bool nx_id_is_complete(struct node *n, void *id)
 {
     return mailbox_id_is_complete(n, (intptr_t)id);
 }
@@ -47,8 +47,20 @@ long nxs_msgwait(word mid)
         return -1;
     nx_spend_call(n);
     nx_awaits(n, mailbox_id_receive(n, id), mailbox_id_send(n, id));
-    node_wait(n, is_complete, (void *)(intptr_t)id);
+    node_wait(n, nx_id_is_complete, (void *)(intptr_t)id);
     return take(n, id);
+}
+
+/* What the first part of an id that is not complete waits for; NULL: it is a send's. */
+static const struct selector *missing(struct node *n, long id)
+{
+    const struct receive *r = NULL;
+    for (long i = id; i >= 0; i = mailbox_id_next(n, i)) {
+        r = mailbox_id_receive(n, i);
+        if (!r || !mailbox_complete(n, r))
+            break;
+    }
+    return r ? &r->select : NULL;
 }
 
 long nxs_msgdone(word id)
@@ -59,6 +71,9 @@ long nxs_msgdone(word id)
         return -1;
     bool done = mailbox_id_is_complete(n, id);
     nx_spend_call(n);
+    const struct selector *select = done ? NULL : missing(n, id);
+    if (select)
+        nx_found_nothing(n, select);
     if (done && take(n, id) < 0)
         return -1;
     return done;

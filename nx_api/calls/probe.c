@@ -1,4 +1,5 @@
 /* probe.c - cprobe, iprobe, and flushmsg, which throws messages away. */
+#include "nx_api/calls/probe.h"
 #include "nx_api/calls/receive.h"
 #include "nx_api/contract/matching.h"
 
@@ -10,7 +11,7 @@ static bool probe(struct node *n, const struct incoming *in)
     return m;
 }
 
-static bool probe_finds(struct node *n, void *in)
+bool nx_probe_finds(struct node *n, void *in)
 {
     return mailbox_probe(n, &((const struct incoming *)in)->select);
 }
@@ -21,7 +22,7 @@ static long wait_for(struct incoming in)
     if (nx_check_receive(n, &in) < 0)
         return -1;
     nx_spend_call(n);
-    node_wait(n, probe_finds, &in);
+    node_wait(n, nx_probe_finds, &in);
     probe(n, &in);
     return 0;
 }
@@ -32,7 +33,10 @@ static long look_for(const struct incoming *in)
     if (nx_check_receive(n, in) < 0)
         return -1;
     nx_spend_call(n);
-    return probe(n, in);
+    bool found = probe(n, in);
+    if (!found)
+        nx_found_nothing(n, &in->select);
+    return found;
 }
 
 long nxs_cprobe(word typesel)

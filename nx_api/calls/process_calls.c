@@ -1,5 +1,5 @@
 /* process_calls.c - process types, and waiting for the ends of processes. */
-#include "nx_api/calls/call.h"
+#include "nx_api/calls/process_calls.h"
 
 long nxs_setptype(word ptype)
 {
@@ -31,8 +31,7 @@ static bool is_awaited(const struct node *n, uint32_t other, word node, struct p
     return e->awaitable;
 }
 
-/* For node_wait. */
-static bool all_have_ended(struct node *n, void *node)
+bool nx_all_have_ended(struct node *n, void *node)
 {
     struct process_end e;
     for (uint32_t i = 0; i < n->sys->count; i++)
@@ -52,8 +51,9 @@ static bool first_end(const struct node *n, word node, struct process_end *first
     return found;
 }
 
-/* For node_wait. It writes nothing: it may be called on another stack than the node's. */
-static bool one_has_ended(struct node *n, void *node)
+/* Has an awaited program ended? The function writes nothing, since it may be called on another stack than
+ * the node's. */
+bool nx_one_has_ended(struct node *n, void *node)
 {
     struct process_end e;
     uint32_t who;
@@ -79,7 +79,7 @@ long nxs_waitall(word node, word pid)
     (void)pid;
     if (nx_check_node(n, node) < 0)
         return -1;
-    nx_wait_for_end(n, all_have_ended, &node);
+    nx_wait_for_end(n, nx_all_have_ended, &node);
     for (uint32_t i = 0; i < n->sys->count; i++)
         if (is_awaited(n, i, node, &e))
             nx_notice_end(n, i);
@@ -94,7 +94,7 @@ long nxs_waitone(word node, word pid, long *ended, long *ended_pid, long *status
     (void)pid;
     if (check_awaited(n, node) < 0)
         return -1;
-    nx_wait_for_end(n, one_has_ended, &node);
+    nx_wait_for_end(n, nx_one_has_ended, &node);
     first_end(n, node, &e, &who);
     nx_notice_end(n, who);
     if (ended)

@@ -11,14 +11,17 @@ $(KMATH_BLAS) $(KMATH_LAPACK):
 
 $(KMATH)/kernels.o: nx_api/kmath/kernels.c $(KMATH_HDR) $(NXCC_TOOLS)
 	@mkdir -p $(@D)
+	$(call say,NXCC,$@)
 	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
 
 $(KMATH)/pay.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -c -o $@ $<
 
 # The routines of routines.def get other names, in their own objects only: so others go by the entries.
 $(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o $(KMATH_BLAS) $(KMATH_LAPACK)
+	$(call say,AR,$@)
 	rm -rf $(KMATH)/routines && mkdir -p $(KMATH)/routines
 	cp $(KMATH_LAPACK) $@.new && chmod u+w $@.new
 	cd $(KMATH)/routines && ar x $(KMATH_BLAS) && rm -f cblas_*.o *sub.o

@@ -60,6 +60,7 @@ long nxs_flick(void)
     struct node *n = node_self();
     nx_spend_call(n);
     nx_spend_kernel(n);
+    nx_found_nothing(n, NULL);
     return 0;
 }
 

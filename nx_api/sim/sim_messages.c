@@ -4,6 +4,24 @@
 #include "net/protocol_record.h"
 #include "os/charge.h"
 #include "os/node_record.h"
+#include "os/race_hooks.h"
+#include "os/numbering.h"
+#include "os/orders.h"
+
+static bool handlers_have_run(struct node *n, void *arg)
+{
+    (void)arg;
+    return orders_let_call_begin(n);
+}
+
+/* In a run with a numbering no call is deferred: this one is committed. Handlers whose order is behind it
+ * must not run before it does anything: so the call is counted last. */
+void nx_begins_call(struct node *n)
+{
+    if (orders_are_kept(n->sys) && !orders_let_call_begin(n))
+        node_wait(n, handlers_have_run, NULL);
+    NUMBER(n, call);
+}
 
 void nx_about(struct node *n, long what)
 {
@@ -84,6 +102,7 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
         all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
             : protocol_message(p, n->lp.address, address_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
+    RACES(n, sends, o->buf, len, m, s);
     if (s && (!m || nx_goes_at_once(n, o))) {
         s->done = true;
         s = NULL;

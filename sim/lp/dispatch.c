@@ -144,5 +144,6 @@ void lp_catch_up(struct lp *lp, vtime t)
 
 void lp_start(struct lp *lp, vtime t)
 {
+    clock_advance_to(lp, t);
     lp_schedule(lp, t);
 }

@@ -70,14 +70,20 @@ void protocol_set_nodes(struct protocol *p, uint32_t n)
 
 static void request_arrives(void *ctx, void *arg, vtime now);
 
-void protocol_send(struct protocol *p, struct message *m, vtime when)
+void protocol_send(struct protocol *p, struct message *m, vtime at)
 {
+    protocol_send_late(p, m, at, 0);
+}
+
+void protocol_send_late(struct protocol *p, struct message *m, vtime at, vtime late)
+{
+    vtime when = at + late;
     if (!m->trip)
         protocol_begin_trip(p, m);
     struct trip *t = m->trip;
     const struct evq_sender sender = {t->source, t->order};
     t->followed = m->followed;
-    protocol_note(p, t, MESSAGE_TIMES, when);
+    protocol_note(p, t, MESSAGE_TIMES, at);
     if (!t->link_in)
         protocol_link(p, t);
     if (m->is_long) {

@@ -40,6 +40,13 @@ struct protocol;
 
 #define PROTOCOL_FORCED INT32_C(0x40000000)
 
+/* What messages carry besides their bytes, for whoever receives them: as the head of a struct of the
+ * sender's. end() is called when the last message that carries it is freed. */
+struct protocol_cargo {
+    uint32_t users;
+    void (*end)(struct protocol_cargo *cargo);
+};
+
 struct trip; /* the part of a message that exists only under way: protocol_parts.h */
 
 /* A message from its making until the receiver is done with it. Thousands may lie unexpected in mailboxes: so
@@ -52,6 +59,7 @@ struct message {
     uint32_t source; /* whose program sent it: from, unless it has been forwarded */
     bool is_long : 1, forced : 1;
     bool serves : 1;   /* service is set */
+    bool carries : 1;  /* cargo is set */
     bool followed : 1; /* send is set */
     bool cleared : 1;  /* the clear to send has left the receiver */
     bool arrived : 1;
@@ -71,7 +79,10 @@ struct message {
         void *send;                  /* the sender's message id or handler, if anybody asks */
         struct message **whole_link; /* whole: the link that points to it */
     };
-    void *service;             /* between a service and its client: what the message is about */
+    union {
+        void *service; /* between a service and its client: what the message is about */
+        struct protocol_cargo *cargo;
+    };
     struct protocol *protocol; /* NULL: freed */
     void *data;                /* a copy of the sender's: in few, or shared by messages to all nodes */
     char few[];
@@ -111,12 +122,17 @@ vtime protocol_send_time(const struct protocol *p, int32_t type, size_t bytes);
 struct message *protocol_message(struct protocol *p, uint32_t from, uint32_t to, int32_t type, int32_t pid,
                                  const void *data, size_t bytes);
 void protocol_send(struct protocol *p, struct message *m, vtime at);
+/* The same, where the message leaves so much later. Envelopes of one sender are handled in the order sent all
+ * the same. */
+void protocol_send_late(struct protocol *p, struct message *m, vtime at, vtime late);
 /* Withdraws a message that was to leave at a time at which the sender's program has ended already. */
 void protocol_take_back(struct message *m);
 /* Makes the messages that the sender itself sends to reach all other nodes, in order, linked by `next`; the
  * caller gives each to protocol_send. NULL if there is no other node. */
 struct message *protocol_to_all(struct protocol *p, uint32_t from, int32_t type, int32_t pid,
                                 const void *data, size_t bytes);
+/* The messages that have been made for one call, linked by next, and those that forward them, carry this. */
+void protocol_carry(struct message *first, struct protocol_cargo *cargo);
 /* From now on "all nodes" are the first n of the cube, at most as many as the protocol was made for. */
 void protocol_set_nodes(struct protocol *p, uint32_t n);
 /* The messages on their way to an address, and those being sent from there: the first, and the one after m.

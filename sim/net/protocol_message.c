@@ -223,8 +223,8 @@ static struct message *message_new(struct protocol *p, enum protocol_size size, 
     m->from = m->source = from, m->to = to;
     m->order = p->endpoints[from].made++;
     m->is_long = !protocol_is_eager(p, type, bytes), m->forced = (type & PROTOCOL_FORCED) != 0;
-    m->serves = m->followed = m->cleared = m->arrived = m->buffered = m->unwanted = m->too_long = m->whole =
-        false;
+    m->serves = m->carries = m->followed = m->cleared = m->arrived = m->buffered = m->unwanted = m->too_long =
+        m->whole = false;
     return m;
 }
 
@@ -248,11 +248,31 @@ struct message *protocol_message(struct protocol *p, uint32_t from, uint32_t to,
     return m;
 }
 
+void protocol_carry(struct message *first, struct protocol_cargo *cargo)
+{
+    for (struct message *m = first; m; m = m->next) {
+        assert(!m->serves && !m->carries);
+        m->cargo = cargo, m->carries = true;
+        cargo->users++;
+        if (m->trip)
+            protocol_carry(m->trip->forward, cargo);
+    }
+}
+
+static void release_cargo(struct message *m)
+{
+    if (--m->cargo->users == 0)
+        m->cargo->end(m->cargo);
+    m->carries = false;
+}
+
 void protocol_message_free(struct message *m)
 {
     assert(m->protocol); /* not freed yet */
     if (m->trip)
         protocol_end_trip(m->protocol, m);
+    if (m->carries)
+        release_cargo(m);
     release_data(m);
     struct arena *pool = protocol_pool_of(m);
     m->protocol = NULL;
@@ -261,7 +281,7 @@ void protocol_message_free(struct message *m)
 
 bool protocol_message_is_plain(const struct message *m)
 {
-    return m->arrived && m->data == m->few && size_for(m->bytes) == PROTOCOL_FEW;
+    return m->arrived && !m->carries && m->data == m->few && size_for(m->bytes) == PROTOCOL_FEW;
 }
 
 void protocol_message_free_plain(struct protocol *p, struct message *m)

@@ -30,8 +30,11 @@ struct node_region;     /* node/self.h */
 struct node_system;     /* what all nodes share: node/system.h */
 struct nxc_image;       /* nx_api/contract/program_image.h */
 struct node_record;     /* what is to be written into a trace: os/node_record.h */
+struct livelock;        /* signs of one: os/livelock.h */
 struct node_path_times; /* where system time and waits fall, by path of calls: os/path_times.h */
 struct nxc_path;        /* nx_api/contract/program_image.h */
+struct taken_log;       /* messages taken and lost: os/taken.h */
+struct node_races;      /* what is known of accesses to memory: races/node_races.h */
 struct node_crash;      /* what is known of a program's crash: machine/crash.h */
 
 /* Why a node ended. */
@@ -146,6 +149,7 @@ struct node_cold {
     struct own_calls own;
     struct lp_cold lp;
     struct node_error error;
+    struct taken_log *taken; /* os. NULL: nothing has been noted */
 };
 
 /* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what
@@ -161,6 +165,7 @@ struct node {
     bool armed;                 /* os: posted a handler at any time */
     bool call_has_type, awaits; /* os: see call */
     bool hands_over;            /* os: the call was entered by node_enter_early, and has not waited */
+    bool names_senders;         /* os: posted a receive from a certain node at any time */
     bool heap_moved;            /* os: heap_used has changed since the program was last in a call */
     struct node_times times;    /* os */
     struct lp lp;               /* lp */
@@ -173,10 +178,12 @@ struct node {
     vtime waits_system;         /* os: times.system when it began to wait */
     const char *call;           /* os: the call the program is in, for reports; NULL while it computes */
     struct node_record *record; /* os. NULL: the node is in no trace */
+    struct node_races *races;   /* machine. NULL: the program was built without --races */
     struct node_path_times *path_times; /* os. NULL: the program was built without --profile */
-    vtime call_since;                   /* os */
-    long call_type;                     /* os: type, typesel or id it was given, if call_has_type */
-    long awaited;                       /* os: type or typesel of the message the call is about, if awaits */
+    struct livelock *livelock; /* os. NULL: no poll has found nothing, and no handler has interrupted it */
+    vtime call_since;          /* os */
+    long call_type;            /* os: type, typesel or id it was given, if call_has_type */
+    long awaited;              /* os: type or typesel of the message the call is about, if awaits */
     uintptr_t
         frame; /* os: on the stack: of the call while it is blocked, or of the poll where it has stopped */
     bool masked, in_handler; /* os */

@@ -7,10 +7,13 @@
 #include "kernel/arena.h"
 #include "lp/schedule.h"
 #include "node/self.h"
+#include "timing/timing.h"
 
 struct recorder;
+struct numbering; /* os/numbering.h */
+struct races;
 
-enum { NODE_HOST_FILES = 64 };
+enum { NODE_HOST_FILES = 64, NODE_TYPE_HASHES = 1024 };
 
 struct node_absent {
     char *function, *first; /* the node that called it first */
@@ -45,10 +48,15 @@ struct node_system {
     FILE *out[2];
     struct progress_line *progress; /* on the terminal that has the output; NULL: none */
 
-    uint64_t digest;           /* os: of all messages received: time, nodes, type, length, in order */
-    struct recorder *recorder; /* of the run's trace: os/node_record.h. NULL: none */
-    FILE *history;             /* the same as text, a line for each; NULL: not wanted */
-    uint64_t messages, bytes;  /* os: received */
+    uint64_t digest;          /* os: of all messages received: time, nodes, type, length, in order */
+    FILE *history;            /* the same as text, a line for each; NULL: not wanted */
+    uint64_t messages, bytes; /* os: received */
+    /* os: a set of hashes of the types received */
+    uint64_t types_come[NODE_TYPE_HASHES / 64];
+    struct timing *timing;       /* NULL: the machine's usual */
+    struct numbering *numbering; /* NULL: the run is neither recorded as a schedule nor keeps orders */
+    struct recorder *recorder;   /* of the run's trace: os/node_record.h. NULL: none */
+    struct races *races; /* of the programs built with --races: races/race_check.h. NULL: there are none */
     /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */
     char **host_files;
     /* guest: functions that nodes do not have, and programs called; by first call */
@@ -69,6 +77,11 @@ struct node_system {
     void (*print_calls)(FILE *f, const struct node *n, uintptr_t frame);
 };
 
+static inline uint32_t node_type_hash(int64_t type)
+{
+    return (uint32_t)((uint64_t)type * UINT64_C(0x9e3779b97f4a7c15) >> 54); /* of 10 bits */
+}
+
 /* Who lives at an address of the network, and the number by which programs know them. */
 static inline struct node *node_at(const struct node_system *sys, uint32_t address)
 {
@@ -77,6 +90,12 @@ static inline struct node *node_at(const struct node_system *sys, uint32_t addre
 static inline uint32_t node_number(const struct node_system *sys, uint32_t address)
 {
     return sys->host && address == sys->host->lp.address ? sys->count : address;
+}
+
+/* Its number in the run's timing. */
+static inline uint32_t node_timed(const struct node *n)
+{
+    return n->is_host ? TIMING_HOST : n->lp.address;
 }
 
 /* The machine whose schedule this is. */

@@ -30,6 +30,7 @@
 #include "lp/upcalls.h"
 #include "node/system.h"
 #include "os/node_record.h"
+#include "os/race_hooks.h"
 #include "os/charge.h"
 #include "os/front.h"
 #include "os/gate.h"
@@ -160,6 +161,7 @@ void node_leave(struct node *n)
 {
     clock_sync(&n->lp);
     RECORD(n, call_ends);
+    RACES(n, computes);
     n->call = NULL;
     gate_begin_segment(n);
     compute_on(&n->lp);

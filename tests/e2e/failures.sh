@@ -6,7 +6,7 @@ for p in deadlock crash quits endless greedy flood; do compile $p; done
 run -n 4 deadlock
 check "deadlock: exit status 2" ended_with 2
 check "deadlock: a line for each node, with call, type and since when" \
-    test "$(grep -cE '^  node [0-3]: (crecv|cprobe|msgwait)\(-?[0-9]+\) since [0-9.]+ s' err)" = 4
+    test "$(grep -cE '^  node [0-3]: ((crecv|cprobe|msgwait)\(-?[0-9]+\)|gsync) since [0-9.]+ s' err)" = 4
 check "deadlock: and the source line" said "^  node 0: crecv\(7\) since [0-9.]+ s \(deadlock\.c:$(grep -n 'crecv(7' "$tests/deadlock.c" | cut -d: -f1)\)"
 check "deadlock: crecv names its type" said '^  node 0: crecv\(7\) since'
 

@@ -99,7 +99,7 @@ run --host hang counts
 check "deadlock: exit status 2" ended_with 2
 check "deadlock: what the host waits for" said '^  host: crecv\(77\) since'
 check "deadlock: what the nodes wait for" said '^  node 2: crecv\(1\) since'
-check "deadlock: which have no program" said '^  node 3: no program'
+check "deadlock: which have no program" said '^  nodes 0, 1, 3: no program'
 run --host leaves counts
 check "the host ends first: exit status 0" ended_with 0
 check "the host ends first: says who is killed" said '^  node 3: crecv\(1\) since'

@@ -46,5 +46,5 @@ check "and its line" said "called from main.*\(long\.c:$(grep -n 'crecv(DONE' lo
 sed 's/crecv(DONE/crecv(DONE + 1/' pi.c >hangs.c
 check "with a wrong type it compiles" build -o hangs hangs.c
 run -m ipsc860 -n 3 hangs
-check "a deadlock is explained" said "^  node 1: crecv\(3\) since 0\..* s \(hangs\.c:$(grep -n 'crecv(DONE' hangs.c | cut -d: -f1)\)"
+check "a deadlock is explained" said "^  nodes 1, 2: crecv\(3\) since 0\..* s \(hangs\.c:$(grep -n 'crecv(DONE' hangs.c | cut -d: -f1)\)"
 check "exit status 2" ended_with 2

@@ -1,5 +1,6 @@
 /* program.c - see program.h. */
 #include "program.h"
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -339,9 +340,28 @@ static void choose_machine(struct chooser *c)
         while (p->nodes & (p->nodes - 1))
             p->nodes++;
     p->flushes = !p->host && random_chance(r, 0.15);
-    p->traced = p->seed % 2;
+    p->traced = p->seed % 2, p->recorded = p->seed % 3 == 0;
     p->profile = !p->host && !p->flushes && random_chance(r, 0.15);
     p->most_virtual_s = random_chance(r, 0.1) ? 1e-6 * (double)spread(r, 1e5) : 20;
+}
+
+/* A timing other than usual, for a third of the programs: delays about as long as the machine's own times, or
+ * hardly any, so that ties are broken, or very long ones. */
+static void choose_timing(struct program *p)
+{
+    static const uint64_t MOST_PS[] = {2, 1000, 100000000, 10000000000};
+    uint64_t r = p->seed ^ UINT64_C(0xde1a);
+    if (!random_chance(&r, 0.34))
+        return;
+    uint64_t most = MOST_PS[random_below(&r, sizeof MOST_PS / sizeof *MOST_PS)];
+    unsigned depth = 1 + (unsigned)random_below(&r, 5), length = 1 + (unsigned)random_below(&r, 300);
+    snprintf(p->timing, sizeof p->timing,
+             "%u,messages=%" PRIu64 "ps,interrupts=%" PRIu64 "ps,start=%" PRIu64 "ps,speed=%u%%",
+             (unsigned)random_below(&r, 1000000), random_below(&r, most + 1), random_below(&r, most + 1),
+             random_below(&r, most + 1), random_chance(&r, 0.5) ? 0 : 1 + (unsigned)random_below(&r, 30));
+    if (random_chance(&r, 0.4))
+        snprintf(p->timing + strlen(p->timing), sizeof p->timing - strlen(p->timing),
+                 ",method=pct,depth=%u,length=%u", depth, length);
 }
 
 struct program *program_new(uint64_t seed)
@@ -353,6 +373,7 @@ struct program *program_new(uint64_t seed)
     c.ends = random_chance(&c.random, 0.2);
     choose_machine(&c);
     choose_numbers(&c);
+    choose_timing(c.p);
     int phases = 1 + (int)random_below(&c.random, 3);
     for (int i = 0; i < phases; i++)
         add_phase(&c, i);

@@ -25,10 +25,11 @@ struct program {
     uint32_t nodes;
     bool flushes, host, cube; /* host: there is a host program; cube: it calls getcube itself */
     bool profile;
-    bool traced;
+    bool traced, recorded;
     double most_virtual_s;
     char set[MOST_SET][48]; /* KEY=VALUE of the machine file */
     int set_count;
+    char timing[160];              /* of --timing; "": the machine's usual */
     struct script script[SCRIPTS]; /* of each node, and the host's */
 };
 

@@ -47,13 +47,13 @@ static double seconds(void)
 }
 
 /* One worker, or several; their order and the slices differ with the program. */
-static void choose_ways(uint64_t seed, char way[WAYS][MOST_WAY])
+static void choose_ways(const struct program *p, char way[WAYS][MOST_WAY])
 {
-    uint64_t r = seed ^ UINT64_C(0x5eed);
+    uint64_t r = p->seed ^ UINT64_C(0x5eed);
     unsigned shuffle = 1 + (unsigned)random_below(&r, 1000);
     double slice = 1e-7 * (double)(1 + random_below(&r, 3000));
     strcpy(way[0], TRIAL_UNTRACED);
-    strcpy(way[1], "-w 2");
+    strcpy(way[1], p->recorded ? TRIAL_REPLAYED : "-w 2");
     strcpy(way[2], random_chance(&r, 0.5) ? "-w 4" : "-w 8");
     snprintf(way[3], MOST_WAY, "-w 3 --shuffle %u", shuffle);
     if (random_chance(&r, 0.5))
@@ -77,7 +77,7 @@ static void print_program(const struct program *p, const char *way, const char *
                    script + strcspn(script, "=") + 1);
             free(script);
         }
-    trial_print_command(p, "--engine reference", stdout);
+    trial_print_command(p, TRIAL_REFERENCE, stdout);
     trial_print_command(p, way, stdout);
 }
 
@@ -87,7 +87,7 @@ static void report(const struct place *place, struct program *p, const char *way
            p->seed, way, program_ops(p), p->nodes);
     fflush(stdout);
     shrink(place, &p, way);
-    struct trial right = trial_run(place, p, "--engine reference"), t = {0};
+    struct trial right = trial_run(place, p, TRIAL_REFERENCE), t = {0};
     for (int i = 0; i < 20; i++) {
         trial_free(&t);
         t = trial_run(place, p, way);
@@ -118,7 +118,7 @@ static const char *try(const struct place *place, const struct program *p, char 
                        struct shared *all)
 {
     const char *wrong = NULL;
-    struct trial right = trial_run(place, p, "--engine reference");
+    struct trial right = trial_run(place, p, TRIAL_REFERENCE);
     atomic_fetch_add(&all->messages, lines(right.text[HISTORY]));
     if (WIFEXITED(right.status) && WEXITSTATUS(right.status) > 2) {
         fprintf(stderr, "prove: program %" PRIu64 " cannot be run: %s", p->seed, right.text[ERRORS]);
@@ -144,7 +144,7 @@ static void prove(const struct options *o, const struct place *place, struct sha
             return;
         struct program *p = program_new(o->seed + i);
         char ways[WAYS][MOST_WAY];
-        choose_ways(p->seed, ways);
+        choose_ways(p, ways);
         const char *wrong = try(place, p, ways, all);
         if (wrong && o->keep_going) {
             printf("\nprogram %" PRIu64 " differs with %s: %zu operations on %u nodes of %s\n", p->seed,

@@ -18,7 +18,7 @@ struct finding {
 /* The result that differs from the reference's; -1: none. Runs with workers are tried several times. */
 static int difference(const struct finding *c, const struct program *p)
 {
-    struct trial right = trial_run(c->place, p, "--engine reference");
+    struct trial right = trial_run(c->place, p, TRIAL_REFERENCE);
     int result = -1, tries = strncmp(c->way, "-w 1", 4) == 0 ? 1 : TRIES;
     if (right.status == -1 || WIFSIGNALED(right.status))
         result = RESULTS;
@@ -94,6 +94,11 @@ static bool fewer_settings(struct finding *c)
     if (c->p->profile) {
         struct program *smaller = program_copy(c->p);
         smaller->profile = false;
+        any |= take(c, smaller);
+    }
+    if (*c->p->timing) {
+        struct program *smaller = program_copy(c->p);
+        *smaller->timing = '\0';
         any |= take(c, smaller);
     }
     if (c->p->flushes) {

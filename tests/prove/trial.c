@@ -13,7 +13,8 @@
 #include <time.h>
 #include <unistd.h>
 
-const char *const RESULT_NAMES[RESULTS] = {"messages", "output", "errors", "figures", "profile", "trace"};
+const char *const RESULT_NAMES[RESULTS] = {"messages", "output", "errors",  "figures",
+                                           "profile",  "trace",  "schedule"};
 
 enum { MOST_ARGUMENTS = 64, PATIENCE_S = 120 };
 
@@ -50,7 +51,7 @@ static void add_words(struct arguments *a, const char *words)
 }
 
 /* The arguments that determine the results: from the machine to the program. */
-static void add_program(struct arguments *a, const struct program *p, const char *folder)
+static void add_program(struct arguments *a, const struct program *p, const char *way, const char *folder)
 {
     add(a, "-m");
     add(a, "%s", p->machine);
@@ -64,6 +65,10 @@ static void add_program(struct arguments *a, const struct program *p, const char
         add(a, "--set");
         add(a, "%s", p->set[i]);
     }
+    if (*p->timing && strcmp(way, TRIAL_REPLAYED) != 0) {
+        add(a, "--timing");
+        add(a, "%s", p->timing);
+    }
     if (p->host) {
         add(a, "--host");
         add(a, "%splayer-host", folder);
@@ -74,6 +79,11 @@ static void add_program(struct arguments *a, const struct program *p, const char
 static bool is_traced(const struct program *p, const char *way)
 {
     return p->traced && strcmp(way, TRIAL_UNTRACED) != 0;
+}
+
+static bool is_recorded(const struct program *p, const char *way)
+{
+    return p->recorded && strcmp(way, TRIAL_UNTRACED) != 0;
 }
 
 static struct arguments command(const struct place *place, const struct program *p, const char *way)
@@ -96,9 +106,18 @@ static struct arguments command(const struct place *place, const struct program 
         add(&a, "--trace");
         add(&a, "%s/%s", place->folder, RESULT_NAMES[TRACE]);
     }
-    add_words(&a, way);
+    if (is_recorded(p, way)) {
+        add(&a, "--record");
+        add(&a, "%s/%s", place->folder, RESULT_NAMES[SCHEDULE]);
+    }
+    if (strcmp(way, TRIAL_REPLAYED) == 0) {
+        add(&a, "--replay");
+        add(&a, "%s/replayed", place->folder);
+    } else {
+        add_words(&a, way);
+    }
     snprintf(folder, sizeof folder, "%s/tests/prove/", place->build);
-    add_program(&a, p, folder);
+    add_program(&a, p, way, folder);
     return a;
 }
 
@@ -108,7 +127,7 @@ void trial_print_command(const struct program *p, const char *way, FILE *f)
     add(&a, "touchstone");
     add(&a, "run");
     add_words(&a, way);
-    add_program(&a, p, "");
+    add_program(&a, p, way, "");
     for (int i = 0; i < a.count; i++)
         fprintf(f, "%s%s", i ? " " : "", a.list[i]);
     fputc('\n', f);
@@ -181,9 +200,11 @@ static int run(const struct place *place, const struct program *p, const char *w
     return status_of(child);
 }
 
-static bool tells_of_real_time(const char *line)
+/* (Comments of schedules tell with which seed delays were drawn.) */
+static bool is_another_each_time(const char *line)
 {
-    return strncmp(line, "wall time", 9) == 0 || strstr(line, "\"wall_time") != NULL;
+    return strncmp(line, "# --timing", 10) == 0 || strncmp(line, "wall time", 9) == 0 ||
+           strstr(line, "\"wall_time") != NULL;
 }
 
 static char *read_result(const char *path)
@@ -192,7 +213,7 @@ static char *read_result(const char *path)
     size_t size, room = 0;
     FILE *from = fopen(path, "r"), *to = open_memstream(&text, &size);
     while (from && getline(&line, &room, from) >= 0)
-        if (!tells_of_real_time(line))
+        if (!is_another_each_time(line))
             fputs(line, to);
     free(line);
     fclose(to);
@@ -201,9 +222,19 @@ static char *read_result(const char *path)
     return text;
 }
 
+/* Keeps a schedule for TRIAL_REPLAYED. */
+static void keep_schedule(const struct place *place, const char *text)
+{
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/replayed", place->folder);
+    FILE *f = fopen(path, "w");
+    if (!f || fputs(text, f) < 0 || fclose(f))
+        abort();
+}
+
 struct trial trial_run(const struct place *place, const struct program *p, const char *way)
 {
-    struct trial t = {.traced = is_traced(p, way)};
+    struct trial t = {.traced = is_traced(p, way), .recorded = is_recorded(p, way)};
     char path[PATH_MAX];
     for (int i = 0; i < RESULTS; i++) {
         path_of(place, i, path);
@@ -214,6 +245,8 @@ struct trial trial_run(const struct place *place, const struct program *p, const
         path_of(place, i, path);
         t.text[i] = i == TRACE ? trace_text(path) : read_result(path);
     }
+    if (t.recorded && strcmp(way, TRIAL_REFERENCE) == 0)
+        keep_schedule(place, t.text[SCHEDULE]);
     return t;
 }
 
@@ -226,7 +259,8 @@ void trial_free(struct trial *t)
 int trial_differs(const struct trial *a, const struct trial *b)
 {
     for (int i = 0; i < RESULTS; i++)
-        if (strcmp(a->text[i], b->text[i]) != 0 && (i != TRACE || (a->traced && b->traced)))
+        if (strcmp(a->text[i], b->text[i]) != 0 && (i != TRACE || (a->traced && b->traced)) &&
+            (i != SCHEDULE || (a->recorded && b->recorded)))
             return i;
     return a->status == b->status ? -1 : RESULTS;
 }

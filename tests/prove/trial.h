@@ -9,19 +9,23 @@ struct place {
     const char *folder; /* the prover's own */
 };
 
-enum result { HISTORY, OUTPUT, ERRORS, FIGURES, PROFILE, TRACE, RESULTS };
+enum result { HISTORY, OUTPUT, ERRORS, FIGURES, PROFILE, TRACE, SCHEDULE, RESULTS };
 extern const char *const RESULT_NAMES[RESULTS];
 
 /* All results that must be equal in every run: without the lines about host time. */
 struct trial {
     char *text[RESULTS];
-    bool traced;
+    bool traced, recorded;
     int status; /* as of wait(2); -1: it took too long */
 };
 
-/* way: arguments for touchstone run, such as "-w 2". A traced program writes a trace except with
- * TRIAL_UNTRACED, so that a run without trace is compared with those that write one. */
+/* way: arguments for touchstone run, such as "-w 2". A traced program writes a trace, and a recorded one its
+ * schedule, except with TRIAL_UNTRACED, so that a run without them is compared with those that write them. */
 #define TRIAL_UNTRACED "-w 1"
+#define TRIAL_REFERENCE "--engine reference"
+/* Of a recorded program: without its --timing, but with the schedule that its last run on the reference
+ * engine has written. */
+#define TRIAL_REPLAYED "-w 2 --replay replayed"
 struct trial trial_run(const struct place *place, const struct program *p, const char *way);
 void trial_free(struct trial *t);
 /* The first result that differs, or RESULTS if only the status does; -1: none. */

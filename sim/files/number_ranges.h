@@ -1,0 +1,11 @@
+/* number_ranges.h - numbers of nodes and the like as text. */
+#ifndef FILES_NUMBER_RANGES_H
+#define FILES_NUMBER_RANGES_H
+#include <stdint.h>
+#include <stdio.h>
+
+/* Prints "3", or "1-5, 7": count numbers, in ascending order. */
+void number_ranges_print(FILE *f, const uint32_t *numbers, uint32_t count);
+/* Prints "node 3", or "nodes 1-5, 7". */
+void number_ranges_print_nodes(FILE *f, const uint32_t *nodes, uint32_t count);
+#endif

@@ -1,0 +1,167 @@
+#!/bin/bash
+# explore.sh - touchstone explore finds what other timings change: in ten programs whose bad outcome needs another timing, each
+# within the bound of PCT; in the model without its discard rule; nothing where nothing depends on the order. It repeats what it
+# found, goes on after kill -9, and gives one report with one process at a time, with two, and with several that share the runs.
+. "$(dirname "$0")/common.bash"
+programs=$tests/../explore
+
+explore() { # FOLDER ARGS...
+    local folder=$1
+    shift
+    timeout 300 "$BUILD/touchstone" explore -o "$folder" "$@" >out 2>err </dev/null
+    status=$?
+}
+# All but the last line, which has times of this computer, and what mpirun says behind it.
+report() { sed '/^  [0-9]* runs made in/,$d' out; }
+# figure FILE EXPRESSION: of the JSON d
+figure() { python3 -c "import json, sys; d = json.load(open(sys.argv[1])); print($2)" "$1"; }
+repeats() { # FILE OUTCOME: the command that the report gives for the outcome, and its outcome again
+    local command
+    command=$(figure "$1" "d['outcomes'][$2]['repeat']")
+    eval "${command/#touchstone/\$BUILD/touchstone}" >again 2>again.err
+}
+build() { # SOURCE PROGRAM OPTIONS...
+    local source=$1 program=$2 compiler=nxcc
+    shift 2
+    [ "${source%.F}" = "$source" ] || compiler=nxf77
+    "$BUILD/$compiler" -g -O2 "$@" -o "$program" "$source" 2>compile.err || cat compile.err
+}
+
+# --- ten programs ---
+grep -v '^#' "$programs/programs.txt" | while read -r source nodes depth bad _ good; do
+    name=${source%.*}
+    [ -n "$name" ] || continue
+    cp "$programs/work.h" .
+    check "$name compiles" build "$programs/$source" "$name"
+    explore "of/$name" -n "$nodes" --runs 1 --bounds messages=500us --json base.json "$name"
+    check "$name: one run is the usual one" ended_with 0
+    bound=$(figure base.json "int(d['guarantee'][$depth - 1]['runs_for_95'])")
+    explore "of/$name" -n "$nodes" --runs "$bound" --bounds messages=500us --json $name.json "$name"
+    check "$name: within the bound of PCT, $bound runs for depth $depth, an outcome differs" ended_with 1
+    case $bad in
+    crash) end=failed ;;
+    output) end=ended ;;
+    *) end=$bad ;;
+    esac
+    which=$(figure $name.json "next((i for i, o in enumerate(d['outcomes']) if i and o['end'] == '$end'), '')")
+    check "$name: it is a $bad" test -n "$which"
+    [ -n "$which" ] || continue
+    echo "$name: depth $depth, bound $bound runs; found by run $(figure $name.json "d['outcomes'][$which]['first_run'] + 1")," \
+        "$(figure $name.json "d['outcomes'][$which]['first_name']")"
+    repeats $name.json "$which"
+    again=$?
+    case $end in
+    deadlock) check "$name: its command repeats it" test $again = 2 ;;
+    failed) check "$name: its command repeats it" test $again = 1 ;;
+    *) check "$name: its command repeats it" bash -c '! grep -qxF "$1" again' _ "$good" ;;
+    esac
+
+    # The fewest delays: they repeat the outcome, and without any one of them it is another.
+    schedule=$(figure $name.json "d['outcomes'][$which].get('schedule', '')")
+    check "$name: the fewest delays are found" test "$(figure $name.json "d['outcomes'][$which].get('delays_are_least')")" = True
+    run -q -n "$nodes" --replay "$schedule" "$name"
+    cp out shown && shows=$status
+    cmp -s shown again || case $end in ended) check "$name: the delays alone give the same output" cmp <(sort shown) <(sort again) ;; esac
+    check "$name: the delays alone end as it did" test "$shows" = $again
+    for line in $(grep -nE '^(message|interrupt|start|speed) ' "$schedule" | cut -d: -f1); do
+        sed "${line}d" "$schedule" >less
+        run -q -n "$nodes" --replay less "$name"
+        [ "$status" != $again ] || [ "$end" = ended ] && ! cmp -s <(sort out) <(sort shown) ||
+            check "$name: line $line of $schedule is needed" false
+    done
+done >ten
+cat ten
+check "all ten were explored" test "$(grep -c ': depth ' ten)" = 10
+
+# --- a program that does not depend on the order ---
+cat >same.c <<'END'
+#include <stdio.h>
+#include "nx.h"
+int main(void)
+{
+    long sum = 0;
+    for (int i = 1; mynode() == 0 && i < numnodes(); i++) {
+        long part;
+        crecv(1, &part, sizeof part);
+        sum += part;
+    }
+    if (mynode() == 0)
+        printf("sum %ld\n", sum);
+    else {
+        long part = mynode();
+        csend(1, &part, sizeof part, 0, 0);
+    }
+    printf("node %ld is done\n", mynode());
+    return 0;
+}
+END
+build same.c same
+explore of/same -n 4 --runs 60 same
+check "receives in any order, one sum: all the same" ended_with 0
+check "the report says so, of several orders" grep -qE '^same: 60 runs, [0-9]{1,2} orders: all the same$' out
+check "the orders are all there are, or fewer" test "$(sed -nE 's/^same: 60 runs, ([0-9]+) orders.*/\1/p' out)" -le 6
+check "and more than one" test "$(sed -nE 's/^same: 60 runs, ([0-9]+) orders.*/\1/p' out)" -ge 4
+explore ordered -n 4 --runs 20 --ordered same
+check "with --ordered, lines of nodes must come in one order" ended_with 1
+explore sums -n 4 --runs 20 --ordered --same '^sum' same
+check "--same picks the lines" ended_with 0
+explore wrong -n 1 --runs 5 --same '(' same
+check "a wrong expression is told" said "^touchstone explore: --same '\('"
+explore wrong -n 1 --runs 5 missing
+check "a missing program is told" said '^touchstone explore: missing: No such file'
+
+# --- a file that the program writes, here and in /cfs ---
+sed 's|printf("sum %ld.n", sum);|{ FILE *f = fopen(NAME, "w"); fprintf(f, "%d\\n", (int)infonode()); fclose(f); }|' same.c >file.c
+echo keep >result
+build file.c here -DNAME='"result"'
+build file.c there -DNAME='"/cfs/result"'
+explore of/here -n 4 --runs 20 --same-file result here
+check "--same-file compares a file" ended_with 1
+check "each run writes its own; the one here stays as it was" grep -qx keep result
+explore of/there -n 4 --runs 20 --same-file /cfs/result there
+check "--same-file compares a file of /cfs" ended_with 1
+explore unfiled -n 4 --runs 20 there
+check "without it, only what is printed counts" ended_with 0
+
+# --- one report ---
+copy=$programs/two_exchanges.c
+build "$copy" two
+explore one -n 4 --runs 60 --bounds messages=500us -j 1 two
+report >one.txt
+explore one2 -n 4 --runs 60 --bounds messages=500us -j 2 two
+check "two at a time: the same report" cmp <(sed 's/one2/one/g' <(report)) one.txt
+"$BUILD/touchstone" explore -n 4 --runs 60 --bounds messages=500us -j 2 -o killed two >out 2>err </dev/null &
+for ((i = 0; i < 1000; i++)); do
+    [ "$(grep -c ' d {' killed/journal 2>/dev/null || echo 0)" -ge 10 ] 2>/dev/null && break
+    sleep 0.01
+done
+kill -9 $!
+wait $! 2>/dev/null
+before=$(grep -c ' d {' killed/journal)
+explore killed -n 4 --runs 60 --bounds messages=500us -j 2 two
+check "after kill -9 the same command goes on" test "$before" -ge 10 -a "$before" -lt 60 -a "$status" = 1
+check "with the same report" cmp <(sed 's/killed/one/g' <(report)) one.txt
+check "no run is made twice" test "$(cut -d' ' -f2 killed/journal | sort | uniq -d)" = ""
+explore killed -n 4 --runs 60 --bounds messages=500us -j 2 two
+check "another time none is made" grep -qE '^  0 runs made' out
+explore killed -n 4 --runs 60 --bounds messages=400us -j 2 two
+check "with other bounds they are other runs" grep -qE '^  [1-9][0-9]* runs made' out
+if command -v mpirun >/dev/null; then
+    mpirun --allow-run-as-root --oversubscribe -np 3 "$BUILD/touchstone" explore -n 4 --runs 60 --bounds messages=500us -o shared two >out 2>err </dev/null
+    check "three processes share the runs: one report" cmp <(sed 's/shared/one/g' <(report)) one.txt
+    check "and no run is made twice" test "$(cut -d' ' -f2 shared/journal | sort | uniq -d)" = ""
+fi
+explore timed -n 4 --seconds 1 --bounds messages=500us two
+check "--seconds ends it" grep -q 'The time is over' out
+
+# --- the model without its discard rule (discard.sh) ---
+cp -r "$tests/../../app" app && patch -s -p1 -i "$tests/discard.patch"
+"$BUILD/nxcc" -g -O2 -o without app/*.c -lm
+two_groups="-group 1 -sphere 16 16 3 -shares layers -preload -nooverlap -half 0.01 -digest"
+# shellcheck disable=SC2086
+explore of/model -m ipsc860 -n 2 --runs 60 --bounds interrupts=2ms --same '^polygon(s|s_by_isovalue|_digest) ' --json model.json without $two_groups
+check "without its discard rule the model deadlocks" ended_with 1
+cycle=$(figure model.json "next((i for i, o in enumerate(d['outcomes']) if o['end'] == 'deadlock' and 'slave.c' in o['shown'] and 'report.c' not in o['shown']), '')")
+check "two groups wait for each other: the cycle is found" test -n "$cycle"
+check "it takes delays of a handler on each node" \
+    test "$(figure model.json "sorted(x['node'] for x in d['outcomes'][${cycle:-0}].get('delays', []) if x['kind'] == 'interrupt')")" = "[0, 1]"
