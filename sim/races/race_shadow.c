@@ -78,17 +78,6 @@ struct race_cells *race_shadow_page(struct race_shadow *s, uintptr_t address)
     return cached->number == number ? cached->cells : load(s, number);
 }
 
-struct race_cell *race_shadow_cell(struct race_shadow *s, uintptr_t address)
-{
-    return &race_shadow_page(s, address)->of[address % RACE_PAGE / RACE_WORD];
-}
-
-struct race_cell *race_shadow_find(const struct race_shadow *s, uintptr_t address)
-{
-    const struct race_page *p = slot(s, address / RACE_PAGE);
-    return p->number ? &p->cells->of[address % RACE_PAGE / RACE_WORD] : NULL;
-}
-
 static void forget(struct race_cells *c, size_t first, size_t words)
 {
     memset(c->known, 0, sizeof c->known);

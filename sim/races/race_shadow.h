@@ -86,12 +86,8 @@ static inline struct race_cell *race_shadow_quick(const struct race_shadow *s, u
 
 struct race_shadow *race_shadow_new(void);
 void race_shadow_free(struct race_shadow *s);
-/* The cell of the word at an address; made if it is not there. */
-struct race_cell *race_shadow_cell(struct race_shadow *s, uintptr_t address);
 /* The cells of the page of an address; made if they are not there. */
 struct race_cells *race_shadow_page(struct race_shadow *s, uintptr_t address);
-/* The cell of the word at an address; NULL if it is not there. */
-struct race_cell *race_shadow_find(const struct race_shadow *s, uintptr_t address);
 /* Forgets the accesses to memory; all of them. */
 void race_shadow_forget(struct race_shadow *s, uintptr_t address, size_t bytes);
 void race_shadow_clear(struct race_shadow *s);
