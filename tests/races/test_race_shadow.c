@@ -52,8 +52,7 @@ static void forgetting_takes_the_words_that_are_named(void **state)
         cell_of(s, AT + 4 * i)->of[RACE_HANDLER_WRITE].epoch = 7;
     race_shadow_forget(s, AT + 8, 4 * 1000);
     for (uintptr_t i = 0; i < 1024; i++)
-        assert_int_equal(cell_of(s, AT + 4 * i)->of[RACE_HANDLER_WRITE].epoch,
-                         i < 2 || i >= 1002 ? 7 : 0);
+        assert_int_equal(cell_of(s, AT + 4 * i)->of[RACE_HANDLER_WRITE].epoch, i < 2 || i >= 1002 ? 7 : 0);
     race_shadow_forget(s, AT + 5, 1);
     assert_int_equal(cell_of(s, AT + 4)->of[RACE_HANDLER_WRITE].epoch, 0);
     assert_int_equal(cell_of(s, AT)->of[RACE_HANDLER_WRITE].epoch, 7);
