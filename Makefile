@@ -27,12 +27,20 @@ ifndef V
 say = @printf '  %-6s %s\n' $(1) $(2)
 endif
 
-all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/libkmath.a ## Build everything into build/
+all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/libkmath.a $B/node/commit ## Build everything into build/
 
 $B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(CC) $(CFLAGS) $(LTO) -MMD -MP -c -o $@ $<
+
+# The version is what the file VERSION says. The commit is known to a file that --version reads, not to any object: share/commit.
+$B/obj/sim/cli/version.o $B/obj/nx_api/driver/help.o: CFLAGS += -DTOUCHSTONE_VERSION='"$(shell cat VERSION)"'
+$B/obj/sim/cli/version.o $B/obj/nx_api/driver/help.o: VERSION
+
+FORCE:
+$B/node/commit: FORCE
+	@share/commit $@
 
 $B/libtouchstone.a: $(SIM_OBJ)
 	$(call say,AR,$@)
@@ -135,7 +143,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
 	install $B/touchstone-reference $(INST)/lib/touchstone
-	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
+	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $B/node/commit $(INST)/lib/touchstone
 	install -d $(INST)/lib/touchstone/mpi
 	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
 	install $B/app/model $(INST)/lib/touchstone/app
@@ -149,7 +157,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 share/schemas/*.json $(INST)/share/touchstone/schemas
 	install -m 644 share/examples/*.c $(INST)/share/touchstone/examples
 
-include doc/man/man.mk
+include doc/man/man.mk share/completion/completion.mk
 
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
@@ -166,4 +174,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: all unit test prove tables report choices bench bench-setup setup install format check-format clean help
+.PHONY: FORCE all unit test prove tables report choices bench bench-setup setup install format check-format clean help

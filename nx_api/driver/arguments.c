@@ -114,6 +114,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         help_show();
     else if (!strcmp(option, "--version"))
         help_version();
+    else if (!strcmp(option, "--describe"))
+        help_describe();
     else if ((file = file_of("--costs", argc, argv, i)))
         a->costs = file;
     else if ((file = file_of("--factors", argc, argv, i)))

@@ -1,45 +1,60 @@
 /* help.c - see help.h. */
 #include "nx_api/driver/help.h"
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
+#include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
-#define VERSION "0.1"
+enum { COMMIT_SIZE = 64 };
 
-static const char help[] =
+static const char USE[] =
     "nxcc compiles programs for the nodes that touchstone simulates. Use it as you use gcc:\n"
     "\n"
     "    nxcc -O2 -o hello hello.c -lm      compile and link a node program\n"
     "    nxcc -O2 -c part.c                 compile a part; link it later with nxcc\n"
     "    touchstone run hello               run it on a simulated machine\n"
     "\n"
-    "All options are gcc's (-c -E -S -g -O -D -I -L -l ...), and these:\n"
-    "\n"
-    "    --costs FILE     clocks per class of operation of the simulated processor; a name without / is\n"
-    "                     looked for in touchstone's own cpu directory as well (default " DEFAULT_COSTS ")\n"
-    "    --factors FILE   cost factors of source files or functions:\n"
-    "                     factors = ( { file = \"a.c\"; factor = 1.02; } );\n"
-    "    --profile        count by path of calls and line, too, for touchstone run --profile\n"
-    "    --races          tell the simulator of accesses to memory, so that touchstone run reports races\n"
-    "                     between handlers and what they interrupt; costs no virtual time\n"
-    "    -node -nx -K... -M... -i860\n"
-    "                     accepted, as icc and if77 had them; those that mean something in GNU Fortran\n"
-    "                     are translated\n"
-    "    -lkmath          the reference BLAS and LAPACK, counted; -lblas and -llapack are the same\n"
-    "    --as-intel DIR   make links in DIR by the names that makefiles of the time use: icc, if77,\n"
-    "                     ar860, size860\n"
-    "    -host            a host program, for touchstone run --host: nx.h declares getcube, load and\n"
-    "                     their kin\n"
-    "    --long32         long has 32 bits, as on the i860; without it, 64. Also when linking\n"
-    "    --stubs          link functions that nodes do not have, too: they fail with ENOSYS, and the\n"
-    "                     report names those called\n"
-    "    --mpi            a program for a cluster, run by mpirun, instead of one for simulated nodes\n"
-    "    --dry-run        print the gcc command and do not run it\n"
-    "    --help           this text            --version    nxcc's version, and gcc's\n"
+    "All options are gcc's (-c -E -S -g -O -D -I -L -l ...), and these:\n\n";
+
+/* The options of nxcc's own: names, the value that follows, if any, and what they do. */
+static const struct own_option {
+    const char *names, *value, *what;
+} OPTIONS[] = {{"--costs", "FILE",
+                "clocks per class of operation of the simulated processor; a name without / is\n"
+                "looked for in touchstone's own cpu directory as well (default " DEFAULT_COSTS ")"},
+               {"--factors", "FILE",
+                "cost factors of source files or functions:\n"
+                "factors = ( { file = \"a.c\"; factor = 1.02; } );"},
+               {"--profile", NULL, "count by path of calls and line, too, for touchstone run --profile"},
+               {"--races", NULL,
+                "tell the simulator of accesses to memory, so that touchstone run reports races\n"
+                "between handlers and what they interrupt; costs no virtual time"},
+               {"-node -nx -K... -M... -i860", NULL,
+                "accepted, as icc and if77 had them; those that mean something in GNU Fortran\n"
+                "are translated"},
+               {"-lkmath", NULL, "the reference BLAS and LAPACK, counted; -lblas and -llapack are the same"},
+               {"--as-intel", "DIR",
+                "make links in DIR by the names that makefiles of the time use: icc, if77,\n"
+                "ar860, size860"},
+               {"-host", NULL,
+                "a host program, for touchstone run --host: nx.h declares getcube, load and\n"
+                "their kin"},
+               {"--long32", NULL, "long has 32 bits, as on the i860; without it, 64. Also when linking"},
+               {"--stubs", NULL,
+                "link functions that nodes do not have, too: they fail with ENOSYS, and the\n"
+                "report names those called"},
+               {"--mpi", NULL, "a program for a cluster, run by mpirun, instead of one for simulated nodes"},
+               {"--dry-run", NULL, "print the gcc command and do not run it"},
+               {"--help", NULL, "this text"},
+               {"--version", NULL, "nxcc's version and commit, and gcc's version"}};
+enum { OPTION_COUNT = sizeof OPTIONS / sizeof *OPTIONS };
+
+static const char MORE[] =
     "\n"
     "What nxcc does with a program: GCC optimises it as always (without vectors, which the simulated\n"
     "processors do not have), then each block of it is made to count its own cost in clocks of the\n"
@@ -61,17 +76,76 @@ static const char help[] =
     "\n"
     "With --races, touchstone run finds variables that a handler and the program change without masktrap\n"
     "between them, and buffers used while a message is on its way. A comment \"nxcc: race-ok\" on the line\n"
-    "of an access, or alone on the line before, says that the access is no race.\n";
+    "of an access, or alone on the line before, says that the access is no race.\n"
+    "\n"
+    "Exit status: that of gcc; 1 if an option cannot be had, or a file is missing.\n";
+
+/* An option in two columns: its text has lines. */
+static void show_option(const struct own_option *o)
+{
+    enum { COLUMN = 16 };
+    int width = printf("    %s%s%s", o->names, o->value ? " " : "", o->value ? o->value : "") - 4;
+    if (width > COLUMN)
+        width = printf("\n    ") - 5;
+    for (const char *line = o->what; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        printf("%*s%.*s\n", COLUMN + 1 - width, "", (int)strcspn(line, "\n"), line);
+        width = -4;
+    }
+}
 
 void help_show(void)
 {
-    fputs(help, stdout);
+    fputs(USE, stdout);
+    for (int i = 0; i < OPTION_COUNT; i++)
+        show_option(&OPTIONS[i]);
+    fputs(MORE, stdout);
     exit(0);
+}
+
+/* A line for each name, but for those that stand for many. */
+static void describe_option(const struct own_option *o)
+{
+    for (const char *name = o->names; *name; name += strspn(name, " ")) {
+        int length = (int)strcspn(name, " ");
+        bool many = name[length - 1] == '.', is_long = name[1] == '-';
+        if (!many) {
+            printf("option\t%.*s\t%.*s\t%s\t", is_long ? 1 : length, is_long ? "-" : name,
+                   is_long ? length : 1, is_long ? name : "-", o->value ? o->value : "-");
+            for (const char *c = o->what; *c; c++)
+                putchar(*c == '\n' ? ' ' : *c);
+            putchar('\n');
+        }
+        name += length;
+    }
+}
+
+void help_describe(void)
+{
+    puts("arguments\tFILE...");
+    for (int i = 0; i < OPTION_COUNT; i++)
+        describe_option(&OPTIONS[i]);
+    exit(0);
+}
+
+/* The commit that the build has left beside the libraries (share/commit). */
+static void read_commit(char commit[COMMIT_SIZE])
+{
+    struct places p = places_find();
+    char *path = text("%s/commit", p.lib);
+    FILE *f = fopen(path, "re");
+    if (!f || !fgets(commit, COMMIT_SIZE, f))
+        strcpy(commit, "unknown\n");
+    if (f)
+        fclose(f);
+    free(path);
 }
 
 void help_version(void)
 {
-    printf("%s (touchstone) " VERSION ", around:\n", program_invocation_short_name);
+    char commit[COMMIT_SIZE];
+    read_commit(commit);
+    printf("%s (touchstone) %s\ncommit %sfor GCC %s; gcc is:\n", program_invocation_short_name,
+           TOUCHSTONE_VERSION, commit, __VERSION__);
     fflush(stdout);
     execlp("gcc", "gcc", "--version", (char *)NULL);
     fail("gcc: %s", strerror(errno));

@@ -4,7 +4,7 @@
 #define CLI_COMMANDS_H
 #include <argp.h>
 #include <stdbool.h>
-#include <stdint.h>
+#include "cli/program_options.h"
 
 int cli_check(int argc, char **argv);
 int cli_explore(int argc, char **argv);
@@ -29,11 +29,8 @@ int cli_trace_why(int argc, char **argv);
 
 /* What a command line of touchstone run asks for, without where its results go. The texts are argv's. */
 struct cli_run_parts {
-    const char *machine, *cfs, *host; /* cfs, host: NULL if not given */
-    uint32_t nodes;                   /* 0: as many as the host program asks for */
-    const char **set;                 /* ended by NULL; the caller frees the list */
-    char **program;                   /* with its arguments */
-    int program_count;
+    struct cli_program what; /* the caller frees its list of settings */
+    const char *cfs;         /* NULL: not given */
 };
 /* argv[0] is "run". A wrong argument ends the process. */
 void cli_run_read(int argc, char **argv, struct cli_run_parts *parts);

@@ -4,52 +4,41 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/installation.h"
-#include "cli/options.h"
+#include "cli/program_options.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/explore_json.h"
 #include "lab/explore/explore_report.h"
 #include "lab/jobs/session.h"
 #include "timing/draw_read.h"
 
-enum { RUNS = CLI_KEY, SECONDS, BOUNDS, DEPTH, SET, MAX_VIRTUAL, MAX_WALL, TESTS };
+enum { RUNS = CLI_KEY, SECONDS, BOUNDS, DEPTH, TESTS };
 enum { USUAL_RUNS = 200, USUAL_TESTS = 200, USUAL_EXPLAINED = 8, USUAL_WALL_S = 600, EXIT_OUTPUT = 74 };
 
 struct arguments {
-    const char *machine, *host, *dir, *same, *same_file, *json;
-    const char **set; /* ended by NULL */
-    size_t set_count;
+    struct cli_program what;
+    const char *dir, *same, *same_file, *json;
     unsigned jobs;
-    uint32_t nodes, runs, tests, depth; /* 0: not said */
-    double seconds, max_virtual_s, max_wall_s;
+    uint32_t runs, tests, depth; /* 0: not said */
+    double seconds;
     struct draw draw;
     bool ordered;
-    char **program;
-    int program_count;
 };
 
 static const struct argp_option OPTIONS[] = {
-    {NULL, 0, NULL, 0, "Machine:", 1},
-    {"nodes", 'n', "NODES", 0, "Number of nodes; default 1", 0},
-    {"set", SET, "KEY=VALUE", 0, "Value for a key of the machine file, as in touchstone run; may be repeated",
-     0},
-    {"host", CLI_TEXT(arguments, host), "HOST", 0, "Run HOST on the machine's host, as in touchstone run", 0},
     {NULL, 0, NULL, 0, "Runs:", 2},
     {"runs", RUNS, "N", 0, "At most N runs; default 200, with --seconds no limit", 0},
     {"seconds", SECONDS, "S", 0, "Begin no run after S seconds", 0},
     {"bounds", BOUNDS, "KEY=VALUE,...", 0,
      "The longest delays: messages=100us,interrupts=50us,start=1ms,speed=2% by default", 0},
     {"depth", DEPTH, "D", 0, "Runs in the manner of PCT have depths 1 to D; default 3", 0},
-    {"max-virtual-time", MAX_VIRTUAL, "S", 0,
-     "A run of more virtual time fails; default 10 times that of the usual timing, and 1 s", 0},
-    {"max-wall-time", MAX_WALL, "S", 0, "A run of more seconds counts for nothing; default 600", 0},
-    {NULL, 0, NULL, 0, "What is compared:", 3},
+    {NULL, 0, NULL, 0, "What is compared:", 4},
     {"same", CLI_TEXT(arguments, same), "REGEX", 0,
      "Only lines of standard output that match REGEX (extended, POSIX); default all", 0},
     {"same-file", CLI_TEXT(arguments, same_file), "FILE", 0,
      "The bytes of a file that the program writes, also in /cfs; standard output only with --same", 0},
     {"ordered", CLI_FLAG(arguments, ordered), NULL, 0,
      "Lines must come in one order; by default lines of several nodes may mix otherwise", 0},
-    {NULL, 0, NULL, 0, "Results:", 4},
+    {NULL, 0, NULL, 0, "Results:", 5},
     {"output", 'o', "DIR", 0,
      "Folder for journal, recordings and schedules; default out/ and PROGRAM.explore", 0},
     {"json", CLI_TEXT(arguments, json), "FILE", 0, "Write what was found as JSON", 0},
@@ -67,6 +56,8 @@ static const char DOC[] =
     "Each result is in DIR/journal before the next run begins: after Ctrl-C or kill -9 the same command goes "
     "on. mpirun --enable-recovery -np 64 touchstone explore ... (or srun -n 64 ...) shares the runs among "
     "processes that see the same folder DIR.\n\n"
+    "A run that passes the limit of virtual time fails: by default 10 times the time of the usual timing, "
+    "and 1 s. A run that passes the limit of real time, by default 600 s, counts for nothing.\n\n"
     "A run works in a folder of its own with links to the files of the current folder: name other files by "
     "absolute paths.\n\n"
     "Exit status:\n"
@@ -88,30 +79,11 @@ static void set_bounds(struct argp_state *state, struct arguments *a, const char
     free(whole);
 }
 
-static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
-{
-    if (!strchr(setting, '=') || *setting == '=')
-        argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", setting);
-    a->set[a->set_count++] = setting;
-}
-
-static void check(struct argp_state *state, struct arguments *a)
-{
-    if (!a->host && !a->program_count)
-        argp_error(state, "which program? (built by nxcc)");
-    if (!a->host && !a->nodes)
-        a->nodes = 1;
-    a->draw.depth = a->depth ? a->depth : a->draw.depth;
-    a->machine = a->machine ? a->machine : a->host ? "ipsc860" : "delta";
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->machine, state->child_inputs[1] = &a->jobs;
-    else if (key == 'n')
-        a->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX - 1, arg);
+        state->child_inputs[0] = &a->what, state->child_inputs[1] = &a->jobs;
     else if (key == 'o')
         a->dir = arg;
     else if (key == RUNS)
@@ -122,18 +94,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         set_bounds(state, a, arg);
     else if (key == DEPTH)
         a->depth = cli_whole(state, "--depth", "a depth", DRAW_DEEPEST, arg);
-    else if (key == SET)
-        add_setting(state, a, arg);
-    else if (key == MAX_VIRTUAL)
-        a->max_virtual_s = cli_seconds(state, "--max-virtual-time", arg);
-    else if (key == MAX_WALL)
-        a->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
     else if (key == TESTS)
         a->tests = cli_whole(state, "--tests", "a number of runs", UINT32_MAX, arg);
-    else if (key == ARGP_KEY_ARGS)
-        a->program = state->argv + state->next, a->program_count = state->argc - state->next;
     else if (key == ARGP_KEY_END)
-        check(state, a);
+        a->draw.depth = a->depth ? a->depth : a->draw.depth;
     else
         return cli_store(key, arg, state);
     return 0;
@@ -183,7 +147,7 @@ static int explore(const struct explore_options *o, const struct arguments *a)
 /* out/NAME.explore */
 static char *usual_folder(const struct arguments *a)
 {
-    const char *path = a->program_count ? a->program[0] : a->host, *slash = strrchr(path, '/');
+    const char *path = a->what.program_count ? a->what.program[0] : a->what.host, *slash = strrchr(path, '/');
     return xasprintf("out/%s.explore", slash ? slash + 1 : path);
 }
 
@@ -196,29 +160,32 @@ static char *rules_text(const struct arguments *a)
 static void set_session(struct explore_options *o, const struct session *t, const struct arguments *a)
 {
     o->session = t->name;
-    o->at_once = a->jobs ? a->jobs : t->count > 1 ? 1 : cli_processors();
+    o->at_once = !a->jobs && t->count > 1 ? 1 : cli_jobs(a->jobs);
     if (t->rank > 0) { /* the first process shows the progress of all */
         FILE *nowhere = fopen("/dev/null", "we");
         o->notes = nowhere ? nowhere : stderr;
     }
 }
 
-static int explore_with(const struct arguments *a, const regex_t *same)
+static int explore_with(struct arguments *a, const regex_t *same)
 {
     struct cli_installation places;
     struct session t = session_find();
+    char *error;
     if (!cli_find_installation(&places, "explore"))
         return CLI_EXIT_INPUT;
+    if (!cli_program_find(&a->what, places.programs, false, &error))
+        return failed(error, CLI_EXIT_INPUT);
     char *folder = usual_folder(a), *rules = rules_text(a);
     struct explore_options o = {.subject = {.runner = places.runner,
                                             .machines = places.machines,
-                                            .machine = a->machine,
-                                            .host = a->host,
-                                            .set = a->set,
-                                            .program = a->program,
-                                            .program_count = a->program_count,
-                                            .nodes = a->nodes,
-                                            .max_virtual_s = a->max_virtual_s,
+                                            .machine = a->what.machine,
+                                            .host = a->what.host,
+                                            .set = a->what.set,
+                                            .program = a->what.program,
+                                            .program_count = a->what.program_count,
+                                            .nodes = a->what.nodes,
+                                            .max_virtual_s = a->what.max_virtual_s,
                                             .rules = rules,
                                             .compare_file = a->same_file},
                                 .rules = {same, a->ordered, a->same_file && !a->same},
@@ -228,7 +195,7 @@ static int explore_with(const struct arguments *a, const regex_t *same)
                                         : a->seconds > 0 ? UINT32_MAX
                                                          : USUAL_RUNS,
                                 .seconds = a->seconds,
-                                .limit_s = a->max_wall_s > 0 ? a->max_wall_s : USUAL_WALL_S,
+                                .limit_s = a->what.max_wall_s > 0 ? a->what.max_wall_s : USUAL_WALL_S,
                                 .tests = a->tests ? a->tests : USUAL_TESTS,
                                 .explained = USUAL_EXPLAINED,
                                 .notes = stderr};
@@ -241,7 +208,7 @@ static int explore_with(const struct arguments *a, const regex_t *same)
     return status;
 }
 
-static int explore_same(const struct arguments *a)
+static int explore_same(struct arguments *a)
 {
     regex_t same;
     if (!a->same)
@@ -257,15 +224,14 @@ static int explore_same(const struct arguments *a)
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {&CLI_JOBS, 0, NULL, 0}, {0}};
-static const struct argp ARGP = {
-    OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
+static const struct argp_child CHILDREN[] = {{&CLI_PROGRAM, 0, NULL, 0}, {&CLI_JOBS, 0, NULL, 2}, {0}};
+static const struct argp ARGP = {OPTIONS, parse, CLI_PROGRAM_ARGUMENTS, DOC, CHILDREN, NULL, NULL};
 
 int cli_explore(int argc, char **argv)
 {
-    struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set), .draw = draw_usual()};
+    struct arguments a = {.draw = draw_usual()};
     cli_parse(&ARGP, "touchstone explore", ARGP_IN_ORDER, argc, argv, &a);
     int status = explore_same(&a);
-    free(a.set);
+    cli_program_free(&a.what);
     return status;
 }

@@ -1,10 +1,13 @@
 /* main.c - touchstone: finds the command. */
 #include <signal.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/installation.h"
 #include "cli/options.h"
+#include "config/config.h"
 
 static const struct command {
     const char *name;
@@ -24,7 +27,20 @@ static const struct command {
                 {"trace", cli_trace, "Look into a run: timelines, pictures, what it waited for"},
                 {"profile", cli_profile, "Show where the time of a run went: flame graphs, lines of source"},
                 {"srm", cli_srm, "Share out a machine's nodes among users"}};
-enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, MOST_LINES = COMMAND_COUNT + 16 };
+enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, MOST_LINES = COMMAND_COUNT + 17 };
+
+enum { MACHINES = CLI_KEY };
+
+/* Lists the machines for the completions of shells; does not return. */
+static void list_machines(void)
+{
+    struct cli_installation places;
+    if (!cli_find_installation(&places, "--machines"))
+        exit(CLI_EXIT_INPUT);
+    if (cfg_list_machines(places.machines, "\n", stdout) > 0)
+        putchar('\n');
+    exit(0);
+}
 
 /* What main is asked to do: a command, whose name is argv[at]. */
 struct request {
@@ -43,6 +59,8 @@ static int (*find(const char *name))(int, char **)
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct request *r = state->input;
+    if (key == MACHINES)
+        list_machines();
     if (key == ARGP_KEY_NO_ARGS)
         argp_state_help(state, state->err_stream,
                         (ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK) | ARGP_HELP_EXIT_ERR);
@@ -67,6 +85,7 @@ static void list_commands(struct argp_option lines[MOST_LINES])
     *line++ = (struct argp_option){.doc = "To use a machine that touchstone srm serves:", .group = 2};
     for (const struct cli_cube_command *c = CLI_CUBE_COMMANDS; c->name; c++)
         *line++ = (struct argp_option){.name = c->name, .doc = c->what, .flags = OPTION_DOC};
+    *line++ = (struct argp_option){.name = "machines", .key = MACHINES, .flags = OPTION_HIDDEN};
 }
 
 int main(int argc, char **argv)

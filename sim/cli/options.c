@@ -4,18 +4,20 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "cli/describe.h"
+#include "cli/version.h"
 #include "files/virtual_time.h"
 
-const char CLI_VERSION[] = "0.1";
-
-enum { USAGE = CLI_KEY, SHOW_VERSION, MAX_JOBS = 1024 };
+enum { USAGE = CLI_KEY, SHOW_VERSION, DESCRIBE, MAX_JOBS = 1024 };
 
 /* --- the options of every command --- */
 
-static const struct argp_option HELP_OPTIONS[] = {{"help", 'h', NULL, 0, "Show this help", -1},
-                                                  {"usage", USAGE, NULL, 0, "Show the options in short", -1},
-                                                  {"version", SHOW_VERSION, NULL, 0, "Show the version", -1},
-                                                  {0}};
+static const struct argp_option HELP_OPTIONS[] = {
+    {"help", 'h', NULL, 0, "Show this help", -1},
+    {"usage", USAGE, NULL, 0, "Show the options in short", -1},
+    {"version", SHOW_VERSION, NULL, 0, "Show version and commit", -1},
+    {"describe", DESCRIBE, NULL, OPTION_HIDDEN, NULL, -1},
+    {0}};
 
 static error_t parse_help(int key, char *arg, struct argp_state *state)
 {
@@ -27,7 +29,10 @@ static error_t parse_help(int key, char *arg, struct argp_state *state)
         argp_state_help(state, state->out_stream, ARGP_HELP_USAGE | ARGP_HELP_EXIT_OK);
         return 0;
     case SHOW_VERSION:
-        fprintf(state->out_stream, "touchstone %s\n", CLI_VERSION);
+        cli_version_print(state->out_stream);
+        exit(0);
+    case DESCRIBE:
+        cli_describe(state->root_argp, state->out_stream);
         exit(0);
     case ARGP_KEY_ARG: /* the command's own parser did not take it */
         argp_error(state, "'%s' is one argument too many", arg);
@@ -145,16 +150,21 @@ double cli_seconds(struct argp_state *state, const char *option, const char *tex
     return value;
 }
 
-unsigned cli_processors(void)
+static unsigned processors_here(void)
 {
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     return processors > 0 ? (unsigned)processors : 1;
 }
 
+unsigned cli_jobs(unsigned asked)
+{
+    return asked ? asked : processors_here();
+}
+
 unsigned cli_workers(uint32_t asked)
 {
     enum { USUAL = 8 };
-    unsigned processors = cli_processors();
+    unsigned processors = processors_here();
     const char *told = getenv("TOUCHSTONE_WORKERS");
     uint32_t n;
     if (asked)

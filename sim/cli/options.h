@@ -21,8 +21,6 @@ enum {
     CLI_KEY_END = 0x30000
 };
 
-extern const char CLI_VERSION[]; /* of touchstone */
-
 /* Keys of options whose value, or true, cli_store() stores in a member of the struct of that type at
  * state->input. */
 #define CLI_TEXT(type, member) (CLI_KEY_TEXT + CLI_OFFSET(struct type, member, const char *))
@@ -52,8 +50,8 @@ uint32_t cli_whole(struct argp_state *state, const char *option, const char *wha
 vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text);
 double cli_seconds(struct argp_state *state, const char *option, const char *text);
 
-/* How many processors this computer has. */
-unsigned cli_processors(void);
+/* How many runs at a time: as many as asked for; 0: as many as this computer has processors. */
+unsigned cli_jobs(unsigned asked);
 /* How many threads a run has: as many as asked for; 0: $TOUCHSTONE_WORKERS, or as many as there are
  * processors, at most 8. */
 enum { CLI_MOST_WORKERS = 256 };

@@ -37,7 +37,7 @@ static const struct argp_option OPTIONS[] = {
     {"panels", CLI_TEXT(arguments, picture.panels), "AXIS", 0, "One panel for each value of that axis", 0},
     {"best", CLI_TEXT(arguments, picture.best), "AXIS", 0,
      "Draw the value of that axis at which the figure is least", 0},
-    {"logarithmic", LOGARITHMIC, "xy", 0, "Logarithmic scale on x, y or xy", 0},
+    {"logarithmic", LOGARITHMIC, "x|y|xy", 0, "Logarithmic scale on x, y or xy", 0},
     {"own-ranges", CLI_FLAG(arguments, picture.own_ranges), NULL, 0,
      "A range of y for each panel; default the same for all", 0},
     {"title", CLI_TEXT(arguments, picture.title), "TEXT", 0, "Title of the picture", 0},

@@ -29,11 +29,9 @@ struct arguments {
 };
 
 static const struct argp_option OPTIONS[] = {
-    {"format", 'f', "FORMAT", 0,
+    {"format", 'f', "text|folded|svg|json", 0,
      "text: a tree as a table (the default); folded: stacks as flamegraph.pl reads them, in picoseconds; "
-     "svg: a "
-     "flame "
-     "graph for browsers, to hover, zoom and search; json: nested, as d3-flame-graph reads it",
+     "svg: a flame graph for browsers, to hover, zoom and search; json: nested, as d3-flame-graph reads it",
      0},
     {"output", 'o', "OUT", 0,
      "Write to the file OUT; the end of its name is the format, unless -f says another", 0},

@@ -27,19 +27,19 @@ static int count_of(char *const *argv)
 static void make_options(const struct cli_run_parts *parts, const char *runner, struct run_again *again)
 {
     size_t settings = 0;
-    while (parts->set[settings])
+    while (parts->what.set[settings])
         settings++;
     const char **o = xcalloc(10 + 2 * settings, sizeof *o);
     again->options = (char **)(uintptr_t)o;
-    again->nodes = xasprintf("%u", parts->nodes);
+    again->nodes = xasprintf("%u", parts->what.nodes);
     *o++ = runner, *o++ = "run", *o++ = "-q";
-    *o++ = "-m", *o++ = parts->machine;
-    if (parts->nodes)
+    *o++ = "-m", *o++ = parts->what.machine;
+    if (parts->what.nodes)
         *o++ = "-n", *o++ = again->nodes;
-    if (parts->host)
-        *o++ = "--host", *o++ = parts->host;
+    if (parts->what.host)
+        *o++ = "--host", *o++ = parts->what.host;
     for (size_t i = 0; i < settings; i++)
-        *o++ = "--set", *o++ = parts->set[i];
+        *o++ = "--set", *o++ = parts->what.set[i];
 }
 
 bool run_again_from(const struct trace *t, const struct cli_installation *places, struct run_again *again,
@@ -54,11 +54,11 @@ bool run_again_from(const struct trace *t, const struct cli_installation *places
     struct cli_run_parts parts;
     cli_run_read(argc - 1, t->argv + 1, &parts);
     make_options(&parts, places->runner, again);
-    char *machine = machine_of(t, parts.machine);
-    again->cfg = cfg_load_with(machine, places->machines, parts.set, error);
+    char *machine = machine_of(t, parts.what.machine);
+    again->cfg = cfg_load_with(machine, places->machines, parts.what.set, error);
     free(machine);
-    free(parts.set);
-    again->command = (struct rerun_command){again->options, parts.program, parts.cfs, again->cfg};
+    free(parts.what.set);
+    again->command = (struct rerun_command){again->options, parts.what.program, parts.cfs, again->cfg};
     if (!again->cfg)
         run_again_free(again);
     return again->cfg != NULL;

@@ -8,11 +8,12 @@
 #include "cli/commands.h"
 #include "cli/gdb_start.h"
 #include "cli/installation.h"
-#include "cli/options.h"
+#include "cli/program_options.h"
 #include "cli/run_files.h"
 #include "cli/stop_options.h"
 #include "cli/timing_options.h"
 #include "cli/trace_options.h"
+#include "cli/version.h"
 #include "guest/debugger.h"
 #include "kernel/xalloc.h"
 #include "machine/machine.h"
@@ -26,32 +27,24 @@
 
 enum { EXIT_RACES = 3, EXIT_OUTPUT = 74 };
 
-enum { MAX_VIRTUAL = CLI_KEY, MAX_WALL, SLICE, SET, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT };
+enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT };
 
 struct arguments {
-    const char *machine, *json, *deadlock, *races, *suppress, *profile, *history, *cfs, *host, *engine;
-    const char **set; /* ended by NULL */
-    size_t set_count;
-    uint32_t nodes, workers, shuffle;
-    double max_virtual_s, max_wall_s, slice_s;
+    struct cli_program what;
+    const char *json, *deadlock, *races, *suppress, *profile, *history, *cfs, *engine;
+    uint32_t workers, shuffle;
+    double slice_s;
     bool quiet, verbose, isolate;
     struct run_trace_options trace; /* path NULL: no trace */
     bool *traced_nodes;
     struct debug_stop_options stop;
     struct timing_arguments timing;
-    struct plan *plan; /* of timing.replay */
-    char **program;    /* with its arguments */
-    int program_count;
+    struct plan *plan;  /* of timing.replay */
     char *host_only[2]; /* arguments of a host program, if none are given */
 };
 
 static const struct argp_option OPTIONS[] = {
-    {NULL, 0, NULL, 0, "Machine:", 1},
-    {"nodes", 'n', "NODES", 0, "Number of nodes; default 1", 0},
-    {"set", SET, "KEY=VALUE", 0,
-     "Value for a key of the machine file, such as system.interrupt_us=150; may be repeated", 0},
-    {"cfs", CLI_TEXT(arguments, cfs), "DIR", 0, "Folder with the files of /cfs; default a temporary one", 0},
-    {"host", CLI_TEXT(arguments, host), "HOST", 0, "Run HOST, built by nxcc -host, on the machine's host", 0},
+    {"cfs", CLI_TEXT(arguments, cfs), "DIR", 0, "Folder with the files of /cfs; default a temporary one", 1},
     {NULL, 0, NULL, 0, "Results:", 2},
     {"json", CLI_TEXT(arguments, json), "FILE", 0, "Write the figures of run and nodes as JSON", 0},
     {"deadlock", CLI_TEXT(arguments, deadlock), "FILE", 0,
@@ -71,17 +64,14 @@ static const struct argp_option OPTIONS[] = {
     {"trace-nodes", TRACE_NODES, "LIST", 0, "Trace only nodes such as 0-7,12, and their messages", 0},
     {"quiet", 'q', NULL, 0, "No summary", 0},
     {"verbose", 'v', NULL, 0, "Show in the summary, too, what the simulator's threads did", 0},
-    {NULL, 0, NULL, 0, "Limits:", 3},
-    {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
-    {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
     {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
     {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
     {NULL, 0, NULL, 0, "Simulator (no result depends on these):", 6},
     {"workers", 'w', "N", 0,
      "Compute with N threads; default $TOUCHSTONE_WORKERS, else the number of processors, at most 8", 0},
-    {"engine", CLI_TEXT(arguments, engine), "ENGINE", 0,
-     "'fast' or 'reference', slow, which defines what is right; default $TOUCHSTONE_ENGINE, or fast", 0},
+    {"engine", CLI_TEXT(arguments, engine), "fast|reference", 0,
+     "The engine; 'reference', slow, defines what is right; default $TOUCHSTONE_ENGINE, or fast", 0},
     {"isolate", CLI_FLAG(arguments, isolate), NULL, 0,
      "Stop a program that writes into another node's memory, and say where; slower, one thread", 0},
     {"slice", SLICE, "S", 0, "Return from computing programs at least every S virtual seconds; for tests", 0},
@@ -111,55 +101,28 @@ static const char DOC[] =
 
 static void check(struct argp_state *state, struct arguments *a)
 {
-    a->machine = a->machine ? a->machine : a->host ? "ipsc860" : "delta";
     if (a->engine && strcmp(a->engine, "fast") && strcmp(a->engine, "reference"))
         argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
-    if (a->host && a->profile)
+    if (a->what.host && a->profile)
         argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
-    if (!a->host && !a->program_count)
-        argp_error(state, "which program? (built by nxcc)");
-    if (!a->host && !a->nodes)
-        a->nodes = 1;
     if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
     if (a->trace.to && a->trace.to <= a->trace.from)
         argp_error(state, "--trace-to must be later than --trace-from");
     if (a->stop.wanted && a->timing.until && !a->stop.time)
         a->stop.time = a->timing.until, a->timing.until = 0;
-    cli_check_stop(state, &a->stop, a->host, a->nodes);
-}
-
-static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
-{
-    if (!strchr(setting, '=') || *setting == '=')
-        argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", setting);
-    a->set[a->set_count++] = setting;
-}
-
-/* What follows the program's name is the program's. */
-static void take_program(struct argp_state *state, struct arguments *a)
-{
-    a->program = state->argv + state->next;
-    a->program_count = state->argc - state->next;
+    cli_check_stop(state, &a->stop, a->what.host, a->what.nodes);
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->machine, state->child_inputs[1] = &a->timing;
-    else if (key == 'n')
-        a->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX, arg);
+        state->child_inputs[0] = &a->what, state->child_inputs[1] = &a->timing;
     else if (key == 'w')
         a->workers = cli_whole(state, "-w", "a number of threads", CLI_MOST_WORKERS, arg);
     else if (key == SHUFFLE)
         a->shuffle = cli_whole(state, "--shuffle", "a seed", UINT32_MAX, arg);
-    else if (key == SET)
-        add_setting(state, a, arg);
-    else if (key == MAX_VIRTUAL)
-        a->max_virtual_s = cli_seconds(state, "--max-virtual-time", arg);
-    else if (key == MAX_WALL)
-        a->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
     else if (key == SLICE)
         a->slice_s = cli_seconds(state, "--slice", arg);
     else if (key == TRACE_FROM)
@@ -176,8 +139,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->quiet = true;
     else if (key == 'v')
         a->verbose = true;
-    else if (key == ARGP_KEY_ARGS)
-        take_program(state, a);
     else if (key == ARGP_KEY_END)
         a->trace.nodes = a->traced_nodes, check(state, a);
     else
@@ -286,13 +247,13 @@ static int unprofiled(const char *program)
 static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
 {
     struct machine_options o = {.cfg = cfg,
-                                .nodes = a->nodes,
-                                .argc = a->program_count,
-                                .argv = a->program,
-                                .host = a->host,
+                                .nodes = a->what.nodes,
+                                .argc = a->what.program_count,
+                                .argv = a->what.program,
+                                .host = a->what.host,
                                 .envp = environ,
-                                .max_virtual_s = a->max_virtual_s,
-                                .max_wall_s = a->max_wall_s,
+                                .max_virtual_s = a->what.max_virtual_s,
+                                .max_wall_s = a->what.max_wall_s,
                                 .slice_s = a->slice_s,
                                 .workers = cli_workers(a->workers),
                                 .shuffle = a->shuffle,
@@ -306,11 +267,12 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .stop = a->stop,
                                 .out = stdout,
                                 .err = stderr};
-    if (a->host) { /* the arguments are the host program's, with its name in place of the node program's */
-        o.program = a->program_count ? a->program[0] : NULL;
-        o.argc = a->program_count ? a->program_count : 1;
-        o.argv = a->program_count ? a->program : a->host_only;
-        o.argv[0] = (char *)(uintptr_t)a->host;
+    if (a->what
+            .host) { /* the arguments are the host program's, with its name in place of the node program's */
+        o.program = a->what.program_count ? a->what.program[0] : NULL;
+        o.argc = a->what.program_count ? a->what.program_count : 1;
+        o.argv = a->what.program_count ? a->what.program : a->host_only;
+        o.argv[0] = (char *)(uintptr_t)a->what.host;
     }
     return o;
 }
@@ -328,7 +290,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
         return input_error(error);
     }
     if (a->profile && !profile_possible(m)) {
-        status = unprofiled(a->program[0]);
+        status = unprofiled(a->what.program[0]);
     } else if (a->trace.path && !run_trace_begin(&trace, m, &a->trace, &error)) {
         status = output_error(error);
     } else {
@@ -377,7 +339,9 @@ static int run(struct arguments *a)
     keep_questions();
     if (!cli_find_installation(&places, "run"))
         return CLI_EXIT_INPUT;
-    struct cfg_machine *cfg = cfg_load_with(a->machine, places.machines, a->set, &error);
+    if (!cli_program_find(&a->what, places.programs, a->verbose, &error))
+        return input_error(error);
+    struct cfg_machine *cfg = cfg_load_with(a->what.machine, places.machines, a->what.set, &error);
     if (!cfg)
         return input_error(error);
     int status;
@@ -392,21 +356,20 @@ static int run(struct arguments *a)
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {0}};
-static const struct argp ARGP = {
-    OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
+static const struct argp_child CHILDREN[] = {{&CLI_PROGRAM, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {0}};
+static const struct argp ARGP = {OPTIONS, parse, CLI_PROGRAM_ARGUMENTS, DOC, CHILDREN, NULL, NULL};
 
 void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)
 {
-    struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
+    struct arguments a = {0};
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
-    *parts = (struct cli_run_parts){a.machine, a.cfs, a.host, a.nodes, a.set, a.program, a.program_count};
+    *parts = (struct cli_run_parts){a.what, a.cfs};
     free(a.traced_nodes);
 }
 
 int cli_run(int argc, char **argv)
 {
-    struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
+    struct arguments a = {0};
     char **whole = argv - 1; /* main's: "touchstone", "run", ... */
     a.trace.command = whole, a.trace.version = CLI_VERSION;
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
@@ -417,7 +380,7 @@ int cli_run(int argc, char **argv)
         status = cli_change_engine(a.engine, whole);
     else
         status = run(&a);
-    free(a.set);
+    cli_program_free(&a.what);
     free(a.traced_nodes);
     return status;
 }

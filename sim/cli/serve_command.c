@@ -84,7 +84,7 @@ int cli_serve(int argc, char **argv)
     struct serve_options options = {.address = a.address,
                                     .port = a.port,
                                     .inputs = a.inputs,
-                                    .at_once = a.jobs ? a.jobs : cli_processors(),
+                                    .at_once = cli_jobs(a.jobs),
                                     .places = {places.runner, places.machines, stderr},
                                     .out = stdout};
     warn(a.address);

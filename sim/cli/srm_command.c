@@ -128,7 +128,7 @@ int cli_srm(int argc, char **argv)
 {
     static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
     static const struct argp ARGP = {OPTIONS, parse, NULL, DOC, CHILDREN, NULL, NULL};
-    struct arguments a = {.machine = "ipsc860"};
+    struct arguments a = {.machine = CFG_USUAL_HOST_MACHINE};
     struct cli_installation places;
     char *error;
     cli_parse(&ARGP, "touchstone srm", 0, argc, argv, &a);

@@ -48,7 +48,7 @@ bool cli_session_begin(struct cli_session *s, const char *command, const struct 
                                     .machines = s->places.machines,
                                     .cache = s->cache,
                                     .session = "",
-                                    .at_once = options->jobs ? options->jobs : cli_processors(),
+                                    .at_once = cli_jobs(options->jobs),
                                     .out = stdout,
                                     .progress = stderr};
     return true;

@@ -78,7 +78,7 @@ int cli_tables(int argc, char **argv)
 {
     static const struct argp_child CHILDREN[] = {{&CLI_JOBS, 0, NULL, 0}, {0}};
     static const struct argp ARGP = {OPTIONS, parse, NULL, DOC, CHILDREN, NULL, NULL};
-    struct arguments a = {.dir = "out", .jobs = cli_processors()};
+    struct arguments a = {.dir = "out"};
     struct cli_installation places;
     char *error = NULL;
     cli_parse(&ARGP, "touchstone tables", 0, argc, argv, &a);
@@ -89,7 +89,7 @@ int cli_tables(int argc, char **argv)
                                      .home = places.home,
                                      .dir = a.dir,
                                      .wanted = a.tables[0] ? a.tables : NULL,
-                                     .at_once = a.jobs,
+                                     .at_once = cli_jobs(a.jobs),
                                      .resume = true,
                                      .ties = a.ties,
                                      .report = a.report,

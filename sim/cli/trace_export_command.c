@@ -18,10 +18,10 @@ struct arguments {
 };
 
 static const struct argp_option OPTIONS[] = {
-    {"format", 'f', "FORMAT", 0, "json, paje, otf2, picl or csv; default by the ending of OUT", 1},
+    {"format", 'f', "json|paje|otf2|picl|csv", 0, "The format; default by the ending of OUT", 1},
     {"output", 'o', "OUT", 0, "File to write (a folder for otf2); default standard output", 1},
-    {"table", TABLE, "TABLE", 0,
-     "The table of csv: pieces, calls, waits, handlers, systems, messages or blocks; default OUT-pieces.csv "
+    {"table", TABLE, "pieces|calls|waits|handlers|systems|messages|blocks", 0,
+     "The table of csv; default OUT-pieces.csv "
      "and OUT-messages.csv",
      1},
     {0}};

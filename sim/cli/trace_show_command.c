@@ -32,7 +32,7 @@ static const struct argp_option OPTIONS[] = {
      "TRACE-DISPLAY.png beside the trace",
      1},
     {"svg", SVG, NULL, 0, "Write SVG where the name does not say it", 1},
-    {"by", BY, "WHAT", 0, "Count messages or bytes, in matrix and queues; default messages", 1},
+    {"by", BY, "messages|bytes", 0, "Count messages or bytes, in matrix and queues; default messages", 1},
     {"messages", MESSAGES, "N", 0,
      "Draw at most N messages in space-time; default as many as leave it readable", 1},
     {"frames", FRAMES, "N", 0, "Pictures of a film; default 60", 1},

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/installation.h"
+#include "cli/program_options.h"
 #include "cli/run_again.h"
 #include "cli/trace_options.h"
 #include "files/atomic_file.h"
@@ -70,14 +71,6 @@ static const char DOC[] =
     "  touchstone trace why slow.trace\n"
     "  touchstone trace why --rerun slow.trace";
 
-static void add_setting(struct argp_state *state, struct arguments *a, const char *setting)
-{
-    if (!strchr(setting, '=') || *setting == '=')
-        argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", setting);
-    a->set[a->set_count++] = setting;
-    a->rerun = true;
-}
-
 static void set_cpu(struct argp_state *state, struct arguments *a, const char *text)
 {
     a->cpu = cli_seconds(state, "--cpu", text);
@@ -94,7 +87,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == TOP)
         a->top = cli_whole(state, "--top", "a number of rows", UINT32_MAX, arg);
     else if (key == SET)
-        add_setting(state, a, arg);
+        cli_add_setting(state, a->set, &a->set_count, arg), a->rerun = true;
     else if (key == CPU)
         set_cpu(state, a, arg);
     else if (key == ARGP_KEY_ARG)
@@ -135,8 +128,11 @@ static int run_again(const struct arguments *a, const struct trace *t, struct re
     struct run_again again;
     if (!run_again_from(t, &places, &again, &error))
         return failed(error, CLI_EXIT_INPUT);
-    struct rerun_options o = {
-        .command = again.command, .set = a->set, .cpu = a->cpu, .at_once = a->jobs, .progress = stderr};
+    struct rerun_options o = {.command = again.command,
+                              .set = a->set,
+                              .cpu = a->cpu,
+                              .at_once = cli_jobs(a->jobs),
+                              .progress = stderr};
     bool ok = rerun_all(t, &o, r, &error);
     run_again_free(&again);
     return ok ? 0 : failed(error, CLI_EXIT_INPUT);
@@ -190,10 +186,7 @@ int cli_trace_why(int argc, char **argv)
     static const struct argp_child CHILDREN[] = {
         {&CLI_TRACE_SELECTION, 0, "What to look at:", 0}, {&CLI_JOBS, 0, NULL, 2}, {0}};
     static const struct argp ARGP = {OPTIONS, parse, "TRACE", DOC, CHILDREN, NULL, NULL};
-    struct arguments a = {.output = "-",
-                          .top = USUAL_TOP,
-                          .jobs = cli_processors(),
-                          .set = xcalloc((size_t)argc + 1, sizeof *a.set)};
+    struct arguments a = {.output = "-", .top = USUAL_TOP, .set = xcalloc((size_t)argc + 1, sizeof *a.set)};
     cli_parse(&ARGP, "touchstone trace why", 0, argc, argv, &a);
     int status = explain(&a);
     free((bool *)(uintptr_t)a.select.nodes);

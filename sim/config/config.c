@@ -225,22 +225,30 @@ static int is_machine(const struct dirent *e)
     return n > 4 && strcmp(e->d_name + n - 4, ".cfg") == 0;
 }
 
-/* "no machine "x" ...; there are: delta, ipsc860" - the answer to a misspelt name is the list of names. */
-static char *no_such_machine(const char *name, const char *dir)
+int cfg_list_machines(const char *dir, const char *between, FILE *f)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *out = xchecked(open_memstream(&text, &size));
     struct dirent **found = NULL;
-    int n = scandir(dir, &found, is_machine, alphasort);
-    fprintf(out, "no machine \"%s\" in %s; there %s", name, dir, n > 0 ? "are:" : "are none");
-    for (int i = 0; i < n; i++) {
-        fprintf(out, "%s %.*s", i ? "," : "", (int)strlen(found[i]->d_name) - 4, found[i]->d_name);
+    int count = scandir(dir, &found, is_machine, alphasort);
+    for (int i = 0; i < count; i++) {
+        fprintf(f, "%s%.*s", i ? between : "", (int)strlen(found[i]->d_name) - 4, found[i]->d_name);
         free(found[i]);
     }
     free(found);
-    fprintf(out, " (or give the path of a file that ends in .cfg)");
+    return count;
+}
+
+/* "no machine "x" ...; there are: delta, ipsc860" - the answer to a misspelt name is the list of names. */
+static char *no_such_machine(const char *name, const char *dir)
+{
+    char *list = NULL;
+    size_t size;
+    FILE *out = xchecked(open_memstream(&list, &size));
+    bool some = cfg_list_machines(dir, ", ", out) > 0;
     fclose(out);
+    char *text =
+        xasprintf("no machine \"%s\" in %s; there %s%s (or give the path of a file that ends in .cfg)", name,
+                  dir, some ? "are: " : "are none", list);
+    free(list);
     return text;
 }
 

@@ -10,7 +10,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include "config/touchstone_home.h"
+
+/* The format of machine files, which touchstone --version tells. It changes when files of the old format are
+ * no longer read, or mean something else. */
+#define CFG_FORMAT 1
+
+/* The machine of a run that names none; of a run with a host program. */
+#define CFG_USUAL_MACHINE "delta"
+#define CFG_USUAL_HOST_MACHINE "ipsc860"
 
 enum cfg_topology { CFG_HYPERCUBE, CFG_MESH };
 
@@ -113,6 +122,9 @@ struct cfg_machine {
     struct cfg_host host;
 };
 
+/* Writes the names of the machines in the folder of machine files, with `between` between them. Returns their
+ * number. */
+int cfg_list_machines(const char *dir, const char *between, FILE *f);
 /* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.
  * Returns NULL with *error set to a malloc'd message for the user. */
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error);

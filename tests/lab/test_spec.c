@@ -69,10 +69,6 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {true, "baseline = ( \"knd\" );", "study.cfg:4: baseline: \"knd\": there is no axis knd"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( );",
          "study.cfg:2: axes: 0 axes: 1 to 16 are allowed"},
-        {false,
-         "program = \"p\"; machine = \"m\";\n"
-         "axes = ( { name = \"g\"; values = ( 1 ); arguments = \"{}\"; } );",
-         "study.cfg: nodes: missing"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = ( 1.5 ); } );",
          "study.cfg:2: nodes: 1.5 is not a number of nodes: whole, from 1 to 1048576"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\"; values = ( 4, 4 ); } );",

@@ -1,5 +1,6 @@
 /* spec_read.c - see spec_read.h. */
 #include "lab/study/spec_read.h"
+#include "config/config.h"
 #include "kernel/xalloc.h"
 #include "lab/study/spec_axes.h"
 #include "lab/study/spec_pictures.h"
@@ -110,7 +111,7 @@ static bool read_profile(struct cfg_reader *r, struct spec *s)
     return true;
 }
 
-/* The file gives nodes and machine, unless an axis does. */
+/* The file gives nodes and machine, unless an axis does; else they are those of touchstone run. */
 static bool read_nodes_and_machine(struct cfg_reader *r, struct spec *s)
 {
     static const char *const either[] = {"nodes", "machine"};
@@ -119,9 +120,11 @@ static bool read_nodes_and_machine(struct cfg_reader *r, struct spec *s)
         if (own && spec_axis(s, either[i]))
             return cfg_fail(r, own, either[i], "there is an axis of that name; give only one of the two");
     }
-    s->machine = "";
-    return (spec_axis(s, "nodes") || cfg_whole(r, r->root, "nodes", 1, SPEC_MAX_NODES, &s->nodes)) &&
-           (spec_axis(s, "machine") || cfg_text(r, r->root, "machine", &s->machine));
+    s->machine = spec_axis(s, "machine") ? "" : CFG_USUAL_MACHINE;
+    s->nodes = !spec_axis(s, "nodes");
+    return (!config_setting_get_member(r->root, "nodes") ||
+            cfg_whole(r, r->root, "nodes", 1, SPEC_MAX_NODES, &s->nodes)) &&
+           (!config_setting_get_member(r->root, "machine") || cfg_text(r, r->root, "machine", &s->machine));
 }
 
 static bool read_spec(struct cfg_reader *r, struct spec *s)

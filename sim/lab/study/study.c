@@ -1,4 +1,5 @@
 /* study.c - opens a study: reads its file, checks all its points, opens its folder; see study.h. */
+#include "files/program_file.h"
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/scratch_memory.h"
@@ -82,19 +83,14 @@ static bool find_dir(struct study *s, char **error)
 static bool find_program(struct study *s, char **error)
 {
     const char *name = s->options.program ? s->options.program : s->spec->program;
-    char *beside = *name == '/' ? xstrdup(name) : xasprintf("%s/%s", s->dir, name);
-    char *supplied = xasprintf("%s/%s", s->options.programs, name);
-    if (access(beside, X_OK) == 0)
-        s->program = xstrdup(beside);
-    else if (access(supplied, X_OK) == 0)
-        s->program = xstrdup(supplied);
-    else
+    char *why = NULL;
+    s->program = program_file_find(name, s->dir, s->options.programs, &why);
+    if (!s->program)
         *error = xasprintf(
-            "%s:%u: program: there is neither %s nor %s", s->options.file,
+            "%s:%u: program: %s", s->options.file,
             (unsigned)config_setting_source_line(config_setting_get_member(s->spec->reader.root, "program")),
-            beside, supplied);
-    free(beside);
-    free(supplied);
+            why);
+    free(why);
     return s->program;
 }
 

@@ -1,0 +1,111 @@
+/* program_options.c - see program_options.h. */
+#include "cli/program_options.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "config/config.h"
+#include "files/program_file.h"
+#include "kernel/xalloc.h"
+
+enum { SET = CLI_KEY + 0x2000, MAX_VIRTUAL, MAX_WALL };
+
+const char CLI_PROGRAM_ARGUMENTS[] = "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]";
+
+static const struct argp_option OPTIONS[] = {
+    {NULL, 0, NULL, 0, "Machine:", 1},
+    {"nodes", 'n', "NODES", 0, "Number of nodes; default 1", 0},
+    {"set", SET, "KEY=VALUE", 0,
+     "Value for a key of the machine file, such as system.interrupt_us=150; may be repeated", 0},
+    {"host", CLI_TEXT(cli_program, host), "HOST", 0, "Run HOST, built by nxcc -host, on the machine's host",
+     0},
+    {NULL, 0, NULL, 0, "Limits of a run:", 3},
+    {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
+    {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
+    {0}};
+
+void cli_add_setting(struct argp_state *state, const char **set, size_t *count, const char *setting)
+{
+    if (!strchr(setting, '=') || *setting == '=')
+        argp_error(state, "--set takes KEY=VALUE, such as system.interrupt_us=150, not '%s'", setting);
+    set[(*count)++] = setting;
+}
+
+static void begin(struct argp_state *state, struct cli_program *p)
+{
+    p->set = xcalloc((size_t)state->argc + 1, sizeof *p->set);
+    state->child_inputs[0] = &p->machine;
+}
+
+/* What follows the program's name is the program's. */
+static void take_program(struct argp_state *state, struct cli_program *p)
+{
+    p->program = state->argv + state->next;
+    p->program_count = state->argc - state->next;
+}
+
+static void check(struct argp_state *state, struct cli_program *p)
+{
+    if (!p->host && !p->program_count)
+        argp_error(state, "which program? (built by nxcc)");
+    if (!p->host && !p->nodes)
+        p->nodes = 1;
+    if (!p->machine)
+        p->machine = p->host ? CFG_USUAL_HOST_MACHINE : CFG_USUAL_MACHINE;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct cli_program *p = state->input;
+    if (key == ARGP_KEY_INIT)
+        begin(state, p);
+    else if (key == 'n')
+        p->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX, arg);
+    else if (key == SET)
+        cli_add_setting(state, p->set, &p->set_count, arg);
+    else if (key == MAX_VIRTUAL)
+        p->max_virtual_s = cli_seconds(state, "--max-virtual-time", arg);
+    else if (key == MAX_WALL)
+        p->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
+    else if (key == ARGP_KEY_ARGS)
+        take_program(state, p);
+    else if (key == ARGP_KEY_END)
+        check(state, p);
+    else
+        return cli_store(key, arg, state);
+    return 0;
+}
+
+static bool find(const char **name, char **found, const char *brought, bool verbose, char **error)
+{
+    char *path = program_file_find(*name, NULL, brought, error);
+    if (!path || !strcmp(path, *name)) {
+        free(path);
+        return !*error;
+    }
+    if (verbose)
+        fprintf(stderr, "%s is not here: it is %s\n", *name, path);
+    *name = *found = path;
+    return true;
+}
+
+bool cli_program_find(struct cli_program *p, const char *brought, bool verbose, char **error)
+{
+    *error = NULL;
+    if (p->program_count) {
+        const char *name = p->program[0];
+        if (!find(&name, &p->found[0], brought, verbose, error))
+            return false;
+        p->program[0] = (char *)(uintptr_t)name;
+    }
+    return !p->host || find(&p->host, &p->found[1], brought, verbose, error);
+}
+
+void cli_program_free(struct cli_program *p)
+{
+    free(p->set);
+    free(p->found[0]);
+    free(p->found[1]);
+}
+
+static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};
+const struct argp CLI_PROGRAM = {OPTIONS, parse, NULL, NULL, CHILDREN, NULL, NULL};

@@ -1,0 +1,30 @@
+/* program_file.c - see program_file.h. */
+#include "files/program_file.h"
+#include <stdbool.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include "kernel/xalloc.h"
+
+static bool is_there(const char *path)
+{
+    struct stat st;
+    return stat(path, &st) == 0 && !S_ISDIR(st.st_mode);
+}
+
+char *program_file_find(const char *name, const char *here, const char *brought, char **error)
+{
+    bool whole = *name == '/';
+    char *path = whole || !here ? xstrdup(name) : xasprintf("%s/%s", here, name);
+    if (is_there(path))
+        return path;
+    char *other = whole ? NULL : xasprintf("%s/%s", brought, name);
+    if (other && is_there(other)) {
+        free(path);
+        return other;
+    }
+    *error = whole ? xasprintf("there is no program %s", path)
+                   : xasprintf("there is neither a program %s nor %s", path, other);
+    free(path);
+    free(other);
+    return NULL;
+}
