@@ -9,6 +9,7 @@
 #include <time.h>
 #include "nx_api/calls/call.h"
 #include "nx_api/mpi/deadlock.h"
+#include "nx_api/mpi/launcher.h"
 #include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/quiet.h"
@@ -269,6 +270,7 @@ static void begin(struct node *n, int *argc, char ***argv)
     clock_gettime(CLOCK_MONOTONIC, &began);
     wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);
+    launcher_check(n);
     n->ends = calloc(n->sys->count, sizeof *n->ends);
     n->mailbox = mpi_mailbox_new();
     quiet_begin(n);
