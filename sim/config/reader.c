@@ -11,8 +11,8 @@
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
-/* The path of the file that libconfig knows by that name: included files are relative to the folder of r's own file, which has no
- * name. Malloc'd. */
+/* The path of the file that libconfig knows by that name: included files are relative to the folder of
+ * r's own file, which has no name. Malloc'd. */
 static char *path_of(const struct cfg_reader *r, const char *name)
 {
     const char *slash = strrchr(r->path, '/');

@@ -40,8 +40,8 @@ static int line_without_text(const char *text, size_t bytes)
     return 0;
 }
 
-/* Reads on to the file's end, or until there are more bytes than `most`. Returns how many; -1 with errno. *text
- * grows with them, and has room for one more. */
+/* Reads on to the file's end, or until there are more bytes than `most`. Returns how many; -1 with
+ * errno. *text grows with them, and has room for one more. */
 static ssize_t read_up_to(int fd, char **text, size_t most)
 {
     size_t done = 0, room = 0;
