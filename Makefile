@@ -136,6 +136,9 @@ setup: ## Install what is missing of packages.txt (Debian, apt-get)
 bench-setup: ## Install what make bench compares with (packages-bench.txt)
 	@$(MAKE) --no-print-directory setup PACKAGES=packages-bench.txt
 
+quality-setup: ## Install what make fuzz, analyse, coverage and valgrind need (packages-quality.txt)
+	@$(MAKE) --no-print-directory setup PACKAGES=packages-quality.txt
+
 INST = $(DESTDIR)$(PREFIX)
 
 install: all ## Install into PREFIX (default /usr/local)
@@ -174,4 +177,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: FORCE all unit test prove tables report choices bench bench-setup setup install format check-format clean help
+.PHONY: FORCE all unit test prove tables report choices bench bench-setup quality-setup setup install format check-format clean help

@@ -145,8 +145,9 @@ static bool rewrite_statement(struct source *s, size_t line, size_t column, rewr
         source_replace(s, &st, new);
     if (there)
         statement_forget(&st);
+    bool rewritten = new;
     free(new);
-    return new;
+    return rewritten;
 }
 
 /* "FILE:LINE:COLUMN: Error: ..." */

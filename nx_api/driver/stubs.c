@@ -78,7 +78,8 @@ static char *listen(const char **gcc, int *status)
     size_t room = 0;
     if (!from || getdelim(&said, &room, 0, from) < 0)
         said = text("%s", "");
-    fclose(from);
+    if (from)
+        fclose(from);
     if (waitpid(child, status, 0) < 0)
         fail("waitpid: %s", strerror(errno));
     *status = WIFEXITED(*status) ? WEXITSTATUS(*status) : 1;

@@ -19,6 +19,16 @@ const class_key class_keys[] = {
 #undef CLASS
 };
 
+/* The path of the file that libconfig knows by that name: an included one is relative to the folder of
+ * `path`. */
+std::string path_of(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    if (!name || !strcmp(name, path))
+        return path;
+    return *name == '/' || !slash ? name : std::string(path, slash + 1) + name;
+}
+
 /* The first mistake found in one file. */
 struct reader {
     const char *path;
@@ -26,11 +36,10 @@ struct reader {
 
     bool fail(const config_setting_t *at, const std::string &what)
     {
-        const char *file =
-            at ? config_setting_source_file(at) : NULL; /* an included file, if it is not NULL */
+        const char *file = at ? config_setting_source_file(at) : NULL;
         int line = at ? (int)config_setting_source_line(at) : 1;
         if (error.empty())
-            error = std::string(file ? file : path) + ":" + std::to_string(line) + ": " + what;
+            error = path_of(path, file) + ":" + std::to_string(line) + ": " + what;
         return false;
     }
 };
@@ -267,7 +276,7 @@ std::string read_file(const char *path, T &into, bool (*read)(reader &, const co
     if (config_read_file(&config, path) != CONFIG_TRUE) {
         bool syntax = config_error_type(&config) == CONFIG_ERR_PARSE;
         const char *file = config_error_file(&config);
-        r.error = std::string(syntax && file ? file : path) + ":" +
+        r.error = path_of(path, syntax ? file : NULL) + ":" +
                   (syntax ? std::to_string(config_error_line(&config)) + ": " : " ") +
                   config_error_text(&config);
         if (r.error.find("include") != std::string::npos)

@@ -11,6 +11,22 @@
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
+/* The path of the file that libconfig knows by that name: included files are relative to the folder of
+ * r's own file, which has no name. Malloc'd. */
+static char *path_of(const struct cfg_reader *r, const char *name)
+{
+    const char *slash = strrchr(r->path, '/');
+    if (!name)
+        return xstrdup(r->path);
+    return *name == '/' || !slash ? xstrdup(name)
+                                  : xasprintf("%.*s/%s", (int)(slash - r->path), r->path, name);
+}
+
+char *cfg_path_at(const struct cfg_reader *r, const config_setting_t *at)
+{
+    return path_of(r, at ? config_setting_source_file(at) : NULL);
+}
+
 bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const char *format, ...)
 {
     if (r->error)
@@ -26,40 +42,31 @@ bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const
     const char *set = at ? config_setting_get_hook(at) : NULL;
     if (at && !set && config_setting_source_line(at) > 0)
         snprintf(where, sizeof where, ":%u", (unsigned)config_setting_source_line(at));
-    const char *file = set                                    ? set
-                       : at && config_setting_source_file(at) ? config_setting_source_file(at)
-                                                              : r->path;
+    char *file = set ? xstrdup(set) : cfg_path_at(r, at);
     r->error = xasprintf("%s%s: %s%s%s", file, where, key ? key : "", key ? ": " : "", text);
+    free(file);
     return false;
 }
 
 /* No file that a person writes is as large. */
 enum { MOST_BYTES = 4 << 20 };
 
-/* The folder in which the files are that a file includes: its own. */
-static char *folder_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? xstrndup(path, slash > path ? (size_t)(slash - path) : 1) : xstrdup(".");
-}
-
 static char *read_all(struct cfg_reader *r, const char *path, int depth);
 
 /* Checks the file that a line includes, if it includes one. libconfig reads the file later, and its errors
  * would not say what is wrong with the file. */
-static bool check_include(struct cfg_reader *r, const char *path, const char *line, int depth)
+static bool check_include(struct cfg_reader *r, const char *line, int depth)
 {
     line += strspn(line, " \t");
     if (strncmp(line, "@include", 8) != 0 || !(line = strchr(line, '"')))
         return true;
-    char *folder = folder_of(path), *name = xstrndup(line + 1, strcspn(line + 1, "\"\n"));
-    char *included = *name == '/' ? xstrdup(name) : xasprintf("%s/%s", folder, name);
+    char *name = xstrndup(line + 1, strcspn(line + 1, "\"\n")), *included = path_of(r, name);
     char *text = read_all(r, included, depth + 1);
+    bool good = text;
     free(text);
     free(included);
     free(name);
-    free(folder);
-    return text;
+    return good;
 }
 
 /* The text of a file, malloc'd. NULL with r's error set if the file, or one that it includes, is no text
@@ -75,11 +82,18 @@ static char *read_all(struct cfg_reader *r, const char *path, int depth)
             at ? xasprintf("%s:%d: %s", path, at, why) : xasprintf("%s: cannot be read: %s", path, why);
     for (const char *line = text; depth < DEEPEST && line && *line;
          line += strcspn(line, "\n"), line += *line == '\n')
-        if (!check_include(r, path, line, depth)) {
+        if (!check_include(r, line, depth)) {
             free(text);
             return NULL;
         }
     return text;
+}
+
+/* The folder in which the files are that a file includes: its own. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? xstrndup(path, slash > path ? (size_t)(slash - path) : 1) : xstrdup(".");
 }
 
 bool cfg_open(struct cfg_reader *r, const char *path)
@@ -95,9 +109,10 @@ bool cfg_open(struct cfg_reader *r, const char *path)
     bool read = config_read_string(&r->lib, text) == CONFIG_TRUE;
     free(text);
     if (!read) {
-        const char *file = config_error_file(&r->lib); /* the one included, or NULL */
-        r->error = xasprintf("%s:%d: %s (settings are written: key = value;)", file ? file : path,
+        char *file = path_of(r, config_error_file(&r->lib)); /* the one included, or NULL */
+        r->error = xasprintf("%s:%d: %s (settings are written: key = value;)", file,
                              config_error_line(&r->lib), config_error_text(&r->lib));
+        free(file);
         return false;
     }
     r->root = config_root_setting(&r->lib);

@@ -29,6 +29,9 @@ void cfg_close(struct cfg_reader *r);
 bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* The path of the file that has the setting: r's own (at: NULL), or one that it includes. Malloc'd. */
+char *cfg_path_at(const struct cfg_reader *r, const config_setting_t *at);
+
 /* Sets *out to the member of that name and kind. Strings belong to the reader. */
 bool cfg_group(struct cfg_reader *r, config_setting_t *in, const char *key, config_setting_t **out);
 bool cfg_list(struct cfg_reader *r, config_setting_t *in, const char *key, config_setting_t **out);

@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+enum { FIRST_ROOM = 4096 };
+
 /* The length of the UTF-8 character at s (RFC 3629); 0 if there is none. */
 static size_t character(const unsigned char *s)
 {
@@ -38,27 +40,29 @@ static int line_without_text(const char *text, size_t bytes)
     return 0;
 }
 
-/* Reads at most so many bytes. Returns how many; -1 with errno. */
-static ssize_t read_up_to(int fd, char *buf, size_t most)
+/* Reads on to the file's end, or until there are more bytes than `most`. Returns how many; -1 with
+ * errno. *text grows with them, and has room for one more. */
+static ssize_t read_up_to(int fd, char **text, size_t most)
 {
-    size_t done = 0;
-    while (done < most) {
-        ssize_t n = read(fd, buf + done, most - done);
+    size_t done = 0, room = 0;
+    for (;;) {
+        if (done + 1 >= room)
+            *text = xrealloc(*text, room = room ? 2 * room : FIRST_ROOM);
+        ssize_t n = read(fd, *text + done, room - 1 - done);
         if (n < 0 && errno == EINTR)
             continue;
         if (n < 0)
             return -1;
-        if (n == 0)
-            break;
         done += (size_t)n;
+        if (n == 0 || done > most)
+            return (ssize_t)done;
     }
-    return (ssize_t)done;
 }
 
 static char *read_text(int fd, size_t most, const char **why, int *line)
 {
-    char *text = xmalloc(most + 2);
-    ssize_t bytes = read_up_to(fd, text, most + 1);
+    char *text = NULL;
+    ssize_t bytes = read_up_to(fd, &text, most);
     *why = bytes < 0 ? strerror(errno) : (size_t)bytes > most ? "it is larger than such files are" : NULL;
     if (!*why) {
         text[bytes] = 0;

@@ -22,7 +22,7 @@ void record_no_program(struct node *n, vtime t);
 #define RECORD(n, what, ...)                                                                                 \
     do {                                                                                                     \
         if (__builtin_expect((n)->record != NULL, 0))                                                        \
-            record_##what((n)__VA_OPT__(, ) __VA_ARGS__);                                                    \
+            record_##what((n), ##__VA_ARGS__);                                                               \
     } while (0)
 
 /* The program has come to the call n->call; goes on. */

@@ -54,7 +54,7 @@ uint32_t numbering_index(const struct node_system *s, uint32_t address);
 #define NUMBER(n, what, ...)                                                                                 \
     do {                                                                                                     \
         if (__builtin_expect((n)->sys->numbering != NULL, 0))                                                \
-            number_##what((n)__VA_OPT__(, ) __VA_ARGS__);                                                    \
+            number_##what((n), ##__VA_ARGS__);                                                               \
     } while (0)
 
 /* The program begins a call. */

@@ -14,7 +14,7 @@ struct message;
 #define RACES(n, what, ...)                                                                                  \
     do {                                                                                                     \
         if (__builtin_expect((n)->races != NULL, 0))                                                         \
-            races_##what((n)__VA_OPT__(, ) __VA_ARGS__);                                                     \
+            races_##what((n), ##__VA_ARGS__);                                                                \
     } while (0)
 
 /* The program has left a call, or begins: it computes from now on. */

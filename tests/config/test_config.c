@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "config/config.h"
@@ -258,6 +259,29 @@ static void bad_files_are_named_by_line_and_key(void **state)
     }
 }
 
+/* "folder/toy.inc", not "toy.inc": there is none where the user is. */
+static void included_files_are_named_by_path(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"name = 7;", "folder/toy.inc:1: name: must be text in double quotes, not empty"},
+        {"name = ;", "folder/toy.inc:1: syntax error (settings are written: key = value;)"}};
+    assert_int_equal(mkdir("folder", 0777), 0);
+    for (int i = 0; i < 2; i++) {
+        char *error = NULL;
+        FILE *toy = fopen("folder/toy.cfg", "w"), *inc = fopen("folder/toy.inc", "w");
+        assert_true(toy && inc);
+        fprintf(toy, "@include \"toy.inc\"\n");
+        fprintf(inc, "%s\n", cases[i][0]);
+        fclose(toy), fclose(inc);
+        assert_null(cfg_load("folder/toy.cfg", "nowhere", &error));
+        assert_string_equal(error, cases[i][1]);
+        free(error);
+    }
+    unlink("folder/toy.cfg"), unlink("folder/toy.inc");
+    assert_int_equal(rmdir("folder"), 0);
+}
+
 static void file_that_is_not_there(void **state)
 {
     (void)state;
@@ -294,6 +318,7 @@ int main(void)
         cmocka_unit_test(a_host_is_a_slower_processor_behind_a_link),
         cmocka_unit_test(times_are_exact_picoseconds),
         cmocka_unit_test(bad_files_are_named_by_line_and_key),
+        cmocka_unit_test(included_files_are_named_by_path),
         cmocka_unit_test(file_that_is_not_there),
     };
     return cmocka_run_group_tests(tests, enter_scratch, leave_scratch);

@@ -142,9 +142,10 @@ static char *located(const struct inputs *in, const struct point *p, char **sett
             break;
         }
     }
-    const char *file = at && config_setting_source_file(at) ? config_setting_source_file(at) : in->spec->path;
+    char *file = cfg_path_at(&in->spec->reader, at);
     char *text =
         at ? xasprintf("%s:%u: %s", file, (unsigned)config_setting_source_line(at), said) : xstrdup(said);
+    free(file);
     free(error);
     return text;
 }
@@ -155,6 +156,7 @@ bool inputs_machine_file(const char *path, struct digest *d)
     char *text = NULL;
     size_t size = 0;
     FILE *out = cfg_open(&r, path) ? open_memstream(&text, &size) : NULL;
+    bool good = out;
     if (out) {
         config_write(&r.lib, out);
         fclose(out);
@@ -163,7 +165,7 @@ bool inputs_machine_file(const char *path, struct digest *d)
     free(text);
     free(r.error);
     cfg_close(&r);
-    return out;
+    return good;
 }
 
 /* The digest of a machine file; the latest one is remembered. */

@@ -92,7 +92,8 @@ static void give_rest(struct division *d, const struct trace_wait *w, vtime much
         add_rest(d, end - gives, end);
         much -= gives;
     }
-    qsort(d->rests, d->rest_count, sizeof *d->rests, by_begin);
+    if (d->rest_count)
+        qsort(d->rests, d->rest_count, sizeof *d->rests, by_begin);
 }
 
 static vtime rest_of_all(const struct division *d)
