@@ -148,7 +148,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
 	install -m 644 share/examples/*.c $(INST)/share/touchstone/examples
 
-include doc/man/man.mk
+include doc/man/man.mk doc/manual/manual.mk
 
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
