@@ -131,7 +131,7 @@ bench-setup: ## Install what make bench compares with (packages-bench.txt)
 INST = $(DESTDIR)$(PREFIX)
 
 install: all ## Install into PREFIX (default /usr/local)
-	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci examples)
+	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci examples schemas)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
 	install $B/touchstone-reference $(INST)/lib/touchstone
@@ -146,6 +146,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
 	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
+	install -m 644 share/schemas/*.json $(INST)/share/touchstone/schemas
 	install -m 644 share/examples/*.c $(INST)/share/touchstone/examples
 
 include doc/man/man.mk doc/manual/manual.mk

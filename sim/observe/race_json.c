@@ -56,7 +56,8 @@ json_t *race_json(const struct race_reports *t)
 
 char *race_json_write(const struct race_reports *t, const char *path)
 {
-    return json_file_write(json_pack("{s:b, s:o, s:I}", "checked", t->checked, "races", race_json(t),
-                                     "suppressed", (json_int_t)t->suppressed),
+    return json_file_write(json_pack("{s:s, s:b, s:o, s:I}", "format", "touchstone races 1", "checked",
+                                     t->checked, "races", race_json(t), "suppressed",
+                                     (json_int_t)t->suppressed),
                            path);
 }

@@ -43,7 +43,7 @@ static bool write_json(const struct record_points *points, FILE *out, char **err
     struct json_writer w = {.out = out};
     const char *key;
     json_t *value;
-    fputs("{\n", out);
+    fputs("{\n \"format\": \"touchstone results 1\",\n", out);
     json_object_foreach(points->header, key, value)
     {
         fprintf(out, " \"%s\": ", key);

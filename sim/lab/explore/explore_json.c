@@ -81,6 +81,7 @@ static json_t *all_of(const struct explore *x)
     json_t *all = json_object(), *outcomes = json_array();
     for (size_t i = 0; i < s->outcome_count; i++)
         json_append(outcomes, outcome_json(x, i));
+    json_set(all, "format", json_string("touchstone explore 1"));
     set_count(all, "runs", s->run_count);
     set_count(all, "orders", s->orders.count);
     set_count(all, "seeds", s->seeds);

@@ -72,7 +72,7 @@ static void add_run(json_t *to, json_t *run)
     json_t *value, *member;
     json_object_foreach(run, key, value)
     {
-        if (strcmp(key, "node") == 0)
+        if (strcmp(key, "node") == 0 || strcmp(key, "format") == 0)
             continue;
         if (!json_is_object(value))
             set_first(to, key, value);

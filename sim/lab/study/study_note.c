@@ -25,6 +25,7 @@ static json_t *path_of(const char *path)
 static json_t *note_of(const struct study *s)
 {
     json_t *note = json_object();
+    json_set(note, "format", json_string("touchstone study 1"));
     json_set(note, "study", path_of(s->options.file));
     json_set(note, "program", path_of(s->program));
     json_set(note, "set", list_of(s->options.set));

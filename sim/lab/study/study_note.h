@@ -1,6 +1,7 @@
 /* study_note.h - DIR/study.json: which study a folder belongs to, for who looks at the folder while the study
  * runs or after it.
  *
+ *     format                  what the file is, and its version
  *     study, program          absolute paths of the study file and of the program's image
  *     set, arguments          more of each point, as in struct study_options
  *     header                  as in results.json: { title, about, program, axes }

@@ -145,6 +145,7 @@ json_t *results_json(const struct results *r)
     json_set(summary, "predicted_rows", errors_json(&others));
     json_set(summary, "tables", tables);
     json_set(summary, "wall_time_s", json_real(r->wall_time_s));
+    json_set(root, "format", json_string("touchstone tables 1"));
     json_set(root, "rows", rows);
     json_set(root, "fitted", fitted_json(r->fitted));
     json_set(root, "fitted_choices", choices_json(r->fitted));

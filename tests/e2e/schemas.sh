@@ -1,0 +1,138 @@
+#!/bin/bash
+# schemas.sh - every JSON that touchstone writes is as its schema in share/schemas says: a key that is in no schema fails, and so
+# does one that is missing.
+. "$(dirname "$0")/common.bash"
+. "$tests/mpi.bash"
+export XDG_CACHE_HOME=$work/cache
+schemas=$tests/../../share/schemas
+: >used
+
+# valid NAME FILE [PATH...]: the file is as the schema says; changed at these places, it is not.
+valid() {
+    echo "$1" >>used
+    check "$2 is there" test -s "$2"
+    /usr/bin/python3 "$tests/schemas.py" "$schemas" "$@"
+}
+line() { grep -m 1 -- "$2" "$1" | cut -d' ' -f4-; } # FILE STATE: the JSON of the first such line of a journal
+
+/usr/bin/python3 "$tests/schemas.py" "$schemas"
+
+# --- a run, with a profile, handlers, files, a trace ---
+"$BUILD/nxcc" -O2 -g --profile -o served "$tests/served.c"
+run -q -n 4 --json run.json --profile profile.json --trace run.trace served
+valid run run.json . node.0 node.1.waits.0 node.0.tasks files
+valid profile profile.json . functions.0 classes.others tree
+cp profile.json other.json
+"$BUILD/touchstone" profile -f json -o frames profile.json
+"$BUILD/touchstone" profile -f json -o frames2 --diff other.json profile.json
+"$BUILD/touchstone" profile --lines -f json -o lines profile.json
+valid profile-frames frames . children.0
+valid profile-frames frames2
+valid profile-lines lines 0
+"$BUILD/touchstone" trace why --json --path -o why.json run.trace
+"$BUILD/touchstone" trace why --json --than run.trace --set net.short_hop_us=0 --set system.no=0 -o why2.json run.trace 2>err
+valid why why.json . critical_path critical_path.steps.0 waits.groups.0 waits.by_cause_ps
+valid why why2.json than reruns.0
+tail -n +2 run.trace | zstd -dcq 2>/dev/null | /usr/bin/python3 -c '
+import sys
+data = sys.stdin.buffer.read()
+size = at = 0
+while data[at] & 0x80:
+    size |= (data[at] & 0x7f) << 7 * at
+    at += 1
+size |= data[at] << 7 * at
+sys.stdout.buffer.write(data[at + 1 : at + 1 + size])' >head.json
+valid trace-head head.json . network
+
+# --- a host; nodes that stand still; a function that is not there ---
+cat >polls.c <<'END'
+#include <nx.h>
+#include <unistd.h>
+int main(void)
+{
+    if (mynode() == 1)
+        fork();
+    for (int i = 0; i < 100000 && mynode() == 0 && !iprobe(7); i++)
+        ;
+    return 0;
+}
+END
+"$BUILD/nxcc" --stubs -g -O2 -o polls polls.c 2>err
+run -q -n 2 --json polls.json polls
+valid run polls.json node.0.livelock absent.0
+for program in farm farm_node; do "$BUILD/nxcc" -host -O2 -I "$tests/host" -o $program "$tests/host/$program.c"; done
+run -q -n 2 --json host.json --host farm farm_node
+valid run host.json . host
+
+# --- deadlocks, in the simulator and under MPI ---
+"$BUILD/nxcc" -g -O2 -o deadlock "$tests/../../share/examples/deadlock.c"
+run -q -n 4 --deadlock dead.json --json dead-run.json deadlock
+valid deadlock dead.json . nodes.0 nodes.0.waits_for nodes.0.waits_for.select
+valid run dead-run.json deadlock
+"$BUILD/nxcc" -g -O2 -o taken "$tests/deadlocks/taken.c"
+run -q -n 3 --deadlock taken.json taken
+valid deadlock taken.json
+run -q -n 4 --deadlock none.json served
+valid deadlock none.json
+if command -v mpirun >/dev/null && "$BUILD/nxcc" --mpi -g -O2 -o deadlock-mpi "$tests/../../share/examples/deadlock.c"; then
+    NX_DEADLOCK=0.2 NX_DEADLOCK_JSON=mpi.json on_mpi 4 ./deadlock-mpi
+    valid deadlock mpi.json nodes.0
+fi
+
+# --- races, and other timings ---
+"$BUILD/nxcc" --races -g -O2 -o race "$tests/../../share/examples/race.c"
+run -q -n 4 --races races.json --json race-run.json race
+valid races races.json . races.0 races.0.accesses.0 races.0.accesses.0.stack.0
+valid run race-run.json races.0
+"$BUILD/nxcc" -g -O2 -o message_race "$tests/../../share/examples/message_race.c"
+"$BUILD/touchstone" explore -n 4 --runs 30 -o explored --json explore.json message_race >out 2>err
+valid explore explore.json . bounds guarantee.0 outcomes.0 outcomes.1 outcomes.1.delays.0
+line explored/journal ' h ' >head-line.json
+line explored/journal ' d ' >explored-line.json
+valid journal head-line.json .
+valid journal explored-line.json .
+
+# --- a study, with a point that fails; its baseline; its pages, live ---
+"$BUILD/nxcc" -O2 --profile -o halves "$tests/halves.c"
+cat >halves.cfg <<'END'
+program = "halves";
+machine = "ipsc860";
+profile = true;
+axes = ( { name = "nodes"; values = ( 2, 4 ); }, { name = "share"; values = ( 0.5, 3 ); arguments = "{}"; } );
+END
+"$BUILD/touchstone" study halves.cfg -o halves.out >out 2>err
+valid results halves.out/results.json . points.0 points.0.profile
+valid study halves.out/study.json . header
+line halves.out/journal ' d ' >point-line.json
+line halves.out/journal ' f ' >failed-line.json
+valid journal point-line.json .
+valid journal failed-line.json .
+sed 's/0.5, 3/0.5, 1/; s/profile = true;//' halves.cfg >plain.cfg
+"$BUILD/touchstone" check baseline.json --update -o plain.out plain.cfg >out 2>err
+valid baseline baseline.json . 'studies.plain.nodes 2, share 1' 'studies.plain.nodes 2, share 1.where.others'
+"$BUILD/touchstone" serve halves.out >address 2>err </dev/null &
+server=$!
+for _ in $(seq 200); do
+    [ -s address ] && break
+    sleep 0.05
+done
+at() { sed "s#/?#/$1#" address; } # PATH: the address of that path
+curl -s -m 30 "$(at 'data?study=0\&')" >data.json
+grep -m 1 studies < <(curl -sN -m 30 "$(at 'events?')") | sed 's/^data: *//' >events.json
+kill $server
+valid serve-data data.json . points.0 form.0 progress
+valid serve-events events.json . studies.0
+
+# --- the tables ---
+"$BUILD/touchstone" tables -t 1 -o tables >out 2>err &
+tables=$!
+for _ in $(seq 600); do
+    [ "$(grep -c ' d {' tables/journal 2>/dev/null)" -ge 1 ] 2>/dev/null && break
+    sleep 0.02
+done
+line tables/journal ' d ' >row-line.json
+valid journal row-line.json .
+wait $tables
+valid tables tables/tables.json . summary summary.tables.0 fitted.0 fitted_choices.0
+
+check "every schema has been used" diff <(sort -u used) <(basename -a -s .schema.json "$schemas"/*.json | sort)
