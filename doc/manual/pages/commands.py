@@ -6,11 +6,12 @@ import os
 import re
 import subprocess
 
-from markdown import code, escape, fence, index
+from markdown import code, escape, fence, index, table
 
 WIDE = {"ARGP_HELP_FMT": "rmargin=9999"}
 USUAL = ("help", "usage", "version")  # options of every command
 OPTION = re.compile(r"^ {2,6}(-\S+(?:, -\S+)*(?: [A-Z][A-Z|]*)?)(?: {2,}(\S.*))?$")
+HELP_COLUMN = 29  # argp's: an option that is as long as that has one blank behind it
 ENTRY = re.compile(r"^ {2}([a-z][a-z-]*) {2,}(\S.*)$")
 GROUP = re.compile(r"^ ([A-Z].*):$")
 
@@ -24,6 +25,14 @@ def option(names, text):
     spoken = ", ".join(re.sub(r"^(-[^\s=\[]+)(?: |=)?(\[?.*)$", lambda m: (m[1] + " " + m[2]).strip(), name)
                        for name in names.split(", "))
     return "```{option} " + spoken + "\n" + escape(text) + "\n```\n\n"
+
+
+def option_of(line):
+    """The names and the text of a line that is about an option, or None."""
+    found = OPTION.match(line)
+    if not found and re.match(r" {2,6}-\S+$", line[:HELP_COLUMN].rstrip()) and line[HELP_COLUMN - 1:HELP_COLUMN] == " ":
+        return line[:HELP_COLUMN].strip(), line[HELP_COLUMN:]
+    return found and (found[1], found[2] or "")
 
 
 def is_usual(names):
@@ -58,7 +67,7 @@ def head(text):
 def parts_of(text):
     """Head, options, and tail of a help text of argp."""
     lines = text.split("\n")
-    listed = [i for i, line in enumerate(lines) if OPTION.match(line) or GROUP.match(line)]
+    listed = [i for i, line in enumerate(lines) if option_of(line) or GROUP.match(line)]
     if not listed:
         return text, [], ""
     end = next(i for i, line in enumerate(lines) if "--version" in line) + 1
@@ -67,16 +76,20 @@ def parts_of(text):
 
 def options_of(lines, name, commands):
     """The list of options and entries; `commands` gets the names of these, which have sections if it is not None."""
-    out = ""
+    out, entries = "", []
     for line in lines:
-        if found := OPTION.match(line):
-            out += "" if is_usual(found[1]) else option(found[1], found[2] or "")
-        elif found := ENTRY.match(line):
+        if found := ENTRY.match(line):
             entry = code(found[1])
             if commands is not None:
                 commands.append(found[1])
-                entry = f"[{entry}](#{name}-{found[1]})".replace(f"#{name} ", f"#{name}-")
-            out += f"{entry}\n: {escape(found[2])}\n\n"
+                entry = f"[{entry}](#{name.replace(' ', '-')}-{found[1]})"
+            entries.append([entry, escape(found[2])])
+            continue
+        if entries:
+            out += table(["", ""], entries)
+            entries = []
+        if found := option_of(line):
+            out += "" if is_usual(found[0]) else option(*found)
         elif found := GROUP.match(line):
             out += f"**{escape(found[1])}**\n\n"
     return out

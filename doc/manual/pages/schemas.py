@@ -1,81 +1,86 @@
-"""schemas.py - the page of all keys of JSON files, from share/schemas/*.schema.json (JSON Schema 2020-12): each with its type and
-its description."""
+"""schemas.py - the page of all keys of JSON files, from share/schemas/*.schema.json (JSON Schema 2020-12): a table for each schema,
+and one for each of its definitions, with type and description of each key."""
 import json
+import re
 
 from markdown import code, escape, index, sentence, table
 
 
-class Schema:
-    """A schema's keys, as rows of a table."""
+def name_of(reference):
+    """What a $ref refers to: a definition, or another schema, or a definition of that."""
+    schema, _, path = reference.partition("#")
+    definition = path.removeprefix("/$defs/")
+    file = re.sub(r".*/schemas/([\w-]+)/\d+$", r"\1", schema)
+    return " of ".join(filter(None, [definition, file]))
 
-    def __init__(self, schema):
-        self.root, self.rows, self.open = schema, [], []
-        self.keys(schema, "")
 
-    def resolved(self, part):
-        """What a part says, and what it refers to; its own words win."""
-        while "$ref" in part:
-            target = self.root
-            for step in part["$ref"].removeprefix("#/").split("/"):
-                target = target[step.replace("~1", "/").replace("~0", "~")] if step != "#" else target
-            part = {**target, **{key: value for key, value in part.items() if key != "$ref"}}
-        return part
+def named_by(pattern):
+    """The keys that match a pattern such as ^files\\. as files.<name>."""
+    return pattern.removeprefix("^").replace("\\.", ".") + "<name>" if re.fullmatch(r"\^[\w.\\]+", pattern) else f"<{pattern}>"
 
-    def alternatives(self, part):
-        return [self.resolved(each) for kind in ("anyOf", "oneOf", "allOf") for each in part.get(kind, [])]
 
-    def kind(self, part):
-        """The type in words."""
-        part = self.resolved(part)
-        if "const" in part:
-            return json.dumps(part["const"])
-        if "enum" in part:
-            return ", ".join(json.dumps(value) for value in part["enum"])
-        kind = part.get("type")
-        kinds = kind if isinstance(kind, list) else [kind] if kind else []
-        if "array" in kinds and isinstance(part.get("items"), dict):
-            of = self.kind(part["items"])
-            kinds = ["array of " + of if each == "array" and of and len(of) < 40 else each for each in kinds]
-        kinds += [self.kind(each) for each in self.alternatives(part)]
-        return " or ".join(dict.fromkeys(each for each in kinds if each))
+def choices(part):
+    return [each for kind in ("anyOf", "oneOf", "allOf") for each in part.get(kind, [])]
 
-    def row(self, path, part, needed):
-        words = escape(sentence(part.get("description", "")))
-        self.rows.append([code(path), escape(self.kind(part)), words if needed else words + (" " if words else "") + "(optional)"])
 
-    def keys(self, part, path):
-        """Adds the keys within a part of the schema, whose own path is given."""
-        reference = part.get("$ref")
-        if reference in self.open:
-            return  # it holds itself
-        self.open.append(reference) if reference else None
-        part = self.resolved(part)
-        for key, value in part.get("properties", {}).items():
-            self.member(f"{path}.{key}" if path else key, value, key in part.get("required", []))
-        for pattern, value in part.get("patternProperties", {}).items():
-            self.member(f"{path}.<{pattern}>" if path else f"<{pattern}>", value, True)
-        if isinstance(part.get("additionalProperties"), dict):
-            self.member(f"{path}.<name>" if path else "<name>", part["additionalProperties"], True)
-        for inner in [part.get("items")] + part.get("prefixItems", []):
-            if isinstance(inner, dict):
-                self.keys(inner, path + "[]")
-        for each in [e for kind in ("anyOf", "oneOf", "allOf") for e in part.get(kind, [])]:
-            self.keys(each, path)
-        self.open.pop() if reference else None
+def kind(part):
+    """The type in words."""
+    if "$ref" in part:
+        return name_of(part["$ref"])
+    if "const" in part:
+        return json.dumps(part["const"])
+    if "enum" in part:
+        return ", ".join(json.dumps(value) for value in part["enum"])
+    kinds = part.get("type", [])
+    kinds = [kinds] if isinstance(kinds, str) else list(kinds)
+    items = part.get("items")
+    if "array" in kinds and isinstance(items, dict) and kind(items):
+        kinds[kinds.index("array")] = "list of " + kind(items)
+    return " or ".join(dict.fromkeys(kinds + [kind(each) for each in choices(part)]))
 
-    def member(self, path, value, needed):
-        self.row(path, self.resolved(value), needed)
-        self.keys(value, path)
+
+def row(path, part, needed):
+    words = [escape(sentence(part.get("description", "")))] + ([f"({escape(part['unit'])})"] if "unit" in part else [])
+    return [code(path), escape(kind(part)), " ".join(filter(None, words + ([] if needed else ["*Optional.*"])))]
+
+
+def rows_of(part, path=""):
+    """The rows of all keys within a part of a schema, whose own path is given."""
+    rows = []
+    prefix = path + "." if path else ""
+    members = [(key, value, key in part.get("required", [])) for key, value in part.get("properties", {}).items()]
+    members += [(named_by(pattern), value, True) for pattern, value in part.get("patternProperties", {}).items()]
+    if isinstance(part.get("additionalProperties"), dict):
+        members.append(("<name>", part["additionalProperties"], True))
+    for key, value, needed in members:
+        rows.append(row(prefix + key, value, needed))
+        rows += rows_of(value, prefix + key)
+    for inner in [part.get("items")] + part.get("prefixItems", []):
+        rows += rows_of(inner, path + "[]") if isinstance(inner, dict) else []
+    for each in choices(part):
+        rows += rows_of(each, path)
+    return [each for i, each in enumerate(rows) if each not in rows[:i]]
+
+
+def definition(name, part):
+    """What a schema calls by a name."""
+    said = escape(sentence(part.get("description", "")))
+    rows = rows_of(part)
+    what = "" if rows and part.get("type") == "object" else f" ({escape(kind(part))})" if kind(part) else ""
+    return f"**{escape(name)}**{what}{': ' + said if said else ''}\n\n" + (table(["key", "type", "what it is"], rows) if rows else "")
 
 
 def section(path):
     schema = json.loads(path.read_text())
     name = path.name.removesuffix(".schema.json")
-    found = Schema(schema)
-    rows = [row for i, row in enumerate(found.rows) if row not in found.rows[:i]]
-    return (f"## {escape(schema.get('title', name))}\n\n" + index(f"{name} (JSON)", f"JSON, {name}") +
-            f"{escape(schema.get('description', ''))} The schema is {code('share/schemas/' + path.name)}.\n\n" +
-            table(["key", "type", "what it is"], rows))
+    out = f"## {escape(schema.get('title', name))}\n\n" + index(f"{name} (JSON)", f"JSON, {name}")
+    out += f"{escape(schema.get('description', ''))} The schema is {code('share/schemas/' + path.name)}.\n\n"
+    rows = rows_of(schema)
+    if rows:
+        out += table(["key", "type", "what it is"], rows)
+    else:
+        out += f"It is {escape(kind(schema))}:\n\n"
+    return out + "".join(definition(each, part) for each, part in schema.get("$defs", {}).items())
 
 
 INTRODUCTION = """# Keys of JSON files
@@ -84,7 +89,8 @@ INTRODUCTION = """# Keys of JSON files
 ```
 
 This chapter is made from the schemas in share/schemas (JSON Schema 2020-12), which the tests hold against the files that the commands
-write. `a.b` is the key b of the object a; `a[].b` is the key b of each object of the list a; `<name>` stands for any name.
+write. `a.b` is the key b of the object a; `a[].b` is the key b of each object of the list a; `<name>` stands for any name. A type such
+as *node* is one of the tables that follow; *race of races* is that of the schema races.
 
 """
 

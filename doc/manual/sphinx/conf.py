@@ -14,6 +14,7 @@ root_doc = "index"
 myst_enable_extensions = ["deflist"]
 myst_heading_anchors = 4
 suppress_warnings = ["misc.highlighting_failure", "myst.header"]
+smartquotes = False  # -- is an option
 highlight_language = "text"
 pygments_style = "friendly"
 html_theme = "furo"
