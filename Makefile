@@ -78,7 +78,7 @@ unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
 HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
-E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent,%/$(once).sh@$(ASAN))
+E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent manual,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)

@@ -5,6 +5,7 @@ its own, whose options begin four blanks from the left."""
 import os
 import re
 import subprocess
+import textwrap
 
 from markdown import code, escape, fence, index, table
 
@@ -52,7 +53,7 @@ def tail(text):
         if plain:
             out += escape(" ".join(lines[:plain])) + "\n\n"
         if plain < len(lines):
-            out += fence("\n".join(line[2:] if line.startswith("  ") else line for line in lines[plain:])) + "\n"
+            out += fence(textwrap.dedent("\n".join(lines[plain:]))) + "\n"
     return out
 
 
