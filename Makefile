@@ -147,7 +147,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
 	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
 	install -m 644 share/schemas/*.json $(INST)/share/touchstone/schemas
-	install -m 644 share/examples/*.c $(INST)/share/touchstone/examples
+	install -m 644 share/examples/*.c share/examples/*.cfg $(INST)/share/touchstone/examples
 
 include doc/man/man.mk doc/manual/manual.mk
 
