@@ -113,6 +113,8 @@ ENTRIES = {
     "cluster.md": ["MPI", "cluster", "mpirun"],
     "deadlocks.md": ["deadlock", "wait-for graph"],
     "debugger.md": ["debugger", "gdb", "SIGUSR1"],
+    "exercises.md": ["exercises", "latency", "bandwidth"],
+    "exercises-solutions.md": ["solutions of the exercises"],
     "explore.md": ["exploration of timings"],
     "host-programs.md": ["host programs", "System Resource Manager"],
     "livelock.md": ["livelock"],
@@ -130,6 +132,7 @@ ENTRIES = {
     "trace-format.md": ["trace file"],
     "trace-show.md": ["pictures of a run", "Gantt chart"],
     "trace-why.md": ["critical path"],
+    "tutorial.md": ["tutorial", "Jacobi's method"],
     "what-if.md": ["studies", "baseline", "fit of a machine to measurements"],
     "when-it-hangs.md": ["hangs"],
     "paper-report.md": ["accuracy", "tables of the paper"],
@@ -172,7 +175,8 @@ def chapters(text):
 def copy_pictures(source):
     """All pictures that pages show."""
     for path in PAGES:
-        for target in re.findall(r"!\[[^\]]*\]\(([^)\s]+)\)", (ROOT / path).read_text()):
+        text = re.sub(r"^```.*?^```$", "", (ROOT / path).read_text(), flags=re.S | re.M)
+        for target in re.findall(r"!\[[^\]]*\]\(([^)\s]+)\)", text):
             picture = ((ROOT / path).parent / target).resolve()
             to = source / pictures_name(str(picture.relative_to(ROOT)))
             to.parent.mkdir(parents=True, exist_ok=True)
