@@ -86,7 +86,7 @@ unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
 HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
-E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent,%/$(once).sh@$(ASAN))
+E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent manual,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
@@ -160,7 +160,7 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 share/schemas/*.json $(INST)/share/touchstone/schemas
 	install -m 644 share/examples/*.c share/examples/*.cfg $(INST)/share/touchstone/examples
 
-include doc/man/man.mk share/completion/completion.mk
+include doc/man/man.mk share/completion/completion.mk doc/manual/manual.mk
 
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
