@@ -18,6 +18,8 @@ bool waitfor_selects(const struct waitfor_select *s, long type, long from, long 
 /* For people: "type 7", "any type", "one of the types 3, 5"; "node 3", "any node", "the host". */
 void waitfor_print_typesel(FILE *f, long typesel);
 void waitfor_print_node(FILE *f, const struct waitfor *w, long node);
+/* "29.456789 ms": the simulator writes moments in this way, too (sim/files/virtual_time.h). */
+void waitfor_print_time(FILE *f, uint64_t ps);
 /* "node 3", "nodes 1-5, 7", "the host", and "none" of no node: those of which is(w, i, arg) is true. */
 typedef bool waitfor_choice(const struct waitfor *w, uint32_t i, const void *arg);
 void waitfor_print_nodes(FILE *f, const struct waitfor *w, waitfor_choice *is, const void *arg);

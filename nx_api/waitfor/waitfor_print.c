@@ -50,6 +50,25 @@ void waitfor_print_node(FILE *f, const struct waitfor *w, long node)
         fprintf(f, "node %ld", node);
 }
 
+void waitfor_print_time(FILE *f, uint64_t ps)
+{
+    static const struct {
+        const char *name;
+        double ps;
+        int digits; /* behind the point */
+    } UNITS[] = {{"s", 1e12, 9}, {"ms", 1e9, 6}, {"us", 1e6, 3}, {"ns", 1e3, 3}};
+    char number[24];
+    int i = 0;
+    while (i < 3 && ps && (double)ps < UNITS[i].ps)
+        i++;
+    size_t length =
+        (size_t)snprintf(number, sizeof number, "%.*f", UNITS[i].digits, (double)ps / UNITS[i].ps);
+    while (number[length - 1] == '0')
+        length--;
+    length -= number[length - 1] == '.';
+    fprintf(f, "%.*s %s", (int)length, number, UNITS[i].name);
+}
+
 /* The first from i on that is chosen; w->count: none. */
 static uint32_t next_chosen(const struct waitfor *w, uint32_t i, waitfor_choice *is, const void *arg)
 {

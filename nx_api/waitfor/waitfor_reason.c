@@ -5,11 +5,6 @@
 
 enum { MOST_TOLD = 4 }; /* messages of one node */
 
-static double seconds(uint64_t ps)
-{
-    return (double)ps / 1e12;
-}
-
 static void print_wanted(FILE *f, const struct waitfor *w, const struct waitfor_select *s)
 {
     waitfor_print_typesel(f, s->typesel);
@@ -124,8 +119,10 @@ static void print_taken(FILE *f, const struct waitfor *w, const struct waitfor_n
         fprintf(f, "\nA message of type %ld from ", t->type);
         waitfor_print_node(f, w, t->from);
         fputs(" came", f);
-        if (t->came_ps != WAITFOR_NEVER)
-            fprintf(f, " at %.9f s", seconds(t->came_ps));
+        if (t->came_ps != WAITFOR_NEVER) {
+            fputs(" at ", f);
+            waitfor_print_time(f, t->came_ps);
+        }
         fputs(": ", f);
         print_fate(f, w, t);
     }
@@ -197,6 +194,12 @@ static void print_missed(FILE *f, const struct waitfor *w, const struct waitfor_
 }
 
 /* ", which waits, too" */
+static void print_end(FILE *f, const struct waitfor_node *whom)
+{
+    fputs(", which ended at ", f);
+    waitfor_print_time(f, whom->since_ps);
+}
+
 static void print_state(FILE *f, const struct waitfor_node *n, const struct waitfor_node *whom)
 {
     if (whom == n)
@@ -206,7 +209,7 @@ static void print_state(FILE *f, const struct waitfor_node *n, const struct wait
     else if (whom->state == WAITFOR_COMPUTES)
         fputs(", which computes", f);
     else if (whom->state == WAITFOR_ENDED)
-        fprintf(f, ", which ended at %.9f s", seconds(whom->since_ps));
+        print_end(f, whom);
     else
         fputs(", on which no program runs", f);
 }

@@ -6,11 +6,6 @@
 
 enum { MOST_IN_CYCLE = 24, MOST_GROUPS = 64, MOST_FRAMES = 8 };
 
-static double seconds(uint64_t ps)
-{
-    return (double)ps / 1e12;
-}
-
 /* Nodes in the same state, of the same cause. */
 struct group {
     const struct waitfor_node *first;
@@ -143,9 +138,12 @@ static void print_times(FILE *f, const struct group *g)
 {
     if (g->first->state != WAITFOR_WAITS && g->first->state != WAITFOR_ENDED)
         return;
-    fprintf(f, " %s %.9f s", g->first->state == WAITFOR_ENDED ? "at" : "since", seconds(g->earliest));
-    if (g->latest != g->earliest)
-        fprintf(f, " to %.9f s", seconds(g->latest));
+    fprintf(f, " %s ", g->first->state == WAITFOR_ENDED ? "at" : "since");
+    waitfor_print_time(f, g->earliest);
+    if (g->latest == g->earliest)
+        return;
+    fputs(" to ", f);
+    waitfor_print_time(f, g->latest);
 }
 
 static void print_stack(FILE *f, const struct waitfor_node *n)

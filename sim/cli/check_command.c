@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/study_session.h"
 #include "lab/check/compare_gate.h"
 
@@ -86,7 +87,7 @@ static int check(struct arguments *a)
     a->gate.study.retry_failed = true;
     enum gate_end end = gate_run(&a->gate, &error);
     if (end == GATE_ERROR)
-        fprintf(stderr, "touchstone check: %s\n", error);
+        cli_say_error("check", "%s", error);
     free(error);
     cli_session_end(&s, &a->gate.study);
     return end == GATE_PASSED ? 0 : end == GATE_WORSE ? EXIT_WORSE : EXIT_UNKNOWN;

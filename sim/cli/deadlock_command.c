@@ -5,6 +5,7 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/deadlock/deadlock_draw.h"
@@ -89,7 +90,7 @@ int cli_deadlock(int argc, char **argv)
     struct waitfor *w = deadlock_read(a.file, &error);
     bool ok = w && show(&a, w, &error);
     if (!ok)
-        fprintf(stderr, "touchstone deadlock: %s\n", error);
+        cli_say_error("deadlock", "%s", error);
     free(error);
     if (w)
         waitfor_free(w);

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/program_options.h"
+#include "cli/say.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/explore_json.h"
 #include "lab/explore/explore_report.h"
@@ -105,9 +106,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int failed(char *error, int status)
 {
-    fprintf(stderr, "touchstone explore: %s\n", error);
-    free(error);
-    return status;
+    return cli_failed("explore", error, status);
 }
 
 /* --- doing it ------------------------------------------------------------------------------------------- */

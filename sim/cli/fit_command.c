@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/study_session.h"
 #include "lab/fit/fit.h"
 
@@ -77,7 +78,7 @@ static int fit(const struct arguments *a, struct fit_options *o)
     o->constants = a->constants ? a->constants : constants;
     enum fit_end end = fit_run(o, &error);
     if (end == FIT_ERROR)
-        fprintf(stderr, "touchstone fit: %s\n", error);
+        cli_say_error("fit", "%s", error);
     free(error);
     return end == FIT_DONE ? 0 : end == FIT_UNDETERMINED ? EXIT_UNDETERMINED : CLI_EXIT_INPUT;
 }

@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #include "cli/options.h"
+#include "cli/say.h"
 #include "kernel/xalloc.h"
 
 /* touchstone_stops(resume, function, in_call) has its arguments in rdi, rsi and rdx: debug_stop.h says what
@@ -46,7 +47,7 @@ static bool make_script(char *name, size_t size)
 
 static int failed(const char *what, const char *advice)
 {
-    fprintf(stderr, "touchstone run: --gdb: %s: %s%s\n", what, strerror(errno), advice);
+    cli_say_error("run", "--gdb: %s: %s%s", what, strerror(errno), advice);
     return CLI_EXIT_INPUT;
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+#include "cli/say.h"
 #include "config/config.h"
 
 static bool find_binary(struct cli_installation *i)
@@ -15,10 +16,8 @@ static bool find_binary(struct cli_installation *i)
 bool cli_find_installation(struct cli_installation *i, const char *command)
 {
     if (!find_binary(i) || !cfg_home(i->home, sizeof i->home)) {
-        fprintf(stderr,
-                "touchstone %s: machines/ is not where this program was built or installed; set "
-                "TOUCHSTONE_HOME\n",
-                command);
+        cli_say_error(command,
+                      "machines/ is not where this program was built or installed; set TOUCHSTONE_HOME");
         return false;
     }
     int folder = (int)(strrchr(i->runner, '/') - i->runner);

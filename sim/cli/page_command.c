@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
@@ -111,7 +112,7 @@ int cli_page(int argc, char **argv)
     struct page *p = page_new();
     bool ok = is_free(a.out, &error) && add_inputs(p, &a, &error) && write_file(p, &a, &error);
     if (!ok)
-        fprintf(stderr, "touchstone page: %s\n", error);
+        cli_say_error("page", "%s", error);
     else if (strcmp(a.out, "-"))
         fprintf(stderr, "%s: open it in a browser\n", a.out);
     free(error);

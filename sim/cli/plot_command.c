@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart.h"
@@ -123,7 +124,7 @@ static size_t draw(const struct record_points *points, const struct picture list
             drawn++;
             printf("%s/%s.png and .svg\n", dir, list[i].file);
         } else {
-            fprintf(stderr, "touchstone plot: no picture %s: %s\n", list[i].file, error);
+            cli_say_error("plot", "no picture %s: %s", list[i].file, error);
         }
         free(error);
     }
@@ -132,9 +133,7 @@ static size_t draw(const struct record_points *points, const struct picture list
 
 static int input_error(char *error)
 {
-    fprintf(stderr, "touchstone plot: %s\n", error);
-    free(error);
-    return CLI_EXIT_INPUT;
+    return cli_failed("plot", error, CLI_EXIT_INPUT);
 }
 
 /* Draws the pictures that the study file names, with its baseline unless the options give one. */

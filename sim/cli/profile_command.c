@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/atomic_file.h"
 #include "lab/flame/flame.h"
@@ -88,9 +89,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int fail(char *error, int status)
 {
-    fprintf(stderr, "touchstone profile: %s\n", error);
-    free(error);
-    return status;
+    return cli_failed("profile", error, status);
 }
 
 static int write_out(const struct flame *f, const struct arguments *a)

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/render/colours.h"
@@ -257,7 +258,7 @@ static void say(const struct output_request *r, const struct output_file *file)
     for (size_t i = 0; i < r->count; i++) {
         const struct output_file *f = &file[i];
         if (!f->polygons)
-            fprintf(stderr, "touchstone render: there are no polygons in %s\n", r->file[i]);
+            cli_say_warning("render", "there are no polygons in %s", r->file[i]);
         if (!strcmp(r->path, "-"))
             continue;
         printf("%s: %ju polygons, %ju vertices", r->file[i], (uintmax_t)f->polygons, (uintmax_t)f->vertices);
@@ -281,7 +282,7 @@ static int make(const struct output_request *r)
         say(r, file);
         return 0;
     }
-    fprintf(stderr, "touchstone render: %s\n", error);
+    cli_say_error("render", "%s", error);
     free(error);
     return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
 }

@@ -10,6 +10,7 @@
 #include "cli/installation.h"
 #include "cli/program_options.h"
 #include "cli/run_files.h"
+#include "cli/say.h"
 #include "cli/stop_options.h"
 #include "cli/timing_options.h"
 #include "cli/trace_options.h"
@@ -148,9 +149,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int input_error(char *error)
 {
-    fprintf(stderr, "touchstone run: %s\n", error);
-    free(error);
-    return CLI_EXIT_INPUT;
+    return cli_failed("run", error, CLI_EXIT_INPUT);
 }
 
 static int output_error(char *error)
@@ -212,7 +211,7 @@ static int report(const struct machine *m, const struct race_reports *races, con
     int status = status_of(m, races);
     char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
     if (m->message)
-        fprintf(stderr, "touchstone run: %s\n", m->message);
+        cli_say_error("run", "%s", m->message);
     if (!a->quiet)
         summary_print(m, races, a->verbose, stderr);
     race_print(races, stderr);

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "kernel/xalloc.h"
 #include "lab/serve/listening.h"
 #include "lab/serve/serve.h"
@@ -65,10 +66,11 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static void warn(const char *address)
 {
     if (!listening_is_local(address))
-        fprintf(stderr,
-                "touchstone serve: warning: other computers can reach %s; nothing is encrypted, and whoever "
-                "learns the token can run the study's program\n",
-                address);
+        cli_say_warning(
+            "serve",
+            "warning: other computers can reach %s; nothing is encrypted, and whoever learns the token can "
+            "run the study's program",
+            address);
 }
 
 int cli_serve(int argc, char **argv)
@@ -90,7 +92,7 @@ int cli_serve(int argc, char **argv)
     warn(a.address);
     bool ok = serve(&options, &error);
     if (!ok)
-        fprintf(stderr, "touchstone serve: %s\n", error);
+        cli_say_error("serve", "%s", error);
     free(error);
     free(a.inputs);
     return ok ? 0 : CLI_EXIT_INPUT;

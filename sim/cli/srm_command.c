@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "kernel/xalloc.h"
 #include "srm/cube_service.h"
 #include "srm/socket.h"
@@ -56,9 +57,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int failed(char *error, int status)
 {
-    fprintf(stderr, "touchstone srm: %s\n", error);
-    free(error);
-    return status;
+    return cli_failed("srm", error, status);
 }
 
 static int make_links(const char *dir, const char *self)
@@ -68,7 +67,7 @@ static int make_links(const char *dir, const char *self)
         snprintf(link, sizeof link, "%s/%s", dir, c->name);
         if (symlink(self, link) == 0 || errno == EEXIST)
             continue;
-        fprintf(stderr, "touchstone srm: %s cannot be made: %s\n", link, strerror(errno));
+        cli_say_error("srm", "%s cannot be made: %s", link, strerror(errno));
         return 1;
     }
     return 0;

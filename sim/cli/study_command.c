@@ -2,7 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/study_session.h"
+#include "kernel/xalloc.h"
 #include "lab/jobs/session.h"
 #include "lab/study/study_make.h"
 
@@ -95,11 +97,10 @@ static int study(const struct arguments *a, struct study_options *o)
         cli_session_silence(o); /* the first process shows the progress of all */
     enum study_end end = study_make(o, &signal, &error);
     if (end == STUDY_ERROR) {
-        if (t.count > 1)
-            fprintf(stderr, "touchstone study, process %u of %u: %s\n", t.rank, t.count, error);
-        else
-            fprintf(stderr, "touchstone study: %s\n", error);
-        free(error);
+        char *command =
+            t.count > 1 ? xasprintf("study, process %u of %u", t.rank, t.count) : xstrdup("study");
+        cli_failed(command, error, 0);
+        free(command);
     }
     return end == STUDY_DONE         ? 0
            : end == STUDY_INCOMPLETE ? 1

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
+#include "cli/say.h"
 #include "lab/tables/tables.h"
 
 enum { MAX_TABLES = 16 };
@@ -99,7 +100,7 @@ int cli_tables(int argc, char **argv)
     enum tables_end end =
         a.explain ? tables_explain(&options, a.explain, &error) : tables_make(&options, &error);
     if (end == TABLES_ERROR)
-        fprintf(stderr, "touchstone tables: %s\n", error);
+        cli_say_error("tables", "%s", error);
     free(error);
     return end == TABLES_DONE ? 0 : end == TABLES_INCOMPLETE ? 1 : CLI_EXIT_INPUT;
 }

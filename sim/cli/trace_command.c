@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/trace_options.h"
+#include "files/virtual_time.h"
 
 static const struct trace_command {
     const char *name;
@@ -50,8 +52,9 @@ static void print_info(const struct trace *t, FILE *f)
     }
     fprintf(f, "%s\n", t->command);
     fprintf(f, "machine          %s, %" PRId32 " nodes\n", t->machine, t->node_count);
-    fprintf(f, "time             %.6f s to %.6f s of %.6f s%s\n", vt_seconds(t->from), vt_seconds(t->to),
-            vt_seconds(t->end), t->complete ? "" : " (the trace is cut off: the run was killed)");
+    fprintf(f, "time             %s to %s of %s%s\n", virtual_time_moment(t->from).text,
+            virtual_time_moment(t->to).text, virtual_time_moment(t->end).text,
+            t->complete ? "" : " (the trace is cut off: the run was killed)");
     fprintf(f, "calls            %" PRId32 ", with %" PRId32 " waits\n", t->call_count, t->wait_count);
     fprintf(f, "handlers         %" PRId32 "\n", t->handler_count);
     fprintf(f, "system intervals %" PRId32 "\n", t->system_count);
@@ -76,7 +79,7 @@ int cli_trace_info(int argc, char **argv)
     struct trace *t = trace_load(a.path, &a.select, &error);
     free((bool *)(uintptr_t)a.select.nodes);
     if (!t) {
-        fprintf(stderr, "touchstone trace info: %s\n", error);
+        cli_say_error("trace info", "%s", error);
         free(error);
         return CLI_EXIT_INPUT;
     }

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/trace_options.h"
 #include "kernel/xalloc.h"
 #include "lab/export/export.h"
@@ -107,9 +108,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int failed(int status, char *error)
 {
-    fprintf(stderr, "touchstone trace export: %s\n", error);
-    free(error);
-    return status;
+    return cli_failed("trace export", error, status);
 }
 
 /* Is one of the files to write the trace itself? */
@@ -129,7 +128,7 @@ static int write_trace(const struct arguments *a)
     if (!t)
         return failed(CLI_EXIT_INPUT, error);
     if (!t->complete)
-        fprintf(stderr, "touchstone trace export: %s ends early: its run was stopped\n", a->trace);
+        cli_say_warning("trace export", "%s ends early: its run was stopped", a->trace);
     bool ok = export_write(t, &a->request, &error);
     trace_free(t);
     return ok ? 0 : failed(1, error);

@@ -4,8 +4,10 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/folder_make.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/show/channel_film.h"
 #include "lab/show/displays.h"
@@ -197,7 +199,7 @@ static int draw_all(const struct arguments *a)
         bool written = write_display(a, a->displays[i], path, &error);
         stage(NULL, NULL);
         if (!written) {
-            fprintf(stderr, "touchstone trace show: no picture %s: %s\n", a->displays[i]->name, error);
+            cli_say_error("trace show", "no picture %s: %s", a->displays[i]->name, error);
             free(error);
             status = 1;
         } else if (strcmp(path, "-")) {
@@ -210,9 +212,7 @@ static int draw_all(const struct arguments *a)
 
 static int input_error(char *error)
 {
-    fprintf(stderr, "touchstone trace show: %s\n", error);
-    free(error);
-    return CLI_EXIT_INPUT;
+    return cli_failed("trace show", error, CLI_EXIT_INPUT);
 }
 
 /* Is there anything to draw? */
@@ -220,8 +220,8 @@ static char *why_nothing(const struct arguments *a)
 {
     const struct trace *t = a->show.trace;
     if (t->from >= t->to)
-        return xasprintf("%s has nothing in that interval: the run ended at %.9f s", a->trace,
-                         vt_seconds(t->end));
+        return xasprintf("%s has nothing in that interval: the run ended at %s", a->trace,
+                         virtual_time_moment(t->end).text);
     if (!a->show.rows.nodes)
         return xasprintf("%s has none of these nodes: it has nodes 0 to %d", a->trace, t->node_count - 1);
     return NULL;

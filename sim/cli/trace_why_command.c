@@ -6,6 +6,7 @@
 #include "cli/installation.h"
 #include "cli/program_options.h"
 #include "cli/run_again.h"
+#include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
@@ -101,9 +102,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static int failed(char *error, int status)
 {
-    fprintf(stderr, "touchstone trace why: %s\n", error);
-    free(error);
-    return status;
+    return cli_failed("trace why", error, status);
 }
 
 /* The path needs all nodes: --nodes is for the waits. */

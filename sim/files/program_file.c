@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "kernel/xalloc.h"
 
 static bool is_there(const char *path)
@@ -21,6 +22,10 @@ char *program_file_find(const char *name, const char *here, const char *brought,
     if (other && is_there(other)) {
         free(path);
         return other;
+    }
+    if (access(path, F_OK) == 0) { /* a folder: who opens it says so */
+        free(other);
+        return path;
     }
     *error = whole ? xasprintf("there is no program %s", path)
                    : xasprintf("there is neither a program %s nor %s", path, other);

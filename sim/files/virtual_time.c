@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
@@ -27,6 +28,44 @@ bool virtual_time_read(const char *text, vtime *t)
             return true;
         }
     return false;
+}
+
+/* "1.500000" as "1.5". */
+static void cut_zeros(char *number)
+{
+    size_t length = strlen(number);
+    if (!strchr(number, '.'))
+        return;
+    while (number[length - 1] == '0')
+        length--;
+    number[length - (number[length - 1] == '.')] = '\0';
+}
+
+struct time_text virtual_time_moment(vtime t)
+{
+    static const int DIGITS[] = {9, 6, 3, 3}; /* of each unit */
+    struct time_text x;
+    char number[24];
+    int i = 0;
+    while (i < 3 && t && t < UNITS[i].ps)
+        i++;
+    snprintf(number, sizeof number, "%.*f", DIGITS[i], (double)t / (double)UNITS[i].ps);
+    cut_zeros(number);
+    snprintf(x.text, sizeof x.text, "%s %s", number, UNITS[i].name);
+    return x;
+}
+
+struct time_text duration_text(double seconds)
+{
+    enum { MANY = 1000 };
+    struct time_text x;
+    double ps = fabs(seconds) * (double)VT_SECOND;
+    int i = 0;
+    while (i < 3 && ps > 0 && ps < 0.99995 * (double)UNITS[i].ps) /* what is less after rounding, too */
+        i++;
+    double value = seconds * (double)VT_SECOND / (double)UNITS[i].ps;
+    snprintf(x.text, sizeof x.text, fabs(value) < MANY ? "%.4g %s" : "%.0f %s", value, UNITS[i].name);
+    return x;
 }
 
 char *virtual_time_text(vtime t)

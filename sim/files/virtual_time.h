@@ -9,4 +9,13 @@ bool virtual_time_read(const char *text, vtime *t);
 /* The time as virtual_time_read() reads it, exactly, in the largest unit in which it is whole: "500us".
  * Malloc'd. */
 char *virtual_time_text(vtime t);
+
+/* Times for people, in the unit that suits: s, ms, us or ns. */
+struct time_text {
+    char text[32];
+};
+/* A moment: all digits down to a nanosecond, of less than a microsecond to a picosecond: "29.456789 ms". */
+struct time_text virtual_time_moment(vtime t);
+/* A duration, of virtual or real time, in four digits: "6.613 ms", "107.2 s", "12346 s"; or negative. */
+struct time_text duration_text(double seconds);
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <ucontext.h>
 #include <unwind.h>
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "kernel/fiber.h"
 #include "guest/image.h"
@@ -200,8 +201,9 @@ char *crash_report(const struct node *n)
     char *text = NULL;
     size_t size;
     FILE *f = xchecked(open_memstream(&text, &size));
-    fprintf(f, "%s crashed at %s%.9f s, %s%s: ", n->name, n->call ? "" : "or shortly before ",
-            vt_seconds(n->stats.ended_at), n->call ? "in " : "computing", n->call ? n->call : "");
+    fprintf(f, "%s crashed at %s%s, %s%s: ", n->name, n->call ? "" : "or shortly before ",
+            virtual_time_moment(n->stats.ended_at).text, n->call ? "in " : "computing",
+            n->call ? n->call : "");
     print_cause(f, n);
     if (g->in_library && !n->call) {
         const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/virtual_time.h"
 #include "guest/debugger.h"
 #include "guest/elffile.h"
 #include "guest/image.h"
@@ -96,8 +97,8 @@ static void stop_at_time(struct node_system *s)
     struct node *n = wanted_node(s);
     if (n) {
         char *where = whereabouts_of(n);
-        fprintf(s->out[1], "touchstone run: all nodes have come to %.9f s; %s\n",
-                vt_seconds(s->stop->options.time), where);
+        fprintf(s->out[1], "touchstone run: all nodes have come to %s; %s\n",
+                virtual_time_moment(s->stop->options.time).text, where);
         free(where);
     }
     stop_here(s, n, runs(n) ? place_of(n) : (struct place){0});

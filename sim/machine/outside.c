@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "files/virtual_time.h"
 #include "guest/progress_line.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
@@ -70,9 +71,8 @@ static void tell_where(struct machine *m)
 {
     struct node_system *s = &m->sys;
     engine_hold(&s->schedule);
-    char *what =
-        xasprintf("at %.9f s of virtual time, after %" PRIu64 " messages:", vt_seconds(come_to(&s->schedule)),
-                  s->messages);
+    char *what = xasprintf("at %s of virtual time, after %" PRIu64 " messages:",
+                           virtual_time_moment(come_to(&s->schedule)).text, s->messages);
     char *text = whereabouts_grouped(s, what);
     if (s->progress)
         progress_line_clear(s->progress);
@@ -87,14 +87,14 @@ static void show_progress(struct machine *m)
 {
     const struct schedule *s = &m->sys.schedule;
     double now = hostclock_s(), at = vt_seconds(come_to(s)), limit = m->options.max_virtual_s;
-    char text[80], share[40] = "";
+    char text[120], share[60] = "";
     if (now < m->progress_at)
         return;
     m->progress_at = now + PROGRESS_EVERY;
     if (limit > 0)
-        snprintf(share, sizeof share, ", %.0f %% of %g s", 100 * at / limit, limit);
-    snprintf(text, sizeof text, "%.6f s on %u nodes, %" PRIu64 " messages%s", at, machine_nodes(m),
-             m->sys.messages, share);
+        snprintf(share, sizeof share, ", %.0f %% of %s", 100 * at / limit, duration_text(limit).text);
+    snprintf(text, sizeof text, "%s on %u nodes, %" PRIu64 " messages%s", duration_text(at).text,
+             machine_nodes(m), m->sys.messages, share);
     progress_line_show(m->sys.progress, text);
 }
 
@@ -121,8 +121,8 @@ void outside_look(void *ctx)
     if (m->sys.progress)
         show_progress(m);
     if (m->options.max_wall_s > 0 && !m->sys.debugger && hostclock_s() - m->begin > m->options.max_wall_s)
-        node_system_fail(&m->sys, STOP_WALL_TIME, (struct instant){0}, "wall time limit of %g s reached",
-                         m->options.max_wall_s);
+        node_system_fail(&m->sys, STOP_WALL_TIME, (struct instant){0}, "wall time limit of %s reached",
+                         duration_text(m->options.max_wall_s).text);
 }
 
 void outside_end(struct machine *m)

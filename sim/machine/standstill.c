@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/number_ranges.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "node/system.h"
 
@@ -137,11 +138,11 @@ static void join(struct alike *a, uint32_t node, const struct standstill *s)
 /* --- text --- */
 
 /* Of two numbers that look the same, one is printed. */
-static void print_range(FILE *f, int digits, double least, double most)
+static void print_percent(FILE *f, double least, double most)
 {
     char a[40], b[40];
-    snprintf(a, sizeof a, "%.*f", digits, least);
-    snprintf(b, sizeof b, "%.*f", digits, most);
+    snprintf(a, sizeof a, "%.1f", least);
+    snprintf(b, sizeof b, "%.1f", most);
     fprintf(f, strcmp(a, b) == 0 ? "%s" : "%s to %s", a, b);
 }
 
@@ -171,14 +172,23 @@ static bool has_come(const struct node_system *s, int64_t type)
     return s->types_come[hash / 64] >> hash % 64 & 1;
 }
 
+static void print_durations(FILE *f, const struct alike *a)
+{
+    struct time_text shortest = duration_text(vt_seconds(a->shortest)),
+                     longest = duration_text(vt_seconds(a->longest));
+    fprintf(f, "%s", shortest.text);
+    if (strcmp(shortest.text, longest.text))
+        fprintf(f, " to %s", longest.text);
+}
+
 static void print_polls(FILE *f, const struct node_system *s, const struct alike *a)
 {
     const struct livelock_poll *p = a->first.poll;
     fprintf(f, " poll%s: ", a->count > 1 ? "" : "s");
-    print_range(f, 1, 100 * a->least, 100 * a->most);
+    print_percent(f, 100 * a->least, 100 * a->most);
     fprintf(f, " %% of the last ");
-    print_range(f, 6, vt_seconds(a->shortest), vt_seconds(a->longest));
-    fprintf(f, " s in ");
+    print_durations(f, a);
+    fprintf(f, " in ");
     print_poll(f, p);
     if (a->first.line)
         fprintf(f, " (%s)", a->first.line);
@@ -205,13 +215,12 @@ static void print_handlers(FILE *f, const struct alike *a)
     if (a->first.line)
         fprintf(f, " (%s)", a->first.line);
     fprintf(f, a->first.count > h->count ? ", take " : " take ");
-    print_range(f, 1, 100 * a->least, 100 * a->most);
-    fprintf(f, a->first.goes_on ? " %% of the time since %.6f s" : " %% of the time from %.6f s",
-            vt_seconds(a->earliest));
+    print_percent(f, 100 * a->least, 100 * a->most);
+    fprintf(f, a->first.goes_on ? " %% of the time since %s" : " %% of the time from %s",
+            virtual_time_moment(a->earliest).text);
     if (!a->first.goes_on) {
         fprintf(f, " on, for ");
-        print_range(f, 6, vt_seconds(a->shortest), vt_seconds(a->longest));
-        fprintf(f, " s");
+        print_durations(f, a);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "machine/verdict.h"
 #include <assert.h>
 #include <stdlib.h>
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "machine/waits_for.h"
 #include "machine/whereabouts.h"
@@ -35,7 +36,7 @@ static char *explain(const struct waitfor *w)
 /* The run was to go no further than this. */
 static void stopped_at_time(struct machine *m)
 {
-    char *what = xasprintf("stopped at %.9f s of virtual time:", vt_seconds(m->options.until));
+    char *what = xasprintf("stopped at %s of virtual time:", virtual_time_moment(m->options.until).text);
     m->outcome = MACHINE_STOPPED;
     m->message = whereabouts(&m->sys, what);
     free(what);
@@ -71,8 +72,8 @@ static void judge(struct machine *m)
         m->message = limit ? whereabouts(s, s->failure) : xstrdup(s->failure);
     } else if (bad) {
         m->outcome = MACHINE_FAILED;
-        char *first = xasprintf("%s ended at %.9f s with exit(%d)", bad->name,
-                                vt_seconds(bad->stats.ended_at), bad->exit_code);
+        char *first = xasprintf("%s ended at %s with exit(%d)", bad->name,
+                                virtual_time_moment(bad->stats.ended_at).text, bad->exit_code);
         m->message = s->running ? whereabouts(s, first) : xstrdup(first);
         free(first);
     } else if (s->running && s->host && s->host->lp.state == LP_ENDED) {

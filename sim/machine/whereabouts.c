@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/number_ranges.h"
+#include "files/virtual_time.h"
 #include "guest/backtrace.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
@@ -83,9 +84,9 @@ static void print_where(FILE *f, const struct where *w, vtime latest)
 {
     fprintf(f, "%s", w->text);
     if (w->timed || w->ended)
-        fprintf(f, " %s %.9f s", w->ended ? "at" : "since", vt_seconds(w->since));
+        fprintf(f, " %s %s", w->ended ? "at" : "since", virtual_time_moment(w->since).text);
     if ((w->timed || w->ended) && latest != w->since)
-        fprintf(f, " to %.9f s", vt_seconds(latest));
+        fprintf(f, " to %s", virtual_time_moment(latest).text);
     if (w->line)
         fprintf(f, " (%s)", w->line);
 }

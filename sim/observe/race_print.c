@@ -3,6 +3,8 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/ink.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 
 /* --- pieces; all are malloc'd --- */
@@ -148,11 +150,11 @@ static void print_time(const struct race_report_side *s, FILE *f)
     if (s->at == VT_NEVER)
         fputs(", long before", f);
     else
-        fprintf(f, ", %s %.9f s",
+        fprintf(f, ", %s %s",
                 s->call         ? "at"
                 : s->in_handler ? "in the run at"
                                 : "after",
-                vt_seconds(s->at));
+                virtual_time_moment(s->at).text);
 }
 
 /* A stack: the access with its time, then who has called. */
@@ -198,12 +200,20 @@ static void print_where(const struct race_report *r, FILE *f)
     free(nodes);
 }
 
+/* "race on VARIABLE: ...": what comes before the colon stands out. */
+static void print_head(const char *head, const struct ink *ink, FILE *f)
+{
+    int length = (int)strcspn(head, ":");
+    fprintf(f, "%s%.*s%s%s\n", ink->yellow, length, head, ink->off, head + length);
+}
+
 void race_print(const struct race_reports *t, FILE *f)
 {
+    struct ink ink = ink_for(f);
     for (size_t i = 0; i < t->count; i++) {
         const struct race_report *r = &t->list[i];
         char *head = race_print_head(r), *why = race_print_why(r);
-        fprintf(f, "%s\n", head);
+        print_head(head, &ink, f);
         print_side(&r->side[0], f);
         print_side(&r->side[1], f);
         fprintf(f, "  %-13s %s.\n", "why", why);

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "cfs/cfs.h"
 #include "files/json_set.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "machine/standstill.h"
@@ -39,17 +40,19 @@ static void add(struct spread *s, double x)
 
 static void print_spread(FILE *f, const char *what, const struct spread *s)
 {
-    fprintf(f, "  %s %.6f s", what, s->sum / s->count);
-    if (s->count > 1)
-        fprintf(f, " (%.6f to %.6f)", s->least, s->most);
+    fprintf(f, "  %s %s", what, duration_text(s->sum / s->count).text);
+    struct time_text least = duration_text(s->least), most = duration_text(s->most);
+    if (strcmp(least.text, most.text))
+        fprintf(f, " (%s to %s)", least.text, most.text);
 }
 
 static void print_host(const struct machine *m, FILE *f)
 {
     const struct node *n = m->sys.host;
     if (n)
-        fprintf(f, "host           busy %.6f s  idle %.6f s  system %.6f s\n", vt_seconds(busy(n)),
-                vt_seconds(n->stats.idle), vt_seconds(n->times.system));
+        fprintf(f, "host           busy %s  idle %s  system %s\n", duration_text(vt_seconds(busy(n))).text,
+                duration_text(vt_seconds(n->stats.idle)).text,
+                duration_text(vt_seconds(n->times.system)).text);
 }
 
 static void print_class(const struct machine *m, FILE *f, const char *name, bool armed)
@@ -87,11 +90,11 @@ static void print_handlers(const struct machine *m, FILE *f)
     }
     if (!handlers)
         return;
-    fprintf(f, "interrupts     %" PRIu64 " handlers run, the latest %.3f us after it was due", handlers,
-            vt_seconds(latest) * 1e6);
+    fprintf(f, "interrupts     %" PRIu64 " handlers run, the latest %s after it was due", handlers,
+            duration_text(vt_seconds(latest)).text);
     if (most->stats.stood)
-        fprintf(f, "; the program of %s stood still for %.6f s meanwhile", most->name,
-                vt_seconds(most->stats.stood));
+        fprintf(f, "; the program of %s stood still for %s meanwhile", most->name,
+                duration_text(vt_seconds(most->stats.stood)).text);
     fputc('\n', f);
 }
 
@@ -122,19 +125,19 @@ static void print_files(const struct machine *m, FILE *f)
             "files          %" PRIu64 " bytes read in %" PRIu64 " pieces (%" PRIu64 " cached), %" PRIu64
             " written in %" PRIu64 "; %" PRIu64 " directory requests\n",
             s.bytes_read, s.reads, s.hits, s.bytes_written, s.writes, s.directory);
-    fprintf(f,
-            "disks          %" PRIu64 " accesses of %.1f blocks, %" PRIu64 " seeks; the busiest for %.6f s\n",
+    fprintf(f, "disks          %" PRIu64 " accesses of %.1f blocks, %" PRIu64 " seeks; the busiest for %s\n",
             s.disk_accesses, s.disk_accesses ? (double)s.disk_rows / (double)s.disk_accesses : 0.0,
-            s.disk_seeks, vt_seconds(s.disk_busy));
+            s.disk_seeks, duration_text(vt_seconds(s.disk_busy)).text);
 }
 
 /* Host times and counts of tasks, which differ from run to run. */
 static void print_threads(const struct workers_stats *s, FILE *f)
 {
     fprintf(f,
-            "threads        workers ran %" PRIu64 " tasks in %.3f s; the coordinator ran %" PRIu64
-            " in %.3f s and waited for %.3f s\n",
-            s->away, s->away_s, s->helped, s->helped_s, s->waited_s);
+            "threads        workers ran %" PRIu64 " tasks in %s; the coordinator ran %" PRIu64
+            " in %s and waited for %s\n",
+            s->away, duration_text(s->away_s).text, s->helped, duration_text(s->helped_s).text,
+            duration_text(s->waited_s).text);
 }
 
 /* A line only if some memory of the nodes has no guard. */
@@ -163,15 +166,15 @@ void summary_print(const struct machine *m, const struct race_reports *races, bo
     for (uint32_t k = 0; k < machine_nodes(m); k++)
         if (m->sys.nodes[k]->stats.memory_peak > peak)
             peak = m->sys.nodes[k]->stats.memory_peak, where = k;
-    fprintf(f, "virtual time   %.9f s on %u %s of %s\n", vt_seconds(m->end), machine_nodes(m),
+    fprintf(f, "virtual time   %s on %u %s of %s\n", virtual_time_moment(m->end).text, machine_nodes(m),
             machine_nodes(m) == 1 ? "node" : "nodes", m->sys.cfg->name);
-    fprintf(f, "wall time      %.3f s, and %.3f s to start\n", m->wall_s, m->start_s);
+    fprintf(f, "wall time      %s, and %s to start\n", duration_text(m->wall_s).text,
+            duration_text(m->start_s).text);
     if (verbose)
         print_threads(&m->workers, f);
-    fprintf(
-        f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %.6f s in all\n",
-        m->sys.messages, m->sys.bytes, channel_waits(protocol_channels(m->sys.schedule.protocol)),
-        vt_seconds(channel_waited(protocol_channels(m->sys.schedule.protocol))));
+    fprintf(f, "messages       %" PRIu64 ", %" PRIu64 " bytes; %" PRIu64 " waited for a channel, %s in all\n",
+            m->sys.messages, m->sys.bytes, channel_waits(protocol_channels(m->sys.schedule.protocol)),
+            duration_text(vt_seconds(channel_waited(protocol_channels(m->sys.schedule.protocol)))).text);
     print_host(m, f);
     print_class(m, f, "with handlers", true);
     print_class(m, f, "others", false);

@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "nx_api/contract/backend.h"
 #include "os/end.h"
@@ -20,8 +21,8 @@ static _Noreturn void fail(struct node *n, const void *frame, const char *fmt, v
     if (frame && !n->sys->failure && n->sys->print_calls)
         n->sys->print_calls(f, n, (uintptr_t)frame);
     fclose(f);
-    node_system_fail(n->sys, STOP_FAILED, (struct instant){node_now(n), n->lp.address}, "%s, at %.9f s: %s",
-                     n->name, vt_seconds(node_now(n)), text);
+    node_system_fail(n->sys, STOP_FAILED, (struct instant){node_now(n), n->lp.address}, "%s, at %s: %s",
+                     n->name, virtual_time_moment(node_now(n)).text, text);
     free(text);
     node_end_here(n, NODE_CRASHED, 1);
 }

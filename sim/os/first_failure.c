@@ -1,6 +1,7 @@
 /* first_failure.c - see first_failure.h. */
 #include "os/first_failure.h"
 #include <stdarg.h>
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 
 void node_system_fail(struct node_system *sys, enum stop why, struct instant at, const char *fmt, ...)
@@ -20,5 +21,5 @@ void node_system_end_at_limit(struct node_system *sys)
         return;
     vtime limit = sys->schedule.max_time;
     node_system_fail(sys, STOP_VIRTUAL_TIME, (struct instant){limit, UINT32_MAX},
-                     "virtual time limit of %.6f s reached", vt_seconds(limit));
+                     "virtual time limit of %s reached", virtual_time_moment(limit).text);
 }

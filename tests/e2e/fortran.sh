@@ -30,7 +30,7 @@ stops() { nxf77 "-DSTOP=$1" -o stops "$f/stops.F"; }
 check "STOP 3: compiles, preprocessed" stops "stop 3"
 run -n 2 stops
 check "STOP 3: exit status 1" ended_with 1
-check "STOP 3: node and time" said '^touchstone run: node 1 ended at 0\.[0-9]+ s with exit\(3\)'
+check "STOP 3: node and time" said '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(3\)'
 check "STOP 3: what gfortran prints" said '^STOP 3$'
 stops "stop"
 run -n 2 stops
@@ -41,7 +41,7 @@ check "STOP 'text': not an error" ended_with 0
 stops "error stop 'no good'"
 run -n 2 stops
 check "ERROR STOP: exit status 1" ended_with 1
-check "ERROR STOP: node, time and text" said '^touchstone run: node 1, at 0\.[0-9]+ s: ERROR STOP no good$'
+check "ERROR STOP: node, time and text" said '^touchstone run: node 1, at [0-9.]+ [mun]?s: ERROR STOP no good$'
 check "ERROR STOP: its line" said "MAIN__.*stops\.F:2"
 
 # --- errors
@@ -49,7 +49,7 @@ check "wrong: compiles, with bounds checked" nxf77 -fcheck=bounds -o wrong "$f/w
 wrong() {
     run -n 2 wrong "$1"
     check "$2: exit status 1" ended_with 1
-    check "$2: node, time, file, line, and what" said "^touchstone run: node 1, at 0\.[0-9]+ s: $3"
+    check "$2: node, time, file, line, and what" said "^touchstone run: node 1, at [0-9.]+ [mun]?s: $3"
 }
 wrong 1 "end of file" ".*wrong\.f:9: Fortran run-time error: .*[Ee]nd of file.*unit 5"
 wrong 2 "OPEN" ".*wrong\.f:10: Fortran run-time error: .*/nowhere/at/all.*No such file.*unit 7"

@@ -104,7 +104,7 @@ run --host leaves counts
 check "the host ends first: exit status 0" ended_with 0
 check "the host ends first: says who is killed" said '^  node 3: crecv\(1\) since'
 run --host early
-check "csend before load" said 'host, at 0\.[0-9]+ s: csend\(1, buf, 8, 2, 0\): node 2 has no program: load one first'
+check "csend before load" said 'host, at [0-9.]+ [mun]?s: csend\(1, buf, 8, 2, 0\): node 2 has no program: load one first'
 run --host nocube
 check "load without a cube" said 'load\(.*, -1, 0\): the host has no cube: getcube first'
 run --host twice

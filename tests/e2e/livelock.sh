@@ -9,7 +9,7 @@ of_json() { jq -r "$1" f.json; }
 # --- polls, at a limit of virtual time ---
 run --json f.json -n 4 --max-virtual-time 0.2 livelock iprobe
 check "iprobe: who, how long, where, how often, and that nobody has sent it" said "^  nodes 1-3 poll: [89][0-9]\\.[0-9] % of the last \
-0\\.1999[0-9]* s in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\), [0-9]+ times without an answer; no message of type 7 has come to any node$"
+200 ms in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\), [0-9]+ times without an answer; no message of type 7 has come to any node$"
 check "iprobe: the summary does not say it again" test "$(grep -c 'in iprobe(7)' err)" = 1
 check "iprobe: the JSON file has it" test "$(of_json '.node[1].livelock | .kind, .call, .type, .goes_on')" = $'polls\niprobe\n7\ntrue'
 check "iprobe: with its line" test "$(of_json '.node[3].livelock.line')" = "livelock.c:$(line_of iprobe)"
@@ -34,7 +34,7 @@ check "SIGINT, too" said "^  nodes 1, 2 poll: .* in iprobe\\(7\\) \\(livelock.c:
 # --- handlers ---
 run --json f.json -n 4 livelock flood
 check "handlers: in the summary of a run that ends well" said "^livelock +node 0 stands still: [0-9]+ handlers of hrecv\\(5\\) \
-\\(livelock.c:[0-9]+\\) take 9[0-9.]+ % of the time (since|from) [0-9.]+ s"
+\\(livelock.c:[0-9]+\\) take 9[0-9.]+ % of the time (since|from) [0-9.]+ [mu]?s"
 first=$(grep -n '^static void on_message' "$tests/livelock.c" | cut -d: -f1)
 check "handlers: the function's first line" grep -qxE "livelock.c:($first|$((first + 1)))" <(of_json .node[0].livelock.line)
 check "handlers: no more than the program stood still" jq -e '.node[0].livelock | .kind == "handlers" and .share <= 1 and .share >= 0.8' f.json

@@ -8,7 +8,7 @@
 # the program depends on times.
 without_times() { # FILE
     sed -n '/deadlock: every program waits/,/^\(--------\|[a-z].*:\)/{/^ /p}' "$1" |
-        sed -E 's/ (since|at) [0-9.]+ s( to [0-9.]+ s)?//g; s/(irecv\([0-9]+\)) at [a-z_]+\.c:[0-9]+/\1/
+        sed -E 's/ (since|at) [0-9.]+ [mun]?s( to [0-9.]+ [mun]?s)?//g; s/(irecv\([0-9]+\)) at [a-z_]+\.c:[0-9]+/\1/
                 s/(called from main\(\) at in_handler\.c):.*/\1/'
 }
 

@@ -27,9 +27,9 @@ check "each handler that ran has its line" [ "$(counts handler 0)" = 30 ]
 "$BUILD/nxcc" -O2 -g -Wall -o hapless "$tests/mpi/hapless.c" 2>compile.err
 "$BUILD/nxcc" --mpi -O2 -g -Wall -o hapless-mpi "$tests/mpi/hapless.c" 2>compile.err
 NX_DEADLOCK=0.2 NX_RECORD=order on_mpi 3 ./hapless-mpi waits
-sed -n '/deadlock/,/^---/{/^ /p}' err | sed -E 's/ (since|at) [0-9.]+ s( to [0-9.]+ s)?//g' >real
+sed -n '/deadlock/,/^---/{/^ /p}' err | sed -E 's/ (since|at) [0-9.]+ [mun]?s( to [0-9.]+ [mun]?s)?//g' >real
 run -q -n 3 --replay order hapless waits
-sed -n '/deadlock/,/^[a-z]/{/^ /p}' err | sed -E 's/ (since|at) [0-9.]+ s( to [0-9.]+ s)?//g' >simulated
+sed -n '/deadlock/,/^[a-z]/{/^ /p}' err | sed -E 's/ (since|at) [0-9.]+ [mun]?s( to [0-9.]+ [mun]?s)?//g' >simulated
 check "a deadlock: replayed" ended_with 2
 check "a deadlock: in the same state" cmp real simulated
 check "a deadlock: there is one" grep -q '^  node' real

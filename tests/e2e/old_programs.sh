@@ -40,11 +40,11 @@ done
 sed 's/&sum, sizeof sum, -1/\&sum, 2 * sizeof sum, -1/' pi.c >long.c
 check "with a message too long it compiles" build -o long long.c
 run -m ipsc860 -n 3 long
-check "the error names call and arguments" said 'node [12], at 0\.[0-9]* s: crecv\(2, buf, 8\): the message of type 2 from node 0 has 16'
+check "the error names call and arguments" said 'node [12], at [0-9.]+ [mun]?s: crecv\(2, buf, 8\): the message of type 2 from node 0 has 16'
 check "and its line" said "called from main.*\(long\.c:$(grep -n 'crecv(DONE' long.c | cut -d: -f1)\)"
 
 sed 's/crecv(DONE/crecv(DONE + 1/' pi.c >hangs.c
 check "with a wrong type it compiles" build -o hangs hangs.c
 run -m ipsc860 -n 3 hangs
-check "a deadlock is explained" said "^  nodes 1, 2: crecv\(3\) since 0\..* s \(hangs\.c:$(grep -n 'crecv(DONE' hangs.c | cut -d: -f1)\)"
+check "a deadlock is explained" said "^  nodes 1, 2: crecv\(3\) since [0-9.]+ [mun]?s.* \(hangs\.c:$(grep -n 'crecv(DONE' hangs.c | cut -d: -f1)\)"
 check "exit status 2" ended_with 2

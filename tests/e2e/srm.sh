@@ -66,7 +66,7 @@ ask waitcube -c default
 check "a host program and its nodes" grep -qx '50 pieces, sum 12497500, 50 told of' out
 ask load -c default -r -q -r --max-virtual-time=0.5 endless
 ask waitcube -c default
-check "words for touchstone run" said 'virtual time limit of 0\.5'
+check "words for touchstone run" said 'virtual time limit of 500 ms'
 
 ask load endless
 check "load on the cube attached" ended_with 0

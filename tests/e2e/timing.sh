@@ -146,7 +146,7 @@ check "--until a time that is not reached: as without" cmp out usual
 if command -v gdb >/dev/null; then
     run -q -n 4 --gdb 0 --until 10us first_comes
     cat out err >both
-    check "--until with --gdb: the debugger stops there" grep -q 'all nodes have come to 0.000010000 s; node 0: ' both
+    check "--until with --gdb: the debugger stops there" grep -q 'all nodes have come to 10 us; node 0: ' both
 else
     echo "skip --until with --gdb: gdb is not installed"
 fi

@@ -57,7 +57,7 @@ check "served: others wait for the handler" prints 'handler busy +in crecv at se
 check "served: the file is waited for" prints 'disk +in cwrite at served.c:42 \(main\)'
 traced -m ipsc860 -n 2 served
 why --than t.trace many.trace
-check "--than: what grew" prints 'The run of t.trace, on 2 nodes, took [0-9.]+ s. This one took [0-9.]+ s more. On the critical path, handlers grew most'
+check "--than: what grew" prints 'The run of t.trace, on 2 nodes, took [0-9.]+ m?s. This one took [0-9.]+ m?s more. On the critical path, handlers grew most'
 why --nodes 5 many.trace
 check "--nodes: waits of one node" prints 'Waits of some nodes.* 1  handler busy'
 why --from 20ms --to 30ms many.trace

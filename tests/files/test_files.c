@@ -18,6 +18,7 @@
 #include "files/number.h"
 #include "files/scratch.h"
 #include "files/text_file.h"
+#include "files/virtual_time.h"
 
 static int enter(void **state)
 {
@@ -260,6 +261,35 @@ static void text_that_json_cannot_hold_ends_the_process_with_a_message(void **st
 
 #define TEST(f) cmocka_unit_test_setup_teardown(f, enter, leave)
 
+/* --- times for people --- */
+
+static void moments_keep_each_nanosecond(void **state)
+{
+    (void)state;
+    assert_string_equal(virtual_time_moment(0).text, "0 s");
+    assert_string_equal(virtual_time_moment(25000).text, "25 ns");
+    assert_string_equal(virtual_time_moment(12500).text, "12.5 ns");
+    assert_string_equal(virtual_time_moment(5025000).text, "5.025 us");
+    assert_string_equal(virtual_time_moment(1967300000).text, "1.9673 ms");
+    assert_string_equal(virtual_time_moment(100 * VT_MILLISECOND).text, "100 ms");
+    assert_string_equal(virtual_time_moment(107 * VT_SECOND + 224000001000).text, "107.224000001 s");
+    assert_string_equal(virtual_time_moment(3600 * VT_SECOND).text, "3600 s");
+}
+
+static void durations_have_four_digits(void **state)
+{
+    (void)state;
+    assert_string_equal(duration_text(0).text, "0 s");
+    assert_string_equal(duration_text(6612.719e-6).text, "6.613 ms");
+    assert_string_equal(duration_text(-0.0301).text, "-30.1 ms");
+    assert_string_equal(duration_text(0.99996).text, "1 s");
+    assert_string_equal(duration_text(0.9999).text, "999.9 ms");
+    assert_string_equal(duration_text(124.2e-6).text, "124.2 us");
+    assert_string_equal(duration_text(107.224).text, "107.2 s");
+    assert_string_equal(duration_text(12345.6).text, "12346 s");
+    assert_string_equal(duration_text(1e6).text, "1000000 s");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -271,6 +301,8 @@ int main(void)
         TEST(text_is_read_if_it_is_text),
         TEST(a_number_is_as_exact_as_its_last_digit),
         TEST(text_that_json_cannot_hold_ends_the_process_with_a_message),
+        TEST(moments_keep_each_nanosecond),
+        TEST(durations_have_four_digits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -554,7 +554,7 @@ static void runs_are_the_same_by_what_counts(void **state)
     check_group(&all, d1, d2, true);
     check_group(&all, d1, d3, false);
     const char *const c1[] = {"failed", "node 1: killed by SIGSEGV at 0x7f12ab at 0.5 s in main (d.c:7)", ""};
-    const char *const c2[] = {"failed", "node 3: killed by SIGSEGV at 0x7eddab at 0.75 s in main (d.c:7)",
+    const char *const c2[] = {"failed", "node 3: killed by SIGSEGV at 0x7eddab at 75.5 us in main (d.c:7)",
                               ""};
     const char *const c3[] = {"failed", "node 3: killed by SIGFPE at 0.75 s in main (d.c:7)", ""};
     check_group(&all, c1, c2, true);
@@ -578,10 +578,10 @@ static void the_first_difference_is_found(void **state)
     assert_int_equal(d.kind, DIVERGENCE_MESSAGE);
     assert_int_equal(none.kind, DIVERGENCE_NONE);
     char *words = divergence_words(&d, a, b);
-    assert_string_equal(
-        words, "at 0.000001100 s the 1st receive of node 0 (crecv, a.c:4) got the 1st message of node 2 to "
-               "node 0 (type 7, sent at 0.000000500 s); in the usual timing it got the 1st message of "
-               "node 1 to node 0 (type 7, sent at 0.000000500 s, a.c:9)");
+    assert_string_equal(words,
+                        "at 1.1 us the 1st receive of node 0 (crecv, a.c:4) got the 1st message of node 2 to "
+                        "node 0 (type 7, sent at 500 ns); in the usual timing it got the 1st message of "
+                        "node 1 to node 0 (type 7, sent at 500 ns, a.c:9)");
     free(words);
     recording_free(a);
     recording_free(b);
@@ -600,7 +600,7 @@ static void a_handler_at_another_moment_is_told(void **state)
     char *words = divergence_words(&d, a, b);
     assert_string_equal(words,
                         "behind the same call, but at another moment: the 1st handler of node 1 ran at "
-                        "0.000001500 s (a.c:6); in the usual timing at 0.000001000 s (a.c:4)");
+                        "1.5 us (a.c:6); in the usual timing at 1 us (a.c:4)");
     free(words);
     recording_free(a);
     recording_free(b);

@@ -9,7 +9,9 @@
 #include <time.h>
 #include <cmocka.h>
 #include <jansson.h>
+#include "files/virtual_time.h"
 #include "nx_api/waitfor/waitfor.h"
+#include "nx_api/waitfor/waitfor_parts.h"
 
 /* --- machines made by hand --- */
 
@@ -73,10 +75,10 @@ static void three_in_a_cycle(void **state)
     receives(w, 3, 7, 1)->line = "ring.c:17";
     expect_text(
         w, "  cycle: node 0 -> node 2 -> node 1 -> node 0\n"
-           "  nodes 0-2: crecvx(7) since 0.000000000 s (ring.c:17)\n"
+           "  nodes 0-2: crecvx(7) since 0 s (ring.c:17)\n"
            "    cycle: for example node 0: It waits for type 7 from node 2, which waits, too.\n"
            "    One of the cycle has to send before it receives, or to post its receive (irecv) and go on.\n"
-           "  node 3: crecvx(7) since 0.000000000 s (ring.c:17)\n"
+           "  node 3: crecvx(7) since 0 s (ring.c:17)\n"
            "    behind others: It waits for type 7 from node 1, which waits, too.");
 }
 
@@ -112,14 +114,14 @@ static void two_operations_in_different_orders(void **state)
     receives(w, 0, GSYNC, WAITFOR_ANY), receives(w, 1, GSYNC + 1, WAITFOR_ANY);
     receives(w, 2, GDSUM, WAITFOR_ANY), receives(w, 3, GDSUM + 62, WAITFOR_ANY);
     expect_text(w, "  cycle: node 0 -> node 2 -> node 0\n"
-                   "  node 0: gsync since 0.000000000 s\n"
+                   "  node 0: gsync since 0 s\n"
                    "    cycle: gsync waits for nodes 2, 3 to come to it.\n"
                    "    All nodes have to call the global operations in the same order.\n"
-                   "  node 1: gsync since 0.000000000 s\n"
+                   "  node 1: gsync since 0 s\n"
                    "    behind others: gsync waits for nodes 2, 3 to come to it.\n"
-                   "  node 2: gdsum since 0.000000000 s\n"
+                   "  node 2: gdsum since 0 s\n"
                    "    cycle: gdsum waits for nodes 0, 1 to come to it.\n"
-                   "  node 3: gdsum since 0.000000000 s\n"
+                   "  node 3: gdsum since 0 s\n"
                    "    behind others: gdsum waits for nodes 0, 1 to come to it.");
 }
 
@@ -133,7 +135,7 @@ static void all_wait_for_any(void **state)
     }
     expect_text(w,
                 "  knot: nodes 0-511 wait for messages that only they could send\n"
-                "  nodes 0-511: crecv(7) since 0.000000000 s to 0.511000000 s (main.c:42)\n"
+                "  nodes 0-511: crecv(7) since 0 s to 511 ms (main.c:42)\n"
                 "    knot: It waits for type 7 from any node; each other node could send it, but none has.\n"
                 "    One of them has to send before it receives.");
 }
@@ -164,12 +166,12 @@ static void a_message_of_another_type(void **state)
     expect_text(
         w,
         "  cycle: node 1 -> node 3 -> node 1\n"
-        "  nodes 0, 2: ended at 0.000002000 s\n"
-        "  node 1: crecv(8) since 0.000000000 s\n"
+        "  nodes 0, 2: ended at 2 us\n"
+        "  node 1: crecv(8) since 0 s\n"
         "    wrong type: It waits for type 8 from any node; only node 3, which waits, too, could send it.\n"
         "      1 message is here: type 7 from node 2 (it wants type 8).\n"
         "    Compare the type here with that in the sender's call.\n"
-        "  node 3: crecvx(9) since 0.000000000 s\n"
+        "  node 3: crecvx(9) since 0 s\n"
         "    cycle: It waits for type 9 from node 1, which waits, too.\n"
         "    One of the cycle has to send before it receives, or to post its receive (irecv) and go on.");
 }
@@ -198,7 +200,7 @@ static void a_message_from_another_node(void **state)
     ends(w, 0), ends(w, 2);
     waitfor_analyse(w);
     assert_string_equal(waitfor_cause_name(n->cause), "wrong node");
-    assert_string_equal(n->why, "It waits for type 7 from node 0, which ended at 0.000002000 s.\n"
+    assert_string_equal(n->why, "It waits for type 7 from node 0, which ended at 2 us.\n"
                                 "1 message is here: type 7 from node 2 (it wants node 0).");
     waitfor_free(w);
 }
@@ -254,9 +256,8 @@ static void another_receive_took_it(void **state)
     ends(w, 0), ends(w, 2);
     waitfor_analyse(w);
     assert_string_equal(waitfor_cause_name(n->cause), "message taken");
-    assert_string_equal(n->why,
-                        "It waits for type 7 from any node, and all other nodes have ended.\n"
-                        "A message of type 7 from node 2 came at 0.000000000 s: crecv(-1) at a.c:3 took it.");
+    assert_string_equal(n->why, "It waits for type 7 from any node, and all other nodes have ended.\n"
+                                "A message of type 7 from node 2 came at 0 s: crecv(-1) at a.c:3 took it.");
     waitfor_free(w);
 }
 
@@ -383,12 +384,12 @@ static void the_host_waits_for_ends(void **state)
     receives(w, 0, 7, 2), ends(w, 1);
     expect_text(
         w, "  cycle: node 0 -> the host -> node 0\n"
-           "  host: waitall since 0.000000000 s\n"
+           "  host: waitall since 0 s\n"
            "    cycle: It waits for the end of the program on each other node.\n"
            "    One of the cycle has to send before it receives, or to post its receive (irecv) and go on.\n"
-           "  node 0: crecvx(7) since 0.000000000 s\n"
+           "  node 0: crecvx(7) since 0 s\n"
            "    cycle: It waits for type 7 from the host, which waits, too.\n"
-           "  node 1: ended at 0.000002000 s");
+           "  node 1: ended at 2 us");
 }
 
 static void more_states_than_are_told(void **state)
@@ -598,6 +599,24 @@ static void many_nodes(void **state)
     assert_true(clock() - begun < 10 * CLOCKS_PER_SEC);
 }
 
+/* --- times ---------------------------------------------------------------------------------------------- */
+
+static void times_are_those_of_other_reports(void **state)
+{
+    static const uint64_t TIMES[] = {0,          1,       999,         1000,          5025000,
+                                     1967300000, 1000000, 29456789000, VT_SECOND - 1, 90 * VT_SECOND + 1000};
+    (void)state;
+    for (size_t i = 0; i < sizeof TIMES / sizeof *TIMES; i++) {
+        char *text;
+        size_t size;
+        FILE *f = waitfor_stream(&text, &size);
+        waitfor_print_time(f, TIMES[i]);
+        fclose(f);
+        assert_string_equal(text, virtual_time_moment(TIMES[i]).text);
+        free(text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -626,6 +645,7 @@ int main(void)
         cmocka_unit_test(more_states_than_are_told),
         cmocka_unit_test(random_graphs),
         cmocka_unit_test(many_nodes),
+        cmocka_unit_test(times_are_those_of_other_reports),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/number_ranges.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/deadlock/deadlock_edges.h"
 
@@ -187,8 +188,8 @@ static char *summary_of(const struct waitfor *w)
 static void draw_head(const struct canvas *c, const struct waitfor *w)
 {
     const char *program = w->program ? w->program : "a program", *slash = strrchr(program, '/');
-    char *what = xasprintf("%s \u00b7 at %.9f s of %s", slash ? slash + 1 : program, (double)w->now_ps / 1e12,
-                           w->clock ? w->clock : "time");
+    char *what = xasprintf("%s \u00b7 at %s of %s", slash ? slash + 1 : program,
+                           virtual_time_moment(w->now_ps).text, w->clock ? w->clock : "time");
     char *summary = summary_of(w);
     canvas_text(c, 24, 30, (struct text_style){17, INK, ANCHOR_LEFT, true}, "Deadlock: who waits for whom");
     canvas_text(c, 24, 48, (struct text_style){11.5, INK, ANCHOR_LEFT, false}, what);

@@ -3,6 +3,8 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/ink.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/guarantee.h"
 #include "lab/explore/line_changes.h"
@@ -142,8 +144,9 @@ static void print_outcome(const struct explore *x, size_t outcome, FILE *out)
     const struct outcome_group *g = &x->search.outcomes[outcome];
     const struct explored *run = &x->search.runs[g->first];
     char *command = explore_repeat(x, run);
-    fprintf(out, "\n  %zu. %s: %zu run%s, first %s\n", outcome, name_of_end(g->record), g->runs,
-            plural(g->runs), run->name);
+    struct ink ink = ink_for(out);
+    fprintf(out, "\n  %s%zu. %s:%s %zu run%s, first %s\n", ink.bold, outcome, name_of_end(g->record), ink.off,
+            g->runs, plural(g->runs), run->name);
     print_change(x, outcome, out);
     fprintf(out, "     to repeat the first:\n       %s\n", command);
     print_explained(x, &x->explained[outcome], out);
@@ -178,8 +181,9 @@ static void print_warnings(const struct explore *x, FILE *out)
 {
     const struct search *s = &x->search;
     if (s->failed)
-        fprintf(out, "  %zu run%s came to no end in %.4g s of this computer, and count%s for nothing\n",
-                s->failed, plural(s->failed), x->options.limit_s, s->failed == 1 ? "s" : "");
+        fprintf(out, "  %zu run%s came to no end in %s of this computer, and count%s for nothing\n",
+                s->failed, plural(s->failed), duration_text(x->options.limit_s).text,
+                s->failed == 1 ? "s" : "");
     if (s->times_differ)
         fprintf(
             out,
@@ -198,7 +202,7 @@ void explore_print(const struct explore *x, FILE *out)
     print_warnings(x, out);
     for (size_t i = 1; i < x->search.outcome_count; i++)
         print_outcome(x, i, out);
-    fprintf(out, "\n  %zu runs made in %.1f s, %.1f a second, %u at a time; %zu were in %s/journal\n",
-            x->made, x->wall_s, x->wall_s > 0 ? (double)x->made / x->wall_s : 0, x->options.at_once,
-            x->before, x->options.dir);
+    fprintf(out, "\n  %zu runs made in %s, %.1f a second, %u at a time; %zu were in %s/journal\n", x->made,
+            duration_text(x->wall_s).text, x->wall_s > 0 ? (double)x->made / x->wall_s : 0,
+            x->options.at_once, x->before, x->options.dir);
 }

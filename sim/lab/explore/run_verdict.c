@@ -124,13 +124,24 @@ static char *waits_in(const char *message)
     return waits;
 }
 
-/* The words of the first line, but for those with digits: nodes, times, addresses. */
+/* Is the word a unit of time, with a comma or colon behind it or not? */
+static bool is_unit(const char *word, size_t length)
+{
+    static const char *const UNITS[] = {"s", "ms", "us", "ns"};
+    length -= length > 1 && strchr(",:;", word[length - 1]);
+    for (size_t i = 0; i < sizeof UNITS / sizeof *UNITS; i++)
+        if (strlen(UNITS[i]) == length && !strncmp(word, UNITS[i], length))
+            return true;
+    return false;
+}
+
+/* The words of the first line, but for those with digits, nodes, times, addresses, and the units of times. */
 static char *first_line(const char *message)
 {
     char *text = xstrdup("");
     for (const char *at = message; *at && *at != '\n';) {
         size_t length = strcspn(at, " \n");
-        if (length && strcspn(at, "0123456789") >= length)
+        if (length && strcspn(at, "0123456789") >= length && !is_unit(at, length))
             words_append(&text, "%.*s ", (int)length, at);
         at += length + (at[length] == ' ');
     }

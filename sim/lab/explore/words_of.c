@@ -1,4 +1,5 @@
 /* words_of.c - see words_of.h. */
+#include "files/virtual_time.h"
 #include "lab/explore/words_of.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -14,12 +15,7 @@ const char *rec_node_name(uint32_t node, uint32_t nodes, char buf[REC_NAME])
 
 const char *rec_duration(int64_t ps, char buf[REC_TIME])
 {
-    static const char *const units[] = {"ps", "ns", "us", "ms", "s"};
-    double value = (double)ps;
-    int unit = 0;
-    for (; unit < 4 && (value >= 1000 || value <= -1000); unit++)
-        value /= 1000;
-    snprintf(buf, REC_TIME, "%.4g %s", value, units[unit]);
+    snprintf(buf, REC_TIME, "%s", duration_text((double)ps / (double)VT_SECOND).text);
     return buf;
 }
 
@@ -28,7 +24,7 @@ const char *rec_time(vtime t, char buf[REC_TIME])
     if (t == VT_NEVER)
         snprintf(buf, REC_TIME, "an unknown time");
     else
-        snprintf(buf, REC_TIME, "%.9f s", vt_seconds(t));
+        snprintf(buf, REC_TIME, "%s", virtual_time_moment(t).text);
     return buf;
 }
 

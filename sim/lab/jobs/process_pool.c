@@ -1,5 +1,6 @@
 /* process_pool.c - a pool of child processes on libevent; see process_pool.h. */
 #include "lab/jobs/process_pool.h"
+#include "files/virtual_time.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 
@@ -164,8 +165,8 @@ static char *describe_end(const struct child *c, int status, const char *err)
         size--;
     const char *sep = size ? ": " : "";
     if (c->late)
-        return xasprintf("killed after its limit of %g s of real time%s%.*s", c->job->limit_s, sep, size,
-                         err);
+        return xasprintf("killed after its limit of %s of real time%s%.*s",
+                         duration_text(c->job->limit_s).text, sep, size, err);
     if (WIFSIGNALED(status))
         return xasprintf("killed by signal %d (%s)%s%.*s", WTERMSIG(status), strsignal(WTERMSIG(status)), sep,
                          size, err);

@@ -4,20 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-/* Escape sequences; empty if the output is no terminal, or NO_COLOR is set. */
-struct ink {
-    const char *title, *good, *bad, *off;
-};
-
-static struct ink choose_ink(FILE *out)
-{
-    const char *no = getenv("NO_COLOR");
-    if (isatty(fileno(out)) != 1 || (no && *no))
-        return (struct ink){"", "", "", ""};
-    return (struct ink){"\033[1m", "\033[32m", "\033[31m", "\033[0m"};
-}
+#include "files/ink.h"
 
 /* Prints the figure `width` characters wide, "-" if there is none. */
 static void figure(FILE *out, int width, int decimals, double value)
@@ -43,12 +30,12 @@ static void print_row(FILE *out, const struct ink *ink, const struct result_tabl
     int decimals = results_decimals(paper->total_s);
     fprintf(out, "%6u", row->row->nodes);
     if (o->error) {
-        fprintf(out, "%10s%9.*f  %sfailed%s\n", "-", decimals, paper->total_s, ink->bad, ink->off);
+        fprintf(out, "%10s%9.*f  %sfailed%s\n", "-", decimals, paper->total_s, ink->red, ink->off);
         return;
     }
     figure(out, 10, decimals, outcome_figure(o, "total_s"));
     figure(out, 9, decimals, paper->total_s);
-    fprintf(out, "  %s%+6.1f %%%s", fabs(error) < 5 ? ink->good : ink->bad, error, ink->off);
+    fprintf(out, "  %s%+6.1f %%%s", fabs(error) < 5 ? ink->green : ink->red, error, ink->off);
     pair(out, 1, outcome_figure(o, "host_idle_pct"), paper->host_idle_pct);
     figure(out, 9, 1, outcome_figure(o, "host_idle_all_pct"));
     pair(out, 1, outcome_figure(o, "slave_idle_pct"), paper->slave_idle_pct);
@@ -75,7 +62,7 @@ static void print_errors(FILE *out, const struct result_errors *e, bool name_tab
 
 static void print_table(FILE *out, const struct ink *ink, const struct result_table *t)
 {
-    fprintf(out, "\n%sTable %u: %s%s\n", ink->title, t->table->number, t->table->title, ink->off);
+    fprintf(out, "\n%sTable %u: %s%s\n", ink->bold, t->table->number, t->table->title, ink->off);
     fprintf(out, "%6s%19s%10s%16s%9s%16s%16s%16s\n", "", "total time, s", "", "host idle, %", "",
             "slave idle, %", "idle spread, %", "speed/node");
     fprintf(out, "%6s%10s%9s%10s", "nodes", "ours", "paper", "error");
@@ -93,7 +80,7 @@ static void print_table(FILE *out, const struct ink *ink, const struct result_ta
 static void print_fitted(FILE *out, const struct ink *ink, const struct results *r)
 {
     const struct paper_fitted *fitted = r->fitted;
-    fprintf(out, "\n%sFitted to the paper, or chosen with its tables in view%s\n", ink->title, ink->off);
+    fprintf(out, "\n%sFitted to the paper, or chosen with its tables in view%s\n", ink->bold, ink->off);
     for (size_t i = 0; i < fitted->count; i++) {
         const struct paper_factor *f = &fitted->factors[i];
         fprintf(out, "  cost    %s%s%s x %g: %s\n", f->file ? f->file : "",
@@ -116,7 +103,7 @@ static bool any_ties(const struct results *r)
 
 void results_print(const struct results *r, FILE *out)
 {
-    struct ink ink = choose_ink(out);
+    struct ink ink = ink_for(out);
     for (size_t t = 0; t < r->table_count; t++)
         print_table(out, &ink, &r->tables[t]);
     fputs("\nhost idle: \"ours\" has the waits for the last request of a layer, \"all\" has every wait for a "
@@ -131,14 +118,14 @@ void results_print(const struct results *r, FILE *out)
         if (!r->runs[i].outcome.error)
             continue;
         if (!failures)
-            fprintf(out, "\n%sFailed%s\n", ink.title, ink.off);
+            fprintf(out, "\n%sFailed%s\n", ink.bold, ink.off);
         failures = true;
         fprintf(out, "  %s: %s\n", r->runs[i].name, r->runs[i].outcome.error);
     }
 
     struct result_errors rows = results_row_errors(r), all = results_all_errors(r),
                          fitted = results_fitted_errors(r, true), others = results_fitted_errors(r, false);
-    fprintf(out, "\n%sAll tables%s, %zu different runs in %.0f s: ", ink.title, ink.off, r->run_count,
+    fprintf(out, "\n%sAll tables%s, %zu different runs in %.0f s: ", ink.bold, ink.off, r->run_count,
             r->wall_time_s);
     print_errors(out, &all, true);
     fprintf(out, "  all %zu rows, as printed: ", rows.rows);

@@ -3,6 +3,8 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/ink.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
@@ -53,8 +55,9 @@ static void classes(struct why *w, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
     bool said[WHY_CLASSES] = {false};
-    fprintf(f, "Critical path, %-10s steps %8s %7s %22s %13s\n", why_count(w->path.count).text, u.name, "%",
-            "if it took no time", "times faster");
+    struct ink ink = ink_for(f);
+    fprintf(f, "%sCritical path, %-10s steps %8s %7s %22s %13s%s\n", ink.bold, why_count(w->path.count).text,
+            u.name, "%", "if it took no time", "times faster", ink.off);
     for (int n = 0; n < WHY_CLASSES; n++) {
         int most = -1;
         for (int i = 0; i < WHY_CLASSES; i++)
@@ -76,7 +79,9 @@ static void shares(struct why *w, enum why_share s, const struct why_report_opti
     size_t shown = rows(o, t->count);
     if (!t->count)
         return;
-    fprintf(f, "\nOf the path, by %-24s %10s %7s %9s\n", why_share_title(s), u.name, "%", "steps");
+    struct ink ink = ink_for(f);
+    fprintf(f, "\n%sOf the path, by %-24s %10s %7s %9s%s\n", ink.bold, why_share_title(s), u.name, "%",
+            "steps", ink.off);
     for (size_t i = 0; i < shown; i++)
         fprintf(f, "  %-38s %10s %7.2f %9" PRIu64 "\n", t->rows[i].label, why_number(u, t->rows[i].time).text,
                 100 * (double)t->rows[i].time / (double)w->length, t->rows[i].count);
@@ -88,8 +93,9 @@ static void shares(struct why *w, enum why_share s, const struct why_report_opti
 static void causes(struct why *w, FILE *f)
 {
     struct why_unit u = why_unit_for(w->causes.idle);
-    fprintf(f, "\nWaits of %s nodes, by cause %*s %7s\n", w->some_nodes ? "some" : "all",
-            w->some_nodes ? 10 : 11, u.name, "%");
+    struct ink ink = ink_for(f);
+    fprintf(f, "\n%sWaits of %s nodes, by cause %*s %7s%s\n", ink.bold, w->some_nodes ? "some" : "all",
+            w->some_nodes ? 10 : 11, u.name, "%", ink.off);
     for (int i = 0; i < WAIT_CAUSES; i++)
         if (w->causes.by_cause[i])
             fprintf(f, "  %-24s %13s %7.2f\n", wait_cause_name((enum wait_cause)i),
@@ -148,7 +154,9 @@ static void groups(struct why *w, const struct why_report_options *o, FILE *f)
 {
     struct why_unit u = why_unit_for(w->causes.idle);
     size_t shown = rows(o, w->group_count);
-    fprintf(f, "\nThe longest waits, alike ones together\n%12s %7s %9s %6s\n", u.name, "%", "waits", "nodes");
+    struct ink ink = ink_for(f);
+    fprintf(f, "\n%sThe longest waits, alike ones together%s\n%12s %7s %9s %6s\n", ink.bold, ink.off, u.name,
+            "%", "waits", "nodes");
     for (size_t i = 0; i < shown; i++) {
         const struct wait_group *g = &w->groups[i];
         fprintf(f, "%12s %7.2f %9" PRIu64 " %6" PRId32 "  %s", why_number(u, g->idle).text,
@@ -206,13 +214,14 @@ static void say_difference(struct why *w, struct why *than, FILE *f)
     double longer = seconds_more(w->length, than->length);
     enum why_class most = grown(w, than);
     double more_of_it = seconds_more(w->by_class[most], than->by_class[most]);
-    char *text =
-        xasprintf("The run of %s, on %" PRId32 " node%s, took %.6g s. This one took %.6g s %s.",
-                  than->t->path, than->t->node_count, than->t->node_count == 1 ? "" : "s",
-                  vt_seconds(than->length), longer < 0 ? -longer : longer, longer < 0 ? "less" : "more");
-    char *grew = xasprintf("%s On the critical path, %s grew most: by %.6g s, from %.6g s to %.6g s.", text,
-                           why_class_subject(most), more_of_it, vt_seconds(than->by_class[most]),
-                           vt_seconds(w->by_class[most]));
+    char *text = xasprintf("The run of %s, on %" PRId32 " node%s, took %s. This one took %s %s.",
+                           than->t->path, than->t->node_count, than->t->node_count == 1 ? "" : "s",
+                           duration_text(vt_seconds(than->length)).text,
+                           duration_text(longer < 0 ? -longer : longer).text, longer < 0 ? "less" : "more");
+    char *grew = xasprintf("%s On the critical path, %s grew most: by %s, from %s to %s.", text,
+                           why_class_subject(most), duration_text(more_of_it).text,
+                           duration_text(vt_seconds(than->by_class[most])).text,
+                           duration_text(vt_seconds(w->by_class[most])).text);
     paragraph(longer > 0 && more_of_it > 0 ? grew : text, f);
     free(text);
     free(grew);
@@ -222,7 +231,9 @@ static void say_difference(struct why *w, struct why *than, FILE *f)
 static void compare(struct why *w, struct why *than, FILE *f)
 {
     say_difference(w, than, f);
-    fprintf(f, "%-28s %14s %14s %14s\n", "Critical path, s", "this run", "the other", "more");
+    struct ink ink = ink_for(f);
+    fprintf(f, "%s%-28s %14s %14s %14s%s\n", ink.bold, "Critical path, s", "this run", "the other", "more",
+            ink.off);
     for (int i = 0; i < WHY_CLASSES; i++)
         if (w->by_class[i] || than->by_class[i])
             fprintf(f, "  %-26s %14.6f %14.6f %+14.6f\n", why_class_name((enum why_class)i),

@@ -1,0 +1,12 @@
+/* say.h - what a command says of itself on standard error: "touchstone run: ...". */
+#ifndef CLI_SAY_H
+#define CLI_SAY_H
+
+/* An error, of any number of lines, and what need not be one. command: "run", "trace show"; the text comes
+ * without the line's end. On a terminal, the command is red, or yellow, and in a report of a deadlock the
+ * first line and the cycle stand out. */
+void cli_say_error(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void cli_say_warning(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Says the error, frees it, and returns the status. */
+int cli_failed(const char *command, char *error, int status);
+#endif
