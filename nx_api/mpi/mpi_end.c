@@ -12,6 +12,7 @@
 #include "nx_api/mpi/mpi_wire.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/where.h"
 
 enum { PATIENCE_S = 5 };
 
@@ -114,12 +115,18 @@ _Noreturn void mpi_end_here(struct node *n)
 _Noreturn void node_fail(struct node *n, const char *fmt, ...)
 {
     va_list ap;
-    char text[512];
+    char message[512], head[80];
+    static struct safe_text text;
     va_start(ap, fmt);
-    vsnprintf(text, sizeof text, fmt, ap);
+    vsnprintf(message, sizeof message, fmt, ap);
     va_end(ap);
     fflush(stdout);
-    fprintf(stderr, "nx: node %ld, at %.6f s: %s\n", n->id, mpi_seconds(), text);
+    snprintf(head, sizeof head, "nx: node %ld, at %.6f s: ", n->id, mpi_seconds());
+    safe_append(&text, head);
+    safe_append(&text, message);
+    safe_append(&text, "\n");
+    where_append(&text, NULL);
+    safe_write(&text);
     if (n->over || !n->ends)
         wire_abort(1);
     fflush(NULL);
