@@ -121,11 +121,16 @@ static void rest(struct node *n, double *since)
         mpi_end_deadlocked(n);
 }
 
-/* Polls without a pause at first, then yields the processor, and at last sleeps a little. */
+/* Polls without a pause at first, then yields the processor, and at last sleeps a little. On a busy computer a yield may
+ * take a hundred milliseconds: so the time counts, too. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
     enum { YIELDING = 200, SLEEPING = 4000 };
-    if (polls > SLEEPING)
+    static const double LONG_S = 0.02;
+    static double yields;
+    if (polls == YIELDING)
+        yields = mpi_seconds();
+    if (polls > SLEEPING || (polls > YIELDING && mpi_seconds() - yields > LONG_S))
         rest(n, since);
     else if (polls > YIELDING)
         sched_yield();
