@@ -14,6 +14,7 @@
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/run_summary.h"
 #include "nx_api/mpi/shared_pointer.h"
 #include "nx_api/mpi/states.h"
 
@@ -240,6 +241,9 @@ static void act(struct node *n, struct arrival *a)
         break;
     case WIRE_RECORD:
         record_part(head + 1, (size_t)a->bytes - sizeof *head);
+        break;
+    case WIRE_SUMMARY:
+        summary_part((uint32_t)a->source, head + 1, (size_t)a->bytes - sizeof *head);
         break;
     }
     free(a->head);

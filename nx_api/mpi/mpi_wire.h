@@ -10,15 +10,16 @@
  * `type` and `value`. Those from TOKEN on change nothing that a program waits for: they are not counted
  * (quiet.h), and wire_progress does not tell of them. */
 enum wire_kind {
-    WIRE_DATA,  /* the program's; type; value: the sender's pid */
-    WIRE_FLUSH, /* throw away what typesel `type` selects */
-    WIRE_KILL,  /* end the process. type: 1 if it alone is to end */
-    WIRE_END,   /* the sender's process has ended. type: its status; value: its pid */
-    WIRE_FILES, /* of shared_pointer.c. type: what; value: the pointer's number */
-    WIRE_TOKEN, /* of quiet.c */
-    WIRE_ASK,   /* what does the node wait for? */
-    WIRE_STATE, /* the answer, of states.c */
-    WIRE_RECORD /* a part of a record, of order_record.c */
+    WIRE_DATA,   /* the program's; type; value: the sender's pid */
+    WIRE_FLUSH,  /* throw away what typesel `type` selects */
+    WIRE_KILL,   /* end the process. type: 1 if it alone is to end */
+    WIRE_END,    /* the sender's process has ended. type: its status; value: its pid */
+    WIRE_FILES,  /* of shared_pointer.c. type: what; value: the pointer's number */
+    WIRE_TOKEN,  /* of quiet.c */
+    WIRE_ASK,    /* what does the node wait for? */
+    WIRE_STATE,  /* the answer, of states.c */
+    WIRE_RECORD, /* a part of a record, of order_record.c */
+    WIRE_SUMMARY /* a part of run_summary.c */
 };
 
 struct wire_head {
