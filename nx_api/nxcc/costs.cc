@@ -345,10 +345,10 @@ tree written_in(gimple *stmt)
 /* "slice.c" names app/slice.c; "app/slice.c" does too; "lice.c" does not. */
 bool file_matches(const std::string &wanted, const char *file)
 {
-    size_t n = strlen(file);
     if (wanted.empty())
         return true;
-    if (!file || n < wanted.size() || wanted != file + (n - wanted.size()))
+    size_t n = file ? strlen(file) : 0;
+    if (n < wanted.size() || wanted != file + (n - wanted.size()))
         return false;
     return n == wanted.size() || file[n - wanted.size() - 1] == '/';
 }

@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     struct fit_options options = {.study.file = path};
     struct fit f = {.options = &options};
     if (!fit_read(&f, &error))
-        fuzz_refused(error, fuzz_folder());
+        fuzz_refused(error, "/"); /* it may include another file */
     fit_clear(&f);
     free(path);
     return 0;

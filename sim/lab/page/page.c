@@ -226,7 +226,7 @@ static void write_style(FILE *out)
 /* Writes what the mark stands for. */
 static void write_marked(const char *mark, size_t length, const struct page *p, const char *title, FILE *out)
 {
-#define IS(name) (length == sizeof name - 1 && !memcmp(mark, name, sizeof name - 1))
+#define IS(name) (length == sizeof(name) - 1 && !memcmp(mark, (name), sizeof(name) - 1))
     if (IS("title"))
         write_title(p, title, out);
     else if (IS("policy"))
