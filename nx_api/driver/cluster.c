@@ -21,12 +21,12 @@ static bool in_path(const char *program)
 const char *cluster_program(bool link)
 {
     if (!link)
-        return "gcc";
+        return NXCC_GCC;
     if (!in_path("mpicc"))
         fail(
             "--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and libopenmpi-dev");
-    setenv("OMPI_CC", "gcc", true); /* the plugin is gcc's */
-    setenv("MPICH_CC", "gcc", true);
+    setenv("OMPI_CC", NXCC_GCC, true); /* the plugin is that GCC's */
+    setenv("MPICH_CC", NXCC_GCC, true);
     return "mpicc";
 }
 

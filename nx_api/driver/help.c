@@ -3,9 +3,9 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
+#include "nx_api/driver/command.h"
 #include "nx_api/driver/text.h"
 
 #define VERSION "0.1"
@@ -73,6 +73,6 @@ void help_version(void)
 {
     printf("%s (touchstone) " VERSION ", around:\n", program_invocation_short_name);
     fflush(stdout);
-    execlp("gcc", "gcc", "--version", (char *)NULL);
-    fail("gcc: %s", strerror(errno));
+    execlp(NXCC_GCC, NXCC_GCC, "--version", (char *)NULL);
+    command_not_run(NXCC_GCC);
 }

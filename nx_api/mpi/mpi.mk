@@ -6,8 +6,8 @@ MPI_SRC    := $(wildcard nx_api/mpi/*.c nx_api/calls/*.c nx_api/contract/*.c nx_
 MPI_LONG32 := $(addprefix $(MPI)/obj/,mpi/mpi_long32.o calls/long32_formats.o calls/long32_calls.o) # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
 MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
-MPI_CC      = OMPI_CC=$(CC) MPICH_CC=$(CC) mpicc
-MPI_FLAGS   = -std=gnu17 -O2 -g $(WARN) -D_GNU_SOURCE -fPIE -fno-omit-frame-pointer
+MPI_CC      = OMPI_CC=$(NODE_CC) MPICH_CC=$(NODE_CC) mpicc
+MPI_FLAGS   = -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -D_GNU_SOURCE -fPIE -fno-omit-frame-pointer
 # Puts an object's code into a section of its own, by which stack.h knows the library's code.
 MPI_SECTION = objcopy --rename-section .text=nx_text --rename-section .text.unlikely=nx_text $@
 NXCC_MPI   := $(NXCC_DEPS) $(MPI)/libnx.a
@@ -27,13 +27,13 @@ MPI_HDR    := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.
 $(filter-out %/open_unit.o,$(MPI_COMMON)): $(MPI)/obj/%.o: nx_api/%.c $(MPI_HDR) nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
+	$(NODE_CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
 	$(MPI_SECTION)
 
 $(MPI)/obj/%.o: nx_api/%.f90 nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,FC,$<)
-	gfortran -O2 -g -Wall -fPIE -fno-omit-frame-pointer -c -o $@ $<
+	$(NODE_FC) -O2 -g $(PREFIX_MAP) -Wall -fPIE -fno-omit-frame-pointer -c -o $@ $<
 	$(MPI_SECTION)
 
 # MPI's functions are called by their second names (PMPI_Isend ...): the first are the program's, if it wants them.
@@ -48,7 +48,7 @@ $(MPI)/nx.o $(MPI)/nx_long32.o:
 $(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))): $(MPI)/obj/long32/%.o: nx_api/%.c $(MPI_HDR) $(NXCC_TOOLS) nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$B/nxcc --mpi --long32 -std=gnu17 -O2 $(WARN) -fno-omit-frame-pointer -c -o $@ $<
+	$B/nxcc --mpi --long32 -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -fno-omit-frame-pointer -c -o $@ $<
 	$(MPI_SECTION)
 
 $(MPI)/libnx.a: $(MPI)/nx.o $(MPI_COMMON) | $(MPI)/names.map
