@@ -1,6 +1,7 @@
 #!/bin/bash
 # install.sh - make install and make uninstall: below DESTDIR, what is there, and that it works from any folder.
 . "$(dirname "$0")/common.bash"
+. "$tests/mpi.bash"
 root=$(cd "$tests/../.." && pwd)
 stage=$work/stage
 touchstone_make() { timeout 300 make -s -C "$root" B="$BUILD" PREFIX=/opt/nx DESTDIR="$stage" "$@" >make.log 2>&1; }
@@ -11,7 +12,7 @@ mkdir -p "$stage/opt/nx/bin" "$stage/opt/nx/share/man/man1"
 echo own >"$stage/opt/nx/bin/own"
 check "make install" touchstone_make install
 there >list
-check "nothing is put elsewhere" test "$(find "$stage" ! -type d | wc -l)" = "$(wc -l <list)"
+check "nothing is put elsewhere" test -s list -a "$(find "$stage" ! -type d | wc -l)" = "$(wc -l <list)"
 
 # The tree has more files of these kinds as it grows: one line stands for all of them.
 kinds() {
@@ -83,9 +84,11 @@ if command -v pkg-config >/dev/null; then
     by_hand() {
         local at="--define-variable=prefix=$stage/opt/nx"
         # shellcheck disable=SC2046
-        OMPI_CC=gcc mpicc $(pkg-config "$at" --cflags libnx-mpi) -O2 -o hand "$root/share/examples/ring.c" $(pkg-config "$at" --libs libnx-mpi)
+        OMPI_CC=gcc mpicc $(pkg-config "$at" --cflags libnx-mpi) -O2 -o hand "$root/share/examples/deadlock.c" $(pkg-config "$at" --libs libnx-mpi)
     }
     check "a program is linked with NX by mpicc" by_hand
+    on_mpi 4 ./hand
+    check "and runs: its deadlock is reported" ended_with 2
 else
     echo "skip pkg-config there is no pkg-config"
 fi
