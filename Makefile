@@ -1,15 +1,22 @@
 # touchstone: every command of the README is a target here.
 B      ?= build
-PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 CC      = gcc
+# Programs of nodes are compiled by GCC, whatever compiles the simulator. nxcc is a plugin of one version of GCC, and calls it by the
+# name that has the version, such as gcc-12.
+GCC    ?= gcc
+NODE_CC := $(if $(filter gcc,$(GCC)),$(shell name=gcc-$$(gcc -dumpversion | cut -d. -f1); command -v $$name >/dev/null && echo $$name || echo gcc),$(GCC))
+NODE_CXX = $(NODE_CC:gcc%=g++%)
+NODE_FC  = $(NODE_CC:gcc%=gfortran%)
 OPT    ?= -O3 -g
 SAN    ?=
 # The simulator itself is optimised as a whole (but with sanitizers), and more is inlined than GCC would: an event runs through
 # many small functions, of which each is called from a few places. Its objects are good for linking tests without that, too.
-LTO    ?= -flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20
+LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
+# Files get the same names wherever they are built: make reproducible.
+PREFIX_MAP = -ffile-prefix-map=$(CURDIR)=.
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
-CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -Inx_api/sim/include -I.
+CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) $(PREFIX_MAP) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -Inx_api/sim/include -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lzstd -lnlopt -lgsl -lgslcblas -ldw -lelf -lz -lpng -lwebpmux -lwebp -lcairo -lfontconfig -lopen-trace-format2 -lm
 
 # touchstone is linked twice, with the fast engine and with the one that defines its results: sim/lp/engine.h.
@@ -50,7 +57,7 @@ $B/libtouchstone.a: $(SIM_OBJ)
 # (Of the same objects from a library GCC inlines less, and messages take 4 % longer.)
 $B/touchstone: $B/obj/sim/cli/main.o $(SIM_OBJ)
 	$(call say,LINK,$@)
-	$(CC) $(SAN) $(OPT) $(LTO) -Wno-lto-type-mismatch -o $@ $^ $(LIBS)
+	$(CC) $(SAN) $(OPT) $(LTO) $(if $(LTO),-Wno-lto-type-mismatch) -o $@ $^ $(LIBS)
 
 $B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
 	$(call say,LINK,$@)
@@ -65,7 +72,7 @@ include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk benc
 $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cfg
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$B/nxcc -O2 -Wall -Wextra --factors bench/paper/fitted.cfg -o $@ $(APP_SRC) -lz -lm
+	$B/nxcc -O2 -Wall -Wextra $(PREFIX_MAP) --factors bench/paper/fitted.cfg -o $@ $(APP_SRC) -lz -lm
 
 # --- tests ---------------------------------------------------------------------------------------------------
 # A unit test is tests/FOLDER/test_NAME.c, linked with the simulator. A folder whose tests need other rules has a
@@ -86,7 +93,7 @@ unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
 HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
-E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent manual,%/$(once).sh@$(ASAN))
+E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent manual install,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
@@ -100,8 +107,8 @@ test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 	@tests/run $(HOUSE) $(UNIT) $(UNIT:$B/%=$(ASAN)/%) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
 
 # --- what a user calls ---------------------------------------------------------------------------------------
-tables: setup ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
-	$(SUBMAKE) all
+tables: setup-tables ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
+	$(SUBMAKE) $B/touchstone $B/app/model
 	$B/touchstone tables
 
 SECONDS ?= 60
@@ -123,44 +130,7 @@ bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
 	bench/speed/run $B
 
-PACKAGES = packages.txt
-
-setup: ## Install what is missing of packages.txt (Debian, apt-get)
-	@missing=$$(grep -v '^#' $(PACKAGES) | while read -r p; do \
-	    dpkg-query -W -f '$${Status}' "$$p" 2>/dev/null | grep -q ' installed$$' || echo "$$p"; done); \
-	if [ -n "$$missing" ]; then \
-	    sudo=$$([ "$$(id -u)" = 0 ] || echo sudo); \
-	    $$sudo apt-get -q update && $$sudo env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends $$missing; \
-	fi
-
-bench-setup: ## Install what make bench compares with (packages-bench.txt)
-	@$(MAKE) --no-print-directory setup PACKAGES=packages-bench.txt
-
-quality-setup: ## Install what make fuzz, analyse, coverage and valgrind need (packages-quality.txt)
-	@$(MAKE) --no-print-directory setup PACKAGES=packages-quality.txt
-
-INST = $(DESTDIR)$(PREFIX)
-
-install: all ## Install into PREFIX (default /usr/local)
-	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci examples schemas)
-	install $B/touchstone $B/nxcc $(INST)/bin
-	ln -sf nxcc $(INST)/bin/nxf77
-	install $B/touchstone-reference $(INST)/lib/touchstone
-	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $B/node/commit $(INST)/lib/touchstone
-	install -d $(addprefix $(INST)/lib/touchstone/mpi/,$(MPI_KINDS))
-	for file in $(MPI_LIBS); do install -m 644 $$file $(INST)/lib/touchstone/mpi/$${file#$(MPI)/}; done
-	install $B/app/model $(INST)/lib/touchstone/app
-	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
-	cp -r --no-preserve=mode,ownership $(addprefix nx_api/include/,long32 pfs rpc sys) $(INST)/share/touchstone/include
-	install -m 644 machines/*.cfg machines/*.inc $(INST)/share/touchstone/machines
-	install -m 644 machines/cpu/*.cfg $(INST)/share/touchstone/machines/cpu
-	ln -sfn machines/cpu $(INST)/share/touchstone/cpu
-	install -m 644 bench/paper/*.cfg $(INST)/share/touchstone/bench/paper
-	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
-	install -m 644 share/schemas/*.json $(INST)/share/touchstone/schemas
-	install -m 644 share/examples/*.c share/examples/*.cfg $(INST)/share/touchstone/examples
-
-include doc/man/man.mk share/completion/completion.mk doc/manual/manual.mk
+include doc/man/man.mk doc/manual/manual.mk share/completion/completion.mk package/package.mk
 
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
@@ -177,4 +147,4 @@ clean: ## Remove build/ and out/
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.* ## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
-.PHONY: FORCE all unit test prove tables report choices bench bench-setup quality-setup setup install format check-format clean help
+.PHONY: FORCE all unit test prove tables report choices bench format check-format clean help

@@ -4,11 +4,4 @@ man: $B/man/nx.3 ## Make the manual pages into build/man
 $B/man/nx.3: doc/man/pages doc/man/nx3.awk $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h) | all
 	doc/man/pages $B
 
-install: install-man
-
-install-man: man
-	install -d $(INST)/share/man/man1 $(INST)/share/man/man3
-	install -m 644 $B/man/*.1 $(INST)/share/man/man1
-	install -m 644 $B/man/*.3 $(INST)/share/man/man3
-
-.PHONY: man install-man
+.PHONY: man

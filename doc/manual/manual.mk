@@ -6,10 +6,9 @@ MANUAL_PAGES = $(wildcard doc/*.md doc/manual/*.md doc/pictures/* doc/manual/pag
 # The same sources give the same bytes: dates are those of the last commit, and no order depends on addresses of memory.
 SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || stat -c %Y README.md)
 SPHINX = SOURCE_DATE_EPOCH=$(SOURCE_DATE_EPOCH) PYTHONHASHSEED=0 PYTHONDONTWRITEBYTECODE=1 LC_ALL=C.UTF-8 TZ=UTC \
-    TOUCHSTONE_VERSION=$$($B/touchstone --version | sed 's/.* //') sphinx-build -q -W --keep-going -c doc/manual/sphinx -d $(MANUAL)/doctrees
+    TOUCHSTONE_VERSION=$$($B/touchstone --version | sed -n '1s/.* //p') sphinx-build -q -W --keep-going -c doc/manual/sphinx -d $(MANUAL)/doctrees
 
-manual: ## Make the manual: build/manual/html/index.html and build/manual/touchstone.pdf (installs packages-doc.txt)
-	@$(MAKE) --no-print-directory setup PACKAGES=packages-doc.txt
+manual: doc-setup ## Make the manual: build/manual/html/index.html and build/manual/touchstone.pdf
 	$(SUBMAKE) $(MANUAL)/touchstone.pdf
 	@echo "$(MANUAL)/html/index.html, $(MANUAL)/touchstone.pdf"
 
@@ -27,16 +26,4 @@ $(MANUAL)/touchstone.pdf: $(MANUAL)/html/index.html
 	SOURCE_DATE_EPOCH=$(SOURCE_DATE_EPOCH) weasyprint -q $(MANUAL)/book/book.html $@.new
 	mv $@.new $@
 
-install: install-manual
-
-install-manual: all
-	@if [ -e $(MANUAL)/touchstone.pdf ]; then \
-	    install -d $(INST)/share/doc/touchstone && \
-	    rm -rf $(INST)/share/doc/touchstone/html && \
-	    cp -r --no-preserve=mode,ownership $(MANUAL)/html $(INST)/share/doc/touchstone/html && \
-	    install -m 644 $(MANUAL)/touchstone.pdf $(INST)/share/doc/touchstone; \
-	else \
-	    echo "The manual is not built, and not installed; make manual builds it."; \
-	fi
-
-.PHONY: manual install-manual
+.PHONY: manual

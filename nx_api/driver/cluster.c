@@ -7,10 +7,10 @@
 const char *cluster_program(bool link)
 {
     if (!link)
-        return "gcc";
-    setenv("OMPI_CC", "gcc", true); /* the plugin is gcc's */
-    setenv("MPICH_CC", "gcc", true);
-    setenv("I_MPI_CC", "gcc", true);
+        return NXCC_GCC;
+    setenv("OMPI_CC", NXCC_GCC, true); /* the plugin is that GCC's */
+    setenv("MPICH_CC", NXCC_GCC, true);
+    setenv("I_MPI_CC", NXCC_GCC, true);
     return mpi_command();
 }
 

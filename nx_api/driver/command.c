@@ -148,7 +148,7 @@ const char **command(const struct arguments *user, const struct places *p, bool 
 {
     bool mpi = user->mpi, fortran = has_kind(user, FORTRAN_FILE);
     struct arguments a = arguments_none(user);
-    add(&a, mpi ? cluster_program(link) : "gcc");
+    add(&a, mpi ? cluster_program(link) : NXCC_GCC);
     if (!mpi)
         add_plugin(&a, p);
     if (!mpi && link)
@@ -173,4 +173,13 @@ const char **command(const struct arguments *user, const struct places *p, bool 
     for (size_t i = 0; i < a.count; i++)
         gcc[i] = a.gcc[i].text;
     return gcc;
+}
+
+_Noreturn void command_not_run(const char *program)
+{
+    if (errno == ENOENT && !strcmp(program, NXCC_GCC))
+        fail("%s is not to be found; nxcc has been built for this version of GCC: install it (in Debian, the "
+             "package of that name)",
+             program);
+    fail("%s: %s", program, strerror(errno));
 }

@@ -4,9 +4,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
+#include "nx_api/driver/command.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
@@ -147,6 +147,6 @@ void help_version(void)
     printf("%s (touchstone) %s\ncommit %sfor GCC %s; gcc is:\n", program_invocation_short_name,
            TOUCHSTONE_VERSION, commit, __VERSION__);
     fflush(stdout);
-    execlp("gcc", "gcc", "--version", (char *)NULL);
-    fail("gcc: %s", strerror(errno));
+    execlp(NXCC_GCC, NXCC_GCC, "--version", (char *)NULL);
+    command_not_run(NXCC_GCC);
 }

@@ -1,7 +1,7 @@
 # kmath.mk - libkmath.a, for nxcc -lkmath: Debian's reference BLAS and LAPACK, whose work is counted: kmath.h. Included by the
 # Makefile.
 KMATH      := $(NODE)/obj/kmath
-KMATH_FROM := /usr/lib/$(shell $(CC) -print-multiarch)
+KMATH_FROM := /usr/lib/$(shell $(NODE_CC) -print-multiarch)
 KMATH_BLAS := $(KMATH_FROM)/blas/libblas.a
 KMATH_LAPACK := $(KMATH_FROM)/lapack/liblapack.a
 KMATH_HDR  := nx_api/kmath/kmath.h nx_api/kmath/routines.def nx_api/contract/program_image.h
@@ -12,12 +12,12 @@ $(KMATH_BLAS) $(KMATH_LAPACK):
 $(KMATH)/kernels.o: nx_api/kmath/kernels.c $(KMATH_HDR) $(NXCC_TOOLS)
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$B/nxcc -std=gnu17 -O2 $(WARN) -c -o $@ $<
+	$B/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -c -o $@ $<
 
 $(KMATH)/pay.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -c -o $@ $<
+	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -c -o $@ $<
 
 # The routines of routines.def get other names, in their own objects only: so others go by the entries.
 $(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o $(KMATH_BLAS) $(KMATH_LAPACK)
@@ -26,12 +26,12 @@ $(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMA
 	cp $(KMATH_LAPACK) $@.new && chmod u+w $@.new
 	cd $(KMATH)/routines && ar x $(KMATH_BLAS) && rm -f cblas_*.o *sub.o
 	printf '#define ROUTINE(kind, name, work) name\n#include "nx_api/kmath/routines.def"\n' | \
-	    $(CC) -E -P -I. - | tr ' ' '\n' | grep . >$(KMATH)/names
+	    $(NODE_CC) -E -P -I. - | tr ' ' '\n' | grep . >$(KMATH)/names
 	cd $(KMATH)/routines && ar x $(KMATH_LAPACK) $$(ar t $(KMATH_LAPACK) | sed 's/\.o$$//' | grep -Fxf ../names | sed 's/$$/.o/')
 	n=0; while read -r name; do \
 	    objcopy --redefine-sym $${name}_=nx_kmath_$${name}_ $(KMATH)/routines/$$name.o && \
-	    $(CC) -c -DNAME=$$name -DNUMBER=$$n -o $(KMATH)/routines/entry_$$name.o nx_api/kmath/entry.c || exit 1; n=$$((n + 1)); \
+	    $(NODE_CC) -c $(PREFIX_MAP) -DNAME=$$name -DNUMBER=$$n -o $(KMATH)/routines/entry_$$name.o nx_api/kmath/entry.c || exit 1; n=$$((n + 1)); \
 	done <$(KMATH)/names
 	ar d $@.new $$(sed 's/$$/.o/' $(KMATH)/names)
-	ar q $@.new $(KMATH)/routines/*.o $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o && ranlib $@.new && mv $@.new $@
+	LC_ALL=C; ar q $@.new $(KMATH)/routines/*.o $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o && ranlib $@.new && mv $@.new $@
 	rm -rf $(KMATH)/routines

@@ -5,13 +5,13 @@
 MPI        := $(NODE)/mpi
 MPI_FOUND  := $(shell nx_api/mpi/find-mpi)
 MPI_KINDS  := $(foreach found,$(MPI_FOUND),$(firstword $(subst =, ,$(found))))
-MPICC_OF    = OMPI_CC=$(CC) MPICH_CC=$(CC) I_MPI_CC=$(CC) $(patsubst $(1)=%,%,$(filter $(1)=%,$(MPI_FOUND)))
+MPICC_OF    = OMPI_CC=$(NODE_CC) MPICH_CC=$(NODE_CC) I_MPI_CC=$(NODE_CC) $(patsubst $(1)=%,%,$(filter $(1)=%,$(MPI_FOUND)))
 MPI_BOUND  := $(shell grep -l '^\#include <mpi.h>' nx_api/mpi/*.c)
 MPI_SRC    := $(filter-out $(MPI_BOUND),$(wildcard nx_api/mpi/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c))
 MPI_LONG32 := $(addprefix $(MPI)/obj/,mpi/mpi_long32.o calls/long32_formats.o calls/long32_calls.o) # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
 MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
-MPI_FLAGS   = -std=gnu17 -O2 -g $(WARN) -D_GNU_SOURCE -fPIE -fno-omit-frame-pointer
+MPI_FLAGS   = -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -D_GNU_SOURCE -fPIE -fno-omit-frame-pointer
 MPI_HIDDEN  = $(MPI_FLAGS) -I. -Inx_api/mpi/include -fvisibility=hidden -MMD -MP
 MPI_NEEDED  = $(MPI)/found nx_api/contract/calls.def
 # Puts an object's code into a section of its own, by which stack.h knows the library's code.
@@ -19,7 +19,7 @@ MPI_SECTION = objcopy --rename-section .text=nx_text --rename-section .text.unli
 MPI_LIBS   := $(foreach kind,$(MPI_KINDS),$(MPI)/$(kind)/libnx.a $(MPI)/$(kind)/libnx_long32.a $(MPI)/$(kind)/theirs) $(MPI)/names.map $(MPI)/found
 NXCC_MPI   := $(NXCC_DEPS) $(MPI_LIBS)
 all: $(MPI_LIBS)
-HOST_LIBC  := $(shell $(CC) -print-file-name=libc.so.6)
+HOST_LIBC  := $(shell $(NODE_CC) -print-file-name=libc.so.6)
 
 # The kinds that the libraries have been built for.
 $(MPI)/found: nx_api/mpi/mpi.mk
@@ -31,26 +31,26 @@ $(MPI)/found: nx_api/mpi/mpi.mk
 $(MPI_OBJ): $(MPI)/obj/%.o: nx_api/%.c $(MPI_NEEDED)
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) $(MPI_HIDDEN) -c -o $@ $<
+	$(NODE_CC) $(MPI_HIDDEN) -c -o $@ $<
 	$(MPI_SECTION)
 
 MPI_HDR    := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h nx_api/include/*.h nx_api/include/pfs/*.h)
 $(filter-out %/open_unit.o,$(MPI_COMMON)): $(MPI)/obj/%.o: nx_api/%.c $(MPI_HDR) nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
+	$(NODE_CC) $(MPI_FLAGS) -isystem nx_api/include -c -o $@ $<
 	$(MPI_SECTION)
 
 $(MPI)/obj/%.o: nx_api/%.f90 nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,FC,$<)
-	gfortran -O2 -g -Wall -fPIE -fno-omit-frame-pointer -c -o $@ $<
+	$(NODE_FC) -O2 -g $(PREFIX_MAP) -Wall -fPIE -fno-omit-frame-pointer -c -o $@ $<
 	$(MPI_SECTION)
 
 $(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))): $(MPI)/obj/long32/%.o: nx_api/%.c $(MPI_HDR) $(NXCC_TOOLS) nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$B/nxcc --mpi --long32 -std=gnu17 -O2 $(WARN) -fno-omit-frame-pointer -c -o $@ $<
+	$B/nxcc --mpi --long32 -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -fno-omit-frame-pointer -c -o $@ $<
 	$(MPI_SECTION)
 
 # A program may define names of the C library and of MPI, and the library calls none of its functions. So it asks the C

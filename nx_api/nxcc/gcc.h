@@ -40,6 +40,27 @@
 #include "diagnostic-core.h"
 #pragma GCC diagnostic pop
 
+/* --- what versions 12 to 14 of GCC have in different forms --- */
+
+/* The last statement of a block, but for those of the debugger; NULL if there is none. */
+static inline gimple *last_statement(basic_block bb)
+{
+    return gsi_stmt(gsi_last_nondebug_bb(bb));
+}
+
+/* A variable of the loop that begins with base, and to which each trip adds step at its place. */
+static inline void create_added_iv(tree base, tree step, class loop *loop, gimple_stmt_iterator *place,
+                                   tree *before, tree *after)
+{
+#if GCCPLUGIN_VERSION >= 14000
+    create_iv(base, PLUS_EXPR, step, NULL_TREE, loop, place, false, before, after);
+#else
+    create_iv(base, step, NULL_TREE, loop, place, false, before, after);
+#endif
+}
+
+/* --- */
+
 /* The type of cost units: 64 bits, also where long has 32 (long32.cc). */
 static inline tree units_type()
 {

@@ -143,7 +143,7 @@ int64_t lookahead_analysis::units_of_loop_entered(edge e)
  * only then. GCC computes this only for tests that every trip makes. */
 int64_t trips_until_equal(class loop *loop, edge e)
 {
-    gcond *test = safe_dyn_cast<gcond *>(last_stmt(e->src));
+    gcond *test = safe_dyn_cast<gcond *>(last_statement(e->src));
     affine_iv iv;
     if (!test || gimple_cond_code(test) != (e->flags & EDGE_TRUE_VALUE ? EQ_EXPR : NE_EXPR) ||
         !tree_fits_shwi_p(gimple_cond_rhs(test)) ||
@@ -397,7 +397,7 @@ void lookahead_analysis::keep(class loop *loop)
         gsi_insert_seq_on_edge_immediate(loop_preheader_edge(loop), seq);
     loop_cost &l = loops[loop];
     gimple_stmt_iterator begin = gsi_after_labels(loop->header);
-    create_iv(units, step, NULL_TREE, loop, &begin, false, &l.before, &l.after);
+    create_added_iv(units, step, loop, &begin, &l.before, &l.after);
     added.insert(SSA_NAME_DEF_STMT(l.after));
     l.exact = tree_fits_shwi_p(trip_units) && l.external.empty() &&
               (!l.trips || trip_count_constant(loop) == l.trips);

@@ -165,7 +165,7 @@ void precharging::divide(class loop *loop, precharged_loop &p)
         if (bitmap_clear_bit(poll_blocks, body[i]->index))
             bitmap_set_bit(poll_blocks, get_bb_copy(body[i])->index);
     free(body);
-    p.test = as_a<gcond *>(last_stmt(test));
+    p.test = as_a<gcond *>(last_statement(test));
     p.first = loop_preheader_edge(loop)->src;
     result.polled.insert(copy->header);
     result.added.insert(p.test);

@@ -3,7 +3,7 @@
 #   $B/node/            what it uses: the plugin, the runtime, the link-time library, headers and cost tables
 NODE       := $B/node
 DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
-PLUGIN_INC  = $(shell $(CC) -print-file-name=plugin)/include
+PLUGIN_INC  = $(shell $(NODE_CC) -print-file-name=plugin)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
 COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
@@ -21,6 +21,7 @@ $B/nxcc: $(DRIVER_OBJ)
 	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
 
 -include $(DRIVER_OBJ:.o=.d)
+$(DRIVER_OBJ): CFLAGS += -DNXCC_GCC='"$(NODE_CC)"'
 
 $B/nxf77: | $B/nxcc
 	ln -sf nxcc $@
@@ -29,22 +30,22 @@ $B/nxf77: | $B/nxcc
 $B/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
-	g++ -std=gnu++17 -O2 -g -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -c -o $@ $<
+	$(NODE_CXX) -std=gnu++17 -O2 -g $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -c -o $@ $<
 
 $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
-	g++ -shared -o $@ $^ -lconfig
+	$(NODE_CXX) -shared -o $@ $^ -lconfig
 
 $(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
+	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
 
 $(NODE)/libnode.so: nx_api/sim/stub/libnode.S sim/guest/exports.def nx_api/contract/calls.def
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
-	$(CC) -shared -nostdlib -Wl,-soname,libnode.so -o $@ $<
+	$(NODE_CC) -shared -nostdlib $(PREFIX_MAP) -Wl,-soname,libnode.so -o $@ $<
 
 # What -lm, -lc and -lz find instead of the host's libraries: libnode.so has their names already.
 $(STAND_INS): | $(NODE)/libnode.so
@@ -58,13 +59,13 @@ define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXCC,$$@)
-	$B/nxcc -std=gnu17 -O2 $(WARN) $(2) -c -o $$@ $$<
+	$B/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) $(2) -c -o $$@ $$<
 	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
 $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXF77,$$@)
-	$B/nxf77 -O2 -Wall $(2) -c -o $$@ $$<
+	$B/nxf77 -O2 $(PREFIX_MAP) -Wall $(2) -c -o $$@ $$<
 endef
 $(eval $(call NODE_CODE,,))
 $(eval $(call NODE_CODE,profile/,--profile))
@@ -76,32 +77,32 @@ RUNTIMES := $(NODE)/obj/cache_runtime.o $(NODE)/obj/race_runtime.o
 $(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/%_runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h nx_api/contract/races.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -c -o $@ $<
+	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
 
 # What stands in for parts of GNU Fortran's library is not counted either.
 $(NODE)/obj/libgfortran/%.o: nx_api/libgfortran/%.c nx_api/libgfortran/libgfortran.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -mno-direct-extern-access -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
+	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -mno-direct-extern-access -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -D_GNU_SOURCE -c -o $@ $<
 
 # XDR: what of the library of <rpc/rpc.h> needs no network.
 XDR := $(patsubst %,libtirpc_la-xdr%.o,_array _float _mem _rec _reference _sizeof _stdio) libtirpc_la-xdr.o
 $(NODE)/libxdr.a:
 	@mkdir -p $(NODE)/obj/xdr
-	cd $(NODE)/obj/xdr && ar x "$$($(CC) -print-file-name=libtirpc.a)" $(XDR) && ar qc libxdr.a.new $(XDR)
+	cd $(NODE)/obj/xdr && ar x "$$($(NODE_CC) -print-file-name=libtirpc.a)" $(XDR) && ar qc libxdr.a.new $(XDR)
 	mv $(NODE)/obj/xdr/libxdr.a.new $@
 
 # GNU Fortran's library without the parts that those replace.
 LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortran/*.c))
 $(NODE)/libgfortran.a: $(LIBGFORTRAN)
-	cp "$$(gfortran -print-file-name=libgfortran.a)" $@.new
+	cp "$$($(NODE_FC) -print-file-name=libgfortran.a)" $@.new
 	ar d $@.new error.o stop.o backtrace.o async.o
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
 $(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) -std=gnu17 -O2 -g $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<
+	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<
 
 $(NODE)/libnx.a: $(COMMON_OBJ) $(RUNTIMES)
 $(NODE)/libnx_profile.a: $(PROFILED) $(RUNTIMES)

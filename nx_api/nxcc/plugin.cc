@@ -135,11 +135,18 @@ void register_races(const char *plugin, const char *before)
     register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &updates);
     register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &races);
 }
+
+/* A plugin works with the GCC whose headers it was built with. (How that was configured does not matter: a
+ * distribution builds a version again with its corrections.) */
+bool is_own_gcc(const plugin_gcc_version *version)
+{
+    return !strcmp(version->basever, gcc_version.basever) && !strcmp(version->datestamp, gcc_version.datestamp);
+}
 } // namespace
 
 int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
 {
-    if (!plugin_default_version_check(version, &gcc_version)) {
+    if (!is_own_gcc(version)) {
         fprintf(stderr, "nxcc: count.so was built for GCC %s, this is GCC %s: build nxcc again\n",
                 gcc_version.basever, version->basever);
         return 1;

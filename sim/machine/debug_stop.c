@@ -7,6 +7,7 @@
 #include "guest/debugger.h"
 #include "guest/elffile.h"
 #include "guest/image.h"
+#include "kernel/opaque.h"
 #include "guest/backtrace.h"
 #include "machine/whereabouts.h"
 #include "nx_api/contract/program_image.h"
@@ -20,8 +21,8 @@ struct place {
     char function[MOST_NAME];
 };
 
-/* (noipa: the compiler is not to know that it does nothing, nor to change its arguments.) */
-__attribute__((noipa)) void touchstone_stops(const void *resume, const char *function, bool in_call)
+/* (The compiler is not to know that it does nothing, nor to change its arguments.) */
+OPAQUE void touchstone_stops(const void *resume, const char *function, bool in_call)
 {
     __asm__ volatile("" ::"r"(resume), "r"(function), "r"(in_call) : "memory");
 }

@@ -20,8 +20,8 @@ struct node_path_times {
     size_t count, room;
     const struct nxc_path *charged; /* the path of the call that is charged, of a name; NULL: the program's */
     const char *charged_call;
-    struct nxc_path handlers; /* has called the handlers */
     struct nxc_path *made;    /* all paths that the program has asked for */
+    struct nxc_path handlers; /* has called the handlers; without counts, and so the last */
 };
 
 /* The node's program has been loaded; is about to be unloaded. */

@@ -73,7 +73,7 @@ static uint32_t number_text(struct recorder *r, struct interned *all, enum recor
     bool is_new;
     uint32_t number = interned_number(all, text, strlen(text), &is_new);
     if (is_new) {
-        pack_kind(r->packer, kind);
+        pack_kind(r->packer, (uint8_t)kind);
         pack_bytes(r->packer, text, strlen(text));
     }
     return number;

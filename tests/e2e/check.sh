@@ -34,6 +34,7 @@ rm -rf runs cache
 gate b.json --no-cache --exact halves.cfg
 check "run again, too" ended_with 0
 cp b.json kept.json
+check "the baseline has the compiler's version" grep -qE '^ +"halves": "GCC [0-9.]+"$' b.json
 
 sed -i 's/( 50 )/( 60 )/; s/"call_us"/"call"/' halves.cfg
 gate b.json halves.cfg
@@ -45,10 +46,15 @@ check "new ones are told" shows '^new     halves: nodes 2, share 0.5, call 60: n
 sed -i 's/( 60 )/( 50 )/; s/"call"/"call_us"/; s/short_send_us={}/short_send_us=70/' halves.cfg
 gate b.json --junit j.xml halves.cfg
 check "slower is worse" ended_with 1
+check "which is not the compiler's doing" bash -c '! grep -q "compiled by" out'
 check "by how much is said" shows '^  worse   total_s +[0-9.]+ -> [0-9.]+ \(\+[0-9.]+ %, \+[0-9.e-]+\)$'
 check "and where" shows '^    others    system: all tasks \+[0-9.]+ s'
 check "JUnit has both points" grep -q '<testsuite name="halves" tests="2" failures="2" errors="0"' j.xml
 check "JUnit is XML" xmllint --noout j.xml
+sed -i 's/"GCC [0-9.]*"/"GCC 4.1.0"/' b.json
+gate b.json halves.cfg
+check "but may be, if another version was the baseline's" shows '^halves: the program of the baseline was compiled by GCC 4\.1\.0, this one by GCC [0-9]'
+cp kept.json b.json
 gate b.json --tolerance 90%,speed_per_node=90% halves.cfg
 check "within the tolerance is no failure" ended_with 0
 check "but told" shows 'with differences that decide nothing'

@@ -97,3 +97,17 @@ const json_t *baseline_find(const json_t *baseline, const char *study)
 {
     return json_object_get(json_object_get(baseline, "studies"), study);
 }
+
+const char *baseline_compiler(const json_t *baseline, const char *study)
+{
+    return json_string_value(json_object_get(json_object_get(baseline, "compilers"), study));
+}
+
+void baseline_set_compiler(json_t *baseline, const char *study, const char *compiler)
+{
+    if (!json_object_get(baseline, "compilers"))
+        json_set(baseline, "compilers", json_object());
+    json_object_del(json_object_get(baseline, "compilers"), study);
+    if (compiler)
+        json_set(json_object_get(baseline, "compilers"), study, json_string(compiler));
+}

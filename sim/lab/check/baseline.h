@@ -1,6 +1,7 @@
 /* baseline.h - the figures of studies in a file, for touchstone check to compare later runs with (compare.h).
  *
- *     { "format": "touchstone baseline 1",
+ *     { "compilers": { "table1": "GCC 12.2.0" },
+ *       "format": "touchstone baseline 1",
  *       "studies": { "table1": { "nodes 8": {
  *         "figures": { "bytes": 123, "digest": "...", "messages": 45, "total_s": 142.9, ... },
  *         "where": { "others": { "nodes": 7, "functions": { "mix (trilinear.c)": 12.5, ... },
@@ -26,4 +27,8 @@ bool baseline_write(const json_t *baseline, const char *path, char **error);
 json_t *baseline_study(json_t *baseline, const char *study);
 /* The points of a study; NULL if it is missing. Borrowed. */
 const json_t *baseline_find(const json_t *baseline, const char *study);
+
+/* By which compiler the study's program was made (compiler.h); NULL if that is not known. */
+const char *baseline_compiler(const json_t *baseline, const char *study);
+void baseline_set_compiler(json_t *baseline, const char *study, const char *compiler);
 #endif

@@ -6,6 +6,7 @@
 #include "lab/check/baseline.h"
 #include "lab/check/baseline_point.h"
 #include "lab/check/compare_print.h"
+#include "lab/check/compiler.h"
 #include "lab/check/junit.h"
 
 #include <stdlib.h>
@@ -21,6 +22,7 @@ struct gate {
     json_t *update;             /* the new baseline; NULL without --update */
     struct compare_point **points;
     size_t count;
+    json_t *compilers; /* STUDY: the compiler of its program now */
 };
 
 /* A study while its points are compared. */
@@ -73,8 +75,14 @@ static bool compare_study(struct gate *g, struct study *s, const char *name, cha
                       .axes = json_object_get(header, "axes"),
                       .before = baseline_find(g->baseline, name),
                       .seen = json_object()};
-    if (g->update)
+    char *compiler = compiler_of(study_program(s));
+    if (compiler)
+        json_set(g->compilers, name, json_string(compiler));
+    if (g->update) {
         json_object_clear(baseline_study(g->update, name));
+        baseline_set_compiler(g->update, name, compiler);
+    }
+    free(compiler);
     bool good = study_each(s, visit_point, &v, error);
     if (good)
         find_missing(&v);
@@ -151,6 +159,30 @@ static void print_all(const struct gate *g, FILE *out)
     }
 }
 
+static bool all_same(const struct gate *g, const char *study)
+{
+    for (size_t i = 0; i < g->count; i++)
+        if (!strcmp(g->points[i]->study, study) && g->points[i]->verdict != COMPARE_SAME)
+            return false;
+    return true;
+}
+
+/* Studies that differ, perhaps for no other reason than that another compiler has made their program. */
+static void print_compilers(const struct gate *g, FILE *out)
+{
+    const char *study;
+    json_t *value;
+    json_object_foreach(g->compilers, study, value)
+    {
+        const char *before = baseline_compiler(g->baseline, study), *now = json_string_value(value);
+        if (before && strcmp(before, now) != 0 && !all_same(g, study))
+            fprintf(out,
+                    "%s: the program of the baseline was compiled by %s, this one by %s; versions of GCC "
+                    "optimise differently, which alone changes costs\n",
+                    study, before, now);
+    }
+}
+
 static void print_counts(const struct gate *g, FILE *out)
 {
     static const char *const words[COMPARE_FAILED + 1] = {
@@ -218,6 +250,7 @@ static enum gate_end finish(struct gate *g, char **error)
     if (!check_rules(g, error))
         return GATE_ERROR;
     print_all(g, out);
+    print_compilers(g, out);
     print_counts(g, out);
     fflush(out);
     if (!write_junit(g, error))
@@ -233,7 +266,7 @@ static enum gate_end finish(struct gate *g, char **error)
 
 enum gate_end gate_run(const struct gate_options *options, char **error)
 {
-    struct gate g = {.options = options, .rules = options->rules};
+    struct gate g = {.options = options, .rules = options->rules, .compilers = json_object()};
     enum gate_end end = GATE_ERROR;
     if (open_baseline(&g, error) && run_all(&g, error))
         end = finish(&g, error);
@@ -242,5 +275,6 @@ enum gate_end gate_run(const struct gate_options *options, char **error)
     free(g.points);
     json_decref(g.baseline);
     json_decref(g.update);
+    json_decref(g.compilers);
     return end;
 }

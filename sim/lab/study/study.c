@@ -79,6 +79,11 @@ static bool find_dir(struct study *s, char **error)
     return found;
 }
 
+const char *study_program(const struct study *s)
+{
+    return s->program;
+}
+
 /* Finds the study's program: beside the study file, or among those that come with touchstone. */
 static bool find_program(struct study *s, char **error)
 {

@@ -57,6 +57,9 @@ struct study_counts {
 };
 struct study_counts study_counts(const struct study *s);
 
+/* The path of the program that the study runs. Borrowed. */
+const char *study_program(const struct study *s);
+
 /* { title, about, program, axes: { NAME: [value ...] } }, owned by the caller. */
 json_t *study_header(const struct study *s);
 /* Calls visit with each point in order, as a flat object that is valid during the call:

@@ -63,7 +63,7 @@ static void add_clock(struct reruns *r, const struct cfg_machine *cfg, const cha
 {
     double mhz = (double)cfg->clock_hz / 1e6, fast_mhz = (double)cfg->fast_clock_hz / 1e6;
     double most = FASTEST_MHZ / (cfg->fast_every && fast_mhz > mhz ? fast_mhz : mhz);
-    times = times && times < most ? times : most;
+    times = times > 0 && times < most ? times : most;
     struct rerun *x = add(r, key, xasprintf("if the processors computed %.6g times faster", times));
     set(x, xasprintf("node.clock_mhz=%.17g", mhz * times));
     if (cfg->fast_every)
@@ -98,9 +98,9 @@ struct reruns rerun_changes(const struct trace *t, const struct rerun_options *o
     add(&r, "same", xstrdup("as it was"));
     if (o->set && *o->set)
         add_own(&r, o->set);
-    if (o->cpu)
+    if (o->cpu > 0)
         add_clock(&r, cfg, "cpu", o->cpu);
-    if ((o->set && *o->set) || o->cpu)
+    if ((o->set && *o->set) || o->cpu > 0)
         return r; /* the user knows what to ask */
     if (t->handler_count)
         add_change(&r, &INTERRUPTS);

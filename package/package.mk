@@ -1,0 +1,40 @@
+# package.mk - the packages that touchstone needs, its installation, and packages of itself. Included by the Makefile.
+PREFIX   ?= /usr/local
+PACKAGES ?= packages.txt
+GROUP    ?= run build cluster develop
+STRIP    ?= strip
+
+setup: ## Install what is missing of packages.txt (Debian, apt-get); GROUP="run build": of these groups
+	@GCC=$(GCC) package/setup $(PACKAGES) $(GROUP)
+
+setup-tables:
+	@GCC=$(GCC) package/setup $(PACKAGES) run build
+
+bench-setup: ## Install what make bench compares with
+	@package/setup $(PACKAGES) bench
+
+doc-setup: ## Install what make manual needs
+	@package/setup $(PACKAGES) doc
+
+quality-setup: ## Install what make fuzz, analyse, coverage and valgrind need
+	@package/setup $(PACKAGES) quality
+
+install: all man $B/completion/bash/touchstone ## Install into PREFIX (default /usr/local), below DESTDIR if it is set
+	STRIP="$(STRIP)" package/install $B "$(DESTDIR)" "$(abspath $(PREFIX))"
+
+uninstall: ## Remove what make install put into PREFIX, and nothing else
+	package/uninstall "$(DESTDIR)" "$(abspath $(PREFIX))"
+
+deb: ## Build Debian packages of touchstone into build/deb
+	package/deb build/deb
+
+deb-test: ## Install build/deb's packages in a new Debian system below build/, and use them there (needs root, network)
+	package/deb-test build/deb
+
+dist: ## Write the sources as build/touchstone-VERSION.tar.xz
+	package/dist build
+
+reproducible: ## Build twice in different folders, and compare all files installed
+	package/reproducible
+
+.PHONY: setup setup-tables bench-setup doc-setup quality-setup install uninstall deb deb-test dist reproducible
