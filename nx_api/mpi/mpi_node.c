@@ -79,19 +79,30 @@ static bool run_handlers(struct node *n)
     return any;
 }
 
-void node_enter(struct node *n, const char *call)
+static inline void begin_call(struct node *n, const char *call)
 {
     n->saved_errno = errno;
     n->call = call;
     n->caller = stack_caller(__builtin_frame_address(0));
     n->call_has_type = false;
+}
+
+void node_enter(struct node *n, const char *call)
+{
+    begin_call(n, call);
     wire_progress(n);
     heed(n);
 }
 
+/* Takes in what has come if that is due: loops without polls make such calls, too. */
 void node_enter_early(struct node *n, const char *call)
 {
-    node_enter(n, call);
+    begin_call(n, call);
+    if (nxc_due) {
+        nxc_due = 0;
+        wire_progress(n);
+    }
+    heed(n);
 }
 
 void node_leave(struct node *n)
@@ -122,7 +133,7 @@ static void rest(struct node *n, double *since)
 /* Polls without a pause at first, then yields the processor, and at last sleeps a little. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
-    enum { YIELDING = 200, SLEEPING = 4000 };
+    enum { YIELDING = 2000, SLEEPING = 10000 };
     if (polls > SLEEPING)
         rest(n, since);
     else if (polls > YIELDING)
