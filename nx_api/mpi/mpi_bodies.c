@@ -2,6 +2,7 @@
 #include "nx_api/mpi/mpi_bodies.h"
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/mpi_packets.h"
 
 enum { TAG = 2, PART = 1 << 14, LOOKS = 16, TESTED_AT_ONCE = 8 };
@@ -97,6 +98,7 @@ static void launch(struct node *n, long node, struct copy *c, size_t len)
     f->copy = c;
     c->flights++;
     MPI_Isend(c->bytes, (int)len, MPI_BYTE, (int)node, TAG, comm, &f->request);
+    bell_ring(node);
     append_flight(f);
 }
 
@@ -127,6 +129,7 @@ void body_wanted(struct node *n, int32_t number)
     offer.open = false;
     announce(n, true);
     MPI_Isend(offer.bytes, (int)offer.len, MPI_BYTE, (int)offer.node, TAG, comm, &offer.request);
+    bell_ring(offer.node);
 }
 
 /* The receiver may take the bytes while they are copied; else they have been copied. */

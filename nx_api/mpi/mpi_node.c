@@ -8,8 +8,10 @@
 #include <string.h>
 #include <time.h>
 #include "nx_api/calls/call.h"
+#include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/deadlock.h"
 #include "nx_api/mpi/mpi_end.h"
+#include "nx_api/mpi/mpi_files.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
@@ -24,11 +26,6 @@ enum { MESSAGE_IDS = 500 };
 static struct mpi_system all;
 struct node mpi_me = {.sys = &all, .info = {-1, -1, -1, -1}};
 static struct timespec began;
-
-static void nap(long ns)
-{
-    nanosleep(&(struct timespec){.tv_nsec = ns}, NULL);
-}
 
 double mpi_seconds(void)
 {
@@ -98,10 +95,8 @@ void node_enter(struct node *n, const char *call)
 void node_enter_early(struct node *n, const char *call)
 {
     begin_call(n, call);
-    if (nxc_due) {
-        nxc_due = 0;
+    if (nxc_due && bell_take())
         wire_progress(n);
-    }
     heed(n);
 }
 
@@ -120,8 +115,8 @@ void node_order(struct node *n)
 /* The program rests in its wait. *since: when this began, less than 0: it begins now. */
 static void rest(struct node *n, double *since)
 {
-    nap(50000);
-    if (n->ready == sleep_is_over)
+    bell_sleep(50000);
+    if (n->ready == sleep_is_over || n->ready == files_are_moved)
         return;
     if (*since < 0)
         *since = mpi_seconds();
@@ -130,10 +125,11 @@ static void rest(struct node *n, double *since)
         mpi_end_deadlocked(n);
 }
 
-/* Polls without a pause at first, then yields the processor, and at last sleeps a little. */
+/* Polls without a pause at first, then yields the processor, and at last sleeps till somebody rings. On a busy computer a
+ * yield may take milliseconds: so there are few. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
-    enum { YIELDING = 2000, SLEEPING = 10000 };
+    enum { YIELDING = 2000, SLEEPING = 2300 };
     if (polls > SLEEPING)
         rest(n, since);
     else if (polls > YIELDING)
@@ -177,7 +173,7 @@ void nxc_preempt(void)
 {
     struct node *n = node_self();
     int saved = errno;
-    nxc_due = 0;
+    bell_take();
     if (!n->over) {
         wire_progress(n);
         heed(n);
@@ -278,7 +274,7 @@ static unsigned state_to_save(void)
 static void begin(struct node *n, int *argc, char ***argv)
 {
     clock_gettime(CLOCK_MONOTONIC, &began);
-    wire_begin(n, argc, argv);
+    bool rung = wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);
     n->ends = calloc(n->sys->count, sizeof *n->ends);
     n->mailbox = mpi_mailbox_new();
@@ -286,7 +282,7 @@ static void begin(struct node *n, int *argc, char ***argv)
     record_begin(n);
     nxc_saved = state_to_save();
     signals_begin();
-    if (!n->ends || !tick_start())
+    if (!n->ends || !tick_start(rung))
         node_fail(n, "the node cannot start: %s", strerror(errno));
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     mpi_end_begin();

@@ -6,6 +6,7 @@
 #include "nx_api/mpi/mpi_packets.h"
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/mpi/bells.h"
 
 enum { TAG = 1, POSTED_AT_LEAST = 8, TESTED_AT_ONCE = 8 };
 
@@ -147,6 +148,7 @@ void packet_send(struct node *n, long node, const struct wire_head *head, const 
     if (len)
         memcpy(&f->head + 1, bytes, len);
     MPI_Isend(&f->head, (int)(sizeof f->head + len), MPI_BYTE, (int)node, TAG, comm, &f->request);
+    bell_ring(node);
     if (!is_sent(f))
         append_flight(f);
     else if (spares)

@@ -5,6 +5,7 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/mpi_bodies.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/mpi_packets.h"
@@ -19,7 +20,7 @@ enum { TAKEN_AT_ONCE = 1000 };
 
 /* --- begin and end --- */
 
-void wire_begin(struct node *n, int *argc, char ***argv)
+bool wire_begin(struct node *n, int *argc, char ***argv)
 {
     int given, rank, count;
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
@@ -32,7 +33,9 @@ void wire_begin(struct node *n, int *argc, char ***argv)
         node_fail(n, "this MPI allows no second thread in a program (MPI_THREAD_FUNNELED)");
     packets_begin(comm);
     bodies_begin(comm);
+    bool rung = bells_begin(n, comm);
     MPI_Barrier(comm); /* clocks begin together */
+    return rung;
 }
 
 void wire_share(void *bytes, int count)

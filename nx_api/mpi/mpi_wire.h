@@ -35,8 +35,9 @@ static inline bool wire_is_control(int32_t kind)
     return kind >= WIRE_TOKEN;
 }
 
-/* Begins and ends MPI. wire_begin gives the node its number and the count of nodes. */
-void wire_begin(struct node *n, int *argc, char ***argv);
+/* Begins and ends MPI. wire_begin gives the node its number and the count of nodes. True: all nodes ring when they
+ * send (bells.h). */
+bool wire_begin(struct node *n, int *argc, char ***argv);
 void wire_end(void);
 /* All nodes get node 0's bytes. Before messages are sent. */
 void wire_share(void *bytes, int count);
