@@ -96,7 +96,7 @@ static inline long matching_take(struct node *n, const struct receive *r)
         result =
             node_error(n, EQMSGLONG, "the message of type %ld from %s has %zu bytes, but the buffer only %zu",
                        (long)m->type, nx_sender_name(n, m), m->bytes, r->room);
-    else if (m->bytes)
+    else if (m->bytes && m->data != r->buf) /* else they have come there */
         memcpy(r->buf, m->data, m->bytes);
     if (!mailbox_is_library(m->type))
         matching_tell(n, m, r->info);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include "nx_api/calls/call.h"
 #include "nx_api/mpi/deadlock.h"
+#include "nx_api/mpi/io_jobs.h"
 #include "nx_api/mpi/mpi_node.h"
 #include "nx_api/mpi/mpi_wire.h"
 #include "nx_api/mpi/quiet.h"
@@ -56,6 +57,7 @@ static void say_end(struct node *n, int status)
 static void finish(struct node *n, int status, double patience)
 {
     bool deadlock = false;
+    io_settle_all();
     say_end(n, status);
     for (long pause = 1000; n->ended < n->sys->count || !wire_is_empty();) {
         if (wire_progress(n))

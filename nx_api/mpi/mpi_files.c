@@ -1,6 +1,8 @@
 /* mpi_files.c - the NX calls on files. Files under /cfs lie in a folder of the host's (mpi_paths.h); all
- * others are the host's own. iread and iwrite return when all bytes have been moved, so that iowait never
- * waits. */
+ * others are the host's own.
+ *
+ * iread and iwrite begin jobs (io_jobs.h) in M_UNIX, M_RECORD and M_ASYNC, and at an offset. In the other modes the next
+ * transfer, of this node or another, begins where this one ends: so they return when all bytes have been moved. All other calls wait for the jobs of their file. */
 #include "nx_api/mpi/mpi_files.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -10,6 +12,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 #include "nx_api/calls/file_calls.h"
+#include "nx_api/mpi/io_jobs.h"
 #include "nx_api/mpi/mpi_paths.h"
 #include "nx_api/mpi/shared_pointer.h"
 
@@ -18,10 +21,14 @@ enum { IO_IDS = 128 };
 static struct open_file *table;
 static int table_size;
 static int32_t pointers; /* how many shared pointers have been numbered */
-static struct {
+/* Of iread and iwrite. */
+struct io_id {
     bool used;
+    int fd;
+    struct io_job *job; /* NULL: it was done at once, and has moved so many bytes */
     long moved;
-} io_ids[IO_IDS];
+};
+static struct io_id io_ids[IO_IDS];
 
 /* --- open files --- */
 
@@ -90,40 +97,6 @@ static struct open_file *file_of(int fd)
 
 /* --- reading and writing --- */
 
-/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be. */
-static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t offset)
-{
-    size_t moved = 0;
-    while (moved < len) {
-        ssize_t r = offset < 0 ? syscall(write_it ? SYS_write : SYS_read, fd, at + moved, len - moved)
-                    : write_it ? pwrite(fd, at + moved, len - moved, offset + (int64_t)moved)
-                               : pread(fd, at + moved, len - moved, offset + (int64_t)moved);
-        if (r < 0 && errno == EINTR)
-            continue;
-        if (r < 0)
-            return moved > 0 ? (ssize_t)moved : -1;
-        if (r == 0)
-            break;
-        moved += (size_t)r;
-    }
-    return (ssize_t)moved;
-}
-
-static ssize_t move_parts(bool write_it, int fd, const struct iovec *parts, int count, int64_t offset)
-{
-    ssize_t moved = 0;
-    for (int i = 0; i < count; i++) {
-        ssize_t r =
-            move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, offset < 0 ? -1 : offset + moved);
-        if (r < 0)
-            return moved > 0 ? moved : -1;
-        moved += r;
-        if ((size_t)r < parts[i].iov_len)
-            break;
-    }
-    return moved;
-}
-
 static int64_t length(const struct iovec *parts, int count)
 {
     int64_t sum = 0;
@@ -143,7 +116,7 @@ static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct io
     table[fd].round++;
     if (write_it)
         shared_borrow(n, M_SYNC, pointer, 0);
-    ssize_t moved = write_it && n->id != 0 ? bytes : move_parts(write_it, fd, parts, count, offset);
+    ssize_t moved = write_it && n->id != 0 ? bytes : io_move(write_it, fd, offset, parts, count);
     int why = errno;
     if (write_it)
         shared_give_back(n, M_SYNC, pointer, 0);
@@ -152,26 +125,26 @@ static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct io
     return moved;
 }
 
-/* At the shared pointer. The file's own pointer follows, for iseof. */
-static ssize_t move_at_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+/* M_RECORD: the place of this node's bytes in the round. The file's own pointer follows, for iseof. */
+static int64_t next_record(struct node *n, int fd, int64_t bytes)
 {
-    struct open_file f = *files_find(fd);
-    int64_t bytes = length(parts, count), offset, behind;
-    if (f.mode == M_RECORD) {
-        shared_check(n, f.pointer, f.round, bytes);
-        offset = f.next + n->id * bytes;
-        behind = f.next + (int64_t)n->sys->count * bytes;
-        table[fd].next = behind;
-        table[fd].round++;
-    } else {
-        offset = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
-    }
-    ssize_t moved = move_parts(write_it, fd, parts, count, offset);
+    const struct open_file f = *files_find(fd);
+    shared_check(n, f.pointer, f.round, bytes);
+    table[fd].next = f.next + (int64_t)n->sys->count * bytes;
+    table[fd].round++;
+    syscall(SYS_lseek, fd, table[fd].next, SEEK_SET);
+    return f.next + n->id * bytes;
+}
+
+/* M_LOG and M_SYNC: at the shared pointer. The file's own pointer follows, for iseof. */
+static ssize_t move_in_turn(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
+{
+    const struct open_file f = *files_find(fd);
+    int64_t offset = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
+    ssize_t moved = io_move(write_it, fd, offset, parts, count);
     int why = errno;
-    if (f.mode != M_RECORD) {
-        behind = offset + (moved > 0 ? moved : 0);
-        shared_give_back(n, f.mode, f.pointer, behind);
-    }
+    int64_t behind = offset + (moved > 0 ? moved : 0);
+    shared_give_back(n, f.mode, f.pointer, behind);
     lseek(fd, behind, SEEK_SET);
     errno = why;
     return moved;
@@ -179,8 +152,14 @@ static ssize_t move_at_shared(struct node *n, bool write_it, int fd, const struc
 
 static ssize_t move_shared(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
 {
-    return files_find(fd)->mode == M_GLOBAL ? move_alike(n, write_it, fd, parts, count)
-                                            : move_at_shared(n, write_it, fd, parts, count);
+    switch (files_find(fd)->mode) {
+    case M_GLOBAL:
+        return move_alike(n, write_it, fd, parts, count);
+    case M_RECORD:
+        return io_move(write_it, fd, next_record(n, fd, length(parts, count)), parts, count);
+    default:
+        return move_in_turn(n, write_it, fd, parts, count);
+    }
 }
 
 long nx_move(bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
@@ -188,9 +167,37 @@ long nx_move(bool write_it, int fd, int64_t at, const struct iovec *parts, int c
     struct open_file *f = file_of(fd);
     if (!f || nx_check_parts(node_self(), parts, count) < 0)
         return -1;
-    ssize_t moved = at != AT_POINTER || !shares(f) ? move_parts(write_it, fd, parts, count, at)
+    io_settle(fd);
+    ssize_t moved = at != AT_POINTER || !shares(f) ? io_move(write_it, fd, at, parts, count)
                                                    : move_shared(node_self(), write_it, fd, parts, count);
     return moved < 0 ? fail(name_of(files_find(fd))) : moved;
+}
+
+/* --- reading and writing while the program computes --- */
+
+/* Is the file open for it? A job would tell too late. */
+static bool is_open_for(bool write_it, int fd)
+{
+    int flags = (int)syscall(SYS_fcntl, fd, F_GETFL) & O_ACCMODE;
+    return flags == O_RDWR || flags == (write_it ? O_WRONLY : O_RDONLY);
+}
+
+static long begin(struct io_id *id, bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
+{
+    struct open_file *f = file_of(fd);
+    if (!f || nx_check_parts(node_self(), parts, count) < 0)
+        return -1;
+    if (at == AT_POINTER && f->mode == M_RECORD) {
+        at = next_record(node_self(), fd, length(parts, count));
+    } else if (at == AT_POINTER && shares(f)) {
+        id->moved = nx_move(write_it, fd, at, parts, count);
+        return id->moved;
+    }
+    f = files_find(fd);
+    errno = EBADF;
+    if (is_open_for(write_it, fd))
+        id->job = io_begin(write_it, fd, at, parts, count);
+    return id->job ? 0 : fail(name_of(f));
 }
 
 long nx_move_later(bool write_it, int fd, int64_t at, const struct iovec *parts, int count)
@@ -200,23 +207,57 @@ long nx_move_later(bool write_it, int fd, int64_t at, const struct iovec *parts,
         id++;
     if (id == IO_IDS)
         return node_error(node_self(), EQNOMID, "out of ids (%d): iowait or iodone give them back", IO_IDS);
-    if ((io_ids[id].moved = nx_move(write_it, fd, at, parts, count)) < 0)
+    io_ids[id] = (struct io_id){.fd = fd};
+    if (begin(&io_ids[id], write_it, fd, at, parts, count) < 0)
         return -1;
     io_ids[id].used = true;
     return id + 1; /* 0 is none, for programs */
 }
 
+bool files_are_moved(struct node *n, void *job)
+{
+    (void)n;
+    return io_is_done(job);
+}
+
+static struct io_id *find_id(word id)
+{
+    if (id >= 1 && id <= IO_IDS && io_ids[id - 1].used)
+        return &io_ids[id - 1];
+    node_error(node_self(), EQMID, "%d is no id in use", id);
+    return NULL;
+}
+
+/* Frees an id whose job is done. */
+static long give_back(struct io_id *id)
+{
+    id->used = false;
+    if (!id->job)
+        return id->moved;
+    const struct open_file *f = files_find(id->fd);
+    long moved = io_end(id->job);
+    return moved < 0 ? fail(f ? name_of(f) : "the file") : moved;
+}
+
 long nxs_iowait(word id)
 {
-    if (id < 1 || id > IO_IDS || !io_ids[id - 1].used)
-        return node_error(node_self(), EQMID, "%d is no id in use", id);
-    io_ids[id - 1].used = false;
-    return io_ids[id - 1].moved;
+    struct io_id *i = find_id(id);
+    if (!i)
+        return -1;
+    nx_about(node_self(), id);
+    if (i->job)
+        node_wait(node_self(), files_are_moved, i->job);
+    return give_back(i);
 }
 
 long nxs_iodone(word id)
 {
-    return nxs_iowait(id) < 0 ? -1 : 1;
+    struct io_id *i = find_id(id);
+    if (!i)
+        return -1;
+    if (i->job && !io_is_done(i->job))
+        return 0;
+    return give_back(i) < 0 ? -1 : 1;
 }
 
 /* --- the C library's calls, for files whose pointer is shared --- */
@@ -224,6 +265,7 @@ long nxs_iodone(word id)
 ssize_t node_read(int fd, void *buf, size_t len) NX_EXPORT("read");
 ssize_t node_write(int fd, const void *buf, size_t len) NX_EXPORT("write");
 int node_close(int fd) NX_EXPORT("close");
+off_t node_lseek(int fd, off_t offset, int whence) NX_EXPORT("lseek");
 
 static bool is_shared(int fd)
 {
@@ -233,17 +275,26 @@ static bool is_shared(int fd)
 ssize_t node_read(int fd, void *buf, size_t len)
 {
     struct iovec part = {buf, len};
+    io_settle(fd);
     return is_shared(fd) ? move_shared(node_self(), false, fd, &part, 1) : syscall(SYS_read, fd, buf, len);
 }
 
 ssize_t node_write(int fd, const void *buf, size_t len)
 {
     struct iovec part = {(void *)(uintptr_t)buf, len};
+    io_settle(fd);
     return is_shared(fd) ? move_shared(node_self(), true, fd, &part, 1) : syscall(SYS_write, fd, buf, len);
+}
+
+off_t node_lseek(int fd, off_t offset, int whence)
+{
+    io_settle(fd);
+    return syscall(SYS_lseek, fd, offset, whence);
 }
 
 int node_close(int fd)
 {
+    io_settle(fd);
     if (fd >= 0 && fd < table_size)
         forget(&table[fd]);
     return (int)syscall(SYS_close, fd);
@@ -257,6 +308,7 @@ static long set_mode(int fd, long mode)
     struct open_file *f = file_of(fd);
     if (!f)
         return -1;
+    io_settle(fd);
     if (nx_check_io_mode(n, name_of(f), is_cfs(f), mode) < 0)
         return -1;
     if (!is_cfs(f))
@@ -338,6 +390,7 @@ int64_t nx_resize(struct node *n, int fd, int64_t offset, int whence)
         return -1;
     if (!is_cfs(f))
         return node_error(n, EINVAL, "%s: only files under /cfs or /pfs can be sized", name_of(f));
+    io_settle(fd);
     int64_t size = grow(fd, offset, whence);
     return size < 0 ? fail(name_of(f)) : size;
 }
@@ -348,6 +401,7 @@ static long stat_file(int fd, struct stat *st)
     const struct open_file *f = file_of(fd);
     if (!f)
         return -1;
+    io_settle(fd);
     return fstat(fd, st) ? fail(name_of(f)) : 0;
 }
 

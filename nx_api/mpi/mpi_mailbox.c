@@ -3,8 +3,11 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/calls/msgwait.h"
+#include "nx_api/calls/receive.h"
 #include "nx_api/contract/ids.h"
 #include "nx_api/contract/matching.h"
+#include "nx_api/mpi/mpi_wire.h"
 #include "nx_api/mpi/past_messages.h"
 #include "nx_api/mpi/order_record.h"
 #include "nx_api/mpi/run_summary.h"
@@ -64,10 +67,13 @@ const char *nx_sender_name(const struct node *n, const struct message *m)
     return name;
 }
 
-static void message_free(struct message *m)
+/* MPI may still be receiving its bytes. */
+static void message_lose(struct message *m)
 {
-    free(m->block);
-    free(m);
+    if (m->whole)
+        wire_free(m);
+    else
+        m->lost = true;
 }
 
 /* --- queues --- */
@@ -91,8 +97,9 @@ static void add_due(struct mpi_mailbox *b, struct receive *r, struct send *s)
 static void give(struct mpi_mailbox *b, struct receive *r, struct message *m)
 {
     r->m = m;
+    m->taker = r;
     RECORD_ORDER(match, r, m);
-    if (r->handler)
+    if (r->handler && m->whole)
         add_due(b, r, NULL);
 }
 
@@ -109,12 +116,43 @@ void mpi_mailbox_deliver(struct node *n, struct message *m)
     }
     if (m->type >= FORCED || n->over) {
         past_lost(WAITFOR_DISCARDED, m);
-        message_free(m);
+        message_lose(m);
         return;
     }
+    m = wire_keep(n, m);
     m->next = NULL;
     *b->unexpected_end = m;
     b->unexpected_end = &m->next;
+}
+
+void mpi_mailbox_whole(struct node *n, struct message *m)
+{
+    m->whole = true;
+    if (m->lost)
+        wire_free(m);
+    else if (m->taker && m->taker->handler)
+        add_due(n->mailbox, m->taker, NULL);
+}
+
+/* Is the program in the call that waits for r, and in no handler that interrupts it? */
+static bool is_awaited(struct node *n, const struct receive *r)
+{
+    if (n->ready == nx_receive_is_complete)
+        return n->ready_for == r;
+    if (n->ready != nx_id_is_complete)
+        return false;
+    for (long id = (intptr_t)n->ready_for; id >= 0; id = mailbox_id_next(n, id))
+        if (mailbox_id_receive(n, id) == r)
+            return true;
+    return false;
+}
+
+/* Into the buffers of the library's own receives, which no program sees before they are complete, at any time. */
+void *mpi_mailbox_place(struct node *n, const struct message *m)
+{
+    const struct receive *r = m->taker;
+    bool may = r && m->bytes <= r->room && (is_awaited(n, r) || mailbox_is_library(m->type));
+    return may ? r->buf : NULL;
 }
 
 void mpi_mailbox_flush(struct node *n, int64_t typesel)
@@ -126,7 +164,7 @@ void mpi_mailbox_flush(struct node *n, int64_t typesel)
         }
         unkeep(n->mailbox, link);
         past_lost(WAITFOR_FLUSHED, m);
-        message_free(m);
+        message_lose(m);
     }
 }
 
@@ -156,6 +194,8 @@ void mailbox_withdraw(struct node *n, struct receive *r)
         return;
     struct message *m = r->m;
     r->m = NULL;
+    m->taker = NULL;
+    m = wire_keep(n, m);
     RECORD_ORDER(withdraw, r);
     m->next = b->unexpected;
     if (!b->unexpected)
@@ -166,7 +206,7 @@ void mailbox_withdraw(struct node *n, struct receive *r)
 bool mailbox_complete(struct node *n, const struct receive *r)
 {
     (void)n;
-    return r->m;
+    return r->m && r->m->whole;
 }
 
 long mailbox_take(struct node *n, struct receive *r)
@@ -174,20 +214,21 @@ long mailbox_take(struct node *n, struct receive *r)
     long result = matching_take(n, r);
     if (past_matters(n, r))
         past_taken(n, r);
-    message_free(r->m);
+    wire_free(r->m);
     r->m = NULL;
     return result;
 }
 
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
-    return matching_first(n, select, n->mailbox->unexpected);
+    const struct message *m = matching_first(n, select, n->mailbox->unexpected);
+    return m && m->whole ? m : NULL;
 }
 
 void mailbox_drop(struct receive *r)
 {
     if (r->m)
-        message_free(r->m);
+        message_lose(r->m);
 }
 
 void mailbox_unfollow(struct send *s)
@@ -246,6 +287,7 @@ bool mpi_mailbox_run_handler(struct node *n)
     bool has_type = n->call_has_type;
     uintptr_t caller = n->caller;
     int saved_errno = n->saved_errno;
+    bool (*ready)(struct node *, void *) = n->ready;
     free(b->due);
     b->due = d.next;
     if (!b->due)
@@ -254,10 +296,12 @@ bool mpi_mailbox_run_handler(struct node *n)
     RECORD_ORDER(handler);
     n->in_handler = true;
     n->call = NULL;
+    n->ready = NULL;
     SUMMARY(handler);
     call_handler(n, &d);
     SUMMARY(handled);
     n->in_handler = false;
+    n->ready = ready;
     n->call = call, n->call_type = type, n->call_has_type = has_type, n->caller = caller;
     n->info = info;
     n->saved_errno = saved_errno;

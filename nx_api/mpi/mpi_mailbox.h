@@ -1,5 +1,5 @@
-/* mpi_mailbox.h - the messages of a node on MPI, all of which have come whole. What calls do with them:
- * contract/message.h; which message a receive takes: contract/matching.h. */
+/* mpi_mailbox.h - the messages of a node on MPI. What calls do with them: contract/message.h; which message a
+ * receive takes: contract/matching.h. A message may be selected before its bytes have come. */
 #ifndef MPI_MAILBOX_H
 #define MPI_MAILBOX_H
 #include "backend_node.h"
@@ -8,6 +8,11 @@ struct mpi_mailbox *mpi_mailbox_new(void);
 /* Gives a message, which the mailbox is to free, to the receive that selects it. If none does the message is
  * unexpected; a forced one is thrown away. */
 void mpi_mailbox_deliver(struct node *n, struct message *m);
+/* The bytes of a message have come. */
+void mpi_mailbox_whole(struct node *n, struct message *m);
+/* Where the bytes of a message, which come now, may be received: the buffer of its receive, if the program is in that
+ * very call and does nothing else; else NULL. */
+void *mpi_mailbox_place(struct node *n, const struct message *m);
 void mpi_mailbox_flush(struct node *n, int64_t typesel);
 /* Runs the first handler that is due; false if none is, or may run now. */
 bool mpi_mailbox_run_handler(struct node *n);

@@ -8,9 +8,11 @@
 #include <string.h>
 #include <time.h>
 #include "nx_api/calls/call.h"
+#include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/deadlock.h"
 #include "nx_api/mpi/launcher.h"
 #include "nx_api/mpi/mpi_end.h"
+#include "nx_api/mpi/mpi_files.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
@@ -26,11 +28,6 @@ enum { MESSAGE_IDS = 500 };
 static struct mpi_system all;
 struct node mpi_me = {.sys = &all, .info = {-1, -1, -1, -1}};
 static struct timespec began;
-
-static void nap(long ns)
-{
-    nanosleep(&(struct timespec){.tv_nsec = ns}, NULL);
-}
 
 double mpi_seconds(void)
 {
@@ -81,19 +78,28 @@ static bool run_handlers(struct node *n)
     return any;
 }
 
-void node_enter(struct node *n, const char *call)
+static inline void begin_call(struct node *n, const char *call)
 {
     n->saved_errno = errno;
     n->call = call;
     n->caller = stack_caller(__builtin_frame_address(0));
     n->call_has_type = false;
+}
+
+void node_enter(struct node *n, const char *call)
+{
+    begin_call(n, call);
     wire_progress(n);
     heed(n);
 }
 
+/* Takes in what has come if that is due: loops without polls make such calls, too. */
 void node_enter_early(struct node *n, const char *call)
 {
-    node_enter(n, call);
+    begin_call(n, call);
+    if (nxc_due && bell_take())
+        wire_progress(n);
+    heed(n);
 }
 
 void node_leave(struct node *n)
@@ -111,8 +117,8 @@ void node_order(struct node *n)
 /* The program rests in its wait. *since: when this began, less than 0: it begins now. */
 static void rest(struct node *n, double *since)
 {
-    nap(50000);
-    if (n->ready == sleep_is_over)
+    bell_sleep(50000);
+    if (n->ready == sleep_is_over || n->ready == files_are_moved)
         return;
     if (*since < 0)
         *since = mpi_seconds();
@@ -121,11 +127,11 @@ static void rest(struct node *n, double *since)
         mpi_end_deadlocked(n);
 }
 
-/* Polls without a pause at first, then yields the processor, and at last sleeps a little. On a busy computer a yield may
- * take a hundred milliseconds: so the time counts, too. */
+/* Polls without a pause at first, then yields the processor, and at last sleeps till somebody rings. On a busy computer a
+ * yield may take a hundred milliseconds: so there are few, and the time counts, too. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
-    enum { YIELDING = 200, SLEEPING = 4000 };
+    enum { YIELDING = 2000, SLEEPING = 2300 };
     static const double LONG_S = 0.02;
     static double yields;
     if (polls == YIELDING)
@@ -175,7 +181,7 @@ void nxc_preempt(void)
 {
     struct node *n = node_self();
     int saved = errno;
-    nxc_due = 0;
+    bell_take();
     if (!n->over) {
         wire_progress(n);
         heed(n);
@@ -277,7 +283,7 @@ static unsigned state_to_save(void)
 static void begin(struct node *n, int *argc, char ***argv)
 {
     clock_gettime(CLOCK_MONOTONIC, &began);
-    wire_begin(n, argc, argv);
+    bool rung = wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);
     launcher_check(n);
     n->ends = calloc(n->sys->count, sizeof *n->ends);
@@ -287,7 +293,7 @@ static void begin(struct node *n, int *argc, char ***argv)
     summary_begin(n);
     nxc_saved = state_to_save();
     signals_begin();
-    if (!n->ends || !tick_start())
+    if (!n->ends || !tick_start(rung))
         node_fail(n, "the node cannot start: %s", strerror(errno));
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     mpi_end_begin();

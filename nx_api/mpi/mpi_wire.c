@@ -1,50 +1,27 @@
-/* mpi_wire.c - see mpi_wire.h.
- *
- * A packet is a copy of a message to be sent; a flight is a packet on its way to one node. Flights are tested
- * a few at a time, in rotation: the end of a flight only frees memory.
- *
- * A message that comes is matched by MPI_Improbe, and received at once into memory of its size. The bytes of
- * a long one may come late, while its sender computes; meanwhile messages of other senders are taken in, but
- * none of the same sender. */
+/* mpi_wire.c - see mpi_wire.h. A message is given to the mailbox when its packet comes, so that all from one sender
+ * keep their order; what waits for it waits until it is whole. */
 #include "nx_api/mpi/mpi_wire.h"
 #include <limits.h>
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/mpi/bells.h"
+#include "nx_api/mpi/mpi_bodies.h"
 #include "nx_api/mpi/mpi_mailbox.h"
-#include "nx_api/mpi/quiet.h"
+#include "nx_api/mpi/mpi_packets.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/run_summary.h"
 #include "nx_api/mpi/shared_pointer.h"
 #include "nx_api/mpi/states.h"
 
-struct packet {
-    uint32_t flights;
-    struct wire_head head; /* followed by the bytes */
-};
-
-struct flight {
-    struct flight *next;
-    struct packet *packet;
-    MPI_Request request;
-};
-
-struct arrival {
-    struct arrival *next;
-    MPI_Request request;
-    int source, bytes; /* bytes: head and body */
-    struct wire_head *head;
-};
-
 static MPI_Comm comm;
-static struct flight *flights, **flights_end = &flights;
-static struct arrival *arrivals, **arrivals_end = &arrivals;
 
-enum { TAG = 1, TESTED_AT_ONCE = 8, TAKEN_AT_ONCE = 1000 };
+enum { TAKEN_AT_ONCE = 1000 };
 
 /* --- begin and end --- */
 
-void wire_begin(struct node *n, int *argc, char ***argv)
+bool wire_begin(struct node *n, int *argc, char ***argv)
 {
     int given, rank, count;
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
@@ -55,7 +32,11 @@ void wire_begin(struct node *n, int *argc, char ***argv)
     n->sys->count = (uint32_t)count;
     if (given < MPI_THREAD_FUNNELED)
         node_fail(n, "this MPI allows no second thread in a program (MPI_THREAD_FUNNELED)");
+    packets_begin(comm);
+    bodies_begin(comm);
+    bool rung = bells_begin(n, comm);
     MPI_Barrier(comm); /* clocks begin together */
+    return rung;
 }
 
 void wire_share(void *bytes, int count)
@@ -79,6 +60,7 @@ bool wire_all_are_here(bool here)
 
 void wire_end(void)
 {
+    packets_end();
     MPI_Comm_free(&comm);
     MPI_Finalize();
 }
@@ -91,99 +73,6 @@ _Noreturn void wire_abort(int status)
 
 /* --- sending --- */
 
-static bool is_control(int32_t kind)
-{
-    return kind >= WIRE_TOKEN;
-}
-
-static bool free_if_sent(struct flight *f)
-{
-    int done;
-    MPI_Test(&f->request, &done, MPI_STATUS_IGNORE);
-    if (!done)
-        return false;
-    if (--f->packet->flights == 0)
-        free(f->packet);
-    free(f);
-    return true;
-}
-
-static void append_flight(struct flight *f)
-{
-    f->next = NULL;
-    *flights_end = f;
-    flights_end = &f->next;
-}
-
-static void test_flights(void)
-{
-    for (int i = 0; i < TESTED_AT_ONCE && flights; i++) {
-        struct flight *f = flights;
-        flights = f->next;
-        if (!flights)
-            flights_end = &flights;
-        if (!free_if_sent(f))
-            append_flight(f);
-    }
-}
-
-bool wire_is_empty(void)
-{
-    return !flights;
-}
-
-static void launch(struct node *n, long node, struct packet *p, size_t bytes)
-{
-    struct flight *f = malloc(sizeof *f);
-    if (!f)
-        node_fail(n, "out of memory for messages that are on their way");
-    f->packet = p;
-    if (!is_control(p->head.kind))
-        quiet_sent();
-    MPI_Isend(&p->head, (int)bytes, MPI_BYTE, (int)node, TAG, comm, &f->request);
-    if (!free_if_sent(f))
-        append_flight(f);
-}
-
-static void act(struct node *n, struct arrival *a);
-
-/* A message of a node to itself has come at once. */
-static void send_home(struct node *n, const struct packet *p, size_t bytes)
-{
-    struct wire_head *copy = malloc(bytes);
-    if (!copy)
-        node_fail(n, "out of memory for messages");
-    memcpy(copy, &p->head, bytes);
-    act(n, &(struct arrival){.source = (int)n->id, .bytes = (int)bytes, .head = copy});
-}
-
-void wire_send(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
-{
-    uint32_t count = n->sys->count;
-    size_t whole = sizeof head + len;
-    if (node < 0 && count == 1)
-        return;
-    struct packet *p = whole <= INT_MAX ? malloc(offsetof(struct packet, head) + whole) : NULL;
-    if (!p)
-        node_fail(n, "no memory for a message of %zu bytes", len);
-    p->flights = node < 0 ? count : 2; /* one more than flights, until all have been launched */
-    p->head = head;
-    if (len)
-        memcpy(&p->head + 1, bytes, len);
-    if (node == n->id) {
-        p->flights--;
-        send_home(n, p, whole);
-    } else if (node >= 0) {
-        launch(n, node, p, whole);
-    }
-    for (uint32_t i = 1; node < 0 && i < count; i++)
-        launch(n, (n->id + i) % count, p, whole);
-    if (--p->flights == 0)
-        free(p);
-}
-
-/* --- receiving --- */
-
 static void note_end(struct node *n, uint32_t node, const struct wire_head *head)
 {
     struct mpi_end *e = &n->ends[node];
@@ -191,32 +80,14 @@ static void note_end(struct node *n, uint32_t node, const struct wire_head *head
     e->order = ++n->ended;
 }
 
-static void deliver(struct node *n, struct arrival *a)
+/* A message between the libraries has come whole. */
+static void act(struct node *n, const struct wire_head *head, int source, const void *bytes)
 {
-    struct message *m = malloc(sizeof *m);
-    if (!m)
-        node_fail(n, "out of memory for messages");
-    *m = (struct message){.type = a->head->type,
-                          .pid = a->head->value,
-                          .source = (uint32_t)a->source,
-                          .bytes = (size_t)a->bytes - sizeof *a->head,
-                          .data = (const char *)(a->head + 1),
-                          .block = a->head};
-    a->head = NULL;
-    RECORD_ORDER(arrival, m);
-    mpi_mailbox_deliver(n, m);
-}
-
-/* Handles a message that has come whole. */
-static void act(struct node *n, struct arrival *a)
-{
-    const struct wire_head *head = a->head;
-    if (!is_control(head->kind) && a->source != n->id)
-        quiet_received();
     switch ((enum wire_kind)head->kind) {
     case WIRE_DATA:
-        deliver(n, a);
-        break;
+    case WIRE_OFFER:
+    case WIRE_BODY:
+        break; /* take_packet */
     case WIRE_FLUSH:
         mpi_mailbox_flush(n, head->type);
         break;
@@ -225,100 +96,230 @@ static void act(struct node *n, struct arrival *a)
         n->killed_alone = head->type;
         break;
     case WIRE_END:
-        note_end(n, (uint32_t)a->source, head);
+        note_end(n, (uint32_t)source, head);
         break;
     case WIRE_FILES:
-        shared_message(n, a->source, head->type, head->value, head + 1);
+        shared_message(n, source, head->type, head->value, bytes);
         break;
     case WIRE_TOKEN:
-        quiet_take(head + 1);
+        quiet_take(bytes);
+        break;
+    case WIRE_READY:
+        body_wanted(n, head->value);
         break;
     case WIRE_ASK:
         states_tell(n);
         break;
     case WIRE_STATE:
-        states_heard((uint32_t)a->source, head + 1, (size_t)a->bytes - sizeof *head);
+        states_heard((uint32_t)source, bytes, (size_t)head->bytes);
         break;
     case WIRE_RECORD:
-        record_part(head + 1, (size_t)a->bytes - sizeof *head);
+        record_part(bytes, (size_t)head->bytes);
         break;
     case WIRE_SUMMARY:
-        summary_part((uint32_t)a->source, head + 1, (size_t)a->bytes - sizeof *head);
+        summary_part((uint32_t)source, bytes, (size_t)head->bytes);
         break;
     }
-    free(a->head);
 }
 
-static bool has_arrived(struct arrival *a)
+static struct message from(const struct wire_head *head, int source)
 {
-    int done;
-    MPI_Test(&a->request, &done, MPI_STATUS_IGNORE);
-    return done;
+    return (struct message){
+        .type = head->type, .pid = head->value, .source = (uint32_t)source, .bytes = (size_t)head->bytes};
 }
 
-/* Takes the first message that MPI has, without waiting for its bytes. False: there is none. *tells: it
- * may end a wait. */
-static bool take_one(struct node *n, bool *tells)
+static struct message *new_message(struct node *n, const struct wire_head *head, int source)
 {
-    int any;
-    MPI_Message message;
-    MPI_Status status;
-    MPI_Improbe(MPI_ANY_SOURCE, TAG, comm, &any, &message, &status);
-    if (!any)
-        return false;
-    struct arrival *a = malloc(sizeof *a);
-    MPI_Get_count(&status, MPI_BYTE, &a->bytes);
-    a->source = status.MPI_SOURCE;
-    a->head = malloc((size_t)a->bytes);
-    if (!a->head)
-        node_fail(n, "no memory for a message of %d bytes from node %d", a->bytes, a->source);
-    MPI_Imrecv(a->head, a->bytes, MPI_BYTE, &message, &a->request);
-    if (!arrivals && has_arrived(a)) {
-        *tells |= !is_control(a->head->kind);
-        act(n, a);
-        free(a);
+    struct message *m = malloc(sizeof *m);
+    if (!m)
+        node_fail(n, "out of memory for messages");
+    *m = from(head, source);
+    return m;
+}
+
+/* A message of a node to itself has come at once. */
+static void send_home(struct node *n, const struct wire_head *head, const void *bytes)
+{
+    size_t len = (size_t)head->bytes;
+    if (head->kind != WIRE_DATA) {
+        act(n, head, (int)n->id, bytes);
+        return;
+    }
+    struct message *m = new_message(n, head, (int)n->id);
+    m->block = malloc(len + 1);
+    if (!m->block)
+        node_fail(n, "no memory for a message of %zu bytes", len);
+    if (len)
+        memcpy(m->block, bytes, len);
+    m->data = m->block;
+    m->whole = true;
+    RECORD_ORDER(arrival, m);
+    mpi_mailbox_deliver(n, m);
+}
+
+static void send_one(struct node *n, long node, const struct wire_head *head, const void *bytes, size_t len)
+{
+    if (node == n->id)
+        send_home(n, head, bytes);
+    else if (len <= PACKET_ROOM)
+        packet_send(n, node, head, bytes, len);
+    else
+        body_send(n, node, *head, bytes, len);
+}
+
+void wire_send(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
+{
+    uint32_t count = n->sys->count;
+    if (len > INT_MAX)
+        node_fail(n, "a message of %zu bytes is too long for MPI", len);
+    head.bytes = (int32_t)len;
+    if (!wire_is_control(head.kind) && node != n->id)
+        quiet_sent(node < 0 ? count - 1 : 1);
+    if (!packets_are_sent())
+        packets_clear();
+    if (node >= 0)
+        send_one(n, node, &head, bytes, len);
+    else if (len > PACKET_ROOM)
+        body_send(n, node, head, bytes, len);
+    else
+        for (uint32_t i = 1; i < count; i++)
+            packet_send(n, (n->id + i) % count, &head, bytes, len);
+}
+
+bool wire_is_empty(void)
+{
+    return packets_are_sent() && bodies_are_done();
+}
+
+/* --- receiving --- */
+
+static void deliver(struct node *n, struct message *m)
+{
+    RECORD_ORDER(arrival, m);
+    mpi_mailbox_deliver(n, m);
+}
+
+/* A message that is in its packet. The packet is free again when the program has it; an unexpected message moves
+ * to memory of its own. */
+static void deliver_packet(struct node *n, struct packet *p, int source)
+{
+    quiet_received();
+    p->message = from(&p->head, source);
+    p->message.packet = p;
+    p->message.data = p->bytes;
+    p->message.whole = true;
+    deliver(n, &p->message);
+}
+
+/* A message of which only the head has come: its body, too, or the offer of it. */
+static void deliver_head(struct node *n, const struct packet *p, int source)
+{
+    struct message *m = new_message(n, &p->head, source);
+    int32_t number;
+    if (p->head.kind == WIRE_OFFER) {
+        memcpy(&number, p->bytes, sizeof number);
+        body_offered(n, source, number, m);
+    } else {
+        body_expect(n, &(struct body){.head = p->head, .source = source, .message = m}, NULL);
+    }
+    deliver(n, m);
+}
+
+static void begin_body(struct node *n, const struct packet *p, int source)
+{
+    bool promised;
+    struct message *m = body_announced(source, p->head.type, &promised);
+    void *place = promised ? mpi_mailbox_place(n, m) : NULL;
+    const struct wire_head head = {.kind = WIRE_DATA, .bytes = (int32_t)m->bytes};
+    body_expect(n, &(struct body){.head = head, .source = source, .message = m, .promised = promised}, place);
+}
+
+/* Does what a packet says. True: it may end a wait. */
+static bool take_packet(struct node *n, struct packet *p, int source)
+{
+    const int32_t kind = p->head.kind;
+    if (__builtin_expect(kind == WIRE_DATA && p->head.bytes <= PACKET_ROOM, 1)) {
+        deliver_packet(n, p, source);
         return true;
     }
-    *tells = true;
-    a->next = NULL;
-    *arrivals_end = a;
-    arrivals_end = &a->next;
-    return true;
+    if (kind == WIRE_DATA || kind == WIRE_OFFER) {
+        deliver_head(n, p, source);
+    } else if (kind == WIRE_BODY) {
+        begin_body(n, p, source);
+    } else if (p->head.bytes > PACKET_ROOM) {
+        body_expect(n, &(struct body){.head = p->head, .source = source}, NULL);
+    } else {
+        if (!wire_is_control(kind))
+            quiet_received();
+        act(n, &p->head, source, p->bytes);
+    }
+    packet_free(p);
+    return !wire_is_control(kind);
 }
 
-static bool is_passing(const struct arrival *a)
+static bool take_body(struct node *n, struct body *b)
 {
-    for (const struct arrival *b = arrivals; b != a; b = b->next)
-        if (b->source == a->source)
-            return true;
-    return false;
+    const bool tells = !wire_is_control(b->head.kind);
+    if (tells)
+        quiet_received();
+    if (b->message) {
+        b->message->data = b->bytes;
+        b->message->block = b->placed ? NULL : b->bytes;
+        mpi_mailbox_whole(n, b->message);
+    } else {
+        act(n, &b->head, b->source, b->bytes);
+        free(b->bytes);
+    }
+    free(b);
+    return tells;
 }
 
-static bool test_arrivals(struct node *n)
+static bool take_all(struct node *n)
 {
     bool tells = false;
-    struct arrival **link = &arrivals;
-    while (*link) {
-        struct arrival *a = *link;
-        if (is_passing(a) || !has_arrived(a)) {
-            link = &a->next;
-            continue;
-        }
-        *link = a->next;
-        if (arrivals_end == &a->next)
-            arrivals_end = link;
-        tells |= !is_control(a->head->kind);
-        act(n, a);
-        free(a);
-    }
+    struct packet *p;
+    struct body *b;
+    int source;
+    for (int i = 0; i < TAKEN_AT_ONCE && (p = packets_take(n, &source)); i++)
+        tells |= take_packet(n, p, source);
+    packets_clear();
+    bodies_clear();
+    while ((b = bodies_take()))
+        tells |= take_body(n, b);
     return tells;
 }
 
 bool wire_progress(struct node *n)
 {
-    bool tells = false;
-    for (int i = 0; i < TAKEN_AT_ONCE && take_one(n, &tells); i++)
-        ;
-    test_flights();
-    return test_arrivals(n) || tells;
+    bool tells = take_all(n);
+    while (bodies_are_promised())
+        tells |= take_all(n);
+    return tells;
+}
+
+void wire_free(struct message *m)
+{
+    if (m->packet) {
+        packet_free(m->packet);
+        return;
+    }
+    free(m->block);
+    free(m);
+}
+
+struct message *wire_keep(struct node *n, struct message *m)
+{
+    if (!m->packet)
+        return m;
+    struct message *own = malloc(sizeof *own);
+    void *block = malloc(m->bytes + 1);
+    if (!own || !block)
+        node_fail(n, "out of memory for messages");
+    if (m->bytes)
+        memcpy(block, m->data, m->bytes);
+    *own = *m;
+    own->packet = NULL;
+    own->data = own->block = block;
+    wire_free(m);
+    return own;
 }

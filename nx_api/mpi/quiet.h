@@ -20,8 +20,8 @@
 
 /* Reads NX_DEADLOCK on node 0, whose setting holds for all. */
 void quiet_begin(struct node *n);
-/* A message that is counted has been sent, has come. */
-void quiet_sent(void);
+/* Messages that are counted have been sent; one has come. */
+void quiet_sent(uint32_t count);
 void quiet_received(void);
 /* The token has come. */
 void quiet_take(const void *bytes);

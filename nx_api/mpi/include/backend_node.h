@@ -53,15 +53,20 @@ struct node {
     double since;    /* seconds since the program began: at rest, or ended */
 };
 
-/* A message that has come whole. */
+/* A message that has come, or whose head has come. Its bytes are in the packet it came in, in a block of memory, or
+ * in the buffer of the receive that waits for it. */
 struct message {
     struct message *next;
     long type, pid;
     uint32_t source;
+    bool whole; /* its bytes have come */
+    bool lost;  /* to be freed when it is whole */
     size_t bytes;
     uint64_t nth;     /* of those that its sender has sent here, if the run is recorded */
-    const char *data; /* inside block */
+    const char *data; /* if it is whole */
     void *block;      /* malloc'd: freed with the message */
+    struct packet *packet;
+    struct receive *taker; /* that has selected it */
 };
 
 extern struct node mpi_me;

@@ -1,0 +1,218 @@
+/* mpi_bodies.c - see mpi_bodies.h. */
+#include "nx_api/mpi/mpi_bodies.h"
+#include <stdlib.h>
+#include <string.h>
+#include "nx_api/mpi/bells.h"
+#include "nx_api/mpi/mpi_packets.h"
+
+enum { TAG = 2, PART = 1 << 14, LOOKS = 16, TESTED_AT_ONCE = 8 };
+
+/* A copy of a body, on its way to one node or to several. */
+struct copy {
+    uint32_t flights;
+    char bytes[];
+};
+
+struct flight {
+    struct flight *next;
+    struct copy *copy;
+    MPI_Request request;
+};
+
+/* This node's last offer. */
+static struct {
+    int32_t number;
+    bool open; /* neither copied nor wanted yet */
+    long node;
+    const void *bytes;
+    size_t len;
+    MPI_Request request; /* if it was wanted */
+} offer;
+
+static MPI_Comm comm;
+static struct flight *flights, **flights_end = &flights;
+static struct body *bodies, **bodies_end = &bodies;
+static uint32_t promises;
+static struct message **offered; /* by sender: its last offer */
+
+void bodies_begin(MPI_Comm on)
+{
+    comm = on;
+    offered = calloc(node_self()->sys->count, sizeof *offered);
+    if (!offered)
+        node_fail(node_self(), "out of memory");
+}
+
+static bool is_done(MPI_Request *request)
+{
+    int done;
+    MPI_Test(request, &done, MPI_STATUS_IGNORE);
+    return done;
+}
+
+/* --- sending --- */
+
+static bool free_if_sent(struct flight *f)
+{
+    if (!is_done(&f->request))
+        return false;
+    if (--f->copy->flights == 0)
+        free(f->copy);
+    free(f);
+    return true;
+}
+
+static void append_flight(struct flight *f)
+{
+    f->next = NULL;
+    *flights_end = f;
+    flights_end = &f->next;
+}
+
+void bodies_clear(void)
+{
+    for (int i = 0; i < TESTED_AT_ONCE && flights; i++) {
+        struct flight *f = flights;
+        flights = f->next;
+        if (!flights)
+            flights_end = &flights;
+        if (!free_if_sent(f))
+            append_flight(f);
+    }
+}
+
+static struct copy *new_copy(struct node *n, size_t len)
+{
+    struct copy *c = malloc(sizeof *c + len);
+    if (!c)
+        node_fail(n, "no memory for a message of %zu bytes", len);
+    c->flights = 0;
+    return c;
+}
+
+static void launch(struct node *n, long node, struct copy *c, size_t len)
+{
+    struct flight *f = malloc(sizeof *f);
+    if (!f)
+        node_fail(n, "out of memory for messages that are on their way");
+    f->copy = c;
+    c->flights++;
+    MPI_Isend(c->bytes, (int)len, MPI_BYTE, (int)node, TAG, comm, &f->request);
+    bell_ring(node);
+    append_flight(f);
+}
+
+static void send_copied(struct node *n, long node, const struct wire_head *head, const void *bytes,
+                        size_t len)
+{
+    struct copy *c = new_copy(n, len);
+    uint32_t count = n->sys->count;
+    memcpy(c->bytes, bytes, len);
+    for (uint32_t i = 1; i < count; i++) {
+        long to = (n->id + i) % count;
+        if (node >= 0 && to != node)
+            continue;
+        packet_send(n, to, head, NULL, 0);
+        launch(n, to, c, len);
+    }
+}
+
+static void announce(struct node *n, bool directly)
+{
+    packet_send(n, offer.node, &(struct wire_head){.kind = WIRE_BODY, .type = directly}, NULL, 0);
+}
+
+void body_wanted(struct node *n, int32_t number)
+{
+    if (!offer.open || number != offer.number)
+        return;
+    offer.open = false;
+    announce(n, true);
+    MPI_Isend(offer.bytes, (int)offer.len, MPI_BYTE, (int)offer.node, TAG, comm, &offer.request);
+    bell_ring(offer.node);
+}
+
+/* The receiver may take the bytes while they are copied; else they have been copied. */
+static void send_offered(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
+{
+    struct copy *c = new_copy(n, len);
+    head.kind = WIRE_OFFER;
+    offer.open = true, offer.number++, offer.node = node, offer.bytes = bytes, offer.len = len;
+    packet_send(n, node, &head, &offer.number, sizeof offer.number);
+    for (size_t at = 0; offer.open && at < len; at += PART) {
+        memcpy(c->bytes + at, (const char *)bytes + at, len - at < PART ? len - at : PART);
+        wire_progress(n);
+    }
+    for (int i = 0; offer.open && i < LOOKS; i++) /* an answer takes about a microsecond */
+        wire_progress(n);
+    if (offer.open) {
+        offer.open = false;
+        announce(n, false);
+        launch(n, node, c, len);
+        return;
+    }
+    free(c);
+    while (!is_done(&offer.request))
+        wire_progress(n);
+}
+
+void body_send(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
+{
+    if (node >= 0 && head.kind == WIRE_DATA)
+        send_offered(n, node, head, bytes, len);
+    else
+        send_copied(n, node, &head, bytes, len);
+}
+
+/* --- receiving --- */
+
+void body_offered(struct node *n, int source, int32_t number, struct message *m)
+{
+    offered[source] = m;
+    promises++;
+    packet_send(n, source, &(struct wire_head){.kind = WIRE_READY, .value = number}, NULL, 0);
+}
+
+struct message *body_announced(int source, bool directly, bool *promised)
+{
+    *promised = directly;
+    promises -= !directly;
+    return offered[source];
+}
+
+void body_expect(struct node *n, const struct body *what, void *place)
+{
+    struct body *b = malloc(sizeof *b);
+    void *bytes = place ? place : malloc((size_t)what->head.bytes);
+    if (!b || !bytes)
+        node_fail(n, "no memory for a message of %d bytes from node %d", what->head.bytes, what->source);
+    *b = *what;
+    b->bytes = bytes, b->placed = place, b->next = NULL;
+    MPI_Irecv(bytes, b->head.bytes, MPI_BYTE, b->source, TAG, comm, &b->request);
+    *bodies_end = b;
+    bodies_end = &b->next;
+}
+
+struct body *bodies_take(void)
+{
+    for (struct body **link = &bodies, *b; (b = *link); link = &b->next) {
+        if (!is_done(&b->request))
+            continue;
+        *link = b->next;
+        if (bodies_end == &b->next)
+            bodies_end = link;
+        promises -= b->promised;
+        return b;
+    }
+    return NULL;
+}
+
+bool bodies_are_promised(void)
+{
+    return promises;
+}
+
+bool bodies_are_done(void)
+{
+    return !flights && !bodies && !promises;
+}
