@@ -32,6 +32,7 @@ struct cli_run_parts {
     const char *machine, *cfs, *host; /* cfs, host: NULL if not given */
     uint32_t nodes;                   /* 0: as many as the host program asks for */
     const char **set;                 /* ended by NULL; the caller frees the list */
+    const char **host_files;          /* likewise; NULL: none */
     char **program;                   /* with its arguments */
     int program_count;
 };

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/host_files.h"
 #include "cli/installation.h"
 #include "cli/options.h"
 #include "kernel/xalloc.h"
@@ -257,7 +258,8 @@ static int explore_same(const struct arguments *a)
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {&CLI_JOBS, 0, NULL, 0}, {0}};
+static const struct argp_child CHILDREN[] = {
+    {&CLI_MACHINE, 0, NULL, 0}, {&CLI_JOBS, 0, NULL, 0}, {&CLI_RUNS_HOST_FILES, 0, NULL, 0}, {0}};
 static const struct argp ARGP = {
     OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
 

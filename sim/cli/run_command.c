@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/gdb_start.h"
+#include "cli/host_files.h"
 #include "cli/installation.h"
 #include "cli/options.h"
 #include "cli/run_files.h"
@@ -15,6 +16,7 @@
 #include "cli/trace_options.h"
 #include "guest/debugger.h"
 #include "kernel/xalloc.h"
+#include "machine/call_filter.h"
 #include "machine/machine.h"
 #include "observe/race_json.h"
 #include "observe/run_trace.h"
@@ -39,6 +41,7 @@ struct arguments {
     bool *traced_nodes;
     struct debug_stop_options stop;
     struct timing_arguments timing;
+    struct cli_host_files host_files;
     struct plan *plan; /* of timing.replay */
     char **program;    /* with its arguments */
     int program_count;
@@ -147,7 +150,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->machine, state->child_inputs[1] = &a->timing;
+        state->child_inputs[0] = &a->machine, state->child_inputs[1] = &a->timing,
+        state->child_inputs[2] = &a->host_files;
     else if (key == 'n')
         a->nodes = cli_whole(state, "-n", "a number of nodes", UINT32_MAX, arg);
     else if (key == 'w')
@@ -315,6 +319,16 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
     return o;
 }
 
+/* From here on, touchstone starts no other program, and node programs make no system calls. */
+static void refuse_system_calls(const struct arguments *a)
+{
+    if (!call_filter_install() && a->verbose)
+        fprintf(stderr,
+                "touchstone run: this kernel does not refuse system calls that programs make past the C "
+                "library (seccomp: %s)\n",
+                strerror(errno));
+}
+
 /* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
 static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
 {
@@ -332,6 +346,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
     } else if (a->trace.path && !run_trace_begin(&trace, m, &a->trace, &error)) {
         status = output_error(error);
     } else {
+        refuse_system_calls(a);
         machine_run(m);
         status = report_with_races(m, suppressed, a);
         if (trace.recorder && !run_trace_end(&trace, m, &error))
@@ -380,19 +395,23 @@ static int run(struct arguments *a)
     struct cfg_machine *cfg = cfg_load_with(a->machine, places.machines, a->set, &error);
     if (!cfg)
         return input_error(error);
+    struct fence *fence = cli_fence(&a->host_files, a->program + 1, a->program_count - 1, &error);
     int status;
-    if (a->timing.replay && !(a->plan = plan_read(a->timing.replay, &error))) {
+    if (!fence || (a->timing.replay && !(a->plan = plan_read(a->timing.replay, &error)))) {
         status = input_error(error);
     } else {
         struct machine_options o = options_of(a, cfg);
+        o.fence = fence;
         status = run_with_files(a, &o);
     }
+    fence_free(fence);
     cfg_free(cfg);
     plan_free(a->plan);
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {0}};
+static const struct argp_child CHILDREN[] = {
+    {&CLI_MACHINE, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {&CLI_HOST_FILES, 0, "Files:", 4}, {0}};
 static const struct argp ARGP = {
     OPTIONS, parse, "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]", DOC, CHILDREN, NULL, NULL};
 
@@ -400,7 +419,8 @@ void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)
 {
     struct arguments a = {.set = xcalloc((size_t)argc + 1, sizeof *a.set)};
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
-    *parts = (struct cli_run_parts){a.machine, a.cfs, a.host, a.nodes, a.set, a.program, a.program_count};
+    *parts = (struct cli_run_parts){a.machine,         a.cfs,     a.host,         a.nodes, a.set,
+                                    a.host_files.list, a.program, a.program_count};
     free(a.traced_nodes);
 }
 
@@ -418,6 +438,7 @@ int cli_run(int argc, char **argv)
     else
         status = run(&a);
     free(a.set);
+    free(a.host_files.list);
     free(a.traced_nodes);
     return status;
 }
