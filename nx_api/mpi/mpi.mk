@@ -6,7 +6,7 @@ MPI        := $(NODE)/mpi
 MPI_FOUND  := $(shell nx_api/mpi/find-mpi)
 MPI_KINDS  := $(foreach found,$(MPI_FOUND),$(firstword $(subst =, ,$(found))))
 MPICC_OF    = OMPI_CC=$(NODE_CC) MPICH_CC=$(NODE_CC) I_MPI_CC=$(NODE_CC) $(patsubst $(1)=%,%,$(filter $(1)=%,$(MPI_FOUND)))
-MPI_BOUND  := $(shell grep -l '^\#include <mpi.h>' nx_api/mpi/*.c)
+MPI_BOUND  := $(shell grep -lF -e '<mpi.h>' $$(grep -l '^\#include <mpi.h>' nx_api/mpi/*.h | sed 's/.*/-e "&"/') nx_api/mpi/*.c)
 MPI_SRC    := $(filter-out $(MPI_BOUND),$(wildcard nx_api/mpi/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c))
 MPI_LONG32 := $(addprefix $(MPI)/obj/,mpi/mpi_long32.o calls/long32_formats.o calls/long32_calls.o) # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)

@@ -31,6 +31,7 @@ int cli_trace_why(int argc, char **argv);
 struct cli_run_parts {
     struct cli_program what; /* the caller frees its list of settings */
     const char *cfs;         /* NULL: not given */
+    const char **host_files; /* of --host-files, ended by NULL; NULL: none. The caller frees the list */
 };
 /* argv[0] is "run". A wrong argument ends the process. */
 void cli_run_read(int argc, char **argv, struct cli_run_parts *parts);

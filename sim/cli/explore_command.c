@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/host_files.h"
 #include "cli/installation.h"
 #include "cli/program_options.h"
 #include "cli/say.h"
@@ -223,7 +224,8 @@ static int explore_same(struct arguments *a)
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_PROGRAM, 0, NULL, 0}, {&CLI_JOBS, 0, NULL, 2}, {0}};
+static const struct argp_child CHILDREN[] = {
+    {&CLI_PROGRAM, 0, NULL, 0}, {&CLI_JOBS, 0, NULL, 2}, {&CLI_RUNS_HOST_FILES, 0, NULL, 0}, {0}};
 static const struct argp ARGP = {OPTIONS, parse, CLI_PROGRAM_ARGUMENTS, DOC, CHILDREN, NULL, NULL};
 
 int cli_explore(int argc, char **argv)

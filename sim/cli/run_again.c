@@ -26,10 +26,12 @@ static int count_of(char *const *argv)
 /* The options that say what runs, ended by NULL. */
 static void make_options(const struct cli_run_parts *parts, const char *runner, struct run_again *again)
 {
-    size_t settings = 0;
+    size_t settings = 0, files = 0;
     while (parts->what.set[settings])
         settings++;
-    const char **o = xcalloc(10 + 2 * settings, sizeof *o);
+    while (parts->host_files && parts->host_files[files])
+        files++;
+    const char **o = xcalloc(10 + 2 * (settings + files), sizeof *o);
     again->options = (char **)(uintptr_t)o;
     again->nodes = xasprintf("%u", parts->what.nodes);
     *o++ = runner, *o++ = "run", *o++ = "-q";
@@ -40,6 +42,8 @@ static void make_options(const struct cli_run_parts *parts, const char *runner, 
         *o++ = "--host", *o++ = parts->what.host;
     for (size_t i = 0; i < settings; i++)
         *o++ = "--set", *o++ = parts->what.set[i];
+    for (size_t i = 0; i < files; i++)
+        *o++ = "--host-files", *o++ = parts->host_files[i];
 }
 
 bool run_again_from(const struct trace *t, const struct cli_installation *places, struct run_again *again,
@@ -58,6 +62,7 @@ bool run_again_from(const struct trace *t, const struct cli_installation *places
     again->cfg = cfg_load_with(machine, places->machines, parts.what.set, error);
     free(machine);
     free(parts.what.set);
+    free(parts.host_files);
     again->command = (struct rerun_command){again->options, parts.what.program, parts.cfs, again->cfg};
     if (!again->cfg)
         run_again_free(again);

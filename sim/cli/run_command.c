@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/gdb_start.h"
+#include "cli/host_files.h"
 #include "cli/installation.h"
 #include "cli/program_options.h"
 #include "cli/run_files.h"
@@ -17,6 +18,7 @@
 #include "cli/version.h"
 #include "guest/debugger.h"
 #include "kernel/xalloc.h"
+#include "machine/call_filter.h"
 #include "machine/machine.h"
 #include "observe/race_json.h"
 #include "observe/run_trace.h"
@@ -40,6 +42,7 @@ struct arguments {
     bool *traced_nodes;
     struct debug_stop_options stop;
     struct timing_arguments timing;
+    struct cli_host_files host_files;
     struct plan *plan;  /* of timing.replay */
     char *host_only[2]; /* arguments of a host program, if none are given */
 };
@@ -119,7 +122,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->what, state->child_inputs[1] = &a->timing;
+        state->child_inputs[0] = &a->what, state->child_inputs[1] = &a->timing,
+        state->child_inputs[2] = &a->host_files;
     else if (key == 'w')
         a->workers = cli_whole(state, "-w", "a number of threads", CLI_MOST_WORKERS, arg);
     else if (key == SHUFFLE)
@@ -276,6 +280,16 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
     return o;
 }
 
+/* From here on, touchstone starts no other program, and node programs make no system calls. */
+static void refuse_system_calls(const struct arguments *a)
+{
+    if (!call_filter_install() && a->verbose)
+        fprintf(stderr,
+                "touchstone run: this kernel does not refuse system calls that programs make past the C "
+                "library (seccomp: %s)\n",
+                strerror(errno));
+}
+
 /* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
 static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
 {
@@ -293,6 +307,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
     } else if (a->trace.path && !run_trace_begin(&trace, m, &a->trace, &error)) {
         status = output_error(error);
     } else {
+        refuse_system_calls(a);
         machine_run(m);
         status = report_with_races(m, suppressed, a);
         if (trace.recorder && !run_trace_end(&trace, m, &error))
@@ -343,26 +358,30 @@ static int run(struct arguments *a)
     struct cfg_machine *cfg = cfg_load_with(a->what.machine, places.machines, a->what.set, &error);
     if (!cfg)
         return input_error(error);
+    struct fence *fence = cli_fence(&a->host_files, a->what.program + 1, a->what.program_count - 1, &error);
     int status;
-    if (a->timing.replay && !(a->plan = plan_read(a->timing.replay, &error))) {
+    if (!fence || (a->timing.replay && !(a->plan = plan_read(a->timing.replay, &error)))) {
         status = input_error(error);
     } else {
         struct machine_options o = options_of(a, cfg);
+        o.fence = fence;
         status = run_with_files(a, &o);
     }
+    fence_free(fence);
     cfg_free(cfg);
     plan_free(a->plan);
     return status;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_PROGRAM, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {0}};
+static const struct argp_child CHILDREN[] = {
+    {&CLI_PROGRAM, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {&CLI_HOST_FILES, 0, "Files:", 4}, {0}};
 static const struct argp ARGP = {OPTIONS, parse, CLI_PROGRAM_ARGUMENTS, DOC, CHILDREN, NULL, NULL};
 
 void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)
 {
     struct arguments a = {0};
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
-    *parts = (struct cli_run_parts){a.what, a.cfs};
+    *parts = (struct cli_run_parts){a.what, a.cfs, a.host_files.list};
     free(a.traced_nodes);
 }
 
@@ -380,6 +399,7 @@ int cli_run(int argc, char **argv)
     else
         status = run(&a);
     cli_program_free(&a.what);
+    free(a.host_files.list);
     free(a.traced_nodes);
     return status;
 }

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "cli/commands.h"
+#include "cli/host_files.h"
 #include "cli/installation.h"
 #include "cli/options.h"
 #include "cli/say.h"
@@ -75,7 +76,8 @@ static void warn(const char *address)
 
 int cli_serve(int argc, char **argv)
 {
-    static const struct argp_child CHILDREN[] = {{&CLI_JOBS, 0, NULL, 0}, {0}};
+    static const struct argp_child CHILDREN[] = {
+        {&CLI_JOBS, 0, NULL, 0}, {&CLI_RUNS_HOST_FILES, 0, NULL, 0}, {0}};
     static const struct argp ARGP = {OPTIONS, parse, "DIR...", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.address = "127.0.0.1", .inputs = xcalloc((size_t)argc + 1, sizeof(char *))};
     struct cli_installation places;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "cli/host_files.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/result_cache.h"
 
@@ -21,7 +22,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-static const struct argp_child CHILDREN[] = {{&CLI_JOBS, 0, NULL, 0}, {0}};
+static const struct argp_child CHILDREN[] = {
+    {&CLI_JOBS, 0, NULL, 0}, {&CLI_RUNS_HOST_FILES, 0, NULL, 0}, {0}};
 const struct argp CLI_SESSION = {OPTIONS, parse, NULL, NULL, CHILDREN, NULL, NULL};
 
 error_t cli_study_argument(int key, char *arg, struct argp_state *state, struct cli_study_arguments *a)

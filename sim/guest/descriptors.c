@@ -205,7 +205,7 @@ int node_mkostemp(char *pattern, int flags)
         char digits[24];
         snprintf(digits, sizeof digits, "%03u%03u", node_self()->id % 1000, i);
         memcpy(pattern + len - 6, digits, 6);
-        int fd = node_open(pattern, flags | O_RDWR | O_CREAT | O_EXCL, 0600);
+        int fd = descriptor_new(node_self(), file_open_temporary(node_self(), pattern, flags), pattern);
         if (fd >= 0 || errno != EEXIST)
             return fd;
     }

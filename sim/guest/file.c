@@ -7,13 +7,18 @@
 #include <string.h>
 #include <unistd.h>
 #include "kernel/xalloc.h"
+#include "guest/backtrace.h"
+#include "guest/fence.h"
 #include "guest/folder.h"
+#include "guest/image.h"
+#include "guest/libc.h"
 #include "os/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
 #include "guest/host_errno.h"
 #include "os/front.h"
 #include "os/gate.h"
+#include "nx_api/contract/backend.h"
 
 /* --- files of this computer --- */
 
@@ -164,18 +169,61 @@ static void note_host_file(struct node_system *s, const char *path)
     s->host_files[s->host_file_count++] = xstrdup(path);
 }
 
+/* The C library's function that the program called; NULL if the call does not tell. */
+static const char *called(const struct node *n)
+{
+    enum { MOST_FRAMES = 16 };
+    uintptr_t returns[MOST_FRAMES];
+    int depth = backtrace_walk(n, (uintptr_t)__builtin_frame_address(0), returns, MOST_FRAMES);
+    for (int i = 0; i < depth; i++)
+        if (backtrace_in_program(n, returns[i])) {
+            const char *name = backtrace_called(n, returns[i]);
+            bool inner = name && strncmp(name, "nx_", 3) == 0; /* a part of the function that calls it */
+            return inner ? node_image_function_name(n->file, returns[i] - (uintptr_t)n->program) : name;
+        }
+    return NULL;
+}
+
+/* Ends the run, if the fence has refused a file of this computer; otherwise returns the answer. */
+static int host_answer(struct node *n, int answer)
+{
+    if (answer != FENCE_REFUSED)
+        return answer;
+    struct fence_refusal r = fence_refusal(n->sys->fence);
+    const char *call = n->call ? n->call : called(n);
+    node_libc_flush(n);
+    node_fail(n,
+              "%s: programs may not %s %s, which is %s; touchstone run --host-files %s%s allows it "
+              "(doc/host-files.md)",
+              call ? call : "a file", r.writes ? "write" : "read", r.path,
+              r.readable ? "for reading only" : "not below the current folder", r.path,
+              r.writes ? "" : ":ro");
+}
+
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
     path = folder_path(n, path, 0);
     if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
-        return file_of_host(n, open(path, flags | O_CLOEXEC, permissions));
+        return file_of_host(n,
+                            host_answer(n, fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions)));
     }
     bool masked = enter(n, "open");
     struct node_file *f = fs_of(n)->open(fs_of(n)->ctx, n, path, flags, permissions);
     leave(n, masked);
     return f;
+}
+
+struct node_file *file_open_temporary(struct node *n, const char *path, int flags)
+{
+    path = folder_path(n, path, 0);
+    if (file_is_simulated(path))
+        return file_open(n, path, flags | O_RDWR | O_CREAT | O_EXCL, 0600);
+    node_order(n);
+    note_host_file(n->sys, path);
+    int fd = fence_open_temporary(n->sys->fence, path, flags | O_RDWR | O_CLOEXEC);
+    return file_of_host(n, host_answer(n, fd));
 }
 
 ssize_t file_read(struct node_file *f, void *buf, size_t bytes)
@@ -266,7 +314,7 @@ int file_stat(struct node *n, const char *path, struct stat *st)
     if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
-        return stat(path, st);
+        return host_answer(n, fence_stat(n->sys->fence, path, st));
     }
     bool masked = enter(n, "stat");
     int r = fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
@@ -281,7 +329,7 @@ int file_stat_within(struct node *n, const char *path, struct stat *st)
         return fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
     node_order(n);
     note_host_file(n->sys, path);
-    return stat(path, st);
+    return host_answer(n, fence_stat(n->sys->fence, path, st));
 }
 
 /* The machine's file system has no links. */
@@ -292,7 +340,7 @@ int file_lstat(struct node *n, const char *path, struct stat *st)
         return file_stat(n, path, st);
     node_order(n);
     note_host_file(n->sys, path);
-    return lstat(path, st);
+    return host_answer(n, fence_lstat(n->sys->fence, path, st));
 }
 
 int file_unlink(struct node *n, const char *path)
@@ -301,7 +349,7 @@ int file_unlink(struct node *n, const char *path)
     if (!file_is_simulated(path)) {
         node_order(n);
         note_host_file(n->sys, path);
-        return unlink(path);
+        return host_answer(n, fence_unlink(n->sys->fence, path));
     }
     bool masked = enter(n, "unlink");
     int r = fs_of(n)->unlink(fs_of(n)->ctx, n, path);
@@ -321,7 +369,7 @@ int file_rename(struct node *n, const char *from, const char *to)
         node_order(n);
         note_host_file(n->sys, from);
         note_host_file(n->sys, to);
-        return rename(from, to);
+        return host_answer(n, fence_rename(n->sys->fence, from, to));
     }
     bool masked = enter(n, "rename");
     int r = fs_of(n)->rename(fs_of(n)->ctx, n, from, to);
@@ -338,7 +386,7 @@ int file_make_folder(struct node *n, const char *path, mode_t permissions)
         return 0;
     node_order(n);
     note_host_file(n->sys, path);
-    return mkdir(path, permissions);
+    return host_answer(n, fence_mkdir(n->sys->fence, path, permissions));
 }
 
 int file_remove_folder(struct node *n, const char *path)
@@ -347,5 +395,5 @@ int file_remove_folder(struct node *n, const char *path)
     if (file_is_simulated(path))
         return 0;
     node_order(n);
-    return rmdir(path);
+    return host_answer(n, fence_rmdir(n->sys->fence, path));
 }

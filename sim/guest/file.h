@@ -6,6 +6,9 @@
  * which the simulator was started. A call on a file of this computer takes no virtual time, but is
  * committed in the total order.
  *
+ * Of this computer, programs may use what the machine's fence lets through (fence.h). A call that the fence
+ * refuses ends the run with a message.
+ *
  * The file_* functions run on the node's stack and answer as their namesakes in POSIX do: -1 or NULL with
  * errno. Handlers are masked meanwhile: the C library must not be interrupted. */
 #ifndef GUEST_FILE_H
@@ -48,6 +51,9 @@ struct node_fs {
 
 bool file_is_simulated(const char *path); /* Does the path belong to the machine's file system? */
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions);
+/* Makes a new file as by O_RDWR | O_CREAT | O_EXCL. Unlike others, the file may also be in this computer's
+ * folder for temporary files. */
+struct node_file *file_open_temporary(struct node *n, const char *path, int flags);
 /* A file of this computer that is open already as fd; NULL if fd is negative. The file owns fd. */
 struct node_file *file_of_host(struct node *n, int fd);
 ssize_t file_read(struct node_file *f, void *buf, size_t bytes);

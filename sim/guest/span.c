@@ -122,16 +122,21 @@ static void *reserve_between(uintptr_t from, uintptr_t to)
 /* Hosts have nothing of their own at these addresses, so programs find equal addresses in every run,
  * whatever they do with them. (ThreadSanitizer has its tables at the other one.) */
 #ifdef __SANITIZE_THREAD__
-static const uintptr_t FIRST_REGION = UINT64_C(1) << 36;
+enum { FIRST_SHIFT = 36 };
 #else
-static const uintptr_t FIRST_REGION = UINT64_C(1) << 45;
+enum { FIRST_SHIFT = 45 };
 #endif
+enum { TRIES = 1024 };
+
+const struct span_range SPAN_RANGES[2] = {
+    [SPAN_USUAL] = {(uintptr_t)1 << FIRST_SHIFT, ((uintptr_t)1 << FIRST_SHIFT) + TRIES *NODE_REGION},
+    [SPAN_LOW] = {0, (uintptr_t)1 << 32}};
 
 static void *reserve(struct node_system *sys)
 {
-    enum { TRIES = 1024 };
-    uintptr_t from = sys->last_region ? sys->last_region + NODE_REGION : FIRST_REGION;
-    void *region = reserve_between(from, from + TRIES * NODE_REGION);
+    const struct span_range *usual = &SPAN_RANGES[SPAN_USUAL];
+    void *region =
+        reserve_between(sys->last_region ? sys->last_region + NODE_REGION : usual->from, usual->to);
     if (!region)
         return reserve_anywhere();
     sys->last_region = (uintptr_t)region;
@@ -140,7 +145,7 @@ static void *reserve(struct node_system *sys)
 
 static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes, bool low)
 {
-    struct node_region *r = low ? reserve_between(NODE_REGION, UINT64_C(1) << 32) : reserve(sys);
+    struct node_region *r = low ? reserve_between(NODE_REGION, SPAN_RANGES[SPAN_LOW].to) : reserve(sys);
     if (!r)
         return NULL;
     r->shift = shift_for(span_bytes);

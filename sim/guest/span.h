@@ -29,6 +29,13 @@
 #include <stddef.h>
 #include "node/node.h"
 
+/* Addresses where programs lie, from multiples of 2^32 to such; unless this computer uses the usual ones for
+ * something else. */
+enum { SPAN_USUAL, SPAN_LOW };
+extern const struct span_range {
+    uintptr_t from, to;
+} SPAN_RANGES[2];
+
 /* Gives n, which has none, a span and a heap for a program of so many bytes (page rounded): sets region,
  * span, stack, program and heap_start. The memory there is zero and may be written to. long32: the
  * program's long has 32 bits. Returns false if this computer has no address space left. */

@@ -21,7 +21,7 @@ struct crash_guard {
 
 static _Thread_local struct crash_guard *guard;
 
-static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
+static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
 
 enum { MOST_FRAMES = sizeof(((struct node_crash *)0)->frames) / sizeof(uintptr_t), REGISTER_RBP = 6 };
@@ -45,7 +45,7 @@ static _Unwind_Reason_Code visit_frame(struct _Unwind_Context *context, void *ar
 
 static void note_frames(struct node_crash *c, const struct node *n, const greg_t *r)
 {
-    c->frames[0] = (uintptr_t)r[REG_RIP];
+    c->frames[0] = (uintptr_t)r[REG_RIP] - (c->signal == SIGSYS); /* this one comes behind its instruction */
     c->depth = 1;
     c->in_library = !backtrace_in_program(n, c->frames[0]);
     uintptr_t frame = (uintptr_t)r[REG_RBP];
@@ -70,7 +70,7 @@ static void on_fault(int signal, siginfo_t *info, void *context)
     struct node *n = fiber_arg(f);
     const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
     g->crash.signal = signal;
-    g->crash.address = (uintptr_t)info->si_addr;
+    g->crash.address = signal == SIGSYS ? (uintptr_t)info->si_syscall : (uintptr_t)info->si_addr;
     g->crash.top = backtrace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
     note_frames(&g->crash, n, r);
     n->crash = &g->crash;
@@ -139,6 +139,8 @@ static const char *signal_text(int s)
         return "illegal instruction";
     case SIGABRT:
         return "abort";
+    case SIGSYS:
+        return "it made a system call, which programs may not";
     default:
         return "trap";
     }
@@ -166,7 +168,9 @@ static void print_cause(FILE *f, const struct node *n)
     bool memory = g->signal == SIGSEGV || g->signal == SIGBUS;
     const struct node *owner = memory ? owner_of(n->sys, g->address) : NULL;
     fprintf(f, "%s (%s)", signal_text(g->signal), strsignal(g->signal));
-    if (memory && g->address < stack && g->address >= stack - (1 << 16))
+    if (g->signal == SIGSYS)
+        fprintf(f, ": number %zu; they call functions of C and NX (doc/host-files.md)", (size_t)g->address);
+    else if (memory && g->address < stack && g->address >= stack - (1 << 16))
         fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
                 (size_t)(n->sys->cfg->stack_bytes >> 10));
     else if (memory && g->address < 4096)

@@ -12,8 +12,9 @@
 
 struct node_crash {
     int signal;
-    uintptr_t address; /* which the program may not use; of SIGSEGV and SIGBUS */
-    uintptr_t top;     /* the word on top of the stack */
+    uintptr_t
+        address;   /* which the program may not use; of SIGSEGV and SIGBUS. Of SIGSYS: the call's number */
+    uintptr_t top; /* the word on top of the stack */
     /* frames[0] is in a library; frames[1], if known, is where the program called the library */
     bool in_library;
     uintptr_t frames[24]; /* where it crashed, then the return addresses of the calls under way */

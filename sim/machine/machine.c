@@ -160,6 +160,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->history = options->history;
     s->guards = NODE_GUARDS_ALL;
     s->isolate = options->isolate;
+    s->fence = options->fence;
     s->debugger = options->debugged ? debugger_new() : NULL;
     s->races = races_new();
     s->out[0] = options->out, s->out[1] = options->err;

@@ -32,6 +32,7 @@ struct machine_options {
     bool isolate;        /* a node that writes to another's memory crashes; the run uses one thread */
     FILE *out, *err;     /* the programs' output */
     FILE *history;       /* gets a line for each message received; NULL: no history */
+    struct fence *fence; /* files of this computer that programs may use: guest/fence.h. NULL: all */
     const char *cfs_dir; /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 

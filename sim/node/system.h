@@ -9,6 +9,7 @@
 #include "node/self.h"
 #include "timing/timing.h"
 
+struct fence;
 struct recorder;
 struct numbering; /* os/numbering.h */
 struct races;
@@ -24,6 +25,7 @@ struct node_system {
     const struct cfg_machine *cfg;
     struct schedule schedule;
     struct topo topo;
+    struct fence *fence;      /* guest: files of this computer that programs may use: fence.h. NULL: all */
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;

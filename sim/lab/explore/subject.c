@@ -189,6 +189,7 @@ char **subject_command(const struct subject *s, const char *timing, const struct
     add(&argv, "--cfs", f->cfs);
     add(&argv, "--timing", timing);
     add(&argv, "--replay", f->replay);
+    add(&argv, "--host-files", s->folder); /* the run's own folder has links to its files */
     if (s->options.max_virtual_s > 0) {
         words_add(&argv, xstrdup("--max-virtual-time"));
         words_add(&argv, xasprintf("%.15g", s->options.max_virtual_s));

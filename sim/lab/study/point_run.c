@@ -39,6 +39,8 @@ char **point_run_argv(const struct spec *spec, const struct inputs *inputs, cons
     if (spec->max_wall_s > 0)
         add_option(&argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
     add_list(&argv, "--set", inputs_settings(inputs, p));
+    for (const char **input = spec->inputs; *input; input++)
+        add_option(&argv, "--host-files", xasprintf("%s:ro", *input));
     words_add(&argv, xstrdup(files->program));
     add_list(&argv, NULL, inputs_arguments(inputs, p));
     return argv;
@@ -49,7 +51,7 @@ char **point_run_argv(const struct spec *spec, const struct inputs *inputs, cons
 char **point_run_environment(const char *scratch)
 {
     static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
-                                         "ASAN_OPTIONS"};
+                                         "ASAN_OPTIONS", "TOUCHSTONE_HOST_FILES"};
     char **env = NULL;
     words_add(&env, xasprintf("TMPDIR=%s", scratch));
     for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)
