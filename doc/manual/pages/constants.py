@@ -126,7 +126,7 @@ def paragraphs(comment):
         if re.search(r"^ {2,}\S", part, re.M):
             out.append(fence(part))
         else:
-            out.append(escape(part.replace("\n", " ").strip("- ")) + "\n")
+            out.append(escape(part.replace("\n", " ").strip("- ")).replace("\\`", "`") + "\n")
     return "\n".join(out) + "\n"
 
 
@@ -211,27 +211,50 @@ def cpu_page(file):
 
 
 CALL = re.compile(r"\{ name = \"([^\"]+)\";([^}]*)\}")
+SIDE_BY_SIDE = 4  # calls in a row, of those that have a number and nothing else
 
 
-def library_calls(path):
-    """The costs of calls of the C library: name, base, per, of."""
-    for line in path.read_text().splitlines():
+def of_what(values):
+    """What a call's cost is multiplied by."""
+    if "elements" in values:
+        return f"elements of argument {values['elements']}"
+    of = values.get("of", "")
+    return "the result" if of == "0" else f"argument {of}" if of.isdigit() else "arguments " + of.strip("( )").replace(", ", " x ") if of else ""
+
+
+def call_groups(text):
+    """The list of calls, by the comments that stand between them: [comment, [(name, values, comment beside it)]]."""
+    groups = []
+    for line in text[text.index("calls = (") :].splitlines()[1:]:
+        if line.strip().startswith("#"):
+            groups.append([re.sub(r" {3,}", "; ", line.strip("# ")), []])
+        beside = line.rpartition("#")[2].strip() if "#" in line else ""
         for name, rest in CALL.findall(line):
-            values = dict(re.findall(r"(\w+) = (\([^)]*\)|[^;]+);", rest))
-            yield name, values
+            groups[-1][1].append((name, dict(re.findall(r"(\w+) = (\([^)]*\)|[^;]+);", rest)), beside))
+    return groups
+
+
+def plain_calls(calls):
+    """Several calls a row: name, clocks, name, clocks ..."""
+    cells = [cell for name, values, _ in calls for cell in (code(name), values["base"])]
+    width = 2 * SIDE_BY_SIDE
+    cells += [""] * (-len(cells) % width)
+    return table(["call", "clocks"] * SIDE_BY_SIDE, [cells[i : i + width] for i in range(0, len(cells), width)]) if calls else ""
+
+
+def other_calls(calls):
+    rows = [[code(name), values["base"], values.get("per", ""), of_what(values), escape(sentence(beside))] for name, values, beside in calls]
+    return table(["call", "clocks", "for each unit", "of", "source"], rows) if rows else ""
 
 
 def calls_page(path):
     text = path.read_text()
-    head = "\n".join(re.sub(r"^# ?", "", line) for line in text.split("\n\n")[1].splitlines() if line.startswith("#"))
-    rows = []
-    for name, values in library_calls(path):
-        per = values.get("per", "")
-        of = "elements of argument " + values["elements"] if "elements" in values else values.get("of", "")
-        of = {"0": "the result"}.get(of, f"argument {of}" if of and of[0] not in "e" else of)
-        rows.append([code(name), code(values["base"]), code(per), escape(of.replace("( ", "").replace(" )", "").replace(", ", " x "))])
-    return ("### Calls of the C and Fortran libraries\n\n" + index("library calls, cost of") + paragraphs(head) +
-            table(["call", "base, clocks", "clocks for each unit", "of"], rows))
+    head = "\n".join(re.sub(r"^# ?", "", line) for line in text[: text.index("calls = (")].splitlines())
+    out = "### Calls of the C and Fortran libraries\n\n" + index("library calls, cost of") + paragraphs(head)
+    for comment, calls in call_groups(text):
+        plain = [call for call in calls if set(call[1]) == {"base"} and not call[2]]
+        out += f"{escape(sentence(comment))}:\n\n" + plain_calls(plain) + other_calls([call for call in calls if call not in plain])
+    return out
 
 
 # --- what was fitted ---
@@ -260,12 +283,11 @@ def fitted_page(path):
     out = "## What was fitted, and to what\n\n"
     out += index("fitted constants", "choices made with the paper's tables in view")
     out += "Five constants were fitted to figures of the paper's tables. Three are cost factors of the paper's program:\n\n"
-    out += table(["source file", "cost factor", "standing", "fitted to"],
-                 [[code("app/" + file), code(factor), "fitted", escape(to)] for file, factor, to in factors])
+    out += table(["source file", "cost factor", "fitted to"], [[code("app/" + file), code(factor), escape(to)] for file, factor, to in factors])
     out += fence("\n".join(re.sub(r"^# ?", "", line) for line in head.splitlines()))
     out += "The other two:\n\n"
-    out += table(["constant", "standing", "fitted to", "tried instead"],
-                 [[escape(t[0]), "fitted", escape(t[1]), ", ".join(map(code, t[2:]))] for t in strings_of(text, "constants")])
+    out += table(["constant", "fitted to", "tried instead"],
+                 [[escape(t[0]), escape(t[1]), ", ".join(map(code, t[2:]))] for t in strings_of(text, "constants")])
     out += ("Besides, algorithms and policies were chosen that the paper leaves open, or that its tables confirm. "
             "A value in the last column was tried; bench/paper/CHOICES.md has the errors with it.\n\n")
     out += table(["choice", "settled by", "tried instead"],
