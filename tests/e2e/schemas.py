@@ -1,7 +1,8 @@
 """schemas.py FOLDER - are the schemas of the folder what they should be: a description for every key, no open object, a name that is
 the file's? schemas.py FOLDER NAME FILE [PATH...] - is the JSON file as the schema of that name says? With paths ("." the whole,
 "node.0" the first of the list node): does the object there fail with an unknown key more, and without any one required key?
-Prints "ok ..." or "not ok ..." for each."""
+schemas.py FOLDER keys NAME=FILE... - prints the keys of the schemas, as NAME/KEY/KEY ..., that occur in none of the files.
+The first two print "ok ..." or "not ok ..." for each."""
 import copy
 import json
 import os
@@ -79,14 +80,64 @@ def changed(data, path):
         yield f"without {key}", copied
 
 
+class Keys:
+    """Which keys of schemas occur in files."""
+
+    def __init__(self, schemas):
+        self.schemas = {schema["$id"]: schema for schema in schemas.values()}
+        self.seen = set()
+
+    def resolve(self, part, root):
+        while "$ref" in part:
+            name, _, pointer = part["$ref"].partition("#")
+            part = root = self.schemas[name] if name else root
+            for step in pointer.split("/")[1:]:
+                part = part[step]
+        return part, root
+
+    def see(self, part, root, value):
+        part, root = self.resolve(part, root)
+        for kind in part.get("oneOf", []):
+            required = self.resolve(kind, root)[0].get("required", [])
+            if isinstance(value, list) or set(required) <= set(value):
+                self.see(kind, root, value)
+        for key, inner in value.items() if isinstance(value, dict) else ():
+            if key in part.get("properties", {}):
+                self.seen.add((id(part), key))
+                self.see(part["properties"][key], root, inner)
+            elif isinstance(part.get("additionalProperties"), dict):
+                self.see(part["additionalProperties"], root, inner)
+        for inner in value if isinstance(value, list) and "items" in part else ():
+            self.see(part["items"], root, inner)
+
+    def unseen(self):
+        for root in self.schemas.values():
+            for at, part in objects(root, root["$id"].split("/")[-2]):
+                for key in part.get("properties", {}):
+                    if (id(part), key) not in self.seen:
+                        yield f"{at}/{key}"
+
+
 def tell(good, what, why=()):
     print("ok" if good else "not ok", what)
     for line in why:
         print("#", line[:400])
 
 
+def unused(schemas, samples):
+    keys = Keys(schemas)
+    for sample in samples:
+        name, _, file = sample.partition("=")
+        keys.see(schemas[name], schemas[name], json.load(open(file)))
+    for key in sorted(keys.unseen()):
+        print(key.replace("/properties", "").replace("/$defs", "").replace("/items", ""))
+
+
 def main(folder, name=None, file=None, *paths):
     schemas = load_all(folder)
+    if name == "keys":
+        unused(schemas, [file, *paths])
+        return
     if not name:
         for name in schemas:
             found = list(faults(schemas, name))
