@@ -102,7 +102,7 @@ check "changelog, citation and programs have one version" versions
 
 # (An older installation had a file that there is no more.)
 echo old >"$stage/opt/nx/lib/touchstone/old.so"
-sed -i '1a lib/touchstone/old.so' "$stage/opt/nx/lib/touchstone/installed"
+sed -i '$i lib/touchstone/old.so' "$stage/opt/nx/lib/touchstone/installed"
 check "make install again" touchstone_make install
 check "leaves the same files" diff list <(there)
 check "make uninstall" touchstone_make uninstall
