@@ -34,6 +34,7 @@ static const char DOC[] =
     "More is worse of total_s, time_s, virtual_time_s, messages, bytes and memory_peak_bytes; less is "
     "worse of speedup and speed_per_node. Other figures are shown, but fail only if --tolerance names "
     "them: then by any difference beyond it. Results are exact: they need no tolerance to be repeated.\n\n"
+    "Files: BASELINE.json, with --update; of each study, DIR/STUDY with the files of touchstone study.\n\n"
     "Exit status:\n"
     "  0  no point is worse\n"
     "  1  a point is worse, missing or failed\n"

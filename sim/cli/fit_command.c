@@ -46,6 +46,8 @@ static const char DOC[] =
     "A parameter may also be a cost factor of the compiler, factor = \"slice.c\" in place of set. The "
     "program is then built for each value:\n"
     "  build = \"nxcc -O2 --factors {factors} -o {program} a.c\";\n\n"
+    "Files in DIR: fitted.cfg, the numbers, unless --constants names another; and the runs, as touchstone "
+    "study keeps them.\n\n"
     "Exit status:\n"
     "  0   all numbers are determined\n"
     "  1   some are not; they are named\n"

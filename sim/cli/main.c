@@ -107,7 +107,12 @@ int main(int argc, char **argv)
         "Runs programs written for Intel's NX message-passing library on simulated iPSC/860, Touchstone "
         "Delta and Paragon nodes, in exact virtual time. Programs are built with nxcc: nxcc -O2 -o prog "
         "prog.c\v"
-        "touchstone COMMAND --help describes a command.\n\nExample:\n"
+        "touchstone COMMAND --help describes a command.\n\n"
+        "Machine files are in machines/ of the installation, or of $TOUCHSTONE_HOME. On a terminal, messages "
+        "are coloured, unless $NO_COLOR is set or $TERM is dumb; $CLICOLOR_FORCE has them coloured "
+        "everywhere.\n\n"
+        "Exit status: a command's own; 64 if there is no such command.\n\n"
+        "Example:\n"
         "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring",
         NULL,
         NULL,

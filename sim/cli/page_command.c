@@ -25,8 +25,8 @@ static const struct argp_option OPTIONS[] = {{"title", CLI_TEXT(arguments, title
                                              {0}};
 
 static const char DOC[] =
-    "Writes one HTML file that shows the inputs in any browser: it holds all its data and scripts and "
-    "fetches nothing, so it can be mailed or archived. OUT.html may be - for standard output.\v"
+    "Writes OUT.html, one HTML file that shows the inputs in any browser: it holds all its data and scripts "
+    "and fetches nothing, so it can be mailed or archived. OUT.html may be - for standard output.\v"
     "An input is recognised by what it holds:\n"
     "  run.json           touchstone run --json: where each node's time went, and a deadlock\n"
     "  run.trace          touchstone run --trace: timeline, messages, channels\n"

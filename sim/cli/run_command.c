@@ -67,7 +67,8 @@ static const struct argp_option OPTIONS[] = {
     {"trace-to", TRACE_TO, "TIME", 0, "Trace up to a virtual time", 0},
     {"trace-nodes", TRACE_NODES, "LIST", 0, "Trace only nodes such as 0-7,12, and their messages", 0},
     {"quiet", 'q', NULL, 0, "No summary", 0},
-    {"verbose", 'v', NULL, 0, "Show in the summary, too, what the simulator's threads did", 0},
+    {"verbose", 'v', NULL, 0,
+     "Show in the summary, too, what the simulator's threads did; say where a program was found", 0},
     {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
     {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
@@ -85,7 +86,8 @@ static const struct argp_option OPTIONS[] = {
 static const char DOC[] =
     "Runs PROGRAM, built by nxcc, on every node of a simulated machine, by default delta. The nodes' "
     "output comes on standard output, in the order of virtual time; a summary follows on standard "
-    "error.\n\n"
+    "error. A PROGRAM that is not here is looked for among those that come with touchstone, such as "
+    "app/model.\n\n"
     "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
     "its nodes from the start; without, it calls getcube.\v"

@@ -34,6 +34,7 @@ static const char DOC[] =
     "of a machine, by default ipsc860, as cubes, at most ten at once, and runs programs on them. Users ask "
     "the service by getcube, load, waitcube, killcube, relcube, cubeinfo and attachcube (see touchstone "
     "getcube --help).\v"
+    "Files: the socket PATH, for as long as the service runs, and with -d, PATH.log.\n\n"
     "SIGTERM and SIGINT end the service, and the programs on its cubes.\n\n"
     "Exit status:\n"
     "  0   the service ended, or is in the background\n"

@@ -35,7 +35,7 @@ static const char DOC[] =
     "Visualization on the Intel Delta\", was run, and sets its figures beside the paper's. Rows that are "
     "the same run are run once.\v"
     "Rows are kept in DIR/journal until all are there: after Ctrl-C or kill -9 the same command "
-    "continues.\n\n"
+    "continues. DIR then has tables.json and a picture of each table.\n\n"
     "Exit status:\n"
     "  0   every row is there\n"
     "  1   a row or a picture failed; it is named, and all others are there\n"

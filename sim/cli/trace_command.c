@@ -40,6 +40,16 @@ static error_t parse_info(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
+static const char INFO_DOC[] =
+    "Shows what a trace of touchstone run --trace has: the command of the run, its machine, how many calls, "
+    "handlers and messages there are, and how the nodes' time is divided. The text goes to standard output.\v"
+    "Exit status:\n"
+    "  0   done\n"
+    "  64  wrong arguments\n"
+    "  65  the trace cannot be used\n\n"
+    "Example:\n"
+    "  touchstone trace info --nodes 0-7 --from 1ms --to 2ms ring.trace";
+
 static void print_info(const struct trace *t, FILE *f)
 {
     vtime states[TRACE_STATES] = {0}, all = 0;
@@ -71,8 +81,7 @@ static void print_info(const struct trace *t, FILE *f)
 int cli_trace_info(int argc, char **argv)
 {
     static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 0}, {0}};
-    static const struct argp ARGP = {
-        NULL, parse_info, "TRACE", "Shows what a trace of touchstone run --trace has.", CHILDREN, NULL, NULL};
+    static const struct argp ARGP = {NULL, parse_info, "TRACE", INFO_DOC, CHILDREN, NULL, NULL};
     struct info_arguments a = {0};
     char *error = NULL;
     cli_parse(&ARGP, "touchstone trace info", 0, argc, argv, &a);
@@ -124,7 +133,9 @@ int cli_trace(int argc, char **argv)
                               "COMMAND [ARGS...] TRACE",
                               "Looks into a run: what each node and message did, and when, as touchstone run "
                               "--trace FILE has written it.\v"
-                              "touchstone trace COMMAND --help describes a command.\n\nExample:\n"
+                              "touchstone trace COMMAND --help describes a command.\n\n"
+                              "Exit status: the command's own; 64 if there is no such command.\n\n"
+                              "Example:\n"
                               "  touchstone run -m ipsc860 -n 16 --trace ring.trace ring\n"
                               "  touchstone trace info ring.trace",
                               NULL,

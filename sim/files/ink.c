@@ -18,7 +18,8 @@ static bool is_coloured(FILE *f)
         return false;
     if (force && *force && strcmp(force, "0"))
         return true;
-    return isatty(fileno(f)) == 1 && terminal && *terminal && strcmp(terminal, "dumb");
+    return isatty(fileno(f)) == 1 && !is_set("OMPI_COMM_WORLD_SIZE") && terminal && *terminal &&
+           strcmp(terminal, "dumb");
 }
 
 struct ink ink_for(FILE *f)

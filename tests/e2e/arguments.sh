@@ -10,21 +10,22 @@ check "--version" grep -q '^touchstone [0-9]' out
 "$BUILD/touchstone" nonsense >out 2>err
 status=$?
 check "an unknown command" ended_with 64
-commands=$("$BUILD/touchstone" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p')
+commands=$("$BUILD/touchstone" --help | sed -n 's/^  \([a-z]\+\)  .*/\1/p')
 check "there are some" test "$(wc -w <<<"$commands")" -ge 14
-for c in $commands; do
+for c in $commands "trace info" "trace show" "trace export" "trace why"; do
     "$BUILD/touchstone" $c --help >out 2>err
     status=$?
     check "$c --help" grep -q "^Usage: touchstone $c" out
     check "$c --help: status" ended_with 0
     check "$c --help: no line is broken by its end" test -z "$(awk 'length > 79' out)"
     check "$c -h is --help" cmp out <("$BUILD/touchstone" $c -h)
-    check "$c --help: an example" grep -q '^Example:' out
+    check "$c --help: an example" grep -qE '^Examples?:' out
+    check "$c --help: exit statuses" grep -q '^Exit status:' out
     "$BUILD/touchstone" $c --no-such-option >out 2>err
     status=$?
     check "$c: an unknown option" said "unrecognized option '--no-such-option'"
     check "$c: help is offered" said "touchstone $c --help"
-    check "$c: its status" ended_with $([ $c = check ] && echo 2 || echo 64)
+    check "$c: its status" ended_with $([ "$c" = check ] && echo 2 || echo 64)
 done
 
 wrong() { # NAME STATUS PATTERN ARGS...

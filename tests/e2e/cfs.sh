@@ -22,7 +22,7 @@ check "also in slices, and with a temporary folder" test "$(grep digest err)" = 
 check "which is gone after the run" test -z "$(ls tmp)"
 run -m ipsc860 -n 3 cfs_keep read
 check "without --cfs nothing is kept" ended_with 1
-check "a missing file: call, node and file are named" said 'node 0, at [0-9.]+ s: gopen: /cfs/kept/lines: No such file'
+check "a missing file: call, node and file are named" said 'node 0, at [0-9.]+ [mun]?s: gopen: /cfs/kept/lines: No such file'
 run -m ipsc860 -n 1 --cfs disks cfs_keep /cfs/../../etc/passwd
 check "nothing outside the folder is reached" said 'gopen: .*Permission denied'
 

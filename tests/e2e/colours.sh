@@ -20,6 +20,8 @@ on_terminal dumb "run nowhere"
 check "TERM=dumb: no colour" plain
 NO_COLOR=1 on_terminal xterm "run nowhere"
 check "NO_COLOR: no colour" plain
+OMPI_COMM_WORLD_SIZE=2 on_terminal xterm "run nowhere"
+check "mpirun's terminals: no colour" plain
 "$BUILD/touchstone" run nowhere >out 2>&1
 check "piped: no colour" plain
 CLICOLOR_FORCE=1 "$BUILD/touchstone" run nowhere >out 2>&1

@@ -5,7 +5,7 @@
 programs=$tests/deadlocks
 
 # The report alone, with T for times, as FILE.txt has it.
-report() { sed -E 's/[0-9]+\.[0-9]{9} s/T s/g' err; }
+report() { sed -E 's/\b(since|at|to) [0-9.]+ [mun]?s\b/\1 T/g' err; }
 
 # explained NODES NAME FILE: runs it all ways.
 explained() {
@@ -80,7 +80,7 @@ reports = [open(name).read() for name in sys.argv[2:]]
 shown = re.findall(r'^```\n(.*?)^```\n', open(sys.argv[1]).read(), re.S | re.M)
 assert len(shown) >= 8
 for block in shown:
-    block = re.sub(r'[0-9]+\.[0-9]{9} s', 'T s', block)
+    block = re.sub(r'\b(since|at|to) [0-9.]+ [mun]?s\b', r'\1 T', block)
     assert any(block in report for report in reports), block
 END
 

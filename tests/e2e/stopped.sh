@@ -72,7 +72,7 @@ check "SIGUSR1: and gives what it gives without" cmp <(grep -v wall_time without
 script -qec "$BUILD/touchstone run --max-wall-time 2 --max-virtual-time 1e6 -n 2 stopped for" terminal >/dev/null </dev/null
 tr '\r' '\n' <terminal >lines
 check "a terminal shows how far a long run has come" grep -qE '^[0-9.]+ [mun]?s on 2 nodes, [0-9]+ messages, [0-9]+ % of 1000000 s' lines
-check "and it is erased at the end" grep -qE $'\r +\r(\033\\[31m)?touchstone run:(\033\\[0m)? wall time limit' terminal
+check "and it is erased at the end" grep -qE $'\r +\r(\033\\[31m)?touchstone run:(\033\\[0m)? (\033\\[1m)?wall time limit' terminal
 script -qec "$BUILD/touchstone run -n 2 ring" terminal >/dev/null </dev/null
 check "a short run shows nothing of that" test "$(grep -c 's on 2 nodes, ' terminal)" = 0
 run --max-wall-time 1.3 -n 2 stopped for

@@ -6,7 +6,7 @@ compile wrong
 named() { # CALL ARGUMENTS TEXT LINE
     run -n 2 wrong "$1"
     check "$1: exit status 1" ended_with 1
-    check "$1: $3" said "node 1, at [0-9.]+ s: $1$2: .*$3"
+    check "$1: $3" said "node 1, at [0-9.]+ [mun]?s: $1$2: .*$3"
     check "$1: where it was called" said "^  called from main.*\(wrong\.c:$(grep -nF "$4" "$tests/wrong.c" | cut -d: -f1)\)"
 }
 named csend '\(-3, buf, 1, 0, 0\)' 'type -3 is out of range' 'csend(-3'
