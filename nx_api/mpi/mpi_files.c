@@ -90,7 +90,8 @@ static struct open_file *file_of(int fd)
 
 /* --- reading and writing --- */
 
-/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be. */
+/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be, or not all could be
+ * written: few programs look whether a write was complete, and a full disk must not cost them their results. */
 static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t offset)
 {
     size_t moved = 0;
@@ -101,7 +102,7 @@ static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t of
         if (r < 0 && errno == EINTR)
             continue;
         if (r < 0)
-            return moved > 0 ? (ssize_t)moved : -1;
+            return moved > 0 && !write_it ? (ssize_t)moved : -1;
         if (r == 0)
             break;
         moved += (size_t)r;
@@ -116,7 +117,7 @@ static ssize_t move_parts(bool write_it, int fd, const struct iovec *parts, int 
         ssize_t r =
             move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, offset < 0 ? -1 : offset + moved);
         if (r < 0)
-            return moved > 0 ? moved : -1;
+            return moved > 0 && !write_it ? moved : -1;
         moved += r;
         if ((size_t)r < parts[i].iov_len)
             break;
