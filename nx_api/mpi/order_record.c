@@ -227,7 +227,8 @@ void record_part(const void *bytes, size_t count)
         begin_file();
     if (!failed && (!all.file || fwrite(bytes, 1, count, all.file) != count || fflush(all.file) != 0)) {
         failed = true;
-        fprintf(stderr, "nx: NX_RECORD: %s cannot be written: %s\n", all.path, strerror(errno));
+        fprintf(stderr, "nx: NX_RECORD: %s cannot be written: %s%s\n", all.path, strerror(errno),
+                all.file ? "; what is in it is not complete" : "");
     }
 }
 
