@@ -12,7 +12,8 @@ struct cli_session_options {
     unsigned jobs;     /* 0: not said */
     bool no_cache;
 };
-extern const struct argp CLI_SESSION; /* -j, --cache, --no-cache, --host-files; input: struct cli_session_options * */
+extern const struct argp
+    CLI_SESSION; /* -j, --cache, --no-cache, --host-files; input: struct cli_session_options * */
 
 /* A command's study file, its folder for results and its session. */
 struct cli_study_arguments {
