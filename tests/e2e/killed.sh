@@ -1,10 +1,11 @@
 #!/bin/bash
-# killed.sh - kill -9 at random moments of a study, tables, a fit and an exploration: the same command again gives the results of
-# a run that nobody disturbed. KILLS=N kills each N times (default 5); SEED=S repeats the moments of an earlier test.
+# killed.sh - kill -9 at random moments of a study, a fit and an exploration: the same command again gives the results of a run
+# that nobody disturbed. KILLS=N does so N times with each; WHAT names them, and may have "tables", too; SEED=S repeats the
+# moments of an earlier test. tests/endurance/kill does it at length.
 . "$(dirname "$0")/common.bash"
 export XDG_CACHE_HOME=$work/cache
 compile killed
-KILLS=${KILLS:-5} SEED=${SEED:-$RANDOM}
+KILLS=${KILLS:-1} SEED=${SEED:-$RANDOM}
 RANDOM=$SEED
 
 axes='axes = ( { name = "nodes"; values = ( 2, 3, 4 ); }, { name = "steps"; values = ( 1, 2, 3, 4 ); arguments = "{}"; } );'
@@ -23,7 +24,7 @@ printf 'steps,total_s\n1,0.0040\n2,0.0075\n' >measured.csv
 
 study() { "$BUILD/touchstone" study s.cfg --no-cache -j 2 -o "$1"; }
 fit() { "$BUILD/touchstone" fit f.cfg --no-cache -j 2 -o "$1" --constants "$1.constants"; }
-explore() { "$BUILD/touchstone" explore -n 3 --runs 20 --tests 20 --bounds messages=500us -j 2 -o "$1" --json "$1.json" killed; }
+explore() { "$BUILD/touchstone" explore -n 3 --runs 8 --tests 4 --bounds messages=500us -j 2 -o "$1" --json "$1.json" killed; }
 tables() { "$BUILD/touchstone" tables -t 3 -j 2 -o "$1"; }
 # What each leaves, without times of this computer and names of folders.
 study_result() { sed '/wall_time/d' "$1/results.json"; }
@@ -42,7 +43,7 @@ killed_after() { # MS COMMAND DIR
     wait $! 2>/dev/null
 }
 
-for what in study fit explore tables; do
+for what in ${WHAT:-study fit explore}; do
     begin=${EPOCHREALTIME/./}
     $what calm_$what >out 2>err </dev/null
     took=$(((${EPOCHREALTIME/./} - begin) / 1000))
