@@ -331,6 +331,14 @@ static void keep_questions(void)
     sigprocmask(SIG_BLOCK, &one, NULL);
 }
 
+/* Whoever reads standard output may go (touchstone run ... | head): this ends the run, as it ends other
+ * programs, unless the run also has files to write. */
+static void outlive_reader(const struct arguments *a)
+{
+    if (a->json || a->deadlock || a->races || a->profile || a->history || a->trace.path || a->timing.record)
+        signal(SIGPIPE, SIG_IGN);
+}
+
 /* Runs, and writes the files that are written as the run goes on. */
 static int run_with_files(const struct arguments *a, struct machine_options *o)
 {
@@ -353,6 +361,7 @@ static int run(struct arguments *a)
     struct cli_installation places;
     char *error = NULL;
     keep_questions();
+    outlive_reader(a);
     if (!cli_find_installation(&places, "run"))
         return CLI_EXIT_INPUT;
     if (!cli_program_find(&a->what, places.programs, a->verbose, &error))

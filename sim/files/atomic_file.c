@@ -60,11 +60,21 @@ static bool close_all(struct atomic_file *f)
     return fclose(f->out) == 0 && written;
 }
 
-bool atomic_file_end(struct atomic_file *f, char **error)
+/* Sets errno to why an earlier write failed, of which stdio keeps no reason: tries another one, to a file that
+ * is lost anyway. */
+static void find_reason(const struct atomic_file *f)
 {
     errno = 0;
+    if (ferror(f->out) && f->unfinished && write(fileno(f->out), "", 1) == 1)
+        errno = ENOSPC; /* there is room again */
+}
+
+bool atomic_file_end(struct atomic_file *f, char **error)
+{
+    find_reason(f);
+    int why = errno;
     if (!close_all(f) || (f->unfinished && rename(f->unfinished, f->path) != 0))
-        return fail(f, errno ? errno : EIO, error);
+        return fail(f, why ? why : errno ? errno : EIO, error);
     forget(f);
     return true;
 }

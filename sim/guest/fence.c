@@ -147,8 +147,8 @@ static bool split(const char *path, char folder[PATH_MAX], char name[NAME_MAX + 
     return strcmp(name, ".") != 0 && strcmp(name, "..") != 0;
 }
 
-/* Looks up the folder of a name, and sets f->real to the path of what has, or will have, the name. The place's
- * folder is to be closed unless the answer is -1. */
+/* Looks up the folder of a name, and sets f->real to the path of what has, or will have, the name. The
+ * place's folder is to be closed unless the answer is -1. */
 static int find_place(struct fence *f, const char *path, struct place *p)
 {
     if (!split(path, f->folder, p->name))

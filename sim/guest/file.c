@@ -7,18 +7,14 @@
 #include <string.h>
 #include <unistd.h>
 #include "kernel/xalloc.h"
-#include "guest/backtrace.h"
 #include "guest/fence.h"
 #include "guest/folder.h"
-#include "guest/image.h"
-#include "guest/libc.h"
 #include "os/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
 #include "guest/host_errno.h"
 #include "os/front.h"
 #include "os/gate.h"
-#include "nx_api/contract/backend.h"
 
 /* --- files of this computer --- */
 
@@ -169,35 +165,14 @@ static void note_host_file(struct node_system *s, const char *path)
     s->host_files[s->host_file_count++] = xstrdup(path);
 }
 
-/* The C library's function that the program called; NULL if the call does not tell. */
-static const char *called(const struct node *n)
-{
-    enum { MOST_FRAMES = 16 };
-    uintptr_t returns[MOST_FRAMES];
-    int depth = backtrace_walk(n, (uintptr_t)__builtin_frame_address(0), returns, MOST_FRAMES);
-    for (int i = 0; i < depth; i++)
-        if (backtrace_in_program(n, returns[i])) {
-            const char *name = backtrace_called(n, returns[i]);
-            bool inner = name && strncmp(name, "nx_", 3) == 0; /* a part of the function that calls it */
-            return inner ? node_image_function_name(n->file, returns[i] - (uintptr_t)n->program) : name;
-        }
-    return NULL;
-}
-
 /* Ends the run, if the fence has refused a file of this computer; otherwise returns the answer. */
 static int host_answer(struct node *n, int answer)
 {
-    if (answer != FENCE_REFUSED)
-        return answer;
-    struct fence_refusal r = fence_refusal(n->sys->fence);
-    const char *call = n->call ? n->call : called(n);
-    node_libc_flush(n);
-    node_fail(n,
-              "%s: programs may not %s %s, which is %s; touchstone run --host-files %s%s allows it "
-              "(doc/host-files.md)",
-              call ? call : "a file", r.writes ? "write" : "read", r.path,
-              r.readable ? "for reading only" : "not below the current folder", r.path,
-              r.writes ? "" : ":ro");
+    if (answer == FENCE_REFUSED) {
+        struct fence_refusal r = fence_refusal(n->sys->fence);
+        n->sys->refused(n, &r);
+    }
+    return answer;
 }
 
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)

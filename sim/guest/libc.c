@@ -43,6 +43,12 @@ void node_libc_flush(struct node *n)
     streams_flush(&n->libc->streams);
 }
 
+void node_libc_rescue(struct node *n)
+{
+    assert(!node_is_self(n));
+    streams_rescue(&n->libc->streams);
+}
+
 void node_libc_free(struct node *n)
 {
     assert(!node_is_self(n));
@@ -131,7 +137,8 @@ int node_raise(int number)
 {
     struct node *n = node_self();
     node_libc_flush(n);
-    node_fail(n, "raise(%d)", number);
+    node_fail(n, "raise: signal %d (%s) ends a program: nodes have no signal handlers", number,
+              strsignal(number));
 }
 
 /* --- random numbers, strtok, locale --- */

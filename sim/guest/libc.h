@@ -15,5 +15,7 @@ void *node_libc_data(struct node *n, const char *name);
  * its heap is damaged. */
 void node_libc_end(struct node *n);
 void node_libc_flush(struct node *n); /* on the node's stack: flushes its streams */
-void node_libc_free(struct node *n);  /* behind the program's end: closes open files, writes nothing */
+/* Behind the end of a program that went wrong: writes what it has printed and was to be written later. */
+void node_libc_rescue(struct node *n);
+void node_libc_free(struct node *n); /* behind the program's end: closes open files, writes nothing */
 #endif

@@ -180,6 +180,25 @@ void streams_flush(struct streams *list)
             fflush(s->file);
 }
 
+static void rescue(const struct stream *s)
+{
+    const char *bytes = s->file->_IO_write_base; /* glibc's: there is no function for it */
+    size_t held = __fwriting(s->file) ? __fpending(s->file) : 0;
+    if (held == 0 || held > __fbufsize(s->file))
+        return;
+    if (s->kind == STREAM_OUTPUT)
+        write_out(s->node, s->fd, bytes, held);
+    else if (s->kind == STREAM_FILE && !s->target->class->simulated)
+        s->target->class->write(s->target, bytes, held);
+    __fpurge(s->file);
+}
+
+void streams_rescue(struct streams *list)
+{
+    for (struct stream *s = list->all; s != NULL; s = s->next)
+        rescue(s);
+}
+
 void streams_close(struct streams *list)
 {
     while (list->all != NULL) {

@@ -32,6 +32,9 @@ struct streams {
 
 void streams_open(struct streams *s, struct node *n); /* makes the three standard ones */
 void streams_flush(struct streams *s);                /* on the node's stack */
+/* Off the node's stack, behind the end of a program that went wrong: passes on what it has printed and was to
+ * be written later, as a line without an end; but for files in the machine's file system, which take time. */
+void streams_rescue(struct streams *s);
 void streams_close(struct streams *s); /* behind the program's end: closes all, writes nothing */
 
 /* On the node's stack; as fopen, freopen, tmpfile and fclose. Relative paths start from the node's folder

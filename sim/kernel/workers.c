@@ -498,12 +498,12 @@ static bool has_news(struct workers *ws, vtime time, uint32_t address)
 static void listen(struct workers *ws)
 {
     struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until);
+    clock_gettime(CLOCK_MONOTONIC, &until); /* nobody sets this clock */
     until.tv_nsec += PATIENCE_MS * 1000000L;
     until.tv_sec += until.tv_nsec / 1000000000L;
     until.tv_nsec %= 1000000000L;
     atomic_store(&ws->listening, true);
-    pthread_cond_timedwait(&ws->news, &ws->lock, &until);
+    pthread_cond_clockwait(&ws->news, &ws->lock, CLOCK_MONOTONIC, &until);
     atomic_store(&ws->listening, false);
 }
 

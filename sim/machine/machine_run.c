@@ -3,10 +3,12 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "guest/backtrace.h"
+#include "guest/libc.h"
 #include "kernel/hostclock.h"
 #include "lp/engine.h"
 #include "machine/crash.h"
 #include "machine/machine.h"
+#include "machine/refused_file.h"
 #include "machine/outside.h"
 #include "machine/verdict.h"
 #include "net/protocol_record.h"
@@ -32,6 +34,7 @@ static void run_events(struct machine *m)
     struct crash_guard *guard = crash_watch();
     crash_catch();
     s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = backtrace_print_calls;
+    s->refused = refused_file;
     s->schedule.look = outside_look, s->schedule.look_ctx = m;
     debug_stop_begin(s, &m->stop, &m->options.stop);
     m->workers =
@@ -84,6 +87,23 @@ static void end_schedule(struct machine *m)
         schedule_record_end(s);
 }
 
+/* Has the program printed exactly what it was to print by the end of the run? A program that crashed has, and
+ * in a deadlock each has. At a limit, programs may have computed further than that; at a signal, too, but no
+ * two such runs are alike anyway. */
+static bool has_output(const struct machine *m, const struct node *n)
+{
+    return n->libc && (n->end == NODE_CRASHED || m->outcome == MACHINE_DEADLOCK || m->signal);
+}
+
+static void rescue_output(struct machine *m)
+{
+    for (uint32_t i = 0; i < machine_nodes(m); i++)
+        if (has_output(m, m->sys.nodes[i]))
+            node_libc_rescue(m->sys.nodes[i]);
+    if (m->sys.host && has_output(m, m->sys.host))
+        node_libc_rescue(m->sys.host);
+}
+
 void machine_run(struct machine *m)
 {
     assert(m->begin == 0);
@@ -99,5 +119,6 @@ void machine_run(struct machine *m)
         protocol_record_end(m->sys.schedule.protocol);
     end_schedule(m);
     verdict(m);
+    rescue_output(m);
     m->wall_s = hostclock_s() - m->begin;
 }

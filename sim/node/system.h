@@ -10,6 +10,7 @@
 #include "timing/timing.h"
 
 struct fence;
+struct fence_refusal; /* guest/fence.h */
 struct recorder;
 struct numbering; /* os/numbering.h */
 struct races;
@@ -25,7 +26,7 @@ struct node_system {
     const struct cfg_machine *cfg;
     struct schedule schedule;
     struct topo topo;
-    struct fence *fence;      /* guest: files of this computer that programs may use: fence.h. NULL: all */
+    struct fence *fence;      /* files of this computer that programs may use: fence.h. NULL: all */
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
@@ -75,6 +76,8 @@ struct node_system {
     /* At a limit of virtual time: true if that does not end the run. */
     bool (*pauses)(struct node_system *s);
     void (*crashed)(struct node *n); /* at its moment: reports n->crash */
+    /* Ends the run: the program of n, which runs, used a file that the fence refuses. */
+    void (*refused)(struct node *n, const struct fence_refusal *r);
     /* the calls under way on the node's stack, from a frame upwards, a line for each */
     void (*print_calls)(FILE *f, const struct node *n, uintptr_t frame);
 };

@@ -1,4 +1,5 @@
-/* host_files.c - node 0 uses files as its arguments say: threes of words: what to do, a path, another path or -. Prints each answer. */
+/* host_files.c - node 0 uses files as its arguments say, three words a time: what to do, a path, and another
+ * path or -. Prints each answer. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -50,8 +50,8 @@ char **point_run_argv(const struct spec *spec, const struct inputs *inputs, cons
  * of the environment a run gets only what it needs, since results must not depend on it. */
 char **point_run_environment(const char *scratch)
 {
-    static const char *const passed[] = {"PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH",
-                                         "ASAN_OPTIONS", "TOUCHSTONE_HOST_FILES"};
+    static const char *const passed[] = {
+        "PATH", "HOME", "TOUCHSTONE_HOME", "LD_LIBRARY_PATH", "ASAN_OPTIONS", "TOUCHSTONE_HOST_FILES"};
     char **env = NULL;
     words_add(&env, xasprintf("TMPDIR=%s", scratch));
     for (size_t i = 0; i < sizeof passed / sizeof *passed; i++)

@@ -1,0 +1,34 @@
+/* refused_file.c - see refused_file.h. */
+#include "machine/refused_file.h"
+#include <string.h>
+#include "guest/backtrace.h"
+#include "guest/image.h"
+#include "guest/libc.h"
+#include "nx_api/contract/backend.h"
+
+/* The function that the program called; NULL if the call does not tell. */
+static const char *called(const struct node *n)
+{
+    enum { MOST_FRAMES = 16 };
+    uintptr_t returns[MOST_FRAMES];
+    int depth = backtrace_walk(n, (uintptr_t)__builtin_frame_address(0), returns, MOST_FRAMES), i = 0;
+    while (i < depth && !backtrace_in_program(n, returns[i]))
+        i++;
+    if (i == depth)
+        return NULL;
+    const char *name = backtrace_called(n, returns[i]);
+    bool inner = name && strncmp(name, "nx_", 3) == 0; /* a part of the function that calls it */
+    return inner ? node_image_function_name(n->file, returns[i] - (uintptr_t)n->program) : name;
+}
+
+_Noreturn void refused_file(struct node *n, const struct fence_refusal *r)
+{
+    const char *call = n->call ? n->call : called(n);
+    node_libc_flush(n);
+    node_fail(n,
+              "%s: programs may not %s %s, which is %s; touchstone run --host-files %s%s allows it "
+              "(doc/host-files.md)",
+              call ? call : "a file", r->writes ? "write" : "read", r->path,
+              r->readable ? "for reading only" : "not below the current folder", r->path,
+              r->writes ? "" : ":ro");
+}

@@ -1,0 +1,151 @@
+#!/bin/bash
+# faults.sh - each way in which a program or its surroundings go wrong has a message, its exit status, and loses nothing that was
+# printed or computed. (Others: failures.sh, wrong.sh, stopped.sh, stubs.sh, host_files.sh, resume.sh; kills at random: killed.sh.)
+. "$(dirname "$0")/common.bash"
+compile faults
+compile ring
+
+# --- programs ---
+fault() { # HOW STATUS TEXT [TEXT...]
+    local how=$1 code=$2
+    shift 2
+    run -q -n 2 faults "$how"
+    check "$how: exit status $code" ended_with "$code"
+    check "$how: what was printed before is there" grep -q 'node 1 is there,' out
+    for text; do check "$how: $text" said "$text"; done
+}
+called='^  called from main\+0x[0-9a-f]+ \(faults.c:'
+fault stack 1 'node 1 crashed .*: its stack of [0-9]+ KB overflowed' '^  in recurse.*faults.c:'
+fault divide 1 'node 1 crashed .*: integer division by zero' '^  in divide.*faults.c:'
+fault illegal 1 'node 1 crashed .*: illegal instruction' '^  in main.*faults.c:'
+fault copy 1 'node 1 crashed .*: a null pointer$' '^  in memcpy$' '^  called from copy.*faults.c:' "$called"
+fault heap 1 'node 1, at [0-9.]+ s: free: 0x[0-9a-f]+ .*was written past its end' '^  called from .*faults.c:'
+fault heap_end 1 'node 1, at [0-9.]+ s: its heap is damaged: .*behind the 20 bytes at'
+fault heap_before 1 'node 1, at [0-9.]+ s: free: 0x[0-9a-f]+ was not allocated'
+fault free_twice 1 'node 1, at [0-9.]+ s: free: 0x[0-9a-f]+ .*is freed already' '^  called from .*faults.c:'
+fault free_other 1 'node 1, at [0-9.]+ s: free: 0x[0-9a-f]+ was not allocated' '^  called from .*faults.c:'
+fault abort 1 'node 1, at [0-9.]+ s: abort$' '^  called from .*faults.c:'
+fault raise 1 'node 1, at [0-9.]+ s: raise: signal 10 .*ends a program: nodes have no signal handlers' '^  called from .*faults.c:'
+fault caught 1 'node 1, at [0-9.]+ s: raise: signal 10 .*ends a program: nodes have no signal handlers'
+fault caught_fault 1 'node 1 crashed .*: a null pointer' '^  in .*faults.c:'
+check "a handler of SIGSEGV is not called" bash -c '! grep -q caught out'
+fault handler_exit 1 'node 1 ended at [0-9.]+ s with exit\(4\)'
+check "handler_exit: the handler's output" grep -q 'the handler exits' out
+fault handler_crash 1 'node 1 crashed .*: a null pointer' '^  in crashes.*faults.c:'
+fault handler_jump 0
+check "longjmp out of a handler: the program goes on" bash -c 'grep -q "the handler jumps" out && grep -q "and went on" out'
+fault deadlock 2 'deadlock' 'node 1: crecv\(77\)'
+check "deadlock: what all had printed" grep -q 'node 0 is there,' out
+
+"$BUILD/touchstone" run -q -n 1 faults stdin >out 2>err <&-
+status=$?
+check "closed standard input is at its end" grep -q -- '-1 from stdin,and went on' out
+check "closed standard input is no error" ended_with 0
+
+cat >threads.c <<'END'
+#include <pthread.h>
+#include <spawn.h>
+#include <unistd.h>
+#include "nx.h"
+static void *f(void *a) { return a; }
+int main(void) { pthread_t t; pthread_create(&t, 0, f, 0); char *a[] = {"ls", 0}; execv("/bin/ls", a); vfork(); }
+END
+"$BUILD/nxcc" -o threads threads.c >out 2>err
+status=$?
+check "threads, vfork and exec are not there to link with" said 'nodes do not have execv, pthread_create, vfork: '
+printf '#include "nx.h"\n__thread int own;\nint main(void) { return own; }\n' >own.c
+"$BUILD/nxcc" -o own own.c 2>err && run -q own
+check "thread-local variables are refused" said 'nodes have no threads'
+
+# --- readers and signals ---
+(
+    sleep 0.2 # the reader goes first
+    "$BUILD/touchstone" run -n 2 --json gone.json ring 2>err
+    echo $? >status
+) | true
+status=$(cat status)
+check "a reader that is gone does not lose other results" grep -q '"virtual_time_s"' gone.json
+check "and it is said" said '^touchstone run: standard output cannot be written: Broken pipe'
+check "with status 74" ended_with 74
+cat >chat.c <<'END'
+#include <stdio.h>
+#include "nx.h"
+int main(void) { for (int i = 0; i < 1000000; i++) printf("%ld\n", mynode()), gsync(); }
+END
+"$BUILD/nxcc" -O2 -o chat chat.c
+timeout 20 bash -c '"$0" run -q -n 2 chat 2>err | head -1 >out; echo ${PIPESTATUS[0]} >status' "$BUILD/touchstone"
+check "run | head -1 ends as other programs do" test "$(cat status)" = 141
+check "and has its line" test "$(cat out)" = 0
+for signal in INT TERM; do
+    env --default-signal=INT,TERM "$BUILD/touchstone" run --max-wall-time 60 -n 2 faults endless >out 2>err &
+    child=$!
+    sleep 0.7
+    kill -$signal $child
+    wait $child
+    status=$?
+    check "SIG$signal: status" ended_with $((128 + $(kill -l $signal)))
+    check "SIG$signal: lines without an end are printed, too" bash -c 'grep -q "node 0 is there," out && grep -q "node 1 is there," out'
+    check "SIG$signal: where the nodes are" said '^  node 1: computing.*faults.c:'
+done
+
+# --- full disks, folders that are read-only ---
+full() { # OPTION
+    ln -sf /dev/full full
+    run -q -n 2 "$1" full ring
+    check "$1 to a full disk: status 74" ended_with 74
+    check "$1 to a full disk: said" said '^touchstone run: .*full.*cannot be written: No space left'
+    check "$1 to a full disk: what the program printed is there" cmp out plain
+}
+run -q -n 2 ring
+cp out plain
+for option in --json --trace --history --record --deadlock --races; do full $option; done
+run -q -n 32 --trace long.trace ring
+cp out plain32
+check "a trace of this run is longer than 4 kB" test "$(stat -c %s long.trace)" -gt 4096
+rm long.trace
+(
+    ulimit -f 4 # of 1024 bytes
+    run -q -n 32 --trace long.trace ring
+    echo $status >status
+)
+status=$(cat status)
+check "a trace that finds no room: status 74" ended_with 74
+check "it is said" said 'long.trace.*cannot be written: File too large'
+check "what the program printed is there" cmp out plain32
+check "no half trace is left" test -z "$(find . -name 'long.trace*')"
+
+if [ "$(id -u)" = 0 ] && ! setpriv --reuid=65534 --regid=65534 --clear-groups true 2>/dev/null; then
+    echo "skip read-only folders: the user is root and cannot become another"
+else
+    user=()
+    [ "$(id -u)" = 0 ] && user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+    mkdir -p locked && chmod 555 locked && chmod 755 .
+    "${user[@]}" "$BUILD/touchstone" run -q -n 2 --json locked/a.json "$work/ring" >out 2>err
+    status=$?
+    check "a read-only folder: status 74" ended_with 74
+    check "a read-only folder: said" said 'locked/a.json.*cannot be written: Permission denied'
+    check "a read-only folder: what the program printed is there" cmp out plain
+    printf 'program = "ring";\nmachine = "delta";\naxes = ( { name = "nodes"; values = ( 1, 2 ); } );\n' >s.cfg
+    "${user[@]}" "$BUILD/touchstone" study s.cfg -o locked/s >out 2>err
+    status=$?
+    check "a study in a read-only folder: status 65" ended_with 65
+    check "a study in a read-only folder: said" said 'locked/s cannot be made: Permission denied'
+fi
+
+# --- what is not there ---
+printf 'program = "ring";\nmachine = "delta";\naxes = ( { name = "nodes"; values = ( 1, 2 ); } );\n' >s.cfg
+mkdir bin
+env -u HOME -u XDG_CACHE_HOME PATH="$work/bin" "$BUILD/touchstone" study s.cfg -o s >out 2>err </dev/null
+status=$?
+check "no HOME, no gnuplot: the results are there" grep -q '^nodes' s/results.csv
+check "no gnuplot: said" said gnuplot
+check "no gnuplot: no error, if the study asks for no picture" ended_with 0
+sed 's/^axes/pictures = ( { file = "t"; x = "nodes"; y = "total_s"; } );\naxes/' s.cfg >p.cfg
+PATH="$work/bin" "$BUILD/touchstone" study p.cfg -o p --no-cache >out 2>err </dev/null
+status=$?
+check "no gnuplot: status 1, if it asks for one" ended_with 1
+check "no gnuplot: the results are there, too" grep -q '^nodes' p/results.csv
+
+# --- clocks: only the host's monotonic clock measures ---
+check "no file of the simulator measures by the clock that people set" \
+    bash -c '! grep -rnE "CLOCK_REALTIME|gettimeofday\(" "$0"/../../sim --include=*.c | grep -v "sim/guest/\|clock_gettime(CLOCK_REALTIME_COARSE"' "$tests"
