@@ -132,7 +132,7 @@ bench: setup ## Measure the simulator's own speed
 
 include doc/man/man.mk doc/manual/manual.mk share/completion/completion.mk package/package.mk
 
-FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
+FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)

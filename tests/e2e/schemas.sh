@@ -5,17 +5,10 @@
 . "$tests/mpi.bash"
 export XDG_CACHE_HOME=$work/cache
 schemas=$tests/../../share/schemas
-samples=()
 
-# valid NAME FILE [PATH...]: the file is as the schema says; changed at these places, it is not.
-valid() {
-    samples+=("$1=$2")
-    check "$2 is there" test -s "$2"
-    /usr/bin/python3 "$tests/schemas.py" "$schemas" "$@"
-}
+# valid NAME FILE [PATH...]: the file is to be as the schema says; changed at these places, it is not. Asked at the end, at once.
+valid() { (IFS=$'\t' && echo "$*") >>samples; }
 line() { grep -m 1 -- "$2" "$1" | cut -d' ' -f4-; } # FILE STATE: the JSON of the first such line of a journal
-
-/usr/bin/python3 "$tests/schemas.py" "$schemas"
 
 # --- a run, with a profile, handlers, files, a trace ---
 "$BUILD/nxcc" -O2 -g --profile -o served "$tests/served.c"
@@ -203,7 +196,5 @@ valid journal row-line.json .
 wait $tables
 valid tables tables/tables.json . summary summary.tables.0 fitted.0 fitted_choices.0
 
-# --- is there a key that nothing writes? --ties takes a minute; a run of touchstone explore without figures is hard to make. ---
-/usr/bin/python3 "$tests/schemas.py" "$schemas" keys "${samples[@]}" | grep -vE '^(tables/row/tie_.*|journal/failure/name)$' >never
-check "each key of each schema has been written" cmp never /dev/null
-[ ! -s never ] || sed 's/^/# /' never
+# --ties takes a minute; a run of touchstone explore without figures is hard to make.
+/usr/bin/python3 "$tests/schemas.py" "$schemas" samples 'tables/row/tie_.*' journal/failure/name
