@@ -1,8 +1,8 @@
 # package.mk - the packages that touchstone needs, its installation, and packages of itself. Included by the Makefile.
 PREFIX   ?= /usr/local
 PACKAGES ?= packages.txt
-GROUP    ?= run build cluster develop
-STRIP    ?= strip
+GROUP     = run build cluster develop
+STRIP     = strip
 
 setup: ## Install what is missing of packages.txt (Debian, apt-get); GROUP="run build": of these groups
 	@GCC=$(GCC) package/setup $(PACKAGES) $(GROUP)

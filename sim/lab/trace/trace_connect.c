@@ -82,7 +82,7 @@ static int32_t *sort(void *table, size_t bytes, int32_t count, struct key *keys)
 {
     int32_t *gone = xcalloc((size_t)count, sizeof *gone);
     char *old = xmalloc((size_t)count * bytes);
-    if (count) { /* an empty table has no address */
+    if (count > 0) { /* an empty table has no address */
         memcpy(old, table, (size_t)count * bytes);
         qsort(keys, (size_t)count, sizeof *keys, by_key);
     }
