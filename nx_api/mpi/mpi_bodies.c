@@ -3,9 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/bells.h"
+#include "nx_api/mpi/mpi_node.h"
 #include "nx_api/mpi/mpi_packets.h"
 
-enum { TAG = 2, PART = 1 << 14, LOOKS = 16, TESTED_AT_ONCE = 8 };
+enum { TAG = 2, PART = 1 << 16, TESTED_AT_ONCE = 8 };
+static const double ANSWER_S = 1.5e-6; /* a node that waits answers in such a time, if it is near */
 
 /* A copy of a body, on its way to one node or to several. */
 struct copy {
@@ -132,19 +134,27 @@ void body_wanted(struct node *n, int32_t number)
     bell_ring(offer.node);
 }
 
-/* The receiver may take the bytes while they are copied; else they have been copied. */
+/* Looks for the answer of a node that waits; then while the bytes are copied. */
+static void await_answer(struct node *n, char *copy)
+{
+    const double until = mpi_seconds() + ANSWER_S;
+    const char *bytes = offer.bytes;
+    do
+        wire_progress(n);
+    while (offer.open && mpi_seconds() < until);
+    for (size_t at = 0; offer.open && at < offer.len; at += PART) {
+        memcpy(copy + at, bytes + at, offer.len - at < PART ? offer.len - at : PART);
+        wire_progress(n);
+    }
+}
+
 static void send_offered(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
 {
     struct copy *c = new_copy(n, len);
     head.kind = WIRE_OFFER;
     offer.open = true, offer.number++, offer.node = node, offer.bytes = bytes, offer.len = len;
     packet_send(n, node, &head, &offer.number, sizeof offer.number);
-    for (size_t at = 0; offer.open && at < len; at += PART) {
-        memcpy(c->bytes + at, (const char *)bytes + at, len - at < PART ? len - at : PART);
-        wire_progress(n);
-    }
-    for (int i = 0; offer.open && i < LOOKS; i++) /* an answer takes about a microsecond */
-        wire_progress(n);
+    await_answer(n, c->bytes);
     if (offer.open) {
         offer.open = false;
         announce(n, false);

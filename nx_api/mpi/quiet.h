@@ -4,7 +4,7 @@
  * A node is at rest while its program has ended, or is in node_wait, where only a message can end the
  * wait: the conditions that calls wait for are made of what messages change, and handlers, too, run when
  * messages have come. A node is not at rest if its program computes, is in any call of the system (it
- * reads, sleeps in nanosleep, writes to a pipe), in sleep or usleep of libnx.a, which time ends, or has a
+ * reads, sleeps in nanosleep, writes to a pipe), in sleep, usleep or iowait of libnx.a, which time or a file ends, or has a
  * timer running (alarm, setitimer), whose signal may do anything. So the algorithm's conditions hold, and
  * its judgement is no guess: a program that computes for a day, stops in a debugger or waits for its
  * input keeps the token, and nobody is told anything. A message counts as received when it has come

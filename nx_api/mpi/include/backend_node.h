@@ -3,8 +3,9 @@
  *
  * The program's own thread makes all MPI calls: in NX calls (node_enter, node_wait, node_leave) and at the
  * polls that nxcc puts into loops and functions (nxc_preempt). There, and only there, messages are taken from
- * MPI into the mailbox and handlers run; so no handler can interrupt the C library. A second thread makes the
- * polls strike now and then (tick.h).
+ * MPI into the mailbox and handlers run; so no handler can interrupt the C library. Senders make the polls
+ * strike (bells.h), and a second thread does so now and then (tick.h). Other threads read and write files
+ * (io_jobs.h).
  */
 #ifndef MPI_BACKEND_NODE_H
 #define MPI_BACKEND_NODE_H
