@@ -90,8 +90,9 @@ static struct open_file *file_of(int fd)
 
 /* --- reading and writing --- */
 
-/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be, or not all could be
- * written: few programs look whether a write was complete, and a full disk must not cost them their results. */
+/* At an offset, or -1: at the file's own pointer. The bytes moved; -1 and errno if none could be, or not all
+ * could be written: few programs look whether a write was complete, and a full disk must not cost them their
+ * results. */
 static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t offset)
 {
     size_t moved = 0;
