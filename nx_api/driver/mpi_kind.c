@@ -1,4 +1,5 @@
-/* mpi_kind.c - see mpi_kind.h. Binaries are of few kinds: Open MPI's, and MPICH's, which Intel MPI and MVAPICH share. */
+/* mpi_kind.c - see mpi_kind.h. Binaries are of few kinds: Open MPI's, and MPICH's, which Intel MPI and
+ * MVAPICH share. */
 #include "nx_api/driver/mpi_kind.h"
 #include <elf.h>
 #include <stdbool.h>
@@ -32,9 +33,8 @@ const char *mpi_command(void)
     if (asked && *asked)
         return asked;
     if (!in_path("mpicc"))
-        fail(
-            "--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and libopenmpi-dev, or "
-            "name another by NXCC_MPICC");
+        fail("--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and "
+             "libopenmpi-dev, or name another by NXCC_MPICC");
     return "mpicc";
 }
 
@@ -68,8 +68,8 @@ const char *mpi_folder(const struct places *p)
     folder = text("%s/mpi/%s", p->lib, kind);
     if (access(folder, X_OK))
         fail(
-            "--mpi: %s is of the kind %s, for which nxcc has not been built (there is no %s): build it where that "
-            "MPI is installed, or name another by NXCC_MPICC",
+            "--mpi: %s is of the kind %s, for which nxcc has not been built (there is no %s): build it where "
+            "that MPI is installed, or name another by NXCC_MPICC",
             command, kind, folder);
     return folder;
 }
@@ -85,8 +85,8 @@ static bool asks_for(const Elf64_Sym *symbols, size_t count, const char *names, 
     return false;
 }
 
-/* "PMPI_Isend, PMPI_Test": those of a file's names that the program does not ask for; NULL: there are none, or it asks for
- * none at all, since its MPI has been linked into it. */
+/* "PMPI_Isend, PMPI_Test": those of a file's names that the program does not ask for; NULL: there are none,
+ * or it asks for none at all, since its MPI has been linked into it. */
 static char *not_asked_for(const struct elf_file *program, FILE *f)
 {
     size_t size, names_size, asked = 0;
@@ -114,8 +114,7 @@ void mpi_check_names(const struct places *p, const char *program)
     if (!missing)
         return;
     unlink(program);
-    fail(
-        "--mpi: the program defines %s, by which NX calls MPI: give it another name (names like MPI_Send, without the P, "
-        "are the program's)",
-        missing);
+    fail("--mpi: the program defines %s, by which NX calls MPI: give it another name (names like MPI_Send, "
+         "without the P, are the program's)",
+         missing);
 }

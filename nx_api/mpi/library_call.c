@@ -1,6 +1,6 @@
-/* library_call.c - see library_call.h. A program calls by a table, whose entries the dynamic linker has filled
- * in: the entry that the call's instructions name has a relocation, and that has the function's name. (What a
- * library calls its code for itself is of no use: its strlen is one of several, with local names.) */
+/* library_call.c - see library_call.h. A program calls by a table, whose entries the dynamic linker has
+ * filled in: the entry that the call's instructions name has a relocation, and that has the function's name.
+ * (What a library calls its code for itself is of no use: its strlen is one of several, with local names.) */
 #include "nx_api/mpi/library_call.h"
 #include <link.h>
 #include <stdbool.h>

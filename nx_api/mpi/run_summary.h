@@ -1,7 +1,8 @@
 /* run_summary.h - counts what each node does, and tells it at the end of a run: messages, waits, handlers.
  *
- * The environment variables NX_SUMMARY (for people, on node 0's standard error) and NX_SUMMARY_JSON (a file), on node 0,
- * turn it on for all nodes. Each sends its counts to node 0 when its program ends; node 0 writes them when all have. */
+ * The environment variables NX_SUMMARY (for people, on node 0's standard error) and NX_SUMMARY_JSON (a
+ * file), on node 0, turn it on for all nodes. Each sends its counts to node 0 when its program ends; node 0
+ * writes them when all have. */
 #ifndef MPI_RUN_SUMMARY_H
 #define MPI_RUN_SUMMARY_H
 #include "backend_node.h"

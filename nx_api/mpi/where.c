@@ -35,8 +35,8 @@ static uintptr_t crashed_at(const void *context)
     return (uintptr_t)((const ucontext_t *)context)->uc_mcontext.gregs[REG_RIP];
 }
 
-/* Addresses from the innermost; the first is that of the instruction that the signal has interrupted. After a call of
- * no function, which no unwinder understands, there is only what called it. */
+/* Addresses from the innermost; the first is that of the instruction that the signal has interrupted. After
+ * a call of no function, which no unwinder understands, there is only what called it. */
 static int read_stack(void **addresses, const void *context, int *first, bool *in_nothing)
 {
     int depth = backtrace(addresses, MOST_FRAMES);

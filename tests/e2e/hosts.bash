@@ -57,12 +57,13 @@ hosts_begin() {
     host_begin alpha 10.77.0.1
     host_begin beta 10.77.0.2
     printf 'alpha slots=8\nbeta slots=8\n' >hostfile
-    # What ssh is elsewhere: called with a host and a command.
+    # What ssh is elsewhere: called with a host and a command, which it leaves running. (If it ended when its host does, mpirun
+    # of Open MPI 4.1 would say that it could not start its daemon, and hang.)
     cat >agent <<END
 #!/bin/sh
 host=\$1
 shift
-exec nsenter --target "\$(cat $work/\$host.pid)" --net --uts --ipc --mount --pid --wd="$work" sh -c "\$*"
+nsenter --target "\$(cat $work/\$host.pid)" --net --uts --ipc --mount --pid --wd="$work" sh -c "\$*" &
 END
     chmod +x agent
 }

@@ -34,7 +34,8 @@ axes = ( { name = "nodes"; values = ( 1, 2 ); },
 END
 results() { grep -c ' [df] {' "$1/journal" 2>/dev/null; }
 same_results() { diff <(grep -v wall_time alone/results.json) <(grep -v wall_time "$1/results.json"); }
-shares() { across "$@" -x XDG_CACHE_HOME "$BUILD/touchstone" study -j 1 many.cfg -o shared; }
+# shellcheck disable=SC2086
+shares() { across "$@" $quick -x XDG_CACHE_HOME "$BUILD/touchstone" study -j 1 many.cfg -o shared; }
 "$BUILD/touchstone" study many.cfg -o alone >out 2>err
 rm -rf runs.log cache
 shares 4
@@ -52,6 +53,7 @@ check "an exploration on two computers" diff <(report alone.out) <(report out)
 check "finds something" grep -q 'outcomes differ from' out
 
 # --- what breaks ---
+# (Its messages are those of MPI's launcher.)
 wait_for() { # COMMAND...: until it succeeds, for a minute at most
     for _ in $(seq 600); do
         "$@" && return
@@ -87,5 +89,27 @@ check "and no process is left" wait_for nothing_left 'places-mpi works'
 on beta ip link set eth0 up
 broken host_dies beta
 check "a computer gone: the job ends" [ "$status" != 0 ]
-check "the computer is named" said 'beta'
+check "the computer is named" said 'Remote daemon: .* on node beta'
 check "and no process is left" wait_for nothing_left 'places-mpi works'
+
+# --- a computer gone from a study ---
+hosts_again() { # a new computer of the same name
+    ip link del beta 2>/dev/null
+    rm -f beta.begun
+    host_begin beta 10.77.0.2
+}
+hosts_again
+rm -rf shared cache runs.log
+shares 4 &
+some() { had=$(results shared) && [ "$had" -ge 3 ]; }
+wait_for some
+host_dies beta
+wait $!
+had=$(results shared)
+check "a study whose computer is gone keeps what was finished" [ "$had" -ge 3 ]
+check "and no process is left" wait_for nothing_left "study -j 1 many.cfg"
+hosts_again
+shares 4
+check "the same command completes it" ended_with 0
+check "with the same results" same_results shared
+check "and runs no more again than were under way" [ "$(wc -l <runs.log)" -le 16 ]
