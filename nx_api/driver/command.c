@@ -174,12 +174,3 @@ const char **command(const struct arguments *user, const struct places *p, bool 
         gcc[i] = a.gcc[i].text;
     return gcc;
 }
-
-_Noreturn void command_not_run(const char *program)
-{
-    if (errno == ENOENT && !strcmp(program, NXCC_GCC))
-        fail("%s is not to be found; nxcc has been built for this version of GCC: install it (in Debian, the "
-             "package of that name)",
-             program);
-    fail("%s: %s", program, strerror(errno));
-}

@@ -7,7 +7,5 @@
 
 /* Ends with NULL, for execvp. Files are all Fortran, or none is. link: what is compiled is linked, too. */
 const char **command(const struct arguments *user, const struct places *p, bool link);
-/* execvp has returned: says why, as errno does, and what to do. */
-_Noreturn void command_not_run(const char *program);
 
 #endif

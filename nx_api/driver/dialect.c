@@ -10,7 +10,6 @@
 #include <unistd.h>
 #include "nx_api/driver/rewrite.h"
 #include "nx_api/driver/source.h"
-#include "nx_api/driver/command.h"
 #include "nx_api/driver/text.h"
 
 enum { ROUNDS = 100, FIXED_WIDTH = 72, ANY_WIDTH = 10000 };
@@ -40,7 +39,7 @@ static int run(const char *const *gcc, FILE *said)
         if (said)
             dup2(fileno(said), STDERR_FILENO);
         execvp(gcc[0], (char *const *)gcc);
-        command_not_run(gcc[0]);
+        fail_to_run(gcc[0]);
     }
     if (waitpid(child, &status, 0) < 0)
         fail("waitpid: %s", strerror(errno));

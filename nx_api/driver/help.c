@@ -7,7 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
-#include "nx_api/driver/command.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
@@ -149,5 +148,5 @@ void help_version(void)
            TOUCHSTONE_VERSION, commit, __VERSION__);
     fflush(stdout);
     execlp(NXCC_GCC, NXCC_GCC, "--version", (char *)NULL);
-    command_not_run(NXCC_GCC);
+    fail_to_run(NXCC_GCC);
 }

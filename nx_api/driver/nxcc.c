@@ -54,7 +54,7 @@ static void become(const struct arguments *user, const struct places *p, bool li
     if (has_kind(user, FORTRAN_FILE))
         _exit(dialect_run(gcc, user));
     execvp(gcc[0], (char *const *)gcc);
-    command_not_run(gcc[0]);
+    fail_to_run(gcc[0]);
 }
 
 /* The same, and waits; gcc's exit status. */

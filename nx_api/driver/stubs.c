@@ -6,7 +6,6 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "nx_api/driver/command.h"
 #include "nx_api/driver/text.h"
 
 struct names {
@@ -53,7 +52,7 @@ static _Noreturn void become(const char **gcc, bool colors)
     more[0] = gcc[0], more[1] = color;
     memcpy(more + 2, gcc + 1, count * sizeof *more);
     execvp(gcc[0], (char *const *)(colors ? more : gcc));
-    command_not_run(gcc[0]);
+    fail_to_run(gcc[0]);
 }
 
 /* Runs gcc; all that it says, for free(). */

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 void fail(const char *format, ...)
 {
@@ -25,4 +26,13 @@ char *text(const char *format, ...)
         fail("out of memory");
     va_end(list);
     return s;
+}
+
+_Noreturn void fail_to_run(const char *program)
+{
+    if (errno == ENOENT && !strcmp(program, NXCC_GCC))
+        fail("%s is not to be found; nxcc has been built for this version of GCC: install it (in Debian, the "
+             "package of that name)",
+             program);
+    fail("%s: %s", program, strerror(errno));
 }
