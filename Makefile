@@ -131,7 +131,7 @@ bench-setup: ## Install what make bench compares with (packages-bench.txt)
 INST = $(DESTDIR)$(PREFIX)
 
 install: all ## Install into PREFIX (default /usr/local)
-	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci examples schemas)
+	install -d $(INST)/bin $(INST)/lib/touchstone/app $(addprefix $(INST)/share/touchstone/,include machines/cpu bench/paper ci examples/exercises/solutions schemas)
 	install $B/touchstone $B/nxcc $(INST)/bin
 	ln -sf nxcc $(INST)/bin/nxf77
 	install $B/touchstone-reference $(INST)/lib/touchstone
@@ -148,10 +148,12 @@ install: all ## Install into PREFIX (default /usr/local)
 	install -m 644 share/ci/*.yml $(INST)/share/touchstone/ci
 	install -m 644 share/schemas/*.json $(INST)/share/touchstone/schemas
 	install -m 644 share/examples/*.c share/examples/*.cfg $(INST)/share/touchstone/examples
+	install -m 644 share/examples/exercises/*.* $(INST)/share/touchstone/examples/exercises
+	install -m 644 share/examples/exercises/solutions/* $(INST)/share/touchstone/examples/exercises/solutions
 
 include doc/man/man.mk doc/manual/manual.mk
 
-FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
+FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)

@@ -5,7 +5,7 @@
 export XDG_CACHE_HOME=$work/cache
 ln -s "$BUILD" build
 ln -s "$tests/../../share" share
-for source in share/examples/exercises/*.c; do
+for source in share/examples/exercises/{,solutions/}*.c; do
     check "$(basename "$source"): no warning" eval "build/nxcc -O2 -Wall -Wextra -o w $source 2>&1 | tee warnings; test ! -s warnings"
 done
 for page in exercises exercises-solutions; do

@@ -1,10 +1,12 @@
-"""schemas.py FOLDER - are the schemas of the folder what they should be: a description for every key, no open object, a name that is
-the file's? schemas.py FOLDER NAME FILE [PATH...] - is the JSON file as the schema of that name says? With paths ("." the whole,
-"node.0" the first of the list node): does the object there fail with an unknown key more, and without any one required key?
+"""schemas.py FOLDER LIST [KEY...] - are the schemas of the folder what they should be: a description for every key, no open object,
+a name that is the file's? LIST has lines of NAME FILE PATH..., with tabs between them: is the JSON file as the schema of that name
+says? With paths ("." the whole, "node.0" the first of the list node): does the object there fail with an unknown key more, and
+without some key? And is each key of the schemas in some of the files, but for KEY... (regular expressions)?
 Prints "ok ..." or "not ok ..." for each."""
 import copy
 import json
 import os
+import re
 import sys
 import warnings
 
@@ -79,19 +81,51 @@ def changed(data, path):
         yield f"without {key}", copied
 
 
+class Keys:
+    """Which keys of schemas occur in files."""
+
+    def __init__(self, schemas):
+        self.schemas = {schema["$id"]: schema for schema in schemas.values()}
+        self.seen = set()
+
+    def resolve(self, part, root):
+        while "$ref" in part:
+            name, _, pointer = part["$ref"].partition("#")
+            part = root = self.schemas[name] if name else root
+            for step in pointer.split("/")[1:]:
+                part = part[step]
+        return part, root
+
+    def see(self, part, root, value):
+        part, root = self.resolve(part, root)
+        for kind in part.get("oneOf", []):
+            required = self.resolve(kind, root)[0].get("required", [])
+            if isinstance(value, list) or set(required) <= set(value):
+                self.see(kind, root, value)
+        for key, inner in value.items() if isinstance(value, dict) else ():
+            if key in part.get("properties", {}):
+                self.seen.add((id(part), key))
+                self.see(part["properties"][key], root, inner)
+            elif isinstance(part.get("additionalProperties"), dict):
+                self.see(part["additionalProperties"], root, inner)
+        for inner in value if isinstance(value, list) and "items" in part else ():
+            self.see(part["items"], root, inner)
+
+    def unseen(self):
+        for root in self.schemas.values():
+            for at, part in objects(root, root["$id"].split("/")[-2]):
+                for key in part.get("properties", {}):
+                    if (id(part), key) not in self.seen:
+                        yield f"{at}/{key}"
+
+
 def tell(good, what, why=()):
     print("ok" if good else "not ok", what)
     for line in why:
         print("#", line[:400])
 
 
-def main(folder, name=None, file=None, *paths):
-    schemas = load_all(folder)
-    if not name:
-        for name in schemas:
-            found = list(faults(schemas, name))
-            tell(not found, f"{name}: the schema describes every key", found)
-        return
+def check_file(schemas, name, file, paths):
     check = validator(schemas, name)
     data = json.load(open(file))
     errors = [f"{'/'.join(map(str, e.absolute_path))}: {e.message}" for e in check.iter_errors(data)]
@@ -100,6 +134,24 @@ def main(folder, name=None, file=None, *paths):
         passed = [what for what, copied in changed(data, path) if check.is_valid(copied)]
         tell("an unknown key" not in passed, f"{name}: an unknown key at {path} fails")
         tell(len(passed) < len(part_of(data, path)), f"{name}: without a required key of {path} it fails")
+    return data
+
+
+def main(folder, samples, *never):
+    schemas = load_all(folder)
+    keys = Keys(schemas)
+    for name in schemas:
+        found = list(faults(schemas, name))
+        tell(not found, f"{name}: the schema describes every key", found)
+    for line in open(samples).read().splitlines():
+        name, file, *paths = line.split("\t")
+        try:
+            keys.see(schemas[name], schemas[name], check_file(schemas, name, file, paths))
+        except (OSError, ValueError, KeyError, IndexError) as error:
+            tell(False, f"{name}: {file} {paths}", [repr(error)])
+    short = (key.replace("/properties", "").replace("/$defs", "").replace("/items", "") for key in keys.unseen())
+    left = [key for key in sorted(short) if not any(re.fullmatch(one, key) for one in never)]
+    tell(not left, "each key of each schema has been written", left)
 
 
 main(*sys.argv[1:])

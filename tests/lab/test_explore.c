@@ -384,12 +384,13 @@ static void a_race_wants_the_handler_behind_the_other_access(void **state)
     struct event_rows t = event_rows_of(r);
     struct order o = order_of(r, &t);
     struct flips f = {0};
-    json_t *races = json_loads("[{\"first_on\": 1, \"accesses\": [{\"in\": \"main\", \"at_s\": 0.000004},"
-                               "{\"in\": \"handler\", \"at_s\": 0.0000025}]},"
-                               "{\"first_on\": 1, \"accesses\": [{\"in\": \"main\", \"at_s\": 0.000001},"
-                               "{\"in\": \"handler\", \"at_s\": 0.0000025}]},"
-                               "{\"first_on\": 1, \"accesses\": [{\"in\": \"main\"}, {\"in\": \"main\"}]}]",
-                               0, NULL);
+    json_t *races =
+        json_loads("[{\"first_on\": \"node 1\", \"accesses\": [{\"in\": \"main\", \"at_s\": 0.000004},"
+                   "{\"in\": \"handler\", \"at_s\": 0.0000025}]},"
+                   "{\"first_on\": \"node 1\", \"accesses\": [{\"in\": \"main\", \"at_s\": 0.000001},"
+                   "{\"in\": \"handler\", \"at_s\": 0.0000025}]},"
+                   "{\"first_on\": \"node 1\", \"accesses\": [{\"in\": \"main\"}, {\"in\": \"main\"}]}]",
+                   0, NULL);
     race_flips_add(&f, &o, &BOUNDS, races);
     assert_int_equal(f.count, 1);
     assert_int_equal(f.list[0].number, 1);

@@ -1,6 +1,8 @@
 /* race_flips.c - see race_flips.h. */
 #include "lab/explore/race_flips.h"
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static bool is_in_handler(const json_t *access)
@@ -35,6 +37,13 @@ static void add_race(struct flips *all, const struct order *o, const struct dela
         flips_add_wanted(all, o, bounds, &(struct wanted_interrupt){node, h->number, second});
 }
 
+/* The node of "node 3"; false for the host, whose handlers are not directed. */
+static bool node_of(const json_t *race, uint32_t *node)
+{
+    const char *name = json_string_value(json_object_get(race, "first_on"));
+    return name && sscanf(name, "node %" SCNu32, node) == 1;
+}
+
 void race_flips_add(struct flips *all, const struct order *o, const struct delay_bounds *bounds,
                     const json_t *races)
 {
@@ -44,7 +53,9 @@ void race_flips_add(struct flips *all, const struct order *o, const struct delay
     {
         const json_t *pair = json_object_get(race, "accesses");
         const json_t *one = json_array_get(pair, 0), *other = json_array_get(pair, 1);
-        uint32_t node = (uint32_t)json_integer_value(json_object_get(race, "first_on"));
+        uint32_t node;
+        if (!node_of(race, &node))
+            continue;
         if (is_in_handler(one) && !is_in_handler(other))
             add_race(all, o, bounds, node, one, other);
         else if (is_in_handler(other) && !is_in_handler(one))

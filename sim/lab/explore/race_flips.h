@@ -7,7 +7,7 @@
 
 /* Adds for each race between a handler and the program, in which the handler came first, the flip that lets
  * the handler come behind the other access. races: the list of run --json; NULL: none. Of each race its
- * members first_on (the node) and accesses (two: in, at_s). */
+ * members first_on ("node 3") and accesses (two: in, at_s). */
 void race_flips_add(struct flips *all, const struct order *o, const struct delay_bounds *bounds,
                     const json_t *races);
 #endif

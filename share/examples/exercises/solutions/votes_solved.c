@@ -1,4 +1,4 @@
-/* votes_solved.c - a solution of exercise 4 (b): no handler runs between the reading and the writing of votes.
+/* votes_solved.c - a solution of exercise 4 (b): no handler runs while votes are added.
  *
  *    nxcc --races -g -O2 -o votes_solved votes_solved.c
  *    touchstone run -q -n 4 votes_solved
