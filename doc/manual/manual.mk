@@ -5,8 +5,8 @@ MANUAL_PAGES = $(wildcard doc/*.md doc/manual/*.md doc/pictures/* doc/manual/pag
 
 # The same sources give the same bytes: dates are those of the last commit, and no order depends on addresses of memory.
 SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || stat -c %Y README.md)
-SPHINX = SOURCE_DATE_EPOCH=$(SOURCE_DATE_EPOCH) PYTHONHASHSEED=0 PYTHONDONTWRITEBYTECODE=1 LC_ALL=C.UTF-8 TZ=UTC \
-    TOUCHSTONE_VERSION=$$($B/touchstone --version | sed -n '1s/.* //p') sphinx-build -q -W --keep-going -c doc/manual/sphinx -d $(MANUAL)/doctrees
+SAME   = SOURCE_DATE_EPOCH=$(SOURCE_DATE_EPOCH) PYTHONHASHSEED=0 PYTHONDONTWRITEBYTECODE=1 LC_ALL=C.UTF-8 TZ=UTC
+SPHINX = $(SAME) TOUCHSTONE_VERSION=$$($B/touchstone --version | sed -n '1s/.* //p') sphinx-build -q -W --keep-going -c doc/manual/sphinx -d $(MANUAL)/doctrees
 
 manual: doc-setup ## Make the manual: build/manual/html/index.html and build/manual/touchstone.pdf
 	$(SUBMAKE) $(MANUAL)/touchstone.pdf
@@ -23,7 +23,7 @@ $(MANUAL)/html/index.html: $(MANUAL_PAGES) $B/touchstone $B/nxcc
 $(MANUAL)/touchstone.pdf: $(MANUAL)/html/index.html
 	$(call say,PDF,$@)
 	$(SPHINX) -b book -D html_theme=basic $(MANUAL)/source $(MANUAL)/book
-	SOURCE_DATE_EPOCH=$(SOURCE_DATE_EPOCH) weasyprint -q $(MANUAL)/book/book.html $@.new
+	$(SAME) weasyprint -q $(MANUAL)/book/book.html $@.new
 	mv $@.new $@
 
 .PHONY: manual
