@@ -60,8 +60,8 @@ static bool close_all(struct atomic_file *f)
     return fclose(f->out) == 0 && written;
 }
 
-/* Sets errno to why an earlier write failed, of which stdio keeps no reason: tries another one, to a file that
- * is lost anyway. */
+/* Sets errno to why an earlier write failed, of which stdio keeps no reason: tries another one, to a file
+ * that is lost anyway. */
 static void find_reason(const struct atomic_file *f)
 {
     errno = 0;
