@@ -57,7 +57,7 @@ $B/libtouchstone.a: $(SIM_OBJ)
 # (Of the same objects from a library GCC inlines less, and messages take 4 % longer.)
 $B/touchstone: $B/obj/sim/cli/main.o $(SIM_OBJ)
 	$(call say,LINK,$@)
-	$(CC) $(SAN) $(OPT) $(LTO) $(if $(LTO),-Wno-lto-type-mismatch) -o $@ $^ $(LIBS)
+	$(CC) $(SAN) $(OPT) $(PREFIX_MAP) $(LTO) $(if $(LTO),-Wno-lto-type-mismatch) -o $@ $^ $(LIBS)
 
 $B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
 	$(call say,LINK,$@)

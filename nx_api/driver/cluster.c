@@ -18,7 +18,8 @@ void cluster_add_compile(struct arguments *a, const struct places *p)
 {
     add(a, text("-fplugin=%s/count.so", p->lib));
     add(a, "-fplugin-arg-count-poll");
-    add(a, "-ffp-contract=off"); /* results as on simulated nodes */
+    add(a, "-gno-record-gcc-switches"); /* the same object wherever nxcc is installed */
+    add(a, "-ffp-contract=off");        /* results as on simulated nodes */
 }
 
 void cluster_add_link(struct arguments *a, const struct places *p)

@@ -32,6 +32,7 @@
 #include "tree-scalar-evolution.h"
 #include "tree-chrec.h"
 #include "fold-const.h"
+#include "file-prefix-map.h"
 #include "cfganal.h"
 #include "cgraph.h"
 #include "builtins.h"

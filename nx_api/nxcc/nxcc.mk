@@ -18,7 +18,7 @@ NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) 
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(call say,LINK,$@)
-	$(CC) $(SAN) $(OPT) $(LTO) -o $@ $^
+	$(CC) $(SAN) $(OPT) $(PREFIX_MAP) $(LTO) -o $@ $^
 
 -include $(DRIVER_OBJ:.o=.d)
 $(DRIVER_OBJ): CFLAGS += -DNXCC_GCC='"$(NODE_CC)"'

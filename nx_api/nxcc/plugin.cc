@@ -140,7 +140,8 @@ void register_races(const char *plugin, const char *before)
  * distribution builds a version again with its corrections.) */
 bool is_own_gcc(const plugin_gcc_version *version)
 {
-    return !strcmp(version->basever, gcc_version.basever) && !strcmp(version->datestamp, gcc_version.datestamp);
+    return !strcmp(version->basever, gcc_version.basever) &&
+           !strcmp(version->datestamp, gcc_version.datestamp);
 }
 } // namespace
 

@@ -384,7 +384,7 @@ void write_cells()
     fputs(".Lnxc_cells:\n", asm_out_file);
     for (const cell &c : cells) {
         fprintf(asm_out_file, "\t.long %d, ", c.parent);
-        write(", ", c.file);
+        write(", ", remap_macro_filename(c.file.c_str())); /* -ffile-prefix-map */
         write(", ", c.function);
         write(", ", c.called);
         fprintf(asm_out_file, "%d\n", c.line);
