@@ -93,7 +93,9 @@ unit: $(UNIT)
 
 E2E      := $(wildcard tests/e2e/*.sh)
 HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
-E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record races_cost order_dependent manual install,%/$(once).sh@$(ASAN))
+# Not with sanitizers, too: what compiles, waits, or asks for the same again.
+E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_record mpi_errors mpi_summary mpi_kinds mpi_hosts \
+    full_disk races_cost order_dependent manual install installed version completion readme schemas tutorial exercises faults killed,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
