@@ -27,7 +27,7 @@ ifndef V
 say = @printf '  %-6s %s\n' $(1) $(2)
 endif
 
-all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/libkmath.a ## Build everything into build/
+all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/libkmath.a ## Build everything into build/
 
 $B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -136,8 +136,8 @@ install: all ## Install into PREFIX (default /usr/local)
 	ln -sf nxcc $(INST)/bin/nxf77
 	install $B/touchstone-reference $(INST)/lib/touchstone
 	install -m 644 $(wildcard $B/node/*.so $B/node/*.o $B/node/*.a) $(INST)/lib/touchstone
-	install -d $(INST)/lib/touchstone/mpi
-	install -m 644 $B/node/mpi/libnx.a $B/node/mpi/libnx_long32.a $B/node/mpi/names.map $(INST)/lib/touchstone/mpi
+	install -d $(addprefix $(INST)/lib/touchstone/mpi/,$(MPI_KINDS))
+	for file in $(MPI_LIBS); do install -m 644 $$file $(INST)/lib/touchstone/mpi/$${file#$(MPI)/}; done
 	install $B/app/model $(INST)/lib/touchstone/app
 	install -m 644 nx_api/include/*.h $(INST)/share/touchstone/include
 	cp -r --no-preserve=mode,ownership $(addprefix nx_api/include/,long32 pfs rpc sys) $(INST)/share/touchstone/include

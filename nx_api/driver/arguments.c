@@ -85,6 +85,8 @@ static void refuse(const char *s, bool mpi)
     if (!strncmp(s, "-flto", 5) && strcmp(s, "-flto=no"))
         fail("%s: the costs are counted when each file is compiled, so there is no link-time optimisation",
              s);
+    if (mpi && !strcmp(s, "-static"))
+        fail("-static: a program with --mpi needs the C library's shared form; leave it out");
     if (mpi)
         return;
     if (!strcmp(s, "-shared") || !strcmp(s, "-static") || !strcmp(s, "-m32") || !strcmp(s, "-mcmodel=large"))

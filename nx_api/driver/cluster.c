@@ -1,33 +1,17 @@
 /* cluster.c - see cluster.h. */
 #include "nx_api/driver/cluster.h"
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
+#include "nx_api/driver/mpi_kind.h"
 #include "nx_api/driver/text.h"
-
-static bool in_path(const char *program)
-{
-    bool found = false;
-    char *path = strdup(getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
-    for (char *rest = path, *folder; !found && (folder = strsep(&rest, ":"));) {
-        char *whole = text("%s/%s", *folder ? folder : ".", program);
-        found = access(whole, X_OK) == 0;
-        free(whole);
-    }
-    free(path);
-    return found;
-}
 
 const char *cluster_program(bool link)
 {
     if (!link)
         return "gcc";
-    if (!in_path("mpicc"))
-        fail(
-            "--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and libopenmpi-dev");
     setenv("OMPI_CC", "gcc", true); /* the plugin is gcc's */
     setenv("MPICH_CC", "gcc", true);
-    return "mpicc";
+    setenv("I_MPI_CC", "gcc", true);
+    return mpi_command();
 }
 
 void cluster_add_compile(struct arguments *a, const struct places *p)
@@ -50,7 +34,7 @@ void cluster_add_link(struct arguments *a, const struct places *p)
         add(a, "-llapack");
         add(a, "-lblas");
     }
-    add(a, text("%s/mpi/libnx%s.a", p->lib, a->long32 ? "_long32" : ""));
+    add(a, text("%s/libnx%s.a", mpi_folder(p), a->long32 ? "_long32" : ""));
     add(a, text("%s/libxdr.a", p->lib));
     add_all(a, libraries);
 }

@@ -1,12 +1,12 @@
 /* longs.c - see longs.h. The records are those of nxcc/long_abi.cc: lines "BYTES FILE WHAT NAME" in section
  * .nxc_longs. */
 #include "nx_api/driver/longs.h"
-#include <elf.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/text.h"
 
 struct record {
@@ -15,39 +15,6 @@ struct record {
 };
 
 /* --- the program's records --- */
-
-/* The whole file, for free(); NULL if it cannot be read. */
-static char *read_all(const char *path, size_t *size)
-{
-    char *all = NULL;
-    FILE *f = fopen(path, "r");
-    if (!f)
-        return NULL;
-    if (!fseek(f, 0, SEEK_END) && (*size = (size_t)ftell(f)) >= sizeof(Elf64_Ehdr) && (all = malloc(*size))) {
-        rewind(f);
-        if (fread(all, 1, *size, f) != *size)
-            fail("%s: it cannot be read", path);
-    }
-    fclose(f);
-    return all;
-}
-
-/* A section's bytes, ended by a 0 in place of its last, or NULL: the linker has just written the file, and
- * well. */
-static char *section(char *elf, size_t size, const char *name)
-{
-    const Elf64_Ehdr *head = (const Elf64_Ehdr *)elf;
-    const Elf64_Shdr *sections = (const Elf64_Shdr *)(elf + head->e_shoff);
-    if (memcmp(elf, ELFMAG, SELFMAG) || !head->e_shoff || head->e_shoff > size)
-        return NULL;
-    const char *names = elf + sections[head->e_shstrndx].sh_offset;
-    for (size_t i = 0; i < head->e_shnum; i++)
-        if (!strcmp(names + sections[i].sh_name, name) && sections[i].sh_size > 0) {
-            elf[sections[i].sh_offset + sections[i].sh_size - 1] = '\0';
-            return elf + sections[i].sh_offset;
-        }
-    return NULL;
-}
 
 /* Cuts a line up. A file's name may have blanks, what is behind it has none. */
 static struct record record_of(char *line)
@@ -113,9 +80,12 @@ static void check_pair(const char *program, const struct record *wide, const str
 
 void longs_check(const char *program)
 {
-    size_t size;
     struct record *list = NULL;
-    char *elf = read_all(program, &size), *lines = elf ? section(elf, size, ".nxc_longs") : NULL;
+    struct elf_file f = elf_read(program);
+    size_t size;
+    char *lines = elf_section(&f, ".nxc_longs", &size);
+    if (lines)
+        lines[size - 1] = '\0';
     size_t count = read_records(lines, &list);
     for (size_t i = 0; i < count; i++) {
         check_library(program, &list[i]);
@@ -125,5 +95,5 @@ void longs_check(const char *program)
         }
     }
     free(list);
-    free(elf);
+    elf_forget(&f);
 }

@@ -13,6 +13,7 @@
 #include "nx_api/driver/command.h"
 #include "nx_api/driver/dialect.h"
 #include "nx_api/driver/longs.h"
+#include "nx_api/driver/mpi_kind.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/stubs.h"
 #include "nx_api/driver/text.h"
@@ -46,6 +47,8 @@ static void become(const struct arguments *user, const struct places *p, bool li
         int status = stubs_link(gcc, user);
         if (!status && user->long32)
             longs_check(output_of(user));
+        if (!status && user->mpi)
+            mpi_check_names(p, output_of(user));
         _exit(status);
     }
     if (has_kind(user, FORTRAN_FILE))

@@ -7,7 +7,6 @@
  * clock, or the end of the sleep, makes up for it. */
 #ifndef MPI_BELLS_H
 #define MPI_BELLS_H
-#include <mpi.h>
 #include <stdatomic.h>
 #include "backend_node.h"
 
@@ -24,7 +23,7 @@ enum { BELL_RINGS = 1, BELL_WAKES = 2 };
 extern struct bell **bells __attribute__((visibility("hidden"))); /* by node; NULL: of another computer */
 
 /* For wire_begin, on all nodes. True: all nodes have bells. */
-bool bells_begin(const struct node *n, MPI_Comm comm);
+bool bells_begin(const struct node *n);
 /* This node wants to be rung for, from now on. */
 void bell_want(void);
 /* Ends what nxc_due says; what has been sent before is to be looked for after that. */

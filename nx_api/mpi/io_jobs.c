@@ -46,7 +46,7 @@ static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t of
         if (r < 0 && errno == EINTR)
             continue;
         if (r < 0)
-            return moved > 0 ? (ssize_t)moved : -1;
+            return moved > 0 && !write_it ? (ssize_t)moved : -1;
         if (r == 0)
             break;
         moved += (size_t)r;
@@ -61,7 +61,7 @@ long io_move(bool write_it, int fd, int64_t offset, const struct iovec *parts, i
         ssize_t r =
             move_part(write_it, fd, parts[i].iov_base, parts[i].iov_len, offset < 0 ? -1 : offset + moved);
         if (r < 0)
-            return moved > 0 ? moved : -1;
+            return moved > 0 && !write_it ? moved : -1;
         moved += r;
         if ((size_t)r < parts[i].iov_len)
             break;

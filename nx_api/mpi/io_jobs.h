@@ -10,8 +10,9 @@
 #include <stdint.h>
 #include <sys/uio.h>
 
-/* Moves bytes at an offset, or if it is negative at the file's own pointer. The bytes moved, fewer only at the file's end;
- * -1 and errno if none could be. */
+/* Moves bytes at an offset, or if it is negative at the file's own pointer. The bytes moved; -1 and errno if
+ * none could be, or not all could be written: few programs look whether a write was complete, and a full disk must not cost
+ * them their results. */
 long io_move(bool write, int fd, int64_t offset, const struct iovec *parts, int count);
 
 struct io_job;

@@ -1,15 +1,12 @@
 /* lines.c - see lines.h. */
 #include "nx_api/mpi/lines.h"
 #include <errno.h>
-#include <fcntl.h>
 #include <limits.h>
-#include <spawn.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <unistd.h>
+#include "nx_api/mpi/addr2line.h"
 
 struct place {
     uint64_t address;
@@ -20,8 +17,6 @@ struct lines {
     struct place *all; /* by address, each once */
     size_t count;
 };
-
-extern char **environ;
 
 static void *must(void *p)
 {
@@ -52,61 +47,27 @@ static void add_all(struct lines *l, const uint64_t *addresses, size_t count)
 /* --- addr2line --- */
 
 /* The line before an address behind a call: its instruction is the call. */
-static char **command(const struct lines *l, char *program)
+static const char **command(const struct lines *l)
 {
-    enum { DIGITS = 20, OPTIONS = 4 };
-    char **argv = must(calloc(OPTIONS + l->count + 1, sizeof *argv));
-    argv[0] = must(strdup("addr2line"));
-    argv[1] = must(strdup("-f"));
-    argv[2] = must(strdup("-e"));
-    argv[3] = must(strdup(program));
+    const char **argv = must(calloc(ADDR2LINE_BEFORE + l->count + 1, sizeof *argv));
     for (size_t i = 0; i < l->count; i++) {
-        argv[OPTIONS + i] = must(malloc(DIGITS));
-        snprintf(argv[OPTIONS + i], DIGITS, "%llx", (unsigned long long)(l->all[i].address - 1));
+        char *digits = must(malloc(ADDR2LINE_DIGITS));
+        addr2line_digits(digits, l->all[i].address - 1);
+        argv[ADDR2LINE_BEFORE + i] = digits;
     }
     return argv;
 }
 
-static void free_command(char **argv)
+static void free_command(const char **argv)
 {
-    for (char **a = argv; *a; a++)
-        free(*a);
+    for (const char **a = argv + ADDR2LINE_BEFORE; *a; a++)
+        free((char *)(uintptr_t)*a);
     free(argv);
 }
 
-/* Starts it: what it says comes from the descriptor returned; -1: there is no addr2line. */
-static int start(char **argv, pid_t *child)
+static char *copy(const char *text)
 {
-    int ends[2];
-    posix_spawn_file_actions_t actions;
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        return -1;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    int error = posix_spawnp(child, argv[0], &actions, NULL, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (!error)
-        return ends[0];
-    close(ends[0]);
-    return -1;
-}
-
-/* Without what compilers append to the names of a function's parts and copies (work.part.0). */
-static char *function_name(char *text)
-{
-    text[strcspn(text, ".\n")] = '\0';
-    return *text && strcmp(text, "??") != 0 ? must(strdup(text)) : NULL;
-}
-
-/* "/home/x/ring.c:17 (discriminator 2)" -> "ring.c:17" */
-static char *line_name(char *text)
-{
-    text[strcspn(text, " \n")] = '\0';
-    const char *slash = strrchr(text, '/'), *name = slash ? slash + 1 : text, *colon = strrchr(name, ':');
-    bool known = colon && name[0] != '?' && colon[1] >= '1' && colon[1] <= '9';
-    return known ? must(strdup(name)) : NULL;
+    return text ? must(strdup(text)) : NULL;
 }
 
 static void read_answers(struct lines *l, FILE *f)
@@ -115,19 +76,16 @@ static void read_answers(struct lines *l, FILE *f)
     for (size_t i = 0; i < l->count; i++) {
         if (!fgets(function, sizeof function, f) || !fgets(line, sizeof line, f))
             return;
-        l->all[i].function = function_name(function);
-        l->all[i].line = line_name(line);
+        l->all[i].function = copy(addr2line_function(function));
+        l->all[i].line = copy(addr2line_place(line));
     }
 }
 
 static void ask(struct lines *l)
 {
-    char program[PATH_MAX + 1] = "";
     pid_t child;
-    if (readlink("/proc/self/exe", program, PATH_MAX) <= 0)
-        return;
-    char **argv = command(l, program);
-    int from = start(argv, &child);
+    const char **argv = command(l);
+    int from = addr2line_start(argv, &child);
     free_command(argv);
     FILE *f = from < 0 ? NULL : fdopen(from, "r");
     if (!f)

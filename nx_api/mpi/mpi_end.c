@@ -13,10 +13,13 @@
 #include "nx_api/mpi/mpi_wire.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/run_summary.h"
+#include "nx_api/mpi/where.h"
 
 enum { PATIENCE_S = 5 };
 
 static pid_t process; /* of the program itself, not of its children */
+static bool deadlocked;
 
 static void nap(long ns)
 {
@@ -45,6 +48,7 @@ static void say_end(struct node *n, int status)
     n->ends[n->id].ended = true;
     n->ended++;
     record_end(n);
+    SUMMARY(end, n, status);
     wire_send(n, ALL_NODES, (struct wire_head){WIRE_END, status, (int32_t)n->pid, 0}, NULL, 0);
 }
 
@@ -67,6 +71,8 @@ static void finish(struct node *n, int status, double patience)
             kill_others(n);
         }
     }
+    if (n->id == 0)
+        SUMMARY(write, n, deadlock || deadlocked);
     settle(n);
     if (deadlock)
         syscall(SYS_exit_group, DEADLOCK_STATUS);
@@ -83,6 +89,7 @@ static void exits(struct node *n, int status)
     }
     fprintf(stderr, "nx: node %ld, at %.6f s: exit(%d), which ends the program on all nodes\n", n->id,
             mpi_seconds(), status);
+    SUMMARY(fail);
     kill_others(n);
     finish(n, status, PATIENCE_S);
 }
@@ -116,15 +123,22 @@ _Noreturn void mpi_end_here(struct node *n)
 _Noreturn void node_fail(struct node *n, const char *fmt, ...)
 {
     va_list ap;
-    char text[512];
+    char message[512], head[80];
+    static struct safe_text text;
     va_start(ap, fmt);
-    vsnprintf(text, sizeof text, fmt, ap);
+    vsnprintf(message, sizeof message, fmt, ap);
     va_end(ap);
     fflush(stdout);
-    fprintf(stderr, "nx: node %ld, at %.6f s: %s\n", n->id, mpi_seconds(), text);
+    snprintf(head, sizeof head, "nx: node %ld, at %.6f s: ", n->id, mpi_seconds());
+    safe_append(&text, head);
+    safe_append(&text, message);
+    safe_append(&text, "\n");
+    where_append(&text, NULL);
+    safe_write(&text);
     if (n->over || !n->ends)
         wire_abort(1);
     fflush(NULL);
+    SUMMARY(fail);
     kill_others(n);
     finish(n, 1, PATIENCE_S);
     node__exit(1);
@@ -132,6 +146,7 @@ _Noreturn void node_fail(struct node *n, const char *fmt, ...)
 
 _Noreturn void mpi_end_deadlocked(struct node *n)
 {
+    deadlocked = true;
     fflush(NULL);
     kill_others(n);
     finish(n, DEADLOCK_STATUS, PATIENCE_S);

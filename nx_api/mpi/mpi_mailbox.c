@@ -10,6 +10,7 @@
 #include "nx_api/mpi/mpi_wire.h"
 #include "nx_api/mpi/past_messages.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/run_summary.h"
 #include "nx_api/mpi/tick.h"
 
 /* A handler that is to run: for a receive that is complete, or a send whose buffer is free. */
@@ -296,7 +297,9 @@ bool mpi_mailbox_run_handler(struct node *n)
     n->in_handler = true;
     n->call = NULL;
     n->ready = NULL;
+    SUMMARY(handler);
     call_handler(n, &d);
+    SUMMARY(handled);
     n->in_handler = false;
     n->ready = ready;
     n->call = call, n->call_type = type, n->call_has_type = has_type, n->caller = caller;

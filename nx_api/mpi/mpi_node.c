@@ -10,11 +10,13 @@
 #include "nx_api/calls/call.h"
 #include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/deadlock.h"
+#include "nx_api/mpi/launcher.h"
 #include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/mpi_files.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/run_summary.h"
 #include "nx_api/mpi/stack.h"
 #include "nx_api/mpi/signals.h"
 #include "nx_api/mpi/sleep.h"
@@ -126,11 +128,15 @@ static void rest(struct node *n, double *since)
 }
 
 /* Polls without a pause at first, then yields the processor, and at last sleeps till somebody rings. On a busy computer a
- * yield may take milliseconds: so there are few. */
+ * yield may take a hundred milliseconds: so the time counts, too. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
     enum { YIELDING = 2000, SLEEPING = 2300 };
-    if (polls > SLEEPING)
+    static const double LONG_S = 0.02;
+    static double yields;
+    if (polls == YIELDING)
+        yields = mpi_seconds();
+    if (polls > SLEEPING || (polls > YIELDING && mpi_seconds() - yields > LONG_S))
         rest(n, since);
     else if (polls > YIELDING)
         sched_yield();
@@ -155,6 +161,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *, void *), void *arg)
     double since = -1;
     n->ready = ready, n->ready_for = arg;
     tick_rest(true);
+    SUMMARY(wait);
     for (unsigned polls = 0;; polls++) {
         bool any = progress(n);
         if (ready(n, arg))
@@ -163,6 +170,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *, void *), void *arg)
             polls = 0;
         pause_after(n, polls, &since);
     }
+    SUMMARY(go_on, n);
     tick_rest(false);
     n->ready = outer, n->ready_for = outer_for;
 }
@@ -241,6 +249,7 @@ bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
     const struct wire_head head = {WIRE_DATA, (int32_t)o->type, (int32_t)n->pid, 0};
+    SUMMARY(send, n, o->node, (size_t)o->len);
     wire_send(n, o->node, head, o->buf, (size_t)o->len);
     if (s)
         s->done = true;
@@ -276,10 +285,12 @@ static void begin(struct node *n, int *argc, char ***argv)
     clock_gettime(CLOCK_MONOTONIC, &began);
     bool rung = wire_begin(n, argc, argv);
     clock_gettime(CLOCK_MONOTONIC, &began);
+    launcher_check(n);
     n->ends = calloc(n->sys->count, sizeof *n->ends);
     n->mailbox = mpi_mailbox_new();
     quiet_begin(n);
     record_begin(n);
+    summary_begin(n);
     nxc_saved = state_to_save();
     signals_begin();
     if (!n->ends || !tick_start(rung))

@@ -11,6 +11,7 @@
 #include "nx_api/mpi/mpi_packets.h"
 #include "nx_api/mpi/order_record.h"
 #include "nx_api/mpi/quiet.h"
+#include "nx_api/mpi/run_summary.h"
 #include "nx_api/mpi/shared_pointer.h"
 #include "nx_api/mpi/states.h"
 
@@ -33,7 +34,7 @@ bool wire_begin(struct node *n, int *argc, char ***argv)
         node_fail(n, "this MPI allows no second thread in a program (MPI_THREAD_FUNNELED)");
     packets_begin(comm);
     bodies_begin(comm);
-    bool rung = bells_begin(n, comm);
+    bool rung = bells_begin(n);
     MPI_Barrier(comm); /* clocks begin together */
     return rung;
 }
@@ -114,6 +115,9 @@ static void act(struct node *n, const struct wire_head *head, int source, const 
         break;
     case WIRE_RECORD:
         record_part(bytes, (size_t)head->bytes);
+        break;
+    case WIRE_SUMMARY:
+        summary_part((uint32_t)source, bytes, (size_t)head->bytes);
         break;
     }
 }

@@ -21,8 +21,9 @@ enum wire_kind {
     WIRE_READY, /* to the sender of offer `value`: this node is receiving it */
     WIRE_BODY, /* the bytes of the sender's last offer come now. type: 1 if out of its program's own buffer */
     WIRE_ASK,  /* what does the node wait for? */
-    WIRE_STATE, /* the answer, of states.c */
-    WIRE_RECORD /* a part of a record, of order_record.c */
+    WIRE_STATE,  /* the answer, of states.c */
+    WIRE_RECORD, /* a part of a record, of order_record.c */
+    WIRE_SUMMARY /* a part of run_summary.c */
 };
 
 struct wire_head {

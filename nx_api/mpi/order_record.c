@@ -6,6 +6,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 #include "nx_api/mpi/mpi_wire.h"
 
@@ -93,7 +94,8 @@ void record_handler(void)
 
 /* --- the parts --- */
 
-/* Text that is written with functions that are safe in a signal handler: so printf is not used. */
+/* Text that is written with functions that are safe in a signal handler: so neither printf is used, nor open,
+ * write and close, which are libnx.a's own. */
 struct out {
     char bytes[4096];
     size_t count;
@@ -173,7 +175,7 @@ static void to_stream(struct out *o)
 static void to_file(struct out *o)
 {
     for (size_t at = 0; at < o->count;) {
-        ssize_t done = write(o->fd, o->bytes + at, o->count - at);
+        ssize_t done = syscall(SYS_write, o->fd, o->bytes + at, o->count - at);
         if (done <= 0)
             return;
         at += (size_t)done;
@@ -225,7 +227,8 @@ void record_part(const void *bytes, size_t count)
         begin_file();
     if (!failed && (!all.file || fwrite(bytes, 1, count, all.file) != count || fflush(all.file) != 0)) {
         failed = true;
-        fprintf(stderr, "nx: NX_RECORD: %s cannot be written: %s\n", all.path, strerror(errno));
+        fprintf(stderr, "nx: NX_RECORD: %s cannot be written: %s%s\n", all.path, strerror(errno),
+                all.file ? "; what is in it is not complete" : "");
     }
 }
 
@@ -240,11 +243,11 @@ void record_rescue(void)
     put_number(&path, (uint64_t)all.node);
     path.bytes[path.count] = '\0';
     *strrchr(path.bytes, ' ') = '.';
-    o.fd = open(path.bytes, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    o.fd = openat(AT_FDCWD, path.bytes, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     if (o.fd < 0)
         return;
     if (all.node == 0)
         put_head(&o);
     put_part(&o);
-    close(o.fd);
+    syscall(SYS_close, o.fd);
 }

@@ -3,77 +3,89 @@
 #include "nx_api/mpi/signals.h"
 #include <errno.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <string.h>
+#include <ucontext.h>
 #include <unistd.h>
 #include "nx_api/mpi/mpi_node.h"
 #include "nx_api/mpi/order_record.h"
+#include "nx_api/mpi/safe_text.h"
+#include "nx_api/mpi/where.h"
 
-struct text {
-    char bytes[200];
-    size_t count;
-};
-
-static void append(struct text *t, const char *s)
-{
-    while (*s && t->count < sizeof t->bytes)
-        t->bytes[t->count++] = *s++;
-}
-
-static void append_number(struct text *t, long number)
-{
-    char digits[24], *p = digits + sizeof digits - 1;
-    unsigned long rest = number < 0 ? -(unsigned long)number : (unsigned long)number;
-    *p = '\0';
-    do
-        *--p = (char)('0' + rest % 10);
-    while ((rest /= 10) > 0);
-    if (number < 0)
-        *--p = '-';
-    append(t, p);
-}
+static struct safe_text text;
 
 /* "nx: node 3: " and what, and the call it is in. */
-static void say(const char *what)
+static void append_state(struct safe_text *t, const char *what)
 {
-    struct text t = {.count = 0};
     const struct node *n = node_self();
-    append(&t, "nx: node ");
-    append_number(&t, n->id);
-    append(&t, ": ");
-    append(&t, what);
+    safe_append(t, "nx: node ");
+    safe_append_number(t, n->id);
+    safe_append(t, ": ");
+    safe_append(t, what);
     if (n->over) {
-        append(&t, " after its program's end");
+        safe_append(t, " after its program's end");
     } else if (n->call) {
-        append(&t, " in ");
-        append(&t, n->call);
+        safe_append(t, " in ");
+        safe_append(t, n->call);
     } else {
-        append(&t, " computing");
+        safe_append(t, " computing");
     }
     if (!n->over && n->call && n->call_has_type) {
-        append(&t, ", of type or id ");
-        append_number(&t, n->call_type);
+        safe_append(t, ", of type or id ");
+        safe_append_number(t, n->call_type);
     }
-    append(&t, n->in_handler ? ", in a handler\n" : "\n");
-    if (write(2, t.bytes, t.count) < 0)
-        return;
+    if (n->in_handler)
+        safe_append(t, ", in a handler");
 }
 
-static void crashed(int sig)
+static const char *name_of(int sig)
 {
-    say(sig == SIGSEGV  ? "crashed (segmentation fault)"
-        : sig == SIGFPE ? "crashed (arithmetic error)"
-        : sig == SIGBUS ? "crashed (bus error)"
-                        : "crashed (illegal instruction)");
-    record_rescue();
+    return sig == SIGSEGV   ? "crashed (segmentation fault)"
+           : sig == SIGFPE  ? "crashed (arithmetic error)"
+           : sig == SIGBUS  ? "crashed (bus error)"
+           : sig == SIGABRT ? "crashed (abort was called)"
+                            : "crashed (illegal instruction)";
+}
+
+/* What the address says that was used. */
+static const char *cause_of(const siginfo_t *info, const ucontext_t *context)
+{
+    enum { PAGE = 4096, FRAME = 1 << 16 };
+    uintptr_t address = (uintptr_t)info->si_addr, stack = (uintptr_t)context->uc_mcontext.gregs[REG_RSP];
+    if (info->si_signo != SIGSEGV || info->si_code <= 0)
+        return "";
+    return address < PAGE                        ? ": a null pointer"
+           : address - stack + FRAME < 2 * FRAME ? ": the stack is full (ulimit -s)"
+                                                 : "";
+}
+
+/* The first line is written before anything else is tried. A crash in here ends the process at once. */
+static void crashed(int sig, siginfo_t *info, void *context)
+{
+    static volatile sig_atomic_t again;
     signal(sig, SIG_DFL);
+    if (again++) {
+        raise(sig);
+        return;
+    }
+    append_state(&text, name_of(sig));
+    safe_append(&text, cause_of(info, context));
+    safe_append(&text, "\n");
+    safe_write(&text);
+    record_rescue();
+    where_append(&text, context);
+    safe_write(&text);
     raise(sig);
 }
 
-static void asked(int sig)
+static void asked(int sig, siginfo_t *info, void *context)
 {
     int saved = errno;
-    (void)sig;
-    say("is");
+    (void)sig, (void)info;
+    append_state(&text, "is");
+    safe_append(&text, "\n");
+    where_append(&text, context);
+    safe_write(&text);
     errno = saved;
 }
 
@@ -85,13 +97,23 @@ static void told_to_end(int sig)
     raise(sig);
 }
 
+/* A stack of its own, for reports of programs that have used up theirs. */
+static void make_stack(void)
+{
+    static char space[1 << 17];
+    sigaltstack(&(stack_t){.ss_sp = space, .ss_size = sizeof space}, NULL);
+}
+
 void signals_begin(void)
 {
-    static const int crashes[] = {SIGSEGV, SIGFPE, SIGBUS, SIGILL};
+    static const int crashes[] = {SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGABRT};
+    where_begin();
+    make_stack();
     for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
-        sigaction(crashes[i], &(struct sigaction){.sa_handler = crashed, .sa_flags = SA_NODEFER}, NULL);
-    static const int ends[] = {SIGTERM, SIGABRT};
-    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
-        sigaction(ends[i], &(struct sigaction){.sa_handler = told_to_end, .sa_flags = SA_NODEFER}, NULL);
-    sigaction(SIGUSR1, &(struct sigaction){.sa_handler = asked, .sa_flags = SA_RESTART}, NULL);
+        sigaction(
+            crashes[i],
+            &(struct sigaction){.sa_sigaction = crashed, .sa_flags = SA_NODEFER | SA_SIGINFO | SA_ONSTACK},
+            NULL);
+    sigaction(SIGTERM, &(struct sigaction){.sa_handler = told_to_end, .sa_flags = SA_NODEFER}, NULL);
+    sigaction(SIGUSR1, &(struct sigaction){.sa_sigaction = asked, .sa_flags = SA_RESTART | SA_SIGINFO}, NULL);
 }

@@ -30,6 +30,10 @@ static inline uintptr_t stack_caller(const void *frame)
 /* Writes the return addresses of the program's calls under way, the innermost first, at most `most`;
  * returns how many. main's is the last; those of libnx.a and of shared libraries are left out. */
 size_t stack_walk(uint64_t *returns, size_t most);
+/* Is an address in what polls call? Then the next frame is that of a poll, whose code is out of line: its place in the
+ * program is another than the return address says. */
+bool stack_in_poll(uintptr_t address);
+uintptr_t stack_poll_place(uintptr_t behind);
 /* An address as the executable file has it, the same in all processes; 0 for one outside of the program. */
 uint64_t stack_in_file(uintptr_t address);
 #endif

@@ -109,7 +109,7 @@ read_includes() {
 # Objects whose source is gone are left from before. Those made of one source in several ways count once.
 read_symbols() {
     local build=$1
-    find "$build/obj" "$build/node/obj" "$build/node/mpi/obj" -name '*.o' 2>/dev/null |
+    find "$build/obj" "$build/node/obj" "$build/node/mpi" -name '*.o' 2>/dev/null |
         grep -vE '/obj/(long32|profile|long32_profile)/' | sort >"$FACTS/objects"
     [ -s "$FACTS/objects" ] || return 0
     xargs nm -A -g -C <"$FACTS/objects" 2>/dev/null |
@@ -130,9 +130,9 @@ read_symbols() {
                 else if (object ~ /\/nx_api\/driver\//) world = "driver"
                 else if (object ~ /\/nx_api\/nxcc\//) world = "plugin"
                 sub(/^obj\//, "", object)
-                sub(/^node\/mpi\/obj\//, "nx_api/", object)
+                sub(/^node\/mpi\/([a-z]+\/)?obj\//, "nx_api/", object)
                 sub(/^node\/obj\//, "nx_api/", object)
-                if (source[object] != "")
+                if (source[object] != "" && !seen[world, letter, source[object], symbol]++)
                     print world "\t" letter "\t" source[object] "\t" symbol
             }' "$FACTS/files" -
 }

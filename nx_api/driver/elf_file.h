@@ -1,0 +1,16 @@
+/* elf_file.h - a linked program, in memory. */
+#ifndef DRIVER_ELF_FILE_H
+#define DRIVER_ELF_FILE_H
+#include <stddef.h>
+
+struct elf_file {
+    char *bytes; /* NULL: there is no such file, or it is no ELF file */
+    size_t size;
+};
+
+struct elf_file elf_read(const char *path);
+void elf_forget(struct elf_file *f);
+/* A section's bytes, and how many; NULL: it is not there, or empty. */
+char *elf_section(const struct elf_file *f, const char *name, size_t *size);
+
+#endif

@@ -1,0 +1,121 @@
+/* mpi_kind.c - see mpi_kind.h. Binaries are of few kinds: Open MPI's, and MPICH's, which Intel MPI and MVAPICH share. */
+#include "nx_api/driver/mpi_kind.h"
+#include <elf.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "nx_api/driver/elf_file.h"
+#include "nx_api/driver/text.h"
+
+/* --- which --- */
+
+static bool in_path(const char *program)
+{
+    bool found = strchr(program, '/') && access(program, X_OK) == 0;
+    char *path = strdup(getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
+    for (char *rest = path, *folder; !found && (folder = strsep(&rest, ":"));) {
+        char *whole = text("%s/%s", *folder ? folder : ".", program);
+        found = access(whole, X_OK) == 0;
+        free(whole);
+    }
+    free(path);
+    return found;
+}
+
+const char *mpi_command(void)
+{
+    const char *asked = getenv("NXCC_MPICC");
+    if (asked && *asked && !in_path(asked))
+        fail("--mpi: NXCC_MPICC is %s, which is not to be found: it should be the mpicc of an MPI", asked);
+    if (asked && *asked)
+        return asked;
+    if (!in_path("mpicc"))
+        fail(
+            "--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and libopenmpi-dev, or "
+            "name another by NXCC_MPICC");
+    return "mpicc";
+}
+
+/* What mpi.h defines says it. */
+static const char *kind_of(const char *command)
+{
+    static const char *const known[][2] = {
+        {"OPEN_MPI", "openmpi"}, {"MPICH_VERSION", "mpich"}, {"I_MPI_VERSION", "mpich"}};
+    char *all = text("'%s' -include mpi.h -E -dM -x c /dev/null", command), line[300], name[100];
+    const char *kind = NULL;
+    FILE *f = popen(all, "r");
+    if (!f)
+        fail("--mpi: %s cannot be started", command);
+    while (fgets(line, sizeof line, f))
+        for (size_t i = 0; !kind && i < sizeof known / sizeof *known; i++)
+            if (sscanf(line, "#define %99s", name) == 1 && !strcmp(name, known[i][0]))
+                kind = known[i][1];
+    pclose(f);
+    free(all);
+    return kind;
+}
+
+const char *mpi_folder(const struct places *p)
+{
+    static char *folder;
+    if (folder)
+        return folder;
+    const char *command = mpi_command(), *kind = kind_of(command);
+    if (!kind)
+        fail("--mpi: %s is neither Open MPI's nor MPICH's, nor of their kinds", command);
+    folder = text("%s/mpi/%s", p->lib, kind);
+    if (access(folder, X_OK))
+        fail(
+            "--mpi: %s is of the kind %s, for which nxcc has not been built (there is no %s): build it where that "
+            "MPI is installed, or name another by NXCC_MPICC",
+            command, kind, folder);
+    return folder;
+}
+
+/* --- names --- */
+
+/* Is a name of a library in a linked program? Those of its own are not in this table (names.map). */
+static bool asks_for(const Elf64_Sym *symbols, size_t count, const char *names, const char *name)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!strcmp(names + symbols[i].st_name, name))
+            return true;
+    return false;
+}
+
+/* "PMPI_Isend, PMPI_Test": those of a file's names that the program does not ask for; NULL: there are none, or it asks for
+ * none at all, since its MPI has been linked into it. */
+static char *not_asked_for(const struct elf_file *program, FILE *f)
+{
+    size_t size, names_size, asked = 0;
+    const char *symbols = elf_section(program, ".dynsym", &size);
+    const char *names = elf_section(program, ".dynstr", &names_size);
+    char name[100], *missing = NULL;
+    while (symbols && names && fscanf(f, "%99s", name) == 1) {
+        if (asks_for((const Elf64_Sym *)symbols, size / sizeof(Elf64_Sym), names, name))
+            asked++;
+        else
+            missing = missing ? text("%s, %s", missing, name) : text("%s", name);
+    }
+    return asked ? missing : NULL;
+}
+
+void mpi_check_names(const struct places *p, const char *program)
+{
+    FILE *f = fopen(text("%s/theirs", mpi_folder(p)), "r");
+    if (!f)
+        fail("%s/theirs is missing: is the installation complete?", mpi_folder(p));
+    struct elf_file e = elf_read(program);
+    char *missing = not_asked_for(&e, f);
+    fclose(f);
+    elf_forget(&e);
+    if (!missing)
+        return;
+    unlink(program);
+    fail(
+        "--mpi: the program defines %s, by which NX calls MPI: give it another name (names like MPI_Send, without the P, "
+        "are the program's)",
+        missing);
+}
