@@ -1,5 +1,5 @@
-/* bells.c - see bells.h. The nodes of a computer share a file of memory, of a page for each. A node maps its own over the
- * page of its program that has nxc_due and nothing else. */
+/* bells.c - see bells.h. The nodes of a computer share a file of memory, of a page for each. A node maps
+ * its own over the page of its program that has nxc_due and nothing else. */
 #include "nx_api/mpi/bells.h"
 #include <fcntl.h>
 #include <linux/futex.h>

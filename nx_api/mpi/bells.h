@@ -1,10 +1,11 @@
-/* bells.h - a sender's library rings when it has sent to a node of the same computer: it sets the receiver's nxc_due,
- * which lies in shared memory, so that the next poll of a computing program takes the message in; and it wakes a receiver
- * that sleeps in its wait. A ring costs the receiver nothing when it does not come, unlike a clock that ticks often.
+/* bells.h - a sender's library rings when it has sent to a node of the same computer: it sets the
+ * receiver's nxc_due, which lies in shared memory, so that the next poll of a computing program takes the
+ * message in; and it wakes a receiver that sleeps in its wait. A ring costs the receiver nothing when it
+ * does not come, unlike a clock that ticks often.
  *
- * Nodes of other computers do not ring; nor do any where there is no shared memory. Then the clock ticks more often
- * (tick.h). A ring may be missed, in the moment in which a program posts its first handler or goes to sleep: the
- * clock, or the end of the sleep, makes up for it. */
+ * Nodes of other computers do not ring; nor do any where there is no shared memory. Then the clock ticks
+ * more often (tick.h). A ring may be missed, in the moment in which a program posts its first handler or
+ * goes to sleep: the clock, or the end of the sleep, makes up for it. */
 #ifndef MPI_BELLS_H
 #define MPI_BELLS_H
 #include <stdatomic.h>

@@ -28,7 +28,8 @@ struct io_file {
     uint32_t writes; /* of them */
 };
 
-/* lock protects the files and their jobs, but for `done`. A job that is done belongs to the program's thread. */
+/* lock protects the files and their jobs, but for `done`. A job that is done belongs to the program's
+ * thread. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed = PTHREAD_COND_INITIALIZER;
 static struct io_file **files; /* by file descriptor; only the program's thread changes the table */
