@@ -1,8 +1,9 @@
-/* bells.c - see bells.h. The nodes of a computer share a file of memory, of a page for each. A node maps its own over the
- * page of its program that has nxc_due and nothing else. */
+/* bells.c - see bells.h. The nodes of a computer share a file of memory, of a page for each. A node maps
+ * its own over the page of its program that has nxc_due and nothing else. */
 #include "nx_api/mpi/bells.h"
 #include <fcntl.h>
 #include <linux/futex.h>
+#include <mpi.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -75,14 +76,14 @@ static void note_pages(const struct node *n, MPI_Comm here, int count, char *all
     free(ids);
 }
 
-bool bells_begin(const struct node *n, MPI_Comm comm)
+bool bells_begin(const struct node *n)
 {
     MPI_Comm here;
     int rank, count, fd;
     bells = calloc(n->sys->count, sizeof(struct bell *));
     if (!bells)
         node_fail(node_self(), "out of memory");
-    MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
     MPI_Comm_rank(here, &rank);
     MPI_Comm_size(here, &count);
     fd = open_together(here, rank, count);

@@ -1,13 +1,13 @@
-/* bells.h - a sender's library rings when it has sent to a node of the same computer: it sets the receiver's nxc_due,
- * which lies in shared memory, so that the next poll of a computing program takes the message in; and it wakes a receiver
- * that sleeps in its wait. A ring costs the receiver nothing when it does not come, unlike a clock that ticks often.
+/* bells.h - a sender's library rings when it has sent to a node of the same computer: it sets the
+ * receiver's nxc_due, which lies in shared memory, so that the next poll of a computing program takes the
+ * message in; and it wakes a receiver that sleeps in its wait. A ring costs the receiver nothing when it
+ * does not come, unlike a clock that ticks often.
  *
- * Nodes of other computers do not ring; nor do any where there is no shared memory. Then the clock ticks more often
- * (tick.h). A ring may be missed, in the moment in which a program posts its first handler or goes to sleep: the
- * clock, or the end of the sleep, makes up for it. */
+ * Nodes of other computers do not ring; nor do any where there is no shared memory. Then the clock ticks
+ * more often (tick.h). A ring may be missed, in the moment in which a program posts its first handler or
+ * goes to sleep: the clock, or the end of the sleep, makes up for it. */
 #ifndef MPI_BELLS_H
 #define MPI_BELLS_H
-#include <mpi.h>
 #include <stdatomic.h>
 #include "backend_node.h"
 
@@ -24,7 +24,7 @@ enum { BELL_RINGS = 1, BELL_WAKES = 2 };
 extern struct bell **bells __attribute__((visibility("hidden"))); /* by node; NULL: of another computer */
 
 /* For wire_begin, on all nodes. True: all nodes have bells. */
-bool bells_begin(const struct node *n, MPI_Comm comm);
+bool bells_begin(const struct node *n);
 /* This node wants to be rung for, from now on. */
 void bell_want(void);
 /* Ends what nxc_due says; what has been sent before is to be looked for after that. */

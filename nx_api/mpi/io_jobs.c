@@ -28,7 +28,8 @@ struct io_file {
     uint32_t writes; /* of them */
 };
 
-/* lock protects the files and their jobs, but for `done`. A job that is done belongs to the program's thread. */
+/* lock protects the files and their jobs, but for `done`. A job that is done belongs to the program's
+ * thread. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed = PTHREAD_COND_INITIALIZER;
 static struct io_file **files; /* by file descriptor; only the program's thread changes the table */
@@ -36,8 +37,8 @@ static int file_count;
 
 /* --- moving --- */
 
-/* The bytes moved; -1 and errno if none could be, or not all could be written: few programs look whether a write was
- * complete, and a full disk must not cost them their results. */
+/* The bytes moved; -1 and errno if none could be, or not all could be written: few programs look whether a
+ * write was complete, and a full disk must not cost them their results. */
 static ssize_t move_part(bool write_it, int fd, char *at, size_t len, int64_t offset)
 {
     size_t moved = 0;

@@ -1,17 +1,19 @@
-/* io_jobs.h - reads and writes that go on while the program computes (iread, iwrite). Each file that has any gets a thread,
- * which does the file's jobs one after the other; so one that waits for its input holds up no other file. Such a thread
- * calls the system and nothing else: no MPI, no handler.
+/* io_jobs.h - reads and writes that go on while the program computes (iread, iwrite). Each file that has
+ * any gets a thread, which does the file's jobs one after the other; so one that waits for its input holds
+ * up no other file. Such a thread calls the system and nothing else: no MPI, no handler.
  *
- * A job may be at the file's pointer, and the pointer is where it should be only when all jobs are done. So all else that
- * is done with the file waits for its jobs first (io_settle): the results are those of jobs that are done at once. */
+ * A job may be at the file's pointer, and the pointer is where it should be only when all jobs are done. So
+ * all else that is done with the file waits for its jobs first (io_settle): the results are those of jobs
+ * that are done at once. */
 #ifndef MPI_IO_JOBS_H
 #define MPI_IO_JOBS_H
 #include <stdbool.h>
 #include <stdint.h>
 #include <sys/uio.h>
 
-/* Moves bytes at an offset, or if it is negative at the file's own pointer. The bytes moved, fewer only at the file's end;
- * -1 and errno if none could be. */
+/* Moves bytes at an offset, or if it is negative at the file's own pointer. The bytes moved; -1 and errno if
+ * none could be, or not all could be written: few programs look whether a write was complete, and a full
+ * disk must not cost them their results. */
 long io_move(bool write, int fd, int64_t offset, const struct iovec *parts, int count);
 
 struct io_job;

@@ -1,5 +1,6 @@
 /* mpi_bodies.c - see mpi_bodies.h. */
 #include "nx_api/mpi/mpi_bodies.h"
+#include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/bells.h"

@@ -12,12 +12,13 @@
  *             BODY, out of the copy ---------------> receives them in memory
  *             goes on at once
  *
- * So a send waits for no receive: if the receiver computes, in 1 ms or for ever, the bytes are copied meanwhile. A
- * receiver that has said READY, and a sender to whom it has been said, do nothing but receive and send until that
- * offer is settled; each goes on with all other offers meanwhile, so that no circle of nodes stands still.
+ * So a send waits for no receive: if the receiver computes, in 1 ms or for ever, the bytes are copied
+ * meanwhile. A receiver that has said READY, and a sender to whom it has been said, do nothing but receive
+ * and send until that offer is settled; each goes on with all other offers meanwhile, so that no circle of
+ * nodes stands still.
  *
- * The bodies of one sender come in the order of their announcements. A message to all others is not offered, but
- * copied once: the WIRE_DATA itself announces its body. */
+ * The bodies of one sender come in the order of their announcements. A message to all others is not
+ * offered, but copied once: the WIRE_DATA itself announces its body. */
 #ifndef MPI_BODIES_H
 #define MPI_BODIES_H
 #include <mpi.h>

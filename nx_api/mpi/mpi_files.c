@@ -1,8 +1,9 @@
 /* mpi_files.c - the NX calls on files. Files under /cfs lie in a folder of the host's (mpi_paths.h); all
  * others are the host's own.
  *
- * iread and iwrite begin jobs (io_jobs.h) in M_UNIX, M_RECORD and M_ASYNC, and at an offset. In the other modes the next
- * transfer, of this node or another, begins where this one ends: so they return when all bytes have been moved. All other calls wait for the jobs of their file. */
+ * iread and iwrite begin jobs (io_jobs.h) in M_UNIX, M_RECORD and M_ASYNC, and at an offset. In the other
+ * modes the next transfer, of this node or another, begins where this one ends: so they return when all
+ * bytes have been moved. All other calls wait for the jobs of their file. */
 #include "nx_api/mpi/mpi_files.h"
 #include <errno.h>
 #include <fcntl.h>

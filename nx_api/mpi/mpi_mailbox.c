@@ -147,7 +147,8 @@ static bool is_awaited(struct node *n, const struct receive *r)
     return false;
 }
 
-/* Into the buffers of the library's own receives, which no program sees before they are complete, at any time. */
+/* Into the buffers of the library's own receives, which no program sees before they are complete, at any
+ * time. */
 void *mpi_mailbox_place(struct node *n, const struct message *m)
 {
     const struct receive *r = m->taker;

@@ -127,8 +127,8 @@ static void rest(struct node *n, double *since)
         mpi_end_deadlocked(n);
 }
 
-/* Polls without a pause at first, then yields the processor, and at last sleeps till somebody rings. On a busy computer a
- * yield may take a hundred milliseconds: so there are few, and the time counts, too. */
+/* Polls without a pause at first, then yields the processor, and at last sleeps till somebody rings. On a
+ * busy computer a yield may take a hundred milliseconds: so the time counts, too. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
     enum { YIELDING = 2000, SLEEPING = 2300 };

@@ -1,9 +1,10 @@
-/* mpi_packets.c - see mpi_packets.h. Receives are persistent requests: each belongs to a packet, and is started again
- * when the packet is free.
+/* mpi_packets.c - see mpi_packets.h. Receives are persistent requests: each belongs to a packet, and is
+ * started again when the packet is free.
  *
- * Nearly always MPI has copied a packet away when MPI_Isend returns: then the flight, which the packet is sent
- * from, serves for the next. Flights that take longer are tested a few at a time, in rotation. */
+ * Nearly always MPI has copied a packet away when MPI_Isend returns: then the flight, which the packet is
+ * sent from, serves for the next. Flights that take longer are tested a few at a time, in rotation. */
 #include "nx_api/mpi/mpi_packets.h"
+#include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/bells.h"

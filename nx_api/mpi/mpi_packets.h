@@ -1,5 +1,5 @@
-/* mpi_packets.h - packets: messages of MPI of a limited size, in which short messages go, and the library's own. They
- * are so small that MPI sends them at once, without asking the receiver.
+/* mpi_packets.h - packets: messages of MPI of a limited size, in which short messages go, and the library's
+ * own. They are so small that MPI sends them at once, without asking the receiver.
  *
  * A node has several receives of packets posted at all times, and looks at the oldest only: MPI fills them in
  * their order. So a message is matched once, and copied once, out of the packet into the program's buffer. */
@@ -8,7 +8,8 @@
 #include <mpi.h>
 #include "nx_api/mpi/mpi_wire.h"
 
-/* With MPI's own head a packet must not be larger than what its transports send at once: 4,096 bytes in shared memory. */
+/* With MPI's own head a packet must not be larger than what its transports send at once: 4,096 bytes in
+ * shared memory. */
 enum { PACKET_ROOM = 4000 };
 
 /* A message that has come in a packet, and is in it. */

@@ -1,5 +1,5 @@
-/* mpi_wire.c - see mpi_wire.h. A message is given to the mailbox when its packet comes, so that all from one sender
- * keep their order; what waits for it waits until it is whole. */
+/* mpi_wire.c - see mpi_wire.h. A message is given to the mailbox when its packet comes, so that all from
+ * one sender keep their order; what waits for it waits until it is whole. */
 #include "nx_api/mpi/mpi_wire.h"
 #include <limits.h>
 #include <mpi.h>
@@ -34,7 +34,7 @@ bool wire_begin(struct node *n, int *argc, char ***argv)
         node_fail(n, "this MPI allows no second thread in a program (MPI_THREAD_FUNNELED)");
     packets_begin(comm);
     bodies_begin(comm);
-    bool rung = bells_begin(n, comm);
+    bool rung = bells_begin(n);
     MPI_Barrier(comm); /* clocks begin together */
     return rung;
 }
@@ -199,8 +199,8 @@ static void deliver(struct node *n, struct message *m)
     mpi_mailbox_deliver(n, m);
 }
 
-/* A message that is in its packet. The packet is free again when the program has it; an unexpected message moves
- * to memory of its own. */
+/* A message that is in its packet. The packet is free again when the program has it; an unexpected message
+ * moves to memory of its own. */
 static void deliver_packet(struct node *n, struct packet *p, int source)
 {
     quiet_received();

@@ -1,6 +1,6 @@
-/* mpi_wire.h - a program's messages as messages of MPI. Short ones go in a packet (mpi_packets.h), at once; long ones
- * are announced by a packet, and their bytes follow (mpi_bodies.h). The receiving library takes all in, so that no
- * send waits for the program's receive.
+/* mpi_wire.h - a program's messages as messages of MPI. Short ones go in a packet (mpi_packets.h), at once;
+ * long ones are announced by a packet, and their bytes follow (mpi_bodies.h). The receiving library takes
+ * all in, so that no send waits for the program's receive.
  *
  * Only the program's own thread calls these functions (backend_node.h). */
 #ifndef MPI_WIRE_H
@@ -36,8 +36,8 @@ static inline bool wire_is_control(int32_t kind)
     return kind >= WIRE_TOKEN;
 }
 
-/* Begins and ends MPI. wire_begin gives the node its number and the count of nodes. True: all nodes ring when they
- * send (bells.h). */
+/* Begins and ends MPI. wire_begin gives the node its number and the count of nodes. True: all nodes ring
+ * when they send (bells.h). */
 bool wire_begin(struct node *n, int *argc, char ***argv);
 void wire_end(void);
 /* All nodes get node 0's bytes. Before messages are sent. */

@@ -4,12 +4,12 @@
  * A node is at rest while its program has ended, or is in node_wait, where only a message can end the
  * wait: the conditions that calls wait for are made of what messages change, and handlers, too, run when
  * messages have come. A node is not at rest if its program computes, is in any call of the system (it
- * reads, sleeps in nanosleep, writes to a pipe), in sleep, usleep or iowait of libnx.a, which time or a file ends, or has a
- * timer running (alarm, setitimer), whose signal may do anything. So the algorithm's conditions hold, and
- * its judgement is no guess: a program that computes for a day, stops in a debugger or waits for its
- * input keeps the token, and nobody is told anything. A message counts as received when it has come
- * whole, and as sent before MPI gets it. Not seen are threads of the program's own, and signals of other
- * processes that a handler of the program's turns into a jump.
+ * reads, sleeps in nanosleep, writes to a pipe), in sleep, usleep or iowait of libnx.a, which time or a
+ * file ends, or has a timer running (alarm, setitimer), whose signal may do anything. So the algorithm's
+ * conditions hold, and its judgement is no guess: a program that computes for a day, stops in a debugger or
+ * waits for its input keeps the token, and nobody is told anything. A message counts as received when it
+ * has come whole, and as sent before MPI gets it. Not seen are threads of the program's own, and signals of
+ * other processes that a handler of the program's turns into a jump.
  *
  * The token costs a running program nothing: a node passes it on only when it has been at rest for
  * `patience` seconds without a pause. So the token lies still while any node computes or hears from

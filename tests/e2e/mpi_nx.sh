@@ -7,7 +7,7 @@ not_here="
     busy_system         times a system that is behind with messages: virtual time
     cfs_handlers        compares virtual times
     cfs_killed          how far a write has got at a virtual time
-    cfs_overlap         iread and iwrite take the time of the whole transfer here
+    cfs_overlap         compares times (mpi_files.sh has transfers that overlap)
     duplex              compares virtual times
     handler_computing   compares virtual times; mpi.sh has handlers that interrupt
     memory              a node has the memory of its host

@@ -1,13 +1,15 @@
-/* cluster.c - NX on MPI against plain MPI: times of the same patterns of messages, both in one program, by turns.
+/* cluster.c - NX on MPI against plain MPI: times of the same patterns of messages, both in one program, by
+ * turns.
  *
- *     mpirun -np N cluster            a line for each pattern: name, bytes, microseconds of a round on plain MPI
- *                                     and on NX, and the ratio
- *     mpirun -np 2 cluster handlers   how long a message waits for its handler, which interrupts a computing node,
- *                                     one in sleep, and one in usleep: median and 99th percentile, microseconds
+ *     mpirun -np N cluster            a line for each pattern: name, bytes, microseconds of a round on plain
+ *                                     MPI and on NX, and the ratio
+ *     mpirun -np 2 cluster handlers   how long a message waits for its handler, which interrupts a computing
+ *                                     node, one in sleep, and one in usleep: median and 99th percentile,
+ *                                     microseconds
  *
- * A turn takes less than a millisecond, and each kind has TURNS turns. A figure is the 2nd percentile of its turns: other
- * programs of the computer only lengthen turns, and leave some alone if they are short. On a quiet computer it is close to
- * the median.
+ * A turn takes less than a millisecond, and each kind has TURNS turns. A figure is the 2nd percentile of its
+ * turns: other programs of the computer only lengthen turns, and leave some alone if they are short. On a
+ * quiet computer it is close to the median.
  */
 #include <nx.h>
 #include <stdio.h>

@@ -54,8 +54,8 @@ struct node {
     double since;    /* seconds since the program began: at rest, or ended */
 };
 
-/* A message that has come, or whose head has come. Its bytes are in the packet it came in, in a block of memory, or
- * in the buffer of the receive that waits for it. */
+/* A message that has come, or whose head has come. Its bytes are in the packet it came in, in a block of
+ * memory, or in the buffer of the receive that waits for it. */
 struct message {
     struct message *next;
     long type, pid;

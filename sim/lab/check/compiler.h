@@ -1,7 +1,7 @@
 /* compiler.h - which compiler has made a program.
  *
- * A program costs what the instructions cost that its compiler chose; so another version of GCC gives the same
- * source other virtual times. A baseline says by which version its programs were compiled. */
+ * A program costs what the instructions cost that its compiler chose; so another version of GCC gives the
+ * same source other virtual times. A baseline says by which version its programs were compiled. */
 #ifndef LAB_CHECK_COMPILER_H
 #define LAB_CHECK_COMPILER_H
 
