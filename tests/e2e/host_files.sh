@@ -19,7 +19,7 @@ allowed() { # NAME ARGS...
 refused() { # NAME PATH ARGS...
     run -q "${@:3}"
     check "refused: $1" ended_with 1
-    check "refused, and named: $1" said "^touchstone run: node 0, at [0-9.]+ s: [a-z]+: programs may not (read|write) $2, which is"
+    check "refused, and named: $1" said "^touchstone run: node 0, at [0-9.]+ [num]?s: [a-z]+: programs may not (read|write) $2, which is"
 }
 allowed "files of the current folder" w new - r new - stat new - mkdir sub - rename new sub/new unlink sub/new - rmdir sub - excl e -
 allowed "a path with .. that comes back" r ../here/inside - r round - chdir .. - chdir here - r inside -
