@@ -6,16 +6,16 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Other ones on each node, and the same in each run unless they are taken. */
+/* Other ones on each node, and the same in each run unless they are taken. mktemp makes them, so that the
+ * program may open them. */
 char *tmpnam(char to[L_tmpnam])
 {
     static char own[L_tmpnam];
     static int count;
     char name[L_tmpnam];
-    do
-        snprintf(name, sizeof name, P_tmpdir "/nx%05d%03d", getpid() % 100000, count++ % 1000);
-    while (access(name, F_OK) == 0);
-    return strcpy(to ? to : own, name);
+    snprintf(name, sizeof name, P_tmpdir "/nx%03dXXXXXX", count++ % 1000);
+    mktemp(name);
+    return *name ? strcpy(to ? to : own, name) : NULL;
 }
 
 #ifndef L_cuserid

@@ -16,7 +16,8 @@ check "nothing is put elsewhere" test -s list -a "$(find "$stage" ! -type d | wc
 
 # The tree has more files of these kinds as it grows: one line stands for all of them.
 kinds() {
-    sed -E 's,^share/man/man(.)/.*\.(.)$,share/man/man\1/*.\2,; s,^(share/touchstone/(include|machines|bench|ci|examples))/.*,\1/...,' list | uniq
+    sed -E 's,^share/man/man(.)/.*\.(.)$,share/man/man\1/*.\2,; s,^(share/(touchstone/(include|machines|bench|ci|examples|schemas)|bash-completion/completions|fish/vendor_completions.d|zsh/site-functions))/.*,\1/...,
+        s,^(lib/touchstone/mpi)/(openmpi|mpich|other)/,\1/KIND/,' list | grep -v '^share/doc/touchstone/' | LC_ALL=C sort -u
 }
 cat >expected <<'END'
 bin/nxcc
@@ -26,6 +27,7 @@ bin/touchstone
 lib/pkgconfig/libnx-mpi.pc
 lib/pkgconfig/touchstone.pc
 lib/touchstone/app/model
+lib/touchstone/commit
 lib/touchstone/count.so
 lib/touchstone/installed
 lib/touchstone/libc.so
@@ -39,12 +41,15 @@ lib/touchstone/libnx_long32_profile.a
 lib/touchstone/libnx_profile.a
 lib/touchstone/libxdr.a
 lib/touchstone/libz.so
-lib/touchstone/mpi/libnx.a
-lib/touchstone/mpi/libnx_long32.a
+lib/touchstone/mpi/KIND/libnx.a
+lib/touchstone/mpi/KIND/libnx_long32.a
+lib/touchstone/mpi/KIND/theirs
 lib/touchstone/mpi/names.map
 lib/touchstone/runtime.o
 lib/touchstone/runtime_long32.o
 lib/touchstone/touchstone-reference
+share/bash-completion/completions/...
+share/fish/vendor_completions.d/...
 share/man/man1/*.1
 share/man/man3/*.3
 share/touchstone/bench/...
@@ -53,6 +58,8 @@ share/touchstone/cpu
 share/touchstone/examples/...
 share/touchstone/include/...
 share/touchstone/machines/...
+share/touchstone/schemas/...
+share/zsh/site-functions/...
 END
 check "the files are those that are expected" diff expected <(kinds)
 headers() { diff <(cd "$root/nx_api/include" && find . -type f | sort) <(cd "$stage/opt/nx/share/touchstone/include" && find . -type f | sort); }
@@ -78,7 +85,7 @@ mv moved "$stage/opt/nx"
 
 if command -v pkg-config >/dev/null; then
     export PKG_CONFIG_PATH=$stage/opt/nx/lib/pkgconfig PKG_CONFIG_SYSROOT_DIR=
-    version=$("$BUILD/touchstone" --version | sed 's/.* //')
+    version=$("$BUILD/touchstone" --version | sed -n '1s/.* //p')
     check "pkg-config knows the version" test "$(pkg-config --modversion touchstone)" = "$version"
     check "and where nxcc is" test "$(pkg-config --variable=nxcc touchstone)" = /opt/nx/bin/nxcc
     by_hand() {
@@ -94,7 +101,7 @@ else
 fi
 versions() {
     local version
-    version=$("$BUILD/touchstone" --version | sed 's/.* //')
+    version=$("$BUILD/touchstone" --version | sed -n '1s/.* //p')
     grep -q "^touchstone ($version)" "$root/debian/changelog" && grep -q "^version: \"$version\"" "$root/CITATION.cff" &&
         "$BUILD/nxcc" --version | head -1 | grep -qF "$version"
 }

@@ -65,7 +65,7 @@ caught() {
     local node=$1 call=$2 function=$3 program=$4 spent told
     shift 4
     "$BIN/touchstone" run -n 2 "$@" "$program" >said 2>&1 && return 1
-    grep -qE "$node, at [0-9.]+ s: $call: called after [0-9]+ cost units .* lookahead of [0-9]+" said &&
+    grep -qE "$node, at [0-9.]+ [mun]?s: $call: called after [0-9]+ cost units .* lookahead of [0-9]+" said &&
         grep -qE "^  called from $function" said || return 1
     read -r spent told < <(sed -nE 's/.*called after ([0-9]+) .* lookahead of ([0-9]+):.*/\1 \2/p' said)
     [ "$told" -gt "$spent" ]
