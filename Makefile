@@ -15,6 +15,7 @@ SAN    ?=
 LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
 # Files get the same names wherever they are built: make reproducible.
 PREFIX_MAP = -ffile-prefix-map=$(CURDIR)=.
+AS_MAP     = -Wa,--debug-prefix-map=$(CURDIR)=. # GCC does not tell the assembler so if it is to optimise the whole
 WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) $(PREFIX_MAP) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -Inx_api/sim/include -I.
 LIBS    = -lboost_context -lconfig -ljansson -levent -lnettle -lzstd -lnlopt -lgsl -lgslcblas -ldw -lelf -lz -lpng -lwebpmux -lwebp -lcairo -lfontconfig -lopen-trace-format2 -lm
@@ -39,7 +40,7 @@ all: $B/touchstone $B/touchstone-reference $B/nxcc $B/app/model $B/node/libkmath
 $B/obj/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) $(CFLAGS) $(LTO) -MMD -MP -c -o $@ $<
+	$(CC) $(CFLAGS) $(LTO) $(if $(LTO),$(AS_MAP)) -MMD -MP -c -o $@ $<
 
 # The version is what the file VERSION says. The commit is known to a file that --version reads, not to any object: share/commit.
 $B/obj/sim/cli/version.o $B/obj/nx_api/driver/help.o: CFLAGS += -DTOUCHSTONE_VERSION='"$(shell cat VERSION)"'
