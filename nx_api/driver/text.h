@@ -4,7 +4,8 @@
 
 /* Says what is wrong, after the name nxcc was called by, and exits with status 1. */
 __attribute__((format(printf, 1, 2), noreturn)) void fail(const char *format, ...);
-/* The same, when execvp has returned: why, as errno does, and what to do. */
+/* Says why a program could not be run, when execvp has returned with errno, and what to do; exits with
+ * status 1. */
 _Noreturn void fail_to_run(const char *program);
 /* For free(). */
 __attribute__((format(printf, 1, 2))) char *text(const char *format, ...);

@@ -316,7 +316,7 @@ static const char *remedy_for_taken(const struct waitfor_node *n)
     }
 }
 
-/* Of a cycle through global operations only? */
+/* Does the cycle lead through global operations only? */
 static bool is_of_operations(const struct waitfor *w)
 {
     for (uint32_t k = 0; k < w->cycle_count; k++)

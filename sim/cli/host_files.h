@@ -13,7 +13,7 @@ struct cli_host_files {
 
 /* --host-files; input: struct cli_host_files *. */
 extern const struct argp CLI_HOST_FILES;
-/* The same for commands that start runs: the values go into the environment, where the runs find them. */
+/* --host-files of commands that start runs: the values go into the environment, where the runs find them. */
 extern const struct argp CLI_RUNS_HOST_FILES;
 
 /* The fence round a run: the current folder, the option's values, those of the environment, and, to be read,

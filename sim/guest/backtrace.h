@@ -36,7 +36,7 @@ void backtrace_lines_free(struct backtrace_lines *t);
 const char *backtrace_line(struct backtrace_lines *t, const struct node *n);
 /* The same of any program that does not run at the moment, wherever it has switched away. */
 const char *backtrace_line_away(struct backtrace_lines *t, const struct node *n);
-/* The same from a frame upwards, of a program that runs or not. */
+/* As backtrace_line(), from a frame upwards, of a program that runs or not. */
 const char *backtrace_line_from(struct backtrace_lines *t, const struct node *n, uintptr_t frame);
 /* As backtrace_line(), for the address behind a poll or call. */
 const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address);
