@@ -34,7 +34,7 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 6u
+#define NXC_IMAGE_VERSION 7u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
 /* The largest data cache and translation buffer that can be simulated: cache.h. */
@@ -91,7 +91,7 @@ struct nxc_image {
     struct nxc_path *root;         /* has called main; the node's first path */
     struct nxc_path **path;        /* where the program is */
     int64_t long_bytes;            /* the size of long in C: 8, or 4 (nxcc --long32) */
-    const struct nxc_races *races; /* races.h; NULL: built without --races */
+    const struct nxc_races *races; /* races.h; NULL: built without --races and --asan */
 };
 
 /* Served by the simulator: lets virtual time catch up with the program, and returns with *left set anew. */

@@ -30,7 +30,8 @@ enum nxc_race_flags {
         16, /* no access, and never told: a call on the line is given a pointer to the variable */
     /* No access: it says that the write of the same volatile variable that follows gives it a value that was
      * computed from a read of it. */
-    NXC_RACE_UPDATE = 32
+    NXC_RACE_UPDATE = 32,
+    NXC_RACE_LOCAL = 64 /* no access: where a local variable is declared (asan.h) */
 };
 
 /* A place in the source that accesses memory. A text lies so many bytes behind the site's own beginning, so
@@ -48,10 +49,13 @@ static inline const char *nxc_race_text(const struct nxc_race_site *site, int32_
     return (const char *)site + text;
 }
 
-/* Of the program: struct nxc_image.races; NULL: no file of it was built with --races. */
+struct nxc_asan; /* asan.h */
+
+/* Of the program: struct nxc_image.races; NULL: no file of it was built with --races or --asan. */
 struct nxc_races {
     uint8_t *on; /* the simulator sets it to 1 where accesses are to be told */
     const struct nxc_race_site *sites_begin, *sites_end; /* of all files, one behind the other */
+    const struct nxc_asan *asan;                         /* NULL: no file was built with --asan */
 };
 
 /* Served by the simulator; not calls of the program: they take no virtual time and end no lookahead. The

@@ -130,6 +130,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         a->profile = true;
     else if (!strcmp(option, "--races"))
         a->races = true;
+    else if (!strcmp(option, "--asan"))
+        a->asan = true;
     else if (!strcmp(option, "-host"))
         add(a, "-D__NX_HOST__");
     else if (!strcmp(option, "--long32"))
@@ -182,6 +184,10 @@ struct arguments arguments_read(int argc, char **argv)
         fail("--profile: only for simulated nodes; leave it out with --mpi");
     if (a.mpi && a.races)
         fail("--races: races are found on simulated nodes; leave it out with --mpi");
+    if (a.mpi && a.asan)
+        fail("--asan: accesses are checked on simulated nodes; leave it out with --mpi");
+    if (a.asan && a.races)
+        fail("--asan and --races: one program cannot have both; build it twice, and run each");
     if (!a.silent)
         intel_note(&a);
     return a;

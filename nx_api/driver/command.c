@@ -25,6 +25,8 @@ static void add_plugin(struct arguments *a, const struct places *p)
         add(a, "-fplugin-arg-count-profile");
     if (a->races)
         add(a, "-fplugin-arg-count-races");
+    if (a->asan)
+        add(a, "-fplugin-arg-count-asan");
 }
 
 /* What old Fortran programs need; the user's may take it back. */
@@ -71,6 +73,10 @@ static void add_compile(struct arguments *a)
         "-falign-loops=32", /* short loops take as long wherever they happen to lie */
         NULL};
     add_all(a, options);
+    if (a->asan) {
+        add(a, "-fdata-sections");  /* each variable is followed by a red zone: asan_globals.h */
+        add(a, "-fno-shrink-wrap"); /* also functions that call nobody have a frame, for reports */
+    }
 }
 
 /* What GCC and its headers say of long; and old programs point at longs as ints. */

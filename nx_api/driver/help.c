@@ -34,6 +34,9 @@ static const struct own_option {
                {"--races", NULL,
                 "tell the simulator of accesses to memory, so that touchstone run reports races\n"
                 "between handlers and what they interrupt; costs no virtual time"},
+               {"--asan", NULL,
+                "check accesses to memory, so that touchstone run reports those out of bounds,\n"
+                "and of freed memory; costs no virtual time"},
                {"-node -nx -K... -M... -i860", NULL,
                 "accepted, as icc and if77 had them; those that mean something in GNU Fortran\n"
                 "are translated"},
@@ -77,6 +80,10 @@ static const char MORE[] =
     "With --races, touchstone run finds variables that a handler and the program change without masktrap\n"
     "between them, and buffers used while a message is on its way. A comment \"nxcc: race-ok\" on the line\n"
     "of an access, or alone on the line before, says that the access is no race.\n"
+    "\n"
+    "With --asan, a node's program ends at the first access outside of an array, a variable or a block of\n"
+    "the heap, or to a block that is free; also of NX's calls and the C library's. The report names the\n"
+    "access, what was missed, and the lines. One program has --asan or --races, not both.\n"
     "\n"
     "Exit status: that of gcc; 1 if an option cannot be had, or a file is missing.\n";
 

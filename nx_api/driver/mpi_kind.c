@@ -15,7 +15,8 @@
 static bool in_path(const char *program)
 {
     bool found = strchr(program, '/') && access(program, X_OK) == 0;
-    char *path = strdup(getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
+    const char *folders = getenv("PATH");
+    char *path = text("%s", folders ? folders : "/usr/bin:/bin");
     for (char *rest = path, *folder; !found && (folder = strsep(&rest, ":"));) {
         char *whole = text("%s/%s", *folder ? folder : ".", program);
         found = access(whole, X_OK) == 0;
@@ -68,8 +69,8 @@ const char *mpi_folder(const struct places *p)
     folder = text("%s/mpi/%s", p->lib, kind);
     if (access(folder, X_OK))
         fail(
-            "--mpi: %s is of the kind %s, for which nxcc has not been built (there is no %s): build it where "
-            "that MPI is installed, or name another by NXCC_MPICC",
+            "--mpi: %s is of the kind %s, for which nxcc has not been built (there is no %s): run make again "
+            "now that this MPI is installed, or name another by NXCC_MPICC",
             command, kind, folder);
     return folder;
 }

@@ -165,11 +165,10 @@ int stubs_link(const char **gcc, const struct arguments *user)
     if (n.count) {
         fprintf(stderr, "nxcc: %s do not have ", who);
         print_names(&n);
-        fprintf(
-            stderr,
-            ": if the program can do without, --stubs links it; they fail with ENOSYS when they are called, "
-            "and the "
-            "report names them\n");
+        fprintf(stderr,
+                ": is the spelling right? nx.h declares all calls. If the program can do without %s, --stubs "
+                "links stand-ins, which fail with ENOSYS when they are called; the report names them\n",
+                n.count > 1 ? "them" : "it");
     }
     return status;
 }

@@ -1,11 +1,11 @@
 # nxcc.mk - the compiler of node programs and what they are linked with. Included by the Makefile.
 #   $B/nxcc             the driver
 #   $B/node/            what it uses: the plugin, the runtime, the link-time library, headers and cost tables
-NODE       := $B/node
+NODE       := $(NODES)/node
 DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
-PLUGIN_INC  = $(shell $(NODE_CC) -print-file-name=plugin)/include
+PLUGIN_INC  = $(shell $(NODE_CC) -print-file-name=plugin 2>/dev/null)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
-PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$B/obj/%.o)
+PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$(NODES)/obj/%.o)
 COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
 COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
@@ -13,7 +13,8 @@ PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
 LIBNX      := $(NODE)/libnx.a $(patsubst %,$(NODE)/libnx_%.a,profile long32 long32_profile)
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
-NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h nx_api/include/rpc/*.h)
+NODE_TOOLS := $(NODES)/nxcc $(NODES)/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h nx_api/include/rpc/*.h)
+NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE_TOOLS)
 NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS)
 
 $B/nxcc: $(DRIVER_OBJ)
@@ -26,8 +27,15 @@ $(DRIVER_OBJ): CFLAGS += -DNXCC_GCC='"$(NODE_CC)"'
 $B/nxf77: | $B/nxcc
 	ln -sf nxcc $@
 
+# nxcc looks beside itself.
+ifneq ($B,$(NODES))
+$B/nxcc: | $B/node
+$B/node:
+	ln -sfn $(abspath $(NODES))/node $@
+endif
+
 # GCC's headers are not clean under our own warnings; ours are, so theirs are system headers.
-$B/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
+$(NODES)/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
 	$(NODE_CXX) -std=gnu++17 -O2 -g $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -c -o $@ $<
@@ -56,25 +64,25 @@ $(STAND_INS): | $(NODE)/libnode.so
 # programs see it, and NX's faces to Fortran.
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
 define NODE_CODE
-$(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NXCC_TOOLS)
+$(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NODE_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXCC,$$@)
-	$B/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) $(2) -c -o $$@ $$<
+	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) $(2) -c -o $$@ $$<
 	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
-$(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NXCC_TOOLS)
+$(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NODE_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXF77,$$@)
-	$B/nxf77 -O2 $(PREFIX_MAP) -Wall $(2) -c -o $$@ $$<
+	$(NODES)/nxf77 -O2 $(PREFIX_MAP) -Wall $(2) -c -o $$@ $$<
 endef
 $(eval $(call NODE_CODE,,))
 $(eval $(call NODE_CODE,profile/,--profile))
 $(eval $(call NODE_CODE,long32/,--long32))
 $(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
-# A simulated cache is not counted, nor is the telling of accesses.
-RUNTIMES := $(NODE)/obj/cache_runtime.o $(NODE)/obj/race_runtime.o
-$(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/%_runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h nx_api/contract/races.h
+# A simulated cache is not counted, nor is the telling of accesses, nor the shadow of memory.
+RUNTIMES := $(patsubst %,$(NODE)/obj/%_runtime.o,cache race asan)
+$(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/%_runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h nx_api/contract/races.h nx_api/contract/asan.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<

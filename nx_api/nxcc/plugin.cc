@@ -5,12 +5,14 @@
  *     factors=FILE    cost factors
  *     profile         count by path of calls and line, too (profile.h)
  *     races           tell the simulator of accesses to memory (race_pass.h)
+ *     asan            check accesses to memory (race_pass.h)
  *     long32=FOLDER   longs of 32 bits; FOLDER has NX's headers (long32.h)
  *     poll            no counting, only polls (poll.h)
  *     before=PASS     for tests: the pass before which the counting pass stands
  *     memory          for tests: no counter in a register
  */
 #include "gcc.h"
+#include "asan_globals.h"
 #include "cache.h"
 #include "call_free.h"
 #include "costs.h"
@@ -40,6 +42,7 @@ struct arguments {
     const char *long32 = nullptr;
     bool poll = false;
     bool races = false;
+    bool asan = false;
     const char *before = "optimized"; /* GCC's clean-up of the control flow, before expansion */
 };
 
@@ -60,6 +63,8 @@ arguments read_arguments(const plugin_name_args *info)
             a.poll = true;
         else if (!strcmp(arg.key, "races"))
             a.races = true;
+        else if (!strcmp(arg.key, "asan"))
+            a.asan = true;
         else if (!strcmp(arg.key, "profile"))
             profile_on = true;
         else if (!strcmp(arg.key, "memory"))
@@ -124,16 +129,31 @@ void scan_declaration(void *decl, void *)
         !strcmp(IDENTIFIER_POINTER(DECL_NAME(d)), "__errno_location"))
         TREE_READONLY(d) = 0;
 }
+
+void register_names(const char *plugin)
+{
+    register_pass_info names = {race_written_make_pass(), "ssa", 1, PASS_POS_INSERT_AFTER};
+    register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &names);
+    race_moved_register(plugin);
+}
+
 /* The pass stands behind the counting pass, which has been registered first. */
 void register_races(const char *plugin, const char *before)
 {
-    register_pass_info names = {race_written_make_pass(), "ssa", 1, PASS_POS_INSERT_AFTER};
     register_pass_info updates = {race_update_make_pass(), before, 1, PASS_POS_INSERT_BEFORE};
     register_pass_info races = {race_pass_make(), before, 1, PASS_POS_INSERT_BEFORE};
-    register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &names);
-    race_moved_register(plugin);
+    register_names(plugin);
     register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &updates);
     register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &races);
+}
+
+/* As above. */
+void register_asan(const char *plugin, const char *before)
+{
+    register_pass_info checks = {race_pass_make_asan(), before, 1, PASS_POS_INSERT_BEFORE};
+    register_names(plugin);
+    register_callback(plugin, PLUGIN_PASS_MANAGER_SETUP, NULL, &checks);
+    asan_globals_register(plugin);
 }
 
 /* A plugin works with the GCC whose headers it was built with. (How that was configured does not matter: a
@@ -168,6 +188,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
     if (a.races)
         register_races(info->base_name, a.before);
+    if (a.asan)
+        register_asan(info->base_name, a.before);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);

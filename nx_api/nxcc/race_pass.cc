@@ -1,6 +1,9 @@
 /* race_pass.cc - see race_pass.h. */
 #include "race_pass.h"
+#include "asan_code.h"
+#include "asan_locals.h"
 #include "costs.h"
+#include "race_address.h"
 #include "race_code.h"
 #include "race_library.h"
 #include "race_loops.h"
@@ -28,7 +31,17 @@ class telling
 {
   public:
     explicit telling(function *f) : fun(f) {}
+    virtual ~telling() {}
     void run();
+
+  protected:
+    void tell_blocks();
+    virtual void tell(gimple *stmt, tree ref, bool write, told_list &told);
+    /* Is a library function's access through a pointer told? */
+    virtual bool concerns(tree pointer) const { return race_reach_behind(pointer); }
+    virtual void list_given(gcall *call);
+
+    function *fun;
 
   private:
     void find_ranges();
@@ -36,9 +49,8 @@ class telling
     void tell_block(basic_block bb);
     void tell_statement(gimple *stmt, told_list &told);
     void tell_call(gcall *call, told_list &told);
-    void tell(gimple *stmt, tree ref, bool write, told_list &told);
+    void tell_argument(gcall *call, const race_argument &a);
 
-    function *fun;
     std::set<gimple *> spins;
     std::vector<race_loop_access> ranges;
     std::set<std::pair<gimple *, bool>>
@@ -170,11 +182,11 @@ tree append_bytes(gimple_seq *seq, gcall *call, const race_argument &a)
 }
 
 /* Tells what a library function does through a pointer. */
-void tell_argument(gcall *call, const race_argument &a)
+void telling::tell_argument(gcall *call, const race_argument &a)
 {
     tree pointer = gimple_call_arg(call, a.pointer);
     bool after = a.after && !stmt_ends_bb_p(call);
-    if (a.extent != RACE_ARRAY && !race_reach_behind(pointer))
+    if (a.extent != RACE_ARRAY && !concerns(pointer))
         return;
     gimple_seq seq = NULL;
     tree bytes = append_bytes(&seq, call, a);
@@ -192,7 +204,7 @@ void tell_argument(gcall *call, const race_argument &a)
 }
 
 /* Lists what a function of a library, as NX's, is given pointers to: buffers. */
-void list_given(gcall *call)
+void telling::list_given(gcall *call)
 {
     tree function = gimple_call_fndecl(call);
     if (!function || !DECL_EXTERNAL(function) || DECL_STRUCT_FUNCTION(function))
@@ -273,19 +285,89 @@ void telling::tell_ranges()
     gsi_commit_edge_inserts();
 }
 
+void telling::tell_blocks()
+{
+    auto_vec<int> order;
+    order.safe_grow(n_basic_blocks_for_fn(fun));
+    int n = pre_and_rev_post_order_compute_fn(fun, NULL, order.address(), false);
+    for (int i = 0; i < n; i++)
+        tell_block(BASIC_BLOCK_FOR_FN(fun, order[i]));
+}
+
 void telling::run()
 {
     prepare_loops();
     spins = race_spin_find(fun);
     if (optimize)
         find_ranges();
-    auto_vec<int> order;
-    order.safe_grow(n_basic_blocks_for_fn(fun));
-    int n = pre_and_rev_post_order_compute_fn(fun, NULL, order.address(), false);
-    for (int i = 0; i < n; i++)
-        tell_block(BASIC_BLOCK_FOR_FN(fun, order[i]));
+    tell_blocks();
     tell_ranges();
     free_dominance_info(CDI_DOMINATORS);
+}
+
+/* --- nxcc --asan --- */
+
+class checking : public telling
+{
+  public:
+    explicit checking(function *f) : telling(f) {}
+    void run();
+
+  private:
+    void tell(gimple *stmt, tree ref, bool write, told_list &told) override;
+    bool concerns(tree) const override { return true; }
+    void list_given(gcall *) override {}
+};
+
+/* Does an access of a variable lie within it, whatever the program does? */
+bool is_certain(tree ref, tree base)
+{
+    poly_int64 offset;
+    int64_t at;
+    tree size = DECL_SIZE_UNIT(base), bytes = TYPE_SIZE_UNIT(TREE_TYPE(ref));
+    return size && bytes && tree_fits_shwi_p(size) && tree_fits_shwi_p(bytes) &&
+           get_addr_base_and_unit_offset(ref, &offset) == base && offset.is_constant(&at) && at >= 0 &&
+           at + tree_to_shwi(bytes) <= tree_to_shwi(size);
+}
+
+/* May a reference go outside of what it is written for? */
+bool may_go_wrong(tree ref)
+{
+    tree base = costs_is_memory(ref) ? get_base_address(ref) : NULL_TREE;
+    if (!base || race_reach_is_own(base))
+        return false;
+    if (DECL_P(base))
+        return TREE_CODE(base) != CONST_DECL && !(VAR_P(base) && DECL_HARD_REGISTER(base)) &&
+               !is_certain(ref, base);
+    return TREE_CODE(base) == MEM_REF || TREE_CODE(base) == TARGET_MEM_REF;
+}
+
+void checking::tell(gimple *stmt, tree ref, bool write, told_list &told)
+{
+    if (!may_go_wrong(ref) || has_been_told(told, ref, write))
+        return;
+    extent e = extent_of(ref, write);
+    if (!e.bytes || !tree_fits_uhwi_p(e.bytes) || integer_zerop(e.bytes))
+        return;
+    told.push_back({ref, write});
+    std::string name = race_name(stmt, ref, write);
+    unsigned bytes = (unsigned)tree_to_uhwi(e.bytes), flags = write ? NXC_RACE_WRITE : 0;
+    if (tree_to_uhwi(e.bytes) > ASAN_MOST_BYTES)
+        insert_large_access(stmt, e, name, flags);
+    else
+        insert(gsi_for_stmt(stmt), stmt,
+               asan_code_access(e.object, e.shift, bytes, race_site(stmt, name, bytes, flags)), false);
+}
+
+/* Locals get their zones last: what is told makes some of them variables in memory. GCC would take the frame
+ * from a function that calls nobody, and the stack of a report would lack the caller. GCC keeps the frame of
+ * a function that may move its stack pointer. */
+void checking::run()
+{
+    race_address_note();
+    tell_blocks();
+    asan_locals_protect(fun);
+    fun->calls_alloca = 1;
 }
 
 const pass_data races_data = {
@@ -303,9 +385,30 @@ class races_pass : public gimple_opt_pass
         return 0;
     }
 };
+
+const pass_data asan_data = {
+    GIMPLE_PASS, "nxcc-asan", OPTGROUP_NONE, TV_NONE, PROP_cfg | PROP_ssa, 0, 0, 0, TODO_update_ssa,
+};
+
+class asan_pass : public gimple_opt_pass
+{
+  public:
+    explicit asan_pass(gcc::context *context) : gimple_opt_pass(asan_data, context) {}
+    opt_pass *clone() override { return new asan_pass(m_ctxt); }
+    unsigned int execute(function *f) override
+    {
+        checking(f).run();
+        return 0;
+    }
+};
 } // namespace
 
 opt_pass *race_pass_make()
 {
     return new races_pass(g);
+}
+
+opt_pass *race_pass_make_asan()
+{
+    return new asan_pass(g);
 }

@@ -17,4 +17,8 @@
 
 /* The pass that follows the counting pass. */
 opt_pass *race_pass_make();
+/* The pass of nxcc --asan, in its place: before each load and store that may go outside of what it is written
+ * for, there is a look at the shadow of the memory (contract/asan.h); what library functions do is told as
+ * for --races. Left out are accesses of a variable that lie within it wherever the program goes. */
+opt_pass *race_pass_make_asan();
 #endif

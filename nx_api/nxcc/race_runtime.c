@@ -19,10 +19,14 @@ NXC_DATA uint64_t nxc_race_saved[2];
 extern const struct nxc_race_site __start_nxc_races[] __attribute__((visibility("hidden"), weak));
 extern const struct nxc_race_site __stop_nxc_races[] __attribute__((visibility("hidden"), weak));
 
+/* Of asan_runtime.c, which is linked only if a file was compiled with --asan. */
+extern const struct nxc_asan nxc_asan __attribute__((visibility("hidden"), weak));
+
 __attribute__((visibility("hidden"))) const struct nxc_races nxc_races = {
     .on = &nxc_races_on,
     .sites_begin = __start_nxc_races,
     .sites_end = __stop_nxc_races,
+    .asan = &nxc_asan,
 };
 
 static size_t string_bytes(const char *string, size_t most)

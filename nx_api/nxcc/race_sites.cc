@@ -33,6 +33,19 @@ expanded_location place_of(gimple *stmt, tree function)
     return x.file ? x : expand_location(DECL_SOURCE_LOCATION(function));
 }
 
+size_t offset_of(const site &s)
+{
+    auto found = known.insert({s, sites.size()});
+    if (found.second)
+        sites.push_back(s);
+    return found.first->second * sizeof(struct nxc_race_site);
+}
+
+std::string name_of(tree decl)
+{
+    return DECL_NAME(decl) ? IDENTIFIER_POINTER(DECL_NAME(decl)) : "?";
+}
+
 void write_site(texts &all, const site &s, size_t at)
 {
     fputs("\t.long ", asm_out_file);
@@ -54,12 +67,15 @@ size_t race_site(gimple *stmt, const std::string &variable, unsigned bytes, unsi
     expanded_location x = place_of(stmt, function);
     std::string name = race_function(stmt);
     if (name.empty())
-        name = DECL_NAME(function) ? IDENTIFIER_POINTER(DECL_NAME(function)) : "?";
-    site s = {x.file ? x.file : "", name, variable, x.line, bytes, flags};
-    auto found = known.insert({s, sites.size()});
-    if (found.second)
-        sites.push_back(s);
-    return found.first->second * sizeof(struct nxc_race_site);
+        name = name_of(function);
+    return offset_of({x.file ? x.file : "", name, variable, x.line, bytes, flags});
+}
+
+size_t race_site_of_declaration(tree variable, tree function, unsigned flags)
+{
+    expanded_location x = expand_location(DECL_SOURCE_LOCATION(variable));
+    return offset_of(
+        {x.file ? x.file : "", name_of(DECL_ORIGIN(function)), name_of(variable), x.line, 0, flags});
 }
 
 void race_sites_write()

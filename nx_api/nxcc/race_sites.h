@@ -12,6 +12,8 @@ bool race_site_is_ignored(gimple *stmt);
 /* The offset of a site in the table, in bytes. stmt accesses the variable; bytes: 0 if the program tells
  * them; flags: enum nxc_race_flags. Equal sites are one. */
 size_t race_site(gimple *stmt, const std::string &variable, unsigned bytes, unsigned flags);
+/* A site for the declaration of a local variable, which is no access and tells no bytes. */
+size_t race_site_of_declaration(tree variable, tree function, unsigned flags);
 /* At the end of a compiled file: writes the table. */
 void race_sites_write();
 #endif

@@ -23,7 +23,7 @@ extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
 extern const struct nxc_body __start_nxc_bodies[] __attribute__((visibility("hidden"), weak));
 extern const struct nxc_body __stop_nxc_bodies[] __attribute__((visibility("hidden"), weak));
 
-/* Of race_runtime.c, which is linked only if a file was compiled with --races. */
+/* Of race_runtime.c, which is linked only if a file was compiled with --races or --asan. */
 extern const struct nxc_races nxc_races __attribute__((visibility("hidden"), weak));
 
 NXC_DATA struct nxc_path nxc_root = {.recent = &nxc_root};

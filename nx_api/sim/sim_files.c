@@ -7,6 +7,7 @@
 #include "guest/host_errno.h"
 #include "guest/libc_parts.h"
 #include "nx_api/calls/file_calls.h"
+#include "os/asan_hooks.h"
 #include "os/race_hooks.h"
 
 /* --- errors --- */
@@ -69,8 +70,10 @@ static long start(bool write, int fd, struct node_file *f, int64_t at, const str
     struct cfs_file *file = cfs_file_of(f);
     if (nx_check_parts(f->node, parts, count) < 0)
         return -1;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        ASAN_CALL(f->node, !write, parts[i].iov_base, parts[i].iov_len);
         RACES(f->node, moves, !write, parts[i].iov_base, parts[i].iov_len);
+    }
     *op = file ? cfs_start(file, write, at, parts, count) : NULL;
     *moved = file ? 0 : move_host(f, write, at, parts, count);
     return (file && !*op) || *moved < 0 ? fail_on(f->node, fd) : 0;

@@ -4,6 +4,7 @@
 #include "net/protocol_record.h"
 #include "os/charge.h"
 #include "os/node_record.h"
+#include "os/asan_hooks.h"
 #include "os/race_hooks.h"
 #include "os/numbering.h"
 #include "os/orders.h"
@@ -96,6 +97,7 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     struct protocol *p = n->sys->schedule.protocol;
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
+    ASAN_CALL(n, false, o->buf, len);
     word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
     uint64_t order = n->record ? protocol_next_order(p, n->lp.address) : 0;
     struct message *m =

@@ -10,6 +10,7 @@
  * and the words that refer to the node's own streams are filled in. */
 #include <assert.h>
 #include <errno.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +23,7 @@
 #include "node/node.h"
 #include "guest/source_line.h"
 #include "nx_api/contract/program_image.h"
+#include "nx_api/contract/races.h"
 #include "node/self.h"
 
 #define PAGE ((uint64_t)4096)
@@ -54,6 +56,7 @@ struct node_image {
     size_t own_count;
     uint64_t object; /* of nxc_image */
     bool long32;     /* its long has 32 bits */
+    bool asan;       /* it was built with --asan */
 };
 
 static uint64_t page_down(uint64_t x)
@@ -218,13 +221,33 @@ static bool relocate(struct node_image *img, const struct elf_relocations *t, ch
     return true;
 }
 
+/* An address in the program that a word of the data holds; 0 if the word does not lie in the file. */
+static uint64_t address_at(const struct node_image *img, uint64_t vaddr)
+{
+    uint64_t at = vaddr - img->data_at, word;
+    if (vaddr < img->data_at || img->template_bytes < sizeof word || at > img->template_bytes - sizeof word)
+        return 0;
+    memcpy(&word, img->template + at, sizeof word);
+    return word;
+}
+
+/* To be called when the words have been relocated. */
+static bool has_asan(const struct node_image *img)
+{
+    uint64_t races = address_at(img, img->object + offsetof(struct nxc_image, races));
+    return races && address_at(img, races + offsetof(struct nxc_races, asan));
+}
+
 static bool prepare(struct node_image *img, char **error)
 {
     size_t count = img->elf->data.count + img->elf->calls.count;
     img->addresses = xcalloc(count, sizeof *img->addresses);
     img->own = xcalloc(count, sizeof *img->own);
-    return lay_out(img, error) && find_object(img, error) && relocate(img, &img->elf->data, error) &&
-           relocate(img, &img->elf->calls, error);
+    if (!lay_out(img, error) || !find_object(img, error) || !relocate(img, &img->elf->data, error) ||
+        !relocate(img, &img->elf->calls, error))
+        return false;
+    img->asan = has_asan(img);
+    return true;
 }
 
 struct node_image *node_image_open(const char *path, char **error)
@@ -265,6 +288,11 @@ size_t node_image_data_at(const struct node_image *img)
 bool node_image_is_long32(const struct node_image *img)
 {
     return img->long32;
+}
+
+bool node_image_is_asan(const struct node_image *img)
+{
+    return img->asan;
 }
 
 const char *node_image_path(const struct node_image *img)

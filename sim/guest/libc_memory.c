@@ -1,5 +1,6 @@
-/* libc_memory.c - malloc and related calls, from the node's own heap. No handler can interrupt them, since
- * none of them enters an NX call; so handlers may use them, too. */
+/* libc_memory.c - malloc and related calls, from the node's own heap; and longjmp, by which the stack loses
+ * frames. No handler can interrupt them, since none of them enters an NX call; so handlers may use them, too.
+ */
 #include <errno.h>
 #include <stdint.h>
 #include <string.h>
@@ -7,18 +8,23 @@
 #include "node/node.h"
 #include "node/self.h"
 #include "nx_api/contract/backend.h"
+#include "os/asan_hooks.h"
 #include "os/race_hooks.h"
 
 void *node_malloc(size_t bytes);
 int node_getpagesize(void);
 
-/* Returns p, the answer to an allocation. A refused allocation is noted for the report, since programs
- * rarely check. */
-static void *answer(struct node *n, void *p, size_t bytes)
+enum { LEAST_ALIGN = 16 }; /* of what malloc gives */
+
+/* Returns p, the answer to an allocation, or what a checked program gets in its place. A refused allocation
+ * is noted for the report, since programs rarely check. */
+static void *answer(struct node *n, void *p, size_t align, size_t bytes)
 {
     if (p == NULL) {
         n->failed_malloc = bytes;
         errno = ENOMEM;
+    } else if (n->asan) {
+        p = asan_give(n, p, align, bytes, __builtin_frame_address(0));
     }
     RACES(n, allocated, p, bytes);
     return p;
@@ -33,14 +39,14 @@ static _Noreturn void refuse(struct node *n, const char *call, const void *p)
 void *node_malloc(size_t bytes)
 {
     struct node *n = node_self();
-    return answer(n, node_heap_alloc(n->heap, bytes), bytes);
+    return answer(n, node_heap_alloc(n->heap, bytes), LEAST_ALIGN, bytes);
 }
 
 void *node_aligned_alloc(size_t align, size_t bytes)
 {
     struct node *n = node_self();
     if (__builtin_popcountl(align) == 1)
-        return answer(n, node_heap_alloc_aligned(n->heap, align, bytes), bytes);
+        return answer(n, node_heap_alloc_aligned(n->heap, align, bytes), align, bytes);
     errno = EINVAL;
     return NULL;
 }
@@ -71,30 +77,69 @@ void *node_calloc(size_t count, size_t size)
     struct node *n = node_self();
     size_t bytes;
     if (__builtin_mul_overflow(count, size, &bytes))
-        return answer(n, NULL, SIZE_MAX);
-    void *p = node_heap_alloc(n->heap, bytes);
-    return answer(n, p == NULL ? NULL : memset(p, 0, bytes), bytes);
+        return answer(n, NULL, LEAST_ALIGN, SIZE_MAX);
+    void *p = answer(n, node_heap_alloc(n->heap, bytes), LEAST_ALIGN, bytes);
+    return p == NULL ? NULL : memset(p, 0, bytes);
 }
+
+/* --- of checked programs: os/asan_hooks.h --- */
+
+static void free_checked(struct node *n, void *p, const char *call)
+{
+    void *counted = asan_counted(n, call, p, __builtin_frame_address(0));
+    asan_take(n, p, __builtin_frame_address(0));
+    node_heap_release(n->heap, counted);
+}
+
+/* Each block moves, so that an old pointer to it is noticed. */
+static void *resize_checked(struct node *n, void *p, size_t bytes)
+{
+    void *counted = asan_counted(n, "realloc", p, __builtin_frame_address(0));
+    size_t before = asan_bytes(p);
+    void *q = answer(n, node_heap_resize(n->heap, counted, bytes), LEAST_ALIGN, bytes);
+    if (q == NULL)
+        return NULL;
+    memcpy(q, p, before < bytes ? before : bytes);
+    asan_take(n, p, __builtin_frame_address(0));
+    return q;
+}
+
+/* --- */
 
 void node_free(void *p)
 {
     struct node *n = node_self();
+    if (n->asan) {
+        if (p != NULL)
+            free_checked(n, p, "free");
+        return;
+    }
     RACES(n, freed, p, node_heap_bytes(n->heap, p));
     if (p != NULL && node_heap_release(n->heap, p) != 0)
         refuse(n, "free", p);
 }
 
 /* Size 0 frees the block, as in glibc. */
+static void *resize(struct node *n, void *p, size_t bytes)
+{
+    if (!node_heap_owns(n->heap, p))
+        refuse(n, "realloc", p);
+    if (bytes > 0)
+        return answer(n, node_heap_resize(n->heap, p, bytes), LEAST_ALIGN, bytes);
+    node_heap_release(n->heap, p);
+    return NULL;
+}
+
 void *node_realloc(void *p, size_t bytes)
 {
     struct node *n = node_self();
     if (p == NULL)
-        return answer(n, node_heap_alloc(n->heap, bytes), bytes);
-    if (!node_heap_owns(n->heap, p))
-        refuse(n, "realloc", p);
+        return answer(n, node_heap_alloc(n->heap, bytes), LEAST_ALIGN, bytes);
+    if (!n->asan)
+        return resize(n, p, bytes);
     if (bytes > 0)
-        return answer(n, node_heap_resize(n->heap, p, bytes), bytes);
-    node_heap_release(n->heap, p);
+        return resize_checked(n, p, bytes);
+    free_checked(n, p, "realloc");
     return NULL;
 }
 
@@ -112,4 +157,25 @@ char *node_strndup(const char *s, size_t most)
 char *node_strdup(const char *s)
 {
     return node_strndup(s, strlen(s));
+}
+
+/* --- jumps --- */
+
+/* By another name, since <setjmp.h> may declare one that takes stacks of the program's own for a mistake. */
+_Noreturn void host_longjmp(void *where, int value) __asm__("longjmp");
+_Noreturn void node_longjmp(void *where, int value);
+_Noreturn void node_siglongjmp(void *where, int value);
+
+/* What a checked program's frames have marked goes with them. */
+_Noreturn void node_longjmp(void *where, int value)
+{
+    struct node *n = node_self();
+    if (n->asan)
+        asan_jumped(n);
+    host_longjmp(where, value);
+}
+
+_Noreturn void node_siglongjmp(void *where, int value)
+{
+    node_longjmp(where, value);
 }

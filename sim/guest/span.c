@@ -20,6 +20,8 @@ enum {
     COLOURS = 64,      /* stacks begin at so many different lines of a page */
     LINE = 64,         /* bytes of a cache line */
     ENTRIES = 8,       /* of a page table in a cache line */
+    ASAN_STACK = 2,    /* with red zones a stack takes so many times the room, */
+    ASAN_HEAP = 3,     /* and a heap, of which freed blocks are not given out again at once */
 };
 
 _Static_assert(sizeof(struct node_region) + (NODE_REGION >> LEAST_SHIFT) * sizeof(struct node *) <= TABLE,
@@ -211,30 +213,31 @@ static bool make_guards(const struct node_region *r, const struct node *n, size_
  * keeps off the program's start by a number of lines that differs from the neighbours'; and the program
  * begins further on in the span by a number of pages, as far as there is room, so that its entries lie in
  * another line. */
-static void lay_out(struct node *n, size_t slot, size_t used_bytes)
+static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack_bytes)
 {
     const struct node_region *r = n->region;
     n->span = (char *)r + (slot << r->shift);
     n->heap_start = (char *)r + r->heaps_at + slot * r->heap_stride;
     size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
     n->stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
-    n->program = n->stack + page_up(n->sys->cfg->stack_bytes) + PAGE;
+    n->program = n->stack + stack_bytes + PAGE;
     n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE;
 }
 
 /* The address space of a heap: the node's memory, at most what fits beside a span. */
-static size_t heap_room(const struct node *n, size_t span_bytes)
+static size_t heap_room(const struct node *n, size_t span_bytes, bool asan)
 {
     size_t most = NODE_REGION - ((size_t)1 << shift_for(span_bytes)) - GUARD;
-    size_t wanted = page_up(node_memory_limit(n));
+    size_t wanted = page_up(node_memory_limit(n)) * (asan ? ASAN_HEAP : 1);
     return wanted < most ? wanted : most;
 }
 
-bool span_take(struct node *n, size_t program_bytes, bool long32)
+bool span_take(struct node *n, size_t program_bytes, bool long32, bool asan)
 {
     struct node_system *sys = n->sys;
-    size_t bytes = HEAD + page_up(sys->cfg->stack_bytes) + 2 * PAGE + program_bytes;
-    size_t heap = heap_room(n, bytes);
+    size_t stack = page_up(sys->cfg->stack_bytes) * (asan ? ASAN_STACK : 1);
+    size_t bytes = HEAD + stack + 2 * PAGE + program_bytes;
+    size_t heap = heap_room(n, bytes, asan);
     struct node_region *r = long32 ? roomy_region(sys, bytes, heap, true) : NULL;
     if (!r)
         r = roomy_region(sys, bytes, heap, false);
@@ -253,7 +256,7 @@ bool span_take(struct node *n, size_t program_bytes, bool long32)
     r->node[slot] = n;
     if (++r->used == r->spans)
         unlink_region(sys, r);
-    lay_out(n, slot, bytes);
+    lay_out(n, slot, bytes, stack);
     return (!used || renew(r, n)) && make_guards(r, n, program_bytes);
 }
 

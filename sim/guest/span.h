@@ -38,8 +38,9 @@ extern const struct span_range {
 
 /* Gives n, which has none, a span and a heap for a program of so many bytes (page rounded): sets region,
  * span, stack, program and heap_start. The memory there is zero and may be written to. long32: the
- * program's long has 32 bits. Returns false if this computer has no address space left. */
-bool span_take(struct node *n, size_t program_bytes, bool long32);
+ * program's long has 32 bits. asan: the program was built with --asan, and has room for red zones. Returns
+ * false if this computer has no address space left. */
+bool span_take(struct node *n, size_t program_bytes, bool long32, bool asan);
 /* Takes span and heap from n, if it has any. */
 void span_release(struct node *n);
 #endif

@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include "kernel/xalloc.h"
 #include "guest/debugger.h"
 #include "guest/heap.h"
@@ -21,6 +22,7 @@
 #include "os/node_record.h"
 #include "os/path_times.h"
 #include "races/race_check.h"
+#include "asan/asan_check.h"
 #include "lp/clock.h"
 #include "node/self.h"
 #include "trace/recorder.h"
@@ -57,18 +59,33 @@ static void show_debugger(struct node *n)
         fiber_take_thread(&n->lp.fiber, n->name, crash_thread_begins, crash_thread_ends);
 }
 
+/* Nodes take address space a region at a time, whatever they use of it. */
+static bool lacks_addresses(const struct node *n, char **error)
+{
+    struct rlimit allowed;
+    if (getrlimit(RLIMIT_AS, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY)
+        *error = xasprintf("%s: no address space left on this computer", n->name);
+    else
+        *error = xasprintf(
+            "%s: no address space left: nodes take it by %zu MB, most of which they never touch, and "
+            "ulimit -v allows %zu MB in all; ulimit -v unlimited lifts that limit",
+            n->name, (size_t)NODE_REGION >> 20, (size_t)allowed.rlim_cur >> 20);
+    return false;
+}
+
 static bool make_parts(struct node *n, const struct node_image *img, char **error)
 {
     if (!fits(n, img, error))
         return false;
-    if (!span_take(n, node_image_bytes(img), node_image_is_long32(img))) {
-        *error = xasprintf("%s: no address space left on this computer", n->name);
-        return false;
-    }
+    if (!span_take(n, node_image_bytes(img), node_image_is_long32(img), node_image_is_asan(img)))
+        return lacks_addresses(n, error);
     n->libc = node_libc_new(n);
     if (!node_image_map(img, n, error))
         return false;
-    n->heap = node_heap_new(n->heap_start, n->region->heap_bytes, memory_has_room, memory_heap_is, n);
+    if (node_image_is_asan(img) && !(n->asan = asan_begin(n->sys->asan, n)))
+        return lacks_addresses(n, error);
+    n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start, n->region->heap_bytes,
+                            memory_has_room, memory_heap_is, n);
     fiber_begin(&n->lp.fiber, n->stack, n->stack_bytes, run_program, n);
     if (n->sys->debugger)
         show_debugger(n);
@@ -180,6 +197,8 @@ static void strip(struct node *n)
     livelock_free(n);
     if (n->races)
         races_end(n);
+    if (n->asan)
+        asan_end(n), n->asan = NULL;
     free(n->crash);
     if (n->libc)
         node_libc_free(n);

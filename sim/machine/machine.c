@@ -15,6 +15,7 @@
 #include "net/protocol_record.h"
 #include "os/numbering.h"
 #include "races/race_check.h"
+#include "asan/asan_check.h"
 
 /* The number of nodes asked for, or all that the machine has. */
 static uint32_t nodes_of(const struct machine_options *o)
@@ -163,6 +164,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->fence = options->fence;
     s->debugger = options->debugged ? debugger_new() : NULL;
     s->races = races_new();
+    s->asan = asan_new();
     s->out[0] = options->out, s->out[1] = options->err;
     s->schedule.q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error) || !make_timing(m, error))
@@ -207,6 +209,7 @@ void machine_free(struct machine *m)
     debugger_free(m->sys.debugger);
     protocol_free(m->sys.schedule.protocol);
     races_free(m->sys.races);
+    asan_free(m->sys.asan);
     evq_free(m->sys.schedule.q);
     mintree_free(&m->sys.schedule.polls);
     timing_free(m->sys.timing);

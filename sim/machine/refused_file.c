@@ -21,14 +21,24 @@ static const char *called(const struct node *n)
     return inner ? node_image_function_name(n->file, returns[i] - (uintptr_t)n->program) : name;
 }
 
+/* The length of the folder's name in the path of a file that the program would write; else 0. A program that
+ * writes one file elsewhere is likely to write others beside it. */
+static int folder_to_allow(const struct fence_refusal *r)
+{
+    const char *slash = strrchr(r->path, '/');
+    return r->writes && slash ? (int)(slash - r->path) : 0;
+}
+
 _Noreturn void refused_file(struct node *n, const struct fence_refusal *r)
 {
     const char *call = n->call ? n->call : called(n);
+    int folder = folder_to_allow(r);
     node_libc_flush(n);
     node_fail(n,
-              "%s: programs may not %s %s, which is %s; touchstone run --host-files %s%s allows it "
+              "%s: programs may not %s %s, which is %s; touchstone run --host-files %s%s allows it%s%.*s%s "
               "(doc/host-files.md)",
               call ? call : "a file", r->writes ? "write" : "read", r->path,
               r->readable ? "for reading only" : "not below the current folder", r->path,
-              r->writes ? "" : ":ro");
+              r->writes ? "" : ":ro", folder ? ", --host-files " : "", folder, r->path,
+              folder ? " all in its folder" : "");
 }

@@ -34,6 +34,7 @@ struct livelock;        /* signs of one: os/livelock.h */
 struct node_path_times; /* where system time and waits fall, by path of calls: os/path_times.h */
 struct nxc_path;        /* nx_api/contract/program_image.h */
 struct taken_log;       /* messages taken and lost: os/taken.h */
+struct node_asan;       /* which memory its program may access: asan/node_asan.h */
 struct node_races;      /* what is known of accesses to memory: races/node_races.h */
 struct node_crash;      /* what is known of a program's crash: machine/crash.h */
 
@@ -179,6 +180,7 @@ struct node {
     const char *call;           /* os: the call the program is in, for reports; NULL while it computes */
     struct node_record *record; /* os. NULL: the node is in no trace */
     struct node_races *races;   /* machine. NULL: the program was built without --races */
+    struct node_asan *asan;     /* machine. NULL: the program was built without --asan */
     struct node_path_times *path_times; /* os. NULL: the program was built without --profile */
     struct livelock *livelock; /* os. NULL: no poll has found nothing, and no handler has interrupted it */
     vtime call_since;          /* os */

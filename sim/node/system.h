@@ -13,6 +13,7 @@ struct fence;
 struct fence_refusal; /* guest/fence.h */
 struct recorder;
 struct numbering; /* os/numbering.h */
+struct asan;
 struct races;
 
 enum { NODE_HOST_FILES = 64, NODE_TYPE_HASHES = 1024 };
@@ -59,6 +60,7 @@ struct node_system {
     struct timing *timing;       /* NULL: the machine's usual */
     struct numbering *numbering; /* NULL: the run is neither recorded as a schedule nor keeps orders */
     struct recorder *recorder;   /* of the run's trace: os/node_record.h. NULL: none */
+    struct asan *asan;           /* of the programs built with --asan: asan/asan_check.h */
     struct races *races; /* of the programs built with --races: races/race_check.h. NULL: there are none */
     /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */
     char **host_files;

@@ -69,7 +69,7 @@ void node_enter(struct node *n, const char *call)
 static bool may_defer(const struct node *n)
 {
     const struct node_system *s = n->sys;
-    return !n->lp.offloaded && !n->armed && !n->races && !n->is_host && !s->schedule.stop &&
+    return !n->lp.offloaded && !n->armed && !n->races && !n->asan && !n->is_host && !s->schedule.stop &&
            n->call_since <= s->schedule.max_time && !n->lp.clock.stolen && !s->cube && !s->flushes &&
            !s->numbering && deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
            !lp_is_passed(&n->lp, n->call_since);

@@ -9,6 +9,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "nx_api/contract/backend.h"
+#include "os/asan_hooks.h"
 #include "os/match.h"
 #include "os/node_record.h"
 #include "os/taken.h"
@@ -50,6 +51,8 @@ long mailbox_take(struct node *n, struct receive *r)
     struct message *m = r->m;
     m->too_long = !matching_fits(r);
     RACES(n, takes, r);
+    if (!m->too_long)
+        ASAN_CALL(n, true, r->buf, m->bytes);
     long result = matching_take(n, r);
     r->m = NULL;
     m->receive = NULL;

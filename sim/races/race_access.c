@@ -4,6 +4,7 @@
 #include "node/self.h"
 #include "nx_api/contract/races.h"
 #include "os/order.h"
+#include "os/asan_hooks.h"
 #include "races/node_races.h"
 
 /* An access to some bytes, before it is divided into words. */
@@ -395,6 +396,8 @@ static inline __attribute__((always_inline)) void tell(const void *address, size
                                                        const struct nxc_race_site *site, const void *frame)
 {
     struct node *n = node_self();
+    if (n->asan)
+        asan_told(n, address, bytes, site, frame);
     if (!n->races || !*n->races->on)
         return;
     if (site->flags & NXC_RACE_UPDATE) {

@@ -44,7 +44,7 @@ void races_free(struct races *all)
 
 struct node_races *races_begin(struct races *all, struct node *n)
 {
-    if (!n->image->races)
+    if (!n->image->races || n->asan)
         return NULL;
     struct node_races *r = xcalloc(1, sizeof *r);
     r->all = all;

@@ -575,8 +575,8 @@ static void random_graphs(void **state)
 
 /* --- many nodes --- */
 
-/* Of all kinds of waits, the analysis and the reports of 4,096 nodes: within a second (and ten with
- * sanitizers). */
+/* Of all kinds of waits, the analysis and the reports of 4,096 nodes: within seconds, also with sanitizers
+ * and where lines are counted. By the cube of the nodes they would take hours. */
 static void many_nodes(void **state)
 {
     (void)state;
@@ -596,7 +596,7 @@ static void many_nodes(void **state)
         check_json(w);
         waitfor_free(w);
     }
-    assert_true(clock() - begun < 10 * CLOCKS_PER_SEC);
+    assert_true(clock() - begun < 40 * CLOCKS_PER_SEC);
 }
 
 /* --- times ---------------------------------------------------------------------------------------------- */

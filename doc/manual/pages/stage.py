@@ -110,6 +110,7 @@ def glossary(text):
 
 # Entries of the index for pages that have none in their text: they are for readers of plain Markdown, too.
 ENTRIES = {
+    "asan.md": ["out of bounds", "AddressSanitizer"],
     "cluster.md": ["MPI", "cluster", "mpirun"],
     "deadlocks.md": ["deadlock", "wait-for graph"],
     "debugger.md": ["debugger", "gdb", "SIGUSR1"],

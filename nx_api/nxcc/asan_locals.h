@@ -1,0 +1,16 @@
+/* asan_locals.h - red zones behind the local variables of a function (contract/asan.h): its arrays,
+ * structures, and variables whose address is taken.
+ *
+ * A variable is made larger by its zone when the function's cost has been counted and only GCC's expansion to
+ * machine code is to come, which gives the variable a place in the frame. The zones are marked at the
+ * function's beginning, and unmarked before it returns. No two variables of the function share a place: the
+ * ends of their scopes, by which GCC knows who may, are taken out.
+ *
+ * Left out: arrays whose size is known only at run time, and alloca's. */
+#ifndef NXCC_ASAN_LOCALS_H
+#define NXCC_ASAN_LOCALS_H
+#include "gcc.h"
+
+/* To be called when all accesses of the function have their code. */
+void asan_locals_protect(function *f);
+#endif

@@ -1,0 +1,32 @@
+/* asan_shadow.h - the shadow of nodes' memory: which bytes a program may access (contract/asan.h). Knows
+ * nothing of nodes. */
+#ifndef ASAN_ASAN_SHADOW_H
+#define ASAN_ASAN_SHADOW_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A stretch of addresses with their shadow, all of which may be accessed at first. */
+struct asan_shadow {
+    uintptr_t low;
+    size_t bytes;
+    uint8_t *of;
+};
+
+/* Makes a shadow, which takes no memory until memory is marked. False: this computer has no address space
+ * left. */
+bool asan_shadow_begin(struct asan_shadow *s, uintptr_t low, size_t bytes);
+void asan_shadow_end(struct asan_shadow *s);
+
+/* Nobody may access these bytes, for a reason of enum nxc_asan_shadow. Of a last grain only the first bytes
+ * cannot be marked: they stay as they are. */
+void asan_shadow_mark(const struct asan_shadow *s, uintptr_t at, size_t bytes, uint8_t why);
+/* These bytes may be accessed, from a whole grain on; of their last grain, no more than these. */
+void asan_shadow_open(const struct asan_shadow *s, uintptr_t at, size_t bytes);
+/* These bytes, and all of their last grain, are as at first; memory of the host is given back. */
+void asan_shadow_forget(const struct asan_shadow *s, uintptr_t at, size_t bytes);
+/* The first of these bytes that may not be accessed; 0: there is none. Bytes outside may be accessed. */
+uintptr_t asan_shadow_first(const struct asan_shadow *s, uintptr_t at, size_t bytes);
+/* Why a byte may not be accessed. */
+uint8_t asan_shadow_why(const struct asan_shadow *s, uintptr_t at);
+#endif

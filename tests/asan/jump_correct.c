@@ -1,0 +1,35 @@
+/* jump_correct.c - as jump_fault.c, without its fault. */
+#include <setjmp.h>
+#include <stdio.h>
+#include <string.h>
+#include "nx.h"
+
+static jmp_buf out;
+
+static void parse(int depth)
+{
+    char word[24];
+    memset(word, depth, sizeof word);
+    if (depth == 0)
+        longjmp(out, 1);
+    parse(depth - 1);
+    printf("%d\n", word[0]);
+}
+
+static void copy(int n)
+{
+    char line[80], large[500];
+    int i;
+    memset(large, 'a', sizeof large);
+    for (i = 0; i < n; i++)
+        line[i] = large[i];
+    printf("%.3s\n", line);
+}
+
+int main(int argc, char **argv)
+{
+    if (setjmp(out) == 0)
+        parse(9);
+    copy(argc + 79);
+    return 0;
+}

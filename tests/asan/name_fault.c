@@ -1,0 +1,17 @@
+/* name_fault.c - sprintf writes a longer name than there is room for.
+ * report: stack-buffer-overflow: write of 11 bytes, the last 1 of them just behind name (10 bytes,  */
+#include <stdio.h>
+#include "nx.h"
+
+static void put_name(char *name, int node)
+{
+    sprintf(name, "part.%05d", node); /* FAULT */
+}
+
+int main(void)
+{
+    char name[10];
+    put_name(name, mynode());
+    printf("%s\n", name);
+    return 0;
+}

@@ -1,0 +1,35 @@
+/* scope_correct.c - as scope_fault.c, without its fault. */
+#include <stdio.h>
+#include "nx.h"
+
+static void set(char *all, int n)
+{
+    int i;
+    for (i = 0; i < n; i++)
+        all[i] = (char)i;
+}
+
+static int deep(int levels)
+{
+    char own[33];
+    set(own, 33);
+    return levels ? deep(levels - 1) + own[levels] : 0;
+}
+
+int main(void)
+{
+    int s = 0, i;
+    for (i = 0; i < 3; i++) {
+        if (i != 1) {
+            char large[1000];
+            set(large, 1000);
+            s += large[i];
+        } else {
+            char small[10];
+            set(small, 10);
+            s += small[i];
+        }
+    }
+    printf("%d\n", s + deep(20));
+    return 0;
+}

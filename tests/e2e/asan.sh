@@ -1,0 +1,94 @@
+#!/bin/bash
+# asan.sh - the pairs of tests/asan: each seeded fault is reported with its kind, its bytes, its block or variable and its line; of the
+# correct programs that look alike nothing is reported, and they take the time that they take without --asan. So do larger programs,
+# with all engines.
+. "$(dirname "$0")/common.bash"
+seeds=$tests/../asan
+pairs=0
+
+compiled() { # PROGRAM SOURCE OPTIONS...
+    local compiler=nxcc program=$1
+    [ "${2##*.}" = f ] && compiler=nxf77
+    shift
+    "$BUILD/$compiler" -g -w -o "$program" "$@"
+}
+
+arguments_of() { # SOURCE
+    echo "-m delta $(sed -n 's/.* run: \(-n [0-9]*\).*/\1/p' "$1" | grep . || printf -- '-n 1')"
+}
+
+# The report says what the fault's head says of it (... stands for anything), and names a line that the source marks.
+reported() { # SOURCE
+    local said marked
+    said=$(sed -nE 's/^(c    | \*) report: (.*[^ */]).*/\2/p' "$1")
+    marked=$(grep -nE '/\* FAULT \*/|! FAULT' "$1" | cut -d: -f1 | paste -sd "|")
+    grep -q -- ": ${said//.../.*}" err && grep -qE "^    (in|called from) [a-z_]+ \($(basename "$1" | sed 's/\./\\./'):($marked)\)" err &&
+        grep -qE '^  to do: .' err
+}
+
+# All that a run gives but the node's memory, of which the code takes more with --asan.
+results() { # ARGS...
+    run_results "$@" | grep -v '^memory\|"memory_peak'
+}
+
+for fault in "$seeds"/*_fault.*; do
+    name=$(basename "$fault")
+    for level in -O0 -O2; do
+        compiled seed "$fault" --asan $level
+        # shellcheck disable=SC2046
+        run --max-wall-time 20 $(arguments_of "$fault") seed
+        check "$name $level: the fault is reported" reported "$fault"
+        check "$name $level: status 1" ended_with 1
+    done
+    correct=${fault/_fault./_correct.}
+    name=$(basename "$correct")
+    compiled seed "$correct" -O2 && results $(arguments_of "$correct") seed >plain
+    compiled seed "$correct" -O2 --asan && results $(arguments_of "$correct") seed >checked
+    check "$name: ends well, with the same times and output as without --asan" \
+        eval 'grep -qx "status 0" checked && [ -s out ] && diff plain checked'
+    pairs=$((pairs + 1))
+done
+check "at least sixteen pairs" test "$pairs" -ge 16
+
+# --- doc/asan.md: its commands give the report that it shows ---
+
+page=$tests/../../doc/asan.md
+block "$page" sh | sed "s|tests/asan|$seeds|" >commands
+block "$page" report >expected
+PATH=$BUILD:$PATH bash commands >out 2>err
+status=$?
+check "doc/asan.md: status 1" ended_with 1
+check "doc/asan.md: the report is the one shown" eval '[ -s expected ] && head -n "$(wc -l <expected)" err | diff expected -'
+
+# --- what cannot be had ---
+
+check "--asan and --races: nxcc says that one program cannot have both" \
+    eval '! "$BUILD/nxcc" --asan --races -c "$tests/ring.c" 2>err && grep -q "build it twice" err'
+check "--asan and --mpi: nxcc says that it is for simulated nodes" \
+    eval '! "$BUILD/nxcc" --asan --mpi -c "$tests/ring.c" 2>err && grep -q "simulated nodes" err'
+
+# --- larger programs, whose handlers, reductions and files are all right ---
+
+# same MACHINE NAME SOURCES... -- ARGUMENTS...: with --asan the program takes the same time and prints the same, with all engines.
+same() {
+    local machine=$1 engine name=$2 sources=()
+    shift 2
+    while [ "$1" != -- ]; do
+        sources+=("$1")
+        shift
+    done
+    shift
+    # shellcheck disable=SC2086
+    "$BUILD/nxcc" -O2 -g -w -o "$name" "${sources[@]}" -lz -lm && results $machine -w 1 "$name" "$@" >plain
+    "$BUILD/nxcc" --asan -O2 -g -w -o "$name" "${sources[@]}" -lz -lm
+    for engine in "-w 1" "-w 3" "--engine reference"; do
+        # shellcheck disable=SC2086
+        results $machine $engine "$name" "$@" >checked
+        check "$name, $engine: status, output, digest and times are those without --asan" \
+            eval 'grep -qx "status 0" checked && grep -q "^digest *[0-9a-f]*[1-9a-f]" checked && diff plain checked'
+    done
+}
+same "-m delta -n 8" model "$tests"/../../app/*.c -- -digest -sphere 24 24 9
+same "-m ipsc860 -n 8" ring "$tests/ring.c" --
+same "-m ipsc860 -n 3" jobs "$tests/races/jobs.c" --
+same "-m paragon -n 4" jacobi "$tests/../../share/examples/jacobi.c" --
