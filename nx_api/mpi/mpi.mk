@@ -19,7 +19,7 @@ MPI_SECTION = objcopy --rename-section .text=nx_text --rename-section .text.unli
 MPI_LIBS   := $(foreach kind,$(MPI_KINDS),$(MPI)/$(kind)/libnx.a $(MPI)/$(kind)/libnx_long32.a $(MPI)/$(kind)/theirs) $(MPI)/names.map $(MPI)/found
 NXCC_MPI   := $(NXCC_DEPS) $(MPI_LIBS)
 all: $(MPI_LIBS)
-HOST_LIBC  := $(shell $(NODE_CC) -print-file-name=libc.so.6)
+HOST_LIBC  := $(shell $(NODE_CC) -print-file-name=libc.so.6 2>/dev/null)
 
 # The kinds that the libraries have been built for.
 $(MPI)/found: nx_api/mpi/mpi.mk
@@ -47,10 +47,10 @@ $(MPI)/obj/%.o: nx_api/%.f90 nx_api/mpi/mpi.mk
 	$(NODE_FC) -O2 -g $(PREFIX_MAP) -Wall -fPIE -fno-omit-frame-pointer -c -o $@ $<
 	$(MPI_SECTION)
 
-$(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))): $(MPI)/obj/long32/%.o: nx_api/%.c $(MPI_HDR) $(NXCC_TOOLS) nx_api/mpi/mpi.mk
+$(patsubst $(MPI)/obj/%,$(MPI)/obj/long32/%,$(filter-out %/open_unit.o,$(MPI_COMMON))): $(MPI)/obj/long32/%.o: nx_api/%.c $(MPI_HDR) $(NODE_TOOLS) nx_api/mpi/mpi.mk
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$B/nxcc --mpi --long32 -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -fno-omit-frame-pointer -c -o $@ $<
+	$(NODES)/nxcc --mpi --long32 -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -fno-omit-frame-pointer -c -o $@ $<
 	$(MPI_SECTION)
 
 # A program may define names of the C library and of MPI, and the library calls none of its functions. So it asks the C

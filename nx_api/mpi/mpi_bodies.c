@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/bells.h"
+#include "nx_api/mpi/idle.h"
 #include "nx_api/mpi/mpi_node.h"
 #include "nx_api/mpi/mpi_packets.h"
 
@@ -108,8 +109,10 @@ static void launch(struct node *n, long node, struct copy *c, size_t len)
 static void send_copied(struct node *n, long node, const struct wire_head *head, const void *bytes,
                         size_t len)
 {
-    struct copy *c = new_copy(n, len);
     uint32_t count = n->sys->count;
+    if (count == 1)
+        return; /* there are no others: nobody would free the copy */
+    struct copy *c = new_copy(n, len);
     memcpy(c->bytes, bytes, len);
     for (uint32_t i = 1; i < count; i++) {
         long to = (n->id + i) % count;
@@ -163,8 +166,10 @@ static void send_offered(struct node *n, long node, struct wire_head head, const
         return;
     }
     free(c);
-    while (!is_done(&offer.request))
+    while (!is_done(&offer.request)) {
+        idle_pause();
         wire_progress(n);
+    }
 }
 
 void body_send(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)

@@ -1,4 +1,4 @@
-/* mpi_bodies.h - the bytes of messages that are too long for a packet. A message to one node is offered:
+/* mpi_bodies.h - the bytes of messages that are too long for packets. A message to one node is offered:
  *
  *     sender                                         receiver
  *     csend   OFFER  ------------------------------> the message takes its place among those that have come

@@ -10,6 +10,7 @@
 #include "nx_api/calls/call.h"
 #include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/deadlock.h"
+#include "nx_api/mpi/idle.h"
 #include "nx_api/mpi/launcher.h"
 #include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/mpi_files.h"
@@ -127,18 +128,34 @@ static void rest(struct node *n, double *since)
         mpi_end_deadlocked(n);
 }
 
-/* Polls without a pause at first, then yields the processor, and at last sleeps till somebody rings. On a
- * busy computer a yield may take a hundred milliseconds: so the time counts, too. */
+/* Polls of a wait: from which on the clock is read, the processor yielded, the node asleep. */
+enum { LOOKING = 8, YIELDING = 2000, SLEEPING = 20000 };
+
+/* Do polls take longer than on a processor of the node's own? Each yield takes milliseconds if other programs
+ * are on the processor. */
+static bool is_shared(unsigned polls, bool yields)
+{
+    static const double LONG_S = 0.002, POLL_S = 1e-6;
+    static double begun;
+    static bool shared;
+    if (polls == LOOKING)
+        begun = mpi_seconds();
+    if (polls <= LOOKING)
+        shared = false;
+    else if (yields || polls % LOOKING == 0)
+        shared = mpi_seconds() - begun > LONG_S + polls * POLL_S;
+    return shared;
+}
+
+/* Polls without a pause at first, then yields the processor, and at last, after some milliseconds, sleeps
+ * till somebody rings; on a processor that others use it sleeps sooner. To be woken takes long where the
+ * processor sleeps, too. */
 static void pause_after(struct node *n, unsigned polls, double *since)
 {
-    enum { YIELDING = 2000, SLEEPING = 2300 };
-    static const double LONG_S = 0.02;
-    static double yields;
-    if (polls == YIELDING)
-        yields = mpi_seconds();
-    if (polls > SLEEPING || (polls > YIELDING && mpi_seconds() - yields > LONG_S))
+    const bool yields = polls > (idle_yields ? LOOKING : YIELDING);
+    if (polls > SLEEPING || is_shared(polls, yields))
         rest(n, since);
-    else if (polls > YIELDING)
+    else if (yields)
         sched_yield();
 }
 

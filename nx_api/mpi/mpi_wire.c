@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx_api/mpi/bells.h"
+#include "nx_api/mpi/idle.h"
 #include "nx_api/mpi/mpi_bodies.h"
+#include "nx_api/mpi/mpi_fragments.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/mpi_packets.h"
 #include "nx_api/mpi/order_record.h"
@@ -34,8 +36,10 @@ bool wire_begin(struct node *n, int *argc, char ***argv)
         node_fail(n, "this MPI allows no second thread in a program (MPI_THREAD_FUNNELED)");
     packets_begin(comm);
     bodies_begin(comm);
+    fragments_begin(n);
     bool rung = bells_begin(n);
     MPI_Barrier(comm); /* clocks begin together */
+    idle_begin();
     return rung;
 }
 
@@ -60,6 +64,7 @@ bool wire_all_are_here(bool here)
 
 void wire_end(void)
 {
+    idle_end();
     packets_end();
     MPI_Comm_free(&comm);
     MPI_Finalize();
@@ -85,6 +90,8 @@ static void act(struct node *n, const struct wire_head *head, int source, const 
 {
     switch ((enum wire_kind)head->kind) {
     case WIRE_DATA:
+    case WIRE_FIRST:
+    case WIRE_NEXT:
     case WIRE_OFFER:
     case WIRE_BODY:
         break; /* take_packet */
@@ -157,12 +164,19 @@ static void send_home(struct node *n, const struct wire_head *head, const void *
     mpi_mailbox_deliver(n, m);
 }
 
+static bool goes_in_packets(const struct wire_head *head, size_t len)
+{
+    return len <= PACKET_ROOM || (head->kind == WIRE_DATA && len <= FRAGMENTS_ROOM);
+}
+
 static void send_one(struct node *n, long node, const struct wire_head *head, const void *bytes, size_t len)
 {
     if (node == n->id)
         send_home(n, head, bytes);
     else if (len <= PACKET_ROOM)
         packet_send(n, node, head, bytes, len);
+    else if (goes_in_packets(head, len))
+        fragments_send(n, node, *head, bytes, len);
     else
         body_send(n, node, *head, bytes, len);
 }
@@ -179,16 +193,16 @@ void wire_send(struct node *n, long node, struct wire_head head, const void *byt
         packets_clear();
     if (node >= 0)
         send_one(n, node, &head, bytes, len);
-    else if (len > PACKET_ROOM)
+    else if (!goes_in_packets(&head, len))
         body_send(n, node, head, bytes, len);
     else
         for (uint32_t i = 1; i < count; i++)
-            packet_send(n, (n->id + i) % count, &head, bytes, len);
+            send_one(n, (n->id + i) % count, &head, bytes, len);
 }
 
 bool wire_is_empty(void)
 {
-    return packets_are_sent() && bodies_are_done();
+    return packets_are_sent() && fragments_are_done() && bodies_are_done();
 }
 
 /* --- receiving --- */
@@ -225,6 +239,28 @@ static void deliver_head(struct node *n, const struct packet *p, int source)
     deliver(n, m);
 }
 
+/* True: a message is whole. */
+static bool take_fragment(struct node *n, struct packet *p, int source)
+{
+    if (p->head.kind == WIRE_FIRST) {
+        struct message *m = new_message(n, &p->head, source);
+        fragments_expect(source, m);
+        deliver(n, m);
+    }
+    struct message *m = fragments_keep(source, p);
+    if (!m)
+        return false;
+    char *place = mpi_mailbox_place(n, m);
+    m->block = place ? NULL : malloc(m->bytes);
+    m->data = place ? place : m->block;
+    if (!m->data)
+        node_fail(n, "no memory for a message of %zu bytes", m->bytes);
+    fragments_copy(source, place ? place : m->block);
+    quiet_received();
+    mpi_mailbox_whole(n, m);
+    return true;
+}
+
 static void begin_body(struct node *n, const struct packet *p, int source)
 {
     bool promised;
@@ -242,6 +278,8 @@ static bool take_packet(struct node *n, struct packet *p, int source)
         deliver_packet(n, p, source);
         return true;
     }
+    if (kind == WIRE_FIRST || kind == WIRE_NEXT)
+        return take_fragment(n, p, source);
     if (kind == WIRE_DATA || kind == WIRE_OFFER) {
         deliver_head(n, p, source);
     } else if (kind == WIRE_BODY) {
@@ -292,8 +330,10 @@ static bool take_all(struct node *n)
 bool wire_progress(struct node *n)
 {
     bool tells = take_all(n);
-    while (bodies_are_promised())
+    while (bodies_are_promised()) {
+        idle_pause();
         tells |= take_all(n);
+    }
     return tells;
 }
 

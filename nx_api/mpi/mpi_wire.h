@@ -1,6 +1,6 @@
-/* mpi_wire.h - a program's messages as messages of MPI. Short ones go in a packet (mpi_packets.h), at once;
- * long ones are announced by a packet, and their bytes follow (mpi_bodies.h). The receiving library takes
- * all in, so that no send waits for the program's receive.
+/* mpi_wire.h - a program's messages as messages of MPI. Short ones go in a packet (mpi_packets.h), or in a
+ * few (mpi_fragments.h), at once; long ones are announced by a packet, and their bytes follow (mpi_bodies.h).
+ * The receiving library takes all in, so that no send waits for the program's receive.
  *
  * Only the program's own thread calls these functions (backend_node.h). */
 #ifndef MPI_WIRE_H
@@ -12,7 +12,9 @@
  * (quiet.h), and wire_progress does not tell of them. */
 enum wire_kind {
     WIRE_DATA,  /* the program's; type; value: the sender's pid */
-    WIRE_OFFER, /* the same, of which the bytes follow a WIRE_BODY; in the packet: the offer's number */
+    WIRE_FIRST, /* the same, of which a part follows in WIRE_NEXT */
+    WIRE_NEXT,  /* of mpi_fragments.c */
+    WIRE_OFFER, /* WIRE_DATA, of which the bytes follow a WIRE_BODY; in the packet: the offer's number */
     WIRE_FLUSH, /* throw away what typesel `type` selects */
     WIRE_KILL,  /* end the process. type: 1 if it alone is to end */
     WIRE_END,   /* the sender's process has ended. type: its status; value: its pid */

@@ -5,21 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct spread {
-    double least, most, sum;
-    uint32_t count;
-};
-
-static void add(struct spread *s, double x)
-{
-    if (s->count == 0 || x < s->least)
-        s->least = x;
-    if (s->count == 0 || x > s->most)
-        s->most = x;
-    s->sum += x;
-    s->count++;
-}
+#include "nx_api/contract/spread.h"
 
 static double waited(const struct summary_part *p)
 {
@@ -38,7 +24,7 @@ static double latest(const struct summary_part *parts, uint32_t count)
 {
     struct spread s = {.count = 0};
     for (uint32_t i = 0; i < count; i++)
-        add(&s, parts[i].ended_s);
+        spread_add(&s, parts[i].ended_s);
     return s.most;
 }
 
@@ -60,8 +46,8 @@ static void print_messages(FILE *f, const struct summary_part *parts, uint32_t c
 {
     struct spread sent = {.count = 0}, bytes = {.count = 0};
     for (uint32_t i = 0; i < count; i++) {
-        add(&sent, (double)parts[i].sent);
-        add(&bytes, (double)parts[i].bytes);
+        spread_add(&sent, (double)parts[i].sent);
+        spread_add(&bytes, (double)parts[i].bytes);
     }
     fprintf(f, "messages       %.0f, %.0f bytes; a node sent %.0f to %.0f, %.0f to %.0f bytes\n", sent.sum,
             bytes.sum, sent.least, sent.most, bytes.least, bytes.most);
@@ -78,9 +64,9 @@ static void print_nodes(FILE *f, const struct summary_part *parts, uint32_t coun
 {
     struct spread busy = {.count = 0}, idle = {.count = 0}, handlers = {.count = 0};
     for (uint32_t i = 0; i < count; i++) {
-        add(&busy, computed(&parts[i]));
-        add(&idle, waited(&parts[i]));
-        add(&handlers, parts[i].handlers_s);
+        spread_add(&busy, computed(&parts[i]));
+        spread_add(&idle, waited(&parts[i]));
+        spread_add(&handlers, parts[i].handlers_s);
     }
     fprintf(f, "nodes          %u %s:", count, count == 1 ? "node" : "nodes");
     print_spread(f, "busy", &busy);
@@ -112,7 +98,7 @@ static void print_waits_of(FILE *f, const struct summary_part *parts, uint32_t c
     uint64_t times = 0;
     for (uint32_t i = 0; i < count; i++) {
         const struct summary_wait *w = find(&parts[i], call);
-        add(&s, w ? w->seconds : 0);
+        spread_add(&s, w ? w->seconds : 0);
         times += w ? w->times : 0;
     }
     fprintf(f, "waits          in %s %" PRIu64 " times:", call, times);
@@ -124,7 +110,7 @@ static void print_handlers(FILE *f, const struct summary_part *parts, uint32_t c
 {
     struct spread s = {.count = 0};
     for (uint32_t i = 0; i < count; i++)
-        add(&s, (double)parts[i].handlers);
+        spread_add(&s, (double)parts[i].handlers);
     if (s.sum > 0)
         fprintf(f, "interrupts     %.0f handlers run; a node ran %.0f to %.0f\n", s.sum, s.least, s.most);
 }

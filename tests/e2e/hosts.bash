@@ -35,7 +35,8 @@ host_begin() { # NAME ADDRESS
     done
     host_pid[$1]=$(pgrep -P $!)
     echo "${host_pid[$1]}" >"$1.pid"
-    ip link add "$1" type veth peer name eth0 netns "${host_pid[$1]}"
+    # (By the same address of Ethernet as an earlier computer of that name: the others know it for some seconds yet.)
+    ip link add "$1" type veth peer name eth0 address "02:00:00:00:00:0${2##*.}" netns "${host_pid[$1]}"
     ip link set "$1" master net up
     on "$1" sh -c "ip addr add $2/24 dev eth0 && ip link set eth0 up && ip link set lo up"
 }

@@ -4,7 +4,7 @@
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 
-for program in interrupts masks library flood ends sleeps own_mpi; do
+for program in interrupts masks library flood unheard ends sleeps own_mpi; do
     check "$program.c compiles" "$BUILD/nxcc" --mpi -O2 -g -Wall -o $program "$tests/mpi/$program.c" -lm
 done
 
@@ -18,6 +18,8 @@ on_mpi 2 ./library
 check "no handler runs inside the C library" printed "3000 handled, 0 inside"
 on_mpi 3 ./flood
 check "sends never wait for receives" printed "0 wrong"
+on_mpi 1 ./unheard
+check "a message to all others of no others keeps no memory" printed "nothing kept"
 
 on_mpi 2 ./sleeps
 check "handlers run while a node sleeps" [ "$(sort out)" = $'sleep: asleep\nslept: all of it\nusleep: asleep' ]
@@ -39,6 +41,13 @@ int main(void) { usleep(1000); printf("node %ld of %ld\n", mynode(), numnodes())
 "$BUILD/nxcc" --mpi -O2 -w -o alone alone.c
 ./alone >got 2>err
 check "a program runs without mpirun, too, as one node" diff got - <<<"node 0 of 1"
+
+echo '#include <stdio.h>
+#include <nx.h>
+int main(void) { double begin = dclock(); for (int i = 0; i < 3000; i++) iprobe(-1); puts(dclock() - begin < 1 ? "at once" : "late"); return 0; }' >asks.c
+"$BUILD/nxcc" --mpi -O2 -o asks asks.c
+on_busy 2 ./asks
+check "calls that need not wait leave the processor to nobody" printed $'at once\nat once'
 
 "$BUILD/nxcc" --mpi --long32 -O2 -o long32 "$tests/../nx/long32.c"
 on_mpi 3 ./long32

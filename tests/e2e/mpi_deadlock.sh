@@ -70,6 +70,8 @@ SECONDS=0
 on_mpi 16 ./many
 check "a job of 16 processes ends in seconds" [ "$SECONDS" -le 12 ]
 check "with a report" said '^  nodes 3-15: gsync'
+NX_DEADLOCK=0.2 on_busy 2 ./ring
+check "waiting nodes leave a busy processor to others within a second" said 'crecvx\(7\) since [0-9.]+ [mu]s to [0-9.]+ [mu]s'
 NX_DEADLOCK=off timeout 4 mpirun -np 2 ./ring >out 2>err
 status=$?
 check "NX_DEADLOCK=off: a job hangs" ended_with 124
@@ -86,5 +88,5 @@ for how in computes sleeps "waits for the system" polls dies handles "sends much
 done
 on_mpi 4 ./calm alarm
 check "no deadlock: alarm" calm $'done\nwoken'
-on_mpi 4 ./calm reads < <(sleep 2; echo "a line")
+on_mpi 4 ./calm reads < <(sleep 1.5; echo "a line")
 check "no deadlock: reads" calm $'read a line\ndone'

@@ -24,7 +24,7 @@ on_mpi 1 ./later ends
 check "what is to be written is written before the program ends" [ "$(wc -c <"$TOUCHSTONE_CFS/ends")" = $((50 << 20)) ]
 
 # All nodes wait, but one of them for its input.
-{ sleep 2; echo text >fifo; } &
+{ sleep 1.5; echo text >fifo; } &
 NX_DEADLOCK=0.2 on_mpi 2 ./later alive
 check "to wait for a file is no deadlock" sorted $'heard\nread: 5'
 wait

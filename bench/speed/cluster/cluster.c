@@ -4,8 +4,8 @@
  *     mpirun -np N cluster            a line for each pattern: name, bytes, microseconds of a round on plain
  *                                     MPI and on NX, and the ratio
  *     mpirun -np 2 cluster handlers   how long a message waits for its handler, which interrupts a computing
- *                                     node, one in sleep, and one in usleep: median and 99th percentile,
- *                                     microseconds
+ *                                     node, one in sleep, and one in usleep; and how late the system ends a
+ *                                     pause of a plain program: median and 99th percentile, microseconds
  *
  * A turn takes less than a millisecond, and each kind has TURNS turns. A figure is the 2nd percentile of its
  * turns: other programs of the computer only lengthen turns, and leave some alone if they are short. On a
@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <time.h>
 #include <unistd.h>
 #include "plain.h"
@@ -109,6 +110,7 @@ static const struct pattern {
     {"halo", 65536, 20, halo_plain, halo},
     {"gdsum", 8, 300, sum_plain, sum},
     {"gdsum", 8000, 100, sum_plain, sum},
+    {"gdsum", 32000, 40, sum_plain, sum},
     {"gdsum", 1 << 20, 2, sum_plain, sum},
     {"gsync", 0, 300, barrier_plain, barrier},
 };
@@ -193,6 +195,12 @@ static void doze(void)
     sleep(1);
 }
 
+static void tell(const char *what, int count)
+{
+    double middle = percentile(waits, count, 50);
+    printf("%-10s %9.1f %9.1f\n", what, middle, percentile(waits, count, 99));
+}
+
 static void handlers_during(const char *what, void (*run)(void), int count)
 {
     handled = 0;
@@ -201,10 +209,21 @@ static void handlers_during(const char *what, void (*run)(void), int count)
         send_at_times(count);
     while (me == 0 && handled < count)
         run();
-    if (me == 0) {
-        double middle = percentile(waits, count, 50);
-        printf("%-10s %9.1f %9.1f\n", what, middle, percentile(waits, count, 99));
+    if (me == 0)
+        tell(what, count);
+}
+
+/* What no program can better that is woken by the system. */
+static void plain_pauses(int count)
+{
+    prctl(PR_SET_TIMERSLACK, 1);
+    for (int i = 0; i < count; i++) {
+        const struct timespec pause = {.tv_nsec = 100000 + rand() % 400000};
+        double begin = now();
+        nanosleep(&pause, NULL);
+        waits[i] = (now() - begin) * 1e6 - 1e-3 * (double)pause.tv_nsec;
     }
+    tell("nanosleep", count);
 }
 
 int main(int argc, char **argv)
@@ -217,6 +236,8 @@ int main(int argc, char **argv)
         handlers_during("computing", compute, MESSAGES);
         handlers_during("usleep", nap, ASLEEP);
         handlers_during("sleep", doze, ASLEEP);
+        if (me == 0)
+            plain_pauses(ASLEEP);
         return 0;
     }
     for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)

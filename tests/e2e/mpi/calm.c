@@ -41,26 +41,26 @@ static void delay(void)
 {
     char line[80];
     if (is("computes"))
-        compute(5);
+        compute(1);
     else if (is("sleeps"))
-        sleep(2);
+        sleep(1);
     else if (is("waits for the system")) {
-        FILE *f = popen("sleep 2; echo awake", "r");
+        FILE *f = popen("sleep 1; echo awake", "r");
         if (!f || !fgets(line, sizeof line, f))
             puts("nothing to read");
     } else if (is("polls")) {
         double begin = dclock();
-        while (!iprobe(9) && dclock() - begin < 2)
+        while (!iprobe(9) && dclock() - begin < 1)
             flick();
     } else if (is("alarm")) {
         signal(SIGALRM, wake);
-        alarm(2);
+        alarm(1);
         crecv(9, &word, sizeof word);
     } else if (is("dies")) {
         killproc(1, 0);
     } else if (is("handles")) {
         hrecv(5, &word, sizeof word, answer);
-        compute(2);
+        compute(1);
     }
 }
 
@@ -76,7 +76,7 @@ static void await(void)
         return;
     }
     if (is("dies")) {
-        compute(6);
+        compute(6); /* longer than a node waits whose others are to end with it */
         return;
     }
     if (is("handles"))

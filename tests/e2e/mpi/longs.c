@@ -6,16 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 300000, NODES = 8, LOST = 900 };
+enum { MOST = 300000, NODES = 8, LOST = 900, KEPT = 910 };
 static unsigned char out[MOST], in[MOST], boxes[NODES][MOST];
 static long me, nodes, messages, wrong, expected[NODES], ids[NODES];
 static volatile long handled;
 
-/* Some fit into a packet, some just do not; some are long. */
+/* Some fit into a packet, or into a few; some just do not. */
 static long length_of(long from, long to, long i)
 {
-    static const long lengths[] = {0, 8, 3999, 4000, 4001, 16384, 16385, 70000, MOST};
-    return lengths[(from * 7 + to * 3 + i * 5) % 9];
+    static const long lengths[] = {0, 8, 4000, 4001, 7999, 8000, 16384, 20000, 20001, 70000, MOST};
+    return lengths[(from * 7 + to * 3 + i * 5) % 11];
 }
 
 static unsigned char byte_of(long from, long to, long i, long at)
@@ -117,6 +117,29 @@ static void lose(void)
     csend(LOST + 2, out, MOST, (me + 1) % nodes, 0);
 }
 
+/* A message has come when the next one of its sender has; but its bytes are not in the buffer of an irecv
+ * before the msgwait. */
+static void keep(void)
+{
+    static const long lengths[] = {8, 8000, 20000, 70000};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        if (me == 0) {
+            memset(in, 99, MOST);
+            long id = irecv(KEPT, in, MOST);
+            csend(KEPT + 1, NULL, 0, 1, 0);
+            crecv(KEPT + 2, NULL, 0);
+            wrong += in[0] != 99 || in[lengths[i] - 1] != 99;
+            msgwait(id);
+            wrong += in[0] != 7 || in[lengths[i] - 1] != 7 || in[lengths[i]] != 99;
+        } else if (me == 1) {
+            crecv(KEPT + 1, NULL, 0);
+            memset(out, 7, MOST);
+            csend(KEPT, out, lengths[i], 0, 0);
+            csend(KEPT + 2, NULL, 0, 0, 0);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     long work;
@@ -124,6 +147,7 @@ int main(int argc, char **argv)
     messages = argc > 1 ? atol(argv[1]) : 9;
     exchange();
     lose();
+    keep();
     gisum(&wrong, 1, &work);
     if (me == 0)
         printf("%ld wrong\n", wrong);
