@@ -14,8 +14,10 @@
 struct gz {
     FILE *file;
     z_stream z;
-    bool packed;   /* otherwise plain */
-    bool end, bad; /* end: no more data; bad: the data are damaged */
+    bool packed; /* otherwise plain */
+    bool end;    /* no more data */
+    bool past;   /* a read has asked for more than there was */
+    int error;   /* Z_DATA_ERROR: the data are damaged; Z_BUF_ERROR: the file ends within a member */
     z_off_t at;
     unsigned char in[8192];
 };
@@ -30,20 +32,31 @@ static void give_back(voidpf n, voidpf p)
     node_heap_release(((struct node *)n)->heap, p);
 }
 
-static size_t fill(struct gz *g)
+/* Reads on if there are fewer bytes of input than needed; returns how many there are. */
+static size_t fill(struct gz *g, size_t needed)
 {
-    g->z.next_in = g->in;
-    g->z.avail_in = (uInt)fread(g->in, 1, sizeof g->in, g->file);
+    size_t left = g->z.avail_in;
+    if (left < needed) {
+        memmove(g->in, g->z.next_in, left);
+        g->z.next_in = g->in;
+        g->z.avail_in += (uInt)fread(g->in + left, 1, sizeof g->in - left, g->file);
+    }
     return g->z.avail_in;
+}
+
+static bool at_member(struct gz *g)
+{
+    return fill(g, 2) >= 2 && g->z.next_in[0] == 0x1f && g->z.next_in[1] == 0x8b;
 }
 
 /* Starts at the beginning of the file, and finds out whether the file is packed. */
 static bool start(struct gz *g)
 {
-    g->end = g->bad = false;
+    g->end = g->past = false;
+    g->error = Z_OK;
     g->at = 0;
-    fill(g);
-    g->packed = g->z.avail_in > 1 && g->in[0] == 0x1f && g->in[1] == 0x8b;
+    g->z.next_in = g->in, g->z.avail_in = 0;
+    g->packed = at_member(g);
     return !g->packed || inflateReset(&g->z) == Z_OK;
 }
 
@@ -76,25 +89,23 @@ fail:
 /* A file may have several gzip members, one behind the other. Anything else behind a member ends the data. */
 static bool next_member(struct gz *g)
 {
-    if (g->z.avail_in == 0 && fill(g) == 0)
-        return false;
-    return g->z.next_in[0] == 0x1f && inflateReset(&g->z) == Z_OK;
+    return at_member(g) && inflateReset(&g->z) == Z_OK;
 }
 
 static size_t read_packed(struct gz *g, void *buf, size_t size)
 {
     g->z.next_out = buf;
     g->z.avail_out = (uInt)size;
-    while (g->z.avail_out > 0 && !g->end && !g->bad) {
-        if (g->z.avail_in == 0 && fill(g) == 0) {
-            g->bad = true; /* the file ends within a member */
+    while (g->z.avail_out > 0 && !g->end && !g->error) {
+        if (fill(g, 1) == 0) {
+            g->error = Z_BUF_ERROR;
             break;
         }
         int r = inflate(&g->z, Z_NO_FLUSH);
         if (r == Z_STREAM_END)
             g->end = !next_member(g);
         else if (r != Z_OK && r != Z_BUF_ERROR)
-            g->bad = true;
+            g->error = Z_DATA_ERROR;
     }
     return size - g->z.avail_out;
 }
@@ -115,18 +126,20 @@ int node_gzread(gzFile file, voidp buf, unsigned size)
     struct gz *g = (struct gz *)file;
     size_t got = g->packed ? read_packed(g, buf, size) : read_plain(g, buf, size);
     g->at += (z_off_t)got;
-    return g->bad && got == 0 ? -1 : (int)got;
+    g->past = got < size;
+    return g->error == Z_DATA_ERROR && got == 0 ? -1 : (int)got;
 }
 
+/* A place beyond the end is one, too. Returns false if the data are damaged. */
 static bool skip_to(struct gz *g, z_off_t to)
 {
     char waste[1024];
-    while (g->at < to) {
+    int got = 1;
+    while (g->at < to && got > 0) {
         z_off_t left = to - g->at;
-        if (node_gzread((gzFile)g, waste, left < (z_off_t)sizeof waste ? (unsigned)left : sizeof waste) <= 0)
-            return false;
+        got = node_gzread((gzFile)g, waste, left < (z_off_t)sizeof waste ? (unsigned)left : sizeof waste);
     }
-    return true;
+    return got >= 0;
 }
 
 z_off_t node_gzseek(gzFile file, z_off_t offset, int whence)
@@ -145,23 +158,26 @@ z_off_t node_gzseek(gzFile file, z_off_t offset, int whence)
 
 int node_gzeof(gzFile file)
 {
-    return ((struct gz *)file)->end;
+    return ((struct gz *)file)->past;
 }
 
 const char *node_gzerror(gzFile file, int *number)
 {
     const struct gz *g = (const struct gz *)file;
     if (number)
-        *number = g->bad ? Z_DATA_ERROR : Z_OK;
-    return g->bad ? "the compressed data are damaged or cut short" : "";
+        *number = g->error;
+    return g->error == Z_DATA_ERROR  ? "the compressed data are damaged"
+           : g->error == Z_BUF_ERROR ? "the compressed data are cut short"
+                                     : "";
 }
 
 int node_gzclose(gzFile file)
 {
     struct gz *g = (struct gz *)file;
     struct node *n = node_self();
+    bool cut = g->error == Z_BUF_ERROR;
     inflateEnd(&g->z);
     int r = stream_fclose(&n->libc->streams, g->file);
     node_heap_release(n->heap, g);
-    return r ? Z_ERRNO : Z_OK;
+    return r ? Z_ERRNO : cut ? Z_BUF_ERROR : Z_OK;
 }

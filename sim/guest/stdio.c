@@ -147,5 +147,7 @@ int node_fflush(FILE *f)
 
 int node_remove(const char *path)
 {
-    return file_unlink(node_self(), path);
+    struct node *n = node_self();
+    int answer = file_unlink(n, path);
+    return answer < 0 && errno == EISDIR ? file_remove_folder(n, path) : answer;
 }

@@ -4,6 +4,7 @@
 # clock times included, and the exit status 0. A program's head says
 #     run: ARGS          the machine; "all" is 1, 2, 3, 8 and 33 nodes of a hypercube and of a mesh
 #     compile: OPTIONS   for nxcc
+#     again: OPTIONS     compiled once more, with these options, too: all runs print the same
 #     stdin: TEXT        a line for its standard input
 BUILD=$(cd "${BUILD:-build}" && pwd)
 work=$(mktemp -d)
@@ -24,32 +25,42 @@ sed -n 's/^| [^|]* | \([^|]*\) |$/\1/p' tests/nx/RULES.md | tail -n +2 | tr ' ' 
 for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do basename "${source%.*}"; done | sort -u >"$work/there"
 if diff "$work/named" "$work/there"; then echo "ok RULES.md names the programs"; else echo "not ok RULES.md names the programs"; fi
 
+compiled() { # NAME SOURCE OPTIONS...
+    if ! "$BUILD/nxcc" -O2 -g -J "$work" "${@:3}" -o "$work/$1" "$2" -lm 2>"$work/err"; then
+        echo "not ok $1 ${*:3}: does not compile"
+        cat "$work/err"
+        false
+    fi
+}
+
+run_all() { # NAME OPTIONS...: on its machines
+    while read -r arguments; do
+        # shellcheck disable=SC2086
+        (cd "$work" && "$BUILD/touchstone" run --max-wall-time 300 $arguments "$1" >out 2>err <in)
+        status=$?
+        [ $status = 0 ] || echo "status $status" >>"$work/out"
+        [ -f "$expected" ] || [ $status != 0 ] || cp "$work/out" "$work/first"
+        if cmp -s "$work/out" "$expected"; then
+            echo "ok $* $arguments"
+        else
+            echo "not ok $* $arguments"
+            diff "$expected" "$work/out"
+            cat "$work/err"
+        fi
+    done <"$work/runs"
+}
+
 for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     name=$(basename "${source%.*}")
     options=$(sed -n 's/^[ cC!][ *]* compile: //p' "$source")
-    # shellcheck disable=SC2086
-    if ! $BUILD/nxcc -O2 -g -J "$work" $options -o "$work/$name" "$source" -lm 2>"$work/err"; then
-        echo "not ok $name: does not compile"
-        cat "$work/err"
-        continue
-    fi
+    again=$(sed -n 's/^[ cC!][ *]* again: //p' "$source")
     expected=$PWD/tests/nx/$name.out
     [ -f "$expected" ] || expected=$work/first
     rm -f "$work/first"
     sed -n 's/^ \* stdin: //p' "$source" >"$work/in"
     machines "$source" >"$work/runs"
-    while read -r arguments; do
-        # shellcheck disable=SC2086
-        (cd "$work" && "$BUILD/touchstone" run --max-wall-time 300 $arguments "$name" >out 2>err <in)
-        status=$?
-        [ $status = 0 ] || echo "status $status" >>"$work/out"
-        [ -f "$expected" ] || [ $status != 0 ] || cp "$work/out" "$work/first"
-        if cmp -s "$work/out" "$expected"; then
-            echo "ok $name $arguments"
-        else
-            echo "not ok $name $arguments"
-            diff "$expected" "$work/out"
-            cat "$work/err"
-        fi
-    done <"$work/runs"
+    # shellcheck disable=SC2086
+    compiled "$name" "$source" $options && run_all "$name"
+    # shellcheck disable=SC2086
+    [ -z "$again" ] || { compiled "$name" "$source" $options $again && run_all "$name" $again; }
 done

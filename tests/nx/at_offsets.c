@@ -1,5 +1,6 @@
 /* readoff, writeoff, ireadoff and iwriteoff: at an offset of their own, in any I/O mode, pointers left alone.
  * iowait returns the bytes moved.
+ * again: --long32
  * run: all
  * run: -m paragon -n 4
  */

@@ -1,4 +1,5 @@
 /* The C library's streams and POSIX calls work on /cfs; so do sizes, seeks, the end of the file, and parts.
+ * again: --long32
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  */

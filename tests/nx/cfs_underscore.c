@@ -1,4 +1,5 @@
 /* The calls on files with an underscore return -1 and set errno, on files of the CFS and of this computer.
+ * again: --long32
  * run: -m ipsc860 -n 2
  * run: -m delta -n 3
  */

@@ -1,4 +1,5 @@
 /* The extended arithmetic: 64 bits, signed.
+ * again: --long32
  * run: -m ipsc860 -n 1
  */
 #include <nx.h>

@@ -1,6 +1,7 @@
 /* The C library answers as the standard says: the calendar, divisions, the locale, characters of several
- * bytes, wide output, memory at multiples.
+ * bytes, wide output, random numbers, errors, memory at multiples.
  * compile: -D_GNU_SOURCE
+ * again: --long32
  * run: all
  */
 #include <errno.h>
@@ -15,6 +16,8 @@
 #include <unistd.h>
 #include <wchar.h>
 #include "rule.h"
+
+extern int __xpg_strerror_r(int, char *, size_t); /* POSIX's strerror_r */
 
 static int calendar(void)
 {
@@ -150,6 +153,56 @@ static int numbers(void)
            remainder(7, 4) == -1;
 }
 
+/* The next of the generator's numbers of 48 bits, as the standard says. */
+static unsigned long long next_48(unsigned long long x, unsigned long long factor, unsigned addend)
+{
+    return (x * factor + addend) & 0xffffffffffff;
+}
+
+/* The state of drand48 and its kin: seeds, the state before, the caller's own state, other constants. */
+static int random_48(void)
+{
+    const unsigned long long a = 0x5deece66d, x = next_48((1993 << 16) + 0x330e, a, 11),
+                             y = next_48(x, a, 11);
+    unsigned short own[3] = {0x330e, 1993, 0}, seed[3] = {5, 6, 7}, *before;
+    unsigned short constants[7] = {1, 2, 3, 0x11, 0, 0, 9};
+    srand48(1993);
+    if (lrand48() != (long)(x >> 17) || mrand48() != (int)(y >> 16) || nrand48(own) != (long)(x >> 17) ||
+        jrand48(own) != (int)(y >> 16))
+        return 0;
+    before = seed48(seed);
+    if (before[0] != (y & 0xffff) || before[1] != (y >> 16 & 0xffff) || before[2] != y >> 32)
+        return 0;
+    double first = drand48(), same = (seed48(seed), drand48());
+    lcong48(constants);
+    return first == same && lrand48() == (long)(next_48(0x000300020001, 0x11, 9) >> 17);
+}
+
+/* The state of random lies in the program's arrays, between which it may change. */
+static int random_states(void)
+{
+    static char one[128], two[32];
+    char *first = initstate(1, one, sizeof one);
+    long a = random(), b = random();
+    if (a != 1804289383 || b != 846930886 || !first)
+        return 0;
+    if (initstate(1, two, sizeof two) != one)
+        return 0;
+    long other = random();
+    int holds = setstate(one) == two && random() == 1681692777 && setstate(two) == one && random() != other;
+    srandom(1);
+    return holds && random() == other && setstate(first) == two && (srand(1), rand()) == 1804289383;
+}
+
+static int errors(void)
+{
+    char text[60] = "", few[4];
+    return !strcmp(strerror(ENOENT), "No such file or directory") &&
+           !strcmp(strerror_r(EBADF, text, sizeof text), "Bad file descriptor") &&
+           __xpg_strerror_r(ENOENT, text, sizeof text) == 0 && !strcmp(text, strerror(ENOENT)) &&
+           __xpg_strerror_r(ENOENT, few, sizeof few) == ERANGE && !few[3];
+}
+
 static int is_at(void *p, size_t align, size_t bytes)
 {
     memset(p, 7, bytes);
@@ -183,6 +236,9 @@ int main(void)
     rule("getopt", options());
     rule("signgam", signs());
     rule("numbers", numbers());
+    rule("drand48 and its kin", random_48());
+    rule("states of random", random_states());
+    rule("errors have names", errors());
     rule("memory at multiples", aligned());
     return 0;
 }

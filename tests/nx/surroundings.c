@@ -1,5 +1,6 @@
 /* What a node says of itself: its name, its machine, its one user, its clocks and alarms.
  * simulator only: the cluster's computers have names of their own
+ * compile: -D_GNU_SOURCE
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  * run: -m paragon -n 2
@@ -7,14 +8,66 @@
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/times.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 #include "rule.h"
 
+/* A program that sleeps uses no time of the processor; one that computes does. */
+static int times_used(void)
+{
+    struct rusage before, after;
+    sleep(1);
+    getrusage(RUSAGE_SELF, &before);
+    double begin = dclock();
+    for (volatile int i = 0; i < 100000; i++)
+        ;
+    double computed = dclock() - begin;
+    sleep(1);
+    getrusage(RUSAGE_SELF, &after);
+    double user = (double)(after.ru_utime.tv_sec - before.ru_utime.tv_sec) +
+                  1e-6 * (double)(after.ru_utime.tv_usec - before.ru_utime.tv_usec);
+    return before.ru_utime.tv_sec == 0 && computed > 0.001 && user > 0.99 * computed && user < 1.1 * computed;
+}
+
+/* No signal is held back, and none is asked for: a program gets those only that end it. */
+static int signals(void)
+{
+    struct sigaction now = {.sa_handler = SIG_IGN};
+    sigset_t mask, held;
+    sigfillset(&held);
+    sigemptyset(&mask);
+    sigaddset(&mask, SIGINT);
+    return sigprocmask(SIG_BLOCK, &mask, &held) == 0 && !sigismember(&held, SIGINT) &&
+           sigaction(SIGINT, NULL, &now) == 0 && now.sa_handler == SIG_DFL && sigblock(1) == 0 &&
+           sigsetmask(0) == 0 && signal(SIGTERM, SIG_IGN) == SIG_DFL;
+}
+
+/* Each node's own, and the same in each run. */
+static int entropy(void)
+{
+    unsigned char mine[8], next[8], last[8];
+    if (getentropy(mine, 8) || getentropy(next, 8) || !memcmp(mine, next, 8))
+        return 0;
+    csend(1, mine, 8, next_node(), 0);
+    crecv(1, last, 8);
+    return memcmp(mine, last, 8) != 0 && (mynode() > 0 || mine[0] != 0 || mine[1] != 0);
+}
+
+static int login(void)
+{
+    char name[40] = "", few[2];
+    setenv("LOGNAME", "paul", 1);
+    return !strcmp(getlogin(), "paul") && getlogin_r(name, sizeof name) == 0 && !strcmp(name, "paul") &&
+           getlogin_r(few, sizeof few) == ERANGE;
+}
+
 int main(void)
 {
+    char domain[20] = "?", here[4096];
     struct utsname u;
     struct tms t;
     char name[40], expected[40], dir[300];
@@ -30,5 +83,15 @@ int main(void)
     rule("a page", getpagesize() == 4096 && sysconf(_SC_PAGESIZE) == 4096);
     rule("the standard streams",
          fileno(stdin) == 0 && fileno(stdout) == 1 && fileno(stderr) == 2 && isatty(fileno(stdout)));
+    rule("getdomainname", getdomainname(domain, sizeof domain) == 0 && !*domain);
+    rule("gethostid", gethostid() == getpid() && getpgrp() == getpid());
+    rule("getwd", getwd(here) == here && !strcmp(here, dir));
+    rule("one process", nice(5) == 0 && sysconf(_SC_NPROCESSORS_ONLN) == 1);
+    rule("files that may be open", getdtablesize() == sysconf(_SC_OPEN_MAX) && getdtablesize() > 20);
+    rule("sysconf of something else", sysconf(12345) == -1 && errno == EINVAL);
+    rule("getlogin", login());
+    rule("getrusage", times_used());
+    rule("signals", signals());
+    rule("getentropy", entropy());
     return 0;
 }

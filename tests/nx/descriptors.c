@@ -1,0 +1,157 @@
+/* POSIX's calls on descriptors and names of files, on files of the computer: lengths, places, errors,
+ * temporary names.
+ * compile: -D_GNU_SOURCE
+ * run: -m ipsc860 -n 3
+ * run: -m paragon -n 1
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <unistd.h>
+#include "rule.h"
+
+static char name[60], other[60];
+
+static int fails(long answer, int error)
+{
+    int is = answer == -1 && errno == error;
+    errno = 0;
+    return is;
+}
+
+static long length_of(int fd)
+{
+    struct stat st;
+    return fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ? (long)st.st_size : -1;
+}
+
+static int numbers(void)
+{
+    int a = creat(name, 0600), b = open(name, O_RDONLY), c = open(name, O_RDONLY), again;
+    int holds = a > 2 && a < b && b < c && close(b) == 0;
+    again = open(name, O_RDONLY);
+    return holds && again == b && close(a) == 0 && close(again) == 0 && close(c) == 0;
+}
+
+static int closed(void)
+{
+    char byte;
+    struct stat st;
+    int fd = creat(name, 0600);
+    return close(fd) == 0 && fails(close(fd), EBADF) && fails(read(fd, &byte, 1), EBADF) &&
+           fails(write(fd, "x", 1), EBADF) && fails(lseek(fd, 0, SEEK_SET), EBADF) &&
+           fails(fstat(fd, &st), EBADF) && fails(ftruncate(fd, 0), EBADF) && fails(fsync(fd), EBADF) &&
+           fails(isatty(fd) - 1, EBADF) && fails(close(-1), EBADF) && fails(close(100000), EBADF);
+}
+
+static int one_way(void)
+{
+    char byte;
+    int out = creat(name, 0600), in = open(name, O_RDONLY);
+    return fails(read(out, &byte, 1), EBADF) && fails(write(in, "x", 1), EBADF) &&
+           fails(ftruncate(in, 0), EINVAL) && close(in) == 0 && close(out) == 0;
+}
+
+static int in_parts(void)
+{
+    char text[20] = "";
+    struct iovec parts[] = {{"one ", 4}, {NULL, 0}, {"two ", 4}, {"three", 5}};
+    int fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    return writev(fd, parts, 4) == 13 && lseek(fd, 0, SEEK_CUR) == 13 && writev(fd, parts, 0) == 0 &&
+           lseek(fd, 0, SEEK_SET) == 0 && read(fd, text, 20) == 13 && !strcmp(text, "one two three") &&
+           close(fd) == 0 && fails(writev(fd, parts, 4), EBADF);
+}
+
+static int lengths(void)
+{
+    char text[8] = "1234567";
+    int fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    int holds = write(fd, "abcdef", 6) == 6 && ftruncate(fd, 2) == 0 && length_of(fd) == 2;
+    holds = holds && lseek(fd, 0, SEEK_CUR) == 6 && ftruncate(fd, 5) == 0 && length_of(fd) == 5;
+    holds =
+        holds && lseek(fd, 0, SEEK_SET) == 0 && read(fd, text, 8) == 5 && memcmp(text, "ab\0\0\0", 5) == 0;
+    holds = holds && lseek(fd, 10, SEEK_SET) == 10 && write(fd, "x", 1) == 1 && length_of(fd) == 11;
+    return holds && fails(lseek(fd, -12, SEEK_END), EINVAL) && fails(ftruncate(fd, -1), EINVAL) &&
+           lseek(fd, 0, SEEK_CUR) == 11 && fsync(fd) == 0 && close(fd) == 0;
+}
+
+static int at_the_end(void)
+{
+    int a = open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600), b = open(name, O_WRONLY | O_APPEND);
+    return write(a, "first", 5) == 5 && write(b, "second", 6) == 6 && length_of(a) == 11 &&
+           write(a, "!", 1) == 1 && length_of(a) == 11 && close(a) == 0 && close(b) == 0;
+}
+
+static int no_terminal(void)
+{
+    char text[40];
+    int fd = creat(name, 0600);
+    errno = 0;
+    return isatty(fd) == 0 && errno == ENOTTY && ttyname_r(fd, text, sizeof text) == ENOTTY && close(fd) == 0;
+}
+
+static int temporary_names(void)
+{
+    char a[60], b[60], c[60], wrong[60] = "descriptors.XXXXX";
+    struct stat st;
+    snprintf(a, sizeof a, "descriptors.%ld.XXXXXX", mynode());
+    strcpy(b, a), strcpy(c, a);
+    int fd = mkstemp(a), second = mkostemp(b, O_APPEND);
+    int holds = fd > 2 && second > fd && strcmp(a, b) != 0 && strlen(a) == strlen(c) && !strstr(a, "XXXXXX");
+    holds = holds && fstat(fd, &st) == 0 && (st.st_mode & 07777) == 0600 && st.st_size == 0;
+    holds = holds && write(fd, "abc", 3) == 3 && lseek(fd, 0, SEEK_SET) == 0 && read(fd, c + 20, 1) == 1;
+    holds = holds && fails(mkstemp(wrong), EINVAL) && !strcmp(wrong, "descriptors.XXXXX");
+    return holds && close(fd) == 0 && close(second) == 0 && unlink(a) == 0 && unlink(b) == 0;
+}
+
+static int a_name_of_no_file(void)
+{
+    char a[60], wrong[] = "XXXXX";
+    snprintf(a, sizeof a, "descriptors.%ld.XXXXXX", mynode());
+    return mktemp(a) == a && *a && fails(access(a, F_OK), ENOENT) && *mktemp(wrong) == 0;
+}
+
+static int names(void)
+{
+    struct stat st;
+    int fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    int holds = write(fd, "kept", 4) == 4 && close(creat(other, 0600)) == 0 && access(other, F_OK) == 0;
+    holds = holds && rename(name, other) == 0 && fails(access(name, F_OK), ENOENT);
+    holds = holds && stat(other, &st) == 0 && st.st_size == 4 && fails(rename(name, other), ENOENT);
+    holds = holds && fails(open(other, O_WRONLY | O_CREAT | O_EXCL, 0600), EEXIST) && remove(other) == 0;
+    return holds && length_of(fd) == 4 && fails(unlink(other), ENOENT) && close(fd) == 0;
+}
+
+static int folders(void)
+{
+    char inside[80];
+    struct stat st;
+    snprintf(inside, sizeof inside, "%s/file", other);
+    int holds =
+        mkdir(other, 0700) == 0 && fails(mkdir(other, 0700), EEXIST) && close(creat(inside, 0600)) == 0;
+    holds = holds && lstat(other, &st) == 0 && S_ISDIR(st.st_mode) && fails(rmdir(other), ENOTEMPTY);
+    holds = holds && fails(open(other, O_WRONLY), EISDIR) && unlink(inside) == 0 && remove(other) == 0;
+    return holds && fails(rmdir(other), ENOENT);
+}
+
+int main(void)
+{
+    snprintf(name, sizeof name, "descriptors.tmp%ld", mynode());
+    snprintf(other, sizeof other, "descriptors.other%ld", mynode());
+    rule("a closed file's number is given again, the least first", numbers());
+    rule("a closed file is none", closed());
+    rule("files for reading, files for writing", one_way());
+    rule("writev", in_parts());
+    rule("lengths and places", lengths());
+    rule("O_APPEND", at_the_end());
+    rule("a file is no terminal", no_terminal());
+    rule("temporary files", temporary_names());
+    rule("a name of no file", a_name_of_no_file());
+    rule("files lose their names", names());
+    rule("folders", folders());
+    unlink(name);
+    return 0;
+}
