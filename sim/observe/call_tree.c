@@ -228,7 +228,7 @@ static char *name_of(const struct path_time *p)
 {
     char *text;
     size_t length;
-    FILE *f = open_memstream(&text, &length);
+    FILE *f = xchecked(open_memstream(&text, &length));
     write_name(p->path, f);
     fprintf(f, "%s", p->call);
     fclose(f);

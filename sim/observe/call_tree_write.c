@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "files/json_set.h"
+#include "kernel/xalloc.h"
 #include "observe/call_tree.h"
 #include "observe/json_file.h"
 
@@ -24,7 +25,7 @@ static json_t *spot_json(const struct spot *s)
 {
     char *text;
     size_t length;
-    FILE *f = open_memstream(&text, &length);
+    FILE *f = xchecked(open_memstream(&text, &length));
     fprintf(f, "%" PRIu32 " %c %" PRId32 " %s\t%s", s->parent, KINDS[s->kind], s->line, s->name, s->file);
     return take(f, &text);
 }
@@ -41,7 +42,7 @@ static json_t *share_json(const struct share *s, uint32_t nodes)
 {
     char *text;
     size_t length;
-    FILE *f = open_memstream(&text, &length);
+    FILE *f = xchecked(open_memstream(&text, &length));
     fprintf(f, "%" PRIu32 " %" PRId32 " %s\t", s->spot, s->line, s->file);
     for (uint32_t k = 0, last; k < nodes; k = last + 1) {
         for (last = k; last + 1 < nodes && s->time[last + 1] == s->time[k];)

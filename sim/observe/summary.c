@@ -13,6 +13,7 @@
 #include "observe/race_json.h"
 #include "observe/race_print.h"
 #include "node/self.h"
+#include "nx_api/contract/spread.h"
 #include "os/memory.h"
 
 /* The time that the program itself has computed. */
@@ -22,21 +23,6 @@ static vtime busy(const struct node *n)
 }
 
 /* --- for people --- */
-
-struct spread {
-    double least, most, sum;
-    uint32_t count;
-};
-
-static void add(struct spread *s, double x)
-{
-    if (s->count == 0 || x < s->least)
-        s->least = x;
-    if (s->count == 0 || x > s->most)
-        s->most = x;
-    s->sum += x;
-    s->count++;
-}
 
 static void print_spread(FILE *f, const char *what, const struct spread *s)
 {
@@ -64,9 +50,9 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
         loaded += n->end != NODE_NOT_LOADED;
         if (n->armed != armed || n->end == NODE_NOT_LOADED)
             continue;
-        add(&b, vt_seconds(busy(n)));
-        add(&i, vt_seconds(n->stats.idle));
-        add(&s, vt_seconds(n->times.system));
+        spread_add(&b, vt_seconds(busy(n)));
+        spread_add(&i, vt_seconds(n->stats.idle));
+        spread_add(&s, vt_seconds(n->times.system));
     }
     if (b.count == 0)
         return;

@@ -117,7 +117,30 @@ check "the pictures of a study file" test -s own/named.png
 sed 's/"x"; lines/"speedup"; lines/; s/^cost/baseline = ( "clock" ); cost/' pictures.cfg >baseline.cfg
 plot first --study baseline.cfg -o own
 check "with its baseline" grep -q '>baseline: the fewest nodes of each clock<' own/named.svg
+sed 's/^cost/baseline = ( "clock=50" ); cost/' pictures.cfg >wrong_baseline.cfg
+sed 's/x = "nodes"/x = "knots"/' pictures.cfg >wrong.cfg
 plot none
 check "no such results" ended_with 65
+# refused STATUS SAID ARGUMENTS...: and no picture is drawn.
+refused() {
+    plot "${@:3}" -o not
+    check "no picture: $2" bash -c '[ "$1" = "$2" ] && [ ! -s not/virtual_time_s.png ]' - "$status" "$1"
+    check "it is said: $2" said "$2"
+}
+refused 64 'which results\? \(a folder that touchstone study wrote'
+refused 64 'a picture of your own needs both --x and --y' first --x nodes
+refused 64 'a picture of your own needs both --x and --y' first --lines clock
+refused 64 "--logarithmic takes x, y or xy, not 'xz'" first --x nodes --y virtual_time_s --logarithmic xz
+refused 64 "--file takes letters, digits, _ - and ., not 'a/b'" first --x nodes --y virtual_time_s --file a/b
+refused 65 'wrong.cfg:[0-9]+: .*knots' first --study wrong.cfg
+refused 65 'wrong_baseline.cfg:2: baseline: "clock=50": axis clock has no value 50' first --study wrong_baseline.cfg
+plot first -o first/time.png/below
+check "a folder that cannot be made" bash -c '[ "$1" = 65 ] && grep -q "first/time.png/below cannot be made: " err' - "$status"
+cd own && plot results.json
+check "results that are not there" said '^touchstone plot: unable to open results.json: No such file'
+cp ../first/results.json .
+plot results.json --x nodes --y virtual_time_s --file here
+check "pictures are beside results.json" test -s here.png
+cd ..
 plot --help
 check "there is help" grep -q '^Usage: touchstone plot' out

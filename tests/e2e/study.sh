@@ -32,6 +32,7 @@ cell() {
 study halves.cfg -o first
 check "it ends well" ended_with 0
 check "what was left out is not run" grep -qE '^4 points, 0 failed; first has findings.md, results.json, results.csv and 2 pictures$' out
+check "findings: it is said" grep -qx "halves at 4 points: 3 of nodes, 2 of share, 2 of call_us. The study's .only. leaves out 8 combinations." first/findings.md
 check "the program's figures are there" test "$(cell sum 4 0.5 5)" = 2
 check "other lines are not" bash -c '! grep -q words first/results.csv'
 check "the number of nodes reached the machine" test "$(cell others.nodes 4 0.5 5)" = 4
@@ -43,6 +44,10 @@ width() { od -An -tu1 -j16 -N4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) 
 check "a PNG has twice the SVG's pixels" test "$(width first/time.png)" = \
     "$(awk -F'"' '/^ width=/ { print 2 * $2 }' first/time.svg)"
 for f in time best; do check "picture $f" test -s first/$f.png -a -s first/$f.svg; done
+
+sed '/^only/d; s/( 2, 4, 8 )/( 2 )/; s/( 0.5, 3 )/( 0.5 )/; /^pictures/,/^);/d' halves.cfg >all.cfg
+study all.cfg -o all
+check "findings: a study of all combinations leaves out none" grep -qx 'halves at 2 points: 1 of nodes, 1 of share, 2 of call_us.' all/findings.md
 
 study halves.cfg -o again -j 1
 grep -v wall_time first/results.json >a

@@ -32,15 +32,16 @@ static const char RESULTS[] =
     "  { \"nodes\": 8, \"scheme\": \"a\", \"failure\": null, \"time_s\": 6.0, \"speedup\": 1.3 },"
     "  { \"nodes\": 8, \"scheme\": \"b\", \"failure\": \"crashed\" } ] }\n";
 
-/* The page with one picture of the figure; malloc'd. */
-static char *page_of(const char *figure, const char *x, const char *lines, const char *best)
+/* The page of the results with one picture of the figure; malloc'd. */
+static char *page_of_results(const char *results, const char *figure, const char *x, const char *lines,
+                             const char *best)
 {
     char dir[] = "/tmp/findings.XXXXXX", path[64], *error = NULL, *text = calloc(1, 8192);
     struct record_points points;
     assert_non_null(mkdtemp(dir));
     snprintf(path, sizeof path, "%s/results.json", dir);
     FILE *f = fopen(path, "w");
-    fputs(RESULTS, f);
+    fputs(results, f);
     fclose(f);
     assert_true(record_read(path, &points, &error));
     struct picture picture = {.file = "pic",
@@ -64,6 +65,11 @@ static char *page_of(const char *figure, const char *x, const char *lines, const
     return text;
 }
 
+static char *page_of(const char *figure, const char *x, const char *lines, const char *best)
+{
+    return page_of_results(RESULTS, figure, x, lines, best);
+}
+
 static char *page(const char *figure, const char *best)
 {
     return page_of(figure, "nodes", "scheme", best);
@@ -81,7 +87,7 @@ static void table_and_least(void **state)
     char *text = page("time_s", "");
     says(text, "# T\n");
     says(text, "Why.\n");
-    says(text, "p at 8 points: 4 of nodes, 2 of scheme.");
+    says(text, "p at 8 points: 4 of nodes, 2 of scheme.\n");
     says(text, "\n1 failed");
     says(text, "![title](pic.png)");
     says(text, "| 4 | 3.900 | 3.000 |");
@@ -141,11 +147,28 @@ static void names_have_no_first_and_last(void **state)
     free(text);
 }
 
+/* The page said of every study that points had been left out, also of one that had run all. */
+static void says_how_many_are_left_out(void **state)
+{
+    (void)state;
+    static const char three_of_four[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 1\","
+        "  \"axes\": { \"nodes\": [1, 2], \"group\": [1, 2] }, \"points\": ["
+        "  { \"nodes\": 1, \"group\": 1, \"failure\": null, \"time_s\": 8.0 },"
+        "  { \"nodes\": 2, \"group\": 1, \"failure\": null, \"time_s\": 8.0 },"
+        "  { \"nodes\": 2, \"group\": 2, \"failure\": null, \"time_s\": 4.0 } ] }\n";
+    char *text = page_of_results(three_of_four, "time_s", "nodes", "group", "");
+    says(text, "2 of group. The study's `only` leaves out 1 combination.\n");
+    free(text);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table_and_least), cmocka_unit_test(speeds_are_best_when_high),
-        cmocka_unit_test(best_value_of_an_axis), cmocka_unit_test(factors_are_said_in_words),
-        cmocka_unit_test(names_have_no_first_and_last)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
+                                       cmocka_unit_test(speeds_are_best_when_high),
+                                       cmocka_unit_test(best_value_of_an_axis),
+                                       cmocka_unit_test(factors_are_said_in_words),
+                                       cmocka_unit_test(names_have_no_first_and_last),
+                                       cmocka_unit_test(says_how_many_are_left_out)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }

@@ -238,7 +238,7 @@ static void the_cache_gives_only_what_it_was_given(void **state)
     json_t *inputs = json_pack("{s:i}", "nodes", 4), *others = json_pack("{s:i}", "nodes", 5);
     json_t *record = json_pack("{s:f}", "total_s", 1.5);
     assert_null(result_cache_find("cache", key_of(1), inputs, stderr));
-    result_cache_add("cache", key_of(1), inputs, record, stderr);
+    assert_true(result_cache_add("cache", key_of(1), inputs, record, stderr));
     json_t *found = result_cache_find("cache", key_of(1), inputs, stderr);
     assert_true(json_equal(found, record));
     json_decref(found);

@@ -45,6 +45,7 @@ static const char *text_in(const json_t *object, const char *key)
 static bool write_head(const struct record_points *points, FILE *out, char **error)
 {
     struct tally t = {0};
+    size_t combinations = 1;
     const char *name, *before = "", *about = text_in(points->header, "about");
     json_t *values;
     if (!points->each(points->arg, count_point, &t, error))
@@ -58,8 +59,13 @@ static bool write_head(const struct record_points *points, FILE *out, char **err
     {
         fprintf(out, "%s%zu of %s", before, json_array_size(values), name);
         before = ", ";
+        combinations *= json_array_size(values);
     }
-    fputs(". Points that make no sense were left out.\n", out);
+    fputs(".", out);
+    if (combinations > t.points)
+        fprintf(out, " The study's `only` leaves out %zu combination%s.", combinations - t.points,
+                combinations - t.points == 1 ? "" : "s");
+    fputs("\n", out);
     if (t.failed)
         fprintf(out, "%zu failed, and are not below.\n", t.failed);
     return true;

@@ -70,7 +70,7 @@ json_t *result_cache_find(const char *folder, struct digest key, const json_t *i
     return record;
 }
 
-void result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
+bool result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
 {
     char digits[DIGEST_DIGITS + 1], *error = NULL;
     struct atomic_file d;
@@ -88,9 +88,11 @@ void result_cache_add(const char *folder, struct digest key, json_t *inputs, jso
     }
     if (error)
         fprintf(notes, "not added to the result cache: %s\n", error);
+    bool added = !error;
     free(error);
     free(path);
     free(dir);
     free(line);
     json_decref(both);
+    return added;
 }

@@ -12,6 +12,7 @@
 #include "lab/jobs/digest.h"
 
 #include <jansson.h>
+#include <stdbool.h>
 #include <stdio.h>
 
 /* The default folder: $XDG_CACHE_HOME/touchstone, or ~/.cache/touchstone. Malloc'd; NULL if neither variable
@@ -20,6 +21,6 @@ char *result_cache_folder(void);
 /* The record of a point with these inputs, owned by the caller; NULL if there is none. Writes about damage to
  * notes. */
 json_t *result_cache_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes);
-/* Adds a record. A failure is written to notes and has no other effect. */
-void result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes);
+/* Adds a record. A failure is written to notes and has no other effect; the value is then false. */
+bool result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes);
 #endif

@@ -155,7 +155,7 @@ bool inputs_machine_file(const char *path, struct digest *d)
     struct cfg_reader r;
     char *text = NULL;
     size_t size = 0;
-    FILE *out = cfg_open(&r, path) ? open_memstream(&text, &size) : NULL;
+    FILE *out = cfg_open(&r, path) ? xchecked(open_memstream(&text, &size)) : NULL;
     bool good = out;
     if (out) {
         config_write(&r.lib, out);

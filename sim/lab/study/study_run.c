@@ -38,6 +38,7 @@ struct study_session {
     struct progress progress;
     char **env;
     bool unnamed; /* the user was told of a file that is not among the inputs */
+    bool refused; /* and that the result cache took no result: it is offered no others */
     char *error;  /* the journal cannot be written: no more points are run */
 };
 
@@ -134,11 +135,12 @@ static void record_end(struct study_session *e, struct task *t)
         o = outcome_read(t->job.out, t->json, NULL);
         error = o.error ? xstrdup(o.error) : NULL;
     }
-    bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run);
+    bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run) && !e->refused;
     json_t *record = error ? point_record_of_failure(error, t->job.wall_time_s)
                            : point_record(&o, t->profile, t->job.wall_time_s);
     if (keep)
-        result_cache_add(s->options.cache, t->work->key, t->inputs, record, s->options.progress);
+        e->refused =
+            !result_cache_add(s->options.cache, t->work->key, t->inputs, record, s->options.progress);
     if (write_down(e, t->work, error ? LINE_FAILED : LINE_DONE, record, true)) {
         s->counts.run++;
         e->cost_done += t->work->cost;

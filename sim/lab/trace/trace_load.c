@@ -123,6 +123,20 @@ static int32_t node_of_record(struct loading *l, uint64_t address)
     return node;
 }
 
+/* The index of one of a table's `count` entries. */
+static int32_t read_index(struct loading *l, int32_t count)
+{
+    uint64_t index = unpack(l->in);
+    l->bad |= index >= (uint64_t)count;
+    return (int32_t)index;
+}
+
+/* The index of a stack; TRACE_NONE: not known. */
+static int32_t read_stack_index(struct loading *l)
+{
+    return read_index(l, trace_stacks_count(l->t->stacks) + 1) - 1;
+}
+
 static vtime since(vtime *last, int64_t difference)
 {
     return *last += (vtime)difference;
@@ -180,8 +194,8 @@ static void read_call(struct loading *l)
     uint8_t flags = unpack_byte(in);
     c.has_type = flags & CALL_HAS_TYPE, c.unfinished = flags & CALL_UNFINISHED,
     c.in_handler = flags & CALL_IN_HANDLER;
-    c.name = (int32_t)unpack(in);
-    c.stack = (int32_t)unpack(in) - 1;
+    c.name = read_index(l, l->t->name_count);
+    c.stack = read_stack_index(l);
     if (c.has_type)
         c.type = (int32_t)unpack_signed(in);
     c.begin = since(&l->last[c.node], unpack_signed(in));
@@ -191,7 +205,6 @@ static void read_call(struct loading *l)
         order = unpack(in), count = unpack(in);
     if (flags & CALL_TOOK)
         taken_source = unpack(in), taken_order = unpack(in), before_end = unpack(in);
-    l->bad |= c.name >= l->t->name_count || c.stack >= trace_stacks_count(l->t->stacks);
     bool wanted = wants(l, c.node) && wants_time(l, c.begin, c.end) && !l->bad;
     read_waits(l, &c, wanted);
     if (!wanted)
@@ -214,7 +227,7 @@ static void read_handler(struct loading *l)
     uint8_t flags = unpack_byte(in);
     h.unfinished = flags & HANDLER_UNFINISHED;
     h.type = (int32_t)unpack_signed(in);
-    h.stack = (int32_t)unpack(in) - 1;
+    h.stack = read_stack_index(l);
     h.begin = since(&l->last[h.node], unpack_signed(in));
     h.due = h.begin - unpack(in);
     h.entered = since(&l->last[h.node], (int64_t)unpack(in));
@@ -222,7 +235,6 @@ static void read_handler(struct loading *l)
     h.end = since(&l->last[h.node], (int64_t)unpack(in));
     if (flags & HANDLER_HAS_MESSAGE)
         source = unpack(in), order = unpack(in);
-    l->bad |= h.stack >= trace_stacks_count(l->t->stacks);
     if (!wants(l, h.node) || !wants_time(l, h.begin, h.end))
         return;
     if (flags & HANDLER_HAS_MESSAGE)

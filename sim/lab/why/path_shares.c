@@ -7,7 +7,7 @@ static const struct {
     const char *key, *title;
 } SHARES[WHY_SHARES] = {
     [WHY_BY_NODE] = {"by_node", "node"},
-    [WHY_BY_FUNCTION] = {"by_function", "function"},
+    [WHY_BY_FUNCTION] = {"by_function", "function of next call"},
     [WHY_BY_CALL] = {"by_call", "call"},
     [WHY_BY_MESSAGE] = {"by_message", "message"},
 };

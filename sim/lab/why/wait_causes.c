@@ -62,10 +62,12 @@ static void add_rest(struct division *d, vtime begin, vtime end)
 }
 
 /* The node's books count works of the system one after the other, though moving bytes goes on while
- * messages are handled: so a wait may have less rest than its pieces say. What is too much was at its end. */
+ * messages are handled: so a wait may have less rest than its pieces say. What is too much, at most the sum
+ * of the rests, was at its end. */
 static void take_rest(struct division *d, vtime much)
 {
     while (much) {
+        assert(d->rest_count);
         struct rest *last = &d->rests[d->rest_count - 1];
         vtime takes = vt_min(much, last->end - last->begin);
         last->end -= takes, much -= takes;
