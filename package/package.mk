@@ -4,6 +4,15 @@ PACKAGES ?= packages.txt
 GROUP     = run build cluster develop
 STRIP     = strip
 
+# Who builds without `make setup` is told first what is missing; what the compilers say after that is longer, and says less.
+ifneq ($(filter all install unit,$(or $(MAKECMDGOALS),all)),)
+MISSING := $(shell GCC=$(GCC) package/setup --missing $(PACKAGES) run build)
+ifneq ($(MISSING),)
+$(info These Debian packages are missing: $(MISSING))
+$(info As root, or with sudo: make setup GROUP="run build")
+endif
+endif
+
 setup: ## Install what is missing of packages.txt (Debian, apt-get); GROUP="run build": of these groups
 	@GCC=$(GCC) package/setup $(PACKAGES) $(GROUP)
 
@@ -14,10 +23,13 @@ bench-setup: ## Install what make bench compares with
 	@package/setup $(PACKAGES) bench
 
 doc-setup: ## Install what make manual needs
-	@package/setup $(PACKAGES) doc
+	@GCC=$(GCC) package/setup $(PACKAGES) run build doc
 
 quality-setup: ## Install what make fuzz, analyse, coverage and valgrind need
-	@package/setup $(PACKAGES) quality
+	@GCC=$(GCC) package/setup $(PACKAGES) run build develop quality
+
+deb-setup: ## Install what make deb and make deb-test need
+	@GCC=$(GCC) package/setup $(PACKAGES) run build cluster package
 
 install: all man $B/completion/bash/touchstone ## Install into PREFIX (default /usr/local), below DESTDIR if it is set
 	STRIP="$(STRIP)" package/install $B "$(DESTDIR)" "$(abspath $(PREFIX))"
@@ -25,10 +37,10 @@ install: all man $B/completion/bash/touchstone ## Install into PREFIX (default /
 uninstall: ## Remove what make install put into PREFIX, and nothing else
 	package/uninstall "$(DESTDIR)" "$(abspath $(PREFIX))"
 
-deb: ## Build Debian packages of touchstone into build/deb
+deb: deb-setup ## Build Debian packages of touchstone into build/deb
 	package/deb build/deb
 
-deb-test: ## Install build/deb's packages in a new Debian system below build/, and use them there (needs root, network)
+deb-test: deb-setup ## Install build/deb's packages in a new Debian system below build/, and use them there (needs root, network)
 	package/deb-test build/deb
 
 dist: ## Write the sources as build/touchstone-VERSION.tar.xz
@@ -37,4 +49,4 @@ dist: ## Write the sources as build/touchstone-VERSION.tar.xz
 reproducible: ## Build twice in different folders, and compare all files installed
 	package/reproducible
 
-.PHONY: setup setup-tables bench-setup doc-setup quality-setup install uninstall deb deb-test dist reproducible
+.PHONY: setup setup-tables bench-setup doc-setup quality-setup deb-setup install uninstall deb deb-test dist reproducible

@@ -1,7 +1,7 @@
 # kmath.mk - libkmath.a, for nxcc -lkmath: Debian's reference BLAS and LAPACK, whose work is counted: kmath.h. Included by the
 # Makefile.
 KMATH      := $(NODE)/obj/kmath
-KMATH_FROM := /usr/lib/$(shell $(NODE_CC) -print-multiarch)
+KMATH_FROM := /usr/lib/$(shell $(NODE_CC) -print-multiarch 2>/dev/null)
 KMATH_BLAS := $(KMATH_FROM)/blas/libblas.a
 KMATH_LAPACK := $(KMATH_FROM)/lapack/liblapack.a
 KMATH_HDR  := nx_api/kmath/kmath.h nx_api/kmath/routines.def nx_api/contract/program_image.h
@@ -9,10 +9,10 @@ KMATH_HDR  := nx_api/kmath/kmath.h nx_api/kmath/routines.def nx_api/contract/pro
 $(KMATH_BLAS) $(KMATH_LAPACK):
 	@echo "nxcc -lkmath is made of Debian's libblas-dev and liblapack-dev: install them (make setup does)" >&2; exit 1
 
-$(KMATH)/kernels.o: nx_api/kmath/kernels.c $(KMATH_HDR) $(NXCC_TOOLS)
+$(KMATH)/kernels.o: nx_api/kmath/kernels.c $(KMATH_HDR) $(NODE_TOOLS)
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$B/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -c -o $@ $<
+	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -c -o $@ $<
 
 $(KMATH)/pay.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
 	@mkdir -p $(@D)

@@ -9,6 +9,8 @@ check "file and line are there" said "stubs\.c:[0-9]+: undefined reference to .f
 check "the message says the option, and each name once" said \
     "^nxcc: nodes do not have fork, gadget, pipe, popen, socket: .*--stubs"
 
+check "and asks for the spelling" said "is the spelling right\? nx\.h declares all calls"
+
 echo 'int main(void) { return "x"; } int f(void) { return x; }' >broken.c
 broken() { ! "$BUILD/nxcc" -o broken broken.c 2>err; }
 check "other errors" broken

@@ -1,0 +1,36 @@
+#!/bin/bash
+# missing_packages.sh - packages on a new computer: what make and package/setup say where they are missing, and that `make deb`
+# installs all that it needs.
+. "$(dirname "$0")/common.bash"
+root=$(cd "$tests/../.." && pwd)
+
+# A computer on which dpkg knows of no package but make, without a compiler and without sudo. Only the commands named are there.
+mkdir bin
+for command in sh bash make sed awk grep sort uniq paste cut cat tr mkdir dirname stat printf expr command uname nproc env; do
+    path=$(type -P $command) && ln -s "$path" bin/
+done
+printf '#!/bin/sh\necho installed make\n' >bin/dpkg-query
+printf '#!/bin/sh\necho 1000\n' >bin/id
+chmod +x bin/*-query bin/id
+new_computer() { env -i PATH="$work/bin" HOME="$work" "$@" >out 2>err </dev/null; status=$?; }
+
+new_computer make -C "$root" B="$work/build"
+check "make names the packages that are missing" grep -q '^These Debian packages are missing:.* gcc .* nettle-dev' out
+check "and the command that installs them" grep -q 'make setup GROUP="run build"' out
+check "the compiler that is missing is told once" test "$(cat out err | grep -c 'gcc: ')" = 1
+check "make fails" ended_with 2
+
+new_computer sh "$root/package/setup" "$root/packages.txt" run build
+check "without root and sudo, setup says what root is to do" said '^  apt-get install --no-install-recommends .* gcc '
+check "what is there is not among it" eval '! grep -qw make <(grep apt-get err)'
+check "and setup fails" ended_with 1
+
+# dpkg-buildpackage asks for build-essential and for Build-Depends; of alternatives one is enough.
+{
+    awk '/^Build-Depends:/ { on = 1; sub(/^[^:]*:/, "") } /^[A-Z]/ { on = 0 } on' "$root/debian/control" | tr ',' '\n' |
+        sed 's/([^)]*)//g; s/|.*//; s/ //g; s/^debhelper-compat$/debhelper/; s/^gcc-[0-9]*-plugin-dev$/gcc-@GCC@-plugin-dev/; /^$/d'
+    echo build-essential
+} | sort -u >needed
+awk '/^\[/ { on = /^\[(run|build|cluster|package)\]/; next } on { print $1 }' "$root/packages.txt" | sort -u >installed
+check "the packages that make deb installs hold what debian/control asks for" test -z "$(comm -23 needed installed | tee out)"
+check "which was read" grep -qx nettle-dev needed
