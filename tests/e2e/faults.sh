@@ -114,6 +114,16 @@ check "it is said" said 'long.trace.*cannot be written: File too large'
 check "what the program printed is there" cmp out plain32
 check "no half trace is left" test -z "$(find . -name 'long.trace*')"
 
+(
+    ulimit -v 500000 # of 1024 bytes
+    run -n 2 ring
+    echo $status >status
+)
+status=$(cat status)
+check "less address space than nodes take: status 65" ended_with 65
+check "what is allowed, how much nodes take, and how to get it is said" \
+    said 'node 0: no address space left: nodes take it by 1024 MB.* ulimit -v allows 488 MB in all; ulimit -v unlimited'
+
 if [ "$(id -u)" = 0 ] && ! setpriv --reuid=65534 --regid=65534 --clear-groups true 2>/dev/null; then
     echo "skip read-only folders: the user is root and cannot become another"
 else
@@ -130,6 +140,11 @@ else
     status=$?
     check "a study in a read-only folder: status 65" ended_with 65
     check "a study in a read-only folder: said" said 'locked/s cannot be made: Permission denied'
+    mkdir open && chmod 777 open
+    "${user[@]}" env -u XDG_CACHE_HOME HOME="$work/locked" "$BUILD/touchstone" study s.cfg -o open/s >out 2>err
+    status=$?
+    check "a study whose user has a read-only home: status 0" ended_with 0
+    check "it is said once" test "$(grep -c 'not added to the result cache: .*/locked/.* cannot be made: Permission denied' err)" = 1
 fi
 
 # --- what is not there ---

@@ -32,6 +32,7 @@ check "other errors are answers" bash -c '[ "$(grep -c fails out)" = 6 ]'
 refused "a new file elsewhere" "$outside/new" host_files w ../outside/new -
 check "it is named with its line" said '^  called from main\+0x[0-9a-f]+ \(host_files.c:'
 check "what allows it is said" said "--host-files $outside/new allows it"
+check "and what allows the files beside it" said "allows it, --host-files $outside all in its folder"
 check "what was printed before is there" grep -q '^before, without a newline' out
 check "the file was not made" test ! -e ../outside/new
 refused "another spelling" "$outside/new" host_files w ../here/.././outside//new -

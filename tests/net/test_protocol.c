@@ -312,6 +312,26 @@ static void what_the_host_sends_to_all_goes_to_node_0_and_on_from_there(void **s
     end(&f);
 }
 
+/* The later one's request to send uses no channel, and comes to node 4 before the earlier one has crossed the
+ * link. */
+static void a_later_message_of_the_host_does_not_overtake_its_message_to_all(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin_with_host(&f);
+    protocol_send(f.protocol, protocol_to_all(f.protocol, HOST, 5, 0, NULL, 100), 0);
+    struct message *direct = protocol_message(f.protocol, HOST, 4, 5, 0, NULL, 1000);
+    protocol_send(f.protocol, direct, 1);
+    run(&f);
+    assert_int_equal(f.seen_count, NODES + 1);
+    int to_4 = 0;
+    for (int i = 0; i < f.seen_count; i++)
+        if (f.seen[i]->to == 4 && ++to_4 == 1)
+            assert_ptr_not_equal(f.seen[i], direct);
+    assert_int_equal(to_4, 2);
+    end(&f);
+}
+
 static void to_all_is_to_the_nodes_of_the_cube_that_there_is(void **state)
 {
     struct fake f;
@@ -383,6 +403,7 @@ int main(void)
         cmocka_unit_test(nothing_reaches_a_node_before_its_horizon),
         cmocka_unit_test(a_trip_to_or_from_the_host_crosses_its_link_and_then_the_cube_from_node_0),
         cmocka_unit_test(what_the_host_sends_to_all_goes_to_node_0_and_on_from_there),
+        cmocka_unit_test(a_later_message_of_the_host_does_not_overtake_its_message_to_all),
         cmocka_unit_test(to_all_is_to_the_nodes_of_the_cube_that_there_is),
         cmocka_unit_test(messages_under_way_are_found_from_both_ends),
         cmocka_unit_test(a_message_is_cleared_once_and_freed_once),
