@@ -100,7 +100,8 @@ include $(OWN_RULES)
 
 unit: $(UNIT)
 
-E2E      := $(wildcard tests/e2e/*.sh)
+# The longest first, or it would run alone at the end.
+E2E      := tests/e2e/workers.sh $(filter-out %/workers.sh,$(wildcard tests/e2e/*.sh))
 HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/house.md
 # Not with sanitizers, too: programs of the compiler's plugin, which have none; what compiles, waits, or asks for the same again.
 UNIT_ONCE = $(addprefix $(ASAN)/tests/nxcc/test_,random races)

@@ -50,7 +50,7 @@ on() { # HOST COMMAND...
 hosts_begin() {
     hostname front
     ip link set lo up
-    ip link add net type bridge
+    ip link add net address 02:00:00:00:00:fe type bridge
     ip addr add 10.77.0.254/24 dev net
     ip link set net up
     printf '127.0.0.1 localhost\n10.77.0.1 alpha\n10.77.0.2 beta\n10.77.0.254 front\n' >hosts
