@@ -88,7 +88,7 @@ struct level_code {
     }
 };
 
-const std::string DONE = "jmp\t772b\n\t";
+const char DONE[] = "jmp\t772b\n\t";
 
 std::string charge(const char *operation, int64_t units)
 {
