@@ -14,7 +14,7 @@
 ARG DEBIAN=debian:12-slim
 
 FROM $DEBIAN AS build
-RUN apt-get -q update && DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends make
+RUN apt-get -q update && DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends git make
 COPY packages.txt /source/
 COPY package/setup /source/package/
 RUN cd /source && package/setup packages.txt run build cluster package && rm -rf /var/lib/apt/lists/*

@@ -35,6 +35,9 @@ git -C repository archive HEAD | tar -x -C archive
 check "an archive" said archive "$commit"
 echo >>repository/share/commit
 check "with changes" said repository "$commit+"
+tree copied
+(cd repository && share/commit "$work/copied/COMMIT")
+check "a copy of a tree with changes, as packages are made of" said copied "$commit+"
 mkdir repository/build
 tree repository/build
 check "an unpacked tree in another repository: unknown" said repository/build unknown
