@@ -8,6 +8,7 @@ trap '[ -z "$server" ] || kill "$server" 2>/dev/null; rm -rf "$work"' EXIT
 
 # begin ARGS... - a server; sets server, its process, and address
 begin() {
+    : >address # not the last server's
     "$touchstone" serve "$@" >address 2>err </dev/null &
     server=$!
     for _ in $(seq 100); do
