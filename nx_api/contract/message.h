@@ -4,8 +4,8 @@
  * Each back end has queues of its own behind the functions declared here: sim/node/mailbox.c,
  * nx_api/mpi/mpi_mailbox.c. The rules by which both choose a message are in matching.h.
  *
- * A message's bytes are put into the program's buffer when the program asks for them: in crecv, msgwait,
- * msgdone, or when its handler runs. Before that the buffer keeps its old bytes, on every back end.
+ * A receive's buffer is the library's until crecv, msgwait or msgdone has told the end, or the handler runs.
+ * The simulator puts the bytes there then, and not before; on MPI they may come there at any time.
  */
 #ifndef CONTRACT_MESSAGE_H
 #define CONTRACT_MESSAGE_H

@@ -5,11 +5,14 @@
 #include <string.h>
 #include "nx_api/mpi/bells.h"
 #include "nx_api/mpi/idle.h"
+#include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/mpi_node.h"
 #include "nx_api/mpi/mpi_packets.h"
 
 enum { TAG = 2, PART = 1 << 16, TESTED_AT_ONCE = 8 };
 static const double ANSWER_S = 1.5e-6; /* a node that waits answers in such a time, if it is near */
+static const double COPIED_BYTES_PER_S = 10e9;
+static const double TAKEN_BYTES_PER_S = 20e9; /* a sender waits longer than its receiver does for a receive */
 
 /* A copy of a body, on its way to one node or to several. */
 struct copy {
@@ -26,7 +29,8 @@ struct flight {
 /* This node's last offer. */
 static struct {
     int32_t number;
-    bool open; /* neither copied nor wanted yet */
+    bool open;    /* neither copied nor wanted yet */
+    bool sending; /* the program is in its csend */
     long node;
     const void *bytes;
     size_t len;
@@ -37,7 +41,17 @@ static MPI_Comm comm;
 static struct flight *flights, **flights_end = &flights;
 static struct body *bodies, **bodies_end = &bodies;
 static uint32_t promises;
-static struct message **offered; /* by sender: its last offer */
+
+/* A sender's last offer. */
+struct offered {
+    struct offered *next; /* not answered yet */
+    struct message *m;
+    int source;
+    int32_t number;
+    double since;
+    bool waits, promised; /* not answered; READY has been said */
+};
+static struct offered *offered, *unanswered; /* by sender; a list */
 
 void bodies_begin(MPI_Comm on)
 {
@@ -132,44 +146,54 @@ void body_wanted(struct node *n, int32_t number)
 {
     if (!offer.open || number != offer.number)
         return;
+    bodies_answer(n); /* before MPI moves the bytes, and does nothing else */
     offer.open = false;
     announce(n, true);
     MPI_Isend(offer.bytes, (int)offer.len, MPI_BYTE, (int)offer.node, TAG, comm, &offer.request);
     bell_ring(offer.node);
 }
 
-/* Looks for the answer of a node that waits; then while the bytes are copied. */
-static void await_answer(struct node *n, char *copy)
+/* Looks for the answer of a node that waits, or is receiving another message: for no longer than to copy the
+ * bytes would take, so that a send takes twice that time at most. */
+static void await_answer(struct node *n)
 {
-    const double until = mpi_seconds() + ANSWER_S;
+    const double until = mpi_seconds() + ANSWER_S + (double)offer.len / COPIED_BYTES_PER_S;
+    for (wire_progress(n); offer.open && mpi_seconds() < until; wire_progress(n))
+        idle_pause();
+}
+
+/* Copies the bytes, but stops when the answer comes: then there is no copy. NULL: so it is. */
+static struct copy *copy_while_open(struct node *n)
+{
+    struct copy *c = new_copy(n, offer.len);
     const char *bytes = offer.bytes;
-    do
-        wire_progress(n);
-    while (offer.open && mpi_seconds() < until);
     for (size_t at = 0; offer.open && at < offer.len; at += PART) {
-        memcpy(copy + at, bytes + at, offer.len - at < PART ? offer.len - at : PART);
+        memcpy(c->bytes + at, bytes + at, offer.len - at < PART ? offer.len - at : PART);
         wire_progress(n);
     }
+    if (offer.open)
+        return c;
+    free(c);
+    return NULL;
 }
 
 static void send_offered(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
 {
-    struct copy *c = new_copy(n, len);
     head.kind = WIRE_OFFER;
-    offer.open = true, offer.number++, offer.node = node, offer.bytes = bytes, offer.len = len;
+    offer.open = offer.sending = true, offer.number++, offer.node = node, offer.bytes = bytes,
+    offer.len = len;
     packet_send(n, node, &head, &offer.number, sizeof offer.number);
-    await_answer(n, c->bytes);
-    if (offer.open) {
+    await_answer(n);
+    struct copy *c = offer.open ? copy_while_open(n) : NULL;
+    if (c) {
         offer.open = false;
         announce(n, false);
         launch(n, node, c, len);
-        return;
+    } else {
+        for (; !is_done(&offer.request); wire_progress(n))
+            idle_pause();
     }
-    free(c);
-    while (!is_done(&offer.request)) {
-        idle_pause();
-        wire_progress(n);
-    }
+    offer.sending = false;
 }
 
 void body_send(struct node *n, long node, struct wire_head head, const void *bytes, size_t len)
@@ -182,18 +206,51 @@ void body_send(struct node *n, long node, struct wire_head head, const void *byt
 
 /* --- receiving --- */
 
-void body_offered(struct node *n, int source, int32_t number, struct message *m)
+void body_offered(int source, int32_t number, struct message *m)
 {
-    offered[source] = m;
-    promises++;
-    packet_send(n, source, &(struct wire_head){.kind = WIRE_READY, .value = number}, NULL, 0);
+    offered[source] = (struct offered){unanswered, m, source, number, mpi_seconds(), true, false};
+    unanswered = &offered[source];
+}
+
+static void forget(struct offered *o)
+{
+    struct offered **link = &unanswered;
+    while (*link != o)
+        link = &(*link)->next;
+    *link = o->next;
+    o->waits = false;
+}
+
+/* A program that has an offer of its own open makes no receive before that is answered. One that has made the
+ * receive, but does not wait, may be about to send: then both messages move at once. */
+static bool is_time(const struct node *n, const struct offered *o)
+{
+    bool stays = offer.open || o->m->lost, waits = n->ready || offer.sending;
+    return stays || (waits && mpi_mailbox_place(o->m)) ||
+           mpi_seconds() - o->since > (double)o->m->bytes / TAKEN_BYTES_PER_S;
+}
+
+void bodies_answer(struct node *n)
+{
+    for (struct offered *o = unanswered, *next; o; o = next) {
+        next = o->next;
+        if (!is_time(n, o))
+            continue;
+        forget(o);
+        o->promised = true;
+        promises++;
+        packet_send(n, o->source, &(struct wire_head){.kind = WIRE_READY, .value = o->number}, NULL, 0);
+    }
 }
 
 struct message *body_announced(int source, bool directly, bool *promised)
 {
+    struct offered *o = &offered[source];
+    if (o->waits)
+        forget(o);
+    promises -= o->promised && !directly;
     *promised = directly;
-    promises -= !directly;
-    return offered[source];
+    return o->m;
 }
 
 void body_expect(struct node *n, const struct body *what, void *place)
@@ -230,5 +287,5 @@ bool bodies_are_promised(void)
 
 bool bodies_are_done(void)
 {
-    return !flights && !bodies && !promises;
+    return !flights && !bodies && !promises && !unanswered;
 }

@@ -2,12 +2,12 @@
  *
  *     sender                                         receiver
  *     csend   OFFER  ------------------------------> the message takes its place among those that have come
- *             copies the bytes, a part              READY
- *             at a time, and looks      <-----------
- *             for READY
+ *             looks for READY, then copies          READY: if there is a receive for it; or after a time, in
+ *             the bytes, a part at a    <----------- which the program may make one
+ *             time, and looks
  *      READY has come in time:
- *             BODY, out of the program's buffer ---> receives them at once: in the program's buffer if its
- *             goes on when MPI has sent them         program waits in the very receive, else in memory
+ *             BODY, out of the program's buffer ---> receives them at once: in the buffer of the receive,
+ *             goes on when MPI has sent them         or in memory if there is none yet
  *      all has been copied first:
  *             BODY, out of the copy ---------------> receives them in memory
  *             goes on at once
@@ -44,7 +44,9 @@ struct body {
 };
 
 /* The offer of a message has come. */
-void body_offered(struct node *n, int source, int32_t number, struct message *m);
+void body_offered(int source, int32_t number, struct message *m);
+/* Says READY for the offers for which it is time. */
+void bodies_answer(struct node *n);
 /* WIRE_BODY has come: the message of the sender's last offer. *promised: to be given to body_expect. */
 struct message *body_announced(int source, bool directly, bool *promised);
 /* Receives a body that has been announced: in `place`, or if that is NULL in memory. */

@@ -5,8 +5,8 @@
  *     NEXT    the following ones, as often as it takes
  *
  * A message takes its place among those that have come with its first fragment. Its packets stay as they are
- * until the last has come: only then are the bytes copied, into the program's buffer if its program waits in
- * the very receive, else into memory. So a handler that runs meanwhile sees the buffer as it was. */
+ * until the last has come: only then are the bytes copied, into the buffer of the receive, or into memory if
+ * there is none yet. */
 #ifndef MPI_FRAGMENTS_H
 #define MPI_FRAGMENTS_H
 #include "nx_api/mpi/mpi_wire.h"

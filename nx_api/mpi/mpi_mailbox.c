@@ -134,26 +134,10 @@ void mpi_mailbox_whole(struct node *n, struct message *m)
         add_due(n->mailbox, m->taker, NULL);
 }
 
-/* Is the program in the call that waits for r, and in no handler that interrupts it? */
-static bool is_awaited(struct node *n, const struct receive *r)
-{
-    if (n->ready == nx_receive_is_complete)
-        return n->ready_for == r;
-    if (n->ready != nx_id_is_complete)
-        return false;
-    for (long id = (intptr_t)n->ready_for; id >= 0; id = mailbox_id_next(n, id))
-        if (mailbox_id_receive(n, id) == r)
-            return true;
-    return false;
-}
-
-/* Into the buffers of the library's own receives, which no program sees before they are complete, at any
- * time. */
-void *mpi_mailbox_place(struct node *n, const struct message *m)
+void *mpi_mailbox_place(const struct message *m)
 {
     const struct receive *r = m->taker;
-    bool may = r && m->bytes <= r->room && (is_awaited(n, r) || mailbox_is_library(m->type));
-    return may ? r->buf : NULL;
+    return r && m->bytes <= r->room ? r->buf : NULL;
 }
 
 void mpi_mailbox_flush(struct node *n, int64_t typesel)

@@ -10,9 +10,9 @@ struct mpi_mailbox *mpi_mailbox_new(void);
 void mpi_mailbox_deliver(struct node *n, struct message *m);
 /* The bytes of a message have come. */
 void mpi_mailbox_whole(struct node *n, struct message *m);
-/* Where the bytes of a message, which come now, may be received: the buffer of its receive, if the program
- * is in that very call and does nothing else; else NULL. */
-void *mpi_mailbox_place(struct node *n, const struct message *m);
+/* Where the bytes of a message, which come now, may be received: the buffer of its receive. NULL: it has
+ * none, or one that is too small. */
+void *mpi_mailbox_place(const struct message *m);
 void mpi_mailbox_flush(struct node *n, int64_t typesel);
 /* Runs the first handler that is due; false if none is, or may run now. */
 bool mpi_mailbox_run_handler(struct node *n);

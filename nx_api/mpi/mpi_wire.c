@@ -232,7 +232,7 @@ static void deliver_head(struct node *n, const struct packet *p, int source)
     int32_t number;
     if (p->head.kind == WIRE_OFFER) {
         memcpy(&number, p->bytes, sizeof number);
-        body_offered(n, source, number, m);
+        body_offered(source, number, m);
     } else {
         body_expect(n, &(struct body){.head = p->head, .source = source, .message = m}, NULL);
     }
@@ -250,7 +250,7 @@ static bool take_fragment(struct node *n, struct packet *p, int source)
     struct message *m = fragments_keep(source, p);
     if (!m)
         return false;
-    char *place = mpi_mailbox_place(n, m);
+    char *place = mpi_mailbox_place(m);
     m->block = place ? NULL : malloc(m->bytes);
     m->data = place ? place : m->block;
     if (!m->data)
@@ -265,7 +265,7 @@ static void begin_body(struct node *n, const struct packet *p, int source)
 {
     bool promised;
     struct message *m = body_announced(source, p->head.type, &promised);
-    void *place = promised ? mpi_mailbox_place(n, m) : NULL;
+    void *place = promised ? mpi_mailbox_place(m) : NULL;
     const struct wire_head head = {.kind = WIRE_DATA, .bytes = (int32_t)m->bytes};
     body_expect(n, &(struct body){.head = head, .source = source, .message = m, .promised = promised}, place);
 }
@@ -322,6 +322,7 @@ static bool take_all(struct node *n)
         tells |= take_packet(n, p, source);
     packets_clear();
     bodies_clear();
+    bodies_answer(n);
     while ((b = bodies_take()))
         tells |= take_body(n, b);
     return tells;
@@ -349,7 +350,7 @@ void wire_free(struct message *m)
 
 struct message *wire_keep(struct node *n, struct message *m)
 {
-    if (!m->packet)
+    if (m->data == m->block)
         return m;
     struct message *own = malloc(sizeof *own);
     void *block = malloc(m->bytes + 1);

@@ -53,7 +53,8 @@ void wire_send(struct node *n, long node, struct wire_head head, const void *byt
 bool wire_progress(struct node *n);
 /* Has MPI finished all sends, and has all come whole that has been announced? */
 bool wire_is_empty(void);
-/* Frees a message. Moves one that nobody has asked for yet out of its packet, if it is in one. */
+/* Frees a message. Moves one that no receive asks for to memory of its own: out of its packet, or out of the
+ * buffer of a receive that has been withdrawn. */
 void wire_free(struct message *m);
 struct message *wire_keep(struct node *n, struct message *m);
 /* For the end: has this been called with `here` on all nodes? To be called again until it is true. */

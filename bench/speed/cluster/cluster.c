@@ -108,6 +108,7 @@ static const struct pattern {
     {"halo", 1024, 200, halo_plain, halo},
     {"halo", 8192, 60, halo_plain, halo},
     {"halo", 65536, 20, halo_plain, halo},
+    {"halo", 1048576, 5, halo_plain, halo},
     {"gdsum", 8, 300, sum_plain, sum},
     {"gdsum", 8000, 100, sum_plain, sum},
     {"gdsum", 32000, 40, sum_plain, sum},
