@@ -142,6 +142,15 @@ static vtime since(vtime *last, int64_t difference)
     return *last += (vtime)difference;
 }
 
+/* A time that is so much later; what is beyond all times spoils the file. */
+static vtime later(struct loading *l, vtime *last)
+{
+    vtime before = *last;
+    *last += unpack(l->in);
+    l->bad |= *last < before;
+    return *last;
+}
+
 /* Keeps a table's next entry; the tables grow by doubling. */
 #define ADD(l, table, entry)                                                                                 \
     do {                                                                                                     \
@@ -169,9 +178,11 @@ static void read_waits(struct loading *l, struct trace_call *c, bool wanted)
     c->first_wait = l->t->wait_count;
     for (uint64_t i = 0; i < count && unpacker_good(l->in); i++) {
         struct trace_wait w = {.node = c->node, .call = l->t->call_count, .from = TRACE_NONE};
-        w.begin = at += unpack(l->in);
-        w.end = at += unpack(l->in);
-        w.idle = w.end - w.begin - unpack(l->in);
+        w.begin = later(l, &at);
+        w.end = later(l, &at);
+        uint64_t busy = unpack(l->in);
+        l->bad |= busy > w.end - w.begin;
+        w.idle = w.end - w.begin - busy;
         uint8_t flags = unpack_byte(l->in);
         w.has_type = flags & WAIT_HAS_TYPE, w.sends = flags & WAIT_SENDS;
         if (w.has_type)
@@ -199,7 +210,7 @@ static void read_call(struct loading *l)
     if (c.has_type)
         c.type = (int32_t)unpack_signed(in);
     c.begin = since(&l->last[c.node], unpack_signed(in));
-    c.end = since(&l->last[c.node], (int64_t)unpack(in));
+    c.end = later(l, &l->last[c.node]);
     c.ordered = c.begin + unpack(in);
     if (flags & CALL_SENT)
         order = unpack(in), count = unpack(in);
@@ -230,9 +241,9 @@ static void read_handler(struct loading *l)
     h.stack = read_stack_index(l);
     h.begin = since(&l->last[h.node], unpack_signed(in));
     h.due = h.begin - unpack(in);
-    h.entered = since(&l->last[h.node], (int64_t)unpack(in));
-    h.left = since(&l->last[h.node], (int64_t)unpack(in));
-    h.end = since(&l->last[h.node], (int64_t)unpack(in));
+    h.entered = later(l, &l->last[h.node]);
+    h.left = later(l, &l->last[h.node]);
+    h.end = later(l, &l->last[h.node]);
     if (flags & HANDLER_HAS_MESSAGE)
         source = unpack(in), order = unpack(in);
     if (!wants(l, h.node) || !wants_time(l, h.begin, h.end))
@@ -258,8 +269,8 @@ static void read_system(struct loading *l)
     s.node = node_of_record(l, unpack(l->in));
     l->bad |= !task_of(unpack(l->in), &s.task);
     s.charged = since(&l->last_system[s.node], unpack_signed(l->in));
-    s.begin = since(&l->last_system[s.node], (int64_t)unpack(l->in));
-    s.end = since(&l->last_system[s.node], (int64_t)unpack(l->in));
+    s.begin = later(l, &l->last_system[s.node]);
+    s.end = later(l, &l->last_system[s.node]);
     if (s.end > s.begin && wants(l, s.node) && wants_time(l, s.begin, s.end))
         ADD(l, system, s);
 }
@@ -271,8 +282,9 @@ static void read_blocks(struct loading *l, struct trace_message *m, bool wanted)
     m->first_block = l->t->block_count;
     for (uint64_t i = 0; i < count && unpacker_good(l->in); i++) {
         struct trace_block b = {.message = l->t->message_count, .channel = (uint32_t)unpack(l->in)};
-        b.begin = at += unpack(l->in);
+        b.begin = later(l, &at);
         uint64_t duration = unpack(l->in);
+        l->bad |= duration && at + duration - 1 < at;
         b.end = duration ? (at += duration - 1) : VT_NEVER;
         l->bad |= b.channel >= l->t->topo.channels;
         if (wanted && !l->bad)
