@@ -334,8 +334,6 @@ tree written_in(gimple *stmt)
         if (!inlined_function_outer_scope_p(b))
             continue;
         tree origin = BLOCK_ABSTRACT_ORIGIN(b);
-        while (origin && TREE_CODE(origin) == BLOCK)
-            origin = BLOCK_ABSTRACT_ORIGIN(origin);
         if (origin && TREE_CODE(origin) == FUNCTION_DECL)
             return origin;
     }

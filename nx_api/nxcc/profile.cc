@@ -67,8 +67,6 @@ std::vector<tree> inlined_functions(gimple *stmt)
         if (!inlined_function_outer_scope_p(b))
             continue;
         tree origin = BLOCK_ABSTRACT_ORIGIN(b);
-        while (origin && TREE_CODE(origin) == BLOCK)
-            origin = BLOCK_ABSTRACT_ORIGIN(origin);
         if (origin && TREE_CODE(origin) == FUNCTION_DECL)
             all.insert(all.begin(), as_written(origin));
     }

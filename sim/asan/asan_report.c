@@ -144,12 +144,23 @@ static const char *kind_of(uint8_t why)
     }
 }
 
+struct bytes_text {
+    char text[32];
+};
+
+static struct bytes_text bytes_text(size_t bytes)
+{
+    struct bytes_text t;
+    snprintf(t.text, sizeof t.text, "%zu byte%s", bytes, bytes == 1 ? "" : "s");
+    return t;
+}
+
 static void print_object_name(FILE *f, const struct object *o)
 {
     if (o->name)
-        fprintf(f, "%s (%zu bytes, %s:%d)", o->name, o->bytes, file_name(o->file), o->line);
+        fprintf(f, "%s (%s, %s:%d)", o->name, bytes_text(o->bytes).text, file_name(o->file), o->line);
     else
-        fprintf(f, "a block of %zu bytes", o->bytes);
+        fprintf(f, "a block of %s", bytes_text(o->bytes).text);
 }
 
 /* Where the first bad byte is. */
@@ -161,14 +172,14 @@ static void print_position(FILE *f, const struct asan_access *a, const struct ob
         return;
     }
     if (a->bad >= o->begin && a->bad < end) {
-        fprintf(f, "%zu bytes into ", (size_t)(a->bad - o->begin));
+        fprintf(f, "%s into ", bytes_text(a->bad - o->begin).text);
     } else {
         size_t away = a->bad < o->begin ? o->begin - a->bad : a->bad - end;
         const char *side = a->bad < o->begin ? "before" : "behind";
         if (a->bad > a->at)
             fprintf(f, "the last %zu of them ", a->bytes - (size_t)(a->bad - a->at));
         if (away)
-            fprintf(f, "%zu bytes %s ", away, side);
+            fprintf(f, "%s %s ", bytes_text(away).text, side);
         else
             fprintf(f, "just %s ", side);
     }
@@ -200,7 +211,8 @@ static void print_advice(FILE *f, const struct node *n, const struct asan_access
     if (why == NXC_ASAN_FREED)
         fputs("free the block after its last use, or let no pointer to it live on", f);
     else if (!a->site)
-        fprintf(f, "give %s a buffer of at least %zu bytes, or a smaller length", buffer_of(n), a->bytes);
+        fprintf(f, "give %s a buffer of at least %s, or a smaller length", buffer_of(n),
+                bytes_text(a->bytes).text);
     else if (o->name)
         fprintf(f, "make %s larger, or keep within it", o->name);
     else
@@ -224,7 +236,7 @@ _Noreturn void asan_report(struct node *n, const struct asan_access *a)
     uint8_t why = asan_shadow_why(&n->asan->shadow, a->bad);
     struct object o = object_of(n, a->bad, why);
     FILE *f = xchecked(open_memstream(&text, &size));
-    fprintf(f, "%s: %s of %zu bytes, ", kind_of(why), a->write ? "write" : "read", a->bytes);
+    fprintf(f, "%s: %s of %s, ", kind_of(why), a->write ? "write" : "read", bytes_text(a->bytes).text);
     print_position(f, a, &o);
     print_accessor(f, n, a);
     print_access(f, n, a);
@@ -245,11 +257,12 @@ _Noreturn void asan_report_block(struct node *n, const char *call, const void *b
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s: %s was given ", again ? "double-free" : "bad-free", call);
     if (again)
-        fprintf(f, "a block of %zu bytes that is free already", b->bytes);
+        fprintf(f, "a block of %s that is free already", bytes_text(b->bytes).text);
     else if (b)
-        fprintf(f, "an address %zu bytes %s the beginning of a block of %zu bytes",
-                (size_t)(at > asan_block_begin(b) ? at - asan_block_begin(b) : asan_block_begin(b) - at),
-                at > asan_block_begin(b) ? "behind" : "before", b->bytes);
+        fprintf(
+            f, "an address %s %s the beginning of a block of %s",
+            bytes_text(at > asan_block_begin(b) ? at - asan_block_begin(b) : asan_block_begin(b) - at).text,
+            at > asan_block_begin(b) ? "behind" : "before", bytes_text(b->bytes).text);
     else
         fprintf(f, "0x%zx, which is not of the heap", (size_t)at);
     print_stack(f, n, asan_stacks_at(n->asan->stacks, asan_stacks_here(n->asan->stacks, n, frame)));

@@ -1,5 +1,5 @@
 /* scope_fault.c - arrays of scopes that follow each other, and of calls within calls.
- * report: stack-buffer-overflow: write of 1 bytes, just behind small (10 bytes,  */
+ * report: stack-buffer-overflow: write of 1 byte, just behind small (10 bytes,  */
 #include <stdio.h>
 #include "nx.h"
 

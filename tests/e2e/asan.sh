@@ -48,7 +48,7 @@ for fault in "$seeds"/*_fault.*; do
         eval 'grep -qx "status 0" checked && [ -s out ] && diff plain checked'
     pairs=$((pairs + 1))
 done
-check "at least sixteen pairs" test "$pairs" -ge 16
+check "at least eighteen pairs" test "$pairs" -ge 18
 
 # --- doc/asan.md: its commands give the report that it shows ---
 
