@@ -10,9 +10,13 @@
 #include "nx_api/mpi/mpi_packets.h"
 
 enum { TAG = 2, PART = 1 << 16, TESTED_AT_ONCE = 8 };
-static const double ANSWER_S = 1.5e-6; /* a node that waits answers in such a time, if it is near */
+
+/* A sender looks for READY for ANSWER_S, in which a node that waits answers if it is near, and as long as a
+ * copy of the bytes may take. Its receiver leaves an offer without a receive unanswered for half of the
+ * latter. */
+static const double ANSWER_S = 1.5e-6;
 static const double COPIED_BYTES_PER_S = 10e9;
-static const double TAKEN_BYTES_PER_S = 20e9; /* a sender waits longer than its receiver does for a receive */
+static const double LEFT_BYTES_PER_S = 2 * COPIED_BYTES_PER_S;
 
 /* A copy of a body, on its way to one node or to several. */
 struct copy {
@@ -153,8 +157,7 @@ void body_wanted(struct node *n, int32_t number)
     bell_ring(offer.node);
 }
 
-/* Looks for the answer of a node that waits, or is receiving another message: for no longer than to copy the
- * bytes would take, so that a send takes twice that time at most. */
+/* Looks for the answer; for so long only that the send takes about twice a copy's time at most. */
 static void await_answer(struct node *n)
 {
     const double until = mpi_seconds() + ANSWER_S + (double)offer.len / COPIED_BYTES_PER_S;
@@ -227,7 +230,7 @@ static bool is_time(const struct node *n, const struct offered *o)
 {
     bool stays = offer.open || o->m->lost, waits = n->ready || offer.sending;
     return stays || (waits && mpi_mailbox_place(o->m)) ||
-           mpi_seconds() - o->since > (double)o->m->bytes / TAKEN_BYTES_PER_S;
+           mpi_seconds() - o->since > (double)o->m->bytes / LEFT_BYTES_PER_S;
 }
 
 void bodies_answer(struct node *n)

@@ -2,9 +2,9 @@
  *
  *     sender                                         receiver
  *     csend   OFFER  ------------------------------> the message takes its place among those that have come
- *             looks for READY, then copies          READY: if there is a receive for it; or after a time, in
- *             the bytes, a part at a    <----------- which the program may make one
- *             time, and looks
+ *             looks for READY for a time;
+ *             then copies the bytes, a  <----------- READY, when there is a receive for it, and the program
+ *             part at a time, and looks              waits or sends; without a receive after a shorter time
  *      READY has come in time:
  *             BODY, out of the program's buffer ---> receives them at once: in the buffer of the receive,
  *             goes on when MPI has sent them         or in memory if there is none yet
@@ -12,10 +12,10 @@
  *             BODY, out of the copy ---------------> receives them in memory
  *             goes on at once
  *
- * So a send waits for no receive: if the receiver computes, in 1 ms or for ever, the bytes are copied
- * meanwhile. A receiver that has said READY, and a sender to whom it has been said, do nothing but receive
- * and send until that offer is settled; each goes on with all other offers meanwhile, so that no circle of
- * nodes stands still.
+ * So a send waits for no receive: if the receiver computes, in 1 ms or for ever, the bytes are copied. A
+ * receiver that has said READY, and a sender to whom it has been said, do nothing but receive and send until
+ * that offer is settled; each goes on with all other offers meanwhile, so that no circle of nodes stands
+ * still.
  *
  * The bodies of one sender come in the order of their announcements. A message to all others is not
  * offered, but copied once: the WIRE_DATA itself announces its body. */
