@@ -19,6 +19,7 @@
  * the heap (sim/asan). */
 #ifndef CONTRACT_ASAN_H
 #define CONTRACT_ASAN_H
+#include <stddef.h>
 #include <stdint.h>
 
 enum { NXC_ASAN_GRAIN = 8, NXC_ASAN_ZONE = 32 }; /* bytes; of a variable's red zone, at least */
@@ -31,8 +32,13 @@ enum nxc_asan_shadow {
     NXC_ASAN_FREED = 0xfd
 };
 
-/* What the red zone behind a local variable holds, from its 16th byte on: whose it is. The zone begins at the
- * first multiple of 8 behind the variable. */
+/* How far behind a local variable's beginning its red zone begins: at the first multiple of 8. */
+static inline size_t nxc_asan_zone_at(size_t bytes)
+{
+    return (bytes + NXC_ASAN_GRAIN - 1) / NXC_ASAN_GRAIN * NXC_ASAN_GRAIN;
+}
+
+/* What the red zone behind a local variable holds, from its 16th byte on: whose it is. */
 enum { NXC_ASAN_LOCAL_AT = 16 };
 struct nxc_asan_local {
     const struct nxc_race_site *site; /* where the variable is declared: races.h */

@@ -49,15 +49,10 @@ const char *comparison(unsigned bytes)
     return bytes == 1 ? "cmpb" : bytes <= 9 ? "cmpw" : bytes <= 25 ? "cmpl" : "cmpq";
 }
 
-size_t whole_grains(size_t bytes)
-{
-    return (bytes + NXC_ASAN_GRAIN - 1) / NXC_ASAN_GRAIN * NXC_ASAN_GRAIN;
-}
-
 /* Sets the shadow of a local variable's last grain, of which the variable has a part, and of its zone. */
 std::string mark(size_t bytes, unsigned part, unsigned zone)
 {
-    size_t grains = whole_grains(bytes) / NXC_ASAN_GRAIN;
+    size_t grains = nxc_asan_zone_at(bytes) / NXC_ASAN_GRAIN;
     std::string s = "\tmovl\t$" + number(zone * 0x01010101u) + ", " + number(grains) + "(%0)\n";
     if (bytes % NXC_ASAN_GRAIN)
         s += "\tmovb\t$" + number(part) + ", " + number(grains - 1) + "(%0)\n";
@@ -88,7 +83,7 @@ gasm *asan_code_access(tree object, int shift, unsigned bytes, size_t site)
 
 gasm *asan_code_begin_local(tree variable, size_t bytes, size_t site)
 {
-    size_t at = whole_grains(bytes) + NXC_ASAN_LOCAL_AT;
+    size_t at = nxc_asan_zone_at(bytes) + NXC_ASAN_LOCAL_AT;
     return build(take_address(0) + "\tleaq\t.Lnxc_races+" + number(site) + "(%%rip), %1\n\tmovq\t%1, " +
                      number(at) + "(%0)\n\tmovq\t$" + number(bytes) + ", " + number(at + 8) + "(%0)\n" +
                      find_shadow("%0", "771f") + mark(bytes, bytes % NXC_ASAN_GRAIN, NXC_ASAN_LOCAL) +

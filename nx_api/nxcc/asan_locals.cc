@@ -61,7 +61,7 @@ std::vector<local> find_locals(function *f)
 
 void enlarge(const local &v)
 {
-    size_t bytes = (v.bytes + NXC_ASAN_GRAIN - 1) / NXC_ASAN_GRAIN * NXC_ASAN_GRAIN + NXC_ASAN_ZONE;
+    size_t bytes = nxc_asan_zone_at(v.bytes) + NXC_ASAN_ZONE;
     DECL_SIZE_UNIT(v.decl) = size_int(bytes);
     DECL_SIZE(v.decl) = bitsize_int(bytes * BITS_PER_UNIT);
     TREE_ADDRESSABLE(v.decl) = 1;

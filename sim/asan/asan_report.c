@@ -116,9 +116,9 @@ static struct object of_local(const struct node *n, uintptr_t at)
     const struct nxc_races *sites = n->image->races;
     if (l->site < sites->sites_begin || l->site >= sites->sites_end || !(l->site->flags & NXC_RACE_LOCAL))
         return (struct object){.bytes = SIZE_MAX};
-    size_t whole = (l->bytes + NXC_ASAN_GRAIN - 1) / NXC_ASAN_GRAIN * NXC_ASAN_GRAIN;
-    return (struct object){zone - whole, l->bytes, nxc_race_text(l->site, l->site->variable),
-                           nxc_race_text(l->site, l->site->file), l->site->line};
+    return (struct object){zone - nxc_asan_zone_at(l->bytes), l->bytes,
+                           nxc_race_text(l->site, l->site->variable), nxc_race_text(l->site, l->site->file),
+                           l->site->line};
 }
 
 static struct object object_of(const struct node *n, uintptr_t at, uint8_t why)
