@@ -58,6 +58,28 @@ static const char *file_of(const char *name, int argc, char **argv, int *i)
     return argv[*i];
 }
 
+/* "--stubs", or "--stubs=NAME=VALUE,...". */
+static bool take_stubs(struct arguments *a, const char *option)
+{
+    static const char name[] = "--stubs";
+    size_t n = strlen(name);
+    if (strncmp(option, name, n) || (option[n] && option[n] != '='))
+        return false;
+    a->stubs = true;
+    if (option[n])
+        a->stub_values = text("%s,%s", a->stub_values, option + n + 1);
+    for (const char *value = option + n; *value; value += 1 + strcspn(value + 1, ",")) {
+        const char *equals = strpbrk(value + 1, "=,");
+        char *end = NULL;
+        if (equals && *equals == '=')
+            strtol(equals + 1, &end, 0);
+        if (!end || end == equals + 1 || (*end && *end != ','))
+            fail("%s: after --stubs= there are functions and what their stand-ins return: --stubs=NAME=0",
+                 option);
+    }
+    return true;
+}
+
 static bool is_one_of(const char *s, const char *const *list)
 {
     for (; *list; list++)
@@ -136,8 +158,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         add(a, "-D__NX_HOST__");
     else if (!strcmp(option, "--long32"))
         a->long32 = true;
-    else if (!strcmp(option, "--stubs"))
-        a->stubs = true;
+    else if (take_stubs(a, option))
+        return true;
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
     else
@@ -164,7 +186,7 @@ struct arguments arguments_read(int argc, char **argv)
         "-o",       "-D",       "-U",       "-I",         "-L",      "-l",      "-x",
         "-include", "-isystem", "-MF",      "-MT",        "-MQ",     "-iquote", "-Xlinker",
         "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
-    struct arguments a = {.costs = DEFAULT_COSTS, .links = true};
+    struct arguments a = {.costs = DEFAULT_COSTS, .links = true, .stub_values = ""};
     for (int i = 1; i < argc; i++)
         a.mpi = a.mpi || !strcmp(argv[i], "--mpi");
     /* Before the user's: lines for crash reports, and inlined code knows where it was written. */

@@ -27,7 +27,8 @@ struct arguments {
     bool links;        /* gcc will link */
     bool has_file;     /* there is something to compile or link */
     bool dry_run;
-    bool stubs; /* for names that are not there */
+    bool stubs;              /* for names that are not there */
+    const char *stub_values; /* "name=0,other=1": what some of them return; "" */
     bool mpi;
     bool kmath; /* is to be linked with the library of linear algebra */
 };

@@ -62,8 +62,7 @@ static void add_compile(struct arguments *a)
         "-fno-tree-vectorize",       /* the i860 has no vectors: operations are counted as it ran them */
         "-fno-tree-slp-vectorize",   /* */
         "-ffp-contract=off",         /* no fused multiply-add: results as with separate ones */
-        "-fno-stack-protector",      /* a node's stack has guard pages, */
-        "-fstack-clash-protection",  /* and no array is large enough to lie beyond them */
+        "-fno-stack-protector",      /* a node's stack has guard pages: see command() */
         "-U_FORTIFY_SOURCE",         /* no __printf_chk */
         "-fcf-protection=none",      /* */
         "-gno-record-gcc-switches",  /* the same object wherever nxcc is installed */
@@ -159,6 +158,8 @@ const char **command(const struct arguments *user, const struct places *p, bool 
         add_plugin(&a, p);
     if (!mpi && link)
         add(&a, text("-L%s", p->lib)); /* the stand-ins must be found before the host's libraries */
+    if (!mpi) /* no array lies beyond the stack's guard pages; programs that switch stacks by alloca say no */
+        add(&a, "-fstack-clash-protection");
     if (fortran)
         add_fortran(&a);
     else

@@ -43,14 +43,14 @@ static const struct own_option {
                {"-lkmath", NULL, "the reference BLAS and LAPACK, counted; -lblas and -llapack are the same"},
                {"--as-intel", "DIR",
                 "make links in DIR by the names that makefiles of the time use: icc, if77,\n"
-                "ar860, size860"},
+                "ar860, as860, size860"},
                {"-host", NULL,
                 "a host program, for touchstone run --host: nx.h declares getcube, load and\n"
                 "their kin"},
                {"--long32", NULL, "long has 32 bits, as on the i860; without it, 64. Also when linking"},
                {"--stubs", NULL,
                 "link functions that nodes do not have, too: they fail with ENOSYS, and the\n"
-                "report names those called"},
+                "report names those called. --stubs=NAME=0 makes one that returns 0"},
                {"--mpi", NULL, "a program for a cluster, run by mpirun, instead of one for simulated nodes"},
                {"--dry-run", NULL, "print the gcc command and do not run it"},
                {"--help", NULL, "this text"},

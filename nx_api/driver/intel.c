@@ -104,6 +104,31 @@ static char *which(const char *program)
     fail("--as-intel: %s is not to be found: install Debian's binutils", program);
 }
 
+/* "ar860 crl": in makefiles of the time, l put temporary files into the current folder; binutils' ar has
+ * another l, which takes an argument. */
+static _Noreturn void become_ar(char **argv)
+{
+    if (argv[1] && strncmp(argv[1], "--", 2)) {
+        char *to = argv[1];
+        for (const char *from = argv[1]; *from; from++)
+            if (*from != 'l')
+                *to++ = *from;
+        *to = '\0';
+    }
+    execvp("ar", argv);
+    fail("ar: %s: install Debian's binutils", strerror(errno));
+}
+
+void intel_become_tool(char **argv)
+{
+    const char *name = program_invocation_short_name;
+    if (!strcmp(name, "ar860"))
+        become_ar(argv);
+    if (!strcmp(name, "as860"))
+        fail("the i860's assembler is the one thing to be written anew, in C or in the host's: "
+             "doc/old-programs.md");
+}
+
 _Noreturn void intel_links(const char *folder)
 {
     char self[PATH_MAX];
@@ -115,7 +140,8 @@ _Noreturn void intel_links(const char *folder)
         fail("--as-intel %s: %s", folder, strerror(errno));
     make_link(folder, "icc", self);
     make_link(folder, "if77", self);
-    make_link(folder, "ar860", which("ar"));
+    make_link(folder, "ar860", self);
+    make_link(folder, "as860", self);
     make_link(folder, "size860", which("size"));
     exit(0);
 }

@@ -13,7 +13,11 @@ bool intel_take(struct arguments *a, const char *option);
 void intel_note(const struct arguments *a);
 
 /* Makes the folder, if there is none, and in it links by the names of Intel's tools: icc, if77, ar860,
- * size860. Does not return. */
+ * as860, size860. Does not return. */
 _Noreturn void intel_links(const char *folder);
+
+/* Called as ar860, does what that did; as as860, says why it cannot be had. Returns if called by another
+ * name. */
+void intel_become_tool(char **argv);
 
 #endif

@@ -12,6 +12,8 @@
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/command.h"
 #include "nx_api/driver/dialect.h"
+#include "nx_api/driver/fortran_calls.h"
+#include "nx_api/driver/intel.h"
 #include "nx_api/driver/longs.h"
 #include "nx_api/driver/mpi_kind.h"
 #include "nx_api/driver/places.h"
@@ -44,7 +46,9 @@ static void become(const struct arguments *user, const struct places *p, bool li
         return;
     }
     if (link) {
-        int status = stubs_link(gcc, user);
+        int status = stubs_link(gcc, user, output_of(user));
+        if (!status)
+            fortran_calls_check(output_of(user));
         if (!status && user->long32)
             longs_check(output_of(user));
         if (!status && user->mpi)
@@ -142,6 +146,7 @@ int __lsan_is_turned_off(void)
 
 int main(int argc, char **argv)
 {
+    intel_become_tool(argv);
     struct arguments user = arguments_read(argc, argv);
     struct places p = places_find();
     if (!user.has_file && argc == 1)

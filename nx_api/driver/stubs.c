@@ -1,4 +1,5 @@
-/* stubs.c - see stubs.h. The names are read from what the linker says. */
+/* stubs.c - see stubs.h. The names are read from what the linker says, and which of them are variables, from
+ * the program (nxcc/data_names.cc). */
 #include "nx_api/driver/stubs.h"
 #include <errno.h>
 #include <stdio.h>
@@ -6,6 +7,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/text.h"
 
 struct names {
@@ -109,25 +111,99 @@ static void print_names(const struct names *n)
         fprintf(stderr, "%s%s", i ? ", " : "", n->name[i]);
 }
 
-/* A function for each name, which tells the simulator that it was called: sim/guest/libc_absent.c. */
-static void write_stubs(const struct names *n, const char *path)
+/* --- variables --- */
+
+static bool is_variable(const char *names, size_t size, const char *name)
+{
+    for (const char *at = names; at < names + size; at += strlen(at) + 1)
+        if (!strcmp(at, name))
+            return true;
+    return false;
+}
+
+/* What the linker said of a name. */
+static void show_places(const char *said, const char *name)
+{
+    char *quoted = text("`%s'", name), *lines = text("%s", said), *rest = lines;
+    for (char *line; (line = strsep(&rest, "\n"));)
+        if (strstr(line, quoted))
+            fprintf(stderr, "%s\n", line);
+    free(lines);
+    free(quoted);
+}
+
+/* Ends if the program, which has been linked, uses one of the names as a variable: the stand-in's first bytes
+ * would be its value. */
+static void refuse_variables(const struct names *n, const char *program, const char *said, const char *who)
+{
+    size_t size = 0;
+    struct elf_file f = elf_read(program);
+    const char *variables = elf_section(&f, ".nxc_data", &size);
+    for (size_t i = 0; i < n->count; i++)
+        if (is_variable(variables, size, n->name[i])) {
+            show_places(said, n->name[i]);
+            unlink(program);
+            fail("--stubs: %s do not have %s, which the program uses as a variable; stand-ins are functions: "
+                 "define it, or link what defines it",
+                 who, n->name[i]);
+        }
+    elf_forget(&f);
+}
+
+/* --- functions --- */
+
+/* What the user wants a function to return, as text; NULL: nothing. */
+static char *value_of(const char *values, const char *name)
+{
+    size_t n = strlen(name);
+    for (const char *at = values; *at; at += strcspn(at, ","), at += *at == ',')
+        if (!strncmp(at, name, n) && at[n] == '=')
+            return text("%.*s", (int)strcspn(at + n + 1, ","), at + n + 1);
+    return NULL;
+}
+
+/* A function that returns a value (0 as a floating-point number, too); or, without one, that tells the
+ * simulator that it was called: sim/guest/libc_absent.c. */
+static void write_code(FILE *f, const char *name, const char *value)
+{
+    fprintf(f, "\t.text\n\t.globl %s\n\t.hidden %s\n\t.type %s, @function\n%s:", name, name, name, name);
+    if (value)
+        fprintf(f, "\tmovq $%s, %%rax\n\tpxor %%xmm0, %%xmm0\n\tret\n", value);
+    else
+        fprintf(f, "\tleaq 1f(%%rip), %%rdi\n\tjmp nx_absent@PLT\n\t.section .rodata\n1:\t.string \"%s\"\n",
+                name);
+}
+
+static void write_stubs(const struct names *n, const char *values, const char *path)
 {
     FILE *f = fopen(path, "w");
     if (!f)
         fail("%s: %s", path, strerror(errno));
-    for (size_t i = 0; i < n->count; i++)
-        fprintf(f,
-                "\t.section .rodata\n1:\t.string \"%s\"\n\t.text\n\t.globl %s\n\t.hidden %s\n\t.type %s, "
-                "@function\n"
-                "%s:\tleaq 1b(%%rip), %%rdi\n\tjmp nx_absent@PLT\n",
-                n->name[i], n->name[i], n->name[i], n->name[i], n->name[i]);
+    for (size_t i = 0; i < n->count; i++) {
+        char *value = value_of(values, n->name[i]);
+        write_code(f, n->name[i], value);
+        free(value);
+    }
     fputs("\t.section .note.GNU-stack, \"\", @progbits\n", f);
     if (ferror(f) || fclose(f))
         fail("%s: %s", path, strerror(errno));
 }
 
+static void print_stubs(const struct names *n, const char *values, const char *who)
+{
+    fprintf(stderr, "nxcc: --stubs: %s do not have these; they fail with ENOSYS when they are called: ", who);
+    for (size_t i = 0; i < n->count; i++) {
+        char *value = value_of(values, n->name[i]);
+        fprintf(stderr, "%s%s", i ? ", " : "", n->name[i]);
+        if (value)
+            fprintf(stderr, " (returns %s instead)", value);
+        free(value);
+    }
+    fputc('\n', stderr);
+}
+
 /* Links again, with them. */
-static int link_stubs(const char **gcc, const struct names *n, const char *who)
+static int link_stubs(const char **gcc, const struct names *n, const char *values)
 {
     char folder[] = P_tmpdir "/nxccXXXXXX";
     size_t count = 0;
@@ -135,7 +211,7 @@ static int link_stubs(const char **gcc, const struct names *n, const char *who)
     if (!mkdtemp(folder))
         fail("%s: %s", folder, strerror(errno));
     char *path = text("%s/stubs.s", folder);
-    write_stubs(n, path);
+    write_stubs(n, values, path);
     while (gcc[count])
         count++;
     const char **more = calloc(count + 2, sizeof *more);
@@ -146,21 +222,22 @@ static int link_stubs(const char **gcc, const struct names *n, const char *who)
     fputs(listen(more, &status), stderr);
     unlink(path);
     rmdir(folder);
-    fprintf(stderr, "nxcc: --stubs: %s do not have these; they fail with ENOSYS when they are called: ", who);
-    print_names(n);
-    fputc('\n', stderr);
     return status;
 }
 
-int stubs_link(const char **gcc, const struct arguments *user)
+int stubs_link(const char **gcc, const struct arguments *user, const char *program)
 {
     int status;
     const char *who = user->mpi ? "libraries" : "nodes";
     setenv("LANGUAGE", "en", true); /* the linker's messages are read */
     char *said = listen(gcc, &status);
     struct names n = status ? read_names(said) : (struct names){NULL, 0};
-    if (n.count && user->stubs)
-        return link_stubs(gcc, &n, who);
+    if (n.count && user->stubs) {
+        status = link_stubs(gcc, &n, user->stub_values);
+        refuse_variables(&n, program, said, who);
+        print_stubs(&n, user->stub_values, who);
+        return status;
+    }
     fputs(said, stderr);
     if (n.count) {
         fprintf(stderr, "nxcc: %s do not have ", who);

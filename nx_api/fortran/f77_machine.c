@@ -67,7 +67,7 @@ ENTRY integer nx_app_rect_(integer *rows, integer *columns)
 }
 
 /* The program is on its nodes already (nx.h), so the arguments are ignored. */
-ENTRY integer nx_initve_(void)
+ENTRY integer nx_initve_() /* any arguments */
 {
     return (integer)numnodes();
 }

@@ -13,6 +13,7 @@
  */
 #ifndef NX_HOST_H
 #define NX_HOST_H
+#include "namelen.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -42,7 +43,6 @@ void load(const char *path, long node, long pid);
 void waitcube(void);
 
 /* Lists the cubes: fills at most `slots` entries, returns the number of cubes (all of it: silent). */
-#define NAMELEN 32 /* bytes of a cube's name with the terminating 0 (silent) */
 struct cubeinfo {
     char cubename[NAMELEN], cubetype[16];
     long nodes;

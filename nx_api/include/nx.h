@@ -302,6 +302,7 @@ void gcol(const void *x, long len, void *y, long room, long *total);
 #endif
 #include "nx_underscore.h"
 #include "pfs/pfs.h"
+#include "namelen.h"
 #ifdef __NX_HOST__
 #include "host.h"
 #endif

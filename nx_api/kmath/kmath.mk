@@ -19,12 +19,13 @@ $(KMATH)/pay.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -c -o $@ $<
 
-# The routines of routines.def get other names, in their own objects only: so others go by the entries.
+# The routines of routines.def get other names, in their own objects only: so others go by the entries. Objects of LAPACK (xerbla,
+# lsame) precede BLAS's of the same name: BLAS's xerbla asks for CBLAS, which is left out.
 $(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o $(KMATH_BLAS) $(KMATH_LAPACK)
 	$(call say,AR,$@)
 	rm -rf $(KMATH)/routines && mkdir -p $(KMATH)/routines
 	cp $(KMATH_LAPACK) $@.new && chmod u+w $@.new
-	cd $(KMATH)/routines && ar x $(KMATH_BLAS) && rm -f cblas_*.o *sub.o
+	cd $(KMATH)/routines && ar x $(KMATH_BLAS) && rm -f cblas_*.o *sub.o $$(ar t $(KMATH_LAPACK))
 	printf '#define ROUTINE(kind, name, work) name\n#include "nx_api/kmath/routines.def"\n' | \
 	    $(NODE_CC) -E -P -I. - | tr ' ' '\n' | grep . >$(KMATH)/names
 	cd $(KMATH)/routines && ar x $(KMATH_LAPACK) $$(ar t $(KMATH_LAPACK) | sed 's/\.o$$//' | grep -Fxf ../names | sed 's/$$/.o/')

@@ -16,6 +16,7 @@
 #include "cfgloopmanip.h"
 #include "gimple.h"
 #include "gimple-iterator.h"
+#include "gimple-walk.h"
 #include "gimple-fold.h"
 #include "gimplify.h"
 #include "gimplify-me.h"

@@ -38,7 +38,14 @@ endif
 $(NODES)/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
-	$(NODE_CXX) -std=gnu++17 -O2 -g $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -c -o $@ $<
+	$(NODE_CXX) -std=gnu++17 -O2 -g $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -I$(@D) -c -o $@ $<
+
+# How many arguments the NX calls of Fortran programs have.
+FORTRAN_CALLS := $(NODES)/obj/nx_api/nxcc/fortran_calls.inc
+$(FORTRAN_CALLS): nx_api/nxcc/fortran-calls $(wildcard nx_api/fortran/* nx_api/common/*.def)
+	@mkdir -p $(@D)
+	$< $(NODE_CC) $(wildcard nx_api/fortran/*.c nx_api/fortran/*.f90) >$@.new && mv $@.new $@
+$(NODES)/obj/nx_api/nxcc/argument_counts.o: $(FORTRAN_CALLS)
 
 $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)

@@ -12,11 +12,13 @@
  *     memory          for tests: no counter in a register
  */
 #include "gcc.h"
+#include "argument_counts.h"
 #include "asan_globals.h"
 #include "cache.h"
 #include "call_free.h"
 #include "costs.h"
 #include "count.h"
+#include "data_names.h"
 #include "long32.h"
 #include "long_abi.h"
 #include "poll.h"
@@ -31,6 +33,7 @@
 #include "redeclare.h"
 #include "statics.h"
 #include "symbols.h"
+#include "unset.h"
 
 int plugin_is_GPL_compatible;
 
@@ -97,14 +100,16 @@ void read_files(const arguments &a)
     cache_use(table.cache);
 }
 
-/* nxc_enter saves the registers of plain x86-64 only, and uses the stack below the pointer. */
-void check_target(void *, void *)
+/* nxc_enter saves the registers of plain x86-64 only, and uses the stack below the pointer. Only now has GCC
+ * declared its built-in functions. */
+void start_unit(void *, void *)
 {
     if (TARGET_AVX)
         error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
               "computer: leave out %<-march%> and %<-mavx%>");
     if (TARGET_RED_ZONE)
         error("nxcc: node programs need %<-mno-red-zone%>");
+    costs_check_built_in();
 }
 
 void begin_function(void *, void *)
@@ -178,6 +183,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     redeclare_register(info->base_name);
     statics_register(info->base_name);
     long_abi_register(info->base_name, a.long32);
+    data_names_register(info->base_name);
+    argument_counts_register(info->base_name);
     if (a.poll) {
         register_pass_info pass = {poll_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
         register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
@@ -190,11 +197,13 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         register_races(info->base_name, a.before);
     if (a.asan)
         register_asan(info->base_name, a.before);
+    register_pass_info unset = {unset_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
+    register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &unset);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_UNIT, finish_unit, NULL);
     register_callback(info->base_name, PLUGIN_FINISH_DECL, scan_declaration, NULL);
-    register_callback(info->base_name, PLUGIN_START_UNIT, check_target, NULL);
+    register_callback(info->base_name, PLUGIN_START_UNIT, start_unit, NULL);
     return 0;
 }

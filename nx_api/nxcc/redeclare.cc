@@ -15,6 +15,9 @@
  *
  * GCC asks the target for the attributes of each declaration just before it compares the declaration with
  * earlier ones. Only then can the type of a declaration be changed.
+ *
+ * `extern int errno;` without a header names a variable, which the C library has no more: each use of it
+ * becomes the one that the header's macro makes, *__errno_location().
  */
 #include <set>
 #include <string>
@@ -114,22 +117,38 @@ void insert_attributes(tree decl, tree *attributes)
     gcc_insert_attributes(decl, attributes);
 }
 
+/* GCC puts a variable's value expression in the place of each use. */
+void errno_is_the_library_s(void *d, void *)
+{
+    tree decl = static_cast<tree>(d);
+    if (TREE_CODE(decl) != VAR_DECL || !DECL_NAME(decl) || !TREE_PUBLIC(decl) ||
+        !INTEGRAL_TYPE_P(TREE_TYPE(decl)) || strcmp(IDENTIFIER_POINTER(DECL_NAME(decl)), "errno"))
+        return;
+    tree type = build_function_type_list(build_pointer_type(integer_type_node), NULL_TREE);
+    tree function = build_fn_decl("__errno_location", type);
+    DECL_SOURCE_LOCATION(function) = BUILTINS_LOCATION; /* it costs what the header's costs */
+    TREE_TYPE(decl) = integer_type_node;                /* also if the program says long */
+    SET_DECL_VALUE_EXPR(decl, build1(INDIRECT_REF, integer_type_node, build_call_expr(function, 0)));
+    DECL_HAS_VALUE_EXPR_P(decl) = 1;
+}
+
 void begin_definition(void *decl, void *)
 {
     defined = static_cast<tree>(decl);
 }
 
-void start_unit(void *, void *)
+void start_unit(void *, void *plugin)
 {
     if (!lookup_name || !comptypes)
         return;
     gcc_insert_attributes = targetm.insert_attributes;
     targetm.insert_attributes = insert_attributes;
+    register_callback(static_cast<const char *>(plugin), PLUGIN_FINISH_DECL, errno_is_the_library_s, NULL);
 }
 } // namespace
 
 void redeclare_register(const char *plugin)
 {
-    register_callback(plugin, PLUGIN_START_UNIT, start_unit, NULL);
+    register_callback(plugin, PLUGIN_START_UNIT, start_unit, const_cast<char *>(plugin));
     register_callback(plugin, PLUGIN_START_PARSE_FUNCTION, begin_definition, NULL);
 }

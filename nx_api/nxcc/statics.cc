@@ -164,10 +164,10 @@ void scan_text(char *begin, char *end)
     for (size_t i = 0; i < t.size(); i++) {
         depth += t[i].mark == '{' ? 1 : t[i].mark == '}' ? -1 : 0;
         size_t name = is(t[i], "static") ? function_name(t, i) : 0;
-        if (name && depth > 0)
-            in_blocks.push_back(i);
-        else if (name && is_definition(t, name))
+        if (name && is_definition(t, name)) /* at any depth: both branches of an #if may open one block */
             names.insert(text_of(t[name]));
+        else if (name && depth > 0)
+            in_blocks.push_back(i);
     }
     for (size_t i : in_blocks)
         if (declares_only_them(t, function_name(t, i)))

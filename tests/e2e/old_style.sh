@@ -35,3 +35,34 @@ check "declared again: another kind of result is an error" declares_wrongly 'ext
 check "declared again: a pointer to something else is an error" declares_wrongly 'extern void gdsum(float *, long, float *);'
 calls_wrongly() { ! declares 'int mynode(); int f(void) { return mynode(1); }' && grep -q 'too many arguments to function .mynode' err; }
 check "declared again: calls are checked against the header" calls_wrongly
+
+# A stack from malloc, reached by alloca of the distance, as a portable thread package of the time does.
+cat >stack.c <<'END'
+#include <alloca.h>
+#include <nx.h>
+#include <setjmp.h>
+#include <stdio.h>
+#include <stdlib.h>
+static jmp_buf back;
+static void thread(void)
+{
+    long n = 5, work;
+    gisum(&n, 1, &work);
+    printf("on the other stack: %ld\n", n);
+    longjmp(back, 1);
+}
+int main(void)
+{
+    char *stack = (char *)malloc(65536) + 65536 - 256, *here = alloca(16);
+    if (!setjmp(back)) {
+        volatile char *p = alloca(here - stack + 256);
+        p[0] = 0;
+        thread();
+    }
+    return 0;
+}
+END
+own_stack() { "$BUILD/nxcc" -O0 -fno-stack-clash-protection -o stack stack.c; }
+check "a stack switched by alloca compiles" own_stack
+run -q -n 2 stack
+check "a stack switched by alloca, with -fno-stack-clash-protection" [ "$(sort -u out)" = "on the other stack: 10" ]

@@ -47,6 +47,28 @@ cp err first
 run -m paragon -n 3 --workers 2 stubs
 check "with workers: the same order" diff <(grep failed first) <(grep failed err)
 
+# --- what a function returns, as the user says
+cat >values.c <<'END'
+#include <stdio.h>
+int gadget(), widget();
+double half();
+int main(void) { printf("%d %d %g\n", gadget(), widget(), half()); return 0; }
+END
+values() { "$BUILD/nxcc" -w --stubs=gadget=7,half=0 --stubs=widget=-0x2 -o values values.c 2>err; }
+check "--stubs=NAME=VALUE: linked" values
+check "--stubs=NAME=VALUE: said" said "they are called: gadget \(returns 7 instead\), half \(returns 0 instead\), widget"
+run -n 1 values
+check "--stubs=NAME=VALUE: it is what the calls return, also as floating point" [ "$(cat out)" = "7 -2 0" ]
+no_value() { ! "$BUILD/nxcc" --stubs=gadget values.c 2>err && said "--stubs=NAME=0"; }
+check "--stubs=NAME: says how it is used" no_value
+
+# --- variables
+echo 'extern int depth; extern int unused; int main(void) { return depth; }' >variable.c
+variable() { rm -f variable && ! "$BUILD/nxcc" "$@" --stubs -o variable variable.c 2>err && [ ! -e variable ]; }
+check "a name that is used as a variable: no program" variable
+check "the message names the variable and its line" eval "said 'variable.c:1: undefined reference to .depth' && said 'nodes do not have depth, which the program uses as a variable'"
+check "MPI: the same" eval "variable --mpi && said 'depth, which the program uses as a variable'"
+
 on_cluster() { "$BUILD/nxcc" --mpi --stubs -O2 -o clustered "$tests/gadget.c" 2>err; }
 check "--mpi --stubs: linked" on_cluster
 on_mpi 2 ./clustered

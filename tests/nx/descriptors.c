@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include "rule.h"
 
-static char name[60], other[60];
+static char name[60], other[60], cfs_name[60], cfs_other[60];
 
 static int fails(long answer, int error)
 {
@@ -93,6 +93,63 @@ static int no_terminal(void)
     return isatty(fd) == 0 && errno == ENOTTY && ttyname_r(fd, text, sizeof text) == ENOTTY && close(fd) == 0;
 }
 
+/* Duplicates are one open file, with one place in it; the file stays open as long as one of them does. */
+static int duplicates(const char *name, const char *other)
+{
+    char text[8] = "";
+    int fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600), second = dup(fd), far = dup2(fd, 40);
+    int holds = second > fd && far == 40 && write(fd, "abc", 3) == 3 && write(second, "def", 3) == 3;
+    holds = holds && close(fd) == 0 && fails(write(fd, "x", 1), EBADF) && lseek(far, 0, SEEK_CUR) == 6;
+    holds = holds && lseek(second, 2, SEEK_SET) == 2 && read(far, text, 8) == 4 && !strcmp(text, "cdef");
+    holds = holds && dup2(far, far) == far && fcntl(far, F_DUPFD, 30) == 30 && close(30) == 0;
+    holds = holds && fails(dup(fd), EBADF) && fails(dup2(fd, far), EBADF) && fails(dup2(far, -1), EBADF);
+    /* dup2 closes what was there */
+    int other_file = creat(other, 0600);
+    holds = holds && dup2(other_file, far) == far && write(far, "12", 2) == 2 && length_of(second) == 6;
+    return holds && length_of(other_file) == 2 && close(far) == 0 && close(second) == 0 &&
+           close(other_file) == 0 && unlink(other) == 0;
+}
+
+/* NX's calls take a duplicate as they take the file. */
+static int of_the_cfs(void)
+{
+    int fd = creat(cfs_name, 0600), second = dup(fd), third = dup2(fd, 50);
+    return close(fd) == 0 && lsize(second, 100, SIZE_SET) >= 100 && lsize(third, 0, SIZE_END) >= 100 &&
+           cwrite(third, "x", 1) == 1 && close(second) == 0 && close(third) == 0 && unlink(cfs_name) == 0;
+}
+
+/* A stream of a descriptor, and the descriptor of a stream. */
+static int streams(void)
+{
+    char text[20] = "";
+    FILE *f = fopen(name, "w+"), *of;
+    int fd = f ? fileno(f) : -1;
+    int holds = fd > 2 && fprintf(f, "one ") == 4 && fflush(f) == 0 && write(fd, "two ", 4) == 4;
+    holds = holds && (of = fdopen(dup(fd), "a")) && fileno(of) != fd && fprintf(of, "three") == 5;
+    holds = holds && fclose(of) == 0 && lseek(fd, 0, SEEK_SET) == 0 && read(fd, text, 19) == 13;
+    holds = holds && !strcmp(text, "one two three") && fclose(f) == 0 && fails(close(fd), EBADF);
+    errno = 0;
+    return holds && !fdopen(fd, "r") && errno == EBADF;
+}
+
+/* The standard streams follow their descriptors, to files and back. */
+static int redirected(void)
+{
+    char word[20] = "", line[20] = "";
+    int in = dup(0), out = dup(1), terminal = isatty(1), fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    fflush(stdout);
+    int holds = dup2(fd, 1) == 1 && !isatty(1) && isatty(out) == terminal;
+    printf("by stdout\n");
+    fflush(stdout);
+    holds = holds && write(1, "by write\n", 9) == 9 && lseek(fd, 0, SEEK_CUR) == 19;
+    holds = holds && dup2(out, 1) == 1 && isatty(1) == terminal && close(out) == 0 && close(fd) == 0;
+    /* 0 is the least that is free */
+    holds = holds && close(0) == 0 && open(name, O_RDONLY) == 0 && scanf("by %s ", word) == 1;
+    holds =
+        holds && !strcmp(word, "stdout") && fgets(line, sizeof line, stdin) && !strcmp(line, "by write\n");
+    return holds && dup2(in, 0) == 0 && close(in) == 0 && !isatty(in) && unlink(name) == 0;
+}
+
 static int temporary_names(void)
 {
     char a[60], b[60], c[60], wrong[60] = "descriptors.XXXXX";
@@ -141,6 +198,8 @@ int main(void)
 {
     snprintf(name, sizeof name, "descriptors.tmp%ld", mynode());
     snprintf(other, sizeof other, "descriptors.other%ld", mynode());
+    snprintf(cfs_name, sizeof cfs_name, "/cfs/%s", name);
+    snprintf(cfs_other, sizeof cfs_other, "/cfs/%s", other);
     rule("a closed file's number is given again, the least first", numbers());
     rule("a closed file is none", closed());
     rule("files for reading, files for writing", one_way());
@@ -148,6 +207,10 @@ int main(void)
     rule("lengths and places", lengths());
     rule("O_APPEND", at_the_end());
     rule("a file is no terminal", no_terminal());
+    rule("duplicates", duplicates(name, other));
+    rule("duplicates of files of the CFS", duplicates(cfs_name, cfs_other) && of_the_cfs());
+    rule("streams of descriptors", streams());
+    rule("standard streams follow their descriptors", redirected());
     rule("temporary files", temporary_names());
     rule("a name of no file", a_name_of_no_file());
     rule("files lose their names", names());

@@ -19,7 +19,9 @@ static long below(long n)
     return (long)(state >> 8) % n;
 }
 
-/* The senders take turns, so that the order in which their messages come is known. */
+/* The senders take turns, so that the order in which their messages come is known: the next begins when node 0 has
+ * got the last one's last message, which comes behind all others of that sender. (A gsync alone says nothing of
+ * when messages come.) */
 static void send_all(long count)
 {
     for (long i = 0; i < count; i++) {
@@ -27,6 +29,10 @@ static void send_all(long count)
         sent[i] = (struct sent){type, node, i, 0};
         if (mynode() == node)
             csend(type, &i, sizeof i, 0, 0);
+        if (i % EACH == EACH - 1 && mynode() == node)
+            csend(TYPES, NULL, 0, 0, 0);
+        if (i % EACH == EACH - 1 && mynode() == 0)
+            crecv(TYPES, NULL, 0);
         if (i % EACH == EACH - 1)
             gsync();
     }

@@ -28,9 +28,16 @@ main()
     implicit(3);
     if (mynode() == 0)
         printf("%s %s %d", text(), text2(2), (*pointer)());
-    if (mynode() == 0)
+/* clang-format off */
+#if 0
+    if (numnodes() > 5) {
+#else
+    if (mynode() == 0) { /* the text has one brace more that opens */
+#endif
         printf(" %d %d %d\n", *other(), plain() * twice, elsewhere());
-    return 0;
+    }
+/* clang-format on */
+return 0;
 }
 
 static int calls;

@@ -1,11 +1,12 @@
 /* What a node says of itself: its name, its machine, its one user, its clocks and alarms.
  * simulator only: the cluster's computers have names of their own
- * compile: -D_GNU_SOURCE
+ * compile: -D_GNU_SOURCE -Wno-deprecated-declarations
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
  * run: -m paragon -n 2
  */
 #include <errno.h>
+#include <malloc.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,6 +45,33 @@ static int signals(void)
     return sigprocmask(SIG_BLOCK, &mask, &held) == 0 && !sigismember(&held, SIGINT) &&
            sigaction(SIGINT, NULL, &now) == 0 && now.sa_handler == SIG_DFL && sigblock(1) == 0 &&
            sigsetmask(0) == 0 && signal(SIGTERM, SIG_IGN) == SIG_DFL;
+}
+
+/* System V's calls are accepted, too; what waits for a signal ends with the alarm, or at once. */
+static int system_v(void)
+{
+    double begin = dclock();
+    alarm(2);
+    int good = sigset(SIGINT, SIG_IGN) == SIG_DFL && !sigignore(SIGHUP) && !sighold(SIGTERM) &&
+               !sigrelse(SIGTERM) && !siginterrupt(SIGINT, 1);
+    good = good && pause() == -1 && errno == EINTR && dclock() - begin >= 2 && dclock() - begin < 2.1;
+    return good && sigpause(SIGINT) == -1 && dclock() - begin < 2.1;
+}
+
+/* What the heap says of itself. */
+static int heap_info(void)
+{
+    struct mallinfo before = mallinfo();
+    char *volatile block = malloc(10000), *volatile last = malloc(10); /* they are not left out */
+    struct mallinfo with = mallinfo();
+    free(block);
+    struct mallinfo after = mallinfo();
+    int good = with.uordblks >= before.uordblks + 10010 && with.uordblks < before.uordblks + 10100 &&
+               after.arena >= with.arena && after.uordblks <= with.uordblks - 10000 &&
+               after.ordblks == before.ordblks + 1 && after.fordblks >= before.fordblks + 10000;
+    free(last);
+    struct mallinfo end = mallinfo();
+    return good && end.uordblks == before.uordblks && end.arena == before.arena;
 }
 
 /* Each node's own, and the same in each run. */
@@ -92,6 +120,8 @@ int main(void)
     rule("getlogin", login());
     rule("getrusage", times_used());
     rule("signals", signals());
+    rule("System V's signals", system_v());
+    rule("mallinfo", heap_info());
     rule("getentropy", entropy());
     return 0;
 }

@@ -47,12 +47,23 @@ say(va_alist) va_dcl
     va_end(ap);
 }
 
+tell(va_alist) va_dcl
+{
+    va_list ap;
+    char *format;
+    va_start(ap);
+    format = va_arg(ap, char *);
+    _doprnt(format, ap, stdout);
+    va_end(ap);
+}
+
 main()
 {
     float f = 2.5;
     say("%d %s %g %c %ld", 1, "two", 3.5, 'c', 5L);
     if (mynode() == 0) {
         printf("%s\n", line);
+        tell("%d %s %g\n", 6, "seven", 8.5);
         printf("%d\n", total("iiiiiiii", 1, 2, 3, 4, 5, 6, 7, 8));
         printf("%d\n", total("dddddddddd", 1., 2., 3., 4., 5., 6., 7., 8., 9., f));
         printf("%d %d\n", total("dilsdlis", 1., 2, 3L, "four", 5., 6L, 7, "eight..."), total(""));

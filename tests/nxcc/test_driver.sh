@@ -96,8 +96,12 @@ check "without it: long has 64 bits" says "static assertion failed" "$NXCC" -c l
 
 
 # --- as icc and if77 ---
-intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && [ -x bin860/ar860 ] && [ -x bin860/size860 ]; }
+intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && [ -x bin860/as860 ] && [ -x bin860/size860 ]; }
 check "--as-intel makes links by the names of Intel's tools" intel
+archive() { "$NXCC" -c other.c && rm -f libother.a && bin860/ar860 crl libother.a other.o && "$NXCC" hello.c libother.a; }
+check "ar860: the l of that time, for temporary files, is left out" archive
+check "ar860: other letters and options are ar's" eval "bin860/ar860 t libother.a | grep -qx other.o && bin860/ar860 --help >said"
+check "as860 says what to do" says "as860: the i860's assembler is the one thing to be written anew" bin860/as860 -o x.o x.s
 one_note() {
     bin860/icc -O4 -i860 -Knoieee -Mvect -Mstreamall -node -o hello hello.c other.c -lnode -lm 2>said &&
         [ "$(cat said)" = "icc: note: ignored, as options of the i860's own compilers: -i860 -Knoieee -Mvect -Mstreamall" ]
@@ -169,6 +173,23 @@ check "a missing class is an error" bad "" "'integer' is missing"
 check "a negative cost is an error" bad "integer = -1;" "must be from 0"
 check "a cost that is no number is an error" bad 'integer = "one";' "must be a number"
 check "a syntax error is an error" bad "integer = ;" "bad.cfg:"
+
+price() { # ENTRY TEXT FILE - a price that does not fit the function is an error, with its line
+    { sed '/^@include/d' "$TEST/../../node/cpu/i860xr.cfg" && printf 'calls = (\n%s\n);\n' "$1"; } >bad.cfg
+    says "bad.cfg:$(($(wc -l <bad.cfg) - 1)): calls: $2" "$NXCC" --costs bad.cfg -c "$3"
+}
+echo 'double square(double x) { return x * x; }' >none.c
+printf '#include <zlib.h>\nint get(gzFile f, void *p) { return gzread(f, p, 8); }\n' >get.c
+printf ' subroutine s(x, n)\n real x(n)\n x = spread(x(1), 1, n)\n end\n' >spread.f90
+check "a price of an argument that the function lacks is an error" price '{ name = "memcpy"; base = 1; per = 1; of = 4; }' \
+    "'memcpy': the function has no argument 4" none.c
+check "so is one behind those that are always there" price '{ name = "snprintf"; base = 1; per = 1; of = 4; }' "'snprintf': the function has no argument 4" none.c
+check "a pointer is no count" price '{ name = "memcpy"; base = 1; per = 1; of = ( 2, 3 ); }' "'memcpy': the function's argument 2 is no integer" none.c
+check "nor is one of a library's header" price '{ name = "gzread"; base = 1; per = 1; of = 2; }' "'gzread': the function's argument 2 is no integer" get.c
+check "a number is no array" price '{ name = "_gfortran_spread_scalar"; base = 1; per = 1; elements = 2; }' \
+    "'_gfortran_spread_scalar': the function's argument 2 is no array" spread.f90
+echo 'int bcopy(char *); int main(void) { return bcopy(""); }' >own.c
+check "a function of the program's with a library's name may be another" "$NXCC" -w -c own.c
 echo 'factors = ( { file = "p.c"; factr = 2.0; } );' >bad.cfg
 check "an unknown key of a factor is an error" says "bad.cfg:1: unknown key 'factr'" "$NXCC" --factors bad.cfg -c p.c
 check "a cost file that is not there is an error" says "--costs nowhere.cfg" "$NXCC" --costs nowhere.cfg -c p.c
