@@ -5,8 +5,6 @@
  * nx_api/libgfortran/elements.c. */
 static tree append_elements(gimple_seq *seq, tree array)
 {
-    if (!POINTER_TYPE_P(TREE_TYPE(array)))
-        return NULL_TREE;
     tree count =
         build_fn_decl("nx_elements", build_function_type_list(units_type(), ptr_type_node, NULL_TREE));
     gcall *call = gimple_build_call(count, 1, array);
@@ -16,19 +14,24 @@ static tree append_elements(gimple_seq *seq, tree array)
     return value;
 }
 
-tree arg_cost_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements)
+/* Appends value, or 0 if value is too large for a count. Unsigned: also if it is negative. */
+static tree append_count(gimple_seq *seq, tree value)
 {
-    tree amount = units_constant(per);
-    for (int argument : of) {
+    tree most = build_int_cst(TREE_TYPE(value), HOST_WIDE_INT_1 << 32); /* its square is 0 again */
+    tree fits = gimple_build(seq, LE_EXPR, boolean_type_node, value, most);
+    return gimple_build(seq, COND_EXPR, TREE_TYPE(value), fits, value, build_zero_cst(TREE_TYPE(value)));
+}
+
+tree arg_cost_append(gimple_seq *seq, gcall *call, int64_t per, const call_cost &price)
+{
+    tree type = unsigned_type_for(units_type()), count = NULL_TREE;
+    for (int argument : price.of) {
         tree value = argument ? gimple_call_arg(call, argument - 1) : gimple_call_lhs(call);
-        if (elements && !(value = append_elements(seq, value)))
-            return NULL_TREE;
-        if (!INTEGRAL_TYPE_P(TREE_TYPE(value)))
-            return NULL_TREE;
-        value = gimple_convert(seq, units_type(), value);
-        if (!argument) /* a negative result is an error code */
-            value = gimple_build(seq, MAX_EXPR, units_type(), value, units_constant(0));
-        amount = gimple_build(seq, MULT_EXPR, units_type(), amount, value);
+        if (price.kind != PRICED_INTEGERS)
+            value = append_elements(seq, value);
+        value = append_count(seq, gimple_convert(seq, type, value));
+        count = count ? append_count(seq, gimple_build(seq, MULT_EXPR, type, count, value)) : value;
     }
-    return amount;
+    return gimple_build(seq, MULT_EXPR, units_type(), gimple_convert(seq, units_type(), count),
+                        units_constant(per));
 }

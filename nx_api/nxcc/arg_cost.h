@@ -3,9 +3,9 @@
 #ifndef NXCC_ARG_COST_H
 #define NXCC_ARG_COST_H
 #include "gcc.h"
-#include <vector>
+#include "table.h"
 
-/* Appends per * the product of the values that `of` lists (costs.h: costs_of_call). NULL if one of them is no
- * integer, or no array where elements are counted. */
-tree arg_cost_append(gimple_seq *seq, gcall *call, int64_t per, const std::vector<int> &of, bool elements);
+/* Appends per * what the price counts (costs.h: costs_of_call). A count of more than 4 G, or a negative one,
+ * is taken for none: an allocation that fails, an error code. */
+tree arg_cost_append(gimple_seq *seq, gcall *call, int64_t per, const call_cost &price);
 #endif

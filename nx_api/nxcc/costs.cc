@@ -1,6 +1,7 @@
 /* costs.cc - see costs.h. The files of machines/cpu explain the cost classes. */
 #include "gcc.h"
 #include "costs.h"
+#include <fnmatch.h>
 #include <math.h>
 #include <string.h>
 #include <map>
@@ -206,22 +207,61 @@ const char *library_name(gcall *call)
     return strncmp(name, "__builtin_", 10) ? name : name + 10;
 }
 
-/* The entry of the cost table for a call: of its name, else of the longest "name*" that the name begins with.
+/* The entry of the cost table for a function: of its name, else of the longest pattern that fits the name.
  * NULL: none. */
-const call_cost *listed(gcall *call)
+const call_cost *find_listed(const char *name)
 {
-    const char *name = library_name(call);
-    if (!name)
-        return NULL;
     auto exact = table.calls.find(name);
     if (exact != table.calls.end())
         return &exact->second;
-    for (size_t n = strlen(name); n > 0; n--) {
-        auto prefix = table.calls.find(std::string(name, n) + "*");
-        if (prefix != table.calls.end())
-            return &prefix->second;
+    const std::pair<const std::string, call_cost> *longest = NULL;
+    for (const auto &entry : table.calls)
+        if ((!longest || entry.first.size() > longest->first.size()) &&
+            !fnmatch(entry.first.c_str(), name, 0))
+            longest = &entry;
+    return longest ? &longest->second : NULL;
+}
+
+/* The entry of the cost table for a call, or NULL. */
+const call_cost *listed(gcall *call)
+{
+    static std::map<std::string, const call_cost *> found; /* what find_listed has answered */
+    const char *name = library_name(call);
+    if (!name)
+        return NULL;
+    auto before = found.find(name);
+    return before != found.end() ? before->second : found[name] = find_listed(name);
+}
+
+/* Can a price count the elements of an array behind a pointer to `to`? A descriptor is a record, and GCC may
+ * have lost its type. */
+bool may_be_descriptor(tree to)
+{
+    to = TREE_CODE(to) == ARRAY_TYPE ? TREE_TYPE(to) : to;
+    return !INTEGRAL_TYPE_P(to) && !SCALAR_FLOAT_TYPE_P(to) && TREE_CODE(to) != COMPLEX_TYPE;
+}
+
+/* What is wrong with a price whose function has these types; "": nothing. types: the result's, then the
+ * arguments'. */
+std::string misfit(const call_cost &price, const std::vector<tree> &types)
+{
+    for (int i : price.of) {
+        std::string argument = i ? "argument " + std::to_string(i) : "result";
+        if (i >= (int)types.size())
+            return "the function has no " + argument;
+        tree type = types[i];
+        if (price.kind == PRICED_INTEGERS ? !INTEGRAL_TYPE_P(type) || TREE_CODE(type) == BOOLEAN_TYPE
+                                          : !POINTER_TYPE_P(type) || !may_be_descriptor(TREE_TYPE(type)))
+            return "the function's " + argument + " is no " +
+                   (price.kind == PRICED_INTEGERS ? "integer" : "array");
     }
-    return NULL;
+    return "";
+}
+
+void refuse(const call_cost &price, const char *name, const std::string &why)
+{
+    fprintf(stderr, "nxcc: %s: calls: '%s': %s\n", price.where.c_str(), name, why.c_str());
+    exit(FATAL_EXIT_CODE);
 }
 
 /* The cost of a call that GCC expands in place to a few instructions; -1 for all others. */
@@ -316,6 +356,13 @@ bool is_declared_by_library(tree decl)
 {
     location_t where = DECL_SOURCE_LOCATION(decl);
     return where <= BUILTINS_LOCATION || in_system_header_at(where);
+}
+
+/* Does the call reach the library's function as the library declares it? GNU Fortran's library has no
+ * header. */
+bool is_library_function(gcall *call)
+{
+    return !strncmp(library_name(call), "_gfortran_", 10) || is_declared_by_library(gimple_call_fndecl(call));
 }
 
 /* Is it a call such as of __builtin_ctz, which GCC expands to an operation? */
@@ -420,17 +467,36 @@ int64_t costs_of_going_back(gimple *stmt)
     return with_factor(stmt, table.clocks.branch);
 }
 
-int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements)
+int64_t costs_of_call(gcall *call, const call_cost **price)
 {
     const call_cost *known = listed(call);
     if (!known || !known->per)
         return 0;
-    *elements = known->elements;
-    for (int argument : known->of)
-        if (argument > (int)gimple_call_num_args(call))
-            return 0; /* the program declares it otherwise */
-    *of = &known->of;
-    return with_factor(call, known->per);
+    std::vector<tree> types = {gimple_call_return_type(call)};
+    for (unsigned i = 0; i < gimple_call_num_args(call); i++)
+        types.push_back(TREE_TYPE(gimple_call_arg(call, i)));
+    std::string why = misfit(*known, types);
+    if (!why.empty() && is_library_function(call))
+        refuse(*known, library_name(call), why);
+    *price = known;
+    return why.empty() ? with_factor(call, known->per) : 0; /* the program declares the function otherwise */
+}
+
+void costs_check_built_in()
+{
+    for (int code = BUILT_IN_NONE + 1; code < END_BUILTINS; code++) {
+        tree decl = builtin_decl_explicit((built_in_function)code);
+        const char *name = decl ? IDENTIFIER_POINTER(DECL_NAME(decl)) : "";
+        auto known = table.calls.find(strncmp(name, "__builtin_", 10) ? name : name + 10);
+        if (known == table.calls.end())
+            continue;
+        std::vector<tree> types = {TREE_TYPE(TREE_TYPE(decl))};
+        for (tree arg = TYPE_ARG_TYPES(TREE_TYPE(decl)); arg && arg != void_list_node; arg = TREE_CHAIN(arg))
+            types.push_back(TREE_VALUE(arg));
+        std::string why = misfit(known->second, types);
+        if (!why.empty())
+            refuse(known->second, known->first.c_str(), why);
+    }
 }
 
 bool costs_call_is_uncounted(gcall *call)

@@ -27,10 +27,12 @@ const char *costs_priced_call(gimple *stmt);
 /* Is an operand in memory? */
 bool costs_is_memory(tree operand);
 
-/* The argument-dependent cost of a call: units for each unit of the product of the arguments that *of lists
- * (call_cost in table.h); 0 if there is none. *elements: *of is the number of a Fortran array, whose elements
- * count. */
-int64_t costs_of_call(gcall *call, const std::vector<int> **of, bool *elements);
+/* The argument-dependent cost of a call: units for each unit of what *price counts (table.h); 0 if there is
+ * none. Ends the compilation if the library's function has no such argument. */
+int64_t costs_of_call(gcall *call, const call_cost **price);
+
+/* Ends the compilation if a price reads an argument that one of GCC's built-in functions does not have. */
+void costs_check_built_in();
 
 /* Is it a call that neither reads nor changes the counter, and does not come back to counted code? GCC
  * expands such a call in place, or it is of a pure function of the C library. */

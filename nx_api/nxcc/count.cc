@@ -305,39 +305,33 @@ void counting::charge_misses(gimple *stmt)
 
 void counting::charge_arguments(gcall *call)
 {
-    const std::vector<int> *of = nullptr;
-    bool elements;
-    int64_t per = costs_of_call(call, &of, &elements);
-    if (!per || of->at(0) == 0)
+    const call_cost *price;
+    int64_t per = costs_of_call(call, &price);
+    if (!per || price->is_behind())
         return;
     gimple_seq seq = NULL;
-    if (tree amount = arg_cost_append(&seq, call, per, *of, elements))
-        charge_call(&seq, call, amount);
+    charge_call(&seq, call, arg_cost_append(&seq, call, per, *price));
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
-/* Charges a call's cost that depends on its result. Returns the last statement put behind `behind`, or
- * `behind`. */
+/* Charges a call's cost that depends on its result, or on an array that it has made. Returns the last
+ * statement put behind `behind`, or `behind`. */
 gimple *counting::charge_result(gcall *call, gimple *behind)
 {
-    const std::vector<int> *of = nullptr;
-    bool elements;
-    int64_t per = costs_of_call(call, &of, &elements);
-    if (!per || of->at(0) != 0)
+    const call_cost *price;
+    int64_t per = costs_of_call(call, &price);
+    if (!per || !price->is_behind())
         return behind;
-    tree type = gimple_call_return_type(call);
-    if (!INTEGRAL_TYPE_P(type))
-        return behind;
-    if (!gimple_call_lhs(call)) {
-        gimple_call_set_lhs(call, make_ssa_name(type, call));
+    if (price->kind == PRICED_INTEGERS && !gimple_call_lhs(call)) {
+        gimple_call_set_lhs(call, make_ssa_name(gimple_call_return_type(call), call));
         update_stmt(call);
     }
-    if (!is_gimple_reg(gimple_call_lhs(call)))
+    if (gimple_call_lhs(call) && !is_gimple_reg(gimple_call_lhs(call)))
         return behind;
     gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
-    charge_call(&seq, call, arg_cost_append(&seq, call, per, *of, elements));
+    charge_call(&seq, call, arg_cost_append(&seq, call, per, *price));
     gimple *last = gimple_seq_last_stmt(seq);
     gimple_stmt_iterator gsi = gsi_for_stmt(behind);
     gsi_insert_seq_after(&gsi, seq, GSI_SAME_STMT);

@@ -20,10 +20,9 @@ bool has_known_callers(function *fun)
 bool is_plain(gimple *stmt)
 {
     gcall *call = dyn_cast<gcall *>(stmt);
-    const std::vector<int> *of;
-    bool elements;
+    const call_cost *price;
     if (gimple_code(stmt) == GIMPLE_ASM ||
-        (call && (!costs_call_is_uncounted(call) || costs_of_call(call, &of, &elements))))
+        (call && (!costs_call_is_uncounted(call) || costs_of_call(call, &price))))
         return false;
     /* the profile attributes a leaf's cost to one function */
     return !profile_on || (!costs_priced_call(stmt) &&

@@ -40,10 +40,9 @@ bool precharging::is_plain(basic_block bb, unsigned *statements) const
     for (gimple_stmt_iterator gsi = gsi_start_nondebug_bb(bb); !gsi_end_p(gsi); gsi_next_nondebug(&gsi)) {
         gimple *stmt = gsi_stmt(gsi);
         gcall *call = dyn_cast<gcall *>(stmt);
-        const std::vector<int> *of;
-        bool elements;
+        const call_cost *price;
         if (needs_counter(stmt) || gimple_code(stmt) == GIMPLE_ASM ||
-            (call && costs_of_call(call, &of, &elements)))
+            (call && costs_of_call(call, &price)))
             return false;
         ++*statements;
     }

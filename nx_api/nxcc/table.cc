@@ -34,12 +34,17 @@ struct reader {
     const char *path;
     std::string error;
 
-    bool fail(const config_setting_t *at, const std::string &what)
+    std::string place_of(const config_setting_t *at) const
     {
         const char *file = at ? config_setting_source_file(at) : NULL;
         int line = at ? (int)config_setting_source_line(at) : 1;
+        return path_of(path, file) + ":" + std::to_string(line);
+    }
+
+    bool fail(const config_setting_t *at, const std::string &what)
+    {
         if (error.empty())
-            error = path_of(path, file) + ":" + std::to_string(line) + ": " + what;
+            error = place_of(at) + ": " + what;
         return false;
     }
 };
@@ -128,30 +133,44 @@ bool read_of(reader &r, const config_setting_t *s, std::vector<int> &of)
     return true;
 }
 
+/* Reads what the price is for each unit of: one of the keys of, elements and made. */
+bool read_per(reader &r, const config_setting_t *entry, call_cost &cost)
+{
+    static const char *const keys[] = {"of", "elements", "made"}; /* as priced_kind */
+    const config_setting_t *per = config_setting_get_member(entry, "per"), *of = NULL;
+    int given = 0;
+    for (int kind = PRICED_INTEGERS; kind <= PRICED_MADE; kind++)
+        if (const config_setting_t *s = config_setting_get_member(entry, keys[kind])) {
+            of = s;
+            cost.kind = (priced_kind)kind;
+            given++;
+        }
+    if (given != (per ? 1 : 0))
+        return r.fail(entry, "calls: 'per' goes together with one of 'of', 'elements' and 'made'");
+    if (!per)
+        return true;
+    if (!units(r, per, cost.per) || !read_of(r, of, cost.of))
+        return false;
+    if (cost.kind != PRICED_INTEGERS && (cost.of.size() != 1 || cost.of[0] == 0))
+        return r.fail(of, std::string(keys[cost.kind]) + ": must be the number of an argument");
+    return true;
+}
+
 bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
 {
     if (!config_setting_is_group(entry))
         return r.fail(entry, "calls: each entry must be { name = \"...\"; base = ...; }");
-    if (!only_keys(r, entry, {"name", "base", "per", "of", "elements"}))
+    if (!only_keys(r, entry, {"name", "base", "per", "of", "elements", "made"}))
         return false;
     const config_setting_t *name = config_setting_get_member(entry, "name");
     const config_setting_t *base = config_setting_get_member(entry, "base");
-    const config_setting_t *per = config_setting_get_member(entry, "per");
-    const config_setting_t *of = config_setting_get_member(entry, "of");
     if (!name || !base)
         return r.fail(entry, "calls: 'name' and 'base' are needed");
-    const config_setting_t *elements = config_setting_get_member(entry, "elements");
-    if (!per != !(of || elements) || (of && elements))
-        return r.fail(entry, "calls: 'per' and 'of', or 'per' and 'elements', go together");
     std::string key;
     call_cost cost;
-    if (!text(r, name, key) || !units(r, base, cost.base))
+    cost.where = r.place_of(entry);
+    if (!text(r, name, key) || !units(r, base, cost.base) || !read_per(r, entry, cost))
         return false;
-    if (per && (!units(r, per, cost.per) || !read_of(r, of ? of : elements, cost.of)))
-        return false;
-    cost.elements = elements;
-    if (elements && (cost.of.size() != 1 || cost.of[0] == 0))
-        return r.fail(elements, "elements: must be the number of an argument");
     if (!table.calls.insert({key, cost}).second)
         return r.fail(entry, "calls: '" + key + "' is there twice");
     return true;

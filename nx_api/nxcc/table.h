@@ -27,14 +27,21 @@ struct class_costs {
 #undef CLASS
 };
 
-/* A call of a library function costs base, plus per for each unit of the product of the arguments that `of`
- * lists: 1 is the first argument, 0 the result. If elements is set, `of` is the number of one argument, a
- * Fortran array that is handed over by descriptor, and per is for each of its elements. */
+/* What `of` of a price lists: integers, whose product is counted; or one Fortran array, handed over by
+ * descriptor, whose elements are counted: before the call, or, if the call makes the array, behind it. */
+enum priced_kind { PRICED_INTEGERS, PRICED_ARRAY, PRICED_MADE };
+
+/* A call of a library function costs base, plus per for each unit of what `of` lists by number: 1 is the
+ * first argument, 0 the result. */
 struct call_cost {
     int64_t base = 0;
-    int64_t per = 0;
+    int64_t per = 0; /* 0: the price does not depend on arguments */
     std::vector<int> of;
-    bool elements = false;
+    priced_kind kind = PRICED_INTEGERS;
+    std::string where; /* file:line of the price */
+
+    /* Is its amount known only behind the call? */
+    bool is_behind() const { return kind == PRICED_MADE || of.at(0) == 0; }
 };
 
 /* A cache of lines, or a translation buffer of pages. sets 0: there is none. */
@@ -53,8 +60,7 @@ struct cache_costs {
 struct cost_table {
     class_costs clocks;
     cache_costs cache;
-    std::map<std::string, call_cost>
-        calls; /* "name*": of all names that begin so and have no entry themselves */
+    std::map<std::string, call_cost> calls; /* by the name of a function, or a pattern of names */
 };
 
 /* The cost of all that is written in a file, or in one function of the file, is multiplied by factor. */

@@ -65,6 +65,45 @@ run -n 1 owner
 check "owner: a program may have routines by the names of calls" \
     prints ' flick           1\n load this           2\n gray        1005\n'
 
+# --- arguments of NX's calls
+cat >few.f <<'END'
+      program few
+      character*20 text
+      integer*8 address
+      logical a, b
+      external serve
+      a = b .eq. a
+      call csend(1, 'text', 4, 0)
+      call csend(1, text, 20, 0, 0)
+      call csend(1, %val(address), 8, 0, 0)
+      call gdsum(x, 1, %val(address))
+      call hrecv(1, text // text, 20, serve)
+      call crecv(1, x, 4, 0)
+      call gsync
+      n = numnodes() + iprobe()
+      end
+      subroutine serve(type, count, node, pid)
+      end
+END
+counts() { ! nxf77 "$@" few.f && diff - compile.err; }
+expected='nxf77: crecv takes 3 arguments, here are 4: few.f:12
+nxf77: csend takes 5 arguments, here are 4: few.f:7
+nxf77: iprobe takes 1 argument, here are 0: few.f:14'
+check "calls with too few or too many arguments are named with file, line, counts" counts -o few <<<"$expected"
+check "calls with too few or too many arguments: with --mpi" counts --mpi -o few <<<"$expected"
+few() { nxf77 -c few.f && ! nxf77 -o few few.o && diff - compile.err && [ ! -e few ]; }
+check "calls with too few or too many arguments: when objects are linked, and no program is left" few <<<"$expected"
+cat >same.f <<'END'
+      call csend(4)
+      call gray('a', 'b')
+      end
+END
+printf '      subroutine csend(n)\n      print *, n\n      end\n' >same_own.f
+echo 'void gray_(char *a, char *b) { printf("%.1s%.1s\n", a, b); }' >same_c.c
+check "a program's own routines have their own arguments, in other files and in C" nxf77 -w -o same same.f same_own.f same_c.c
+run -n 1 same
+check "a program's own routines are called" prints '           4\nab\n'
+
 # --- costs
 check "costs: compiles" "$BUILD/nxcc" -O2 -o costs "$f/costs.c" "$f/loops.f"
 run -n 1 costs
@@ -106,9 +145,28 @@ run -m ipsc860 -n 2 algebra
 right() { sort out >sorted && [ "$(grep -c ' T' sorted)" = 15 ] && ! grep ' F' sorted && [ "$(grep -c "the program's own dzasum" sorted)" = 2 ]; }
 check "-lkmath: right results, in the time of the same loops; handlers run meanwhile" right
 grep '^digest' err >expected
-timeout 100 "$BUILD/touchstone-reference" run -m ipsc860 -n 2 algebra 2>&1 | grep '^digest' >got
+limited "$BUILD/touchstone-reference" run -m ipsc860 -n 2 algebra 2>&1 | grep '^digest' >got
 check "-lkmath: the same times on the reference engine" cmp expected got
 check "-lkmath: C calls it, with -lblas and -llapack too" "$BUILD/nxcc" -w -O2 -o norm -x c - -llapack -lblas <<<'double dnrm2_();
 int main() { int n = 2, one = 1; double x[2] = {3, 4}; printf("%g\n", dnrm2_(&n, x, &one)); }'
 run -n 1 norm
 check "-lkmath: and has its result" prints '5\n'
+
+cat >one.f <<'END'
+      double precision a(2,2), b(2,2), c(2,2), x(2)
+      data a, b, c /1d0, 2d0, 3d0, 4d0, 1d0, 0d0, 0d0, 1d0, 4*0d0/, x /1d0, 1d0/
+      call ROUTINE
+      print '(2f5.1)', c(1,1), x(1)
+      end
+END
+one() { # CALL PRINTS: the only routine of its program
+    sed "s/ROUTINE/$1/" one.f >alone.f
+    check "-lkmath: ${1%%(*} alone is linked" nxf77 -Mextend -o alone alone.f -lkmath
+    run -n 1 alone
+    check "-lkmath: ${1%%(*} alone is right" prints "$2"
+}
+one "dgemm('N','N',2,2,2,1d0,a,2,b,2,0d0,c,2)" '  1.0  1.0\n'
+one "dgemv('N',2,2,1d0,a,2,b,1,0d0,x,1)" '  0.0  1.0\n'
+one "dger(2,2,1d0,x,1,x,1,c,2)" '  1.0  1.0\n'
+one "dtrsm('L','U','N','N',2,1,1d0,a,2,x,2)" '  0.0  0.2\n'
+one "dgemm('X','N',2,2,2,1d0,a,2,b,2,0d0,c,2)" ' ** On entry to DGEMM parameter number  1 had an illegal value\n'

@@ -216,8 +216,9 @@ SIDE_BY_SIDE = 4  # calls in a row, of those that have a number and nothing else
 
 def of_what(values):
     """What a call's cost is multiplied by."""
-    if "elements" in values:
-        return f"elements of argument {values['elements']}"
+    for key, which in ("elements", "elements of"), ("made", "elements made in"):
+        if key in values:
+            return f"{which} argument {values[key]}"
     of = values.get("of", "")
     return "the result" if of == "0" else f"argument {of}" if of.isdigit() else "arguments " + of.strip("( )").replace(", ", " x ") if of else ""
 
