@@ -63,6 +63,16 @@ void files_opened(int fd, const char *path)
     f->path = strdup(path);
 }
 
+void files_copied(int fd, int to)
+{
+    if (!files_find(to) || !files_find(fd))
+        return;
+    struct open_file *copy = files_find(to), *f = files_find(fd); /* the table does not move any more */
+    forget(copy);
+    *copy = *f;
+    copy->path = f->path ? strdup(f->path) : NULL;
+}
+
 static const char *name_of(const struct open_file *f)
 {
     return f->path ? f->path : "the file";
@@ -266,6 +276,8 @@ long nxs_iodone(word id)
 ssize_t node_read(int fd, void *buf, size_t len) NX_EXPORT("read");
 ssize_t node_write(int fd, const void *buf, size_t len) NX_EXPORT("write");
 int node_close(int fd) NX_EXPORT("close");
+int node_dup(int fd) NX_EXPORT("dup");
+int node_dup2(int fd, int to) NX_EXPORT("dup2");
 off_t node_lseek(int fd, off_t offset, int whence) NX_EXPORT("lseek");
 
 static bool is_shared(int fd)
@@ -299,6 +311,22 @@ int node_close(int fd)
     if (fd >= 0 && fd < table_size)
         forget(&table[fd]);
     return (int)syscall(SYS_close, fd);
+}
+
+int node_dup(int fd)
+{
+    int to = (int)syscall(SYS_dup, fd);
+    files_copied(fd, to);
+    return to;
+}
+
+int node_dup2(int fd, int to)
+{
+    io_settle(to);
+    int answer = (int)syscall(SYS_dup2, fd, to);
+    if (answer >= 0 && fd != to)
+        files_copied(fd, to);
+    return answer;
 }
 
 /* --- opening and modes --- */

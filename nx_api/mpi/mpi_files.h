@@ -20,6 +20,9 @@ struct open_file {
 /* An open file's entry, valid until the next call of either function; NULL: the file is not open. */
 struct open_file *files_find(int fd);
 void files_opened(int fd, const char *path);
+/* Descriptor `to` is now open on the file of fd. A mode holds for both; rounds of M_RECORD and M_GLOBAL are
+ * counted for each. */
+void files_copied(int fd, int to);
 /* For node_wait: is a job of io_jobs.h done? Time ends this wait, and no message. */
 bool files_are_moved(struct node *n, void *job);
 #endif

@@ -57,6 +57,10 @@ int node_fcntl(int fd, int what, ...)
     va_start(ap, what);
     void *argument = va_arg(ap, void *);
     va_end(ap);
-    return nx_is_of_stripes(what) ? nx_stripes_control(fd, what, argument)
-                                  : (int)syscall(SYS_fcntl, fd, what, argument);
+    if (nx_is_of_stripes(what))
+        return nx_stripes_control(fd, what, argument);
+    int answer = (int)syscall(SYS_fcntl, fd, what, argument);
+    if (what == F_DUPFD && answer >= 0)
+        files_copied(fd, answer);
+    return answer;
 }

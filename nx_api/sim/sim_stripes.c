@@ -70,9 +70,12 @@ int node_fcntl(int fd, int what, ...)
     va_list ap;
     va_start(ap, what);
     void *argument = nx_is_of_stripes(what) ? va_arg(ap, void *) : NULL;
+    int least = what == F_DUPFD ? va_arg(ap, int) : 0;
     va_end(ap);
     if (nx_is_of_stripes(what))
         return nx_stripes_control(fd, what, argument);
+    if (what == F_DUPFD)
+        return descriptor_copy_free(node_self(), fd, least);
     if (!descriptor_file(node_self(), fd))
         return -1;
     if (what == F_GETFD || what == F_SETFD)

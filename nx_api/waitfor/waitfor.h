@@ -119,6 +119,7 @@ struct waitfor_node {
     bool has_type;    /* the call was given a type, typesel or id, for reports */
     long type;
     uint64_t since_ps; /* in the call, or ended, since; of virtual time, or of time since the program began */
+    int exit_status;   /* ended: other than 0 if by exit with an error */
     const char *line;  /* "ring.c:17", NULL: not known */
     const char **stack; /* of lines "exchange() at ring.c:17", the innermost first */
     size_t stack_count;

@@ -40,6 +40,8 @@ bool waitfor_is_wrong_node(const struct waitfor_node *n, const struct waitfor_me
 bool waitfor_is_wrong_type(const struct waitfor_node *n, const struct waitfor_message *m);
 const struct waitfor_taken *waitfor_taken_away(const struct waitfor_node *n);
 const struct waitfor_receive *waitfor_held_by(const struct waitfor_node *n);
+/* "ended", and with which error. */
+void waitfor_print_ended(FILE *f, const struct waitfor_node *n);
 /* Is it awaited by the nodes in this operation? */
 bool waitfor_is_missed(const struct waitfor *w, uint32_t i, const void *operation);
 #endif

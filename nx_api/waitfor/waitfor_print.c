@@ -50,6 +50,13 @@ void waitfor_print_node(FILE *f, const struct waitfor *w, long node)
         fprintf(f, "node %ld", node);
 }
 
+void waitfor_print_ended(FILE *f, const struct waitfor_node *n)
+{
+    fputs("ended", f);
+    if (n->exit_status)
+        fprintf(f, " with exit(%d)", n->exit_status);
+}
+
 void waitfor_print_time(FILE *f, uint64_t ps)
 {
     static const struct {

@@ -196,7 +196,9 @@ static void print_missed(FILE *f, const struct waitfor *w, const struct waitfor_
 /* ", which waits, too" */
 static void print_end(FILE *f, const struct waitfor_node *whom)
 {
-    fputs(", which ended at ", f);
+    fputs(", which ", f);
+    waitfor_print_ended(f, whom);
+    fputs(" at ", f);
     waitfor_print_time(f, whom->since_ps);
 }
 
@@ -325,6 +327,21 @@ static bool is_of_operations(const struct waitfor *w)
     return w->cycle_count > 0;
 }
 
+/* Which program's exit with an error came first, if one did; else NULL. */
+static const char *remedy_for_exit(struct waitfor *w)
+{
+    const struct waitfor_node *first = NULL;
+    for (uint32_t i = 0; i < w->count; i++)
+        if (w->nodes[i].exit_status && (!first || w->nodes[i].since_ps < first->since_ps))
+            first = &w->nodes[i];
+    if (!first)
+        return NULL;
+    char text[120];
+    snprintf(text, sizeof text, "Look at %s first: its program ended with exit(%d).", first->name,
+             first->exit_status);
+    return waitfor_text(w, text);
+}
+
 static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
 {
     static const char *const TEXTS[WAITFOR_CAUSES] = {
@@ -349,8 +366,15 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
     return TEXTS[n->cause];
 }
 
+/* May the cause be that another program ended too early? */
+static bool may_be_of_exit(enum waitfor_cause c)
+{
+    return c == WAITFOR_NODE_HAS_ENDED || c == WAITFOR_KNOT || c == WAITFOR_ORPHAN;
+}
+
 void waitfor_find_reasons(struct waitfor *w)
 {
+    const char *exit = remedy_for_exit(w);
     for (uint32_t i = 0; i < w->count; i++) {
         struct waitfor_node *n = &w->nodes[i];
         if (n->state != WAITFOR_WAITS)
@@ -361,7 +385,7 @@ void waitfor_find_reasons(struct waitfor *w)
         print_why(f, w, n);
         fclose(f);
         n->why = waitfor_text(w, text);
-        n->remedy = remedy(w, n);
+        n->remedy = exit && may_be_of_exit(n->cause) ? exit : remedy(w, n);
         free(text);
     }
 }

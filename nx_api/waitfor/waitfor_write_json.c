@@ -158,6 +158,8 @@ static void put_node(FILE *f, const struct waitfor_node *n)
     if (n->has_type)
         put_number(f, "type", n->type);
     put_time(f, "since_ps", n->since_ps);
+    if (n->exit_status)
+        put_number(f, "exit_status", n->exit_status);
     put_string(f, "line", n->line);
     fputs(", \"stack\": [", f);
     for (size_t i = 0; i < n->stack_count; i++) {

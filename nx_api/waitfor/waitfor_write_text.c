@@ -49,6 +49,7 @@ static const char *name_of_call(const struct waitfor_node *n)
 static int compare_states(const struct waitfor_node *a, const struct waitfor_node *b)
 {
     int order = compare_numbers(a->state, b->state);
+    order = order ? order : compare_numbers(a->exit_status, b->exit_status);
     order = order ? order : compare_numbers(a->is_host, b->is_host);
     order = order ? order : compare_texts(name_of_call(a), name_of_call(b));
     if (!a->operation && !b->operation) {
@@ -125,7 +126,7 @@ static void print_state(FILE *f, const struct waitfor_node *n)
     if (n->state == WAITFOR_NO_PROGRAM)
         fputs("no program", f);
     else if (n->state == WAITFOR_ENDED)
-        fputs("ended", f);
+        waitfor_print_ended(f, n);
     else if (n->state == WAITFOR_COMPUTES)
         fputs("computing", f);
     else if (n->has_type && !n->operation)

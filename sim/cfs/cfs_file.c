@@ -56,7 +56,7 @@ struct node_file *cfs_open(void *ctx, struct node *n, const char *path, int flag
     if (!store)
         return NULL;
     struct cfs_file *f = xcalloc(1, sizeof *f);
-    *f = (struct cfs_file){.base = {&CLASS, n}, .cfs = c, .store = store, .flags = flags};
+    *f = (struct cfs_file){.base = {.class = &CLASS, .node = n}, .cfs = c, .store = store, .flags = flags};
     return &f->base;
 }
 

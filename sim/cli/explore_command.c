@@ -1,7 +1,10 @@
 /* explore_command.c - touchstone explore: a program under other timings. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include "cli/commands.h"
 #include "cli/host_files.h"
 #include "cli/installation.h"
@@ -24,6 +27,8 @@ struct arguments {
     double seconds;
     struct draw draw;
     bool ordered;
+    char *input; /* standard input, of so many bytes */
+    size_t input_bytes;
 };
 
 static const struct argp_option OPTIONS[] = {
@@ -63,10 +68,11 @@ static const char DOC[] =
     "and 1 s. A run that passes the limit of real time, by default 600 s, counts for nothing.\n\n"
     "A PROGRAM that is not here is looked for among those that come with touchstone, as by touchstone run. "
     "A run works in a folder of its own with links to the files of the current folder: name other files by "
-    "absolute paths.\n\n"
+    "absolute paths. Each run has a copy of standard input, which is read to its end first, unless it is a "
+    "terminal.\n\n"
     "Exit status:\n"
     "  0    all runs came to the same\n"
-    "  1    outcomes differ\n"
+    "  1    outcomes differ, or the run with the usual timing fails\n"
     "  64   wrong arguments\n"
     "  65   the program or the machine cannot be used\n"
     "  74   a result cannot be written\n"
@@ -112,6 +118,34 @@ static int failed(char *error, int status)
     return cli_failed("explore", error, status);
 }
 
+/* --- standard input ------------------------------------------------------------------------------------- */
+
+static bool is_regular(int fd)
+{
+    struct stat st;
+    return !fstat(fd, &st) && S_ISREG(st.st_mode);
+}
+
+/* All of it, once, for all runs; a terminal's is left alone. */
+static bool read_input(struct arguments *a, const struct session *t, char **error)
+{
+    enum { PART = 1 << 16 };
+    ssize_t got = isatty(STDIN_FILENO) ? 0 : 1;
+    while (got > 0) {
+        a->input = xrealloc(a->input, a->input_bytes + PART);
+        got = read(STDIN_FILENO, a->input + a->input_bytes, PART);
+        a->input_bytes += got > 0 ? (size_t)got : 0;
+    }
+    if (got < 0 && errno != EBADF)
+        *error = xasprintf("standard input cannot be read: %m");
+    else if (a->input_bytes && t->count > 1 && !is_regular(STDIN_FILENO))
+        *error =
+            xasprintf("only one of the processes has this standard input: start them as in mpirun -np %u "
+                      "sh -c 'touchstone explore ... <FILE'",
+                      t->count);
+    return !*error;
+}
+
 /* --- doing it ------------------------------------------------------------------------------------------- */
 
 static int report(struct explore *x, const struct arguments *a)
@@ -122,7 +156,7 @@ static int report(struct explore *x, const struct arguments *a)
         return failed(xasprintf("standard output cannot be written: %m"), EXIT_OUTPUT);
     if (a->json && !explore_json(x, a->json, &error))
         return failed(error, EXIT_OUTPUT);
-    return x->search.outcome_count > 1;
+    return x->search.outcome_count > 1 || !explore_usual_ended(x);
 }
 
 static int explore(const struct explore_options *o, const struct arguments *a)
@@ -173,10 +207,10 @@ static int explore_with(struct arguments *a, const regex_t *same)
 {
     struct cli_installation places;
     struct session t = session_find();
-    char *error;
+    char *error = NULL;
     if (!cli_find_installation(&places, "explore"))
         return CLI_EXIT_INPUT;
-    if (!cli_program_find(&a->what, places.programs, false, &error))
+    if (!cli_program_find(&a->what, places.programs, false, &error) || !read_input(a, &t, &error))
         return failed(error, CLI_EXIT_INPUT);
     char *folder = usual_folder(a), *rules = rules_text(a);
     struct explore_options o = {.subject = {.runner = places.runner,
@@ -189,7 +223,9 @@ static int explore_with(struct arguments *a, const regex_t *same)
                                             .nodes = a->what.nodes,
                                             .max_virtual_s = a->what.max_virtual_s,
                                             .rules = rules,
-                                            .compare_file = a->same_file},
+                                            .compare_file = a->same_file,
+                                            .input = a->input,
+                                            .input_bytes = a->input_bytes},
                                 .rules = {same, a->ordered, a->same_file && !a->same},
                                 .dir = a->dir ? a->dir : folder,
                                 .draw = a->draw,
@@ -236,5 +272,6 @@ int cli_explore(int argc, char **argv)
     cli_parse(&ARGP, "touchstone explore", ARGP_IN_ORDER, argc, argv, &a);
     int status = explore_same(&a);
     cli_program_free(&a.what);
+    free(a.input);
     return status;
 }

@@ -216,7 +216,7 @@ static int report(const struct machine *m, const struct race_reports *races, con
 {
     int status = status_of(m, races);
     char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
-    if (m->message)
+    if (m->message && !m->said)
         cli_say_error("run", "%s", m->message);
     if (!a->quiet)
         summary_print(m, races, a->verbose, stderr);

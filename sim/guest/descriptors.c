@@ -12,6 +12,7 @@
 #include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
+#include "guest/host_errno.h"
 #include "node/self.h"
 
 struct open_files *descriptors_open(struct node *n)
@@ -22,29 +23,72 @@ struct open_files *descriptors_open(struct node *n)
     return d->open;
 }
 
-int descriptor_new(struct node *n, struct node_file *f, const char *path)
+void descriptors_begin(struct descriptors *d, struct node *n)
 {
-    if (!f)
-        return -1;
-    struct open_files *d = descriptors_open(n);
-    for (int fd = 3; fd < NODE_DESCRIPTORS; fd++)
-        if (!d->file[fd]) {
-            d->file[fd] = f;
-            d->path[fd] = xstrdup(path);
+    standard_input(&d->at_first[0], n);
+    standard_output(&d->at_first[1], n, STDOUT_FILENO);
+    standard_output(&d->at_first[2], n, STDERR_FILENO);
+    for (int fd = 0; fd < 3; fd++)
+        d->standard[fd] = &d->at_first[fd].base;
+}
+
+/* A descriptor's place, NULL: there is none, or the table has not been made. */
+static struct node_file **place(struct descriptors *d, int fd)
+{
+    if (fd < 0 || fd >= NODE_DESCRIPTORS)
+        return NULL;
+    return fd < 3 ? &d->standard[fd] : d->open ? &d->open->file[fd] : NULL;
+}
+
+/* Makes the table. */
+static void set(struct node *n, int fd, struct node_file *f, const char *path)
+{
+    struct open_files *open = descriptors_open(n);
+    free(open->path[fd]);
+    open->path[fd] = path ? xstrdup(path) : NULL;
+    *place(&n->libc->descriptors, fd) = f;
+}
+
+/* The lowest free number from least on; -1 with errno EMFILE: there is none. */
+static int lowest_free(struct node *n, int least)
+{
+    descriptors_open(n);
+    for (int fd = least; fd < NODE_DESCRIPTORS; fd++)
+        if (!*place(&n->libc->descriptors, fd))
             return fd;
-        }
-    file_close(f);
     errno = EMFILE;
     return -1;
 }
 
+int descriptor_reuse(struct node *n, int fd, struct node_file *f, const char *path)
+{
+    if (!f)
+        return -1;
+    descriptors_open(n);
+    struct node_file **p = place(&n->libc->descriptors, fd);
+    if (!p || *p)
+        fd = lowest_free(n, 0);
+    if (fd >= 0) {
+        set(n, fd, f, path);
+    } else {
+        file_close(f);
+        node_set_errno(EMFILE);
+    }
+    return fd;
+}
+
+int descriptor_new(struct node *n, struct node_file *f, const char *path)
+{
+    return descriptor_reuse(n, -1, f, path);
+}
+
 struct node_file *descriptor_file(struct node *n, int fd)
 {
-    const struct open_files *d = n->libc->descriptors.open;
-    struct node_file *f = d && fd >= 0 && fd < NODE_DESCRIPTORS ? d->file[fd] : NULL;
-    if (!f)
-        errno = EBADF;
-    return f;
+    struct node_file **p = place(&n->libc->descriptors, fd);
+    if (p && *p)
+        return *p;
+    errno = EBADF;
+    return NULL;
 }
 
 const char *descriptor_path(const struct node *n, int fd)
@@ -54,21 +98,61 @@ const char *descriptor_path(const struct node *n, int fd)
     return path ? path : "?";
 }
 
+int descriptor_close(struct node *n, int fd)
+{
+    struct node_file *f = descriptor_file(n, fd);
+    if (!f)
+        return -1;
+    set(n, fd, NULL, NULL);
+    return file_close(f);
+}
+
+int descriptor_copy(struct node *n, int fd, int to)
+{
+    struct node_file *f = descriptor_file(n, fd);
+    if (!f || fd == to)
+        return f ? fd : -1;
+    if (to < 0 || to >= NODE_DESCRIPTORS) {
+        errno = EBADF;
+        return -1;
+    }
+    f->more++;
+    if (*place(&n->libc->descriptors, to))
+        descriptor_close(n, to);
+    set(n, to, f, descriptors_open(n)->path[fd]);
+    return to;
+}
+
+int descriptor_copy_free(struct node *n, int fd, int least)
+{
+    if (!descriptor_file(n, fd))
+        return -1;
+    if (least < 0 || least >= NODE_DESCRIPTORS) {
+        errno = EINVAL;
+        return -1;
+    }
+    int to = lowest_free(n, least);
+    return to < 0 ? -1 : descriptor_copy(n, fd, to);
+}
+
 void descriptors_close(struct descriptors *d)
 {
-    for (int fd = 0; d->open && fd < NODE_DESCRIPTORS; fd++)
-        if (d->open->file[fd]) {
-            file_drop(d->open->file[fd]);
+    for (int fd = 0; fd < NODE_DESCRIPTORS; fd++) {
+        struct node_file **p = place(d, fd);
+        if (p && *p)
+            file_drop(*p);
+        if (d->open)
             free(d->open->path[fd]);
-        }
+    }
     free(d->open);
 }
 
-/* The stream of a standard descriptor; NULL for any other, and for one that the program has closed. */
-static FILE *standard(struct node *n, int fd)
+/* The program's stream of a standard descriptor that is a terminal; NULL for any other. */
+static FILE *terminal(struct node *n, int fd)
 {
-    struct node_libc *c = n->libc;
-    if (fd < 0 || fd > 2 || c->descriptors.closed[fd])
+    const struct node_libc *c = n->libc;
+    const struct node_file *f = fd >= 0 && fd < 3 ? c->descriptors.standard[fd] : NULL;
+    if (!f || !f->class->terminal)
         return NULL;
     return fd == 0 ? c->streams.in : fd == 1 ? c->streams.out : c->streams.err;
 }
@@ -92,19 +176,17 @@ int node_creat(const char *path, mode_t permissions)
 
 int node_close(int fd)
 {
-    struct node *n = node_self();
-    if (standard(n, fd)) {
-        n->libc->descriptors.closed[fd] = true;
-        return 0;
-    }
-    struct node_file *f = descriptor_file(n, fd);
-    if (!f)
-        return -1;
-    struct open_files *d = n->libc->descriptors.open;
-    free(d->path[fd]);
-    d->file[fd] = NULL;
-    d->path[fd] = NULL;
-    return file_close(f);
+    return descriptor_close(node_self(), fd);
+}
+
+int node_dup(int fd)
+{
+    return descriptor_copy_free(node_self(), fd, 0);
+}
+
+int node_dup2(int fd, int to)
+{
+    return descriptor_copy(node_self(), fd, to);
 }
 
 /* Reads from standard input what stdio has not taken, at most one line. */
@@ -120,8 +202,8 @@ static ssize_t read_standard(FILE *in, char *buf, size_t bytes)
 ssize_t node_read(int fd, void *buf, size_t bytes)
 {
     struct node *n = node_self();
-    if (fd == 0 && standard(n, fd))
-        return read_standard(standard(n, fd), buf, (uint32_t)bytes);
+    if (fd == 0 && terminal(n, fd))
+        return read_standard(terminal(n, fd), buf, (uint32_t)bytes);
     struct node_file *f = descriptor_file(n, fd);
     return f ? file_read(f, buf, (uint32_t)bytes) : -1;
 }
@@ -129,8 +211,8 @@ ssize_t node_read(int fd, void *buf, size_t bytes)
 ssize_t node_write(int fd, const void *buf, size_t bytes)
 {
     struct node *n = node_self();
-    if (fd > 0 && standard(n, fd)) {
-        FILE *out = standard(n, fd);
+    if (fd > 0 && terminal(n, fd)) {
+        FILE *out = terminal(n, fd);
         return fwrite(buf, 1, (uint32_t)bytes, out) == (uint32_t)bytes && fflush(out) == 0 ? (ssize_t)bytes
                                                                                            : -1;
     }
@@ -138,9 +220,14 @@ ssize_t node_write(int fd, const void *buf, size_t bytes)
     return f ? file_write(f, buf, (uint32_t)bytes) : -1;
 }
 
+/* A terminal has no place, also where the simulator's input has one. */
 off_t node_lseek(int fd, off_t offset, int whence)
 {
     struct node_file *f = descriptor_file(node_self(), fd);
+    if (f && f->class->terminal) {
+        errno = ESPIPE;
+        return -1;
+    }
     return f ? file_seek(f, (int32_t)offset, whence) : -1;
 }
 
@@ -158,14 +245,12 @@ ssize_t node_writev(int fd, const struct iovec *parts, int count)
     return done;
 }
 
-/* A standard descriptor is a terminal, whatever the simulator's own is: what a program prints, and when,
- * must not depend on how the simulator is run. */
 int node_isatty(int fd)
 {
-    if (standard(node_self(), fd))
-        return 1;
-    errno = descriptor_file(node_self(), fd) ? ENOTTY : EBADF;
-    return 0;
+    const struct node_file *f = descriptor_file(node_self(), fd);
+    if (f && !f->class->terminal)
+        errno = ENOTTY;
+    return f && f->class->terminal;
 }
 
 int node_ttyname_r(int fd, char *buf, size_t size)
@@ -176,13 +261,7 @@ int node_ttyname_r(int fd, char *buf, size_t size)
 
 int node_fstat(int fd, struct stat *st)
 {
-    struct node *n = node_self();
-    if (standard(n, fd)) {
-        *st = (struct stat){
-            .st_mode = S_IFCHR | 0620, .st_nlink = 1, .st_dev = (dev_t)-2, .st_ino = (ino_t)fd + 1};
-        return 0;
-    }
-    struct node_file *f = descriptor_file(n, fd);
+    struct node_file *f = descriptor_file(node_self(), fd);
     return f ? file_fstat(f, st) : -1;
 }
 
@@ -263,7 +342,7 @@ int node_rmdir(const char *path)
 /* Nothing is to be done: a written byte is in its file at once. */
 int node_fsync(int fd)
 {
-    return standard(node_self(), fd) || descriptor_file(node_self(), fd) ? 0 : -1;
+    return descriptor_file(node_self(), fd) ? 0 : -1;
 }
 
 void node_sync(void) {}

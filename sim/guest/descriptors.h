@@ -2,6 +2,7 @@
 #ifndef GUEST_DESCRIPTORS_H
 #define GUEST_DESCRIPTORS_H
 #include "guest/file.h"
+#include "guest/standard_files.h"
 
 struct cfs_op; /* cfs/cfs.h */
 
@@ -15,26 +16,35 @@ struct io_id {
 };
 
 struct open_files {
-    struct node_file *file[NODE_DESCRIPTORS];
-    char *path[NODE_DESCRIPTORS]; /* the name by which the file was opened */
+    struct node_file *file[NODE_DESCRIPTORS]; /* from 3 on */
+    char *path[NODE_DESCRIPTORS];             /* the name by which the file was opened */
     struct io_id io[NODE_IO_IDS];
 };
 
 /* Most programs open no files, so the table is made when a program opens its first. */
 struct descriptors {
-    struct open_files *open; /* NULL: not made yet */
-    bool closed[3];          /* the program has closed this standard descriptor */
+    struct open_files *open;       /* NULL: not made yet */
+    struct node_file *standard[3]; /* files of descriptors 0, 1 and 2; NULL: the program has closed it */
+    struct standard_file at_first[3];
 };
 
 struct open_files *descriptors_open(struct node *n); /* makes the table if needed */
 
+/* Descriptors 0, 1 and 2 of a new program. */
+void descriptors_begin(struct descriptors *d, struct node *n);
 /* Gives f the lowest free number and returns it. If no number is free, closes f and returns -1 with errno
  * EMFILE. Returns -1 if f is NULL. */
 int descriptor_new(struct node *n, struct node_file *f, const char *path);
+/* The same, but f gets the number fd if that is free. */
+int descriptor_reuse(struct node *n, int fd, struct node_file *f, const char *path);
 /* The file of a descriptor; NULL with errno EBADF if the descriptor is not open. */
 struct node_file *descriptor_file(struct node *n, int fd);
 /* The name by which a descriptor was opened, for messages; "?" if the descriptor is not open. */
 const char *descriptor_path(const struct node *n, int fd);
+/* As close(), dup2() and fcntl(fd, F_DUPFD, least). */
+int descriptor_close(struct node *n, int fd);
+int descriptor_copy(struct node *n, int fd, int to);
+int descriptor_copy_free(struct node *n, int fd, int least);
 /* Closes all files without taking virtual time. Called when the program does not run any more. */
 void descriptors_close(struct descriptors *d);
 #endif

@@ -81,7 +81,7 @@ struct node_file *file_of_host(struct node *n, int fd)
     if (fd < 0)
         return NULL;
     struct host_file *f = xmalloc(sizeof *f);
-    *f = (struct host_file){{&HOST_FILE, n}, fd};
+    *f = (struct host_file){{.class = &HOST_FILE, .node = n}, fd};
     return &f->base;
 }
 
@@ -262,23 +262,31 @@ int file_truncate(struct node_file *f, int64_t size)
     return r;
 }
 
+static int let_go(struct node_file *f)
+{
+    if (f->more == 0)
+        return f->class->close(f);
+    f->more--;
+    return 0;
+}
+
 int file_close(struct node_file *f)
 {
     struct node *n = f->node;
     if (!f->class->simulated) {
         node_order(n);
-        return f->class->close(f);
+        return let_go(f);
     }
     bool masked = enter(n, "close");
     node_spend(n, n->sys->cfg->call_ps);
-    int r = f->class->close(f);
+    int r = let_go(f);
     leave(n, masked);
     return r;
 }
 
 void file_drop(struct node_file *f)
 {
-    f->class->close(f);
+    let_go(f);
 }
 
 /* --- names --- */

@@ -26,6 +26,7 @@ struct node_file;
  * and node_leave(). */
 struct node_file_class {
     bool simulated;
+    bool terminal; /* the run's own input or output: standard_files.h */
     ssize_t (*read)(struct node_file *f, void *buf, size_t bytes);
     ssize_t (*write)(struct node_file *f, const void *buf, size_t bytes);
     int64_t (*seek)(struct node_file *f, int64_t offset, int whence);
@@ -38,6 +39,7 @@ struct node_file_class {
 struct node_file {
     const struct node_file_class *class;
     struct node *node;
+    unsigned more; /* descriptors that are open on the file beside the first: dup() */
 };
 
 /* The machine's file system. Paths are absolute ("/cfs/..."). */
@@ -60,10 +62,10 @@ ssize_t file_read(struct node_file *f, void *buf, size_t bytes);
 /* Writes all bytes unless there is an error. */
 ssize_t file_write(struct node_file *f, const void *buf, size_t bytes);
 int64_t file_seek(struct node_file *f, int64_t offset, int whence);
-int file_close(struct node_file *f);
+int file_close(struct node_file *f); /* the file stays open while there are more descriptors of it */
 int file_fstat(struct node_file *f, struct stat *st);
 int file_truncate(struct node_file *f, int64_t size);
-/* Closes f without taking time. Called when the program does not run any more. */
+/* As file_close(), without taking time. Called when the program does not run any more. */
 void file_drop(struct node_file *f);
 
 int file_stat(struct node *n, const char *path, struct stat *st);

@@ -320,6 +320,20 @@ size_t node_heap_check(const struct node_heap *h, const void **block)
     return 0;
 }
 
+size_t node_heap_in_use(const struct node_heap *h, size_t *free_blocks)
+{
+    size_t bytes = 0;
+    *free_blocks = 0;
+    for (const struct block *b = (const struct block *)h->base; (const char *)b < h->top; b = after(b))
+        if (b->tag == tag_at(b, TAG_USED))
+            bytes += b->size;
+        else if (is_free(b))
+            ++*free_blocks;
+        else
+            break; /* a block has been written past its end: the program's next free() reports it */
+    return bytes;
+}
+
 bool node_heap_owns(const struct node_heap *h, const void *p)
 {
     return block_of(h, p) != NULL;

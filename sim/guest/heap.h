@@ -25,5 +25,7 @@ int node_heap_release(struct node_heap *h, void *p); /* 0, or -1 if p is no such
 /* Looks for a block that was written past its end, or before its start. Sets *block to the address that the
  * program has of it, NULL if there is none, and returns the bytes that the program had asked for there. */
 size_t node_heap_check(const struct node_heap *h, const void **block);
+/* The bytes of all blocks in use, with what the heap needs for each; and the number of free blocks. */
+size_t node_heap_in_use(const struct node_heap *h, size_t *free_blocks);
 size_t node_heap_used(const struct node_heap *h); /* bytes up to the end of the highest used block */
 #endif

@@ -20,6 +20,7 @@
 struct node_libc *node_libc_new(struct node *n)
 {
     struct node_libc *c = xcalloc(1, sizeof *c);
+    descriptors_begin(&c->descriptors, n);
     streams_open(&c->streams, n);
     initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
     return c;

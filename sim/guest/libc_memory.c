@@ -2,6 +2,7 @@
  * frames. No handler can interrupt them, since none of them enters an NX call; so handlers may use them, too.
  */
 #include <errno.h>
+#include <malloc.h>
 #include <stdint.h>
 #include <string.h>
 #include "guest/heap.h"
@@ -157,6 +158,16 @@ char *node_strndup(const char *s, size_t most)
 char *node_strdup(const char *s)
 {
     return node_strndup(s, strlen(s));
+}
+
+/* Counts in the fields that System V had, as ints. */
+struct mallinfo node_mallinfo(void);
+struct mallinfo node_mallinfo(void)
+{
+    const struct node_heap *h = node_self()->heap;
+    size_t free_blocks, all = node_heap_used(h), used = node_heap_in_use(h, &free_blocks);
+    return (struct mallinfo){
+        .arena = (int)all, .ordblks = (int)free_blocks, .uordblks = (int)used, .fordblks = (int)(all - used)};
 }
 
 /* --- jumps --- */

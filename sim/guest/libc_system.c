@@ -290,3 +290,34 @@ int node_sigsetmask(int mask)
     (void)mask;
     return 0;
 }
+
+/* --- System V's, which programs use in their place --- */
+
+void (*node_sigset(int number, void (*f)(int)))(int)
+{
+    return node_signal(number, f);
+}
+
+int node_sigignore(int number)
+{
+    (void)number;
+    return 0;
+}
+
+int node_sighold(int number)
+{
+    (void)number;
+    return 0;
+}
+
+int node_sigrelse(int number)
+{
+    (void)number;
+    return 0;
+}
+
+int node_siginterrupt(int number, int ends_calls)
+{
+    (void)number, (void)ends_calls;
+    return 0;
+}

@@ -17,6 +17,7 @@
 #include "node/node.h"
 #include "node/system.h"
 #include "lp/clock.h"
+#include "guest/host_errno.h"
 #include "node/self.h"
 #include "os/front.h"
 #include "os/gate.h"
@@ -161,6 +162,34 @@ static void pause_for(const char *call, vtime t)
         node_wait(n, is_over, &until);
     }
     node_leave(n);
+}
+
+/* Returns when the alarm is due, as if its signal had come; with no alarm set, at once. */
+int node_pause(void)
+{
+    vtime *at = &node_self()->libc->alarm_at, now = clock_call("pause");
+    pause_for("pause", *at > now ? *at - now : 0);
+    *at = 0;
+    node_set_errno(EINTR);
+    return -1;
+}
+
+int node_sigpause(int number)
+{
+    (void)number;
+    return node_pause();
+}
+
+/* By the name that X/Open's sigpause has in the host's header. */
+int node___xpg_sigpause(int number)
+{
+    return node_sigpause(number);
+}
+
+int node_sigsuspend(const void *mask)
+{
+    (void)mask;
+    return node_pause();
 }
 
 unsigned node_sleep(unsigned seconds)

@@ -124,14 +124,14 @@ FILE *node_freopen(const char *path, const char *mode, FILE *f)
     return stream_freopen(streams(), path, mode, f);
 }
 
-/* Only the standard streams have descriptors; for other streams errno is EBADF. */
+FILE *node_fdopen(int fd, const char *mode)
+{
+    return stream_fdopen(streams(), node_self(), fd, mode);
+}
+
 int node_fileno(FILE *f)
 {
-    const struct streams *s = streams();
-    if (f == s->in || f == s->out || f == s->err)
-        return f == s->in ? 0 : f == s->out ? 1 : 2;
-    errno = EBADF;
-    return -1;
+    return stream_fileno(streams(), f);
 }
 
 /* NULL flushes all streams of the node, and none of the simulator. */

@@ -1,4 +1,4 @@
-/* streams.h - a node's stdio streams: FILEs of the host whose reading and writing go through the node.
+/* streams.h - a node's stdio streams: FILEs of the host that read and write the node's descriptors.
  *
  * What leaves or enters a node's program is committed in the total order (node_order): a program's output
  * is written, and files are opened, read, written and closed, in the order of virtual time (file.h). The
@@ -10,18 +10,12 @@
 #include <stdio.h>
 
 struct node;
-struct node_file;
-
-enum stream_kind { STREAM_OUTPUT, STREAM_FILE, STREAM_CLOSED };
 
 struct stream {
     struct node *node;
     FILE *file;
-    enum stream_kind kind;
-    int fd;                   /* STREAM_OUTPUT: 1 or 2 */
-    struct node_file *target; /* STREAM_FILE: file.h */
-    bool by_lines;            /* STREAM_FILE: reads no more than a line at a time */
-    bool standard;            /* freed with the node: the program has it in stdin, stdout or stderr */
+    int fd;        /* descriptors.h; -1: a standard stream that has been closed */
+    bool standard; /* freed with the node: the program has it in stdin, stdout or stderr */
     struct stream *next;
 };
 
@@ -37,10 +31,12 @@ void streams_flush(struct streams *s);                /* on the node's stack */
 void streams_rescue(struct streams *s);
 void streams_close(struct streams *s); /* behind the program's end: closes all, writes nothing */
 
-/* On the node's stack; as fopen, freopen, tmpfile and fclose. Relative paths start from the node's folder
+/* On the node's stack; as their namesakes in POSIX. Relative paths start from the node's folder
  * (folder.h). */
 FILE *stream_fopen(struct streams *s, struct node *n, const char *path, const char *mode);
 FILE *stream_freopen(struct streams *s, const char *path, const char *mode, FILE *f);
 FILE *stream_tmpfile(struct streams *s, struct node *n);
+FILE *stream_fdopen(struct streams *s, struct node *n, int fd, const char *mode);
 int stream_fclose(struct streams *s, FILE *f);
+int stream_fileno(const struct streams *s, const FILE *f);
 #endif

@@ -44,7 +44,9 @@ struct machine {
     struct node_image *image;
     enum machine_outcome outcome;
     char *message; /* how the run ended, for the user, one or more lines; NULL: nothing to say. Malloc'd */
-    struct waitfor *waits;        /* of a deadlock: who waits for whom, analysed; NULL: there is none */
+    bool said;     /* the message was printed when it was known, on sys.out[1] */
+    /* Of a deadlock, or of what waits behind an exit with an error: who waits for whom. NULL: none */
+    struct waitfor *waits;
     struct workers_stats workers; /* figures of the threads; all 0: there was one */
     struct debug_stop stop;
     struct backtrace_lines *lines; /* for the schedule; NULL: none */

@@ -34,7 +34,7 @@ static void run_events(struct machine *m)
     struct crash_guard *guard = crash_watch();
     crash_catch();
     s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = backtrace_print_calls;
-    s->refused = refused_file;
+    s->refused = refused_file, s->exited = verdict_exited;
     s->schedule.look = outside_look, s->schedule.look_ctx = m;
     debug_stop_begin(s, &m->stop, &m->options.stop);
     m->workers =
@@ -92,7 +92,7 @@ static void end_schedule(struct machine *m)
  * two such runs are alike anyway. */
 static bool has_output(const struct machine *m, const struct node *n)
 {
-    return n->libc && (n->end == NODE_CRASHED || m->outcome == MACHINE_DEADLOCK || m->signal);
+    return n->libc && (n->end == NODE_CRASHED || m->waits || m->signal);
 }
 
 static void rescue_output(struct machine *m)

@@ -7,6 +7,7 @@
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "node/system.h"
+#include "os/end.h"
 
 /* Shares of a node's time, and of a window of it. */
 static const double LEAST_WINDOW = 0.1, LEAST_POLLS = 0.5, LEAST_HANDLERS = 0.8;
@@ -199,6 +200,9 @@ static void print_polls(FILE *f, const struct node_system *s, const struct alike
         fprintf(f, "; and %.1f %% in other polls", 100 * a->first.others);
     if (p->asks && p->select.type >= 0 && !has_come(s, p->select.type))
         fprintf(f, "; no message of type %" PRId64 " has come to any node", p->select.type);
+    const struct node *bad = node_bad_exit(s);
+    if (bad)
+        fprintf(f, "; look at %s first, which ended with exit(%d)", bad->name, bad->exit_code);
 }
 
 static void print_handlers(FILE *f, const struct alike *a)

@@ -6,31 +6,60 @@
 #include "kernel/xalloc.h"
 #include "machine/waits_for.h"
 #include "machine/whereabouts.h"
+#include "os/end.h"
 #include "os/orders.h"
 
-static bool exited_badly(const struct node *n)
+static char *exit_text(const struct node *n)
 {
-    return n->end == NODE_EXITED && n->exit_code != 0;
+    return xasprintf("%s ended at %s with exit(%d)", n->name, virtual_time_moment(n->stats.ended_at).text,
+                     n->exit_code);
 }
 
-/* The first node whose program ended by exit or abort with an error; NULL if there is none. */
-static struct node *bad_exit(const struct machine *m)
+/* The first is told at once: what the others wait or poll for may not come any more. (A host program is told
+ * by waitall.) */
+void verdict_exited(struct node *n)
 {
-    for (uint32_t i = 0; i < m->sys.count; i++)
-        if (exited_badly(m->sys.nodes[i]))
-            return m->sys.nodes[i];
-    return m->sys.host && exited_badly(m->sys.host) ? m->sys.host : NULL;
+    struct node_system *s = n->sys;
+    if (s->host || s->exit_told)
+        return;
+    s->exit_told = true;
+    char *text = exit_text(n);
+    if (s->progress)
+        progress_line_clear(s->progress);
+    fflush(s->out[0]);
+    fprintf(s->out[1], "touchstone run: %s\n", text);
+    fflush(s->out[1]);
+    free(text);
 }
 
-static char *explain(const struct waitfor *w)
+/* Why all that has not ended waits. */
+static char *explain(struct machine *m, const char *head, const char *more)
 {
     char *text;
     size_t size;
     FILE *f = xchecked(open_memstream(&text, &size));
-    fputs("deadlock: every program waits, and no message is under way\n", f);
-    waitfor_write_text(w, f);
+    m->waits = waits_for(&m->sys);
+    m->waits->program = waitfor_text(m->waits, m->options.argv[0]);
+    fprintf(f, "%s%s\n", head, more);
+    waitfor_write_text(m->waits, f);
     fclose(f);
     return text;
+}
+
+/* A program ended by exit with an error. Do others still wait, why? */
+static void failed_by_exit(struct machine *m, const struct node *bad)
+{
+    struct node_system *s = &m->sys;
+    char *first = exit_text(bad);
+    bool host_ended = s->host && s->host->lp.state == LP_ENDED;
+    m->outcome = MACHINE_FAILED;
+    if (!s->running)
+        m->message = xstrdup(first), m->said = s->exit_told;
+    else if (s->schedule.stop || host_ended)
+        m->message = whereabouts(s, first);
+    else
+        m->message = explain(m, first, "; the others wait, and no message is under way");
+    free(first);
 }
 
 /* The run was to go no further than this. */
@@ -61,7 +90,7 @@ static void judge(struct machine *m)
 {
     assert(!m->message);
     struct node_system *s = &m->sys;
-    const struct node *bad = bad_exit(m);
+    const struct node *bad = node_bad_exit(s);
     enum stop stop = s->schedule.stop;
     bool limit = stop == STOP_VIRTUAL_TIME || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED;
     m->outcome = MACHINE_ENDED;
@@ -71,18 +100,12 @@ static void judge(struct machine *m)
         m->outcome = MACHINE_FAILED;
         m->message = limit ? whereabouts(s, s->failure) : xstrdup(s->failure);
     } else if (bad) {
-        m->outcome = MACHINE_FAILED;
-        char *first = xasprintf("%s ended at %s with exit(%d)", bad->name,
-                                virtual_time_moment(bad->stats.ended_at).text, bad->exit_code);
-        m->message = s->running ? whereabouts(s, first) : xstrdup(first);
-        free(first);
+        failed_by_exit(m, bad);
     } else if (s->running && s->host && s->host->lp.state == LP_ENDED) {
         m->message = whereabouts(s, "the host program has ended; what still waits on its nodes is killed");
     } else if (s->running && stop != STOP_KILLED) {
         m->outcome = MACHINE_DEADLOCK;
-        m->waits = waits_for(s);
-        m->waits->program = waitfor_text(m->waits, m->options.argv[0]);
-        m->message = explain(m->waits);
+        m->message = explain(m, "deadlock: every program waits", ", and no message is under way");
     }
 }
 

@@ -7,6 +7,7 @@
 #include "kernel/xalloc.h"
 #include "nx_api/calls/awaited.h"
 #include "os/due.h"
+#include "os/end.h"
 #include "os/memory.h"
 #include "os/taken.h"
 
@@ -212,6 +213,7 @@ static void fill(const struct filling *f, const struct node *n, struct waitfor_n
     if (n->lp.state == LP_ENDED) {
         to->state = WAITFOR_ENDED;
         to->since_ps = n->stats.ended_at;
+        to->exit_status = node_exited_badly(n) ? n->exit_code : 0;
         return;
     }
     to->state = n->call ? WAITFOR_WAITS : WAITFOR_COMPUTES;

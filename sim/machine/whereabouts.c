@@ -10,6 +10,7 @@
 #include "lp/clock.h"
 #include "machine/standstill.h"
 #include "nx_api/contract/program_image.h"
+#include "os/end.h"
 
 /* More nodes are grouped by their states. */
 enum { MOST_ALONE = 16 };
@@ -64,7 +65,10 @@ static struct where where_is(const struct node *n, struct backtrace_lines *lines
     if (n->end == NODE_NOT_LOADED) {
         snprintf(w.text, sizeof w.text, "no program");
     } else if (n->lp.state == LP_ENDED) {
-        snprintf(w.text, sizeof w.text, "ended");
+        if (node_exited_badly(n))
+            snprintf(w.text, sizeof w.text, "ended with exit(%d)", n->exit_code);
+        else
+            snprintf(w.text, sizeof w.text, "ended");
         w.ended = true, w.since = n->stats.ended_at;
     } else if (!n->call) {
         snprintf(w.text, sizeof w.text, "computing");

@@ -31,8 +31,20 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
     if (!n->sys->schedule.stop)
         node_order(n);
     has_ended(n, how, code, node_now(n));
+    if (node_exited_badly(n) && n->sys->running && n->sys->exited)
+        n->sys->exited(n);
     assert(charge_adds_up(n));
     fiber_finish(&n->lp.fiber);
+}
+
+const struct node *node_bad_exit(const struct node_system *s)
+{
+    const struct node *first = s->host && node_exited_badly(s->host) ? s->host : NULL;
+    for (uint32_t i = s->count; i-- > 0;)
+        if (node_exited_badly(s->nodes[i]) &&
+            (!first || s->nodes[i]->stats.ended_at <= first->stats.ended_at))
+            first = s->nodes[i];
+    return first;
 }
 
 void node_stop(struct node *n, struct instant at)

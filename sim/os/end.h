@@ -17,6 +17,13 @@ void node_stop(struct node *n, struct instant at);
 void node_end_other(struct node *n, struct node *victim);
 /* The program has crashed at its clock's time, which is committed. */
 void node_end_crashed(struct node *n);
+/* Has its program ended by exit with a status that tells of an error? (What main returns tells of none.) */
+static inline bool node_exited_badly(const struct node *n)
+{
+    return n->end == NODE_EXITED && n->exit_code != 0;
+}
+/* The first node that has; NULL: none. */
+const struct node *node_bad_exit(const struct node_system *s);
 /* The machine has stopped at a moment, after which nothing has happened: the node's books are those of then.
  * at_a_time: stopped by a moment of virtual time; a node that computes may have been ahead of it. */
 void node_settle(struct node *n, struct instant end, bool at_a_time);

@@ -55,6 +55,8 @@ static char *place_of(const struct deadlock_box *b)
     const struct waitfor_node *n = b->like;
     if (b->mixed)
         return xstrdup("in other states");
+    if (n->exit_status)
+        return xasprintf("ended with exit(%d)", n->exit_status);
     if (n->state != WAITFOR_WAITS)
         return xstrdup(n->state == WAITFOR_ENDED        ? "ended"
                        : n->state == WAITFOR_NO_PROGRAM ? "no program"

@@ -51,7 +51,8 @@ static bool is_same_text(const char *a, const char *b)
 
 static bool is_alike(const struct waitfor_node *a, const struct waitfor_node *b)
 {
-    if (a->state != b->state || a->is_host || b->is_host || !is_same_text(a->line, b->line))
+    if (a->state != b->state || a->exit_status != b->exit_status || a->is_host || b->is_host ||
+        !is_same_text(a->line, b->line))
         return false;
     if (a->state != WAITFOR_WAITS)
         return true;

@@ -102,6 +102,7 @@ static void read_node(struct waitfor *w, struct waitfor_node *n, const json_t *j
     n->has_type = json_object_get(j, "type") != NULL;
     n->type = number(j, "type");
     n->since_ps = time_ps(j, "since_ps");
+    n->exit_status = (int)number(j, "exit_status");
     n->line = text(w, j, "line");
     json_array_foreach(json_object_get(j, "stack"), i, frame)
         waitfor_add_frame(w, n, json_string_value(frame));

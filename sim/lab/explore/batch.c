@@ -118,8 +118,12 @@ static bool begin_task(struct doing *d, struct task *t, struct planned_run *run)
         return false;
     struct run_files f = {t->json, t->record, t->replay, t->cfs};
     t->argv = subject_command(d->place->subject, run->timing, &f);
-    t->job = (struct pool_job){
-        .name = run->name, .argv = t->argv, .dir = t->folder, .env = d->env, .limit_s = d->place->limit_s};
+    t->job = (struct pool_job){.name = run->name,
+                               .argv = t->argv,
+                               .dir = t->folder,
+                               .env = d->env,
+                               .in = d->place->subject->input,
+                               .limit_s = d->place->limit_s};
     return true;
 }
 

@@ -18,9 +18,10 @@ static bool open_folder(struct explore *x, char **error)
     struct batch_place *p = &x->place;
     char *runs = xasprintf("%s/runs", x->options.dir);
     bool made = folder_make(runs);
-    free(runs);
     if (!made)
         *error = xasprintf("%s cannot be made: %m", x->options.dir);
+    made = made && subject_keep_input(x->subject, runs, error);
+    free(runs);
     return made && (p->locks = point_locks_enter(x->options.dir, x->options.session, error)) &&
            (p->journal = journal_open(x->options.dir, x->options.notes, error)) &&
            (x->scratch = folder_scratch("touchstone-explore", error)).path;
@@ -90,6 +91,10 @@ static bool take_base(struct explore *x, const struct planned_run *base, char **
             xasprintf("the run with the usual timing: %s", base->failure ? base->failure : "no time left");
         return false;
     }
+    const char *message = json_string_value(json_object_get(base->record, "message"));
+    if (message)
+        fprintf(x->options.notes,
+                "the run with the usual timing, with which all others are compared, fails: %s\n", message);
     double seconds = json_number_value(json_object_get(base->record, "virtual_time_s"));
     subject_limit(x->subject, TIMES_BASE * seconds + SECONDS_MORE);
     return true;
@@ -220,6 +225,11 @@ bool explore_run(struct explore *x, char **error)
     x->before = x->place.before;
     x->wall_s = hostclock_s() - x->place.begun_s;
     return explain_all(x, error);
+}
+
+bool explore_usual_ended(const struct explore *x)
+{
+    return !strcmp(json_string_value(json_object_get(x->search.outcomes[0].record, "end")), "ended");
 }
 
 bool explore_reports(struct explore *x)

@@ -53,6 +53,9 @@ struct explore *explore_open(const struct explore_options *o, char **error); /* 
 bool explore_run(struct explore *x, char **error);
 void explore_close(struct explore *x);
 
+/* After explore_run(): did the program end well with the usual timing? */
+bool explore_usual_ended(const struct explore *x);
+
 /* Does this process write the report? One of a session does. */
 bool explore_reports(struct explore *x);
 #endif

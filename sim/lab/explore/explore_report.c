@@ -169,11 +169,12 @@ static void print_summary(const struct explore *x, FILE *out)
     const struct subject_options *o = &x->subject->options;
     fprintf(out, "%s: %zu run%s, %zu order%s: ", o->host ? o->host : o->program[0], s->run_count,
             plural(s->run_count), s->orders.count, plural(s->orders.count));
+    bool fails = !explore_usual_ended(x);
     if (s->outcome_count == 1)
-        fprintf(out, "all the same\n");
+        fprintf(out, "%s\n", fails ? "all fail, that with the usual timing, too" : "all the same");
     else
-        fprintf(out, "%zu outcome%s differ%s from that of the usual timing\n", s->outcome_count - 1,
-                plural(s->outcome_count - 1), s->outcome_count == 2 ? "s" : "");
+        fprintf(out, "%zu outcome%s differ%s from that of the usual timing%s\n", s->outcome_count - 1,
+                plural(s->outcome_count - 1), s->outcome_count == 2 ? "s" : "", fails ? ", which fails" : "");
     print_usual(s, out);
 }
 

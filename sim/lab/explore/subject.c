@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "config/config.h"
+#include "files/atomic_file.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/words.h"
@@ -78,6 +79,8 @@ static bool take_digest(struct subject *s, char **error)
     json_set(all, "limit", json_real(o->max_virtual_s));
     json_set(all, "rules", json_string(o->rules));
     json_set(all, "file", o->compare_file ? json_string(o->compare_file) : json_null());
+    if (o->input_bytes)
+        json_set(all, "input", digest_json(digest_of(o->input, o->input_bytes)));
     bool good = add_file(all, "touchstone", o->runner, error) &&
                 add_file(all, "program", s->program, error) && add_file(all, "host", s->host, error) &&
                 add_machine(all, s, error);
@@ -137,7 +140,22 @@ void subject_close(struct subject *s)
     free(s->program);
     free(s->host);
     free(s->machine);
+    free(s->input);
     free(s);
+}
+
+bool subject_keep_input(struct subject *s, const char *folder, char **error)
+{
+    struct atomic_file f;
+    char digits[DIGEST_DIGITS + 1];
+    if (!s->options.input_bytes)
+        return true;
+    digest_write(digest_of(s->options.input, s->options.input_bytes), digits);
+    s->input = xasprintf("%s/%s.input", folder, digits);
+    if (!atomic_file_begin(&f, s->input, error))
+        return false;
+    fwrite(s->options.input, 1, s->options.input_bytes, f.out);
+    return atomic_file_end(&f, error);
 }
 
 void subject_limit(struct subject *s, double max_virtual_s)
@@ -221,5 +239,9 @@ char *subject_command_text(const struct subject *s, const char *timing, const ch
     for (char **word = argv; word && *word; word++)
         append_word(&text, *word);
     words_free(argv);
+    if (s->input) {
+        words_append(&text, " <");
+        append_word(&text, s->input);
+    }
     return text;
 }

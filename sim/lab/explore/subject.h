@@ -21,6 +21,8 @@ struct subject_options {
     double max_virtual_s;     /* of a run; 0: no limit */
     const char *rules;        /* how runs are compared, as a text: other rules are other results */
     const char *compare_file; /* a file that the program writes, by which runs are compared; NULL: none */
+    const char *input;        /* standard input of each run: so many bytes */
+    size_t input_bytes;
 };
 
 struct subject {
@@ -28,12 +30,16 @@ struct subject {
     char *folder;         /* the current one */
     char *program, *host; /* absolute paths; NULL: none */
     char *machine;        /* as run -m takes it from any folder */
+    char *input;          /* the file of the input; NULL: it is empty */
     struct digest digest; /* of all that a run depends on, but for its timing and files that it reads */
 };
 
 /* NULL with *error malloc'd: a program, machine or setting that cannot be used. */
 struct subject *subject_open(const struct subject_options *o, char **error);
 void subject_close(struct subject *s);
+
+/* Writes the input into a file in that folder, named by its digest. False with *error malloc'd. */
+bool subject_keep_input(struct subject *s, const char *folder, char **error);
 
 /* Sets the limit of runs that have none: it follows from other results, and so is no part of the digest. */
 void subject_limit(struct subject *s, double max_virtual_s);

@@ -24,6 +24,7 @@ struct pool_job {
     double weight;     /* how long the job should take, in any unit; the longest start first */
     const char *dir;   /* its working folder; NULL: the parent's */
     char *const *env;  /* its environment, ended by NULL; NULL: the parent's */
+    const char *in;    /* the file that is its standard input; NULL: it is empty */
     double limit_s;    /* of host time, after which the child is killed; 0: none */
     bool stop;         /* may be set while it runs: the child is killed within a second */
 
