@@ -36,7 +36,7 @@ for fault in "$seeds"/*_fault.*; do
     for level in -O0 -O2; do
         compiled seed "$fault" --asan $level
         # shellcheck disable=SC2046
-        run --max-wall-time 20 $(arguments_of "$fault") seed
+        run --max-wall-time "$patience" $(arguments_of "$fault") seed
         check "$name $level: the fault is reported" reported "$fault"
         check "$name $level: status 1" ended_with 1
     done

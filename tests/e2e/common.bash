@@ -3,10 +3,12 @@
 #   compile P    tests/e2e/P.c -> $work/P
 #   run ARGS     touchstone run ARGS in $work: leaves out, err (files) and status
 #   check NAME COMMAND...   "ok NAME" if the command succeeds, else "not ok NAME" and what the last run said
+#   $patience, limited, awaited, has_computed    patience.bash: a wait for what should come, which decides no check
 #   block PAGE KIND [N]     the Nth block, else the first, of that kind in a page
 #   example PAGE FILE [N]   what a reader of PAGE does: writes its C program into FILE and gives its commands, those of the
 #                           Nth such blocks, else of the first
 tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+. "$tests/../patience.bash"
 BUILD=$(cd "${BUILD:-$tests/../../build}" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -59,7 +61,7 @@ said() { grep -qE -- "$1" err; }
 # has compared nothing then.
 run_results() { # ARGS...
     rm -f f.json
-    timeout 100 "${touchstone:-$BUILD/touchstone}" run --max-wall-time 60 --json f.json "$@" >out 2>err </dev/null
+    limited "${touchstone:-$BUILD/touchstone}" run --max-wall-time $((patience / 2)) --json f.json "$@" >out 2>err </dev/null
     status=$?
     [ $status -lt 64 ] || echo "cannot be run: $RANDOM$RANDOM"
     echo "status $status" && cat out && sed '/^wall time/d' err && { [ ! -e f.json ] || grep -v wall_time f.json; }

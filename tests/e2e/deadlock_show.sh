@@ -24,7 +24,7 @@ for file in why.json run.json; do
     check "$file: the page is one" eval "head -c 15 g.html | grep -qi '<!doctype html>'"
 done
 if command -v chromium >/dev/null && command -v chromedriver >/dev/null && /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
-    HOME=$work timeout 120 /usr/bin/python3 -B "$tests/../page/check_deadlock.py" "$work/g.html" 2>err
+    HOME=$work limited /usr/bin/python3 -B "$tests/../page/check_deadlock.py" "$work/g.html" 2>err
     status=$?
     check "the page is tried in a browser" ended_with 0
 else

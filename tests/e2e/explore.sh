@@ -8,7 +8,7 @@ programs=$tests/../explore
 explore() { # FOLDER ARGS...
     local folder=$1
     shift
-    timeout 300 "$BUILD/touchstone" explore -o "$folder" "$@" >out 2>err </dev/null
+    limited "$BUILD/touchstone" explore -o "$folder" "$@" >out 2>err </dev/null
     status=$?
 }
 # All but the last line, which has times of this computer, and what mpirun says behind it.
@@ -123,6 +123,44 @@ check "--same-file compares a file of /cfs" ended_with 1
 explore unfiled -n 4 --runs 20 there
 check "without it, only what is printed counts" ended_with 0
 
+# --- standard input; a program that fails with the usual timing, too ---
+cat >reads.c <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+#include "nx.h"
+int main(void)
+{
+    int n;
+    if (mynode() == 0 && scanf("%d", &n) != 1) {
+        fprintf(stderr, "no number\n");
+        exit(1);
+    }
+    gsync();
+    if (mynode() == 0)
+        printf("read %d\n", n);
+    return 0;
+}
+END
+build reads.c reads
+input() { "$BUILD/touchstone" explore -o of/reads -n 2 --runs 5 --json reads.json reads >out 2>err; status=$?; }
+echo 7 | input
+check "each run reads standard input" ended_with 0
+check "as a run does" test "$(figure reads.json "d['outcomes'][0]['shown']")" = "read 7"
+check "the commands of the report, too" repeats reads.json 0
+check "with the same result" grep -qx 'read 7' again
+{ read -r _; input; } < <(printf '%s\n' 8 9)
+check "another input, other runs; what has been read before is not" test "$(figure reads.json "d['outcomes'][0]['shown']")" = "read 9"
+input </dev/null
+check "a program that fails with the usual timing, too: exit status 1" ended_with 1
+check "that is told first" grep -qE '^reads: 5 runs, 1 order: all fail, that with the usual timing, too$' out
+check "with its error, before other runs are made" said 'usual timing.* fails: node 0 .*exit\(1\)'
+if command -v mpirun >/dev/null; then
+    echo 7 | mpirun --allow-run-as-root --oversubscribe -np 2 "$BUILD/touchstone" explore -o of/two -n 2 --runs 5 reads >out 2>err
+    check "an input that only one of several processes has is refused" said "sh -c 'touchstone explore ... <FILE'"
+    mpirun --allow-run-as-root --oversubscribe -np 2 sh -c '"$0" explore -o of/two -n 2 --runs 5 reads <reads.c' "$BUILD/touchstone" >out 2>err
+    check "one that all have is not" grep -q '^reads: 5 runs' out
+fi
+
 # --- one report ---
 copy=$programs/two_exchanges.c
 build "$copy" two
@@ -131,10 +169,8 @@ report >one.txt
 explore one2 -n 4 --runs 60 --bounds messages=500us -j 2 two
 check "two at a time: the same report" cmp <(sed 's/one2/one/g' <(report)) one.txt
 "$BUILD/touchstone" explore -n 4 --runs 60 --bounds messages=500us -j 2 -o killed two >out 2>err </dev/null &
-for ((i = 0; i < 1000; i++)); do
-    [ "$(grep -c ' d {' killed/journal 2>/dev/null || echo 0)" -ge 10 ] 2>/dev/null && break
-    sleep 0.01
-done
+has_ten() { [ "$(cat killed/journal 2>/dev/null | grep -c ' d {')" -ge 10 ]; }
+awaited has_ten
 kill -9 $!
 wait $! 2>/dev/null
 before=$(grep -c ' d {' killed/journal)

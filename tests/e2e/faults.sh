@@ -58,12 +58,13 @@ printf '#include "nx.h"\n__thread int own;\nint main(void) { return own; }\n' >o
 check "thread-local variables are refused" said 'nodes have no threads'
 
 # --- readers and signals ---
-(
-    sleep 0.2 # the reader goes first
-    "$BUILD/touchstone" run -n 2 --json gone.json ring 2>err
-    echo $? >status
-) | true
-status=$(cat status)
+mkfifo left
+: <left &
+exec 7>left
+wait $! # the reader has gone
+"$BUILD/touchstone" run -n 2 --json gone.json ring 2>err >&7
+status=$?
+exec 7>&-
 check "a reader that is gone does not lose other results" grep -q '"virtual_time_s"' gone.json
 check "and it is said" said '^touchstone run: standard output cannot be written: Broken pipe'
 check "with status 74" ended_with 74
@@ -73,13 +74,13 @@ cat >chat.c <<'END'
 int main(void) { for (int i = 0; i < 1000000; i++) printf("%ld\n", mynode()), gsync(); }
 END
 "$BUILD/nxcc" -O2 -o chat chat.c
-timeout 20 bash -c '"$0" run -q -n 2 chat 2>err | head -1 >out; echo ${PIPESTATUS[0]} >status' "$BUILD/touchstone"
+limited bash -c '"$0" run -q -n 2 chat 2>err | head -1 >out; echo ${PIPESTATUS[0]} >status' "$BUILD/touchstone"
 check "run | head -1 ends as other programs do" test "$(cat status)" = 141
 check "and has its line" test "$(cat out)" = 0
 for signal in INT TERM; do
-    env --default-signal=INT,TERM "$BUILD/touchstone" run --max-wall-time 60 -n 2 faults endless >out 2>err &
+    env --default-signal=INT,TERM "$BUILD/touchstone" run -n 2 faults endless >out 2>err &
     child=$!
-    sleep 0.7
+    awaited has_computed $child 60
     kill -$signal $child
     wait $child
     status=$?

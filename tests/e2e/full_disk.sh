@@ -13,7 +13,7 @@ fill_to() { # KILOBYTES: leaves so much room
     truncate -s -"$1"k full/ballast
 }
 empty() { rm -rf full/*; }
-parallel() { timeout 60 mpirun -np "$@" >out 2>err; status=$?; }
+parallel() { limited mpirun -np "$@" >out 2>err; status=$?; }
 
 # --- programs ---
 check "fill.c compiles" "$BUILD/nxcc" --mpi -O0 -g -Wall -o fill "$tests/mpi/fill.c"

@@ -21,12 +21,12 @@ in_gdb() {
         shift
     done
     shift
-    timeout 60 gdb -nx -batch "${commands[@]}" --args "$BUILD/touchstone" run "$@" </dev/null >out 2>&1
+    limited gdb -nx -batch "${commands[@]}" --args "$BUILD/touchstone" run "$@" </dev/null >out 2>&1
 }
 # started ARGS <COMMANDS: touchstone run ARGS, which start gdb
 started() {
     cat >gdb.in
-    HOME=$work timeout 60 "$BUILD/touchstone" run "$@" <gdb.in >out 2>&1
+    HOME=$work limited "$BUILD/touchstone" run "$@" <gdb.in >out 2>&1
     status=$?
 }
 shows() { grep -qE -- "$1" out; }
@@ -71,14 +71,15 @@ in_gdb 'break relax if me == 2' run 'print me' bt kill 'run' 'print rounds_done'
 check "the run can be started again" test "$(grep -c 'hit Breakpoint' out)" = 2
 # As a user's Ctrl-C.
 (
-    sleep 1
-    for ((i = 0; i < 300; i++)); do
-        sleep 0.1
+    interrupted() {
         for process in /proc/[0-9]*; do
             [ "$(readlink "$process/cwd")" = "$work" ] && [ "$(cat "$process/comm")" = touchstone ] &&
-                [ "$(ls "$process/task" | wc -l)" = 4 ] && sleep 1 && kill -INT "${process#/proc/}" && exit
+                [ "$(ls "$process/task" | wc -l)" = 4 ] && has_computed "${process#/proc/}" 150 && kill -INT "${process#/proc/}" &&
+                return
         done 2>/dev/null
-    done
+        return 1
+    }
+    awaited interrupted
 ) &
 compile stopped
 in_gdb run 'print $_gthread' bt -- -q -n 3 stopped for

@@ -9,7 +9,7 @@ for source in "$tests"/host/*.c; do
 done
 
 # host N NAME ARGS...: runs the host program with a node program, and keeps the digest line
-host() { run --max-wall-time 60 --host "$@" && grep -E '^(virtual time|digest)' err >"figures"; }
+host() { run --max-wall-time "$patience" --host "$@" && grep -E '^(virtual time|digest)' err >"figures"; }
 
 host farm farm_node
 cat >want <<'END'

@@ -28,11 +28,8 @@ declare -A host_pid
 # The first process of a space of processes takes all others with it.
 host_begin() { # NAME ADDRESS
     # shellcheck disable=SC2086
-    unshare ${spaces#--user --map-root-user } sh -c "hostname $1 && mount -t tmpfs none /dev/shm && echo >$1.begun && exec sleep 1000" 2>/dev/null &
-    for _ in $(seq 200); do
-        [ -e "$1.begun" ] && break
-        sleep 0.02
-    done
+    unshare ${spaces#--user --map-root-user } sh -c "hostname $1 && mount -t tmpfs none /dev/shm && echo >$1.begun && exec sleep infinity" 2>/dev/null &
+    awaited test -e "$1.begun"
     host_pid[$1]=$(pgrep -P $!)
     echo "${host_pid[$1]}" >"$1.pid"
     # (By the same address of Ethernet as an earlier computer of that name: the others know it for some seconds yet.)
@@ -72,7 +69,7 @@ END
 across() { # N ARGS
     local ranks=$1
     shift
-    timeout -k 5 "${across_limit:-60}" mpirun --hostfile hostfile --map-by node --mca plm_rsh_agent "$work/agent" \
+    limited mpirun --hostfile hostfile --map-by node --mca plm_rsh_agent "$work/agent" \
         --mca btl_tcp_if_include 10.77.0.0/24 --mca oob_tcp_if_include 10.77.0.0/24 --mca btl self,tcp,vader \
         -np "$ranks" "$@" >out 2>err
     status=$?

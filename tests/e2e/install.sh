@@ -4,7 +4,7 @@
 . "$tests/mpi.bash"
 root=$(cd "$tests/../.." && pwd)
 stage=$work/stage
-touchstone_make() { timeout 300 make -s -C "$root" B="$BUILD" PREFIX=/opt/nx DESTDIR="$stage" "$@" >make.log 2>&1; }
+touchstone_make() { limited make -s -C "$root" B="$BUILD" PREFIX=/opt/nx DESTDIR="$stage" "$@" >make.log 2>&1; }
 there() { (cd "$stage/opt/nx" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C sort); }
 
 # What was there before, touchstone's own folders among it, has to stay.
@@ -73,7 +73,7 @@ check "no file names DESTDIR" no_path
 mv "$stage/opt/nx" moved
 cp "$tests/ring.c" "$tests/crash.c" .
 check "the installed nxcc compiles, from another folder" moved/bin/nxcc -g -O2 -o ring ring.c
-installed_run() { (cd / && timeout 100 "$work/moved/bin/touchstone" run -q -m delta -n 16 "$work/ring") >out 2>err; }
+installed_run() { (cd / && limited "$work/moved/bin/touchstone" run -q -m delta -n 16 "$work/ring") >out 2>err; }
 check "the installed touchstone runs it" installed_run
 cp out installed.out
 run -q -m delta -n 16 ring

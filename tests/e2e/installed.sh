@@ -6,7 +6,7 @@ mkdir -p here/app
 PATH=$work/prefix/bin:$PATH
 came=$work/prefix/lib/touchstone
 installed() { # ARGS...
-    (cd here && timeout 60 touchstone "$@") >out 2>err </dev/null
+    (cd here && limited touchstone "$@") >out 2>err </dev/null
     status=$?
 }
 

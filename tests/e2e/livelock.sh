@@ -23,10 +23,27 @@ run -n 3 --max-virtual-time 0.2 livelock msgdone
 check "msgdone: the receive's type" said "in msgdone of a receive of type 11 \\(livelock.c:$(line_of msgdone)\\), [0-9]+ times without an answer; no message of type 11"
 run -n 3 --max-virtual-time 0.2 livelock flick
 check "flick" said "in flick \\(livelock.c:$(line_of flick)\\), [0-9]+ times, and no message or handler came$"
-run -n 3 --max-wall-time 0.5 livelock iprobe
+cat >gives_up.c <<'END'
+#include <stdlib.h>
+#include "nx.h"
+int main(void)
+{
+    if (mynode() == 1)
+        exit(4);
+    while (!iprobe(7))
+        ;
+    return 0;
+}
+END
+"$BUILD/nxcc" -O2 -o gives_up gives_up.c 2>compile.err || cat compile.err
+run -q -n 3 --max-virtual-time 0.2 gives_up
+check "an exit with an error is told at once" test "$(head -1 err)" = "$(grep -E '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(4\)$' err)"
+check "it is in the node's line" said '^  node 1: ended with exit\(4\) at '
+check "and named to those that poll for ever" said '^  nodes 0, 2 poll: .*; look at node 1 first, which ended with exit\(4\)$'
+run -n 3 --max-wall-time 1 livelock iprobe
 check "a limit of wall time names them, too" said "^  nodes 1, 2 poll: .* in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\)"
-env --default-signal=INT "$BUILD/touchstone" run --max-wall-time 20 -n 3 livelock iprobe >out 2>err &
-sleep 0.6
+env --default-signal=INT "$BUILD/touchstone" run -n 3 livelock iprobe >out 2>err &
+awaited has_computed $! 60
 kill -INT $!
 wait $!
 check "SIGINT, too" said "^  nodes 1, 2 poll: .* in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\)"

@@ -13,7 +13,7 @@ results() { # PROGRAM ARGS...
     local program=$1
     shift
     rm -f f.json
-    "$BUILD/touchstone" run --max-wall-time 60 --json f.json "${options[@]}" "$program" "$@" >out 2>err </dev/null
+    "$BUILD/touchstone" run --max-wall-time "$patience" --json f.json "${options[@]}" "$program" "$@" >out 2>err </dev/null
     { echo "status $?" && cat out && grep -v '^wall time\|^memory' err && grep -v 'wall_time\|memory_\|"program"' f.json; } |
         sed 's/main+0x[0-9a-f]*/main/; s/computing (lookahead.c:[0-9]*)/computing/g'
 }

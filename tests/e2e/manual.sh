@@ -24,7 +24,7 @@ refuses() { ! contents 'no-such-page' 2>err && said 'there is no page no-such-pa
 check "a page that is not there is an error" refuses
 
 if sphinx-build --version >/dev/null 2>&1 && "$(sed -n '1s/^#! *//p' "$(command -v sphinx-build)")" -c 'import furo, myst_parser' 2>/dev/null; then
-    sphinx() { TOUCHSTONE_VERSION=0 timeout 300 sphinx-build -q -W --keep-going -c "$root/doc/manual/sphinx" -d trees -b dummy source out; }
+    sphinx() { TOUCHSTONE_VERSION=0 limited sphinx-build -q -W --keep-going -c "$root/doc/manual/sphinx" -d trees -b dummy source out; }
     check "Sphinx has no warning" sphinx
 else
     echo "skip Sphinx has no warning: Sphinx, MyST or furo is not installed (make manual installs them)"

@@ -7,11 +7,13 @@ export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 # more
 export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_odls_base_sigkill_timeout=0
 export TOUCHSTONE_CFS=$work/cfs
 
+. "$(dirname "${BASH_SOURCE[0]}")/../patience.bash"
+
 on_mpi() {
     local ranks=$1
     shift
     rm -rf "$TOUCHSTONE_CFS"
-    timeout 120 mpirun -np "$ranks" "$@" >"$work/out" 2>"$work/err"
+    limited mpirun -np "$ranks" "$@" >"$work/out" 2>"$work/err"
     status=$?
 }
 

@@ -54,12 +54,6 @@ check "finds something" grep -q 'outcomes differ from' out
 
 # --- what breaks ---
 # (Its messages are those of MPI's launcher.)
-wait_for() { # COMMAND...: until it succeeds, for a minute at most
-    for _ in $(seq 600); do
-        "$@" && return
-        sleep 0.1
-    done
-}
 printed_places() { [ "$(head -1 out 2>/dev/null)" = "alpha beta alpha beta" ]; }
 nothing_left() { ! left_over "$1"; }
 # broken COMMAND...: a program works on both computers, and then the command is run.
@@ -67,7 +61,7 @@ broken() {
     rm -f out err
     # shellcheck disable=SC2086
     across 4 -x TOUCHSTONE_CFS $quick ./places-mpi works &
-    wait_for printed_places
+    awaited printed_places
     "$@"
     wait $!
     status=$?
@@ -81,16 +75,16 @@ kill_rank() { # N
 broken kill_rank 1
 check "a process killed: the job ends" [ "$status" != 0 ]
 check "its number and computer are told" said 'process rank 1 with PID [0-9]+ on node beta exited on signal 9'
-check "and no process is left" wait_for nothing_left 'places-mpi works'
+check "and no process is left" awaited nothing_left 'places-mpi works'
 broken on beta ip link set eth0 down
 check "the network gone: the job ends" [ "$status" != 0 ]
 check "the computer is named" said 'beta'
-check "and no process is left" wait_for nothing_left 'places-mpi works'
+check "and no process is left" awaited nothing_left 'places-mpi works'
 on beta ip link set eth0 up
 broken host_dies beta
 check "a computer gone: the job ends" [ "$status" != 0 ]
 check "the computer is named" said 'Remote daemon: .* on node beta'
-check "and no process is left" wait_for nothing_left 'places-mpi works'
+check "and no process is left" awaited nothing_left 'places-mpi works'
 
 # --- a computer gone from a study ---
 hosts_again() { # a new computer of the same name
@@ -102,12 +96,12 @@ hosts_again
 rm -rf shared cache runs.log
 shares 4 &
 some() { had=$(results shared) && [ "$had" -ge 3 ]; }
-wait_for some
+awaited some
 host_dies beta
 wait $!
 had=$(results shared)
 check "a study whose computer is gone keeps what was finished" [ "$had" -ge 3 ]
-check "and no process is left" wait_for nothing_left "study -j 1 many.cfg"
+check "and no process is left" awaited nothing_left "study -j 1 many.cfg"
 hosts_again
 shares 4
 check "the same command completes it" ended_with 0

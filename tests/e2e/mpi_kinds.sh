@@ -5,7 +5,7 @@
 . "$tests/mpi.bash"
 printed() { [ "$(cat out)" = "$1" ]; }
 with_mpi() { # N PROGRAM ARGS
-    timeout 60 "mpirun.$kind" -np "$@" >out 2>err
+    limited "mpirun.$kind" -np "$@" >out 2>err
     status=$?
 }
 

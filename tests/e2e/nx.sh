@@ -7,6 +7,7 @@
 #     again: OPTIONS     compiled once more, with these options, too: all runs print the same
 #     stdin: TEXT        a line for its standard input
 BUILD=$(cd "${BUILD:-build}" && pwd)
+. tests/patience.bash
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -36,7 +37,7 @@ compiled() { # NAME SOURCE OPTIONS...
 run_all() { # NAME OPTIONS...: on its machines
     while read -r arguments; do
         # shellcheck disable=SC2086
-        (cd "$work" && "$BUILD/touchstone" run --max-wall-time 300 $arguments "$1" >out 2>err <in)
+        (cd "$work" && "$BUILD/touchstone" run --max-wall-time $patience $arguments "$1" >out 2>err <in)
         status=$?
         [ $status = 0 ] || echo "status $status" >>"$work/out"
         [ -f "$expected" ] || [ $status != 0 ] || cp "$work/out" "$work/first"

@@ -101,5 +101,5 @@ if ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null || !
     echo "skip pages in a browser: chromium, chromium-driver and python3-selenium are not installed (make setup)"
     exit
 fi
-PYTHONDONTWRITEBYTECODE=1 HOME=$work timeout 120 /usr/bin/python3 "$tests/../page/check_page.py" "$work/all.html" "$work/many.html" "$work" 2>browser.err
+PYTHONDONTWRITEBYTECODE=1 HOME=$work limited /usr/bin/python3 "$tests/../page/check_page.py" "$work/all.html" "$work/many.html" "$work" 2>browser.err
 [ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }

@@ -5,7 +5,7 @@
 
 # What a run gives but for races found, its memory and wall times.
 results() { # ARGS...
-    timeout 100 "${touchstone:-$BUILD/touchstone}" run --max-wall-time 60 "$@" >out 2>err </dev/null
+    limited "${touchstone:-$BUILD/touchstone}" run --max-wall-time $((patience / 2)) "$@" >out 2>err </dev/null
     status=$?
     grep -q '^virtual time' err || { echo "cannot be run: $RANDOM$RANDOM" && cat err; }
     cat out && grep -E '^(virtual time|messages|nodes|interrupts|digest)' err

@@ -19,13 +19,11 @@ study() {
 }
 lines() { [ -f runs.log ] && wc -l <runs.log || echo 0; }
 results() { cat "$1/journal" 2>/dev/null | grep -c ' [df] {'; }
+has_results() { [ "$(results "$1")" -ge "$2" ]; }
 # interrupted SIGNAL POINTS STUDY DIR: starts a study, and sends it that signal when so many points have their results.
 interrupted() {
     "$BUILD/touchstone" study "$3" -o "$4" -j 2 >out 2>err </dev/null &
-    for ((i = 0; i < 2000; i++)); do
-        [ "$(results "$4")" -ge "$2" ] && break
-        sleep 0.01
-    done
+    awaited has_results "$4" "$2"
     kill -"$1" $!
     wait $! 2>/dev/null
     status=$?
@@ -88,7 +86,7 @@ check "another program is run anew" test "$(lines)" = $((before + 3 + 45))
 # Two at a time.
 sed 's/to = 15/to = 3/; s/-log 1/-endless 1/' many.cfg >endless.cfg
 "$BUILD/touchstone" study endless.cfg -o endless -j 1 >/dev/null 2>&1 </dev/null &
-for ((i = 0; i < 500; i++)); do [ -s endless/lock ] && break; sleep 0.01; done
+awaited test -s endless/lock
 study endless.cfg -o endless
 check "a second study in the folder is refused" said '^touchstone study: endless is in use by another study \(process '
 kill -INT $!

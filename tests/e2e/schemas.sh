@@ -97,6 +97,9 @@ for name in posted taken buffers waits; do
     run -q -n 2 --deadlock $name.json $name
     valid deadlock $name.json
 done
+"$BUILD/nxcc" -g -O2 -o exited "$tests/deadlocks/exited.c"
+run -q -n 4 --deadlock exited.json exited
+valid deadlock exited.json nodes.1
 run -q -n 4 --deadlock none.json served
 valid deadlock none.json
 if command -v mpirun >/dev/null && "$BUILD/nxcc" --mpi -g -O2 -o deadlock-mpi "$tests/../../share/examples/deadlock.c"; then
@@ -161,19 +164,16 @@ valid baseline baseline.json . 'studies.plain.nodes 2, share 1' 'studies.plain.n
 mkdir old.out && cp halves.out/results.json old.out # as of an earlier touchstone, which wrote no study.json
 "$BUILD/touchstone" serve halves.out polls.out old.out >address 2>err </dev/null &
 server=$!
-for _ in $(seq 200); do
-    [ -s address ] && break
-    sleep 0.05
-done
+awaited test -s address
 at() { sed "s#/?#/$1#" address; } # PATH: the address of that path
-post() { curl -s -m 30 -H "Origin: $(sed 's#/?.*##' address)" -d "$2" "$(at "$1")"; }
-news() { grep -m 1 "$1" < <(curl -sN -m 30 "$(at 'events?')") | sed 's/^data: *//'; } # the first that says so
+post() { curl -s -m "$patience" -H "Origin: $(sed 's#/?.*##' address)" -d "$2" "$(at "$1")"; }
+news() { grep -m 1 "$1" < <(curl -sN -m "$patience" "$(at 'events?')") | sed 's/^data: *//'; } # the first that says so
 post 'points?study=0\&' '{"values": {"nodes": 2, "share": 0.25}, "set": ["system.call_us=4"]}' >/dev/null
 post 'points?study=0\&' '{"values": {"nodes": 4, "share": 3}, "set": ["system.call_us=4"]}' >/dev/null
 news '"state":"done".*"state":"failed"' >events.json
-curl -s -m 30 "$(at 'data?study=0\&')" >data.json
-curl -s -m 30 "$(at 'data?study=1\&')" >data2.json
-curl -s -m 30 "$(at 'data?study=2\&')" >data3.json
+curl -s -m "$patience" "$(at 'data?study=0\&')" >data.json
+curl -s -m "$patience" "$(at 'data?study=1\&')" >data2.json
+curl -s -m "$patience" "$(at 'data?study=2\&')" >data3.json
 kill $server
 valid serve-data data.json . points.0 form.0 progress
 valid serve-data data2.json
@@ -187,10 +187,7 @@ valid journal refused-line.json
 # --- the tables ---
 "$BUILD/touchstone" tables -t 1 -o tables >out 2>err &
 tables=$!
-for _ in $(seq 600); do
-    [ "$(grep -c ' d {' tables/journal 2>/dev/null)" -ge 1 ] 2>/dev/null && break
-    sleep 0.02
-done
+awaited grep -qs ' d {' tables/journal
 line tables/journal ' d ' >row-line.json
 valid journal row-line.json .
 wait $tables

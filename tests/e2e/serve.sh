@@ -6,16 +6,14 @@ touchstone=$BUILD/touchstone
 server=
 trap '[ -z "$server" ] || kill "$server" 2>/dev/null; rm -rf "$work"' EXIT
 
+has_begun() { [ -s address ] || ! kill -0 $server 2>/dev/null; }
 # begin ARGS... - a server; sets server, its process, and address
 begin() {
     : >address # not the last server's
     "$touchstone" serve "$@" >address 2>err </dev/null &
     server=$!
-    for _ in $(seq 100); do
-        address=$(cat address)
-        [ -n "$address" ] || ! kill -0 $server 2>/dev/null && break
-        sleep 0.05
-    done
+    awaited has_begun
+    address=$(cat address)
 }
 # end SIGNAL - ends the server; sets status
 end() {
@@ -31,8 +29,8 @@ at() {
     echo "${address%%/\?*}$1$mark${address##*\?}"
 }
 # post PATH JSON - as the server's own page does
-post() { curl -s -m 10 -H "Origin: ${address%%/\?*}" -d "$2" "$(at "$1")" >out; }
-get() { curl -s -m 10 "$(at "$1")" >out; }
+post() { curl -s -m "$patience" -H "Origin: ${address%%/\?*}" -d "$2" "$(at "$1")" >out; }
+get() { curl -s -m "$patience" "$(at "$1")" >out; }
 
 cat >prog.c <<'END'
 #include <nx.h>
@@ -73,19 +71,20 @@ cp study/results.json results.before
 
 begin study
 check "its address is one line" grep -qE '^http://127\.0\.0\.1:[0-9]+/\?token=[0-9a-f]{32}$' address
-timeout 60 /usr/bin/python3 "$tests/../serve/try_server.py" "$address" "$work/study" 2>python.err
+limited /usr/bin/python3 "$tests/../serve/try_server.py" "$address" "$work/study" 2>python.err
 [ $? = 0 ] || { echo "not ok all was asked"; sed 's/^/# /' python.err; }
 check "the study's own results are as before" cmp study/results.json results.before
 
 port=${address#http://127.0.0.1:} port=${port%%/*}
-timeout 10 "$touchstone" serve --port "$port" study >out 2>taken </dev/null
+limited "$touchstone" serve --port "$port" study >out 2>taken </dev/null
 status=$?
 check "a port that is taken ends it" ended_with 65
 check "and it says what to do" grep -qE "^touchstone serve: port $port of 127.0.0.1 is taken .*--port" taken
 
 # Its end, with a run under way.
 post '/points?study=0' '{"values": {"nodes": 2, "share": 0.5, "case": "long"}}'
-for _ in $(seq 60); do pgrep -f "$work/prog .*endless-word" >child && break; sleep 0.05; done
+begun() { pgrep -f "$work/prog .*endless-word" >child; }
+awaited begun
 check "a run is under way" test -s child
 end INT
 check "SIGINT ends it" ended_with 0
@@ -97,10 +96,10 @@ begin study
 get '/data?study=0'
 check "points that were added are there again" grep -q '"added":true' out
 sed -i 's/2, 4/2, 4, 16, 32/' short.cfg
-curl -sN -m 60 "$(at /events)" >events &
+curl -sN -m "$patience" "$(at /events)" >events &
 "$touchstone" study short.cfg -o study -j 1 >out 2>err </dev/null
 at_the_end() { grep "^data" events | tail -1 | grep -q '"all":8,"done":8,'; }
-for _ in $(seq 100); do at_the_end && break; sleep 0.05; done
+awaited at_the_end
 kill $!
 check "events tell that the study has more points" grep -q '"all":8,' events
 check "and all of them at the end" at_the_end
@@ -120,16 +119,16 @@ get '/data?study=0'
 check "a link out of the folder is not followed" bash -c 'grep -q Groups out && ! grep -q outside out'
 post '/points?study=0' '{"values": {"nodes": 4, "share": 0.25, "case": "short"}}'
 check "a point is run there" grep -qx '{"id":1}' out
-for _ in $(seq 60); do grep -q 'is lost: links/added' err && break; sleep 0.05; done
+awaited grep -q 'is lost: links/added' err
 check "its result is not written through a link" bash -c 'grep -q "is lost: links/added" err && [ ! -e elsewhere ]'
 end INT
 
 # Wrong use.
-timeout 10 "$touchstone" serve none >out 2>err </dev/null
+limited "$touchstone" serve none >out 2>err </dev/null
 status=$?
 check "no such folder" ended_with 65
 check "is said" said '^touchstone serve: none: '
-timeout 10 "$touchstone" serve --address 999.1.1.1 study >out 2>err </dev/null
+limited "$touchstone" serve --address 999.1.1.1 study >out 2>err </dev/null
 check "no such address is said" said "^touchstone serve: '999.1.1.1' is no address"
 begin --address 0.0.0.0 study
 check "an address that others reach is warned of" said '^touchstone serve: warning: other computers can reach 0.0.0.0'
@@ -142,6 +141,6 @@ if ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null || !
 fi
 sed -i "s,short.cfg,groups.cfg," study/study.json
 begin study
-PYTHONDONTWRITEBYTECODE=1 HOME=$work timeout 100 /usr/bin/python3 "$tests/../serve/check_live.py" "$address" 2>browser.err
+PYTHONDONTWRITEBYTECODE=1 HOME=$work limited /usr/bin/python3 "$tests/../serve/check_live.py" "$address" 2>browser.err
 [ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }
 end INT

@@ -13,7 +13,7 @@ axes = ( { name = "nodes"; values = ( 1, 2 ); },
          { name = "steps"; values = { from = 20; to = 40; step = 1; }; arguments = "-steps {}"; } );
 END
 results() { cat "$1/journal" 2>/dev/null | grep -c ' [df] {'; }
-processes() { timeout 120 mpirun --oversubscribe --bind-to none "$@" </dev/null >out 2>err; }
+processes() { limited mpirun --oversubscribe --bind-to none "$@" </dev/null >out 2>err; }
 
 "$BUILD/touchstone" study many.cfg -o alone >out 2>err
 rm runs.log
@@ -24,14 +24,12 @@ check "each point ran once" test "$(wc -l <runs.log)" = 42 -a "$(sort runs.log |
 check "one of them writes the results" test "$(grep -c '^42 points, 0 failed' out)" = 1
 check "which are those of one process" cmp <(grep -v wall_time alone/results.json) <(grep -v wall_time shared/results.json)
 
+has_six() { [ "$(results shared)" -ge 6 ]; }
 # lost OPTION...: kills the middle one of three processes when some points are done.
 lost() {
     rm -rf shared runs.log
     processes "$@" -np 3 "$BUILD/touchstone" study many.cfg -o shared &
-    for ((i = 0; i < 1000; i++)); do
-        [ "$(results shared)" -ge 6 ] && break
-        sleep 0.01
-    done
+    awaited has_six
     for pid in $(pgrep -f "study many.cfg -o shared"); do
         grep -qz '^OMPI_COMM_WORLD_RANK=1$' "/proc/$pid/environ" 2>/dev/null &&
             [ "$(readlink "/proc/$pid/cwd")" = "$work" ] && kill -9 "$pid" && killed=$pid

@@ -14,8 +14,10 @@ ask() {
     status=$?
 }
 start() { "$BUILD/touchstone" srm -d "$@" >out 2>err; status=$?; }
-gone() { for _ in {1..100}; do kill -0 "$1" 2>/dev/null || return 0; sleep 0.05; done; return 1; }
-until_true() { for _ in {1..200}; do "$@" && return 0; sleep 0.05; done; return 1; }
+is_gone() { ! kill -0 "$1" 2>/dev/null; }
+gone() { awaited is_gone "$1"; }
+# Has a client asked the service, and sleeps until the answer?
+has_asked() { ls -l "/proc/$1/fd" | grep -q socket: && grep -q '^State:.*sleeping' "/proc/$1/status"; }
 
 mkdir links
 "$BUILD/touchstone" srm --links links
@@ -77,7 +79,8 @@ links/waitcube >waited 2>&1 &
 waiter=$!
 links/waitcube >/dev/null 2>&1 &
 other=$!
-sleep 0.3
+awaited has_asked $waiter
+awaited has_asked $other
 disown $other
 kill -9 $other
 ask killcube
@@ -90,7 +93,7 @@ ask attachcube -c default
 ask load endless
 links/waitcube >waited 2>&1 &
 waiter=$!
-sleep 0.3
+awaited has_asked $waiter
 ask relcube
 check "relcube ends what runs" ended_with 0
 wait $waiter
@@ -120,7 +123,7 @@ check "getcube without a type: all nodes" grep -qx 'default: nodes 0 to 127 of i
 service=$(cat srm.lock)
 kill "$service"
 check "SIGTERM ends it" gone "$service"
-check "and removes its socket" until_true test ! -e srm
+check "and removes its socket" awaited test ! -e srm
 check "its log tells what happened" grep -qE 'gets default: nodes 0 to 127' srm.log
 
 start -m delta --log delta.log

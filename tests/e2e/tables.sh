@@ -27,10 +27,8 @@ check "in a panel with a line at 0" test "$(grep -c '^plot 0 with lines .*using 
 
 # Killed when some rows are there, it goes on from them; once all are there, the next one begins anew.
 "$BUILD/touchstone" tables -t 1 -o killed -j 2 >out 2>err &
-for ((i = 0; i < 3000; i++)); do
-    [ "$(cat killed/journal 2>/dev/null | grep -c ' d {')" -ge 2 ] && break
-    sleep 0.02
-done
+has_two() { [ "$(cat killed/journal 2>/dev/null | grep -c ' d {')" -ge 2 ]; }
+awaited has_two
 kill -9 $!
 wait $! 2>/dev/null
 "$BUILD/touchstone" tables -t 1 -o killed >out 2>err

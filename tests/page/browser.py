@@ -1,5 +1,6 @@
 """browser.py - headless Chromium for tests of pages: opens one, and notes what it says and asks for."""
 import json
+import os
 import time
 
 from selenium import webdriver
@@ -8,6 +9,9 @@ from selenium.webdriver.chrome.service import Service
 
 ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
              "--enable-unsafe-swiftshader", "--hide-scrollbars", "--no-first-run", "--disable-background-networking"]
+
+
+PATIENCE = float(os.environ.get("PATIENCE", 600))  # tests/patience.bash
 
 
 class Browser:
@@ -25,19 +29,19 @@ class Browser:
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [scheme]})
 
-    def open(self, path, seconds=60):
+    def open(self, path):
         """Waits until the page says that its sections are made."""
         self.driver.get("file://" + path)
-        self.until("return document.documentElement.dataset.ready", seconds)
+        self.until("return document.documentElement.dataset.ready")
 
-    def until(self, script, seconds=10):
-        end = time.monotonic() + seconds
+    def until(self, script):
+        end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             value = self.run(script)
             if value:
                 return value
             time.sleep(0.05)
-        raise AssertionError(f"not within {seconds} s: {script}")
+        raise AssertionError(f"it has not come: {script}")
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)

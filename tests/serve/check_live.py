@@ -46,7 +46,7 @@ def main(b, nodes):
     rule("a form has a field for each axis", b.until("return document.querySelectorAll('.live [name]').length === 4"))
     fill(b, nodes=str(nodes), share="0.5", case="short")
     field(b, "nodes").send_keys(Keys.ENTER)
-    rule("a point joins the curve", b.until(f"return document.querySelectorAll('.runs [data-state=done]').length && ({markers[7:]}) > {before}", 15))
+    rule("a point joins the curve", b.until(f"return document.querySelectorAll('.runs [data-state=done]').length && ({markers[7:]}) > {before}"))
     rule("the figure is the one chosen before", b.run(f"return {choice}.value") == "total_s")
     rule("the form is open as before", field(b, "nodes").is_displayed() and field(b, "nodes").get_attribute("value") == str(nodes))
     rule("the keyboard is where it was", b.run("return document.activeElement.name") == "axis nodes",
@@ -57,11 +57,11 @@ def main(b, nodes):
          b.until("return document.querySelector('.live [role=alert]').textContent"))
     fill(b, nodes="2", case="long")
     field(b, "nodes").send_keys(Keys.ENTER)
-    b.until("return document.querySelector('.runs [data-state=running] button')", 10)
+    b.until("return document.querySelector('.runs [data-state=running] button')")
     if len(sys.argv) > 2:
         b.driver.save_screenshot(sys.argv[2])
     b.run("document.querySelector('.runs [data-state=running] button').click()")
-    rule("a run is stopped", b.until("return document.querySelector('.runs [data-state=stopped]')", 10) is not None)
+    rule("a run is stopped", b.until("return document.querySelector('.runs [data-state=stopped]')") is not None)
     asked = [url for url in b.requests() if not url.startswith(address.split("/?")[0]) and url[:5] not in ("data:", "blob:")]
     rule("nothing was asked of others", not asked, asked)
     b.resize(360)
