@@ -1,5 +1,6 @@
 /* never_set.c - a local variable that the program has never set reads as 0, wherever it lies; one that has been set
- * keeps its value for as long as its scope lasts, round loops, too. All nodes try, node 0 prints. Simulator only.
+ * keeps its value for as long as its scope lasts, round loops, too. All nodes try, node 0 prints.
+ * simulator only: on MPI a local variable holds what lay there
  * run: all
  * compile: -w -fno-strict-aliasing
  * again: -O0
