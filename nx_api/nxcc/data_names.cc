@@ -15,6 +15,16 @@ bool is_data_of_another_file(tree decl)
            !in_system_header_at(DECL_SOURCE_LOCATION(decl));
 }
 
+bool main_takes_environment;
+
+/* Such a program is given a copy of the environment when it begins, as one that uses `environ` is. */
+void look_at_main(void *decl, void *)
+{
+    tree d = static_cast<tree>(decl);
+    if (DECL_NAME(d) && MAIN_NAME_P(DECL_NAME(d)) && TREE_PUBLIC(d) && list_length(DECL_ARGUMENTS(d)) >= 3)
+        main_takes_environment = true;
+}
+
 void finish_unit(void *, void *)
 {
     varpool_node *v;
@@ -24,10 +34,13 @@ void finish_unit(void *, void *)
     if (is_data_of_another_file(v->decl))
         fprintf(asm_out_file, "\t.section .nxc_data,\"\",@progbits\n\t.asciz \"%s\"\n",
                 IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(v->decl)));
+    if (main_takes_environment)
+        fputs("\t.section .data\n\t.balign 8\n\t.quad environ\n", asm_out_file);
 }
 } // namespace
 
 void data_names_register(const char *plugin)
 {
+    register_callback(plugin, PLUGIN_FINISH_PARSE_FUNCTION, look_at_main, NULL);
     register_callback(plugin, PLUGIN_FINISH_UNIT, finish_unit, NULL);
 }

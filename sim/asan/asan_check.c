@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 #include "asan/node_asan.h"
+#include "guest/own_memory.h"
 #include "kernel/xalloc.h"
 #include "node/self.h"
 #include "nx_api/contract/program_image.h"
@@ -117,7 +118,8 @@ static bool make_parts(struct node_asan *a, const struct node *n)
     if (counted == MAP_FAILED)
         return false;
     a->counted = counted, a->counted_bytes = heap;
-    a->blocks = node_heap_new(n->heap_start, n->region->heap_bytes, always, ignored, NULL);
+    a->blocks =
+        node_heap_new(n->heap_start, n->region->heap_bytes - own_memory_bytes(n), always, ignored, NULL);
     a->marked = (uintptr_t)n->heap_start;
     a->stacks = asan_stacks_new();
     return true;

@@ -166,9 +166,10 @@ const char *node_gzerror(gzFile file, int *number)
     const struct gz *g = (const struct gz *)file;
     if (number)
         *number = g->error;
-    return g->error == Z_DATA_ERROR  ? "the compressed data are damaged"
-           : g->error == Z_BUF_ERROR ? "the compressed data are cut short"
-                                     : "";
+    const char *text = g->error == Z_DATA_ERROR  ? "the compressed data are damaged"
+                       : g->error == Z_BUF_ERROR ? "the compressed data are cut short"
+                                                 : "";
+    return own_memory_text(node_self(), text);
 }
 
 int node_gzclose(gzFile file)

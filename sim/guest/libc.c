@@ -2,13 +2,16 @@
  * surroundings are in libc_system.c. A function node_NAME serves a node program's NAME and runs on the
  * node's stack. */
 #include <assert.h>
+#include <ctype.h>
 #include <errno.h>
+#include <locale.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "guest/heap.h"
+#include "guest/image.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/self.h"
@@ -34,8 +37,13 @@ void *node_libc_data(struct node *n, const char *name)
     if (strcmp(name, "stdout") == 0)
         return &s->out;
     if (strcmp(name, "environ") == 0)
-        return &n->envp;
+        return node_libc_environ(n);
     return strcmp(name, "stderr") == 0 ? &s->err : NULL;
+}
+
+char **node_libc_envp(struct node *n)
+{
+    return node_image_uses(n->file, "environ") ? *node_libc_environ(n) : n->argv + n->argc + 1;
 }
 
 void node_libc_flush(struct node *n)
@@ -58,6 +66,7 @@ void node_libc_free(struct node *n)
     free(n->libc->atexit);
     folder_free(n->libc);
     node_libc_free_environment(n->libc);
+    own_memory_forget(&n->libc->own);
     free(n->libc);
     n->libc = NULL;
 }
@@ -227,12 +236,15 @@ long node_jrand48(unsigned short x[3])
     return r;
 }
 
-/* As glibc, returns the state before, which the generator keeps. */
+/* Returns the state before, always at one place. */
 unsigned short *node_seed48(unsigned short x[3])
 {
-    struct drand48_data *d = &node_self()->libc->drand48;
-    seed48_r(x, d);
-    return d->__old_x;
+    struct node *n = node_self();
+    struct node_libc *c = n->libc;
+    seed48_r(x, &c->drand48);
+    if (!c->seed48_before)
+        c->seed48_before = own_memory_need(n, sizeof c->drand48.__old_x);
+    return memcpy(c->seed48_before, c->drand48.__old_x, sizeof c->drand48.__old_x);
 }
 
 void node_lcong48(unsigned short parameters[7])
@@ -240,19 +252,33 @@ void node_lcong48(unsigned short parameters[7])
     lcong48_r(parameters, &node_self()->libc->drand48);
 }
 
+/* The array that holds the state, which the program is about to be told: the first one moves to memory of the
+ * program's own. */
+static char *told_state(struct node *n)
+{
+    struct node_libc *c = n->libc;
+    struct random_data *r = &c->random;
+    if ((char *)(r->state - 1) == c->random_state) {
+        char *to = own_memory_need(n, sizeof c->random_state);
+        ptrdiff_t by = (int32_t *)memcpy(to, c->random_state, sizeof c->random_state) + 1 - r->state;
+        r->state += by, r->fptr += by, r->rptr += by, r->end_ptr += by;
+    }
+    return (char *)(r->state - 1);
+}
+
 /* From now on, the state is the program's own array. Returns the array used before. */
 char *node_initstate(unsigned seed, char *state, size_t bytes)
 {
-    struct random_data *r = &node_self()->libc->random;
-    char *before = (char *)(r->state - 1);
-    return initstate_r(seed, state, bytes, r) == 0 ? before : NULL;
+    struct node *n = node_self();
+    char *before = told_state(n);
+    return initstate_r(seed, state, bytes, &n->libc->random) == 0 ? before : NULL;
 }
 
 char *node_setstate(char *state)
 {
-    struct random_data *r = &node_self()->libc->random;
-    char *before = (char *)(r->state - 1);
-    return setstate_r(state, r) == 0 ? before : NULL;
+    struct node *n = node_self();
+    char *before = told_state(n);
+    return setstate_r(state, &n->libc->random) == 0 ? before : NULL;
 }
 
 char *node_strtok(char *s, const char *delimiters)
@@ -260,32 +286,90 @@ char *node_strtok(char *s, const char *delimiters)
     return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
 }
 
-/* There is one locale, "C". A program that asks for another gets this one. */
-static struct node_locale {
-    char name;
-} only = {'C'};
+/* --- the locale: there is one, "C"; a program that asks for another gets this one --- */
 
-struct node_locale *node_newlocale(int mask, const char *name, struct node_locale *base)
+enum { CTYPE_FIRST = -128, CTYPE_ENTRIES = 384 };
+
+struct ctype_tables {
+    const unsigned short *classes;
+    const int *lower, *upper;
+    unsigned short class_of[CTYPE_ENTRIES];
+    int lower_of[CTYPE_ENTRIES], upper_of[CTYPE_ENTRIES];
+};
+
+static struct ctype_tables *tables(void)
 {
+    struct node *n = node_self();
+    struct ctype_tables *t = n->libc->ctype;
+    if (t)
+        return t;
+    t = n->libc->ctype = own_memory_need(n, sizeof *t);
+    memcpy(t->class_of, *__ctype_b_loc() + CTYPE_FIRST, sizeof t->class_of);
+    memcpy(t->lower_of, *__ctype_tolower_loc() + CTYPE_FIRST, sizeof t->lower_of);
+    memcpy(t->upper_of, *__ctype_toupper_loc() + CTYPE_FIRST, sizeof t->upper_of);
+    t->classes = t->class_of - CTYPE_FIRST;
+    t->lower = t->lower_of - CTYPE_FIRST;
+    t->upper = t->upper_of - CTYPE_FIRST;
+    return t;
+}
+
+const unsigned short **node___ctype_b_loc(void)
+{
+    return &tables()->classes;
+}
+
+const int **node___ctype_tolower_loc(void)
+{
+    return &tables()->lower;
+}
+
+const int **node___ctype_toupper_loc(void)
+{
+    return &tables()->upper;
+}
+
+/* (Macros of the header look into it.) */
+locale_t node_newlocale(int mask, const char *name, locale_t base)
+{
+    struct node *n = node_self();
+    struct node_libc *c = n->libc;
     (void)mask, (void)name, (void)base;
-    return &only;
+    if (c->locale)
+        return c->locale;
+    c->locale = own_memory_need(n, sizeof *c->locale);
+    c->locale->__ctype_b = tables()->classes;
+    c->locale->__ctype_tolower = tables()->lower;
+    c->locale->__ctype_toupper = tables()->upper;
+    for (size_t i = 0; i < sizeof c->locale->__names / sizeof *c->locale->__names; i++)
+        c->locale->__names[i] = own_memory_text(n, "C");
+    return c->locale;
 }
 
-struct node_locale *node_uselocale(struct node_locale *to)
+locale_t node_uselocale(locale_t to)
 {
-    (void)to;
-    return &only;
+    return node_newlocale(0, NULL, to);
 }
 
-void node_freelocale(struct node_locale *l)
+void node_freelocale(locale_t l)
 {
     (void)l;
 }
 
+/* --- errors as texts --- */
+
 char *node_strerror(int code)
 {
+    struct node *n = node_self();
     const char *text = nx_error_text(code);
-    return text ? (char *)(uintptr_t)text : strerror(code);
+    if (!text)
+        text = strerrordesc_np(code);
+    if (text)
+        return own_memory_text(n, text);
+    enum { ROOM = 64 };
+    if (!n->libc->unknown_error)
+        n->libc->unknown_error = own_memory_need(n, ROOM);
+    snprintf(n->libc->unknown_error, ROOM, "Unknown error %d", code);
+    return n->libc->unknown_error;
 }
 
 /* GNU's function; headers call POSIX's by the other name, below. */
@@ -302,7 +386,7 @@ int node___xpg_strerror_r(int code, char *buf, size_t size)
     return strlen(text) < size ? 0 : ERANGE;
 }
 
-char *node_strerror_l(int code, struct node_locale *l)
+char *node_strerror_l(int code, locale_t l)
 {
     (void)l;
     return node_strerror(code);

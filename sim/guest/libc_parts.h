@@ -8,6 +8,7 @@
 #include "guest/folder.h"
 #include "guest/libc.h"
 #include "guest/descriptors.h"
+#include "guest/own_memory.h"
 #include "guest/streams.h"
 
 struct node_libc {
@@ -21,16 +22,27 @@ struct node_libc {
     mbstate_t multibyte;       /* of calls that pass no state */
     char *folder;              /* where relative paths start; NULL: where the simulator was started */
     char *whole[FOLDER_SLOTS]; /* folder.h */
-    char **environment; /* the program's list; NULL: as given. The texts are the program's, or in set */
-    char **set;         /* texts that setenv has made */
+    struct own_memory own;
+    /* The program's variable; NULL: it has not asked for the environment. What is in it lies in memory of the
+     * program's own. */
+    char ***environ_at;
+    char **environment; /* the latest list that the system has made for it */
+    size_t environment_room;
+    struct set_text *set; /* texts that setenv has made */
     size_t set_count;
+    char *unknown_error;           /* texts and tables that the program has been given */
+    unsigned short *seed48_before; /* NULL: not yet */
+    struct __locale_struct *locale;
+    struct ctype_tables *ctype;
     vtime alarm_at; /* 0: none is set */
     unsigned temporary_names;
     void (**atexit)(void);
     size_t atexit_count;
 };
 
-/* Frees what node_setenv and related calls have made. */
+/* The program's variable `environ`, whose list is the node's own copy of what the user has given. */
+char ***node_libc_environ(struct node *n);
+
 void node_libc_free_environment(struct node_libc *c);
 
 /* As strerror, with NX's errors, too. */

@@ -135,20 +135,64 @@ long node_sysconf(int name)
     }
 }
 
-/* --- the environment: the given list, until the program changes it; then a list of the program's own --- */
+/* --- the environment: what the user has given, copied for the program when it first asks for something that is
+ * there --- */
 
-static char **find_variable(const struct node *n, const char *name, size_t len)
+static char **find_in(char **list, const char *name, size_t len)
 {
-    char **e = n->envp;
+    char **e = list;
     while (e != NULL && *e != NULL && (strncmp(*e, name, len) != 0 || (*e)[len] != '='))
         e++;
     return e != NULL && *e != NULL ? e : NULL;
 }
 
+static size_t count_variables(char *const *list)
+{
+    size_t count = 0;
+    while (list != NULL && list[count] != NULL)
+        count++;
+    return count;
+}
+
+/* A list of the program's own with the variables of `from`, and room for one more. */
+static char **list_with_room(struct node *n, char **from)
+{
+    struct node_libc *c = n->libc;
+    size_t count = count_variables(from), needed = count + 2;
+    if (from == c->environment && needed <= c->environment_room)
+        return from;
+    size_t room = 2 * needed;
+    char **list = own_memory_take(n, room * sizeof *list);
+    if (!list)
+        return NULL;
+    if (count > 0)
+        memcpy(list, from, count * sizeof *list);
+    c->environment_room = room;
+    return c->environment = list;
+}
+
+char ***node_libc_environ(struct node *n)
+{
+    struct node_libc *c = n->libc;
+    if (c->environ_at)
+        return c->environ_at;
+    c->environ_at = own_memory_need(n, sizeof *c->environ_at);
+    char **list = list_with_room(n, n->envp);
+    for (char **e = list; e && *e; e++) {
+        size_t bytes = strlen(*e) + 1;
+        *e = memcpy(own_memory_need(n, bytes), *e, bytes);
+    }
+    *c->environ_at = list;
+    return c->environ_at;
+}
+
 char *node_getenv(const char *name)
 {
+    struct node *n = node_self();
     size_t len = strlen(name);
-    char **e = find_variable(node_self(), name, len);
+    if (!n->libc->environ_at && !find_in(n->envp, name, len))
+        return NULL;
+    char **e = find_in(*node_libc_environ(n), name, len);
     return e ? *e + len + 1 : NULL;
 }
 
@@ -157,40 +201,26 @@ char *node_secure_getenv(const char *name)
     return node_getenv(name);
 }
 
-static size_t count_variables(const struct node *n)
+static int put_variable(struct node *n, char *text, size_t name_len)
 {
-    size_t count = 0;
-    while (n->envp != NULL && n->envp[count] != NULL)
-        count++;
-    return count;
-}
-
-/* Copies the list for the program, with room for one more variable. */
-static void own_environment(struct node *n)
-{
-    size_t count = count_variables(n);
-    char **list = xcalloc(count + 2, sizeof *list);
-    if (count > 0)
-        memcpy(list, n->envp, count * sizeof *list);
-    free(n->libc->environment);
-    n->envp = n->libc->environment = list;
-}
-
-static void put_variable(struct node *n, char *text, size_t name_len)
-{
-    own_environment(n);
-    char **e = find_variable(n, text, name_len);
+    char ***at = node_libc_environ(n), **list = list_with_room(n, *at);
+    if (list == NULL) {
+        errno = ENOMEM;
+        return -1;
+    }
+    *at = list;
+    char **e = find_in(list, text, name_len);
     if (e == NULL)
-        e = n->envp + count_variables(n);
+        e = list + count_variables(list);
     *e = text;
+    return 0;
 }
 
 int node_unsetenv(const char *name)
 {
-    struct node *n = node_self();
+    char **list = *node_libc_environ(node_self());
     size_t len = strlen(name);
-    own_environment(n);
-    for (char **e; (e = find_variable(n, name, len)) != NULL;)
+    for (char **e; (e = find_in(list, name, len)) != NULL;)
         for (; *e != NULL; e++)
             *e = e[1];
     return 0;
@@ -201,30 +231,48 @@ int node_putenv(char *text)
     const char *equals = strchr(text, '=');
     if (!equals)
         return node_unsetenv(text);
-    put_variable(node_self(), text, (size_t)(equals - text));
-    return 0;
+    return put_variable(node_self(), text, (size_t)(equals - text));
 }
 
-/* The texts last as long as the node. */
+struct set_text {
+    char *text;
+    size_t room;
+};
+
+/* A text of so many bytes: that of a variable which setenv has made before, if it has the room. */
+static char *text_to_set(struct node *n, const char *before, size_t bytes)
+{
+    struct node_libc *c = n->libc;
+    for (size_t i = 0; before && i < c->set_count; i++)
+        if (c->set[i].text == before && c->set[i].room >= bytes)
+            return c->set[i].text;
+    char *text = own_memory_take(n, bytes);
+    if (text == NULL) {
+        errno = ENOMEM;
+        return NULL;
+    }
+    c->set = xreallocarray(c->set, c->set_count + 1, sizeof *c->set);
+    c->set[c->set_count++] = (struct set_text){text, bytes};
+    return text;
+}
+
 int node_setenv(const char *name, const char *value, int replaces)
 {
     struct node *n = node_self();
-    struct node_libc *c = n->libc;
-    if (!replaces && find_variable(n, name, strlen(name)) != NULL)
+    size_t len = strlen(name), bytes = len + strlen(value) + 2;
+    char **e = find_in(*node_libc_environ(n), name, len);
+    if (!replaces && e != NULL)
         return 0;
-    char *text = xasprintf("%s=%s", name, value);
-    c->set = xreallocarray(c->set, c->set_count + 1, sizeof *c->set);
-    c->set[c->set_count++] = text;
-    put_variable(n, text, strlen(name));
-    return 0;
+    char *text = text_to_set(n, e ? *e : NULL, bytes);
+    if (text == NULL)
+        return -1;
+    snprintf(text, bytes, "%s=%s", name, value);
+    return put_variable(n, text, len);
 }
 
 void node_libc_free_environment(struct node_libc *c)
 {
-    for (size_t i = 0; i < c->set_count; i++)
-        free(c->set[i]);
     free(c->set);
-    free(c->environment);
 }
 
 /* The user's name, as the environment has it. */
@@ -238,7 +286,7 @@ static const char *login(void)
 
 char *node_getlogin(void)
 {
-    return (char *)(uintptr_t)login();
+    return own_memory_text(node_self(), login());
 }
 
 int node_getlogin_r(char *buf, size_t size)

@@ -140,10 +140,19 @@ size_t node_strftime(char *buf, size_t room, const char *format, const struct tm
     return len;
 }
 
+/* The zone's name is the node's own, too. */
+struct tm *node_gmtime_r(const time_t *t, struct tm *tm)
+{
+    struct tm *answer = gmtime_r(t, tm);
+    if (answer)
+        tm->tm_zone = own_memory_text(node_self(), tm->tm_zone);
+    return answer;
+}
+
 /* The machine's time zone is UTC. */
 struct tm *node_localtime_r(const time_t *t, struct tm *tm)
 {
-    return gmtime_r(t, tm);
+    return node_gmtime_r(t, tm);
 }
 
 static bool is_over(struct node *n, void *until)

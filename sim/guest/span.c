@@ -13,7 +13,7 @@
 
 enum {
     PAGE = 4096,
-    HEAD = 16 * PAGE,  /* at the start of a span: the region's table, and room to run into */
+    HEAD = 15 * PAGE,  /* at the start of a span: the region's table, and room to run into */
     TABLE = 4 * PAGE,  /* part of the head of a region's first span */
     GUARD = 16 * PAGE, /* behind programs and heaps */
     LEAST_SHIFT = 20,  /* of a span */
@@ -213,7 +213,7 @@ static bool make_guards(const struct node_region *r, const struct node *n, size_
  * keeps off the program's start by a number of lines that differs from the neighbours'; and the program
  * begins further on in the span by a number of pages, as far as there is room, so that its entries lie in
  * another line. */
-static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack_bytes)
+static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack_bytes, size_t above_bytes)
 {
     const struct node_region *r = n->region;
     n->span = (char *)r + (slot << r->shift);
@@ -221,7 +221,7 @@ static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack
     size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
     n->stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
     n->program = n->stack + stack_bytes + PAGE;
-    n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE;
+    n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE - above_bytes;
 }
 
 /* The address space of a heap: the node's memory, at most what fits beside a span. */
@@ -232,10 +232,10 @@ static size_t heap_room(const struct node *n, size_t span_bytes, bool asan)
     return wanted < most ? wanted : most;
 }
 
-bool span_take(struct node *n, size_t program_bytes, bool long32, bool asan)
+bool span_take(struct node *n, size_t program_bytes, size_t above_bytes, bool long32, bool asan)
 {
     struct node_system *sys = n->sys;
-    size_t stack = page_up(sys->cfg->stack_bytes) * (asan ? ASAN_STACK : 1);
+    size_t stack = page_up(sys->cfg->stack_bytes) * (asan ? ASAN_STACK : 1) + page_up(above_bytes);
     size_t bytes = HEAD + stack + 2 * PAGE + program_bytes;
     size_t heap = heap_room(n, bytes, asan);
     struct node_region *r = long32 ? roomy_region(sys, bytes, heap, true) : NULL;
@@ -256,7 +256,7 @@ bool span_take(struct node *n, size_t program_bytes, bool long32, bool asan)
     r->node[slot] = n;
     if (++r->used == r->spans)
         unlink_region(sys, r);
-    lay_out(n, slot, bytes, stack);
+    lay_out(n, slot, bytes, stack, above_bytes);
     return (!used || renew(r, n)) && make_guards(r, n, program_bytes);
 }
 

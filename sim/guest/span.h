@@ -3,7 +3,7 @@
  * Regions of NODE_REGION bytes, at multiples of their size, hold the memory of as many nodes as fit:
  *
  *     region   | span | span | ... | heap -> | guard | heap -> | guard | ...
- *     span     | head | guard | stack <- | program: text, data, bss | guard |
+ *     span     | head | guard | stack <- | arguments | program: text, data, bss | guard |
  *
  * All spans of a region have one size, a power of two; all heaps have one size, too. The head of the first
  * span holds the table of the region's nodes. So a call finds its node from the stack pointer (node_self),
@@ -37,10 +37,11 @@ extern const struct span_range {
 } SPAN_RANGES[2];
 
 /* Gives n, which has none, a span and a heap for a program of so many bytes (page rounded): sets region,
- * span, stack, program and heap_start. The memory there is zero and may be written to. long32: the
+ * span, stack, program and heap_start. The memory there is zero and may be written to. above_bytes: so many
+ * are left free behind the stack's end, stack + stack_bytes, a multiple of a cache line. long32: the
  * program's long has 32 bits. asan: the program was built with --asan, and has room for red zones. Returns
  * false if this computer has no address space left. */
-bool span_take(struct node *n, size_t program_bytes, bool long32, bool asan);
+bool span_take(struct node *n, size_t program_bytes, size_t above_bytes, bool long32, bool asan);
 /* Takes span and heap from n, if it has any. */
 void span_release(struct node *n);
 #endif

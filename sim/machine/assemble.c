@@ -9,6 +9,7 @@
 #include "guest/heap.h"
 #include "guest/image.h"
 #include "guest/libc.h"
+#include "guest/own_memory.h"
 #include "guest/span.h"
 #include "lp/engine.h"
 #include "machine/crash.h"
@@ -33,7 +34,7 @@ static void run_program(void *arg)
     node_leave(n);
     for (void (**f)(void) = n->image->init_begin; f < n->image->init_end; f++)
         (*f)();
-    int code = n->image->main(n->argc, n->argv, n->envp);
+    int code = n->image->main(n->argc, n->argv, node_libc_envp(n));
     node_enter(n, "exit");
     node_libc_end(n);
     node_end_here(n, NODE_RETURNED, code);
@@ -73,19 +74,21 @@ static bool lacks_addresses(const struct node *n, char **error)
     return false;
 }
 
-static bool make_parts(struct node *n, const struct node_image *img, char **error)
+static bool make_parts(struct node *n, const struct node_image *img, int argc, char **argv, char **error)
 {
     if (!fits(n, img, error))
         return false;
-    if (!span_take(n, node_image_bytes(img), node_image_is_long32(img), node_image_is_asan(img)))
+    if (!span_take(n, node_image_bytes(img), own_arguments_bytes(argc, argv), node_image_is_long32(img),
+                   node_image_is_asan(img)))
         return lacks_addresses(n, error);
+    own_put_arguments(n, argc, argv);
     n->libc = node_libc_new(n);
     if (!node_image_map(img, n, error))
         return false;
     if (node_image_is_asan(img) && !(n->asan = asan_begin(n->sys->asan, n)))
         return lacks_addresses(n, error);
-    n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start, n->region->heap_bytes,
-                            memory_has_room, memory_heap_is, n);
+    n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start,
+                            n->region->heap_bytes - own_memory_bytes(n), memory_has_room, memory_heap_is, n);
     fiber_begin(&n->lp.fiber, n->stack, n->stack_bytes, run_program, n);
     if (n->sys->debugger)
         show_debugger(n);
@@ -136,8 +139,8 @@ void node_record(struct node *n)
 static struct node *load(struct node *n, const struct node_image *img, int argc, char **argv, char **envp,
                          char **error)
 {
-    n->argc = argc, n->argv = argv, n->envp = envp;
-    if (make_parts(n, img, error)) {
+    n->envp = envp;
+    if (make_parts(n, img, argc, argv, error)) {
         path_times_begin(n);
         n->races = races_begin(n->sys->races, n);
         if (n->sys->recorder)

@@ -17,6 +17,10 @@
 
 enum { OTHER_INTERFACE = 0x40000000 }; /* x32's calls have this bit */
 
+/* Of the page of vsyscalls, which the kernel has at the same address in every process: a call there would tell the
+ * time of this computer. The kernel asks the filter as for a system call. */
+#define VSYSCALLS UINT32_C(0xffffffff)
+
 /* The upper half of an address; ranges of programs begin and end with whole halves. */
 static uint32_t upper(uint64_t address)
 {
@@ -29,14 +33,15 @@ bool call_filter_install(void)
     bool simulator_is_low = (uintptr_t)call_filter_install < low->to; /* not a position-independent program */
     struct sock_filter program[] = {
         LOAD(arch),
-        SKIP_IF(BPF_JEQ, AUDIT_ARCH_X86_64, 0, 9),
+        SKIP_IF(BPF_JEQ, AUDIT_ARCH_X86_64, 0, 10),
         LOAD(nr),
-        SKIP_IF(BPF_JEQ, __NR_execve, 7, 0),
-        SKIP_IF(BPF_JEQ, __NR_execveat, 6, 0),
-        SKIP_IF(BPF_JGE, OTHER_INTERFACE, 5, 0),
+        SKIP_IF(BPF_JEQ, __NR_execve, 8, 0),
+        SKIP_IF(BPF_JEQ, __NR_execveat, 7, 0),
+        SKIP_IF(BPF_JGE, OTHER_INTERFACE, 6, 0),
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, instruction_pointer) + 4),
         SKIP_IF(BPF_JGE, upper(usual->from), 0, 1),
-        SKIP_IF(BPF_JGE, upper(usual->to), 0, 2),
+        SKIP_IF(BPF_JGE, upper(usual->to), 0, 3),
+        SKIP_IF(BPF_JGE, VSYSCALLS, 2, 0),
         SKIP_IF(BPF_JGE, simulator_is_low ? 0 : upper(low->to), 0, 1),
         ANSWER(SECCOMP_RET_ALLOW),
         ANSWER(SECCOMP_RET_TRAP),

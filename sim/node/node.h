@@ -220,9 +220,9 @@ struct node {
     char *data;                                /* guest: of the program, behind text and constants */
     size_t stack_bytes;                        /* guest: those the machine file gives, or some more */
     const struct node_image *file;             /* guest */
-    int argc;
-    char **argv;
-    char **envp; /* guest */
+    int argc;                                  /* guest */
+    char **argv;                               /* guest: the program's, in its memory */
+    char **envp;                               /* as the user has given it: own_memory.h */
 
     bool stripped;     /* another has taken its place: nobody but late events knows of it */
     enum node_end end; /* os */

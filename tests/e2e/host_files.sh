@@ -125,6 +125,23 @@ else
     done
 fi
 
+# The page of vsyscalls, at an address that every process has, tells the time of this computer.
+cat >vsyscall.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    long (*time_there)(long *) = (long (*)(long *))0xffffffffff600400;
+    printf("%ld\n", time_there(0));
+    return 0;
+}
+END
+"$BUILD/nxcc" -g -O1 -w -o vsyscall vsyscall.c
+run -q -n 2 vsyscall
+check "a vsyscall: the run ends" ended_with 1
+check "it says no time" test ! -s out
+check "it is named with its line" bash -c "grep -q 'crashed' err && grep -q '(vsyscall.c:6)' err"
+
 block "$tests/../../doc/host-files.md" console >console
 sed -n '/cat away.c/,/^}/p' console | sed 1d >away.c
 ln -s "$BUILD" build

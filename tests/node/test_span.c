@@ -29,7 +29,7 @@ static void take(struct machine *m, uint32_t count, size_t most, bool long32)
         (struct node_system){.cfg = &cfg, .count = count, .most_mappings = most, .guards = NODE_GUARDS_ALL};
     for (int i = 0; i < NODES; i++) {
         m->node[i] = (struct node){.sys = &m->sys, .id = (uint32_t)i};
-        assert_true(span_take(&m->node[i], PROGRAM, long32, false));
+        assert_true(span_take(&m->node[i], PROGRAM, 0, long32, false));
     }
 }
 
