@@ -55,14 +55,21 @@ void clock_set_lookahead(struct lp *lp, uint64_t units)
         lp->segment.lookahead = until;
 }
 
+/* The next boundary is one that the program has not come to yet. */
+static void pass_boundaries(struct lp *lp)
+{
+    struct lp_segment *g = &lp->segment;
+    while (g->end <= lp->clock.units)
+        g->end += least(g->end - g->begun, LONGEST_SLICE);
+}
+
 void clock_reach_boundary(struct lp *lp, uintptr_t at)
 {
     struct lp_segment *g = &lp->segment;
     struct lp_cold *c = lp->cold;
     if (g->end <= lp->clock.units)
         c->places[c->count++ % LP_PLACES] = (struct lp_place){lp->clock.units, at};
-    while (g->end <= lp->clock.units)
-        g->end += least(g->end - g->begun, LONGEST_SLICE);
+    pass_boundaries(lp);
 }
 
 void clock_take_lookahead(struct lp *lp)
@@ -108,6 +115,7 @@ uint64_t clock_segment_units(const struct lp *lp)
 void clock_crash(struct lp *lp)
 {
     clock_stop(lp);
+    pass_boundaries(lp);
     clock_set_units(lp, lp->segment.end);
 }
 
@@ -142,11 +150,12 @@ static inline uint64_t units_until(const struct lp *lp, vtime t)
 void clock_allow(struct lp *lp, vtime deadline)
 {
     struct lp_clock *c = &lp->clock;
-    uint64_t units = lp->segment.end - c->units;
+    /* Behind a slice boundary without a poll (a call that only waits for its turn, in between): the next poll. */
+    uint64_t units = lp->segment.end > c->units ? lp->segment.end - c->units : 0;
     if (lp->schedule->longest_slice)
         units = least(units, clock_units_in(lp, lp->schedule->longest_slice));
     if (deadline <= c->now)
-        units = 1;
+        units = least(units, 1);
     else if (deadline != VT_NEVER)
         units = least(units, units_until(lp, deadline));
     /* A poll finds *budget negative once more than `granted` units are spent: one less than may pass. */

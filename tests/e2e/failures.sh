@@ -26,6 +26,16 @@ run --max-virtual-time 2.5 endless
 check "--max-virtual-time: exit status 1" ended_with 1
 check "--max-virtual-time: says so" said 'virtual time limit of 2\.5 s'
 
+# Both engines have the line of a program that had passed a slice boundary without a poll, and the time of its crash.
+compile far
+for how in "" crash; do
+    run -q -n 3 --max-virtual-time 0.0028 far $how
+    mv err fast.err
+    run -q -n 3 --max-virtual-time 0.0028 --engine reference far $how
+    check "past a slice boundary without a poll: the engines say the same $how" diff fast.err err
+    check "and the line $how" said '\(far\.c:[0-9]+\)'
+done
+
 limited "$BUILD/touchstone" run --max-wall-time 1 endless >out 2>err
 status=$?
 check "--max-wall-time: exit status 1" ended_with 1
