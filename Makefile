@@ -50,6 +50,9 @@ $B/obj/%.o: %.c Makefile
 # No event runs through these, and they are more than half of the code.
 $B/obj/sim/lab/%.o $B/obj/sim/cli/%.o $B/obj/sim/srm/%.o: LTO =
 
+# Assembly that C refers to by name.
+$B/obj/sim/kernel/crossing.o: LTO =
+
 # The version is what the file VERSION says. The commit is known to a file that --version reads, not to any object: share/commit.
 $B/obj/sim/cli/version.o $B/obj/nx_api/driver/help.o: CFLAGS += -DTOUCHSTONE_VERSION='"$(shell cat VERSION)"'
 $B/obj/sim/cli/version.o $B/obj/nx_api/driver/help.o: VERSION

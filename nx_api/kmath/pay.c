@@ -1,6 +1,7 @@
 /* pay.c - charges a node's program for a routine's work. Not counted itself: it takes the work's cost units
  * from the program's counter (nxcc/image.h), 1,000 clocks at a time, so that handlers run at their times. */
 #include "../contract/program_image.h"
+#include "../nxcc/enter.h"
 #include "kmath.h"
 
 enum { PIECE = 1000 * NXC_UNITS_PER_CLOCK, FEW = 8, MORE = 40, ROOM = 100 };
@@ -41,6 +42,8 @@ void nx_kmath_pay(int routine, const void *const *registers, const void *const *
     for (int64_t units = nx_kmath_work[routine](&call); units > 0; units -= PIECE) {
         nxc_left -= units < PIECE ? units : PIECE;
         if (nxc_left < 0)
-            nxc_preempt();
+            __asm__ volatile(NXC_CALL_ENTER ::
+                                 : "memory", "cc", "st", "st(1)", "st(2)", "st(3)", "st(4)", "st(5)", "st(6)",
+                                   "st(7)");
     }
 }

@@ -34,6 +34,7 @@
 #include "idle_loops.h"
 #include "../contract/program_image.h"
 #include "leaf_charge.h"
+#include "enter.h"
 #include "lookahead.h"
 #include "loop_precharge.h"
 #include "poll.h"
@@ -44,7 +45,6 @@
 
 #define COUNTER "nxc_left"
 #define LOOKAHEAD "nxc_lookahead"
-#define PREEMPT "nxc_enter" /* runtime.c */
 
 /* A library call that is known to cost more is spent in parts of so many units, with a poll behind each: 10
  * us of a 40 MHz processor. */
@@ -489,7 +489,7 @@ void append_preemption(gimple_seq *seq)
     vec<tree, va_gc> *clobbers = NULL;
     for (const char *name : names)
         vec_safe_push(clobbers, build_tree_list(NULL_TREE, build_string((int)strlen(name), name)));
-    gasm *call = gimple_build_asm_vec("call\t" PREEMPT, NULL, NULL, clobbers, NULL);
+    gasm *call = gimple_build_asm_vec(NXC_CALL_ENTER, NULL, NULL, clobbers, NULL);
     gimple_asm_set_volatile(call, true);
     gimple_seq_add_stmt_without_update(seq, call);
 }

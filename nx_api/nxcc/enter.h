@@ -8,6 +8,15 @@
 #ifndef NXCC_ENTER_H
 #define NXCC_ENTER_H
 
+/* The call of nxc_enter in a program for simulated nodes (percent signs as in GCC's extended assembly),
+ * which changes the x87 registers. Nothing may be written below the stack pointer, where the program may
+ * look. So the call is made with the pointer in memory of runtime.c; the simulator returns with the
+ * program's. */
+#define NXC_CALL_ENTER                                                                                       \
+    "movq\t%%rsp, nxc_stack_pointer(%%rip)\n"                                                                \
+    "\tleaq\tnxc_stack_pointer(%%rip), %%rsp\n"                                                              \
+    "\tcall\tnxc_enter"
+
 #define NXC_BEGIN_ROUTINE(name)                                                                              \
     ".globl " name "\n"                                                                                      \
     ".type " name ", @function\n" name ":\n"                                                                 \

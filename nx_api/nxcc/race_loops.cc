@@ -12,7 +12,7 @@ const size_t most_accesses = 8; /* of one loop: each takes a register or a word 
 bool is_preemption(gimple *stmt)
 {
     gasm *code = dyn_cast<gasm *>(stmt);
-    return code && !strncmp(gimple_asm_string(code), "call\tnxc_enter", 14);
+    return code && strstr(gimple_asm_string(code), "call\tnxc_enter");
 }
 
 /* --- which accesses ------------------------------------------------------------------------------------- */

@@ -52,14 +52,44 @@ struct nxc_image nxc_image = {
     .races = &nxc_races,
 };
 
-/* nxc_enter: the inline assembly of a poll that strikes calls it. The stack may have any alignment, and
- * nothing is saved but the x87 registers. So nxc_enter saves all else that a C function may change, and calls
- * nxc_preempt. The direction flag and the control words are as the ABI wants them. */
+/* nxc_enter: the inline assembly of a poll that strikes calls it (count.cc), with the program's stack
+ * pointer in nxc_stack_pointer, below which the return address then lies. Nothing is saved but the x87
+ * registers; the simulator saves all else, and returns to the program with its stack pointer
+ * (kernel/crossing.h). */
+__asm__(".data\n"
+        ".balign 16\n"
+        "    .quad 0\n"
+        "nxc_return_address:\n"
+        "    .quad 0\n"
+        ".globl nxc_stack_pointer\n"
+        ".hidden nxc_stack_pointer\n"
+        "nxc_stack_pointer:\n"
+        "    .quad 0\n");
+#ifndef NXC_HOSTED
 __asm__(".text\n"
-        ".hidden nxc_enter\n" NXC_ENTER_SAVE "    subq $264, %rsp\n"
-        "    andq $-16, %rsp\n" NXC_SAVE_SSE "    stmxcsr 256(%rsp)\n"
-        "    call nxc_preempt@PLT\n"
-        "    ldmxcsr 256(%rsp)\n" NXC_RESTORE_SSE NXC_ENTER_RESTORE);
+        ".globl nxc_enter\n"
+        ".hidden nxc_enter\n"
+        ".type nxc_enter, @function\n"
+        "nxc_enter:\n"
+        "    .cfi_startproc\n"
+        "    jmp *nxc_preempt@GOTPCREL(%rip)\n"
+        "    .cfi_endproc\n"
+        ".size nxc_enter, .-nxc_enter\n");
+#else
+/* In an ordinary program nxc_preempt is a C function, and all is saved on the program's stack. */
+__asm__(
+    ".text\n"
+    ".globl nxc_enter\n"
+    ".hidden nxc_enter\n"
+    "nxc_enter:\n"
+    "    movq nxc_stack_pointer(%rip), %rsp\n"
+    "    pushq nxc_return_address(%rip)\n" NXC_BEGIN_ROUTINE(
+        "nxc_enter_saving") "    pushq %rax\n"
+                            "    pushq %rcx\n" NXC_PUSH_REGISTERS "    subq $264, %rsp\n"
+                            "    andq $-16, %rsp\n" NXC_SAVE_SSE "    stmxcsr 256(%rsp)\n"
+                            "    call nxc_preempt@PLT\n"
+                            "    ldmxcsr 256(%rsp)\n" NXC_RESTORE_SSE NXC_END_ROUTINE("nxc_enter_saving"));
+#endif
 
 /* Deeper paths, and more of them, fold recursion: then a function's time is told for the path of the
  * function's nearest call to itself. So the tree is bounded. */

@@ -28,7 +28,7 @@ void asan_stacks_free(struct asan_stacks *t)
     free(t);
 }
 
-/* The frames of the simulator lie on the same stack, and are left out. */
+/* The frames of the simulator come first, and are left out. */
 static void walk(const struct node *n, const void *frame, struct asan_stack *s)
 {
     uintptr_t returns[MOST_FRAMES];

@@ -5,6 +5,7 @@
 #include "kernel/xalloc.h"
 #include "guest/exports.h"
 #include "guest/image.h"
+#include "node/self.h"
 
 enum { MOST_CALLS = 24 };
 
@@ -16,8 +17,9 @@ static bool lies_in(uintptr_t address, const char *begin, size_t bytes)
 /* A program may also have stacks of its own making, in its data or heap. */
 bool backtrace_in_stack(const struct node *n, uintptr_t address)
 {
-    return lies_in(address, n->stack, n->stack_bytes) || lies_in(address, n->program, n->image_bytes) ||
-           lies_in(address, n->heap_start, n->heap_used);
+    return lies_in(address, n->stack, n->stack_bytes) ||
+           lies_in(address, n->system_stack, NODE_SYSTEM_STACK) ||
+           lies_in(address, n->program, n->image_bytes) || lies_in(address, n->heap_start, n->heap_used);
 }
 
 int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most)

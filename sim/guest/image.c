@@ -169,16 +169,16 @@ static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at,
         put_address(img, at, s->st_value + r->r_addend);
         return true;
     }
-    const struct node_export *e = node_export_find(name, img->long32);
-    if (e == NULL && ELF64_ST_BIND(s->st_info) == STB_WEAK) {
+    struct node_export e = node_export_find(name, img->long32);
+    if (!e.name && ELF64_ST_BIND(s->st_info) == STB_WEAK) {
         put_word(img, at, 0);
-    } else if (e == NULL || (copy && (e->code != NULL || s->st_size != sizeof(void *)))) {
+    } else if (!e.name || (copy && (e.gate || s->st_size != sizeof(void *)))) {
         return elf_fail(error,
                         "%s: uses '%s', which nodes do not offer: it was linked against another version; "
                         "link it again with nxcc",
                         f->path, name);
-    } else if (e->code != NULL) {
-        put_word(img, at, (uintptr_t)e->code + r->r_addend);
+    } else if (e.gate) {
+        put_word(img, at, e.gate + r->r_addend);
     } else {
         img->own[img->own_count++] = (struct own_word){at, name, copy, r->r_addend};
     }

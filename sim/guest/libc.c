@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "guest/heap.h"
 #include "guest/image.h"
@@ -88,7 +89,7 @@ static void run_atexit(struct node *n)
     struct node_libc *c = n->libc;
     while (c->atexit_count > 0) {
         node_leave(n);
-        c->atexit[--c->atexit_count]();
+        crossing_call(c->atexit[--c->atexit_count], 0, 0, 0, 0, 0);
         node_enter(n, "exit");
     }
 }

@@ -6,10 +6,12 @@
 #include <stdint.h>
 #include <string.h>
 #include "guest/heap.h"
+#include "kernel/crossing.h"
 #include "node/node.h"
 #include "node/self.h"
 #include "nx_api/contract/backend.h"
 #include "os/asan_hooks.h"
+#include "os/fail.h"
 #include "os/race_hooks.h"
 
 void *node_malloc(size_t bytes);
@@ -172,8 +174,6 @@ struct mallinfo node_mallinfo(void)
 
 /* --- jumps --- */
 
-/* By another name, since <setjmp.h> may declare one that takes stacks of the program's own for a mistake. */
-_Noreturn void host_longjmp(void *where, int value) __asm__("longjmp");
 _Noreturn void node_longjmp(void *where, int value);
 _Noreturn void node_siglongjmp(void *where, int value);
 
@@ -183,7 +183,9 @@ _Noreturn void node_longjmp(void *where, int value)
     struct node *n = node_self();
     if (n->asan)
         asan_jumped(n);
-    host_longjmp(where, value);
+    if (!crossing_may_jump(where))
+        node_fail(n, "longjmp: the function that called setjmp has ended");
+    crossing_jump(where, value);
 }
 
 _Noreturn void node_siglongjmp(void *where, int value)

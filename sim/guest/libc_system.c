@@ -135,8 +135,8 @@ long node_sysconf(int name)
     }
 }
 
-/* --- the environment: what the user has given, copied for the program when it first asks for something that is
- * there --- */
+/* --- the environment: what the user has given, copied for the program when it first asks for something
+ * that is there --- */
 
 static char **find_in(char **list, const char *name, size_t len)
 {

@@ -13,15 +13,15 @@
 
 enum {
     PAGE = 4096,
-    HEAD = 15 * PAGE,  /* at the start of a span: the region's table, and room to run into */
-    TABLE = 4 * PAGE,  /* part of the head of a region's first span */
-    GUARD = 16 * PAGE, /* behind programs and heaps */
-    LEAST_SHIFT = 20,  /* of a span */
-    COLOURS = 64,      /* stacks begin at so many different lines of a page */
-    LINE = 64,         /* bytes of a cache line */
-    ENTRIES = 8,       /* of a page table in a cache line */
-    ASAN_STACK = 2,    /* with red zones a stack takes so many times the room, */
-    ASAN_HEAP = 3,     /* and a heap, of which freed blocks are not given out again at once */
+    TABLE = 4 * PAGE,    /* at the start of a region's first span */
+    HEAD = TABLE + PAGE, /* of each span: the table, and a guard */
+    GUARD = 16 * PAGE,   /* below programs' stacks, behind programs and heaps */
+    LEAST_SHIFT = 20,    /* of a span */
+    COLOURS = 64,        /* stacks begin at so many different lines of a page */
+    LINE = 64,           /* bytes of a cache line */
+    ENTRIES = 8,         /* of a page table in a cache line */
+    ASAN_STACK = 2,      /* with red zones a stack takes so many times the room, */
+    ASAN_HEAP = 3,       /* and a heap, of which freed blocks are not given out again at once */
 };
 
 _Static_assert(sizeof(struct node_region) + (NODE_REGION >> LEAST_SHIFT) * sizeof(struct node *) <= TABLE,
@@ -56,15 +56,15 @@ static bool has_light_guards(void *page)
 }
 
 /* Chooses guards so that all nodes' mappings are allowed. With all guards a node has these mappings: guard,
- * stack, text, data; heap, guard. */
+ * stack, guard, stack, text, data; heap, guard. */
 static void choose_mappings(struct node_region *r, struct node_system *sys)
 {
     size_t nodes = sys->count > sys->topo.positions ? sys->count : sys->topo.positions;
     size_t most = most_mappings(sys);
     r->light_guards = !sys->most_mappings && has_light_guards((char *)r + TABLE);
-    r->copies_text = nodes * (r->light_guards ? 2 : 6) > most;
-    r->guards = r->light_guards || nodes * 4 <= most ? NODE_GUARDS_ALL
-                : nodes * 2 <= most                  ? NODE_GUARDS_STACKS
+    r->copies_text = nodes * (r->light_guards ? 2 : 8) > most;
+    r->guards = r->light_guards || nodes * 6 <= most ? NODE_GUARDS_ALL
+                : nodes * 4 <= most                  ? NODE_GUARDS_STACKS
                                                      : NODE_GUARDS_NONE;
     if (r->guards < sys->guards)
         sys->guards = r->guards;
@@ -194,18 +194,22 @@ static bool renew(const struct node_region *r, const struct node *n)
            fresh(n->heap_start, r->heap_stride, MAP_FIXED) != MAP_FAILED;
 }
 
-/* Guards the space below the stack, behind the program, and behind the heap. */
+/* Guards the space below the stacks, behind the program, and behind the heap. */
 static bool make_guards(const struct node_region *r, const struct node *n, size_t program_bytes)
 {
     char *head = n->span == (const char *)r ? n->span + TABLE : n->span;
+    char *system_end = n->system_stack + NODE_SYSTEM_STACK;
     char *end = n->program + program_bytes, *span_end = n->span + ((size_t)1 << r->shift);
     char *heap_end = n->heap_start + r->heap_bytes;
     if (r->guards == NODE_GUARDS_NONE)
         return true;
-    if (r->light_guards)
-        span_end = end + GUARD < span_end ? end + GUARD : span_end; /* light guards cost for each page */
-    return guard(r, head, n->stack) && (r->guards == NODE_GUARDS_STACKS ||
-                                        (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
+    if (r->light_guards) { /* they cost for each page */
+        head = n->system_stack - PAGE;
+        span_end = end + GUARD < span_end ? end + GUARD : span_end;
+    }
+    return guard(r, head, n->system_stack) && guard(r, system_end, n->stack) &&
+           (r->guards == NODE_GUARDS_STACKS ||
+            (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
 }
 
 /* Sets the addresses of a node's parts. At equal offsets in their spans, all nodes' frames would compete
@@ -219,7 +223,8 @@ static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack
     n->span = (char *)r + (slot << r->shift);
     n->heap_start = (char *)r + r->heaps_at + slot * r->heap_stride;
     size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
-    n->stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
+    n->system_stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
+    n->stack = n->system_stack + NODE_SYSTEM_STACK + GUARD;
     n->program = n->stack + stack_bytes + PAGE;
     n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE - above_bytes;
 }
@@ -236,7 +241,7 @@ bool span_take(struct node *n, size_t program_bytes, size_t above_bytes, bool lo
 {
     struct node_system *sys = n->sys;
     size_t stack = page_up(sys->cfg->stack_bytes) * (asan ? ASAN_STACK : 1) + page_up(above_bytes);
-    size_t bytes = HEAD + stack + 2 * PAGE + program_bytes;
+    size_t bytes = HEAD + NODE_SYSTEM_STACK + GUARD + stack + 2 * PAGE + program_bytes;
     size_t heap = heap_room(n, bytes, asan);
     struct node_region *r = long32 ? roomy_region(sys, bytes, heap, true) : NULL;
     if (!r)

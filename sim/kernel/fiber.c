@@ -19,7 +19,7 @@ struct transfer {
 extern fcontext_t make_fcontext(void *top, size_t size, void (*entry)(struct transfer));
 extern struct transfer jump_fcontext(fcontext_t to, void *data);
 
-static _Thread_local struct fiber *current;
+_Thread_local struct fiber *fiber_running;
 
 /* Tell AddressSanitizer that the stack is about to change, and that it has changed. */
 static inline void leaving(void **fake, const void *bottom, size_t size)
@@ -111,14 +111,14 @@ void fiber_end(struct fiber *f)
 /* Runs f on the calling thread until it switches back. */
 static inline void enter(struct fiber *f)
 {
-    struct fiber *outer = current;
+    struct fiber *outer = fiber_running;
     void *fake = NULL;
-    current = f;
+    fiber_running = f;
     leaving(&fake, f->stack, f->size);
     switch_thread(&f->back_thread, f->thread);
     struct transfer t = jump_fcontext(f->self, f);
     arrived(fake, NULL, NULL);
-    current = outer;
+    fiber_running = outer;
     f->self = t.from;
 }
 
@@ -159,6 +159,11 @@ _Noreturn void fiber_finish(struct fiber *f)
     abort();
 }
 
+void fiber_abandon(void *up_to)
+{
+    clean(__builtin_frame_address(0), (size_t)((char *)up_to - (char *)__builtin_frame_address(0)));
+}
+
 /* --- with a thread of its own --- */
 
 static void enter_on_thread(void *arg)
@@ -178,11 +183,6 @@ void fiber_call_there(struct fiber *f, void (*call)(void *arg), void *arg)
         turn_thread_call(f->on, call, arg);
     else
         call(arg);
-}
-
-struct fiber *fiber_current(void)
-{
-    return current;
 }
 
 void *fiber_arg(const struct fiber *f)

@@ -9,7 +9,10 @@ struct turn_thread;
 
 /* Nobody else's business: here so that a fiber can lie where its owner wants it. */
 struct fiber {
-    /* first, for what lies before it: what a switch wants */
+    /* crossing.h: where its stack begins for calls of a program that it runs (NULL: it runs none), the end
+     * of the program's stack, and of its own */
+    void *level, *program_top, *system_top;
+    /* what a switch wants */
     void *self, *back;      /* where it goes on, and who resumed it */
     struct turn_thread *on; /* its own thread; NULL: it runs on whichever thread resumes it */
     const void *frame;      /* of fiber_yield */
@@ -43,8 +46,14 @@ void fiber_resume(struct fiber *f);
 void fiber_yield(struct fiber *f);
 _Noreturn void fiber_finish(struct fiber *f);
 /* The one that runs on the calling thread, NULL: none; and the arg it was made with. */
-struct fiber *fiber_current(void);
+extern _Thread_local struct fiber *fiber_running;
+static inline struct fiber *fiber_current(void)
+{
+    return fiber_running;
+}
 void *fiber_arg(const struct fiber *f);
+/* From inside: the stack below an address is not going to be returned to. */
+void fiber_abandon(void *up_to);
 /* The frame pointer where it waits in fiber_yield(); NULL: it has not waited yet. Stale while it runs. */
 static inline const void *fiber_frame(const struct fiber *f)
 {

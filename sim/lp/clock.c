@@ -150,7 +150,8 @@ static inline uint64_t units_until(const struct lp *lp, vtime t)
 void clock_allow(struct lp *lp, vtime deadline)
 {
     struct lp_clock *c = &lp->clock;
-    /* Behind a slice boundary without a poll (a call that only waits for its turn, in between): the next poll. */
+    /* Behind a slice boundary without a poll (a call that only waits for its turn, in between): the next
+     * poll. */
     uint64_t units = lp->segment.end > c->units ? lp->segment.end - c->units : 0;
     if (lp->schedule->longest_slice)
         units = least(units, clock_units_in(lp, lp->schedule->longest_slice));

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "guest/debugger.h"
 #include "guest/heap.h"
@@ -33,8 +34,8 @@ static void run_program(void *arg)
     struct node *n = arg;
     node_leave(n);
     for (void (**f)(void) = n->image->init_begin; f < n->image->init_end; f++)
-        (*f)();
-    int code = n->image->main(n->argc, n->argv, node_libc_envp(n));
+        crossing_call(*f, 0, 0, 0, 0, 0);
+    int code = (int)crossing_call(n->image->main, n->argc, (long)n->argv, (long)node_libc_envp(n), 0, 0);
     node_enter(n, "exit");
     node_libc_end(n);
     node_end_here(n, NODE_RETURNED, code);
@@ -89,7 +90,8 @@ static bool make_parts(struct node *n, const struct node_image *img, int argc, c
         return lacks_addresses(n, error);
     n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start,
                             n->region->heap_bytes - own_memory_bytes(n), memory_has_room, memory_heap_is, n);
-    fiber_begin(&n->lp.fiber, n->stack, n->stack_bytes, run_program, n);
+    fiber_begin(&n->lp.fiber, n->system_stack, NODE_SYSTEM_STACK, run_program, n);
+    crossing_begin(&n->lp.fiber, n->stack + n->stack_bytes);
     if (n->sys->debugger)
         show_debugger(n);
     isolate_made(n);

@@ -17,8 +17,8 @@
 
 enum { OTHER_INTERFACE = 0x40000000 }; /* x32's calls have this bit */
 
-/* Of the page of vsyscalls, which the kernel has at the same address in every process: a call there would tell the
- * time of this computer. The kernel asks the filter as for a system call. */
+/* Of the page of vsyscalls, which the kernel has at the same address in every process: a call there would
+ * tell the time of this computer. The kernel asks the filter as for a system call. */
 #define VSYSCALLS UINT32_C(0xffffffff)
 
 /* The upper half of an address; ranges of programs begin and end with whole halves. */

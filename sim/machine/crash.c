@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <ucontext.h>
-#include <unwind.h>
 #include "files/virtual_time.h"
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "kernel/fiber.h"
 #include "guest/image.h"
@@ -24,36 +24,17 @@ static _Thread_local struct crash_guard *guard;
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
 
-enum { MOST_FRAMES = sizeof(((struct node_crash *)0)->frames) / sizeof(uintptr_t), REGISTER_RBP = 6 };
+enum { MOST_FRAMES = sizeof(((struct node_crash *)0)->frames) / sizeof(uintptr_t) };
 
-/* Where the program called the library function that crashed: the innermost frame that is in the program. */
-struct call_site {
-    const struct node *node;
-    uintptr_t at, frame; /* return address, frame pointer; 0: not found */
-};
-
-static _Unwind_Reason_Code visit_frame(struct _Unwind_Context *context, void *arg)
-{
-    struct call_site *b = arg;
-    uintptr_t at = _Unwind_GetIP(context);
-    if (!backtrace_in_program(b->node, at - 1))
-        return _URC_NO_REASON;
-    b->at = at;
-    b->frame = _Unwind_GetGR(context, REGISTER_RBP);
-    return _URC_END_OF_STACK;
-}
-
+/* A library function that crashed ran on the system's stack, where the program called it. */
 static void note_frames(struct node_crash *c, const struct node *n, const greg_t *r)
 {
     c->frames[0] = (uintptr_t)r[REG_RIP] - (c->signal == SIGSYS); /* this one comes behind its instruction */
     c->depth = 1;
     c->in_library = !backtrace_in_program(n, c->frames[0]);
-    uintptr_t frame = (uintptr_t)r[REG_RBP];
-    struct call_site site = {.node = n};
-    if (c->in_library)
-        _Unwind_Backtrace(visit_frame, &site);
-    if (site.at)
-        c->frames[c->depth++] = site.at, frame = site.frame;
+    uintptr_t frame = (uintptr_t)r[REG_RBP], below = (uintptr_t)r[REG_RSP] - (uintptr_t)n->system_stack;
+    if (c->in_library && below < NODE_SYSTEM_STACK)
+        frame = (uintptr_t)crossing_frame();
     c->depth += backtrace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
 }
 

@@ -1,5 +1,5 @@
-/* node.h - one simulated node, composed of its parts. Each part belongs to a folder, which alone assigns it
- * (tests/house/check reads the names of owners in the comments):
+/* node.h - one simulated node, composed of its parts. Each part belongs to a folder, which alone assigns
+ * it (tests/house/check reads the names of owners in the comments):
  *
  *     lp                        sim/lp       the node as a logical process: clock, state, commit times
  *     os: mailbox, deferred,    sim/os       messages, buffers, interrupts, deferred calls, memory account,
@@ -10,8 +10,9 @@
  *
  * "calls" is nx_api: contract, calls, sim.
  *
- * A node's program, stack and heap lie in a region of address space (span.h), so that a call finds its node
- * from the stack pointer (self.h), and no state is global or thread-local. */
+ * A node's program, stack and heap lie in a region of address space (span.h), so that a call finds its
+ * node from the stack pointer (self.h), and no state is global or thread-local. The system runs on a stack
+ * of its own there (kernel/crossing.h). */
 #ifndef NODE_NODE_H
 #define NODE_NODE_H
 #include <stdbool.h>
@@ -215,14 +216,14 @@ struct node {
     struct node_error *error; /* os: cold's */
     char name[16];            /* for people: "node 3", "host" */
     uint32_t id;
-    struct node_region *region;                /* guest. NULL: it has no program */
-    char *span, *stack, *program, *heap_start; /* guest: of the region; the lowest bytes of each: span.h */
-    char *data;                                /* guest: of the program, behind text and constants */
-    size_t stack_bytes;                        /* guest: those the machine file gives, or some more */
-    const struct node_image *file;             /* guest */
-    int argc;                                  /* guest */
-    char **argv;                               /* guest: the program's, in its memory */
-    char **envp;                               /* as the user has given it: own_memory.h */
+    struct node_region *region;                               /* guest. NULL: it has no program */
+    char *span, *system_stack, *stack, *program, *heap_start; /* guest: the lowest bytes of each: span.h */
+    char *data;                    /* guest: of the program, behind text and constants */
+    size_t stack_bytes;            /* guest: those the machine file gives, or some more */
+    const struct node_image *file; /* guest */
+    int argc;                      /* guest */
+    char **argv;                   /* guest: the program's, in its memory */
+    char **envp;                   /* as the user has given it: own_memory.h */
 
     bool stripped;     /* another has taken its place: nobody but late events knows of it */
     enum node_end end; /* os */

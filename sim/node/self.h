@@ -5,6 +5,13 @@
 
 #define NODE_REGION ((uintptr_t)1 << 30)
 
+/* Bytes of the stack on which the system runs: what the C library takes at most, and some more. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+enum { NODE_SYSTEM_STACK = 512 << 10 };
+#else
+enum { NODE_SYSTEM_STACK = 128 << 10 };
+#endif
+
 /* What is guarded against running over: in the order of what it costs. */
 enum node_guards { NODE_GUARDS_NONE, NODE_GUARDS_STACKS, NODE_GUARDS_ALL };
 

@@ -3,6 +3,7 @@
  * another handler. See handlers.h. */
 #include "os/handlers.h"
 #include <stdlib.h>
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "lp/engine.h"
@@ -79,7 +80,7 @@ static struct livelock_handler run_first(struct node *n)
     free(d.receive);
     free(d.send);
     node_leave(n);
-    handler(n->info.type, n->info.count, n->info.node, n->info.pid, param);
+    crossing_call(handler, n->info.type, n->info.count, n->info.node, n->info.pid, param);
     node_enter(n, "(the end of a handler)");
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 

@@ -94,12 +94,12 @@ void record_no_program(struct node *n, vtime t)
 
 static bool in_stack(const struct node *n, uintptr_t address)
 {
-    return address - (uintptr_t)n->stack < n->stack_bytes - 2 * sizeof address &&
-           address % sizeof address == 0;
+    uintptr_t end = (uintptr_t)n->stack + n->stack_bytes - 2 * sizeof address;
+    return address >= (uintptr_t)n->system_stack && address < end && address % sizeof address == 0;
 }
 
-/* The program's stack: its number +1, or 0. The frames of the simulator below it, on the same stack, are
- * left out; the stack ends with those above it: the simulator has called main, or the handler. */
+/* The program's stack: its number +1, or 0. The frames of the simulator below it are left
+ * out; the stack ends with those above it: the simulator has called main, or the handler. */
 static uint32_t stack_now(struct node *n, const void *innermost)
 {
     uintptr_t offsets[DEEPEST_STACK];

@@ -31,7 +31,7 @@ static void note_calls(const struct node *n, uintptr_t at[], const uintptr_t *fr
     for (int i = 0; i < MOST_FRAMES && found < TAKEN_CALLS; i++) {
         if (frame[1] - (uintptr_t)n->program < n->image_bytes)
             at[found++] = frame[1];
-        if (frame[0] <= (uintptr_t)frame || frame[0] - (uintptr_t)n->stack >= n->stack_bytes)
+        if (frame[0] <= (uintptr_t)frame || frame[0] >= (uintptr_t)n->stack + n->stack_bytes)
             return;
         frame = (const uintptr_t *)frame[0];
     }

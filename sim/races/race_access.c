@@ -1,6 +1,7 @@
 /* race_access.c - accesses to memory, compared with the last ones of the other strand and with the buffers
  * under way. See node_races.h. What programs call, nxc_race_access() and nxc_race_range(), runs on the thread
  * that runs the program, and touches this node's memory only. */
+#include "kernel/crossing.h"
 #include "node/self.h"
 #include "nx_api/contract/races.h"
 #include "os/order.h"
@@ -363,7 +364,7 @@ static void access_memory(struct accessor *a, uintptr_t at, size_t bytes)
             return;
         note_stack(r, a->n, at);
     } else {
-        forget_stack(r, a->n, (uintptr_t)a->frame);
+        forget_stack(r, a->n, crossing_stack_pointer());
     }
     access_words(a, at, bytes);
 }

@@ -75,12 +75,12 @@ static uint32_t number_of(struct race_places *t, struct race_place *p)
 
 static bool in_stack(const struct node *n, uintptr_t address)
 {
-    return address - (uintptr_t)n->stack < n->stack_bytes - 2 * sizeof address &&
-           address % sizeof address == 0;
+    uintptr_t end = (uintptr_t)n->stack + n->stack_bytes - 2 * sizeof address;
+    return address >= (uintptr_t)n->system_stack && address < end && address % sizeof address == 0;
 }
 
 /* Steps from a frame to the first whose function the program has called; NULL: there is none. (The frames of
- * the simulator lie on the same stack.) */
+ * the simulator come first.) */
 static const uintptr_t *innermost(const struct node *n, const uintptr_t *frame)
 {
     while (in_stack(n, (uintptr_t)frame)) {

@@ -1,6 +1,7 @@
 /* race_strands.c - what orders a node's two strands: os/race_hooks.h. See node_races.h. */
 #include <stdlib.h>
 #include <string.h>
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "net/protocol.h"
 #include "os/order.h"
@@ -248,7 +249,7 @@ void races_handler_begins(struct node *n, const struct receive *r, const struct 
     c->handlers.knows = c->handlers.told = f.now.main;
     memset(c->handlers.read, 0, sizeof c->handlers.read);
     c->handlers.posted = f.place, c->handlers.call = f.call;
-    c->handlers.frame = (uintptr_t)__builtin_frame_address(0);
+    c->handlers.frame = crossing_stack_pointer();
     begin_run(c, node_now(n));
     race_clock_join(&c->handlers.heard, f.heard);
     race_clock_free(f.heard);

@@ -1,4 +1,5 @@
-/* far.c - computes past a slice boundary without a poll, prints, and computes on or crashes, while others send. */
+/* far.c - computes past a slice boundary without a poll, prints, and computes on or crashes, while others
+ * send. */
 #include <nx.h>
 #include <stdio.h>
 static volatile double x;

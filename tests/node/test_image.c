@@ -2,15 +2,37 @@
 #include "program.h"
 #include <elf.h>
 #include "guest/elffile.h"
+#include "kernel/crossing.h"
+#include "node/self.h"
 #include "nx_api/contract/program_image.h"
 
 /* --- programs --- */
 
 /* Builds a program, loads it into n nodes and calls main(argc, argv) of node i directly. The program may
  * not use NX calls. */
+struct called {
+    struct fiber fiber;
+    const struct node *node;
+    int argc, answer;
+    char **argv;
+};
+
+static void call(void *arg)
+{
+    struct called *c = arg;
+    c->answer = (int)crossing_call(c->node->image->main, c->argc, (long)c->argv, 0, 0, 0);
+    fiber_finish(&c->fiber);
+}
+
 static int call_main(const struct nodes *x, int i, int argc, char **argv)
 {
-    return x->node[i]->image->main(argc, argv, NULL);
+    const struct node *n = x->node[i];
+    struct called c = {.node = n, .argc = argc, .argv = argv};
+    fiber_begin(&c.fiber, n->system_stack, NODE_SYSTEM_STACK, call, &c);
+    crossing_begin(&c.fiber, n->stack + n->stack_bytes);
+    fiber_resume(&c.fiber);
+    fiber_end(&c.fiber);
+    return c.answer;
 }
 
 static void load(struct nodes *x, uint32_t count, const char *path)

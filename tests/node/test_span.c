@@ -81,15 +81,15 @@ static void guards_are_given_up_when_there_are_too_many_nodes_for_them(void **st
 {
     struct machine m;
     (void)state;
-    take(&m, 10000, 65530, false);
+    take(&m, 7900, 65530, false);
     check_guards(&m, true, true);
     assert_false(m.node[0].region->copies_text);
     release(&m);
-    take(&m, 15000, 65530, false);
+    take(&m, 10500, 65530, false);
     check_guards(&m, true, true);
     assert_true(m.node[0].region->copies_text);
     release(&m);
-    take(&m, 31000, 65530, false);
+    take(&m, 15800, 65530, false);
     check_guards(&m, false, true);
     assert_int_equal(m.sys.guards, NODE_GUARDS_STACKS);
     release(&m);

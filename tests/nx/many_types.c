@@ -19,9 +19,9 @@ static long below(long n)
     return (long)(state >> 8) % n;
 }
 
-/* The senders take turns, so that the order in which their messages come is known: the next begins when node 0 has
- * got the last one's last message, which comes behind all others of that sender. (A gsync alone says nothing of
- * when messages come.) */
+/* The senders take turns, so that the order in which their messages come is known: the next begins when
+ * node 0 has got the last one's last message, which comes behind all others of that sender. (A gsync alone
+ * says nothing of when messages come.) */
 static void send_all(long count)
 {
     for (long i = 0; i < count; i++) {

@@ -1,5 +1,5 @@
-/* never_set.c - a local variable that the program has never set reads as 0, wherever it lies; one that has been set
- * keeps its value for as long as its scope lasts, round loops, too. All nodes try, node 0 prints.
+/* never_set.c - a local variable that the program has never set reads as 0, wherever it lies; one that has
+ * been set keeps its value for as long as its scope lasts, round loops, too. All nodes try, node 0 prints.
  * simulator only: on MPI a local variable holds what lay there
  * run: all
  * compile: -w -fno-strict-aliasing
@@ -144,6 +144,6 @@ int main(void)
     fprintf(out, " number %ld %ld value %d %d\n", number(zero), number(1), no_value(zero), no_value(1));
     gsync();
     fprintf(out, "carried %d %d fresh %u jump %d\n", carried(), carried_within(), fresh_in_each_round(),
-           round_a_jump());
+            round_a_jump());
     return 0;
 }

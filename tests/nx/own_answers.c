@@ -1,5 +1,5 @@
-/* own_answers.c - what the C library and the system answer with by pointer is the node's own: it lies in the node's
- * memory, and what a node writes there, no other reads. It moves nothing that malloc gives.
+/* own_answers.c - what the C library and the system answer with by pointer is the node's own: it lies in
+ * the node's memory, and what a node writes there, no other reads. It moves nothing that malloc gives.
  * simulator only: on MPI each node is a process
  * compile: -D_GNU_SOURCE -w
  * run: all

@@ -1,0 +1,58 @@
+/* libc_search.c - sorting and searching with a function of the program's, which runs on the program's
+ * stack. Elements are compared in the order in which glibc compares them: the function may have side
+ * effects, and costs time. */
+#include <search.h>
+#include <stdlib.h>
+#include <string.h>
+#include "kernel/crossing.h"
+
+static int compare(void *function, const void *a, const void *b)
+{
+    return (int)crossing_call(function, (long)a, (long)b, 0, 0, 0);
+}
+
+static int compare_for_qsort(const void *a, const void *b, void *function)
+{
+    return compare(function, a, b);
+}
+
+void node_qsort(void *base, size_t count, size_t bytes, void *function);
+void node_qsort(void *base, size_t count, size_t bytes, void *function)
+{
+    qsort_r(base, count, bytes, compare_for_qsort, function);
+}
+
+void *node_bsearch(const void *key, const void *base, size_t count, size_t bytes, void *function);
+void *node_bsearch(const void *key, const void *base, size_t count, size_t bytes, void *function)
+{
+    size_t low = 0, end = count;
+    while (low < end) {
+        size_t middle = (low + end) / 2;
+        char *at = (char *)base + middle * bytes;
+        int order = compare(function, key, at);
+        if (order == 0)
+            return at;
+        if (order < 0)
+            end = middle;
+        else
+            low = middle + 1;
+    }
+    return NULL;
+}
+
+void *node_lfind(const void *key, const void *base, size_t *count, size_t bytes, void *function);
+void *node_lfind(const void *key, const void *base, size_t *count, size_t bytes, void *function)
+{
+    char *at = (char *)base;
+    for (size_t i = 0; i < *count; i++, at += bytes)
+        if (compare(function, key, at) == 0)
+            return at;
+    return NULL;
+}
+
+void *node_lsearch(const void *key, void *base, size_t *count, size_t bytes, void *function);
+void *node_lsearch(const void *key, void *base, size_t *count, size_t bytes, void *function)
+{
+    void *found = node_lfind(key, base, count, bytes, function);
+    return found ? found : memcpy((char *)base + (*count)++ * bytes, key, bytes);
+}
