@@ -10,10 +10,8 @@
 #include "gcc.h"
 #include "argument_counts.h"
 #include "langhooks.h"
-#include "output.h"
+#include "records.h"
 #include <map>
-#include <set>
-#include <string>
 
 namespace
 {
@@ -77,32 +75,20 @@ void note_call(gcall *call)
 void scan_functions(void *, void *)
 {
     bool fortran = !strncmp(lang_hooks.name, "GNU Fortran", 11);
-    cgraph_node *node;
-    FOR_EACH_FUNCTION_WITH_GIMPLE_BODY(node)
-    {
-        function *f = DECL_STRUCT_FUNCTION(node->decl);
-        basic_block block;
-        if (TREE_PUBLIC(node->decl) && !DECL_WEAK(node->decl) && taken_by(node->decl) >= 0)
-            records.insert("d " + name_of(node->decl));
-        if (!fortran || !f || !f->cfg)
-            continue;
-        FOR_EACH_BB_FN (block, f)
-            for (gimple_stmt_iterator i = gsi_start_bb(block); !gsi_end_p(i); gsi_next(&i))
-                if (gcall *call = dyn_cast<gcall *>(gsi_stmt(i)))
-                    note_call(call);
-    }
+    records_visit(
+        [](tree function) {
+            if (TREE_PUBLIC(function) && !DECL_WEAK(function) && taken_by(function) >= 0)
+                records.insert("d " + name_of(function));
+        },
+        [fortran](gcall *call) {
+            if (fortran)
+                note_call(call);
+        });
 }
 
 void finish_unit(void *, void *)
 {
-    if (!asm_out_file || records.empty())
-        return;
-    fputs("\t.section .nxc_calls,\"\",@progbits\n", asm_out_file);
-    for (const std::string &record : records) {
-        fputs("\t.ascii ", asm_out_file);
-        output_quoted_string(asm_out_file, (record + "\n").c_str());
-        fputc('\n', asm_out_file);
-    }
+    records_write(".nxc_calls", "", records);
 }
 } // namespace
 

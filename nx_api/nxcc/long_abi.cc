@@ -17,9 +17,7 @@
  */
 #include "c_frontend.h"
 #include "long_abi.h"
-#include "output.h"
-#include <set>
-#include <string>
+#include "records.h"
 
 namespace
 {
@@ -152,34 +150,18 @@ void note_call(gcall *call)
 
 void scan_functions(void *, void *)
 {
-    cgraph_node *node;
-    FOR_EACH_FUNCTION_WITH_GIMPLE_BODY(node)
-    {
-        function *f = DECL_STRUCT_FUNCTION(node->decl);
-        basic_block block;
-        if (!f || !f->cfg)
-            continue;
-        if (TREE_PUBLIC(node->decl))
-            note_definition(node->decl);
-        FOR_EACH_BB_FN (block, f)
-            for (gimple_stmt_iterator i = gsi_start_bb(block); !gsi_end_p(i); gsi_next(&i))
-                if (gcall *call = dyn_cast<gcall *>(gsi_stmt(i)))
-                    note_call(call);
-    }
+    records_visit(
+        [](tree function) {
+            if (TREE_PUBLIC(function))
+                note_definition(function);
+        },
+        note_call);
 }
 
 void finish_unit(void *, void *)
 {
-    if (!asm_out_file || records.empty())
-        return;
-    fputs("\t.section .nxc_longs,\"\",@progbits\n", asm_out_file);
-    for (const std::string &record : records) {
-        std::string line =
-            std::string(long_is_32_bits ? "4 " : "8 ") + main_input_filename + " " + record + "\n";
-        fputs("\t.ascii ", asm_out_file);
-        output_quoted_string(asm_out_file, line.c_str());
-        fputc('\n', asm_out_file);
-    }
+    const char *bytes = long_is_32_bits ? "4 " : "8 ";
+    records_write(".nxc_longs", std::string(bytes) + main_input_filename + " ", records);
 }
 
 void start_unit(void *, void *data)
