@@ -14,7 +14,7 @@
  * *left, and loads *left again after the call.
  *
  * Poll. At loop heads and function entries the program compares the register with 0. If it is negative, the
- * poll strikes: the program stores *left, calls nxc_preempt(), and loads *left again. If the simulator last
+ * poll strikes: the program stores *left, calls nxc_preempt, and loads *left again. If the simulator last
  * set *left to B, the program has spent B - *left units since. So an event that is due after U units is seen
  * by the first poll at or past it if B = U - 1.
  *
@@ -94,7 +94,8 @@ struct nxc_image {
     const struct nxc_races *races; /* races.h; NULL: built without --races and --asan */
 };
 
-/* Served by the simulator: lets virtual time catch up with the program, and returns with *left set anew. */
+/* Served by the simulator: lets virtual time catch up with the program, and returns with *left set anew.
+ * Programs for simulated nodes call it by NXC_CALL_ENTER of nxcc/enter.h, never as a function. */
 void nxc_preempt(void);
 /* Served by the simulator: a zeroed path with so many counts. */
 struct nxc_path *nxc_new_path(int64_t counts);

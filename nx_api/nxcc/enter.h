@@ -55,11 +55,11 @@
     "    .cfi_endproc\n"                                                                                     \
     ".size " name ", .-" name "\n"
 
-#define NXC_ENTER_SAVE                                                                                       \
-    NXC_BEGIN_ROUTINE("nxc_enter")                                                                           \
+/* Begins a routine to which nothing has been saved. */
+#define NXC_BEGIN_SAVING(name)                                                                               \
+    NXC_BEGIN_ROUTINE(name)                                                                                  \
     "    pushq %rax\n"                                                                                       \
     "    pushq %rcx\n" NXC_PUSH_REGISTERS
-#define NXC_ENTER_RESTORE NXC_END_ROUTINE("nxc_enter")
 
 /* Of the SSE registers, in 256 bytes at %rsp, which is aligned to 16. */
 #define NXC_SSE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15)

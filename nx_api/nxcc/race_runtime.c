@@ -67,9 +67,8 @@ __asm__(".text\n"
 
 /* nxc_race_tell_range: the address, the bytes and another word have been pushed; the site is in %rcx. */
 __asm__(".text\n"
-        ".hidden nxc_race_tell_range\n" NXC_BEGIN_ROUTINE(
-            "nxc_race_tell_range") "    pushq %rax\n"
-                                   "    pushq %rcx\n" NXC_PUSH_REGISTERS "    movq 32(%rbp), %rdi\n"
+        ".hidden nxc_race_tell_range\n" NXC_BEGIN_SAVING(
+            "nxc_race_tell_range") "    movq 32(%rbp), %rdi\n"
                                    "    movq 24(%rbp), %rsi\n"
                                    "    movq %rcx, %rdx\n" CALL("nxc_race_tell_bytes")
                                        NXC_END_ROUTINE("nxc_race_tell_range"));

@@ -83,9 +83,8 @@ __asm__(
     ".hidden nxc_enter\n"
     "nxc_enter:\n"
     "    movq nxc_stack_pointer(%rip), %rsp\n"
-    "    pushq nxc_return_address(%rip)\n" NXC_BEGIN_ROUTINE(
-        "nxc_enter_saving") "    pushq %rax\n"
-                            "    pushq %rcx\n" NXC_PUSH_REGISTERS "    subq $264, %rsp\n"
+    "    pushq nxc_return_address(%rip)\n" NXC_BEGIN_SAVING(
+        "nxc_enter_saving") "    subq $264, %rsp\n"
                             "    andq $-16, %rsp\n" NXC_SAVE_SSE "    stmxcsr 256(%rsp)\n"
                             "    call nxc_preempt@PLT\n"
                             "    ldmxcsr 256(%rsp)\n" NXC_RESTORE_SSE NXC_END_ROUTINE("nxc_enter_saving"));

@@ -1,6 +1,7 @@
 #!/bin/bash
 # A call before the end of its program's lookahead (nx_api/nxcc/lookahead.h) ends the run, and the message names node, call,
 # function and both numbers of cost units. The programs here are written with a wrong lookahead.
+SOURCES=$PWD/nx_api/nxcc
 cd "$(dirname "$0")" || exit 1
 BIN=$PWD/../..
 DIR=$(mktemp -d)
@@ -21,11 +22,11 @@ cat >wrong.c <<'EOT'
 #include <stdint.h>
 extern int64_t nxc_left __attribute__((visibility("hidden")));
 extern int64_t nxc_lookahead __attribute__((visibility("hidden")));
-void nxc_preempt(void);
-static __attribute__((noinline)) void strike(void) { nxc_lookahead = nxc_left - 1000000, nxc_preempt(); }
+#include "enter.h"
+static __attribute__((noinline)) void strike(void) { nxc_lookahead = nxc_left - 1000000; __asm__ volatile(NXC_CALL_ENTER ::: "memory"); }
 void wrong_poll(void) { strike(); }
 EOT
-gcc -O1 -fno-omit-frame-pointer -fno-optimize-sibling-calls -fPIE -c wrong.c || exit 1
+gcc -O1 -fno-omit-frame-pointer -fno-optimize-sibling-calls -fPIE -I"$SOURCES" -c wrong.c || exit 1
 
 cat >poll.c <<'EOT'
 #include "nx.h"
