@@ -57,6 +57,7 @@ struct node_image {
     uint64_t object; /* of nxc_image */
     bool long32;     /* its long has 32 bits */
     bool asan;       /* it was built with --asan */
+    bool environ;    /* it uses the variable */
 };
 
 static uint64_t page_down(uint64_t x)
@@ -247,6 +248,7 @@ static bool prepare(struct node_image *img, char **error)
         !relocate(img, &img->elf->calls, error))
         return false;
     img->asan = has_asan(img);
+    img->environ = node_image_uses(img, "environ");
     return true;
 }
 
@@ -288,6 +290,11 @@ size_t node_image_data_at(const struct node_image *img)
 bool node_image_is_long32(const struct node_image *img)
 {
     return img->long32;
+}
+
+bool node_image_uses_environ(const struct node_image *img)
+{
+    return img->environ;
 }
 
 bool node_image_is_asan(const struct node_image *img)

@@ -26,6 +26,8 @@ bool node_image_uses(const struct node_image *img, const char *name);
 size_t node_image_data_at(const struct node_image *img);
 /* Has the program's long 32 bits? */
 bool node_image_is_long32(const struct node_image *img);
+/* Does it use the variable `environ`? */
+bool node_image_uses_environ(const struct node_image *img);
 /* Was it built with --asan? */
 bool node_image_is_asan(const struct node_image *img);
 /* Bytes of text, data and bss in a node, page rounded. */

@@ -44,7 +44,7 @@ void *node_libc_data(struct node *n, const char *name)
 
 char **node_libc_envp(struct node *n)
 {
-    return node_image_uses(n->file, "environ") ? *node_libc_environ(n) : n->argv + n->argc + 1;
+    return node_image_uses_environ(n->file) ? *node_libc_environ(n) : n->argv + n->argc + 1;
 }
 
 void node_libc_flush(struct node *n)
