@@ -17,9 +17,8 @@ static void find_places(const struct node *n, uintptr_t frame, uintptr_t *places
 void nx_found_nothing(struct node *n, const struct selector *select)
 {
     const struct cfg_machine *cfg = n->sys->cfg;
-    const uintptr_t *frame = crossing_frame();
     vtime spent = node_system_time(n, cfg->call_ps) + (select ? 0 : node_system_time(n, cfg->kernel_ps));
-    uintptr_t *places = livelock_found_nothing(n, select, frame[1], spent);
+    uintptr_t *places = livelock_found_nothing(n, select, crossing_caller(), spent);
     if (places)
-        find_places(n, (uintptr_t)frame, places);
+        find_places(n, (uintptr_t)crossing_frame(), places);
 }

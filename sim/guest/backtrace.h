@@ -10,12 +10,6 @@ bool backtrace_in_stack(const struct node *n, uintptr_t address);
 /* Writes the return addresses of the calls from a frame upwards, at most `most`, and returns how many. Safe
  * in a signal handler. */
 int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most);
-/* Where in the program the poll is, if `frame` is that of nxc_preempt. */
-static inline uintptr_t backtrace_caller(const void *frame)
-{
-    const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* the frame of nxc_enter */
-    return enter[1];
-}
 bool backtrace_in_program(const struct node *n, uintptr_t address);
 /* Prints a newline and "  HOW FUNCTION (FILE:LINE)"; nothing for an address outside of the program. */
 void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t address);

@@ -35,7 +35,7 @@ void descriptors_begin(struct descriptors *d, struct node *n);
 /* Gives f the lowest free number and returns it. If no number is free, closes f and returns -1 with errno
  * EMFILE. Returns -1 if f is NULL. */
 int descriptor_new(struct node *n, struct node_file *f, const char *path);
-/* The same, but f gets the number fd if that is free. */
+/* As descriptor_new(), but f gets the number fd if that is free. */
 int descriptor_reuse(struct node *n, int fd, struct node_file *f, const char *path);
 /* The file of a descriptor; NULL with errno EBADF if the descriptor is not open. */
 struct node_file *descriptor_file(struct node *n, int fd);

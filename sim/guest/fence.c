@@ -19,7 +19,7 @@ struct fence {
     size_t count;
     char refused[2 * PATH_MAX];
     bool writes, readable; /* of the refusal */
-    /* What is being looked up. It is here since the stack is that of a node. */
+    /* What is being looked up. It is here since it would take a good part of the system's stack. */
     char real[2 * PATH_MAX], folder[PATH_MAX];
 };
 

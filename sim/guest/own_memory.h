@@ -27,7 +27,7 @@ void own_put_arguments(struct node *n, int argc, char *const *argv);
 size_t own_memory_bytes(const struct node *n);
 /* Zeroed, aligned to 16; NULL: there is no room left. Lasts until the node's end. */
 void *own_memory_take(struct node *n, size_t bytes);
-/* The same; ends the program if there is no room. */
+/* As own_memory_take(), but ends the program if there is no room. */
 void *own_memory_need(struct node *n, size_t bytes);
 /* The node's copy of a text, the same for equal texts. Ends the program if there is no room. */
 char *own_memory_text(struct node *n, const char *text);

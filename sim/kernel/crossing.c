@@ -9,8 +9,8 @@
 #define AT(member, offset) _Static_assert(offsetof(struct fiber, member) == (offset), #member)
 AT(level, 0);
 AT(program_top, 8);
-AT(system_top, 16);
-_Static_assert(offsetof(struct crossing_jump, depth) == 64, "struct crossing_jump is glibc's __jmp_buf_tag");
+AT(stack, 16);
+_Static_assert(offsetof(struct crossing_jump, level) == 64, "struct crossing_jump is glibc's __jmp_buf_tag");
 
 /* The code below finds the running fiber here. */
 #define FIBER "    movq %fs:fiber_running@tpoff, %r10\n"
@@ -163,8 +163,8 @@ __asm__(".text\n"
         "    leaq 8(%rsp), %rax\n"
         "    movq %rax, 48(%rdi)\n"
         "    movq (%rsp), %rax\n"
-        "    movq %rax, 56(%rdi)\n" FIBER "    movq 16(%r10), %rax\n"
-        "    subq (%r10), %rax\n"
+        "    movq %rax, 56(%rdi)\n" FIBER "    movq (%r10), %rax\n"
+        "    subq 16(%r10), %rax\n"
         "    movl %eax, 64(%rdi)\n"
         "    xorl %eax, %eax\n"
         "    xorl %r10d, %r10d\n"
@@ -176,9 +176,8 @@ __asm__(".text\n"
         ".hidden crossing_resume\n.globl crossing_resume\n.type crossing_resume, @function\n"
         "crossing_resume:\n" /* the jump in %rdi, the value in %esi */
         "    .cfi_startproc\n" FIBER "    movl 64(%rdi), %eax\n"
-        "    movq 16(%r10), %rdx\n"
-        "    subq %rax, %rdx\n"
-        "    movq %rdx, (%r10)\n"
+        "    addq 16(%r10), %rax\n"
+        "    movq %rax, (%r10)\n"
         "    movq (%rdi), %rbx\n"
         "    movq 8(%rdi), %rbp\n"
         "    movq 16(%rdi), %r12\n"
@@ -354,7 +353,6 @@ void crossing_begin(struct fiber *f, void *top)
 {
     f->level = NULL;
     f->program_top = top;
-    f->system_top = (char *)f->stack + f->size;
 }
 
 static const uintptr_t *level(void)
@@ -369,6 +367,11 @@ const void *crossing_frame(void)
     return at ? at - 2 : NULL;
 }
 
+uintptr_t crossing_caller(void)
+{
+    return level()[-1];
+}
+
 uintptr_t crossing_stack_pointer(void)
 {
     const uintptr_t *at = level();
@@ -378,12 +381,12 @@ uintptr_t crossing_stack_pointer(void)
 bool crossing_may_jump(const struct crossing_jump *j)
 {
     const struct fiber *f = fiber_current();
-    return j->depth && j->depth <= (uintptr_t)((char *)f->system_top - (char *)f->level);
+    return j->level && (char *)f->stack + j->level >= (char *)f->level;
 }
 
 _Noreturn void crossing_jump(const struct crossing_jump *j, int value)
 {
     const struct fiber *f = fiber_current();
-    fiber_abandon((char *)f->system_top - j->depth);
+    fiber_abandon((char *)f->stack + j->level);
     crossing_resume(j, value ? value : 1);
 }

@@ -69,13 +69,15 @@ long crossing_call(void *function, long a, long b, long c, long d, long e);
 /* The frame (saved frame pointer, return address) of the program's call that the running fiber is in;
  * NULL: the program has not called the system. */
 const void *crossing_frame(void);
+/* Where that call returns to; there has to be one. */
+uintptr_t crossing_caller(void);
 /* The program's stack pointer at that call; the end of its stack if there is none. */
 uintptr_t crossing_stack_pointer(void);
 
 /* What setjmp keeps, as glibc's jmp_buf has room for it. */
 struct crossing_jump {
     uintptr_t registers[6], stack_pointer, at;
-    uint32_t depth; /* of the system's stack */
+    uint32_t level; /* from the lowest byte of the system's stack */
 };
 /* Has the call of setjmp's caller ended, as a handler has? Then there is no way back. */
 bool crossing_may_jump(const struct crossing_jump *j);

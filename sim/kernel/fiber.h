@@ -9,14 +9,14 @@ struct turn_thread;
 
 /* Nobody else's business: here so that a fiber can lie where its owner wants it. */
 struct fiber {
-    /* crossing.h: where its stack begins for calls of a program that it runs (NULL: it runs none), the end
-     * of the program's stack, and of its own */
-    void *level, *program_top, *system_top;
+    /* crossing.h: where its stack begins for calls of a program that it runs (NULL: it runs none), and the
+     * end of the program's stack */
+    void *level, *program_top;
+    void *stack;
     /* what a switch wants */
     void *self, *back;      /* where it goes on, and who resumed it */
     struct turn_thread *on; /* its own thread; NULL: it runs on whichever thread resumes it */
     const void *frame;      /* of fiber_yield */
-    void *stack;
     size_t size;
     void (*entry)(void *);
     void *arg;

@@ -51,6 +51,13 @@ static inline bool node_owns(const struct node *n, uintptr_t address)
                  address - (uintptr_t)n->heap_start < r->heap_bytes);
 }
 
+/* May an address be that of a frame (two words) on the system's stack or the program's? */
+static inline bool node_may_be_frame(const struct node *n, uintptr_t address)
+{
+    uintptr_t end = (uintptr_t)n->stack + n->stack_bytes - 2 * sizeof address;
+    return address >= (uintptr_t)n->system_stack && address < end && address % sizeof address == 0;
+}
+
 /* Does the caller run on this node? */
 static inline bool node_is_self(const struct node *n)
 {

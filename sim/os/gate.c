@@ -1,6 +1,7 @@
 /* gate.c - see gate.h: the fast engine's. */
 #include "os/gate.h"
 #include <inttypes.h>
+#include "kernel/crossing.h"
 #include "lp/block.h"
 #include "lp/deferral.h"
 #include "lp/dispatch.h"
@@ -133,7 +134,7 @@ void node_nxc_preempt(void)
     struct lp *lp = &n->lp;
     vtime now = clock_sync(lp);
     clock_take_lookahead(lp);
-    clock_reach_boundary(lp, gate_poll_of(__builtin_frame_address(0)));
+    clock_reach_boundary(lp, crossing_caller());
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
     if (lp->interruptible && !(lp->offloaded && now < lp->until))

@@ -9,13 +9,6 @@
 #include "os/memory.h"
 #include "os/order.h"
 
-/* Where in the program the poll is that has called nxc_preempt, whose frame is given. */
-static inline uintptr_t gate_poll_of(const void *frame)
-{
-    const uintptr_t *enter = (const uintptr_t *)*(const uintptr_t *)frame; /* nxc_enter's */
-    return enter[1];
-}
-
 /* The program gets control with all earlier events committed. Call after clock_sync. */
 static inline void gate_begin_segment(struct node *n)
 {

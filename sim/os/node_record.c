@@ -1,4 +1,5 @@
 /* node_record.c - see node_record.h. */
+#include "node/self.h"
 #include "os/node_record.h"
 #include <assert.h>
 #include <stdlib.h>
@@ -92,19 +93,13 @@ void record_no_program(struct node *n, vtime t)
 
 /* --- where the program is --- */
 
-static bool in_stack(const struct node *n, uintptr_t address)
-{
-    uintptr_t end = (uintptr_t)n->stack + n->stack_bytes - 2 * sizeof address;
-    return address >= (uintptr_t)n->system_stack && address < end && address % sizeof address == 0;
-}
-
-/* The program's stack: its number +1, or 0. The frames of the simulator below it are left
- * out; the stack ends with those above it: the simulator has called main, or the handler. */
+/* The program's stack: its number +1, or 0. The frames of the simulator come first and are left out; the
+ * stack ends with the gate by which it has called main, or the handler. */
 static uint32_t stack_now(struct node *n, const void *innermost)
 {
     uintptr_t offsets[DEEPEST_STACK];
     uint32_t depth = 0;
-    for (uintptr_t frame = (uintptr_t)innermost; in_stack(n, frame) && depth < DEEPEST_STACK;) {
+    for (uintptr_t frame = (uintptr_t)innermost; node_may_be_frame(n, frame) && depth < DEEPEST_STACK;) {
         uintptr_t next = ((const uintptr_t *)frame)[0],
                   offset = ((const uintptr_t *)frame)[1] - (uintptr_t)n->program;
         if (offset < n->image_bytes)

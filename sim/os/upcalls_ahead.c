@@ -79,7 +79,7 @@ void up_prefetch_node(const struct lp *lp)
 {
     enum { CALLS = 2 };
     const struct node *n = node_of(lp);
-    load((const char *)n + CACHE_BLOCK, &n->lp.fiber.stack);
+    load((const char *)n + CACHE_BLOCK, &n->lp.fiber.size);
     load(&n->wait, &n->stats.handlers);
     load(n->calls, &n->calls[CALLS]);
     keep();

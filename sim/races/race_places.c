@@ -1,6 +1,7 @@
 /* race_places.c - see race_places.h. A program accesses memory from few places, many times: a cache in front
  * tells one again by its site and the innermost frames, without walking all of the stack. Its keys are
  * offsets, so that what it holds does not depend on where the program lies. */
+#include "node/self.h"
 #include "races/race_places.h"
 #include <stdlib.h>
 #include <string.h>
@@ -73,17 +74,11 @@ static uint32_t number_of(struct race_places *t, struct race_place *p)
     return *first = t->count++;
 }
 
-static bool in_stack(const struct node *n, uintptr_t address)
-{
-    uintptr_t end = (uintptr_t)n->stack + n->stack_bytes - 2 * sizeof address;
-    return address >= (uintptr_t)n->system_stack && address < end && address % sizeof address == 0;
-}
-
 /* Steps from a frame to the first whose function the program has called; NULL: there is none. (The frames of
  * the simulator come first.) */
 static const uintptr_t *innermost(const struct node *n, const uintptr_t *frame)
 {
-    while (in_stack(n, (uintptr_t)frame)) {
+    while (node_may_be_frame(n, (uintptr_t)frame)) {
         if (frame[1] - (uintptr_t)n->program < n->image_bytes)
             return frame;
         if (frame[0] <= (uintptr_t)frame)
@@ -96,7 +91,7 @@ static const uintptr_t *innermost(const struct node *n, const uintptr_t *frame)
 /* A handler's stack ends with the simulator, which has called the handler. */
 static void walk(const struct node *n, const uintptr_t *frame, struct race_place *p)
 {
-    while (in_stack(n, (uintptr_t)frame) && p->depth < RACE_DEEPEST) {
+    while (node_may_be_frame(n, (uintptr_t)frame) && p->depth < RACE_DEEPEST) {
         uintptr_t offset = frame[1] - (uintptr_t)n->program;
         if (offset >= n->image_bytes)
             break;
@@ -112,7 +107,7 @@ static uint64_t key_of(const struct node *n, uint64_t site, const uintptr_t *fra
 {
     enum { LEVELS = 5 }; /* two are in the routines of the program that tell of accesses */
     uint64_t h = mix(site, posted);
-    for (int i = 0; i < LEVELS && in_stack(n, (uintptr_t)frame); i++) {
+    for (int i = 0; i < LEVELS && node_may_be_frame(n, (uintptr_t)frame); i++) {
         uint64_t caller = frame[1] - (uintptr_t)n->program, depth = (uintptr_t)frame - (uintptr_t)n->stack;
         h = mix(h, caller + (depth << 32));
         frame = (const uintptr_t *)frame[0];

@@ -38,6 +38,7 @@
 #include "os/match.h"
 #include "os/memory.h"
 #include "lp/clock.h"
+#include "kernel/crossing.h"
 #include "node/self.h"
 
 const char ENGINE_NAME[] = "reference";
@@ -116,7 +117,7 @@ void node_nxc_preempt(void)
 {
     struct node *n = node_self();
     clock_sync(&n->lp);
-    clock_reach_boundary(&n->lp, gate_poll_of(__builtin_frame_address(0)));
+    clock_reach_boundary(&n->lp, crossing_caller());
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
     node_order(n);

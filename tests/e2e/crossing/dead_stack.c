@@ -1,6 +1,6 @@
-/* dead_stack.c - what a program finds where it has set nothing: below its stack pointer, in the registers that a call
- * leaves, in a jmp_buf, in the addresses of the C library's functions. It prints digests of all that, and each word
- * that is an address outside of the node's memory. */
+/* dead_stack.c - what a program finds where it has set nothing: below its stack pointer, in the registers
+ * that a call leaves, in a jmp_buf, in the addresses of the C library's functions. It prints digests of
+ * all that, and each word that is an address outside of the node's memory. */
 #include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
