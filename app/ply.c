@@ -2,8 +2,8 @@
  *
  * The polygons are sorted by layer first. A table then holds the vertices of the layer at hand and those on
  * its lower side, which have their numbers from the layer below. The polygons of a layer are read
- *  - to number its new vertices;
- *  - with the next layer's, to add up the normals of the vertices that both share;
+ *  - to number its new vertices, and add up their normals;
+ *  - with the layer below, to add up the normals of the vertices that both share;
  *  - to write its faces.
  *
  * If there is no memory for all vertices of a layer, corners are left whose vertices are not in the table:
@@ -39,15 +39,18 @@ static long number_layer(struct join *j, int layer)
     return loose;
 }
 
-static void add_normals(struct join *j, int layer)
+/* A layer shares only vertices on its lower side with the layer below. */
+static void add_shared_normals(struct join *j, int layer)
 {
     struct part_polygon p;
+    float floor = layer_floor(j->in->grid, layer);
     int i;
 
     layer_file_open(j->in, layer);
     while (layer_file_next(j->in, &p))
         for (i = 0; i < p.n; i++)
-            weld_normal(j->weld, p.v[i]);
+            if (p.v[i][2] == floor)
+                weld_normal(j->weld, p.v[i]);
 }
 
 static void write_vertices(struct join *j, int layer, long loose)
@@ -115,9 +118,8 @@ static void go_through(struct join *j, struct ply_file *f)
         loose = number_layer(j, layer);
         first_loose = weld_next(j->weld);
         if (j->out) {
-            add_normals(j, layer);
             if (layer + 1 < layers)
-                add_normals(j, layer + 1);
+                add_shared_normals(j, layer + 1);
             write_vertices(j, layer, loose);
             write_faces(j, layer, first_loose);
         }

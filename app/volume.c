@@ -18,6 +18,9 @@ int volume_open(struct volume *v, const struct options *o, char *error, int size
     v->file = gzopen(o->volume, "rb");
     if (v->file && v->bytes)
         return 0;
+    volume_close(v);
+    v->file = NULL;
+    v->bytes = NULL;
     snprintf(error, size, "cannot open the volume %s", o->volume);
     return -1;
 }

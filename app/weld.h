@@ -19,14 +19,14 @@ long weld_room(const struct weld *w);
 /* Forgets all vertices but those at this z. */
 void weld_forget(struct weld *w, float z);
 
-/* The number of the vertex at v's position; the next free number if there is no such vertex yet. -1: there is
- * no room for a new one. */
+/* The number of the vertex at v's position; the next free number if there is no such vertex yet. The corner's
+ * normal takes part in the mean there. -1: there is no room for a new one. */
 long weld_add(struct weld *w, const part_vertex v);
 
 /* Its number, or -1 if there is none. */
 long weld_find(const struct weld *w, const part_vertex v);
 
-/* A corner's normal takes part in the mean of the vertex at its position, if there is one. */
+/* A corner's normal takes part in the mean of the vertex at its position, if there is one, and no more. */
 void weld_normal(struct weld *w, const part_vertex v);
 
 /* The next free number; and give n numbers away without a vertex. */

@@ -17,7 +17,7 @@ setup: ## Install what is missing of packages.txt (Debian, apt-get); GROUP="run 
 	@GCC=$(GCC) package/setup $(PACKAGES) $(GROUP)
 
 setup-tables:
-	@GCC=$(GCC) package/setup $(PACKAGES) run build
+	@GCC=$(GCC) package/setup $(PACKAGES) tables
 
 bench-setup: ## Install what make bench compares with
 	@package/setup $(PACKAGES) bench

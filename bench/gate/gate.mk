@@ -1,4 +1,5 @@
-# gate.mk - the project's own gate: the paper's tables and the examples against their baselines, to the last digit.
+# gate.mk - the project's own gate: the paper's tables and the examples against their baselines, to the last digit; and what
+# the simulator itself costs, in instructions.
 GATE_TABLES = bench/paper/baseline.json $(wildcard bench/paper/table?.cfg)
 GATE_SMALL  = bench/gate/baseline.json $(wildcard bench/gate/*.cfg)
 CHECK       = $B/touchstone check --exact $(if $(UPDATE),--update)
@@ -13,8 +14,9 @@ $B/gate/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cf
 
 $B/gate: $B/gate/model $B/gate/ring $B/gate/parts
 
-gate: setup ## Compare the paper's tables and the examples with their baselines; UPDATE=1 makes them the baselines
-	$(SUBMAKE) all $B/gate
+gate: setup ## Compare the paper's tables and the examples with their baselines; count instructions; UPDATE=1 records
+	$(SUBMAKE) all $B/gate $B/bench/traffic
+	bench/gate/instructions $B $(if $(UPDATE),update)
 	@mkdir -p out
 	$(CHECK) --junit out/gate.xml $(GATE_SMALL)
 	$(CHECK) --junit out/tables.xml $(GATE_TABLES)

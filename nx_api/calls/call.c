@@ -8,6 +8,7 @@
 #include <string.h>
 #include "nx_api/calls/msgwait.h"
 #include "nx_api/calls/shape.h"
+#include "nx_api/waitfor/waitfor.h"
 
 /* --- errors, and checks that several calls make --- */
 
@@ -92,6 +93,14 @@ static void print_argument(FILE *f, const char *parameter, size_t length, va_lis
     }
 }
 
+/* The program's call that is made of this one, if this one's first argument is a type of the library's own;
+ * NULL: it is the program's. */
+static const char *made_for(const char *parameters, va_list *ap)
+{
+    static const char TYPE[] = "(word type";
+    return strncmp(parameters, TYPE, sizeof TYPE - 1) == 0 ? waitfor_operation(va_arg(*ap, word)) : NULL;
+}
+
 /* Ends the process, because the call failed. parameters: as in calls.def. */
 static _Noreturn void wrong(struct node *n, const char *parameters, ...)
 {
@@ -101,6 +110,9 @@ static _Noreturn void wrong(struct node *n, const char *parameters, ...)
     FILE *f = open_memstream(&text, &size);
     if (!f)
         abort();
+    va_start(ap, parameters);
+    const char *outer = made_for(parameters, &ap);
+    va_end(ap);
     va_start(ap, parameters);
     for (const char *p = parameters + 1; strcmp(p, "void)") != 0;) {
         size_t length = strcspn(p, ","), last = p[length] ? 0 : 1;
@@ -112,7 +124,7 @@ static _Noreturn void wrong(struct node *n, const char *parameters, ...)
     }
     va_end(ap);
     fclose(f);
-    node_fail(n, "%s(%s): %s", n->call, text, n->error->text);
+    node_fail(n, "%s%s%s(%s): %s", outer ? outer : "", outer ? ": " : "", n->call, text, n->error->text);
 }
 
 /* --- the entry points --- */

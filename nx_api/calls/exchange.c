@@ -20,7 +20,7 @@ long nxs_csendrecv(word type, const void *buf, word len, word node, word pid, wo
         return -1;
     struct receive *r = nx_own_receive(n);
     struct send *s = nx_own_send(n);
-    *r = nx_receive(&in);
+    nx_set_receive(r, &in);
     nx_spend_call(n);
     mailbox_post(n, r);
     nx_send(n, &o, s);
@@ -43,7 +43,7 @@ long nxs_isendrecv(word type, const void *buf, word len, word node, word pid, wo
         return -1;
     nx_spend_call(n);
     struct receive *r = mailbox_id_receive(n, id);
-    *r = nx_receive(&in);
+    nx_set_receive(r, &in);
     mailbox_post(n, r);
     nx_send(n, &o, mailbox_id_send(n, id));
     return id;

@@ -131,12 +131,16 @@ static void take_ignored(struct node *n, long id)
     mailbox_id_release(n, id);
 }
 
-void nx_settle(struct node *n)
+static __attribute__((noinline)) void take_all_ignored(struct node *n)
 {
-    if (!mailbox_ids(n)->ignored)
-        return;
     struct node_info before = n->info;
     for (long id = 0; (id = mailbox_id_take_ignored(n, id)) > 0;)
         take_ignored(n, id);
     n->info = before;
+}
+
+void nx_settle(struct node *n)
+{
+    if (mailbox_ids(n)->ignored)
+        take_all_ignored(n);
 }

@@ -11,9 +11,9 @@ long nx_check_receive(struct node *n, const struct incoming *in)
     return nx_check_buffer(n, in->buf, in->len);
 }
 
-struct receive nx_receive(const struct incoming *in)
+void nx_set_receive(struct receive *r, const struct incoming *in)
 {
-    return (struct receive){.select = in->select, .buf = in->buf, .room = (size_t)in->len, .info = in->info};
+    *r = (struct receive){.select = in->select, .buf = in->buf, .room = (size_t)in->len, .info = in->info};
 }
 
 struct receive *nx_own_receive(struct node *n)
@@ -34,7 +34,8 @@ long nx_post_handler(struct node *n, const struct incoming *in, mailbox_handler 
         return node_error(n, EQHND, "the handler is a null pointer");
     nx_spend_call(n);
     nx_spend_kernel(n);
-    struct receive r = nx_receive(in);
+    struct receive r;
+    nx_set_receive(&r, in);
     r.handler = handler, r.param = param;
     mailbox_post_handler(n, &r);
     return 0;
@@ -46,7 +47,7 @@ static long receive(const struct incoming *in)
     if (nx_check_receive(n, in) < 0)
         return -1;
     struct receive *r = nx_own_receive(n);
-    *r = nx_receive(in);
+    nx_set_receive(r, in);
     nx_spend_call(n);
     mailbox_post(n, r);
     node_wait(n, nx_receive_is_complete, r);
@@ -63,7 +64,7 @@ static long post(const struct incoming *in)
         return -1;
     nx_spend_call(n);
     struct receive *r = mailbox_id_receive(n, id);
-    *r = nx_receive(in);
+    nx_set_receive(r, in);
     mailbox_post(n, r);
     return id;
 }

@@ -12,7 +12,7 @@ struct incoming {
 
 /* 0, or -1 with the error. */
 long nx_check_receive(struct node *n, const struct incoming *in);
-struct receive nx_receive(const struct incoming *in);
+void nx_set_receive(struct receive *r, const struct incoming *in);
 /* The receive of a blocking call. A handler, which may have interrupted such a call, has another. */
 struct receive *nx_own_receive(struct node *n);
 /* For node_wait. */

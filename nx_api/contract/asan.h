@@ -15,8 +15,8 @@
  * the simulator itself.
  *
  * Around objects lie red zones, which are nobody's: behind each variable of a file (nxcc/asan_globals.h) and
- * each local array or variable whose address is taken (nxcc/asan_locals.h), and on both sides of a block of
- * the heap (sim/asan). */
+ * each local array or variable whose address is taken (nxcc/asan_locals.h), behind each block of alloca, and
+ * on both sides of a block of the heap (sim/asan). */
 #ifndef CONTRACT_ASAN_H
 #define CONTRACT_ASAN_H
 #include <stddef.h>
@@ -27,12 +27,15 @@ enum { NXC_ASAN_GRAIN = 8, NXC_ASAN_ZONE = 32 }; /* bytes; of a variable's red z
 /* Why memory is not the program's. */
 enum nxc_asan_shadow {
     NXC_ASAN_LOCAL = 0xf3,
+    NXC_ASAN_RETURNED =
+        0xf5, /* variables of a function that has returned, unless the stack is in use there */
     NXC_ASAN_GLOBAL = 0xf9,
     NXC_ASAN_HEAP = 0xfa,
     NXC_ASAN_FREED = 0xfd
 };
 
-/* How far behind a local variable's beginning its red zone begins: at the first multiple of 8. */
+/* How far behind the beginning of a local variable, or a block of alloca, its red zone begins: at the first
+ * multiple of 8. */
 static inline size_t nxc_asan_zone_at(size_t bytes)
 {
     return (bytes + NXC_ASAN_GRAIN - 1) / NXC_ASAN_GRAIN * NXC_ASAN_GRAIN;

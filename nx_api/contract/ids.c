@@ -1,6 +1,5 @@
 /* ids.c - see ids.h. A new id is the first that is free, and most programs use few at a time: the table is a
- * list of blocks, of which all but the first are made on demand. What is in a block stays where it is.
- */
+ * list of blocks, which are made on demand. What is in a block stays where it is. */
 #include "nx_api/contract/ids.h"
 #include <stdlib.h>
 #include <string.h>
@@ -28,12 +27,6 @@ static struct id_block *new_block(void)
     return memset(b, 0, sizeof *b);
 }
 
-void ids_begin(struct mailbox_ids *ids, struct id_block *first)
-{
-    memset(first, 0, sizeof *first);
-    *ids = (struct mailbox_ids){first, 0, 0};
-}
-
 static void drop(struct id_block *b)
 {
     for (unsigned i = 0; i < IDS_BLOCK; i++) {
@@ -44,8 +37,7 @@ static void drop(struct id_block *b)
 
 void ids_end(struct mailbox_ids *ids)
 {
-    drop(ids->first);
-    for (struct id_block *b = ids->first->next, *next; b; b = next) {
+    for (struct id_block *b = ids->first, *next; b; b = next) {
         next = b->next;
         drop(b);
         free(b);

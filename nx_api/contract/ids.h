@@ -27,6 +27,7 @@ struct id_block {
     struct id_block *next;
 };
 
+/* All 0: no id has been given out. */
 struct mailbox_ids {
     struct id_block *first;
     uint32_t used;
@@ -35,9 +36,7 @@ struct mailbox_ids {
 
 /* The node's table, which its back end keeps. */
 struct mailbox_ids *mailbox_ids(const struct node *n);
-/* first: room for the first block, for as long as there are ids. */
-void ids_begin(struct mailbox_ids *ids, struct id_block *first);
-/* Frees all but that, and what their receives and sends have. */
+/* Frees all, and what their receives and sends have. */
 void ids_end(struct mailbox_ids *ids);
 
 /* A new id, of at most `count` at a time; -1: all are taken. */

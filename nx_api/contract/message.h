@@ -1,7 +1,7 @@
 /* message.h - what NX's calls do with a node's messages: receives, sends, handlers, and what a receive
  * selects.
  *
- * Each back end has queues of its own behind the functions declared here: sim/node/mailbox.c,
+ * Each back end has queues of its own behind the functions declared here: sim/os/mailbox.c,
  * nx_api/mpi/mpi_mailbox.c. The rules by which both choose a message are in matching.h.
  *
  * A receive's buffer is the library's until crecv, msgwait or msgdone has told the end, or the handler runs.

@@ -34,7 +34,7 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 8u
+#define NXC_IMAGE_VERSION 9u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
 /* The largest data cache and translation buffer that can be simulated: cache.h. */
@@ -86,6 +86,8 @@ struct nxc_image {
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);
+    void (**fini_begin)(void); /* destructors, run at its end after atexit functions, last first */
+    void (**fini_end)(void);
     const struct nxc_body *bodies_begin; /* both NULL: built without --profile */
     const struct nxc_body *bodies_end;
     struct nxc_path *root;         /* has called main; the node's first path */

@@ -20,6 +20,9 @@ void cluster_add_compile(struct arguments *a, const struct places *p)
     add(a, "-fplugin-arg-count-poll");
     add(a, "-gno-record-gcc-switches"); /* the same object wherever nxcc is installed */
     add(a, "-ffp-contract=off");        /* results as on simulated nodes */
+    add(a, "-mno-recip");               /* */
+    add(a, "-mrecip=none");             /* */
+    add(a, "-fno-reciprocal-math");     /* */
 }
 
 void cluster_add_link(struct arguments *a, const struct places *p)
@@ -27,6 +30,8 @@ void cluster_add_link(struct arguments *a, const struct places *p)
     static const char *const libraries[] = {
         "-l:libgfortran.a", /* which opens files under /cfs by libnx.a; for objects of Fortran files, too */
         "-l:libquadmath.a", "-lpthread", "-lm", NULL};
+    if (a->long32)
+        add(a, "-no-pie");                                         /* below 2 GB: mpi_long32.c */
     add(a, "-Wl,--wrap=main");                                     /* libnx.a's comes first */
     add(a, text("-Wl,--version-script=%s/mpi/names.map", p->lib)); /* the program's names are its own */
     add(a, "-x");

@@ -62,12 +62,15 @@ static void add_compile(struct arguments *a)
         "-fno-tree-vectorize",       /* the i860 has no vectors: operations are counted as it ran them */
         "-fno-tree-slp-vectorize",   /* */
         "-ffp-contract=off",         /* no fused multiply-add: results as with separate ones */
-        "-fno-stack-protector",      /* a node's stack has guard pages: see command() */
-        "-U_FORTIFY_SOURCE",         /* no __printf_chk */
-        "-fcf-protection=none",      /* */
-        "-gno-record-gcc-switches",  /* the same object wherever nxcc is installed */
-        "-mno-red-zone",             /* checks call from leaf functions: see plugin.cc */
-        "-fno-omit-frame-pointer",   /* crash reports follow them */
+        "-mno-recip",               /* no approximate reciprocals, which differ from processor to processor */
+        "-mrecip=none",             /* */
+        "-fno-reciprocal-math",     /* ... not those of roots, either */
+        "-fno-stack-protector",     /* a node's stack has guard pages: see command() */
+        "-U_FORTIFY_SOURCE",        /* no __printf_chk */
+        "-fcf-protection=none",     /* */
+        "-gno-record-gcc-switches", /* the same object wherever nxcc is installed */
+        "-mno-red-zone",            /* checks call from leaf functions: see plugin.cc */
+        "-fno-omit-frame-pointer",  /* crash reports follow them */
         "-mno-omit-leaf-frame-pointer",
         "-falign-loops=32", /* short loops take as long wherever they happen to lie */
         NULL};
@@ -142,7 +145,9 @@ static void add_link(struct arguments *a, const struct places *p)
         add(a, text("%s/libkmath.a", p->lib));
     add(a, text("%s/libxdr.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
-    add(a, text("%s/libgfortran.a", p->lib));
+    const char *libgfortran = text("%s/libgfortran.a", p->lib);
+    if (access(libgfortran, F_OK) == 0) /* not where nxcc was built for C alone: make tables */
+        add(a, libgfortran);
     add(a, "-lgcc");
     add(a, text("%s/libnode.so", p->lib));
 }

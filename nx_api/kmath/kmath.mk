@@ -13,6 +13,7 @@ $(KMATH)/kernels.o: nx_api/kmath/kernels.c $(KMATH_HDR) $(NODE_TOOLS)
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
 	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -c -o $@ $<
+	objcopy -R .nxc_costs $@
 
 $(KMATH)/pay.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
 	@mkdir -p $(@D)

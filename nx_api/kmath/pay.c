@@ -1,5 +1,6 @@
 /* pay.c - charges a node's program for a routine's work. Not counted itself: it takes the work's cost units
- * from the program's counter (nxcc/image.h), 1,000 clocks at a time, so that handlers run at their times. */
+ * from the program's counter (contract/program_image.h), 1,000 clocks at a time, so that handlers run at
+ * their times. */
 #include "../contract/program_image.h"
 #include "../nxcc/enter.h"
 #include "kmath.h"

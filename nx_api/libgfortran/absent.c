@@ -55,11 +55,10 @@ __attribute__((visibility("hidden"))) unsigned __cpu_features2[4];
 
 /* --- the beginning and the end --- */
 
-/* The object with the library's own constructor is linked if something in it is called; GNU's error.c
- * would. With a main() in C nothing else does. Units are closed at a program's end, however it comes to
- * it: STOP, END, exit. */
+/* The object with the library's own constructor and destructor is linked if something in it is called;
+ * GNU's error.c would. With a main() in C nothing else does. The destructor closes units at a program's end,
+ * however it comes to it: STOP, END, exit. */
 __attribute__((constructor)) static void begin(void)
 {
     _gfortrani_stupid_function_name_for_static_linking();
-    atexit(_gfortrani_close_units);
 }

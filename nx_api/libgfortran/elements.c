@@ -1,5 +1,5 @@
 /* elements.c - how many elements an array has, for what depends on it in the cost of library calls
- * (table.h, items.c), and the calls that have nothing but a price. */
+ * (nxcc/table.h), and the calls that have nothing but a price. */
 #include "libgfortran.h"
 
 long nx_elements(const struct descriptor *d)

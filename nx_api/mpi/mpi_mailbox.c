@@ -26,7 +26,6 @@ struct mpi_mailbox {
     struct mpi_due *due, **due_end;
     uint32_t handlers; /* posted or due */
     struct mailbox_ids ids;
-    struct id_block first_ids;
 };
 
 static void *must(void *p)
@@ -40,7 +39,6 @@ struct mpi_mailbox *mpi_mailbox_new(void)
 {
     struct mpi_mailbox *b = must(aligned_alloc(_Alignof(struct mpi_mailbox), sizeof *b));
     *b = (struct mpi_mailbox){0};
-    ids_begin(&b->ids, &b->first_ids);
     posted_begin(&b->posted);
     b->unexpected_end = &b->unexpected;
     b->due_end = &b->due;

@@ -14,6 +14,7 @@
 #include "nx_api/mpi/launcher.h"
 #include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/mpi_files.h"
+#include "nx_api/mpi/mpi_long32.h"
 #include "nx_api/mpi/mpi_mailbox.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/order_record.h"
@@ -317,6 +318,11 @@ static void begin(struct node *n, int *argc, char ***argv)
     errno = 0;
 }
 
+__attribute__((weak)) int mpi_call_main(main_function *program, int argc, char **argv, char **envp)
+{
+    return program(argc, argv, envp);
+}
+
 /* nxcc links with --wrap=main. */
 int __real_main(int argc, char **argv, char **envp);
 __attribute__((visibility("default"))) int __wrap_main(int argc, char **argv, char **envp);
@@ -324,7 +330,7 @@ int __wrap_main(int argc, char **argv, char **envp)
 {
     struct node *n = node_self();
     begin(n, &argc, &argv);
-    n->exit_code = __real_main(argc, argv, envp);
+    n->exit_code = mpi_call_main(__real_main, argc, argv, envp);
     n->returned = true;
     return 0;
 }

@@ -4,6 +4,7 @@
 #include "race_sites.h"
 #include "../contract/asan.h"
 #include "../contract/races.h"
+#include "calls.h"
 #include "gimple-walk.h"
 #include <vector>
 
@@ -27,10 +28,10 @@ bool note_base(gimple *, tree base, tree, void *all)
 void find_used(function *f, hash_set<tree> *used)
 {
     basic_block bb;
-    FOR_EACH_BB_FN(bb, f)
-    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
-        if (!is_gimple_debug(gsi_stmt(gsi)) && !gimple_clobber_p(gsi_stmt(gsi)))
-            walk_stmt_load_store_addr_ops(gsi_stmt(gsi), used, note_base, note_base, note_base);
+    FOR_EACH_BB_FN (bb, f)
+        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+            if (!is_gimple_debug(gsi_stmt(gsi)) && !gimple_clobber_p(gsi_stmt(gsi)))
+                walk_stmt_load_store_addr_ops(gsi_stmt(gsi), used, note_base, note_base, note_base);
 }
 
 bool has_place_in_frame(function *f, tree decl)
@@ -75,17 +76,17 @@ void remove_scope_ends(function *f, const std::vector<local> &all)
     basic_block bb;
     for (const local &v : all)
         decls.add(v.decl);
-    FOR_EACH_BB_FN(bb, f)
-    for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi);) {
-        gimple *stmt = gsi_stmt(gsi);
-        if (gimple_clobber_p(stmt) && decls.contains(get_base_address(gimple_assign_lhs(stmt)))) {
-            unlink_stmt_vdef(stmt);
-            gsi_remove(&gsi, true);
-            release_defs(stmt);
-        } else {
-            gsi_next(&gsi);
+    FOR_EACH_BB_FN (bb, f)
+        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi);) {
+            gimple *stmt = gsi_stmt(gsi);
+            if (gimple_clobber_p(stmt) && decls.contains(get_base_address(gimple_assign_lhs(stmt)))) {
+                unlink_stmt_vdef(stmt);
+                gsi_remove(&gsi, true);
+                release_defs(stmt);
+            } else {
+                gsi_next(&gsi);
+            }
         }
-    }
 }
 
 void mark_at_beginning(function *f, const std::vector<local> &all)
@@ -98,17 +99,81 @@ void mark_at_beginning(function *f, const std::vector<local> &all)
     }
 }
 
-void unmark_at_returns(function *f, const std::vector<local> &all)
+/* --- blocks of alloca --- */
+
+std::vector<gcall *> find_calls(function *f, bool (*is_wanted)(gimple *))
+{
+    std::vector<gcall *> all;
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, f)
+        for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
+            if (is_gimple_call(gsi_stmt(gsi)) && is_wanted(gsi_stmt(gsi)))
+                all.push_back(as_a<gcall *>(gsi_stmt(gsi)));
+    return all;
+}
+
+bool gives_block(gimple *call)
+{
+    return gimple_alloca_call_p(call) && gimple_call_lhs(call);
+}
+
+bool ends_blocks(gimple *call)
+{
+    return gimple_call_builtin_p(call, BUILT_IN_STACK_RESTORE);
+}
+
+tree insert_sum(gimple_stmt_iterator *before, tree_code code, tree a, size_t b)
+{
+    tree sum = make_ssa_name(size_type_node);
+    gsi_insert_before(before,
+                      gimple_build_assign(sum, code, a, build_int_cst(size_type_node, (HOST_WIDE_INT)b)),
+                      GSI_SAME_STMT);
+    return sum;
+}
+
+void protect_block(gcall *call)
+{
+    gimple_stmt_iterator gsi = gsi_for_stmt(call);
+    tree bytes = make_ssa_name(size_type_node);
+    gsi_insert_before(&gsi, gimple_build_assign(bytes, NOP_EXPR, gimple_call_arg(call, 0)), GSI_SAME_STMT);
+    tree last = insert_sum(&gsi, PLUS_EXPR, bytes, NXC_ASAN_GRAIN - 1);
+    tree zone_at = insert_sum(&gsi, BIT_AND_EXPR, last, -(size_t)NXC_ASAN_GRAIN);
+    gimple_call_set_arg(call, 0, insert_sum(&gsi, PLUS_EXPR, zone_at, NXC_ASAN_ZONE));
+    update_stmt(call);
+    const char *name = gimple_call_alloca_for_var_p(call) ? "an array of variable size" : "a block of alloca";
+    size_t site = race_site(call, name, 0, NXC_RACE_LOCAL);
+    gsi_insert_after(&gsi, asan_code_begin_block(gimple_call_lhs(call), bytes, site), GSI_NEW_STMT);
+}
+
+void protect_blocks(function *f, const std::vector<gcall *> &blocks)
+{
+    for (gcall *call : blocks)
+        protect_block(call);
+    for (gcall *call : find_calls(f, ends_blocks)) {
+        gimple_stmt_iterator gsi = gsi_for_stmt(call);
+        gsi_insert_before(&gsi, asan_code_end_blocks(gimple_call_arg(call, 0)), GSI_SAME_STMT);
+    }
+}
+
+/* --- returns --- */
+
+void end_frame(gimple_stmt_iterator gsi, const std::vector<local> &all, bool has_blocks)
+{
+    if (has_blocks)
+        gsi_insert_before(&gsi, asan_code_end_blocks(NULL_TREE), GSI_SAME_STMT);
+    else
+        for (const local &v : all)
+            gsi_insert_before(&gsi, asan_code_end_local(v.decl, v.bytes), GSI_SAME_STMT);
+}
+
+void end_at_returns(function *f, const std::vector<local> &all, bool has_blocks)
 {
     edge e;
     edge_iterator i;
-    FOR_EACH_EDGE(e, i, EXIT_BLOCK_PTR_FOR_FN(f)->preds)
-    {
+    FOR_EACH_EDGE (e, i, EXIT_BLOCK_PTR_FOR_FN(f)->preds) {
         gimple_stmt_iterator gsi = gsi_last_nondebug_bb(e->src);
-        if (gsi_end_p(gsi) || gimple_code(gsi_stmt(gsi)) != GIMPLE_RETURN)
-            continue;
-        for (const local &v : all)
-            gsi_insert_before(&gsi, asan_code_end_local(v.decl, v.bytes), GSI_SAME_STMT);
+        if (!gsi_end_p(gsi) && gimple_code(gsi_stmt(gsi)) == GIMPLE_RETURN)
+            end_frame(gsi, all, has_blocks);
     }
 }
 } // namespace
@@ -116,11 +181,13 @@ void unmark_at_returns(function *f, const std::vector<local> &all)
 void asan_locals_protect(function *f)
 {
     std::vector<local> all = find_locals(f);
-    if (all.empty())
+    std::vector<gcall *> blocks = find_calls(f, gives_block);
+    if (all.empty() && blocks.empty())
         return;
     for (const local &v : all)
         enlarge(v);
     remove_scope_ends(f, all);
     mark_at_beginning(f, all);
-    unmark_at_returns(f, all);
+    protect_blocks(f, blocks);
+    end_at_returns(f, all, !blocks.empty());
 }

@@ -264,6 +264,81 @@ void refuse(const call_cost &price, const char *name, const std::string &why)
     exit(FATAL_EXIT_CODE);
 }
 
+/* The cost of a library function that GCC calls by a name of its own, as floorf by .FLOOR; -1: it is none. */
+int64_t library_cost(gcall *call)
+{
+    tree type = gimple_call_lhs(call) ? TREE_TYPE(gimple_call_lhs(call)) : NULL_TREE;
+    tree function = type ? mathfn_built_in(type, gimple_call_combined_fn(call)) : NULL_TREE;
+    if (!function)
+        return -1;
+    const call_cost *known = find_listed(IDENTIFIER_POINTER(DECL_NAME(function)) + strlen("__builtin_"));
+    return known ? known->base : table.clocks.call + gimple_call_num_args(call) * table.clocks.argument;
+}
+
+/* The cost of a function of GCC's own, which stands for one or a few operations of the program. */
+int64_t internal_cost(gcall *call)
+{
+    tree lhs = gimple_call_lhs(call);
+    switch (gimple_call_internal_fn(call)) {
+    case IFN_FMS:
+    case IFN_FNMA:
+    case IFN_FNMS:
+        return float_cost(MULT_EXPR, TREE_TYPE(lhs)) + float_cost(PLUS_EXPR, TREE_TYPE(lhs));
+    case IFN_XORSIGN:
+        return table.clocks.fp_move + float_cost(MULT_EXPR, TREE_TYPE(lhs));
+    case IFN_SIGNBIT:
+    case IFN_ADD_OVERFLOW: /* and a comparison */
+    case IFN_SUB_OVERFLOW:
+    case IFN_UBSAN_CHECK_ADD:
+    case IFN_UBSAN_CHECK_SUB:
+        return 2 * table.clocks.integer;
+    case IFN_MUL_OVERFLOW:
+    case IFN_UBSAN_CHECK_MUL:
+        return table.clocks.multiply + table.clocks.integer;
+    case IFN_MULH:
+        return table.clocks.multiply;
+    case IFN_DIVMOD: /* the remainder is what the quotient's product leaves */
+        return table.clocks.divide + table.clocks.multiply + table.clocks.integer;
+    case IFN_CLRSB: /* the i860 counts bits in a procedure */
+    case IFN_CLZ:
+    case IFN_CTZ:
+    case IFN_FFS:
+    case IFN_PARITY:
+    case IFN_POPCOUNT:
+        return table.clocks.call + table.clocks.argument;
+    case IFN_SPACESHIP: /* less, equal or greater? Branches on that follow. */
+        return 2 * table.clocks.fp_compare;
+    case IFN_ATOMIC_BIT_TEST_AND_SET:
+    case IFN_ATOMIC_BIT_TEST_AND_COMPLEMENT:
+    case IFN_ATOMIC_BIT_TEST_AND_RESET:
+    case IFN_ATOMIC_COMPARE_EXCHANGE:
+    case IFN_ATOMIC_ADD_FETCH_CMP_0:
+    case IFN_ATOMIC_SUB_FETCH_CMP_0:
+    case IFN_ATOMIC_AND_FETCH_CMP_0:
+    case IFN_ATOMIC_OR_FETCH_CMP_0:
+    case IFN_ATOMIC_XOR_FETCH_CMP_0:
+        return table.clocks.load + 2 * table.clocks.integer + table.clocks.store;
+    case IFN_ABNORMAL_DISPATCHER: /* no operations */
+    case IFN_ANNOTATE:
+    case IFN_BUILTIN_EXPECT:
+    case IFN_DEFERRED_INIT:
+    case IFN_FALLTHROUGH:
+    case IFN_LAUNDER:
+    case IFN_NOP:
+    case IFN_PHI:
+    case IFN_UNIQUE:
+        return 0;
+    default:
+        break;
+    }
+    int64_t library = library_cost(call);
+    if (library < 0)
+        fatal_error(gimple_location(call),
+                    "nxcc has no cost for GCC%'s %qs: compile the file with %<-O1%>, and report it",
+                    internal_fn_name(gimple_call_internal_fn(call)));
+    return library;
+}
+
 /* The cost of a call that GCC expands in place to a few instructions; -1 for all others. */
 int64_t expanded_cost(gcall *call)
 {
@@ -301,7 +376,7 @@ int64_t expanded_cost(gcall *call)
     case CFN_BUILT_IN_SIGNBIT:
         return 2 * table.clocks.integer;
     default:
-        return gimple_call_internal_p(call) ? table.clocks.integer : -1;
+        return gimple_call_internal_p(call) ? internal_cost(call) : -1;
     }
 }
 
@@ -313,10 +388,17 @@ int64_t argument_loads(gcall *call)
     return cost;
 }
 
+/* Is it a call of sqrt that GCC expands in place, since errno is not wanted? */
+bool is_root_in_place(gcall *call)
+{
+    return !gimple_call_internal_p(call) && replacement_internal_fn(call) == IFN_SQRT;
+}
+
 int64_t fixed_call_cost(gcall *call)
 {
     int64_t cost = argument_loads(call) + memory_cost(gimple_call_lhs(call), table.clocks.store);
-    if (const call_cost *known = listed(call))
+    const call_cost *known = is_root_in_place(call) ? NULL : listed(call);
+    if (known)
         return cost + known->base;
     int64_t expanded = expanded_cost(call);
     if (expanded >= 0)

@@ -580,12 +580,22 @@ void counting::insert_poll(const poll &p)
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);
 }
 
+/* Gives loops the preheaders that the analyses want. (A loop that is entered from several places gets a new
+ * head: a mark that had been made before would stay outside of the loop.) */
+void normalise_loops()
+{
+    loop_optimizer_init(LOOPS_NORMAL);
+    loop_optimizer_finalize();
+}
+
 void counting::run()
 {
     scan_function();
     bool analyses = left && optimize;
     if (analyses && !calls && !cache_is_simulated() && leaf_charge_accept(fun))
         return;
+    if (analyses)
+        normalise_loops();
     poll_mark(fun, calls, poll_blocks);
     idle_loops_find(fun, needs_counter, poll_blocks, idle);
     if (analyses) {

@@ -1,6 +1,15 @@
-/* gcc.h - GCC's own headers, in the order that they need. Each file of the plugin includes it first. */
+/* gcc.h - GCC's own headers, in the order that they need, behind those of C++ that most files use. Each
+ * file of the plugin includes this one first. */
 #ifndef NXCC_GCC_H
 #define NXCC_GCC_H
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wshadow"

@@ -31,7 +31,7 @@
  * strike may be theirs.
  *
  * A call before the end of the lookahead is a bug of this plugin. The simulator then stops the run, and names
- * the call and the function (sim/node/clock.h: clock_lookahead_is_broken).
+ * the call and the function (sim/lp/clock.h: clock_lookahead_is_broken).
  */
 #ifndef NXCC_LOOKAHEAD_H
 #define NXCC_LOOKAHEAD_H

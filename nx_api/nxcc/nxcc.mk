@@ -6,7 +6,18 @@ DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
 PLUGIN_INC  = $(shell $(NODE_CC) -print-file-name=plugin 2>/dev/null)/include
 PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$(NODES)/obj/%.o)
-COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)
+# Most of a file's time is that of headers and their templates. With FOLD=yes files are compiled together, as two, which takes half the
+# time; but those that have names of their own for what others call the same (start_unit, local). tests/house/check needs all alone.
+ifeq ($(FOLD),yes)
+PLUGIN_ALONE  := $(patsubst %,nx_api/nxcc/%.cc,argument_counts data_names long32 long_abi plugin redeclare statics unset)
+PLUGIN_RACES  := $(wildcard nx_api/nxcc/race_*.cc)
+PLUGIN_COUNTS := $(filter-out $(PLUGIN_ALONE) $(PLUGIN_RACES),$(PLUGIN_SRC))
+PLUGIN_FOLDED := $(addprefix $(NODES)/obj/folded/,races.o counts.o)
+PLUGIN_OBJ    := $(PLUGIN_ALONE:%.cc=$(NODES)/obj/%.o) $(PLUGIN_FOLDED)
+endif
+# Without gfortran, which `make tables` does not ask for, C programs can be compiled and linked.
+WITH_F90   := $(if $(shell command -v $(NODE_FC)),$(wildcard nx_api/fortran/*.f90))
+COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c) $(WITH_F90)
 COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
 CPU_FILES  := $(wildcard machines/cpu/*.cfg)
 PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
@@ -15,7 +26,8 @@ STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 
 NODE_TOOLS := $(NODES)/nxcc $(NODES)/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h nx_api/include/rpc/*.h)
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE_TOOLS)
-NXCC_DEPS  := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS)
+NXCC_C_DEPS := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS) # for C without options
+NXCC_DEPS  := $(NXCC_C_DEPS) $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(call say,LINK,$@)
@@ -35,10 +47,26 @@ $B/node:
 endif
 
 # GCC's headers are not clean under our own warnings; ours are, so theirs are system headers.
-$(NODES)/obj/nx_api/nxcc/%.o: nx_api/nxcc/%.cc $(wildcard nx_api/nxcc/*.h)
+# They take two thirds of a file's time, so they are read once (gcc.h.gch). A backtrace has lines.
+PLUGIN_GCC  = $(NODE_CXX) -std=gnu++17 -O1 -g1 $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -I$(@D) -MMD -MP
+PLUGIN_HDR := $(NODES)/obj/nx_api/nxcc/gcc.h
+$(PLUGIN_HDR).gch: nx_api/nxcc/gcc.h
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
-	$(NODE_CXX) -std=gnu++17 -O2 -g $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -I$(@D) -c -o $@ $<
+	$(PLUGIN_GCC) -x c++-header -o $@ $<
+
+$(filter-out $(PLUGIN_FOLDED),$(PLUGIN_OBJ)): $(NODES)/obj/%.o: %.cc $(PLUGIN_HDR).gch
+	$(call say,CXX,$<)
+	$(PLUGIN_GCC) -include $(PLUGIN_HDR) -c -o $@ $<
+
+$(NODES)/obj/folded/races.o: $(PLUGIN_RACES) $(PLUGIN_HDR).gch
+$(NODES)/obj/folded/counts.o: $(PLUGIN_COUNTS) $(PLUGIN_HDR).gch
+$(PLUGIN_FOLDED):
+	@mkdir -p $(@D)
+	$(call say,CXX,$@)
+	$(PLUGIN_GCC) $(addprefix -include ,$(PLUGIN_HDR) $(filter-out $<,$(filter %.cc,$^))) -c -o $@ $<
+
+-include $(PLUGIN_OBJ:.o=.d) $(PLUGIN_HDR).d
 
 # How many arguments the NX calls of Fortran programs have.
 FORTRAN_CALLS := $(NODES)/obj/nx_api/nxcc/fortran_calls.inc
@@ -68,19 +96,21 @@ $(STAND_INS): | $(NODE)/libnode.so
 
 # (Programs that define optarg, and getopt with it, keep both: names of nx_api/libc are weak.)
 # Node code of our own is counted like the user's: the global operations, the C library's functions that keep state where
-# programs see it, and NX's faces to Fortran.
+# programs see it, and NX's faces to Fortran. It does not tell by which costs, as the user's files do (costs_mark.h).
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NODE_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXCC,$$@)
 	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) $(2) -c -o $$@ $$<
+	objcopy -R .nxc_costs $$@
 	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
 $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NODE_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXF77,$$@)
 	$(NODES)/nxf77 -O2 $(PREFIX_MAP) -Wall $(2) -c -o $$@ $$<
+	objcopy -R .nxc_costs $$@
 endef
 $(eval $(call NODE_CODE,,))
 $(eval $(call NODE_CODE,profile/,--profile))

@@ -30,10 +30,13 @@
 #include "race_sites.h"
 #include "race_update.h"
 #include "race_written.h"
+#include "records.h"
 #include "redeclare.h"
 #include "statics.h"
 #include "symbols.h"
 #include "unset.h"
+#include "../contract/costs_mark.h"
+#include <inttypes.h>
 
 int plugin_is_GPL_compatible;
 
@@ -89,6 +92,16 @@ void stop_if(const std::string &error)
     exit(FATAL_EXIT_CODE);
 }
 
+/* "MARK NAME", the costs' line in each object (costs_mark.h). */
+std::string costs_record;
+
+void note_costs(const char *path)
+{
+    char mark[NXC_COSTS_MARK + 1];
+    snprintf(mark, sizeof mark, "%016" PRIx64, nxc_costs_mark(path));
+    costs_record = std::string(mark) + " " + lbasename(path);
+}
+
 void read_files(const arguments &a)
 {
     cost_table table;
@@ -98,6 +111,7 @@ void read_files(const arguments &a)
         stop_if(table_read_factors(a.factors, factors));
     costs_use(table, factors);
     cache_use(table.cache);
+    note_costs(a.costs);
 }
 
 /* nxc_enter saves the registers of plain x86-64 only, and uses the stack below the pointer. Only now has GCC
@@ -120,6 +134,7 @@ void begin_function(void *, void *)
 
 void finish_unit(void *, void *)
 {
+    records_write(NXC_COSTS_SECTION, "", {costs_record});
     profile_write_tables();
     call_free_write_flags();
     race_sites_write();

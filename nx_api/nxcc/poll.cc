@@ -18,6 +18,17 @@ static const char poll_text[] = "cmpl\t$0, nxc_due(%%rip)\n"
                                 "\tjmp\t772b\n"
                                 "\t.previous";
 
+/* A call of longjmp is the back edge of a loop around setjmp, which no search finds. */
+static bool jumps(basic_block bb)
+{
+    gimple_stmt_iterator gsi = gsi_last_nondebug_bb(bb);
+    tree callee = gsi_end_p(gsi) || !is_gimple_call(gsi_stmt(gsi)) ? NULL : gimple_call_fndecl(gsi_stmt(gsi));
+    if (!callee || !DECL_EXTERNAL(callee) || !DECL_NAME(callee))
+        return false;
+    const char *name = IDENTIFIER_POINTER(DECL_NAME(callee));
+    return !strcmp(name, "longjmp") || !strcmp(name, "_longjmp") || !strcmp(name, "siglongjmp");
+}
+
 /* Every cycle of blocks has a back edge of a depth-first search, whatever shape the loop has. A function
  * without calls cannot be part of a recursion, so that the polls of its loops suffice. */
 void poll_mark(function *fun, bool calls, bitmap poll_blocks)
@@ -31,6 +42,8 @@ void poll_mark(function *fun, bool calls, bitmap poll_blocks)
         FOR_EACH_EDGE (e, ei, bb->succs)
             if (e->flags & EDGE_DFS_BACK)
                 bitmap_set_bit(poll_blocks, e->dest->index);
+        if (jumps(bb))
+            bitmap_set_bit(poll_blocks, bb->index);
     }
     if (calls)
         bitmap_set_bit(poll_blocks, single_succ(ENTRY_BLOCK_PTR_FOR_FN(fun))->index);

@@ -20,14 +20,14 @@ struct spot {
     }
 };
 std::map<spot, std::set<std::string>> written;
-std::map<location_t, std::string> functions; /* in which accesses are written */
+std::map<location_t, std::string> written_in; /* in which accesses are written */
 
 void note(gimple *stmt, tree ref, bool write)
 {
     if (!ref || !costs_is_memory(ref))
         return;
     if (DECL_NAME(current_function_decl))
-        functions[race_location(stmt)] = IDENTIFIER_POINTER(DECL_NAME(current_function_decl));
+        written_in[race_location(stmt)] = IDENTIFIER_POINTER(DECL_NAME(current_function_decl));
     std::string text = race_name_of(ref);
     if (!text.empty())
         written[{race_location(stmt), int_size_in_bytes(TREE_TYPE(ref)), write}].insert(text);
@@ -106,8 +106,8 @@ location_t race_location(gimple *stmt)
 
 std::string race_function(gimple *stmt)
 {
-    auto found = functions.find(race_location(stmt));
-    return found == functions.end() ? "" : found->second;
+    auto found = written_in.find(race_location(stmt));
+    return found == written_in.end() ? "" : found->second;
 }
 
 std::string race_name(gimple *stmt, tree ref, bool write)

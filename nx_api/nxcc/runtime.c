@@ -19,6 +19,8 @@ NXC_DATA int64_t nxc_lookahead = NXC_NO_LOOKAHEAD;
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
 extern void (*__init_array_end[])(void) __attribute__((visibility("hidden")));
+extern void (*__fini_array_start[])(void) __attribute__((visibility("hidden")));
+extern void (*__fini_array_end[])(void) __attribute__((visibility("hidden")));
 /* The linker's symbols for the ends of section nxc_bodies, if there is one. */
 extern const struct nxc_body __start_nxc_bodies[] __attribute__((visibility("hidden"), weak));
 extern const struct nxc_body __stop_nxc_bodies[] __attribute__((visibility("hidden"), weak));
@@ -44,6 +46,8 @@ struct nxc_image nxc_image = {
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,
+    .fini_begin = __fini_array_start,
+    .fini_end = __fini_array_end,
     .bodies_begin = __start_nxc_bodies,
     .bodies_end = __stop_nxc_bodies,
     .root = &nxc_root,

@@ -9,7 +9,7 @@ void node_nxperror(const char *what)
 {
     struct node *n = node_self();
     int code = errno;
-    fprintf(n->libc->streams.err, "(%s, ptype %ld) %s: %s\n", n->name, n->pid, what ? what : "",
+    fprintf(streams_of(n)->err, "(%s, ptype %ld) %s: %s\n", n->name, n->pid, what ? what : "",
             code == n->error->code ? n->error->text : node_strerror(code));
 }
 

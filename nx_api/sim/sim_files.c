@@ -8,7 +8,7 @@
 #include "guest/libc_parts.h"
 #include "nx_api/calls/file_calls.h"
 #include "os/asan_hooks.h"
-#include "os/race_hooks.h"
+#include "os/observer.h"
 
 /* --- errors --- */
 
@@ -72,7 +72,7 @@ static long start(bool write, int fd, struct node_file *f, int64_t at, const str
         return -1;
     for (int i = 0; i < count; i++) {
         ASAN_CALL(f->node, !write, parts[i].iov_base, parts[i].iov_len);
-        RACES(f->node, moves, !write, parts[i].iov_base, parts[i].iov_len);
+        ANNOUNCE(f->node, moves, !write, parts[i].iov_base, parts[i].iov_len);
     }
     *op = file ? cfs_start(file, write, at, parts, count) : NULL;
     *moved = file ? 0 : move_host(f, write, at, parts, count);

@@ -3,25 +3,23 @@
 #include "nx_api/calls/call.h"
 #include "net/protocol_record.h"
 #include "os/charge.h"
-#include "os/node_record.h"
+#include "os/observer.h"
 #include "os/asan_hooks.h"
-#include "os/race_hooks.h"
-#include "os/numbering.h"
-#include "os/orders.h"
+#include "os/order_policy.h"
 
 static bool handlers_have_run(struct node *n, void *arg)
 {
     (void)arg;
-    return orders_let_call_begin(n);
+    return n->sys->orders->lets_call_begin(n);
 }
 
-/* In a run with a numbering no call is deferred: this one is committed. Handlers whose order is behind it
- * must not run before it does anything: so the call is counted last. */
+/* In a run that keeps orders no call is deferred: this one is committed. Handlers whose order is behind it
+ * must not run before it does anything: so it is told of last. */
 void nx_begins_call(struct node *n)
 {
-    if (orders_are_kept(n->sys) && !orders_let_call_begin(n))
+    if (order_policy_of(n) && !handlers_have_run(n, NULL))
         node_wait(n, handlers_have_run, NULL);
-    NUMBER(n, call);
+    ANNOUNCE(n, call_acts);
 }
 
 void nx_about(struct node *n, long what)
@@ -32,8 +30,13 @@ void nx_about(struct node *n, long what)
 
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s)
 {
-    RECORD(n, awaits, !r, r ? r->select.node : -1);
+    ANNOUNCE(n, awaits, !r, r ? r->select.node : -1);
     gate_awaits(n, r ? (long)r->select.type : s->m ? (long)s->m->type : 0);
+}
+
+void nx_found_nothing(struct node *n, const struct selector *select)
+{
+    ANNOUNCE(n, finds_nothing, select);
 }
 
 void nx_spend_call(struct node *n)
@@ -99,19 +102,20 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     size_t len = (size_t)o->len;
     ASAN_CALL(n, false, o->buf, len);
     word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
-    uint64_t order = n->record ? protocol_next_order(p, n->lp.address) : 0;
+    uint64_t order = IS_HEARD(n, sends) ? protocol_next_order(p, n->lp.address) : 0;
     struct message *m =
         all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
             : protocol_message(p, n->lp.address, address_of(n, o->node), type, pid, o->buf, len);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
-    RACES(n, sends, o->buf, len, m, s);
+    ANNOUNCE(
+        n, sends,
+        &(struct observed_send){o->buf, len, m, s, order, protocol_next_order(p, n->lp.address) - order});
     if (s && (!m || nx_goes_at_once(n, o))) {
         s->done = true;
         s = NULL;
     }
     if (s)
         match_follow(last(m), s);
-    RECORD(n, sends, order, protocol_next_order(p, n->lp.address) - order);
     if (m)
         hand_over(n, m, receivers);
 }

@@ -194,4 +194,7 @@ const char *waitfor_cause_name(enum waitfor_cause c);
  * newline at the end of either. */
 void waitfor_write_text(const struct waitfor *w, FILE *f);
 void waitfor_write_json(const struct waitfor *w, FILE *f);
+
+/* The name of the global operation whose messages have this type; NULL: the type is a program's. */
+const char *waitfor_operation(long type);
 #endif

@@ -95,27 +95,19 @@ static enum waitfor_cause of_mailbox(const struct waitfor_node *n)
 
 /* --- what ended nodes have left --- */
 
-static bool some_missed_has_ended(const struct waitfor *w, const char *operation)
+/* Has a node ended, but for the host? All global operations wait for it. */
+static bool some_has_ended(const struct waitfor *w)
 {
     for (uint32_t i = 0; i < w->count; i++)
-        if (waitfor_is_missed(w, i, operation) && !waitfor_lives(&w->nodes[i]))
+        if (!w->nodes[i].is_host && !waitfor_lives(&w->nodes[i]))
             return true;
     return false;
 }
 
-/* The global operation that was asked for last, kept because neighbours are mostly in the same one. */
-struct last_operation {
-    const char *name;
-    bool ended; /* one that it waits for */
-};
-
-static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *n,
-                            struct last_operation *last)
+static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *n, bool some_ended)
 {
-    if (n->operation && n->operation != last->name)
-        *last = (struct last_operation){n->operation, some_missed_has_ended(w, n->operation)};
     if (n->operation)
-        return last->ended;
+        return some_ended;
     if (n->who == WAITFOR_ONE_NODE)
         return n->what != WAITFOR_END && !waitfor_lives(&w->nodes[n->whom]);
     return n->who == WAITFOR_NOBODY && n->what == WAITFOR_MESSAGE;
@@ -123,13 +115,12 @@ static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *
 
 /* --- the cause --- */
 
-static enum waitfor_cause local_cause(const struct waitfor *w, const struct waitfor_node *n,
-                                      struct last_operation *last)
+static enum waitfor_cause local_cause(const struct waitfor *w, const struct waitfor_node *n, bool some_ended)
 {
     if (is_handler_due(n))
         return WAITFOR_MASKED;
     enum waitfor_cause c = n->what == WAITFOR_MESSAGE && !n->operation ? of_mailbox(n) : WAITFOR_CAUSES;
-    if (c == WAITFOR_CAUSES && waits_for_ended(w, n, last))
+    if (c == WAITFOR_CAUSES && waits_for_ended(w, n, some_ended))
         c = WAITFOR_NODE_HAS_ENDED;
     return c == WAITFOR_CAUSES && n->what == WAITFOR_BUFFER ? WAITFOR_BUFFERS_FULL : c;
 }
@@ -160,10 +151,10 @@ static bool is_knot_the_cause(const struct waitfor *w)
 
 void waitfor_find_causes(struct waitfor *w)
 {
-    struct last_operation last = {0};
+    bool some_ended = some_has_ended(w);
     for (uint32_t i = 0; i < w->count; i++)
         if (w->nodes[i].state == WAITFOR_WAITS)
-            w->nodes[i].cause = local_cause(w, &w->nodes[i], &last);
+            w->nodes[i].cause = local_cause(w, &w->nodes[i], some_ended);
     bool knot = is_knot_the_cause(w);
     for (uint32_t i = 0; i < w->count; i++) {
         struct waitfor_node *n = &w->nodes[i];

@@ -219,30 +219,20 @@ static enum answer reaches_any(struct knot *k, uint32_t i)
     return k->node[end];
 }
 
-/* Does a node wait for one that does not wait itself? Such a node ends all ways. */
-static bool leads_out(const struct waitfor *w, const struct waitfor_node *n)
-{
-    if (n->who == WAITFOR_ONE_NODE)
-        return !waits(w, n->whom);
-    for (uint32_t i = 0; i < w->count; i++)
-        if (n->who == WAITFOR_ALL_NODES ? waitfor_is_missed(w, i, n->operation) && !waits(w, i)
-                                        : w->nodes[i].state == WAITFOR_COMPUTES)
-            return true;
-    return false;
-}
-
-/* Nodes in one operation wait for the same others: of neighbours in it, one is asked. */
+/* Does a node wait for one that does not wait itself? Such a node ends all ways. All global operations wait
+ * for each node without a wait, but for the host. */
 static bool any_leads_out(const struct waitfor *w)
 {
-    const struct waitfor_node *last = NULL;
+    bool computes = false, missed = false;
+    for (uint32_t i = 0; i < w->count; i++) {
+        computes |= w->nodes[i].state == WAITFOR_COMPUTES;
+        missed |= !waits(w, i) && !w->nodes[i].is_host;
+    }
     for (uint32_t i = 0; i < w->count; i++) {
         const struct waitfor_node *n = &w->nodes[i];
-        bool asked =
-            last && n->who != WAITFOR_ONE_NODE && n->who == last->who && n->operation == last->operation;
-        if (!waits(w, i) || asked)
-            continue;
-        last = n;
-        if (leads_out(w, n))
+        if (waits(w, i) && (n->who == WAITFOR_ONE_NODE    ? !waits(w, n->whom)
+                            : n->who == WAITFOR_ALL_NODES ? missed
+                                                          : computes))
             return true;
     }
     return false;

@@ -9,8 +9,6 @@ void *waitfor_grow(void *block, size_t count, size_t bytes);
 /* A stream into memory: *text is there, and the caller's to free, when it has been closed. */
 FILE *waitfor_stream(char **text, size_t *size);
 
-/* The name of the global operation whose messages have this type; NULL: the type is a program's. */
-const char *waitfor_operation(long type);
 /* Does a typesel select a type; a selector a message of this type, node and process type? */
 bool waitfor_type_selected(long typesel, long type);
 bool waitfor_selects(const struct waitfor_select *s, long type, long from, long pid);
@@ -20,8 +18,22 @@ void waitfor_print_typesel(FILE *f, long typesel);
 void waitfor_print_node(FILE *f, const struct waitfor *w, long node);
 /* "29.456789 ms": the simulator writes moments in this way, too (sim/files/virtual_time.h). */
 void waitfor_print_time(FILE *f, uint64_t ps);
-/* "node 3", "nodes 1-5, 7", "the host", and "none" of no node: those of which is(w, i, arg) is true. */
+/* Neighbours from first to end - 1. */
+struct waitfor_run {
+    uint32_t first, end;
+};
+/* A set of nodes, which may have the host, too. */
+struct waitfor_set {
+    struct waitfor_run *runs; /* without the host; the caller's to free */
+    uint32_t run_count, nodes;
+    long host; /* its number; WAITFOR_ANY: it is not in the set */
+};
+/* The nodes i of which is(w, i, arg) is true. */
 typedef bool waitfor_choice(const struct waitfor *w, uint32_t i, const void *arg);
+struct waitfor_set waitfor_choose(const struct waitfor *w, waitfor_choice *is, const void *arg);
+/* "node 3", "nodes 1-5, 7", "the host", and "none" of no node: the set without `but`, which is in it
+ * (WAITFOR_ANY: all of it). In time proportional to the runs. */
+void waitfor_print_set(FILE *f, const struct waitfor_set *s, long but);
 void waitfor_print_nodes(FILE *f, const struct waitfor *w, waitfor_choice *is, const void *arg);
 
 /* Steps of the analysis, in this order. */

@@ -1,4 +1,5 @@
 /* waitfor_print.c - types and nodes as people read them. */
+#include <stdlib.h>
 #include "nx_api/waitfor/waitfor_parts.h"
 
 enum { LAST_IN_MASK = 29, ABOVE_MASK = 30 };
@@ -76,44 +77,62 @@ void waitfor_print_time(FILE *f, uint64_t ps)
     fprintf(f, "%.*s %s", (int)length, number, UNITS[i].name);
 }
 
-/* The first from i on that is chosen; w->count: none. */
-static uint32_t next_chosen(const struct waitfor *w, uint32_t i, waitfor_choice *is, const void *arg)
+/* --- sets of nodes --- */
+
+struct waitfor_set waitfor_choose(const struct waitfor *w, waitfor_choice *is, const void *arg)
 {
-    while (i < w->count && !is(w, i, arg))
-        i++;
-    return i;
+    struct waitfor_set s = {.host = WAITFOR_ANY};
+    bool before = false; /* is the node before in the last run? */
+    for (uint32_t i = 0; i < w->count; i++) {
+        bool in = is(w, i, arg), node = in && !w->nodes[i].is_host;
+        if (in && !node)
+            s.host = i;
+        if (node && !before) {
+            if ((s.run_count & (s.run_count - 1)) == 0)
+                s.runs = waitfor_grow(s.runs, 2 * s.run_count + 1, sizeof *s.runs);
+            s.runs[s.run_count++].first = i;
+        }
+        if (node)
+            s.runs[s.run_count - 1].end = i + 1;
+        s.nodes += node;
+        before = node;
+    }
+    return s;
 }
 
-/* The first from i on that is not, or is the host. */
-static uint32_t end_of_run(const struct waitfor *w, uint32_t i, waitfor_choice *is, const void *arg)
+/* Prints a run, if it has nodes, behind what stands between runs. Returns what stands before the next. */
+static const char *print_run(FILE *f, const char *between, uint32_t first, uint32_t end)
 {
-    while (i < w->count && !w->nodes[i].is_host && is(w, i, arg))
-        i++;
-    return i;
-}
-
-static void print_run(FILE *f, uint32_t first, uint32_t end)
-{
-    fprintf(f, "%u", first);
+    if (first == end)
+        return between;
+    fprintf(f, "%s%u", between, first);
     if (end - first > 1)
         fprintf(f, "%s%u", end - first > 2 ? "-" : ", ", end - 1);
+    return ", ";
+}
+
+void waitfor_print_set(FILE *f, const struct waitfor_set *s, long but)
+{
+    bool host = s->host != WAITFOR_ANY && s->host != but;
+    uint32_t nodes = s->nodes - (but != WAITFOR_ANY && but != s->host);
+    const char *between = "";
+    if (nodes)
+        fputs(nodes > 1 ? "nodes " : "node ", f);
+    for (uint32_t k = 0; k < s->run_count; k++) {
+        struct waitfor_run r = s->runs[k];
+        bool parted = r.first <= but && but < r.end;
+        between = print_run(f, between, r.first, parted ? (uint32_t)but : r.end);
+        between = print_run(f, between, parted ? (uint32_t)but + 1 : r.end, r.end);
+    }
+    if (host)
+        fprintf(f, "%sthe host", nodes ? " and " : "");
+    else if (!nodes)
+        fputs("none", f);
 }
 
 void waitfor_print_nodes(FILE *f, const struct waitfor *w, waitfor_choice *is, const void *arg)
 {
-    uint32_t i = next_chosen(w, 0, is, arg);
-    bool host = w->count && w->nodes[w->count - 1].is_host && is(w, w->count - 1, arg);
-    uint32_t nodes_end = w->count - (w->count && w->nodes[w->count - 1].is_host);
-    if (i == w->count)
-        fputs("none", f);
-    else if (i < nodes_end)
-        fputs(next_chosen(w, i + 1, is, arg) < nodes_end ? "nodes " : "node ", f);
-    for (const char *between = ""; i < nodes_end; between = ", ") {
-        uint32_t end = end_of_run(w, i, is, arg);
-        fputs(between, f);
-        print_run(f, i, end);
-        i = next_chosen(w, end, is, arg);
-    }
-    if (host)
-        fprintf(f, "%sthe host", next_chosen(w, 0, is, arg) < nodes_end ? " and " : "");
+    struct waitfor_set s = waitfor_choose(w, is, arg);
+    waitfor_print_set(f, &s, WAITFOR_ANY);
+    free(s.runs);
 }

@@ -5,6 +5,16 @@
 
 enum { MOST_TOLD = 4 }; /* messages of one node */
 
+/* What reasons of many nodes have in common: each part is found once. */
+struct reasons {
+    struct waitfor *w;
+    struct waitfor_set living, ended; /* ended: but for the host, for which no global operation waits */
+    struct missed {
+        const char *operation, *text; /* whom it waits for */
+    } * missed;
+    size_t missed_count;
+};
+
 static void print_wanted(FILE *f, const struct waitfor *w, const struct waitfor_select *s)
 {
     waitfor_print_typesel(f, s->typesel);
@@ -149,48 +159,38 @@ static void print_masked(FILE *f, const struct waitfor *w, const struct waitfor_
 
 /* --- for whom it waits --- */
 
-static bool is_missed_and_ended(const struct waitfor *w, uint32_t i, const void *operation)
-{
-    return waitfor_is_missed(w, i, operation) && !waitfor_lives(&w->nodes[i]);
-}
-
 static bool is_missed_and_lives(const struct waitfor *w, uint32_t i, const void *operation)
 {
     return waitfor_is_missed(w, i, operation) && waitfor_lives(&w->nodes[i]);
 }
 
-static bool is_other_that_lives(const struct waitfor *w, uint32_t i, const void *n)
+static bool lives(const struct waitfor *w, uint32_t i, const void *arg)
 {
-    return &w->nodes[i] != n && waitfor_lives(&w->nodes[i]);
+    (void)arg;
+    return waitfor_lives(&w->nodes[i]);
 }
 
-static bool is_other_that_ended(const struct waitfor *w, uint32_t i, const void *n)
+static bool has_ended(const struct waitfor *w, uint32_t i, const void *arg)
 {
-    return &w->nodes[i] != n && !waitfor_lives(&w->nodes[i]);
+    (void)arg;
+    return !w->nodes[i].is_host && !waitfor_lives(&w->nodes[i]);
 }
 
-static bool any(const struct waitfor *w, waitfor_choice *is, const void *arg)
+static void print_missed(FILE *f, const struct reasons *r, const char *operation)
 {
-    for (uint32_t i = 0; i < w->count; i++)
-        if (is(w, i, arg))
-            return true;
-    return false;
-}
-
-static void print_missed(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
-{
-    bool living = any(w, is_missed_and_lives, n->operation);
-    fprintf(f, "%s waits for ", n->operation);
-    if (living) {
-        waitfor_print_nodes(f, w, is_missed_and_lives, n->operation);
+    struct waitfor_set missed = waitfor_choose(r->w, is_missed_and_lives, operation);
+    fprintf(f, "%s waits for ", operation);
+    if (missed.nodes) {
+        waitfor_print_set(f, &missed, WAITFOR_ANY);
         fputs(" to come to it", f);
     }
-    if (any(w, is_missed_and_ended, n->operation)) {
-        fputs(living ? ", and for " : "", f);
-        waitfor_print_nodes(f, w, is_missed_and_ended, n->operation);
+    if (r->ended.nodes) {
+        fputs(missed.nodes ? ", and for " : "", f);
+        waitfor_print_set(f, &r->ended, WAITFOR_ANY);
         fputs(", which ended without it", f);
     }
     fputc('.', f);
+    free(missed.runs);
 }
 
 /* ", which waits, too" */
@@ -216,26 +216,28 @@ static void print_state(FILE *f, const struct waitfor_node *n, const struct wait
         fputs(", on which no program runs", f);
 }
 
-static void print_any(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+static void print_any(FILE *f, const struct reasons *r, const struct waitfor_node *n)
 {
-    if (!any(w, is_other_that_lives, n)) {
+    uint32_t living = r->living.nodes + (r->living.host != WAITFOR_ANY);
+    if (living == 1) {
         fputs(", and all other nodes have ended.", f);
         return;
     }
     fputs("; ", f);
-    if (any(w, is_other_that_ended, n))
-        waitfor_print_nodes(f, w, is_other_that_lives, n);
+    if (living < r->w->count)
+        waitfor_print_set(f, &r->living, n->number);
     else
         fputs("each other node", f);
     fputs(" could send it, but none has.", f);
 }
 
-static void print_message_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+static void print_message_wait(FILE *f, const struct reasons *r, const struct waitfor_node *n)
 {
+    const struct waitfor *w = r->w;
     fputs("It waits for ", f);
     print_wanted(f, w, &n->select);
     if (n->who != WAITFOR_ONE_NODE) {
-        print_any(f, w, n);
+        print_any(f, r, n);
         return;
     }
     bool any = n->select.node == WAITFOR_ANY;
@@ -272,16 +274,14 @@ static void print_end_wait(FILE *f, const struct waitfor *w, const struct waitfo
     fputc('.', f);
 }
 
-static void print_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+static void print_wait(FILE *f, const struct reasons *r, const struct waitfor_node *n)
 {
-    if (n->operation)
-        print_missed(f, w, n);
-    else if (n->what == WAITFOR_MESSAGE)
-        print_message_wait(f, w, n);
+    if (n->what == WAITFOR_MESSAGE)
+        print_message_wait(f, r, n);
     else if (n->what == WAITFOR_BUFFER)
-        print_buffer_wait(f, w, n);
+        print_buffer_wait(f, r->w, n);
     else if (n->what == WAITFOR_END)
-        print_end_wait(f, w, n);
+        print_end_wait(f, r->w, n);
     else if (n->what == WAITFOR_HANDLER)
         fputs("It waits for a handler to run.", f);
     else if (n->what == WAITFOR_FILE)
@@ -289,16 +289,52 @@ static void print_wait(FILE *f, const struct waitfor *w, const struct waitfor_no
               f);
 }
 
-static void print_why(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
+/* --- all of it --- */
+
+/* The sentence about a global operation, kept for the other nodes in it. */
+static const char *missed_by(struct reasons *r, const char *operation)
 {
-    print_wait(f, w, n);
+    for (size_t k = 0; k < r->missed_count; k++)
+        if (r->missed[k].operation == operation)
+            return r->missed[k].text;
+    char *text;
+    size_t size;
+    FILE *f = waitfor_stream(&text, &size);
+    print_missed(f, r, operation);
+    fclose(f);
+    r->missed = waitfor_grow(r->missed, r->missed_count + 1, sizeof *r->missed);
+    r->missed[r->missed_count] = (struct missed){operation, waitfor_text(r->w, text)};
+    free(text);
+    return r->missed[r->missed_count++].text;
+}
+
+static void print_why(FILE *f, struct reasons *r, const struct waitfor_node *n)
+{
+    if (n->operation)
+        fputs(missed_by(r, n->operation), f);
+    else
+        print_wait(f, r, n);
     if (n->cause == WAITFOR_MASKED)
-        print_masked(f, w, n);
+        print_masked(f, r->w, n);
     if (n->what != WAITFOR_MESSAGE || n->operation)
         return;
     if (n->cause == WAITFOR_TAKEN)
-        print_taken(f, w, n);
-    print_messages(f, w, n);
+        print_taken(f, r->w, n);
+    print_messages(f, r->w, n);
+}
+
+static const char *why(struct reasons *r, const struct waitfor_node *n)
+{
+    if (n->operation && n->cause != WAITFOR_MASKED)
+        return missed_by(r, n->operation);
+    char *text;
+    size_t size;
+    FILE *f = waitfor_stream(&text, &size);
+    print_why(f, r, n);
+    fclose(f);
+    const char *kept = waitfor_text(r->w, text);
+    free(text);
+    return kept;
 }
 
 /* --- what to do --- */
@@ -375,17 +411,15 @@ static bool may_be_of_exit(enum waitfor_cause c)
 void waitfor_find_reasons(struct waitfor *w)
 {
     const char *exit = remedy_for_exit(w);
+    struct reasons r = {w, waitfor_choose(w, lives, NULL), waitfor_choose(w, has_ended, NULL), NULL, 0};
     for (uint32_t i = 0; i < w->count; i++) {
         struct waitfor_node *n = &w->nodes[i];
         if (n->state != WAITFOR_WAITS)
             continue;
-        char *text;
-        size_t size;
-        FILE *f = waitfor_stream(&text, &size);
-        print_why(f, w, n);
-        fclose(f);
-        n->why = waitfor_text(w, text);
+        n->why = why(&r, n);
         n->remedy = exit && may_be_of_exit(n->cause) ? exit : remedy(w, n);
-        free(text);
     }
+    free(r.living.runs);
+    free(r.ended.runs);
+    free(r.missed);
 }

@@ -2,6 +2,24 @@
 #include <inttypes.h>
 #include "nx_api/waitfor/waitfor_parts.h"
 
+static bool is_plain(unsigned char c)
+{
+    return c >= ' ' && c < 0x80 && c != '"' && c != '\\';
+}
+
+static void put_special(FILE *f, unsigned char c)
+{
+    if (c == '"' || c == '\\')
+        fprintf(f, "\\%c", c);
+    else if (c == '\n')
+        fputc(' ', f);
+    else if (c < ' ')
+        fprintf(f, "\\u%04x", c);
+    else
+        fputc('?', f); /* other than ASCII may be no UTF-8 */
+}
+
+/* Writes plain characters as one: of many nodes, each may have a list of the others. */
 static void put_text(FILE *f, const char *text)
 {
     if (!text) {
@@ -9,15 +27,15 @@ static void put_text(FILE *f, const char *text)
         return;
     }
     fputc('"', f);
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++)
-        if (*c == '"' || *c == '\\')
-            fprintf(f, "\\%c", *c);
-        else if (*c == '\n')
-            fputc(' ', f);
-        else if (*c < ' ')
-            fprintf(f, "\\u%04x", *c);
-        else
-            fputc(*c < 0x80 ? *c : '?', f); /* other than ASCII may be no UTF-8 */
+    for (;;) {
+        const char *begin = text;
+        while (is_plain((unsigned char)*text))
+            text++;
+        fwrite(begin, 1, (size_t)(text - begin), f);
+        if (!*text)
+            break;
+        put_special(f, (unsigned char)*text++);
+    }
     fputc('"', f);
 }
 

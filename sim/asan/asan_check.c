@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include "asan/node_asan.h"
 #include "guest/own_memory.h"
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "node/self.h"
 #include "nx_api/contract/program_image.h"
@@ -166,9 +167,40 @@ void asan_end(struct node *n)
 
 /* --- what the node tells --- */
 
+/* The stack pointer of the function that accesses memory, or some bytes less; 0: not known, a message has
+ * interrupted the program. */
+static uintptr_t stack_pointer(const struct node *n, const struct asan_access *a)
+{
+    const uintptr_t *frame = crossing_frame();
+    if (!frame || !a->site)
+        return frame ? crossing_stack_pointer() : 0;
+    do /* the frames of what nxcc adds to programs */
+        frame = (const uintptr_t *)frame[0];
+    while (asan_is_of_nxcc(n, frame[1] - (uintptr_t)n->program));
+    return (uintptr_t)(frame + 2);
+}
+
+static bool is_on_stack(const struct node *n, uintptr_t at)
+{
+    return at - (uintptr_t)n->stack < n->stack_bytes;
+}
+
+/* Below the stack pointer nobody has variables. Above, another frame has taken the place: one that has marked
+ * nothing, as of a file compiled without --asan, or for what has no red zone. */
+static bool is_in_use_again(const struct node *n, const struct asan_access *a)
+{
+    uintptr_t pointer;
+    if (asan_shadow_why(&n->asan->shadow, a->bad) != NXC_ASAN_RETURNED)
+        return false;
+    pointer = stack_pointer(n, a);
+    return !is_on_stack(n, pointer) || !is_on_stack(n, a->bad) || a->bad >= pointer;
+}
+
 static void check(struct node *n, struct asan_access *a)
 {
-    a->bad = asan_shadow_first(&n->asan->shadow, a->at, a->bytes);
+    const struct asan_shadow *s = &n->asan->shadow;
+    while ((a->bad = asan_shadow_first(s, a->at, a->bytes)) && is_in_use_again(n, a))
+        asan_shadow_open_alike(s, a->bad);
     if (a->bad)
         asan_report(n, a);
 }

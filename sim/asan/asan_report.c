@@ -36,9 +36,9 @@ static void print_call(FILE *f, const struct node *n, const char *how, size_t of
         fprintf(f, " (%s)", line);
 }
 
-static bool is_of_nxcc(const struct node *n, size_t offset)
+bool asan_is_of_nxcc(const struct node *n, size_t returns)
 {
-    const char *name = node_image_function_name(n->file, offset);
+    const char *name = node_image_function_name(n->file, returns - 1);
     return name && strncmp(name, "nxc_", 4) == 0;
 }
 
@@ -46,7 +46,7 @@ static void print_stack(FILE *f, const struct node *n, const struct asan_stack *
 {
     bool any = false;
     for (uint32_t i = 0; s && i < s->depth; i++) {
-        if (is_of_nxcc(n, s->returns[i] - 1))
+        if (asan_is_of_nxcc(n, s->returns[i]))
             continue;
         print_call(f, n, any ? "called from" : "in", s->returns[i] - 1);
         any = true;
@@ -60,7 +60,7 @@ static void print_site(FILE *f, const struct node *n, const struct nxc_race_site
     uint32_t i = 0;
     fprintf(f, "\n    in %s (%s:%d)", nxc_race_text(site, site->function),
             file_name(nxc_race_text(site, site->file)), site->line);
-    while (i < s->depth && is_of_nxcc(n, s->returns[i] - 1))
+    while (i < s->depth && asan_is_of_nxcc(n, s->returns[i]))
         i++;
     for (i++; i < s->depth; i++)
         print_call(f, n, "called from", s->returns[i] - 1);
@@ -123,9 +123,10 @@ static struct object of_local(const struct node *n, uintptr_t at)
 
 static struct object object_of(const struct node *n, uintptr_t at, uint8_t why)
 {
-    return why == NXC_ASAN_LOCAL    ? of_local(n, at)
-           : why == NXC_ASAN_GLOBAL ? of_global(n, at)
-                                    : of_block(n, at);
+    return why == NXC_ASAN_LOCAL      ? of_local(n, at)
+           : why == NXC_ASAN_GLOBAL   ? of_global(n, at)
+           : why == NXC_ASAN_RETURNED ? (struct object){.bytes = SIZE_MAX}
+                                      : of_block(n, at);
 }
 
 /* --- text --- */
@@ -135,6 +136,8 @@ static const char *kind_of(uint8_t why)
     switch (why) {
     case NXC_ASAN_LOCAL:
         return "stack-buffer-overflow";
+    case NXC_ASAN_RETURNED:
+        return "stack-use-after-return";
     case NXC_ASAN_GLOBAL:
         return "global-buffer-overflow";
     case NXC_ASAN_FREED:
@@ -164,9 +167,13 @@ static void print_object_name(FILE *f, const struct object *o)
 }
 
 /* Where the first bad byte is. */
-static void print_position(FILE *f, const struct asan_access *a, const struct object *o)
+static void print_position(FILE *f, const struct asan_access *a, uint8_t why, const struct object *o)
 {
     uintptr_t end = o->begin + o->bytes;
+    if (why == NXC_ASAN_RETURNED) {
+        fputs("where a function that has returned had its variables", f);
+        return;
+    }
     if (o->bytes == SIZE_MAX) {
         fprintf(f, "at 0x%zx, where the program has nothing", (size_t)a->bad);
         return;
@@ -210,6 +217,8 @@ static void print_advice(FILE *f, const struct node *n, const struct asan_access
     fputs("\n  to do: ", f);
     if (why == NXC_ASAN_FREED)
         fputs("free the block after its last use, or let no pointer to it live on", f);
+    else if (why == NXC_ASAN_RETURNED)
+        fputs("let no pointer to a function's variables live on after its return", f);
     else if (!a->site)
         fprintf(f, "give %s a buffer of at least %s, or a smaller length", buffer_of(n),
                 bytes_text(a->bytes).text);
@@ -237,10 +246,10 @@ _Noreturn void asan_report(struct node *n, const struct asan_access *a)
     struct object o = object_of(n, a->bad, why);
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s: %s of %s, ", kind_of(why), a->write ? "write" : "read", bytes_text(a->bytes).text);
-    print_position(f, a, &o);
+    print_position(f, a, why, &o);
     print_accessor(f, n, a);
     print_access(f, n, a);
-    if (why != NXC_ASAN_LOCAL && why != NXC_ASAN_GLOBAL)
+    if (why == NXC_ASAN_HEAP || why == NXC_ASAN_FREED)
         print_block(f, n, asan_block_near(n, a->bad));
     print_advice(f, n, a, why, &o);
     fclose(f);

@@ -55,6 +55,13 @@ void asan_shadow_open(const struct asan_shadow *s, uintptr_t at, size_t bytes)
         *of(s, at + bytes) = (uint8_t)(bytes % GRAIN);
 }
 
+void asan_shadow_open_alike(const struct asan_shadow *s, uintptr_t at)
+{
+    uint8_t *p = of(s, at), why = *p, *end = s->of + s->bytes / GRAIN;
+    for (; p < end && *p == why; p++)
+        *p = 0;
+}
+
 void asan_shadow_forget(const struct asan_shadow *s, uintptr_t at, size_t bytes)
 {
     uint8_t *from = of(s, at), *end = from + (bytes + GRAIN - 1) / GRAIN;

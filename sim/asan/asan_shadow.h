@@ -23,6 +23,8 @@ void asan_shadow_end(struct asan_shadow *s);
 void asan_shadow_mark(const struct asan_shadow *s, uintptr_t at, size_t bytes, uint8_t why);
 /* These bytes may be accessed, from a whole grain on; of their last grain, no more than these. */
 void asan_shadow_open(const struct asan_shadow *s, uintptr_t at, size_t bytes);
+/* The bytes from here on may be accessed that may not for the same reason. */
+void asan_shadow_open_alike(const struct asan_shadow *s, uintptr_t at);
 /* These bytes, and all of their last grain, are as at first; memory of the host is given back. */
 void asan_shadow_forget(const struct asan_shadow *s, uintptr_t at, size_t bytes);
 /* The first of these bytes that may not be accessed; 0: there is none. Bytes outside may be accessed. */

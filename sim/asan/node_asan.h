@@ -56,6 +56,8 @@ struct asan_access {
     const void *frame;
 };
 
+/* Is a return address, so many bytes from the program's beginning, in what nxcc adds to programs? */
+bool asan_is_of_nxcc(const struct node *n, size_t returns);
 /* Ends the program with a report. */
 _Noreturn void asan_report(struct node *n, const struct asan_access *a);
 /* `call` was given what is no block in use. */

@@ -7,6 +7,7 @@
 #include "cfs/directory_calls.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"
+#include "os/first_failure.h"
 #include "os/front.h"
 #include "os/gate.h"
 
@@ -72,6 +73,9 @@ static bool serve(struct dir_request *r, vtime now)
     (void)now;
     if (!q->file || q->node->lp.state != LP_ENDED)
         q->error = q->work(q);
+    if (store_failure(q->cfs->store))
+        node_system_fail(q->cfs->sys, STOP_FAILED, q->cfs->sys->schedule.present, "the files of /cfs: %s",
+                         store_failure(q->cfs->store));
     return true;
 }
 

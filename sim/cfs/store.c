@@ -8,13 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "files/scratch.h"
+#include "files/folder_make.h"
+#include "guest/fence.h"
 #include "kernel/xalloc.h"
 
 struct store {
     char *dir;              /* NULL: the temporary one is not made yet */
     struct scratch scratch; /* the temporary one */
-    bool temporary;
+    char *failure;          /* why it cannot be made */
+    struct fence *fence;    /* round the folder: links out of it are not followed */
     struct store_file *files;
     uint32_t ids;
 };
@@ -22,12 +24,13 @@ struct store {
 struct store *store_new(const char *dir, char **error)
 {
     struct store *s = xcalloc(1, sizeof *s);
-    s->temporary = !dir;
+    s->fence = fence_empty();
     if (!dir)
         return s;
     struct stat st;
     s->dir = xstrdup(dir);
-    if ((mkdir(dir, 0777) && errno != EEXIST) || stat(dir, &st) || !S_ISDIR(st.st_mode)) {
+    if ((mkdir(dir, 0777) && errno != EEXIST) || stat(dir, &st) || !S_ISDIR(st.st_mode) ||
+        !fence_add(s->fence, dir, true)) {
         *error = xasprintf("--cfs %s: %s", dir, strerror(errno == EEXIST ? ENOTDIR : errno));
         store_free(s);
         return NULL;
@@ -49,6 +52,8 @@ void store_free(struct store *s)
         free(f);
     }
     scratch_remove(&s->scratch);
+    fence_free(s->fence);
+    free(s->failure);
     free(s->dir);
     free(s);
 }
@@ -79,19 +84,32 @@ static bool within(const char *path, char *buf, size_t size)
 /* The folder is made when it is first needed, so that programs without files leave no trace. */
 static bool have_dir(struct store *s)
 {
-    if (s->dir)
-        return true;
-    s->scratch = scratch_new("touchstone-cfs");
-    if (s->scratch.path)
-        s->dir = xstrdup(s->scratch.path);
-    return s->dir;
+    if (s->dir || s->failure)
+        return s->dir;
+    s->scratch = folder_scratch("touchstone-cfs", &s->failure);
+    if (!s->scratch.path)
+        return false;
+    s->dir = xstrdup(s->scratch.path);
+    return fence_add(s->fence, s->dir, true);
+}
+
+const char *store_failure(const struct store *s)
+{
+    return s->failure;
 }
 
 static int host_path(struct store *s, const char *name, char *buf, size_t size)
 {
     if (!have_dir(s))
-        return errno;
+        return EIO;
     return (size_t)snprintf(buf, size, "%s/%s", s->dir, name) < size ? 0 : ENAMETOOLONG;
+}
+
+/* The error number of what the fence answered. What leads out of the folder may not be used, by whatever
+ * name. */
+static int error_of(int answer)
+{
+    return answer == FENCE_REFUSED ? EACCES : answer < 0 ? errno : 0;
 }
 
 /* Makes the folders above the last name of path, below the store's own. */
@@ -99,7 +117,7 @@ static void make_folders(const struct store *s, char *path)
 {
     for (char *slash = strchr(path + strlen(s->dir) + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = 0;
-        mkdir(path, 0777);
+        fence_mkdir(s->fence, path, 0777);
         *slash = '/';
     }
 }
@@ -125,12 +143,12 @@ static int open_host(struct store *s, struct store_file *f, int flags, mode_t pe
     if (flags & O_CREAT)
         make_folders(s, path);
     int how = (flags & (O_CREAT | O_EXCL)) | O_CLOEXEC;
-    f->host = open(path, O_RDWR | how, permissions);
+    f->host = fence_open(s->fence, path, O_RDWR | how, permissions);
     f->writable = f->host >= 0;
-    if (f->host < 0 && errno == EACCES)
-        f->host = open(path, O_RDONLY | how, permissions);
+    if (f->host == -1 && errno == EACCES)
+        f->host = fence_open(s->fence, path, O_RDONLY | how, permissions);
     if (f->host < 0)
-        return errno;
+        return error_of(f->host);
     fstat(f->host, &st);
     if (S_ISDIR(st.st_mode)) {
         close(f->host);
@@ -206,8 +224,11 @@ int store_unlink(struct store *s, const char *path)
     int error = host_path(s, name, host, sizeof host);
     if (error)
         return error;
-    if (remove(host))
-        return errno;
+    error = error_of(fence_unlink(s->fence, host));
+    if (error == EISDIR)
+        error = error_of(fence_rmdir(s->fence, host));
+    if (error)
+        return error;
     struct store_file *f = find(s, name);
     if (f)
         f->gone = true;
@@ -225,8 +246,9 @@ int store_rename(struct store *s, const char *from, const char *to)
     if (error)
         return error;
     make_folders(s, new_host);
-    if (rename(host, new_host))
-        return errno;
+    error = error_of(fence_rename(s->fence, host, new_host));
+    if (error)
+        return error;
     struct store_file *f = find(s, name), *old = find(s, new_name);
     if (old && old != f)
         old->gone = true;
@@ -252,8 +274,10 @@ int store_stat(struct store *s, const char *path, struct stat *st)
     if (!within(path, name, sizeof name))
         return EACCES;
     int error = host_path(s, name, host, sizeof host);
-    if (error || stat(host, st))
-        return error ? error : errno;
+    if (!error)
+        error = error_of(fence_stat(s->fence, host, st));
+    if (error)
+        return error;
     st->st_ino = identity(name);
     return 0;
 }

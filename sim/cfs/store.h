@@ -36,9 +36,11 @@ struct store_file {
  * store_free(). Returns NULL with *error set (malloc'd) if the folder cannot be used. */
 struct store *store_new(const char *dir, char **error);
 void store_free(struct store *s);
+/* Why the temporary folder cannot be made, for the user; NULL: it can, or none was needed yet. */
+const char *store_failure(const struct store *s);
 
 /* All functions return 0, or an error number (errno.h). Paths are whole, "/cfs/..."; ".." is not allowed in
- * them. */
+ * them. A symbolic link that leads out of the store's folder is not followed: EACCES. */
 int store_open(struct store *s, const char *path, int flags, mode_t permissions, struct store_file **file);
 int store_unlink(struct store *s, const char *path);
 int store_rename(struct store *s, const char *from, const char *to);

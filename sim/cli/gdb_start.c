@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #include "cli/options.h"
+#include "cli/other_binary.h"
 #include "cli/say.h"
 #include "kernel/xalloc.h"
 
@@ -54,8 +55,8 @@ static int failed(const char *what, const char *advice)
 int cli_start_gdb(char **argv)
 {
     char script[64], self[PATH_MAX];
-    ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
-    self[length < 0 ? 0 : length] = '\0';
+    if (!cli_own_path(self, sizeof self))
+        return CLI_EXIT_INPUT;
     if (!make_script(script, sizeof script))
         return failed("no file for gdb's commands", "");
     const char *gdb[] = {"gdb", "-q", "-x", script, "--args", self};

@@ -1,11 +1,11 @@
-/* installation.h - where this binary and touchstone's own files are. */
+/* installation.h - where the binary that simulates and touchstone's own files are. */
 #ifndef CLI_INSTALLATION_H
 #define CLI_INSTALLATION_H
 #include <limits.h>
 #include <stdbool.h>
 
 struct cli_installation {
-    char runner[PATH_MAX];        /* this binary */
+    char runner[PATH_MAX]; /* the binary that simulates: this one, or the one that has started this one */
     char programs[PATH_MAX + 32]; /* the folder of the node programs: the binary's, or lib/touchstone */
     char home[PATH_MAX];          /* the folder of machines/ and bench/ */
     char machines[PATH_MAX + 16]; /* home/machines */
@@ -13,4 +13,7 @@ struct cli_installation {
 
 /* Returns false, after a message of the command on standard error, if they are not found. */
 bool cli_find_installation(struct cli_installation *i, const char *command);
+
+/* Is this the path of touchstone-lab (other_binary.h)? */
+bool cli_is_lab(const char *path);
 #endif

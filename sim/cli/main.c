@@ -1,5 +1,7 @@
 /* main.c - touchstone: finds the command. */
+#include <limits.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,25 +9,26 @@
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
+#include "cli/other_binary.h"
 #include "config/config.h"
 
 static const struct command {
     const char *name;
-    int (*run)(int argc, char **argv);
+    int (*run)(int argc, char **argv); /* NULL: touchstone-lab does */
     const char *what;
 } COMMANDS[] = {{"run", cli_run, "Run a program built by nxcc on a machine"},
-                {"study", cli_study, "Run a program for all values of several axes"},
-                {"explore", cli_explore, "Run a program under other timings, and compare"},
-                {"plot", cli_plot, "Draw pictures of a study's results"},
-                {"render", cli_render, "Draw surfaces, or write them in other formats"},
-                {"page", cli_page, "Show results in a browser: one HTML file"},
-                {"serve", cli_serve, "Show results in a browser, live; run more points"},
-                {"deadlock", cli_deadlock, "Show why programs wait for ever: text, picture, page"},
-                {"check", cli_check, "Compare studies with a baseline"},
-                {"fit", cli_fit, "Fit numbers of a machine to measurements"},
-                {"tables", cli_tables, "Reproduce Tables 1-5 of Bajaj & Lin"},
-                {"trace", cli_trace, "Look into a run: timelines, pictures, what it waited for"},
-                {"profile", cli_profile, "Show where the time of a run went: flame graphs, lines of source"},
+                {"study", NULL, "Run a program for all values of several axes"},
+                {"explore", NULL, "Run a program under other timings, and compare"},
+                {"plot", NULL, "Draw pictures of a study's results"},
+                {"render", NULL, "Draw surfaces, or write them in other formats"},
+                {"page", NULL, "Show results in a browser: one HTML file"},
+                {"serve", NULL, "Show results in a browser, live; run more points"},
+                {"deadlock", NULL, "Show why programs wait for ever: text, picture, page"},
+                {"check", NULL, "Compare studies with a baseline"},
+                {"fit", NULL, "Fit numbers of a machine to measurements"},
+                {"tables", NULL, "Reproduce Tables 1-5 of Bajaj & Lin"},
+                {"trace", NULL, "Look into a run: timelines, pictures, what it waited for"},
+                {"profile", NULL, "Show where the time of a run went: flame graphs, lines of source"},
                 {"srm", cli_srm, "Share out a machine's nodes among users"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, MOST_LINES = COMMAND_COUNT + 17 };
 
@@ -44,16 +47,19 @@ static void list_machines(void)
 
 /* What main is asked to do: a command, whose name is argv[at]. */
 struct request {
-    int (*run)(int argc, char **argv);
-    int at;
+    int (*run)(int argc, char **argv); /* NULL: touchstone-lab is to */
+    int at;                            /* 0: there is no command */
 };
 
-static int (*find(const char *name))(int, char **)
+static bool find(const char *name, struct request *r)
 {
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        if (!strcmp(name, COMMANDS[i].name))
-            return COMMANDS[i].run;
-    return cli_cube_command(name) ? cli_cube : NULL;
+        if (!strcmp(name, COMMANDS[i].name)) {
+            r->run = COMMANDS[i].run;
+            return true;
+        }
+    r->run = cli_cube;
+    return cli_cube_command(name);
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -64,15 +70,25 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if (key == ARGP_KEY_NO_ARGS)
         argp_state_help(state, state->err_stream,
                         (ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK) | ARGP_HELP_EXIT_ERR);
-    if (key != ARGP_KEY_ARG || r->run)
+    if (key != ARGP_KEY_ARG || r->at)
         return ARGP_ERR_UNKNOWN;
     if (!strcmp(arg, "help"))
         argp_state_help(state, state->out_stream, ARGP_HELP_STD_HELP);
-    if (!(r->run = find(arg)))
+    if (!find(arg, r))
         argp_error(state, "there is no command '%s'", arg);
     r->at = state->next - 1;
     state->next = state->argc; /* the rest is the command's */
     return 0;
+}
+
+/* Has touchstone-lab run the command argv[0], and tells it which binary simulates. */
+static int run_in_lab(char **argv)
+{
+    char self[PATH_MAX];
+    if (!cli_own_path(self, sizeof self))
+        return CLI_EXIT_INPUT;
+    argv[-1] = self;
+    return cli_execute("touchstone-lab", argv - 1);
 }
 
 /* The commands as lines of help. */
@@ -120,5 +136,5 @@ int main(int argc, char **argv)
     struct request r = {0};
     list_commands(lines);
     cli_parse(&argp, "touchstone", ARGP_IN_ORDER, argc, argv, &r);
-    return r.run(argc - r.at, argv + r.at);
+    return r.run ? r.run(argc - r.at, argv + r.at) : run_in_lab(argv + r.at);
 }

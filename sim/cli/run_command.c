@@ -9,13 +9,16 @@
 #include "cli/gdb_start.h"
 #include "cli/host_files.h"
 #include "cli/installation.h"
+#include "cli/other_binary.h"
 #include "cli/program_options.h"
 #include "cli/run_files.h"
 #include "cli/say.h"
+#include "guest/image.h"
 #include "cli/stop_options.h"
 #include "cli/timing_options.h"
 #include "cli/trace_options.h"
 #include "cli/version.h"
+#include "guest/archive_sources.h"
 #include "guest/debugger.h"
 #include "kernel/xalloc.h"
 #include "machine/call_filter.h"
@@ -30,7 +33,7 @@
 
 enum { EXIT_RACES = 3, EXIT_OUTPUT = 74 };
 
-enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT };
+enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER };
 
 struct arguments {
     struct cli_program what;
@@ -43,6 +46,8 @@ struct arguments {
     struct debug_stop_options stop;
     struct timing_arguments timing;
     struct cli_host_files host_files;
+    char **layer; /* ended by NULL; NULL: none */
+    size_t layer_count;
     struct plan *plan;  /* of timing.replay */
     char *host_only[2]; /* arguments of a host program, if none are given */
 };
@@ -57,6 +62,11 @@ static const struct argp_option OPTIONS[] = {
      "Write the races found as JSON; for programs built with nxcc --races", 0},
     {"suppress", CLI_TEXT(arguments, suppress), "FILE", 0,
      "Report no races that FILE names: lines 'file NAME:LINE', 'variable NAME', 'function NAME'", 0},
+    {"layer", LAYER, "PATTERN", 0,
+     "Functions such as 'MPI*', or with a '.' source files such as 'mpi*.c', with a '/' their whole paths "
+     "such as '*/mpich/*', or all of a library, lib/libmpi.a, are a message layer: where they wait, poll, "
+     "trace or race, reports name the line that has called them. May be repeated",
+     0},
     {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
      "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
     {"history", CLI_TEXT(arguments, history), "FILE", 0,
@@ -92,6 +102,7 @@ static const char DOC[] =
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
     "its nodes from the start; without, it calls getcube.\v"
     "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal. "
+    "A second one, a second or more later, ends it at once, without a report. "
     "SIGUSR1 (kill -USR1 PROCESS) has it report, and go on.\n\n"
     "Exit status:\n"
     "  0   all programs ended\n"
@@ -120,6 +131,39 @@ static void check(struct argp_state *state, struct arguments *a)
     cli_check_stop(state, &a->stop, a->what.host, a->what.nodes);
 }
 
+/* Takes the pattern, which is malloc'd. */
+static void add_layer(struct arguments *a, char *pattern)
+{
+    a->layer = xreallocarray(a->layer, a->layer_count + 2, sizeof *a->layer);
+    a->layer[a->layer_count++] = pattern;
+    a->layer[a->layer_count] = NULL;
+}
+
+/* The sources stand for a library, so that a trace tells its layer without the library's file. */
+static void take_layer(struct argp_state *state, struct arguments *a, const char *arg)
+{
+    const char *dot = strrchr(arg, '.');
+    char *error = NULL;
+    if (!dot || strcmp(dot, ".a") != 0) {
+        add_layer(a, xstrdup(arg));
+        return;
+    }
+    char **sources = archive_sources(arg, &error);
+    if (!sources)
+        argp_error(state, "--layer %s", error);
+    for (size_t i = 0; sources && sources[i]; i++)
+        add_layer(a, sources[i]);
+    free(sources);
+    free(error);
+}
+
+static void free_layer(const struct arguments *a)
+{
+    for (size_t i = 0; i < a->layer_count; i++)
+        free(a->layer[i]);
+    free(a->layer);
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
@@ -142,6 +186,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         cli_take_stop(state, &a->stop, arg);
     else if (key == AT)
         a->stop.time = cli_virtual_time(state, "--at", arg);
+    else if (key == LAYER)
+        take_layer(state, a, arg);
     else if (key == 'q')
         a->quiet = true;
     else if (key == 'v')
@@ -263,6 +309,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .workers = cli_workers(a->workers),
                                 .shuffle = a->shuffle,
                                 .cfs_dir = a->cfs,
+                                .layer = a->layer,
                                 .isolate = a->isolate,
                                 .until = a->timing.until,
                                 .draw = a->timing.drawn ? &a->timing.draw : NULL,
@@ -292,6 +339,19 @@ static void refuse_system_calls(const struct arguments *a)
                 strerror(errno));
 }
 
+/* A machine cannot change the costs that nxcc has counted into a program. Times depend on them, which -q does
+ * not tell. */
+static void warn_of_other_costs(const struct machine *m, const struct machine_options *o, bool quiet)
+{
+    const char *cpu = o->cfg->cpu, *slash = strrchr(cpu, '/');
+    char *other = quiet || o->host ? NULL : node_image_other_costs(m->image, cpu);
+    if (other)
+        cli_say_warning("run",
+                        "%s was compiled with the costs of %s, but %s has those of %s: nxcc --costs %s",
+                        o->argv[0], other, o->cfg->name, slash ? slash + 1 : cpu, cpu);
+    free(other);
+}
+
 /* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
 static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
 {
@@ -309,6 +369,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
     } else if (a->trace.path && !run_trace_begin(&trace, m, &a->trace, &error)) {
         status = output_error(error);
     } else {
+        warn_of_other_costs(m, o, a->quiet);
         refuse_system_calls(a);
         machine_run(m);
         status = report_with_races(m, suppressed, a);
@@ -394,6 +455,7 @@ void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
     *parts = (struct cli_run_parts){a.what, a.cfs, a.host_files.list};
     free(a.traced_nodes);
+    free_layer(&a);
 }
 
 int cli_run(int argc, char **argv)
@@ -412,5 +474,6 @@ int cli_run(int argc, char **argv)
     cli_program_free(&a.what);
     free(a.host_files.list);
     free(a.traced_nodes);
+    free_layer(&a);
     return status;
 }

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MAX_DIMENSION = 16, MAX_SIDE = 4096, MAX_NODES = 1 << MAX_DIMENSION, KB = 1024, MB = 1024 * 1024 };
+enum { MAX_DIMENSION = 20, MAX_SIDE = 4096, MAX_NODES = 1 << MAX_DIMENSION, KB = 1024, MB = 1024 * 1024 };
 
 /* A time in the file: its key without the unit, and its field. */
 struct time_key {
@@ -57,6 +57,7 @@ static const struct time_key system_times[] = {
     TIME("call", call_ps),
     TIME("clock_call", clock_call_ps),
     TIME_OR_NONE("kernel", kernel_ps),
+    TIME_OR_NONE("unix_call", unix_call_ps),
     TIME("short_send", short_send_ps),
     TIME("short_receive", short_receive_ps),
     TIME_OR_AS("forced_send", forced_send_ps, short_send_ps),

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include "files/text_file.h"
 #include "kernel/xalloc.h"
 
@@ -51,17 +52,37 @@ bool cfg_fail(struct cfg_reader *r, config_setting_t *at, const char *key, const
 /* No file that a person writes is as large. */
 enum { MOST_BYTES = 4 << 20 };
 
-static char *read_all(struct cfg_reader *r, const char *path, int depth);
+/* A file that is being read, and the file that includes it; NULL: none. */
+struct reading {
+    const char *path;
+    const struct reading *by;
+    int depth;
+};
+
+static char *read_all(struct cfg_reader *r, const struct reading *file);
+
+static bool is_being_read(const struct reading *file, const char *path)
+{
+    for (; file; file = file->by)
+        if (strcmp(file->path, path) == 0)
+            return true;
+    return false;
+}
 
 /* Checks the file that a line includes, if it includes one. libconfig reads the file later, and its errors
  * would not say what is wrong with the file. */
-static bool check_include(struct cfg_reader *r, const char *line, int depth)
+static bool check_include(struct cfg_reader *r, const struct reading *file, const char *line, int number)
 {
     line += strspn(line, " \t");
     if (strncmp(line, "@include", 8) != 0 || !(line = strchr(line, '"')))
         return true;
-    char *name = xstrndup(line + 1, strcspn(line + 1, "\"\n")), *included = path_of(r, name);
-    char *text = read_all(r, included, depth + 1);
+    char *name = xstrndup(line + 1, strcspn(line + 1, "\"\n")), *included = path_of(r, name), *text = NULL;
+    if (is_being_read(file, included))
+        r->error =
+            xasprintf("%s:%d: @include \"%s\": a file cannot include itself, nor a file that includes it",
+                      file->path, number, name);
+    else
+        text = read_all(r, &(struct reading){included, file, file->depth + 1});
     bool good = text;
     free(text);
     free(included);
@@ -69,20 +90,32 @@ static bool check_include(struct cfg_reader *r, const char *line, int depth)
     return good;
 }
 
+/* The runs of a study read its machine file again, and what a pipe gave is gone; one that nobody writes into
+ * would be waited for without end. */
+static bool is_pipe(const char *path, const char **why, int *line)
+{
+    struct stat st;
+    if (stat(path, &st) != 0 || !S_ISFIFO(st.st_mode))
+        return false;
+    *why = "it is a pipe, and may have to be read more than once: write its text into a file";
+    *line = 0;
+    return true;
+}
+
 /* The text of a file, malloc'd. NULL with r's error set if the file, or one that it includes, is no text
  * file. */
-static char *read_all(struct cfg_reader *r, const char *path, int depth)
+static char *read_all(struct cfg_reader *r, const struct reading *file)
 {
     enum { DEEPEST = 10 }; /* libconfig's own limit */
     const char *why;
-    int at;
-    char *text = text_file_read(path, MOST_BYTES, &why, &at);
+    int at, number = 1;
+    char *text = is_pipe(file->path, &why, &at) ? NULL : text_file_read(file->path, MOST_BYTES, &why, &at);
     if (!text)
-        r->error =
-            at ? xasprintf("%s:%d: %s", path, at, why) : xasprintf("%s: cannot be read: %s", path, why);
-    for (const char *line = text; depth < DEEPEST && line && *line;
-         line += strcspn(line, "\n"), line += *line == '\n')
-        if (!check_include(r, line, depth)) {
+        r->error = at ? xasprintf("%s:%d: %s", file->path, at, why)
+                      : xasprintf("%s: cannot be read: %s", file->path, why);
+    for (const char *line = text; file->depth < DEEPEST && line && *line;
+         line += strcspn(line, "\n"), line += *line == '\n', number++)
+        if (!check_include(r, file, line, number)) {
             free(text);
             return NULL;
         }
@@ -100,7 +133,7 @@ bool cfg_open(struct cfg_reader *r, const char *path)
 {
     *r = (struct cfg_reader){.path = path};
     config_init(&r->lib);
-    char *text = read_all(r, path, 0), *folder = folder_of(path);
+    char *text = read_all(r, &(struct reading){.path = path}), *folder = folder_of(path);
     if (text)
         config_set_include_dir(&r->lib, folder);
     free(folder);

@@ -29,7 +29,12 @@ struct scratch folder_scratch(const char *name, char **error)
 {
     struct scratch s = scratch_new(name);
     const char *tmp = getenv("TMPDIR");
-    if (!s.path)
-        *error = xasprintf("no folder can be made in %s: %m", tmp && *tmp ? tmp : "/tmp");
+    if (s.path)
+        return s;
+    *error =
+        tmp && *tmp
+            ? xasprintf(
+                  "no folder can be made in TMPDIR=%s: %m; set TMPDIR to a folder that you can write to", tmp)
+            : xasprintf("no folder can be made in /tmp: %m; set TMPDIR to a folder that you can write to");
     return s;
 }

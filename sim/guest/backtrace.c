@@ -109,7 +109,8 @@ struct backtrace_lines {
     struct found {
         const struct node_image *file;
         uintptr_t offset;
-        char text[100]; /* "": not known, or in NX's library */
+        char text[100];    /* "": not known, or in NX's library */
+        char outside[100]; /* of the program's message layer, if functions are inlined; "": nothing is */
     } found[MOST_LINES];
     int count;
 };
@@ -124,38 +125,57 @@ void backtrace_lines_free(struct backtrace_lines *t)
     free(t);
 }
 
-static const char *line_of(struct backtrace_lines *t, const struct node_image *file, uintptr_t offset)
+/* NULL: there is no room for more. */
+static const struct found *found_at(struct backtrace_lines *t, const struct node_image *file,
+                                    uintptr_t offset)
 {
     for (int i = 0; i < t->count; i++)
         if (t->found[i].file == file && t->found[i].offset == offset)
-            return t->found[i].text;
+            return &t->found[i];
     if (t->count == MOST_LINES)
-        return "";
+        return NULL;
     struct found *f = &t->found[t->count++];
     *f = (struct found){.file = file, .offset = offset};
     if (!node_image_line(file, offset, f->text, sizeof f->text))
         f->text[0] = '\0';
-    return f->text;
+    if (!node_image_line_outside(file, offset, f->outside, sizeof f->outside))
+        f->outside[0] = '\0';
+    return f;
+}
+
+/* NULL: the line is not known, or is in NX's library. */
+static const struct found *line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address)
+{
+    if (!backtrace_in_program(n, address - 1))
+        return NULL;
+    const struct found *f = found_at(t, n->file, address - 1 - (uintptr_t)n->program);
+    return f && *f->text ? f : NULL;
 }
 
 const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address)
 {
-    if (!backtrace_in_program(n, address - 1))
-        return NULL;
-    const char *text = line_of(t, n->file, address - 1 - (uintptr_t)n->program);
-    return *text ? text : NULL;
+    const struct found *f = line_at(t, n, address);
+    return f ? f->text : NULL;
+}
+
+const char *backtrace_line_of(struct backtrace_lines *t, const struct node *n, const uintptr_t *returns,
+                              int depth)
+{
+    const struct found *innermost = NULL;
+    for (int i = 0; i < depth && returns[i]; i++) {
+        const struct found *f = line_at(t, n, returns[i]);
+        if (f && *f->outside)
+            return f->outside;
+        innermost = innermost ? innermost : f;
+    }
+    return innermost ? innermost->text : NULL;
 }
 
 const char *backtrace_line_from(struct backtrace_lines *t, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS);
-    for (int i = 0; i < depth; i++) {
-        const char *text = backtrace_line_at(t, n, returns[i]);
-        if (text)
-            return text;
-    }
-    return NULL;
+    return backtrace_line_of(t, n, returns, depth);
 }
 
 const char *backtrace_line(struct backtrace_lines *t, const struct node *n)

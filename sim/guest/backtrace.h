@@ -25,13 +25,16 @@ const char *backtrace_called(const struct node *n, uintptr_t returns);
 struct backtrace_lines;
 struct backtrace_lines *backtrace_lines_new(void);
 void backtrace_lines_free(struct backtrace_lines *t);
-/* "FILE:LINE" of the call in which a blocked node's program waits; NULL if it is not known. t keeps the
- * text. */
+/* "FILE:LINE" of the call in which a blocked node's program waits, in the function that reports name
+ * (guest/layer.h); NULL if it is not known. t keeps the text. */
 const char *backtrace_line(struct backtrace_lines *t, const struct node *n);
 /* The same of any program that does not run at the moment, wherever it has switched away. */
 const char *backtrace_line_away(struct backtrace_lines *t, const struct node *n);
 /* As backtrace_line(), from a frame upwards, of a program that runs or not. */
 const char *backtrace_line_from(struct backtrace_lines *t, const struct node *n, uintptr_t frame);
-/* As backtrace_line(), for the address behind a poll or call. */
+/* As backtrace_line(), for calls by their return addresses, the innermost first; a 0 ends them early. */
+const char *backtrace_line_of(struct backtrace_lines *t, const struct node *n, const uintptr_t *returns,
+                              int depth);
+/* As backtrace_line(), for the address behind one poll or call, whoever makes it. */
 const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address);
 #endif

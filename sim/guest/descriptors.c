@@ -150,11 +150,11 @@ void descriptors_close(struct descriptors *d)
 /* The program's stream of a standard descriptor that is a terminal; NULL for any other. */
 static FILE *terminal(struct node *n, int fd)
 {
-    const struct node_libc *c = n->libc;
-    const struct node_file *f = fd >= 0 && fd < 3 ? c->descriptors.standard[fd] : NULL;
+    const struct node_file *f = fd >= 0 && fd < 3 ? n->libc->descriptors.standard[fd] : NULL;
     if (!f || !f->class->terminal)
         return NULL;
-    return fd == 0 ? c->streams.in : fd == 1 ? c->streams.out : c->streams.err;
+    const struct streams *s = streams_of(n);
+    return fd == 0 ? s->in : fd == 1 ? s->out : s->err;
 }
 
 /* --- POSIX calls. As on the i860, a length is an unsigned number of 32 bits, an offset a signed one. --- */

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include "kernel/xalloc.h"
 #include "guest/elffile.h"
+#include "nx_api/contract/costs_mark.h"
 
 bool elf_fail(char **error, const char *fmt, ...)
 {
@@ -117,6 +118,13 @@ static bool symbols_of(const struct elf_file *f, const Elf64_Shdr *sections, siz
            names->sh_size <= f->size - names->sh_offset && out->names[names->sh_size - 1] == 0;
 }
 
+static bool is_named(const struct elf_file *f, const Elf64_Shdr *names, const Elf64_Shdr *section,
+                     const char *name)
+{
+    uint64_t at = names->sh_offset + section->sh_name;
+    return at < f->size && f->size - at > strlen(name) && strcmp((const char *)f->bytes + at, name) == 0;
+}
+
 static bool find_symbols(struct elf_file *f, char **error)
 {
     const Elf64_Ehdr *h = (const Elf64_Ehdr *)f->bytes;
@@ -131,9 +139,12 @@ static bool find_symbols(struct elf_file *f, char **error)
             return truncated(f, error);
         if (s[i].sh_type == SHT_SYMTAB && !symbols_of(f, s, h->e_shnum, &s[i], &f->all))
             return truncated(f, error);
-        uint64_t name = names->sh_offset + s[i].sh_name;
-        if (name < f->size && f->size - name > sizeof ".debug_line")
-            f->debug |= strcmp((const char *)f->bytes + name, ".debug_line") == 0;
+        f->debug |= is_named(f, names, &s[i], ".debug_line");
+        if (is_named(f, names, &s[i], NXC_COSTS_SECTION) && s[i].sh_offset <= f->size &&
+            s[i].sh_size <= f->size - s[i].sh_offset) {
+            f->costs = (const char *)f->bytes + s[i].sh_offset;
+            f->costs_size = s[i].sh_size;
+        }
     }
     if (f->dynamic.count == 0)
         return elf_fail(error, "%s: %s", f->path, ELF_NOT_NXCC);

@@ -34,6 +34,8 @@ struct elf_file {
     struct elf_relocations data, calls; /* DT_RELA, DT_JMPREL */
     uint64_t dynamic_at;                /* the address of PT_DYNAMIC */
     bool debug;                         /* the file has line numbers */
+    const char *costs;                  /* lines of the section of costs_mark.h, */
+    size_t costs_size;                  /* so many bytes */
 };
 
 /* Returns NULL and sets *error (malloc'd; begins with the path) if the file cannot be read or is not such

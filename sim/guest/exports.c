@@ -66,7 +66,7 @@ static int find(const char *name)
     return -1;
 }
 
-struct node_export node_export_find(const char *name, bool long32)
+struct node_export node_export_find(const char *name, bool long32, bool has_errno)
 {
     static pthread_once_t opened = PTHREAD_ONCE_INIT;
     char own[64];
@@ -77,7 +77,7 @@ struct node_export node_export_find(const char *name, bool long32)
         i = find(name);
     if (i < 0)
         return (struct node_export){0};
-    return (struct node_export){names[i], targets[i].function ? crossing_gate((unsigned)i) : 0};
+    return (struct node_export){names[i], targets[i].function ? crossing_gate((unsigned)i, has_errno) : 0};
 }
 
 const char *node_export_name(uintptr_t address)

@@ -11,9 +11,9 @@ struct node_export {
     uintptr_t gate;
 };
 
-/* The export of a name, for a program whose long has 32 bits (long32) or 64; its name is NULL if node
- * programs may not use the name. */
-struct node_export node_export_find(const char *name, bool long32);
+/* The export of a name, for a program whose long has 32 bits (long32) or 64, and that knows the address of
+ * errno or not; its name is NULL if node programs may not use the name. */
+struct node_export node_export_find(const char *name, bool long32, bool has_errno);
 /* The name of the exported function whose gate lies at an address; NULL if there is none. */
 const char *node_export_name(uintptr_t address);
 #endif

@@ -33,10 +33,15 @@ static void add(struct fence *f, const char *path, bool writable)
     f->entries[f->count++] = (struct entry){xstrdup(path), writable};
 }
 
+struct fence *fence_empty(void)
+{
+    return xcalloc(1, sizeof(struct fence));
+}
+
 struct fence *fence_new(void)
 {
     static const char *const devices[] = {"/dev/null", "/dev/zero", "/dev/full"};
-    struct fence *f = xcalloc(1, sizeof *f);
+    struct fence *f = fence_empty();
     char *here = getcwd(NULL, 0);
     if (here)
         add(f, here, true);

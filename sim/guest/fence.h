@@ -16,6 +16,8 @@ struct fence;
 
 enum { FENCE_REFUSED = -2 };
 
+/* A fence round nothing. */
+struct fence *fence_empty(void);
 /* A fence round the current folder, which may be written, and devices that hold nothing, as /dev/null. */
 struct fence *fence_new(void);
 /* Adds a file or folder; a file that is not there yet may be made. Returns false with errno if the folder of

@@ -68,7 +68,7 @@ gzFile node_gzopen(const char *path, const char *mode)
         errno = EINVAL;
         return NULL;
     }
-    FILE *file = stream_fopen(&n->libc->streams, n, path, "rb");
+    FILE *file = stream_fopen(streams_of(n), n, path, "rb");
     struct gz *g = file ? node_heap_alloc(n->heap, sizeof *g) : NULL;
     if (!g)
         goto fail;
@@ -80,7 +80,7 @@ gzFile node_gzopen(const char *path, const char *mode)
     inflateEnd(&g->z);
 fail:
     if (file)
-        stream_fclose(&n->libc->streams, file);
+        stream_fclose(streams_of(n), file);
     if (g)
         node_heap_release(n->heap, g);
     return NULL;
@@ -178,7 +178,7 @@ int node_gzclose(gzFile file)
     struct node *n = node_self();
     bool cut = g->error == Z_BUF_ERROR;
     inflateEnd(&g->z);
-    int r = stream_fclose(&n->libc->streams, g->file);
+    int r = stream_fclose(streams_of(n), g->file);
     node_heap_release(n->heap, g);
     return r ? Z_ERRNO : cut ? Z_BUF_ERROR : Z_OK;
 }

@@ -39,9 +39,9 @@ struct block {
 struct node_heap {
     char *base, *top;
     size_t limit;
-    uint32_t last;   /* size of the block below top; 0: no block */
-    uint64_t filled; /* bit b: bins[b] is not empty */
-    struct block *bins[BINS];
+    uint32_t last;       /* size of the block below top; 0: no block */
+    uint64_t filled;     /* bit b: bins[b] is not empty */
+    struct block **bins; /* NULL: none has had a block yet */
     int (*room)(void *ctx, size_t bytes);
     void (*grown)(void *ctx, size_t used);
     void *ctx;
@@ -62,6 +62,7 @@ struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx,
 
 void node_heap_free(struct node_heap *h)
 {
+    free(h->bins);
     free(h);
 }
 
@@ -97,6 +98,8 @@ static unsigned bin_of(uint32_t size)
 static void put_in_bin(struct node_heap *h, struct block *b)
 {
     unsigned i = bin_of(b->size);
+    if (h->bins == NULL)
+        h->bins = xcalloc(BINS, sizeof *h->bins);
     b->tag = tag_at(b, TAG_FREE);
     b->prev_free = NULL;
     b->next_free = h->bins[i];
@@ -149,6 +152,8 @@ static struct block *find_free(const struct node_heap *h, uint32_t size)
 {
     unsigned i = bin_of(size);
     struct block *best = NULL;
+    if (h->filled == 0)
+        return NULL;
     for (struct block *b = h->bins[i]; b != NULL && (best == NULL || best->size != size); b = b->next_free)
         if (b->size >= size && (best == NULL || b->size < best->size))
             best = b;

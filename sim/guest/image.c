@@ -8,6 +8,7 @@
  * the data in which every relocation is applied as for a program at address 0. Each node then gets two
  * mappings and a copy of the template; the words that hold addresses are moved by the node's own address,
  * and the words that refer to the node's own streams are filled in. */
+#include <inttypes.h>
 #include <assert.h>
 #include <errno.h>
 #include <stddef.h>
@@ -19,12 +20,16 @@
 #include "guest/elffile.h"
 #include "guest/exports.h"
 #include "guest/image.h"
+#include "guest/layer.h"
 #include "guest/libc.h"
+#include "guest/span_texts.h"
 #include "node/node.h"
 #include "guest/source_line.h"
 #include "nx_api/contract/program_image.h"
 #include "nx_api/contract/races.h"
 #include "node/self.h"
+#include "node/system.h"
+#include "nx_api/contract/costs_mark.h"
 
 #define PAGE ((uint64_t)4096)
 
@@ -56,8 +61,10 @@ struct node_image {
     size_t own_count;
     uint64_t object; /* of nxc_image */
     bool long32;     /* its long has 32 bits */
+    bool has_errno;  /* knows the address of errno */
     bool asan;       /* it was built with --asan */
     bool environ;    /* it uses the variable */
+    char *const *layer;
 };
 
 static uint64_t page_down(uint64_t x)
@@ -170,7 +177,7 @@ static bool put_symbol(struct node_image *img, const Elf64_Rela *r, uint64_t at,
         put_address(img, at, s->st_value + r->r_addend);
         return true;
     }
-    struct node_export e = node_export_find(name, img->long32);
+    struct node_export e = node_export_find(name, img->long32, img->has_errno);
     if (!e.name && ELF64_ST_BIND(s->st_info) == STB_WEAK) {
         put_word(img, at, 0);
     } else if (!e.name || (copy && (e.gate || s->st_size != sizeof(void *)))) {
@@ -244,6 +251,7 @@ static bool prepare(struct node_image *img, char **error)
     size_t count = img->elf->data.count + img->elf->calls.count;
     img->addresses = xcalloc(count, sizeof *img->addresses);
     img->own = xcalloc(count, sizeof *img->own);
+    img->has_errno = node_image_uses(img, "__errno_location");
     if (!lay_out(img, error) || !find_object(img, error) || !relocate(img, &img->elf->data, error) ||
         !relocate(img, &img->elf->calls, error))
         return false;
@@ -292,9 +300,25 @@ bool node_image_is_long32(const struct node_image *img)
     return img->long32;
 }
 
+char *node_image_other_costs(const struct node_image *img, const char *cpu)
+{
+    const char *line = img->elf->costs, *end = line ? line + img->elf->costs_size : line, *next;
+    char mark[NXC_COSTS_MARK + 1];
+    snprintf(mark, sizeof mark, "%016" PRIx64, nxc_costs_mark(cpu));
+    for (; line < end && (next = memchr(line, '\n', (size_t)(end - line))); line = next + 1)
+        if (next - line > NXC_COSTS_MARK && memcmp(line, mark, NXC_COSTS_MARK) != 0)
+            return xasprintf("%.*s", (int)(next - line - NXC_COSTS_MARK - 1), line + NXC_COSTS_MARK + 1);
+    return NULL;
+}
+
 bool node_image_uses_environ(const struct node_image *img)
 {
     return img->environ;
+}
+
+bool node_image_has_errno(const struct node_image *img)
+{
+    return img->has_errno;
 }
 
 bool node_image_is_asan(const struct node_image *img)
@@ -321,24 +345,32 @@ size_t node_image_load_bytes(const struct node_image *img)
     return img->data_at + img->template_bytes;
 }
 
-/* Copies a part's bytes from the file. The bytes of the last page behind the end of the file stay zero. */
-static void copy_part(const struct elf_file *f, const struct shared_part *s, char *at)
+/* A part's bytes in the file. What its last page has behind the end of the file stays zero. */
+static size_t part_bytes(const struct elf_file *f, const struct shared_part *s)
 {
     uint64_t there = f->size - s->file_offset;
-    memcpy(at, f->bytes + s->file_offset, s->bytes < there ? s->bytes : there);
+    return s->bytes < there ? s->bytes : there;
 }
 
-/* Maps or copies text and constants. Data and bss are mapped already, and zero. */
+/* Maps, copies or shares a part of text and constants. Data and bss are mapped already, and zero. */
+static bool map_part(const struct node_image *img, const struct node *n, const struct shared_part *s)
+{
+    const struct elf_file *f = img->elf;
+    const unsigned char *bytes = f->bytes + s->file_offset;
+    char *at = n->program + s->at;
+    if (n->text == TEXT_TO_SHARE)
+        return span_texts_write(n->sys->texts, (size_t)(at - (char *)n->region), bytes, part_bytes(f, s));
+    if (n->region->copies_text)
+        return memcpy(at, bytes, part_bytes(f, s));
+    return mmap(at, s->bytes, s->protection, MAP_PRIVATE | MAP_FIXED, f->fd, (off_t)s->file_offset) !=
+           MAP_FAILED;
+}
+
 static bool map_pages(const struct node_image *img, const struct node *n)
 {
-    for (size_t i = 0; i < img->shared_count; i++) {
-        const struct shared_part *s = &img->shared[i];
-        if (n->region->copies_text)
-            copy_part(img->elf, s, n->program + s->at);
-        else if (mmap(n->program + s->at, s->bytes, s->protection, MAP_PRIVATE | MAP_FIXED, img->elf->fd,
-                      (off_t)s->file_offset) == MAP_FAILED)
+    for (size_t i = 0; i < img->shared_count && n->text != TEXT_SHARED; i++)
+        if (!map_part(img, n, &img->shared[i]))
             return false;
-    }
     return true;
 }
 
@@ -383,19 +415,35 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     return true;
 }
 
-/* Writes the source line of an address as "FILE:LINE", without the file's folder; returns false if the line
- * is not known. Sets *library if the line is in NX's library. */
+/* Writes a line as "FILE:LINE", without the file's folder. */
+static void write_line(const char *path, int line, char *buf, size_t size)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(buf, size, "%s:%d", slash ? slash + 1 : path, line);
+}
+
+/* Writes the source line of an address; returns false if the line is not known. Sets *library if the line is
+ * in NX's library. */
 static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t size, bool *library)
 {
     int line;
     char *path = f->debug ? source_line(f->bytes, f->size, vaddr, &line) : NULL;
     if (!path)
         return false;
-    const char *slash = strrchr(path, '/');
-    snprintf(buf, size, "%s:%d", slash ? slash + 1 : path, line);
-    *library = strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/");
+    write_line(path, line, buf, size);
+    *library = layer_is_library(path);
     free(path);
     return true;
+}
+
+void node_image_set_layer(struct node_image *img, char *const *layer)
+{
+    img->layer = layer;
+}
+
+char *const *node_image_layer(const struct node_image *img)
+{
+    return img->layer;
 }
 
 const struct elf_file *node_image_elf(const struct node_image *img)
@@ -440,4 +488,17 @@ bool node_image_line(const struct node_image *img, size_t offset, char *buf, siz
 {
     bool library = false;
     return offset < img->bytes && line_of(img->elf, offset, buf, size, &library) && !library;
+}
+
+bool node_image_line_outside(const struct node_image *img, size_t offset, char *buf, size_t size)
+{
+    if (offset >= img->bytes)
+        return false;
+    struct layer_place p = layer_place(img->elf, img->layer, offset);
+    bool known = p.path && !p.in_layer && !layer_is_library(p.path);
+    if (known)
+        write_line(p.path, p.line, buf, size);
+    free(p.function);
+    free(p.path);
+    return known;
 }

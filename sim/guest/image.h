@@ -28,6 +28,11 @@ size_t node_image_data_at(const struct node_image *img);
 bool node_image_is_long32(const struct node_image *img);
 /* Does it use the variable `environ`? */
 bool node_image_uses_environ(const struct node_image *img);
+/* Does it know the address of errno (kernel/crossing.h)? */
+bool node_image_has_errno(const struct node_image *img);
+/* The name of the first costs file, other than cpu, that files of the program were compiled with; NULL: all
+ * were compiled with cpu, or nothing is known. The caller frees it. */
+char *node_image_other_costs(const struct node_image *img, const char *cpu);
 /* Was it built with --asan? */
 bool node_image_is_asan(const struct node_image *img);
 /* Bytes of text, data and bss in a node, page rounded. */
@@ -37,6 +42,10 @@ size_t node_image_bytes(const struct node_image *img);
  * n->data. n->libc exists already: the program refers to its streams. Returns false with *error set
  * (malloc'd) on failure. */
 bool node_image_map(const struct node_image *img, struct node *n, char **error);
+
+/* Names the program's message layer (guest/layer.h), whose patterns last as long as the image. */
+void node_image_set_layer(struct node_image *img, char *const *layer);
+char *const *node_image_layer(const struct node_image *img);
 
 /* Its file. */
 const struct elf_file *node_image_elf(const struct node_image *img);
@@ -53,4 +62,7 @@ const char *node_image_function_name(const struct node_image *img, size_t offset
 const char *node_image_where(const struct node_image *img, size_t offset, char *buf, size_t size);
 /* Writes "FILE:LINE" of an offset. Returns false if the line is not known, or is in NX's library. */
 bool node_image_line(const struct node_image *img, size_t offset, char *buf, size_t size);
+/* Finds the line of the frame that reports name at an offset (guest/layer.h), as node_image_line() does.
+ * Returns false, too, if all frames there are of the program's message layer. */
+bool node_image_line_outside(const struct node_image *img, size_t offset, char *buf, size_t size);
 #endif

@@ -25,20 +25,18 @@ struct node_libc *node_libc_new(struct node *n)
 {
     struct node_libc *c = xcalloc(1, sizeof *c);
     descriptors_begin(&c->descriptors, n);
-    streams_open(&c->streams, n);
-    initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
     return c;
 }
 
 void *node_libc_data(struct node *n, const char *name)
 {
-    struct streams *s = &n->libc->streams;
+    if (strcmp(name, "environ") == 0)
+        return node_libc_environ(n);
+    struct streams *s = streams_of(n);
     if (strcmp(name, "stdin") == 0)
         return &s->in;
     if (strcmp(name, "stdout") == 0)
         return &s->out;
-    if (strcmp(name, "environ") == 0)
-        return node_libc_environ(n);
     return strcmp(name, "stderr") == 0 ? &s->err : NULL;
 }
 
@@ -59,6 +57,26 @@ void node_libc_rescue(struct node *n)
     streams_rescue(&n->libc->streams);
 }
 
+static int latest_first(const void *a, const void *b)
+{
+    uint64_t x = (*(struct node *const *)a)->libc->streams.made,
+             y = (*(struct node *const *)b)->libc->streams.made;
+    return (x < y) - (x > y);
+}
+
+void node_libc_close_streams(struct node *const *nodes, uint32_t count)
+{
+    struct node **with = xcalloc(count, sizeof(struct node *));
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < count; i++)
+        if (nodes[i] && nodes[i]->libc && nodes[i]->libc->streams.made)
+            with[found++] = nodes[i];
+    qsort(with, found, sizeof *with, latest_first);
+    for (uint32_t i = 0; i < found; i++)
+        streams_close(&with[i]->libc->streams);
+    free(with);
+}
+
 void node_libc_free(struct node *n)
 {
     assert(!node_is_self(n));
@@ -76,10 +94,15 @@ void node_libc_free(struct node *n)
 
 int node_atexit(void (*f)(void))
 {
-    struct node_libc *c = node_self()->libc;
+    node_libc_at_end(node_self(), f);
+    return 0;
+}
+
+void node_libc_at_end(struct node *n, void (*f)(void))
+{
+    struct node_libc *c = n->libc;
     c->atexit = xreallocarray(c->atexit, c->atexit_count + 1, sizeof *c->atexit);
     c->atexit[c->atexit_count++] = f;
-    return 0;
 }
 
 /* Takes each function off the list before running it, so that the function may call exit() or atexit()
@@ -170,16 +193,24 @@ int node_getentropy(void *buf, size_t bytes)
 }
 
 /* As in glibc, rand and random share one state. */
+static struct random_data *random_of(struct node *n)
+{
+    struct node_libc *c = n->libc;
+    if (!c->random.state)
+        initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
+    return &c->random;
+}
+
 long node_random(void)
 {
     int32_t r;
-    random_r(&node_self()->libc->random, &r);
+    random_r(random_of(node_self()), &r);
     return r;
 }
 
 void node_srandom(unsigned seed)
 {
-    srandom_r(seed, &node_self()->libc->random);
+    srandom_r(seed, random_of(node_self()));
 }
 int node_rand(void)
 {
@@ -258,7 +289,7 @@ void node_lcong48(unsigned short parameters[7])
 static char *told_state(struct node *n)
 {
     struct node_libc *c = n->libc;
-    struct random_data *r = &c->random;
+    struct random_data *r = random_of(n);
     if ((char *)(r->state - 1) == c->random_state) {
         char *to = own_memory_need(n, sizeof c->random_state);
         ptrdiff_t by = (int32_t *)memcpy(to, c->random_state, sizeof c->random_state) + 1 - r->state;

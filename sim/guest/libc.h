@@ -2,6 +2,7 @@
  * program's end. */
 #ifndef GUEST_LIBC_H
 #define GUEST_LIBC_H
+#include <stdint.h>
 
 struct node;
 struct node_libc;
@@ -17,8 +18,13 @@ char **node_libc_envp(struct node *n);
 /* On the node's stack: runs the program's atexit functions, latest first, flushes its streams, and fails if
  * its heap is damaged. */
 void node_libc_end(struct node *n);
+/* On its stack: f runs then, before the functions that were given earlier. */
+void node_libc_at_end(struct node *n, void (*f)(void));
 void node_libc_flush(struct node *n); /* on the node's stack: flushes its streams */
 /* Behind the end of a program that went wrong: writes what it has printed and was to be written later. */
 void node_libc_rescue(struct node *n);
+/* Behind the run: closes the streams of all nodes (NULL: none), the one made last first: there the C library
+ * begins to search for each. */
+void node_libc_close_streams(struct node *const *nodes, uint32_t count);
 void node_libc_free(struct node *n); /* behind the program's end: closes open files, writes nothing */
 #endif

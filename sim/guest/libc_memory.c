@@ -12,7 +12,7 @@
 #include "nx_api/contract/backend.h"
 #include "os/asan_hooks.h"
 #include "os/fail.h"
-#include "os/race_hooks.h"
+#include "os/observer.h"
 
 void *node_malloc(size_t bytes);
 int node_getpagesize(void);
@@ -29,7 +29,7 @@ static void *answer(struct node *n, void *p, size_t align, size_t bytes)
     } else if (n->asan) {
         p = asan_give(n, p, align, bytes, __builtin_frame_address(0));
     }
-    RACES(n, allocated, p, bytes);
+    ANNOUNCE(n, allocated, p, bytes);
     return p;
 }
 
@@ -117,7 +117,7 @@ void node_free(void *p)
             free_checked(n, p, "free");
         return;
     }
-    RACES(n, freed, p, node_heap_bytes(n->heap, p));
+    ANNOUNCE(n, freed, p, node_heap_bytes(n->heap, p));
     if (p != NULL && node_heap_release(n->heap, p) != 0)
         refuse(n, "free", p);
 }

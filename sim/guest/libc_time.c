@@ -33,7 +33,7 @@ static struct reading read_clock(const char *call)
 {
     struct node *n = node_self();
     node_enter(n, call);
-    node_spend(n, n->sys->cfg->clock_call_ps);
+    node_spend(n, n->sys->cfg->clock_call_ps + n->sys->cfg->unix_call_ps);
     struct reading r = {node_now(n), n->stats.idle, n->times.system};
     node_leave(n);
     return r;

@@ -13,7 +13,7 @@
 
 static struct streams *streams(void)
 {
-    return &node_self()->libc->streams;
+    return streams_of(node_self());
 }
 
 /* The text in bytes, for free(); NULL with errno if a character is not in the "C" locale. */

@@ -9,12 +9,12 @@
 
 FILE *nx_output(void)
 {
-    return node_self()->libc->streams.out;
+    return streams_of(node_self())->out;
 }
 
 FILE *nx_input(void)
 {
-    return node_self()->libc->streams.in;
+    return streams_of(node_self())->in;
 }
 
 int nx_scan_file(FILE *f, const char *format, va_list ap)

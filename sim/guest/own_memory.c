@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "guest/libc_parts.h"
+#include "guest/span.h"
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "node/node.h"
 #include "node/self.h"
@@ -26,7 +28,7 @@ static size_t round_up(size_t bytes, size_t to)
 
 size_t own_arguments_bytes(int argc, char *const *argv)
 {
-    size_t bytes = ((size_t)argc + LIST_ENDS) * sizeof *argv;
+    size_t bytes = sizeof(struct crossing_top) + ((size_t)argc + LIST_ENDS) * sizeof *argv;
     for (int i = 0; i < argc; i++)
         bytes += strlen(argv[i]) + 1;
     return round_up(bytes, LINE);
@@ -35,7 +37,7 @@ size_t own_arguments_bytes(int argc, char *const *argv)
 void own_put_arguments(struct node *n, int argc, char *const *argv)
 {
     n->argc = argc;
-    n->argv = (char **)(n->stack + n->stack_bytes);
+    n->argv = (char **)(n->stack + n->stack_bytes + sizeof(struct crossing_top));
     char *text = (char *)(n->argv + argc + LIST_ENDS);
     for (int i = 0; i < argc; i++) {
         n->argv[i] = text;
@@ -55,6 +57,7 @@ void *own_memory_take(struct node *n, size_t bytes)
 {
     struct own_memory *own = &n->libc->own;
     if (!own->next) {
+        span_guard_heap(n);
         own->end = n->heap_start + n->region->heap_bytes;
         own->next = own->end - own_memory_bytes(n);
     }

@@ -1,10 +1,10 @@
 /* own_memory.h - what a program gets from the system by pointer, in the node's own memory, where each node
  * may write as it likes: its arguments, the environment, and the answers of the C library.
  *
- * The arguments lie above the stack, on a page that every node uses. All else lies at the end of the
- * heap's addresses, where malloc never gets to, since the node's memory holds program and stack, too:
- * addresses that malloc gives do not depend on it, and a node that asks for nothing of the kind has no
- * page there. */
+ * errno (kernel/crossing.h) and the arguments lie above the stack, on a page that every node uses. All else
+ * lies at the end of the heap's addresses, where malloc never gets to, since the node's memory holds program
+ * and stack, too: addresses that malloc gives do not depend on it, and a node that asks for nothing of the
+ * kind has no page there. */
 #ifndef GUEST_OWN_MEMORY_H
 #define GUEST_OWN_MEMORY_H
 #include <stddef.h>
@@ -17,7 +17,7 @@ struct own_memory {
     size_t text_count;
 };
 
-/* Bytes that the arguments take above the stack. */
+/* Bytes that errno and the arguments take above the stack. */
 size_t own_arguments_bytes(int argc, char *const *argv);
 /* Copies the arguments to above n's stack, where span_take() has left room: sets argc and argv. The list ends
  * with two NULL. */

@@ -1,15 +1,17 @@
 #include "guest/source_line.h"
+#include <dwarf.h>
 #include <elfutils/libdw.h>
 #include <pthread.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include "kernel/xalloc.h"
 
 struct question {
     void *file;
     size_t bytes;
     Dwarf_Addr address;
-    char *path; /* the answer; NULL: unknown */
-    int line;
+    struct source_frame *frames; /* the answer, */
+    size_t most, count;          /* so many */
 };
 
 /* Every compiled unit is asked whether it contains the address, since an index by address (.debug_aranges)
@@ -22,13 +24,53 @@ static bool unit_of(Dwarf *dwarf, Dwarf_Addr address, Dwarf_Die *unit)
     return false;
 }
 
+static bool number_at(Dwarf_Die *die, unsigned name, Dwarf_Word *number)
+{
+    Dwarf_Attribute attribute;
+    return dwarf_attr(die, name, &attribute) && dwarf_formudata(&attribute, number) == 0;
+}
+
+/* The line from which an inlined function is called. */
+static bool add_caller(struct question *q, Dwarf_Die *unit, Dwarf_Die *inlined)
+{
+    Dwarf_Files *files;
+    Dwarf_Word file, line;
+    const char *path = dwarf_getsrcfiles(unit, &files, NULL) == 0 &&
+                               number_at(inlined, DW_AT_call_file, &file) &&
+                               number_at(inlined, DW_AT_call_line, &line)
+                           ? dwarf_filesrc(files, file, NULL, NULL)
+                           : NULL;
+    if (!path || q->count == q->most)
+        return false;
+    const char *function = dwarf_diename(inlined);
+    q->frames[q->count - 1].function = xstrdup(function ? function : "");
+    q->frames[q->count++] = (struct source_frame){.path = xstrdup(path), .line = (int)line};
+    return true;
+}
+
+static void add_callers(struct question *q, Dwarf_Die *unit)
+{
+    Dwarf_Die *innermost = NULL, *outwards = NULL;
+    int count =
+        dwarf_getscopes(unit, q->address, &innermost) > 0 ? dwarf_getscopes_die(&innermost[0], &outwards) : 0;
+    for (int i = 0; i < count && dwarf_tag(&outwards[i]) != DW_TAG_subprogram; i++)
+        if (dwarf_tag(&outwards[i]) == DW_TAG_inlined_subroutine && !add_caller(q, unit, &outwards[i]))
+            break;
+    free(innermost);
+    free(outwards);
+}
+
 static void ask_dwarf(Dwarf *dwarf, struct question *q)
 {
     Dwarf_Die unit;
+    int line;
     Dwarf_Line *row = unit_of(dwarf, q->address, &unit) ? dwarf_getsrc_die(&unit, q->address) : NULL;
     const char *path = row ? dwarf_linesrc(row, NULL, NULL) : NULL;
-    if (path && dwarf_lineno(row, &q->line) == 0 && q->line > 0)
-        q->path = xstrdup(path);
+    if (!path || dwarf_lineno(row, &line) != 0 || line <= 0)
+        return;
+    q->frames[q->count++] = (struct source_frame){.path = xstrdup(path), .line = line};
+    if (q->most > 1)
+        add_callers(q, &unit);
 }
 
 static void *ask(void *arg)
@@ -45,13 +87,27 @@ static void *ask(void *arg)
 }
 
 /* Asks libdw on a thread of its own: libdw takes more stack than a node may have left. */
-char *source_line(const void *file, size_t bytes, uint64_t address, int *line)
+static size_t ask_apart(const void *file, size_t bytes, uint64_t address, struct source_frame *frames,
+                        size_t most)
 {
-    struct question q = {.file = (void *)file, .bytes = bytes, .address = address};
+    struct question q = {(void *)(uintptr_t)file, bytes, address, frames, most, 0};
     pthread_t thread;
     if (pthread_create(&thread, NULL, ask, &q) != 0)
-        return NULL;
+        return 0;
     pthread_join(thread, NULL);
-    *line = q.line;
-    return q.path;
+    return q.count;
+}
+
+char *source_line(const void *file, size_t bytes, uint64_t address, int *line)
+{
+    struct source_frame frame = {0};
+    ask_apart(file, bytes, address, &frame, 1);
+    *line = frame.line;
+    return frame.path;
+}
+
+size_t source_frames(const void *file, size_t bytes, uint64_t address,
+                     struct source_frame frames[SOURCE_MOST_FRAMES])
+{
+    return ask_apart(file, bytes, address, frames, SOURCE_MOST_FRAMES);
 }

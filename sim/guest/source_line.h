@@ -10,4 +10,17 @@
  * the file does not say, for instance if the program was built without -g. Can be called on a node's stack,
  * however small. */
 char *source_line(const void *file, size_t bytes, uint64_t address, int *line);
+
+enum { SOURCE_MOST_FRAMES = 16 };
+
+struct source_frame {
+    char *function; /* malloc'd; NULL: not inlined, the program's symbols name it */
+    char *path;     /* malloc'd */
+    int line;
+};
+
+/* Finds the line of source_line(), and those of the calls whose functions GCC has inlined around the
+ * address, outwards. Returns how many; 0: the file does not say. */
+size_t source_frames(const void *file, size_t bytes, uint64_t address,
+                     struct source_frame frames[SOURCE_MOST_FRAMES]);
 #endif

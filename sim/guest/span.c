@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stdio.h>
 #include <sys/mman.h>
+#include "guest/span_texts.h"
 #include "node/system.h"
 #include "node/self.h"
 #include "os/memory.h"
@@ -95,23 +96,23 @@ static void *fresh(void *where, size_t bytes, int flags)
                 0);
 }
 
-/* Reserves a region at any multiple of its size; NULL if there is no room. */
+/* Reserves a region wherever one may begin; NULL if there is no room. */
 static void *reserve_anywhere(void)
 {
     char *wide = fresh(NULL, 2 * NODE_REGION, 0);
     if (wide == MAP_FAILED)
         return NULL;
-    char *region = (char *)(((uintptr_t)wide + NODE_REGION - 1) & ~(NODE_REGION - 1));
+    char *region = wide + ((NODE_REGION_AT - (uintptr_t)wide) & (NODE_REGION - 1));
     if (region > wide)
         munmap(wide, (size_t)(region - wide));
     munmap(region + NODE_REGION, (size_t)(wide + NODE_REGION - region));
     return region;
 }
 
-/* Reserves a region at the first free address from `from` and below `to`; NULL if there is none. */
+/* Reserves the first free region from `from`, where one may begin, and below `to`; NULL if there is none. */
 static void *reserve_between(uintptr_t from, uintptr_t to)
 {
-    for (uintptr_t at = from; at < to; at += NODE_REGION) {
+    for (uintptr_t at = from; at + NODE_REGION <= to; at += NODE_REGION) {
         void *region = fresh((void *)at, NODE_REGION, MAP_FIXED_NOREPLACE);
         if (region == (void *)at)
             return region;
@@ -122,32 +123,63 @@ static void *reserve_between(uintptr_t from, uintptr_t to)
 }
 
 /* Hosts have nothing of their own at these addresses, so programs find equal addresses in every run,
- * whatever they do with them. (ThreadSanitizer has its tables at the other one.) */
+ * whatever they do with them. (ThreadSanitizer has its tables at the other one.) Regions have bit 31 set: the
+ * lower half of an address, which a program has kept in an int, is negative, and nobody's address. Without
+ * the bit it could be one in the memory of a node whose region is a low one. */
 #ifdef __SANITIZE_THREAD__
-enum { FIRST_SHIFT = 36 };
+enum { FIRST_SHIFT = 36, TRIES = 2048 };
 #else
-enum { FIRST_SHIFT = 45 };
+enum { FIRST_SHIFT = 45, TRIES = 40000 }; /* a million nodes of 16 MB take 16,000, every other two */
 #endif
-enum { TRIES = 1024 };
 
 const struct span_range SPAN_RANGES[2] = {
     [SPAN_USUAL] = {(uintptr_t)1 << FIRST_SHIFT, ((uintptr_t)1 << FIRST_SHIFT) + TRIES *NODE_REGION},
     [SPAN_LOW] = {0, (uintptr_t)1 << 32}};
 
+static bool make_executable(void *from, size_t bytes)
+{
+    return mprotect(from, bytes, PROT_READ | PROT_WRITE | PROT_EXEC) == 0;
+}
+
+/* Maps the machine's texts in place of a region's spans, if they fit and the host has its guards there, too.
+ * (Linux 6.13 has them in other memory only.) Else makes the spans executable, for copies of the text. */
+static bool map_texts(struct node_region *r, struct node_system *sys)
+{
+    struct node_region made = *r;
+    if (!sys->texts)
+        sys->texts = span_texts_new(r->spans, (uint32_t)r->shift);
+    if (!sys->texts || !span_texts_fit(sys->texts, r->spans, (uint32_t)r->shift))
+        return make_executable(r, r->heaps_at);
+    if (!span_texts_map(sys->texts, (char *)r, 0, r->heaps_at))
+        return false;
+    made.has_texts = !made.light_guards || has_light_guards((char *)r + TABLE);
+    bool done =
+        made.has_texts || (fresh(r, r->heaps_at, MAP_FIXED) == r && make_executable(r, made.heaps_at));
+    if (done)
+        *r = made;
+    return done;
+}
+
 static void *reserve(struct node_system *sys)
 {
     const struct span_range *usual = &SPAN_RANGES[SPAN_USUAL];
-    void *region =
-        reserve_between(sys->last_region ? sys->last_region + NODE_REGION : usual->from, usual->to);
+    uintptr_t from = sys->last_region ? sys->last_region + NODE_REGION : usual->from + NODE_REGION_AT;
+    void *region = reserve_between(from | (uintptr_t)1 << 31, usual->to);
     if (!region)
         return reserve_anywhere();
     sys->last_region = (uintptr_t)region;
     return region;
 }
 
+static void *reserve_low(void)
+{
+    const struct span_range *low = &SPAN_RANGES[SPAN_LOW];
+    return reserve_between(low->from + NODE_REGION_AT, low->to);
+}
+
 static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes, bool low)
 {
-    struct node_region *r = low ? reserve_between(NODE_REGION, SPAN_RANGES[SPAN_LOW].to) : reserve(sys);
+    struct node_region *r = low ? reserve_low() : reserve(sys);
     if (!r)
         return NULL;
     r->shift = shift_for(span_bytes);
@@ -157,7 +189,7 @@ static struct node_region *region_new(struct node_system *sys, size_t span_bytes
     r->heaps_at = (uint64_t)r->spans << r->shift;
     r->low = low;
     choose_mappings(r, sys);
-    if (r->copies_text && mprotect(r, r->heaps_at, PROT_READ | PROT_WRITE | PROT_EXEC)) {
+    if (r->copies_text && !map_texts(r, sys)) {
         munmap(r, NODE_REGION);
         return NULL;
     }
@@ -184,23 +216,24 @@ static void unlink_region(struct node_system *sys, struct node_region *r)
 
 /* --- spans --- */
 
-/* Makes a span and a heap that another node has used as new. */
+/* Makes a span and a heap new: another node has used them, or the span has the text of another program. */
 static bool renew(const struct node_region *r, const struct node *n)
 {
     size_t kept = n->span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
     char *span = n->span + kept;
-    return fresh(span, bytes, MAP_FIXED) != MAP_FAILED &&
-           (!r->copies_text || mprotect(span, bytes, PROT_READ | PROT_WRITE | PROT_EXEC) == 0) &&
-           fresh(n->heap_start, r->heap_stride, MAP_FIXED) != MAP_FAILED;
+    if (fresh(n->heap_start, r->heap_stride, MAP_FIXED) == MAP_FAILED)
+        return false;
+    if (n->text != TEXT_OWN)
+        return span_texts_map(n->sys->texts, span, (size_t)(span - (const char *)r), bytes);
+    return fresh(span, bytes, MAP_FIXED) != MAP_FAILED && (!r->copies_text || make_executable(span, bytes));
 }
 
-/* Guards the space below the stacks, behind the program, and behind the heap. */
+/* Guards the space below the stacks, and behind the program. */
 static bool make_guards(const struct node_region *r, const struct node *n, size_t program_bytes)
 {
     char *head = n->span == (const char *)r ? n->span + TABLE : n->span;
     char *system_end = n->system_stack + NODE_SYSTEM_STACK;
     char *end = n->program + program_bytes, *span_end = n->span + ((size_t)1 << r->shift);
-    char *heap_end = n->heap_start + r->heap_bytes;
     if (r->guards == NODE_GUARDS_NONE)
         return true;
     if (r->light_guards) { /* they cost for each page */
@@ -208,8 +241,17 @@ static bool make_guards(const struct node_region *r, const struct node *n, size_
         span_end = end + GUARD < span_end ? end + GUARD : span_end;
     }
     return guard(r, head, n->system_stack) && guard(r, system_end, n->stack) &&
-           (r->guards == NODE_GUARDS_STACKS ||
-            (guard(r, end, span_end) && guard(r, heap_end, heap_end + GUARD)));
+           (r->guards == NODE_GUARDS_STACKS || guard(r, end, span_end));
+}
+
+void span_guard_heap(struct node *n)
+{
+    const struct node_region *r = n->region;
+    char *end = n->heap_start + r->heap_bytes;
+    if (n->heap_guarded || r->guards != NODE_GUARDS_ALL)
+        return;
+    n->heap_guarded = true;
+    guard(r, end, end + GUARD);
 }
 
 /* Sets the addresses of a node's parts. At equal offsets in their spans, all nodes' frames would compete
@@ -237,7 +279,8 @@ static size_t heap_room(const struct node *n, size_t span_bytes, bool asan)
     return wanted < most ? wanted : most;
 }
 
-bool span_take(struct node *n, size_t program_bytes, size_t above_bytes, bool long32, bool asan)
+bool span_take(struct node *n, const struct node_image *img, size_t program_bytes, size_t above_bytes,
+               bool long32, bool asan)
 {
     struct node_system *sys = n->sys;
     size_t stack = page_up(sys->cfg->stack_bytes) * (asan ? ASAN_STACK : 1) + page_up(above_bytes);
@@ -262,6 +305,9 @@ bool span_take(struct node *n, size_t program_bytes, size_t above_bytes, bool lo
     if (++r->used == r->spans)
         unlink_region(sys, r);
     lay_out(n, slot, bytes, stack, above_bytes);
+    n->text =
+        r->has_texts && img ? span_texts_claim(sys->texts, img, (size_t)(n->program - (char *)r)) : TEXT_OWN;
+    used |= r->has_texts && n->text == TEXT_OWN;
     return (!used || renew(r, n)) && make_guards(r, n, program_bytes);
 }
 

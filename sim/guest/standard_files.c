@@ -35,6 +35,7 @@ static ssize_t read_line(int fd, char *buf, size_t size)
 
 static ssize_t in_read(struct node_file *f, void *buf, size_t bytes)
 {
+    fflush(f->node->sys->out[0]); /* the user may be asked for what is read here */
     return f->node->sys->cube ? read_line(fd_of(f), buf, bytes) : read(fd_of(f), buf, bytes);
 }
 

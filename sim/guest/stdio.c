@@ -12,7 +12,7 @@
 
 static struct streams *streams(void)
 {
-    return &node_self()->libc->streams;
+    return streams_of(node_self());
 }
 
 /* --- standard output and input --- */

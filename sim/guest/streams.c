@@ -7,11 +7,12 @@
 #include <string.h>
 #include <unistd.h>
 #include "kernel/xalloc.h"
-#include "guest/descriptors.h"
+#include "guest/libc_parts.h"
 #include "node/node.h"
 #include "guest/streams.h"
 #include "guest/host_errno.h"
 #include "node/self.h"
+#include "node/system.h"
 #include "os/gate.h"
 
 /* --- what a FILE calls --- */
@@ -92,13 +93,22 @@ static FILE *add_standard(struct streams *list, struct node *n, int fd, const ch
     return s->file;
 }
 
-void streams_open(struct streams *list, struct node *n)
+static void open_standard(struct streams *list, struct node *n)
 {
     list->in = add_standard(list, n, STDIN_FILENO, "r");
     list->out = add_standard(list, n, STDOUT_FILENO, "w");
     list->err = add_standard(list, n, STDERR_FILENO, "w");
     setvbuf(list->out, NULL, _IOLBF, BUFSIZ);
     setvbuf(list->err, NULL, _IONBF, 0);
+    list->made = ++n->sys->streams_made;
+}
+
+struct streams *streams_of(struct node *n)
+{
+    struct streams *list = &n->libc->streams;
+    if (!list->made)
+        open_standard(list, n);
+    return list;
 }
 
 void streams_flush(struct streams *list)

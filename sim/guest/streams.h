@@ -7,6 +7,7 @@
 #ifndef GUEST_STREAMS_H
 #define GUEST_STREAMS_H
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 struct node;
@@ -21,11 +22,14 @@ struct stream {
 
 struct streams {
     struct stream *all;
-    FILE *in, *out, *err;
+    FILE *in, *out, *err; /* NULL: the standard ones have not been made */
+    uint64_t made;        /* the standard ones: greater than those of streams made before; 0: not yet */
 };
 
-void streams_open(struct streams *s, struct node *n); /* makes the three standard ones */
-void streams_flush(struct streams *s);                /* on the node's stack */
+/* The node's streams, with the standard ones, which are made when they are first asked for: each takes some
+ * hundred bytes of the host, and most programs print on one node only. */
+struct streams *streams_of(struct node *n);
+void streams_flush(struct streams *s); /* on the node's stack */
 /* Off the node's stack, behind the end of a program that went wrong: passes on what it has printed and was to
  * be written later, as a line without an end; but for files in the machine's file system, which take time. */
 void streams_rescue(struct streams *s);

@@ -1,5 +1,6 @@
 /* crossing.c - see crossing.h. The assembly is for x86-64 and the System V ABI. */
 #include "kernel/crossing.h"
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,7 @@
 AT(level, 0);
 AT(program_top, 8);
 AT(stack, 16);
+_Static_assert(offsetof(struct crossing_top, has_errno) == 4, "has_errno");
 _Static_assert(offsetof(struct crossing_jump, level) == 64, "struct crossing_jump is glibc's __jmp_buf_tag");
 
 /* The code below finds the running fiber here. */
@@ -54,8 +56,22 @@ _Static_assert(offsetof(struct crossing_jump, level) == 64, "struct crossing_jum
     "    popq %rcx\n"                                                                                        \
     "    subq $1048, %rsp\n"
 
+/* The C library's errno is the thread's, a program's is its own, at its program_top (crossing.h): the way in
+ * takes the value along, and the way back. */
+#define ERRNO_IN                                                                                             \
+    "    pushq %rcx\n" FIBER "    movq 8(%r10), %rcx\n"                                                      \
+    "    movq crossing_errno(%rip), %r10\n"                                                                  \
+    "    movl (%rcx), %ecx\n"                                                                                \
+    "    movl %ecx, %fs:(%r10)\n"                                                                            \
+    "    popq %rcx\n"
+#define ERRNO_OUT                                                                                            \
+    FIBER "    movq 8(%r10), %rcx\n"                                                                         \
+          "    movq crossing_errno(%rip), %r10\n"                                                            \
+          "    movl %fs:(%r10), %r10d\n"                                                                     \
+          "    movl %r10d, (%rcx)\n"
+
 /* A crossing to the function in %r11. */
-#define CROSSING(name, copy, clear)                                                                          \
+#define CROSSING(name, copy, in, out, clear)                                                                 \
     ".hidden " name "\n.globl " name "\n.type " name ", @function\n" name ":\n"                              \
     "    .cfi_startproc\n"                                                                                   \
     "    cld\n" FIBER "    movq (%r10), %r10\n"                                                              \
@@ -63,7 +79,7 @@ _Static_assert(offsetof(struct crossing_jump, level) == 64, "struct crossing_jum
     "    .cfi_def_cfa %r10, 8\n"                                                                             \
     "    pushq (%r10)\n"                                                                                     \
     "    pushq %rbp\n"                                                                                       \
-    "    movq %rsp, %rbp\n" FRAME_IS_LINKED "    pushq %r10\n" copy "    call *%r11\n"                       \
+    "    movq %rsp, %rbp\n" FRAME_IS_LINKED "    pushq %r10\n" copy in "    call *%r11\n" out                \
     "    movq -8(%rbp), %rsp\n"                                                                              \
     "    movq (%rbp), %rbp\n"                                                                                \
     "    .cfi_def_cfa %rsp, 8\n"                                                                             \
@@ -77,14 +93,20 @@ _Static_assert(offsetof(struct crossing_jump, level) == 64, "struct crossing_jum
 #define CLEAR_ANSWER_REAL CLEAR_RAX CLEAR_RDX CLEAR_REAL(1)
 #define CLEAR_COMPLEX CLEAR_RAX CLEAR_RDX
 
-#define CROSSINGS(stacked, copy)                                                                             \
-    CROSSING("crossing_integer_" stacked, copy, CLEAR_INTEGER)                                               \
-    CROSSING("crossing_nothing_" stacked, copy, CLEAR_NOTHING)                                               \
-    CROSSING("crossing_pair_" stacked, copy, CLEAR_PAIR)                                                     \
-    CROSSING("crossing_real_" stacked, copy, CLEAR_ANSWER_REAL)                                              \
-    CROSSING("crossing_complex_" stacked, copy, CLEAR_COMPLEX)
+#define CROSSINGS(stacked, copy, in, out)                                                                    \
+    CROSSING("crossing_integer_" stacked, copy, in, out, CLEAR_INTEGER)                                      \
+    CROSSING("crossing_nothing_" stacked, copy, in, out, CLEAR_NOTHING)                                      \
+    CROSSING("crossing_pair_" stacked, copy, in, out, CLEAR_PAIR)                                            \
+    CROSSING("crossing_real_" stacked, copy, in, out, CLEAR_ANSWER_REAL)                                     \
+    CROSSING("crossing_complex_" stacked, copy, in, out, CLEAR_COMPLEX)
 
-__asm__(".text\n" CROSSINGS("none", COPY_NONE) CROSSINGS("some", COPY_SOME) CROSSINGS("many", COPY_MANY));
+__asm__(".text\n" CROSSINGS("none", COPY_NONE, "", "") CROSSINGS("some", COPY_SOME, "", "")
+            CROSSINGS("many", COPY_MANY, "", "") CROSSINGS("errno_none", COPY_NONE, ERRNO_IN, ERRNO_OUT)
+                CROSSINGS("errno_some", COPY_SOME, ERRNO_IN, ERRNO_OUT)
+                    CROSSINGS("errno_many", COPY_MANY, ERRNO_IN, ERRNO_OUT));
+
+/* Where a thread's errno is, from %fs on. */
+uintptr_t crossing_errno __attribute__((visibility("hidden")));
 
 #define SAVE(n) "    movaps %xmm" #n ", 16*" #n "(%rsp)\n"
 #define RESTORE(n) "    movaps 16*" #n "(%rsp), %xmm" #n "\n"
@@ -246,7 +268,13 @@ __asm__(".text\n"
         "crossing_returned:\n"
         "    .cfi_startproc\n"
         "    .cfi_undefined %rip\n"
-        "    cld\n" FIBER "    movq (%r10), %rsp\n"
+        "    cld\n" FIBER "    movq 8(%r10), %rcx\n"
+        "    cmpl $0, 4(%rcx)\n" /* has_errno */
+        "    je 1f\n"
+        "    movl (%rcx), %ecx\n"
+        "    movq crossing_errno(%rip), %r11\n"
+        "    movl %ecx, %fs:(%r11)\n"
+        "1:  movq (%r10), %rsp\n"
         "    popq %r11\n"
         "    movq %r11, (%r10)\n"
         "    popq %r15\n"
@@ -288,22 +316,25 @@ static const unsigned char JUMP_R10[] = {0x41, 0xff, 0xe2}, CALL_R11[] = {0x41, 
 NAMES(none);
 NAMES(some);
 NAMES(many);
+NAMES(errno_none);
+NAMES(errno_some);
+NAMES(errno_many);
 #define KINDS(stacked)                                                                                       \
     {                                                                                                        \
         crossing_integer_##stacked, crossing_nothing_##stacked, crossing_pair_##stacked,                     \
             crossing_real_##stacked, crossing_complex_##stacked                                              \
     }
-static void (*const usual[CROSSING_STACKED][CROSSING_ANSWERS])(void) = {KINDS(none), KINDS(some),
-                                                                        KINDS(many)};
+static void (*const usual[2][CROSSING_STACKED][CROSSING_ANSWERS])(void) = {
+    {KINDS(none), KINDS(some), KINDS(many)}, {KINDS(errno_none), KINDS(errno_some), KINDS(errno_many)}};
 extern void crossing_poll(void), crossing_setjmp(void), crossing_returned(void);
 extern _Noreturn void crossing_resume(const struct crossing_jump *j, int value);
 
-static void fill_gate(char *at, const struct crossing_target *t)
+static void fill_gate(char *at, const struct crossing_target *t, bool has_errno)
 {
     void (*direct)(void) = t->kind == CROSSING_POLL ? crossing_poll : crossing_setjmp;
     if (t->kind == CROSSING_USUAL) {
         at = put_load(at, 11, (uintptr_t)t->function);
-        put(put_load(at, 10, (uintptr_t)usual[t->stacked][t->answer]), JUMP_R10, sizeof JUMP_R10);
+        put(put_load(at, 10, (uintptr_t)usual[has_errno][t->stacked][t->answer]), JUMP_R10, sizeof JUMP_R10);
     } else {
         if (t->kind == CROSSING_POLL)
             crossing_poll_function = t->function;
@@ -311,12 +342,12 @@ static void fill_gate(char *at, const struct crossing_target *t)
     }
 }
 
-/* The last is no gate, but what crossing_call needs there. */
+/* Gates of programs that have errno come second. The last is no gate, but what crossing_call needs there. */
 static void fill(const struct crossing_target *targets)
 {
-    for (unsigned k = 0; k < gate_count; k++)
-        fill_gate(gates + k * GATE, &targets[k]);
-    char *at = gates + gate_count * GATE;
+    for (unsigned k = 0; k < 2 * gate_count; k++)
+        fill_gate(gates + k * GATE, &targets[k % gate_count], k >= gate_count);
+    char *at = gates + 2 * gate_count * GATE;
     crossing_calls = (uintptr_t)at;
     at = put_load(put(at, CALL_R11, sizeof CALL_R11), 10, (uintptr_t)crossing_returned);
     put(at, JUMP_R10, sizeof JUMP_R10);
@@ -324,8 +355,11 @@ static void fill(const struct crossing_target *targets)
 
 void crossing_open(const struct crossing_target *targets, unsigned count)
 {
-    size_t bytes = (count + 1) * GATE;
+    size_t bytes = (2 * count + 1) * GATE;
+    char *thread;
     void *there = (void *)(uintptr_t)GATES_AT;
+    __asm__("movq %%fs:0, %0" : "=r"(thread));
+    crossing_errno = (uintptr_t)&errno - (uintptr_t)thread;
     gates =
         mmap(there, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
     if (gates != MAP_FAILED)
@@ -336,20 +370,21 @@ void crossing_open(const struct crossing_target *targets, unsigned count)
     }
 }
 
-uintptr_t crossing_gate(unsigned k)
+uintptr_t crossing_gate(unsigned k, bool has_errno)
 {
-    return (uintptr_t)gates + k * GATE;
+    return (uintptr_t)gates + (has_errno ? gate_count + k : k) * GATE;
 }
 
 int crossing_gate_number(uintptr_t address)
 {
     uintptr_t offset = address - (uintptr_t)gates;
-    return gates && offset < (uintptr_t)gate_count * GATE && offset % GATE == 0 ? (int)(offset / GATE) : -1;
+    bool is_gate = gates && offset < (uintptr_t)2 * gate_count * GATE && offset % GATE == 0;
+    return is_gate ? (int)(offset / GATE % gate_count) : -1;
 }
 
 /* --- the running fiber's --- */
 
-void crossing_begin(struct fiber *f, void *top)
+void crossing_begin(struct fiber *f, struct crossing_top *top)
 {
     f->level = NULL;
     f->program_top = top;

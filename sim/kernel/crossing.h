@@ -13,7 +13,9 @@
  *
  * A program refers to the system's functions by their gates, short pieces of code at addresses that do not
  * depend on this computer. A gate leads to a crossing of the kind that the function is; on the way back,
- * all registers that hold no answer are cleared. */
+ * all registers that hold no answer are cleared. A program that knows the address of errno may keep it while
+ * it moves to another thread: its errno is in its own memory, and its gates copy it to and from the C
+ * library's. */
 #ifndef KERNEL_CROSSING_H
 #define KERNEL_CROSSING_H
 #include <stdbool.h>
@@ -56,13 +58,20 @@ struct crossing_target {
 
 /* Makes the gates of functions, once in a process; aborts with a message if their place is taken. */
 void crossing_open(const struct crossing_target *targets, unsigned count);
-/* The address of the k-th function's gate: the same in every run. */
-uintptr_t crossing_gate(unsigned k);
+/* The address of the k-th function's gate, for a program that knows the address of errno or not: the same in
+ * every run. */
+uintptr_t crossing_gate(unsigned k, bool has_errno);
 /* Which one's gate lies at an address; -1: none. */
 int crossing_gate_number(uintptr_t address);
 
+/* What lies at the end of a program's stack. */
+struct crossing_top {
+    int own_errno;
+    int has_errno; /* the program's gates are those for programs that know its address */
+};
+
 /* f, which is on the system's stack, is to run a program, whose stack ends at `top`. */
-void crossing_begin(struct fiber *f, void *top);
+void crossing_begin(struct fiber *f, struct crossing_top *top);
 /* From the system, on the running fiber: calls a function of the program, on the program's stack, below
  * what has called the system. */
 long crossing_call(void *function, long a, long b, long c, long d, long e);

@@ -40,7 +40,7 @@ struct event {
     struct action what;
 };
 
-enum { SEQUENCE_BITS = 43, PLACE_BITS = 20, NUMBER_BITS = 22 };
+enum { SEQUENCE_BITS = 43, PLACE_BITS = 20 };
 enum { DIGIT_BITS = 6, DIGITS = 1 << DIGIT_BITS, LEVELS = (64 + DIGIT_BITS - 1) / DIGIT_BITS };
 enum { CHUNK = 25, FEW = 4 }; /* of a chunk: as many as fit into 1 KB */
 enum { AHEAD = 4 };           /* load_ahead */
@@ -118,7 +118,7 @@ static inline const struct event *earlier(const struct event *a, const struct ev
 
 /* --- lists --- */
 
-static struct chunk *new_chunk(struct evq *q)
+static __attribute__((noinline)) struct chunk *new_chunk(struct evq *q)
 {
     struct chunk *c = arena_take(&q->chunks);
     c->next = NULL;
@@ -198,7 +198,7 @@ static inline const struct event *coming(const struct evq *q, unsigned after)
     const struct event *e = q->next + after, *end = c->events + CHUNK;
     if (e >= end && c != q->run.last)
         c = c->next, e = c->events + (e - end);
-    return e < (c == q->run.last ? q->run.end : c->events + CHUNK) ? e : NULL;
+    return c != q->run.last || e < q->run.end ? e : NULL;
 }
 
 static inline __attribute__((always_inline)) void load_ahead(const struct evq *q)
@@ -226,7 +226,7 @@ static inline struct action take_run(struct evq *q)
 
 /* --- the future's slots --- */
 
-static struct event *add_unordered(struct evq *q, struct slot *s, struct key k)
+static __attribute__((noinline)) struct event *add_unordered(struct evq *q, struct slot *s, struct key k)
 {
     struct event *e = append(q, &s->list);
     if (!s->least)
@@ -324,8 +324,8 @@ void evq_put(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *
 void evq_put_sent(struct evq *q, vtime time, uint32_t address, struct evq_sender by, evq_fire *fire,
                   void *ctx, void *arg)
 {
-    uint64_t number = by.number & ((UINT64_C(1) << NUMBER_BITS) - 1);
-    put(q, (struct key){time, rank_of(address, (uint64_t)by.address << NUMBER_BITS | number)},
+    uint64_t number = by.number & ((UINT64_C(1) << EVQ_NUMBER_BITS) - 1);
+    put(q, (struct key){time, rank_of(address, (uint64_t)by.address << EVQ_NUMBER_BITS | number)},
         (struct action){fire, ctx, arg});
 }
 
@@ -369,8 +369,9 @@ uint32_t evq_next_address(const struct evq *q)
 
 bool evq_late_is_first(const struct evq *q, vtime time, uint32_t address)
 {
-    const struct event *e = first(q);
-    return !e || before((struct key){time, rank_of(address, LATE | q->late_sequence)}, e->key);
+    const struct key k = {time, rank_of(address, LATE | q->late_sequence)};
+    const struct event *list = first_of_lists(q);
+    return !(list && before(list->key, k)) && !(q->heap_length && before(q->heap[0].key, k));
 }
 
 static inline bool heap_is_first(const struct evq *q)
@@ -379,7 +380,7 @@ static inline bool heap_is_first(const struct evq *q)
     return q->heap_length && (!list || before(q->heap[0].key, list->key));
 }
 
-bool evq_step(struct evq *q, struct instant *present)
+bool evq_step(struct evq *q, struct instant *present, struct instant *reached)
 {
     if (!q->next && !heap_is_first(q) && !advance(q))
         return false;
@@ -391,6 +392,7 @@ bool evq_step(struct evq *q, struct instant *present)
         *present = moment(q->next->key);
         what = take_run(q);
     }
+    *reached = instant_later(*present, *reached);
     q->now = present->time;
     what.fire(what.ctx, what.arg, q->now);
     return true;

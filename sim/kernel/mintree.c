@@ -1,4 +1,4 @@
-/* mintree.c - see bounds.h. */
+/* mintree.c - see mintree.h. */
 #include "kernel/mintree.h"
 #include "kernel/xalloc.h"
 #include <stdlib.h>

@@ -3,6 +3,7 @@
  * what it submits itself), so that it takes the lock seldom. */
 #include "kernel/workers.h"
 #include <assert.h>
+#include <errno.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +19,7 @@ enum {
     INLINE_MOST = 2048, /* at most */
     MOST_PASSES = 1000, /* of work that the coordinator runs, until it looks elsewhere */
     PATIENCE_MS = 20,   /* so long it waits at a time */
+    HURRY_MS = 500,     /* and so long for a thread that is to come back, before it is hurried */
     SHUFFLED_DELAY_US = 20
 };
 
@@ -494,17 +496,18 @@ static bool has_news(struct workers *ws, vtime time, uint32_t address)
     return true;
 }
 
-/* With the lock: sleeps until a thread has got on, but not for long. */
-static void listen(struct workers *ws)
+/* With the lock: sleeps until a thread has got on, but not for long. True: none has. */
+static bool listen(struct workers *ws, long patience_ms)
 {
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until); /* nobody sets this clock */
-    until.tv_nsec += PATIENCE_MS * 1000000L;
+    until.tv_nsec += patience_ms * 1000000L;
     until.tv_sec += until.tv_nsec / 1000000000L;
     until.tv_nsec %= 1000000000L;
     atomic_store(&ws->listening, true);
-    pthread_cond_clockwait(&ws->news, &ws->lock, CLOCK_MONOTONIC, &until);
+    bool late = pthread_cond_clockwait(&ws->news, &ws->lock, CLOCK_MONOTONIC, &until) == ETIMEDOUT;
     atomic_store(&ws->listening, false);
+    return late;
 }
 
 /* The threads run all that is out. */
@@ -520,7 +523,7 @@ static void wait_for_news(struct workers *ws, vtime time, uint32_t address)
         pthread_mutex_lock(&ws->lock);
     }
     if (!news)
-        listen(ws);
+        listen(ws, PATIENCE_MS);
     find_bound(ws);
     pthread_mutex_unlock(&ws->lock);
     ws->stats.waited_s += hostclock_s() - begin;
@@ -536,13 +539,12 @@ void workers_advance(struct workers *ws, vtime time, uint32_t address)
         wait_for_news(ws, time, address);
 }
 
-/* With the lock: does a thread run it? */
-static bool is_running(const struct workers *ws, const struct task *w)
+/* With the lock: until t has come back to here from w (NULL: from any task). */
+static void await(struct workers *ws, struct thread *t, const struct task *w)
 {
-    for (unsigned i = 0; i < ws->count; i++)
-        if (ws->threads[i].runs == w)
-            return true;
-    return false;
+    while (t->runs && (!w || t->runs == w))
+        if (listen(ws, HURRY_MS))
+            ws->calls.hurry(t->id);
 }
 
 static void unlist(struct workers *ws, struct task *w)
@@ -569,10 +571,8 @@ void workers_drop(struct workers *ws, struct task *w)
 {
     atomic_store(&w->dropped, true);
     pthread_mutex_lock(&ws->lock);
-    atomic_store(&ws->listening, true);
-    while (is_running(ws, w))
-        pthread_cond_wait(&ws->news, &ws->lock);
-    atomic_store(&ws->listening, false);
+    for (unsigned i = 0; i < ws->count; i++)
+        await(ws, &ws->threads[i], w);
     unlist(ws, w);
     pthread_mutex_unlock(&ws->lock);
     is_back(ws);
@@ -583,10 +583,7 @@ void workers_halt(struct workers *ws)
     atomic_store(&ws->halt, true);
     pthread_mutex_lock(&ws->lock);
     for (unsigned i = 0; i < ws->count; i++)
-        while (ws->threads[i].runs) {
-            atomic_store(&ws->listening, true);
-            pthread_cond_wait(&ws->news, &ws->lock);
-        }
+        await(ws, &ws->threads[i], NULL);
     pthread_mutex_unlock(&ws->lock);
 }
 

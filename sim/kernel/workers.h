@@ -17,6 +17,7 @@
  */
 #ifndef KERNEL_WORKERS_H
 #define KERNEL_WORKERS_H
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -40,6 +41,7 @@ struct workers_calls {
     void *(*begin)(void *ctx);                 /* a thread begins; returns what is its own */
     bool (*run)(void *thread, struct task *w); /* goes on with w; true: it is done; false: it has paused */
     void (*end)(void *thread);                 /* before the thread ends */
+    void (*hurry)(pthread_t thread);           /* it is to pause, and has not for half a second */
 };
 
 /* How the tasks went, for those who tune that. The figures differ from run to run. */

@@ -27,7 +27,7 @@ bool lp_end_at(struct lp *lp, vtime t)
     vtime commits = clock_sync(lp) + lp->clock.stolen;
     if (lp->state == LP_BLOCKED)
         up_wait_ends(lp, t);
-    else if (commits > t)
+    else if (commits >= t) /* if it is just there, too: fewer units may take as long */
         clock_roll_back(lp, commits - t);
     clock_drop_stolen(lp);
     return lp->state == LP_COMPUTING;

@@ -20,6 +20,13 @@ vtime clock_of_units_exactly(const struct lp *lp, uint64_t units)
     return (vtime)((unsigned __int128)units * VT_SECOND / (lp->clock_hz * UNITS_PER_CLOCK));
 }
 
+void clock_count(struct lp *lp)
+{
+    struct lp_clock *c = &lp->clock;
+    clock_set_units(lp, c->units + (uint64_t)(c->granted - *lp->budget));
+    c->granted = *lp->budget;
+}
+
 uint64_t clock_units_in(const struct lp *lp, vtime t)
 {
     if (lp->clock.unit_ps)

@@ -11,8 +11,9 @@
 
 /* The node's processor has so many clocks a second. */
 void clock_set(struct lp *lp, uint64_t hz);
-/* Virtual time of so many cost units. */
-vtime clock_of_units_exactly(const struct lp *lp, uint64_t units);
+/* Virtual time of so many cost units. (Out of line here is what divides, or is rare where it is called:
+ * inlined, it would take registers that all callers would have to save.) */
+__attribute__((noinline, cold)) vtime clock_of_units_exactly(const struct lp *lp, uint64_t units);
 static inline vtime clock_of_units(const struct lp *lp, uint64_t units)
 {
     return lp->clock.unit_ps ? units * lp->clock.unit_ps : clock_of_units_exactly(lp, units);
@@ -26,15 +27,14 @@ static inline void clock_set_units(struct lp *lp, uint64_t units)
     c->units = units;
 }
 
+/* The clock runs: adds what the program has spent. */
+__attribute__((noinline)) void clock_count(struct lp *lp);
 /* Synchronises the clock with what the program has spent; returns the time. */
 static inline vtime clock_sync(struct lp *lp)
 {
-    struct lp_clock *c = &lp->clock;
-    if (c->runs) {
-        clock_set_units(lp, c->units + (uint64_t)(c->granted - *lp->budget));
-        c->granted = *lp->budget;
-    }
-    return c->now;
+    if (lp->clock.runs)
+        clock_count(lp);
+    return lp->clock.now;
 }
 
 /* The program is in a call: it spends nothing until clock_allow. */
@@ -115,7 +115,7 @@ static inline bool clock_lookahead_is_broken(const struct lp *lp)
 /* When the program will have spent so many units, if it only computes; 0: it has. */
 vtime clock_when(const struct lp *lp, uint64_t units);
 /* The least units that take t. */
-uint64_t clock_units_in(const struct lp *lp, vtime t);
+__attribute__((noinline)) uint64_t clock_units_in(const struct lp *lp, vtime t);
 /* Units spent since the program got control. */
 uint64_t clock_segment_units(const struct lp *lp);
 /* The program has crashed while it computed, some time after its last slice boundary. How far it had come is

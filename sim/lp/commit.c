@@ -8,6 +8,9 @@
 
 const char ENGINE_NAME[] = "fast";
 
+/* The coordinator looks at host time and signals after so many events, or calls of programs. */
+enum { LOOK_EVERY = 1024 };
+
 /* The earliest event, of the queue or a node's poll time: its time, VT_NEVER if there is none, and address.
  */
 static vtime next_event(const struct schedule *s, uint32_t *address)
@@ -30,8 +33,7 @@ static bool commit_next(struct schedule *s)
             lp_go_on_from_poll(lp);
         return true;
     }
-    s->reached = schedule_reached(s);
-    return evq_step(s->q, &s->present);
+    return evq_step(s->q, &s->present, &s->reached);
 }
 
 /* Commits the earliest event, unless a task that is out may cause an earlier one: then helps with that.
@@ -46,7 +48,7 @@ static bool commit_or_help(struct schedule *s)
     uint32_t address;
     vtime next = next_event(s, &address);
     if (out && !workers_allow(s->workers, next, address)) {
-        s->unseen += 64; /* it may have taken long */
+        s->unseen = LOOK_EVERY; /* it may have taken long */
         workers_advance(s->workers, next, address);
         return true;
     }
@@ -62,9 +64,8 @@ static bool commit_or_help(struct schedule *s)
 /* Flattened: after a switch to a program and back no processor foresees where a function returns to. */
 __attribute__((flatten)) static void commit_events(struct schedule *s)
 {
-    enum { LOOK_EVERY = 1024 };
     for (uint64_t i = 0; !s->stop && commit_or_help(s); i++)
-        if (i % LOOK_EVERY == 0 || s->unseen > LOOK_EVERY)
+        if (i % LOOK_EVERY == 0 || s->unseen >= LOOK_EVERY)
             s->look(s->look_ctx);
 }
 
@@ -107,7 +108,8 @@ vtime engine_bound(const struct schedule *s)
 
 struct workers_stats engine_run(struct schedule *s, const struct engine_threads *threads)
 {
-    const struct workers_calls calls = {(void *)threads, thread_begins, thread_runs, threads->end};
+    const struct workers_calls calls = {(void *)threads, thread_begins, thread_runs, threads->end,
+                                        threads->hurry};
     struct workers_stats stats = {0};
     s->resumes[0] = lp_go_on, s->resumes[1] = lp_woken;
     if (threads->count > 1)

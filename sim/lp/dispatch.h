@@ -34,7 +34,7 @@ bool lp_is_next(struct lp *lp, vtime now);
 void lp_leave_poll(struct lp *lp);
 /* A program paused at a poll computes up to the first poll at or past t, or its call. Called before anything
  * is done to the node that depends on how far it has come. */
-void lp_catch_up(struct lp *lp, vtime t);
+__attribute__((noinline)) void lp_catch_up(struct lp *lp, vtime t);
 /* Goes on with a program paused at a poll, whose poll time has come. */
 void lp_go_on_from_poll(struct lp *lp);
 /* An event (ctx: the node): the commit time of a program that computes ahead, of its call or its crash. */

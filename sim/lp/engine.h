@@ -45,7 +45,8 @@ struct engine_threads {
     uint64_t shuffle;
     void *(*begin)(void);
     void (*end)(void *own);
-    void *own; /* of the calling thread */
+    void (*hurry)(pthread_t thread); /* workers.h */
+    void *own;                       /* of the calling thread */
 };
 
 /* Commits the machine's events until there are none, or schedule.stop is set. The threads' figures differ

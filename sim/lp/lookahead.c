@@ -17,15 +17,17 @@ bool lp_is_alone(const struct lp *lp, vtime t)
     return horizon(lp) > t;
 }
 
+/* (Inlined, it would take registers that lp_deadline saves for each call of every program.) */
+static __attribute__((noinline)) vtime interruptible_until(const struct lp *lp, vtime end)
+{
+    return lp->until ? lp->until : vt_min(end, vt_min(up_next_interrupt(lp), horizon(lp)));
+}
+
 vtime lp_deadline(struct lp *lp)
 {
     vtime end = schedule_end_of_time(lp->schedule);
     lp->interruptible = up_is_interruptible(lp);
-    if (!lp->interruptible)
-        return end;
-    if (lp->until)
-        return lp->until;
-    return vt_min(end, vt_min(up_next_interrupt(lp), horizon(lp)));
+    return lp->interruptible ? interruptible_until(lp, end) : end;
 }
 
 /* (System time that was stolen from a program in its own call puts it off at the poll.) */

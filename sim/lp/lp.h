@@ -45,7 +45,7 @@
  *
  * Commit times without an event (of lazily blocked nodes, deferred calls and polls) have come when the
  * machine has reached a later moment. Where events follow each other in no time, the machine may come back
- * to a smaller address at the same time; so the latest moment counts, schedule_reached(). A commit time
+ * to a smaller address at the same time; so the latest moment counts, schedule.reached. A commit time
  * before it is put into the queue as an event (lp_is_passed). Polls need no such care: a program always
  * computes something before a poll. */
 #ifndef LP_LP_H
@@ -136,6 +136,6 @@ static inline struct instant lp_up_to(const struct lp *lp, vtime now)
 /* Has the machine reached a moment later than the node's at t? */
 static inline bool lp_is_passed(const struct lp *lp, vtime t)
 {
-    return instant_before(t, lp->address, schedule_reached(lp->schedule));
+    return instant_before(t, lp->address, lp->schedule->reached);
 }
 #endif

@@ -9,7 +9,7 @@
 bool lp_roll_back(struct lp *lp, struct instant at)
 {
     offload_drop(lp);
-    lp_apply_deferred(lp, instant_later(at, schedule_reached(lp->schedule)));
+    lp_apply_deferred(lp, instant_later(at, lp->schedule->reached));
     lp->lazily_blocked = false;
     up_roll_back_deferred(lp);
     lp_catch_up(lp, at.time);
@@ -24,7 +24,7 @@ void lp_forget(struct lp *lp)
 
 void engine_settle(struct lp *lp, struct instant end)
 {
-    lp_apply_deferred(lp, instant_later(end, schedule_reached(lp->schedule)));
+    lp_apply_deferred(lp, instant_later(end, lp->schedule->reached));
     if (lp->state != LP_ENDED)
         up_roll_back_deferred(lp);
 }

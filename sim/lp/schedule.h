@@ -20,7 +20,7 @@ struct schedule {
     struct evq *q;             /* machine */
     struct mintree polls;      /* by address: when a node paused at a poll resumes; lp/dispatch.c */
     struct instant present;    /* the moment committed last: an event's, or a call's that needed none */
-    struct instant reached;    /* the latest moment committed before `present`: lp.h */
+    struct instant reached;    /* the latest moment committed, `present` or one before: lp.h */
     struct protocol *protocol; /* machine */
     struct workers *workers;   /* NULL: one thread */
     evq_fire *resumes[2];      /* events upon which a program may run, for loading ahead */
@@ -39,24 +39,16 @@ struct schedule {
     void *look_ctx;          /* machine */
 };
 
-/* The latest moment that the machine has reached. Where events follow each other in no time, the machine may
- * come back from an address to a smaller one at the same time; so this is not always `present`. */
-static inline struct instant schedule_reached(const struct schedule *s)
-{
-    return instant_later(s->present, s->reached);
-}
-
 /* The first time past the limit of virtual time. */
 static inline vtime schedule_end_of_time(const struct schedule *s)
 {
     return s->max_time == VT_NEVER ? VT_NEVER : s->max_time + 1;
 }
 
-/* Commits the moment (time, address) without an event. */
+/* Commits the moment (time, address), which is not before `reached`, without an event. */
 static inline void schedule_commit(struct schedule *s, vtime time, uint32_t address)
 {
-    s->reached = schedule_reached(s);
-    s->present = (struct instant){time, address};
+    s->present = s->reached = (struct instant){time, address};
 }
 
 /* So many calls have been made without a look at host time and signals. True: it is time to look. */

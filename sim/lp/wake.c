@@ -12,7 +12,7 @@ void lp_woken(void *ctx, void *arg, vtime now)
 {
     struct lp *lp = ctx;
     (void)arg;
-    lp_apply_deferred(lp, schedule_reached(lp->schedule));
+    lp_apply_deferred(lp, lp->schedule->reached);
     lp_unblock_lazily(lp);
     if (lp->state == LP_BLOCKED && lp_unblock(lp, now))
         lp_run_on(lp);
@@ -25,7 +25,7 @@ void lp_wake(struct lp *lp, vtime t)
 
 void lp_notify(struct lp *lp, vtime t)
 {
-    lp_apply_deferred(lp, schedule_reached(lp->schedule));
+    lp_apply_deferred(lp, lp->schedule->reached);
     lp_unblock_lazily(lp);
     vtime commits = lp->offloaded ? lp->schedule->present.time + lp->clock.stolen : lp_commit_time(lp);
     if (lp->state == LP_BLOCKED || commits < t)
@@ -37,7 +37,7 @@ void lp_synchronise(struct lp *lp)
 {
     if (!lp->paused_at_poll && !up_has_deferred(lp) && !lp->lazily_blocked)
         return;
-    struct instant at = schedule_reached(lp->schedule);
+    struct instant at = lp->schedule->reached;
     if (lp->paused_at_poll)
         lp_catch_up(lp, at.time + (lp->address < at.address));
     lp_apply_deferred(lp, at);

@@ -14,16 +14,19 @@
 #include "guest/span.h"
 #include "lp/engine.h"
 #include "machine/crash.h"
+#include "notes/livelock.h"
+#include "notes/taken.h"
 #include "os/charge.h"
 #include "os/end.h"
 #include "os/gate.h"
 #include "os/isolate.h"
-#include "os/livelock.h"
 #include "os/match.h"
 #include "os/memory.h"
-#include "os/node_record.h"
-#include "os/path_times.h"
+#include "os/observer.h"
+#include "record/node_record.h"
+#include "profile/path_times.h"
 #include "races/race_check.h"
+#include "replay/numbering.h"
 #include "asan/asan_check.h"
 #include "lp/clock.h"
 #include "node/self.h"
@@ -33,6 +36,8 @@ static void run_program(void *arg)
 {
     struct node *n = arg;
     node_leave(n);
+    for (void (**f)(void) = n->image->fini_begin; f < n->image->fini_end; f++)
+        node_libc_at_end(n, *f);
     for (void (**f)(void) = n->image->init_begin; f < n->image->init_end; f++)
         crossing_call(*f, 0, 0, 0, 0, 0);
     int code = (int)crossing_call(n->image->main, n->argc, (long)n->argv, (long)node_libc_envp(n), 0, 0);
@@ -75,11 +80,17 @@ static bool lacks_addresses(const struct node *n, char **error)
     return false;
 }
 
+static int heap_has_room(void *ctx, size_t bytes)
+{
+    span_guard_heap(ctx);
+    return memory_has_room(ctx, bytes);
+}
+
 static bool make_parts(struct node *n, const struct node_image *img, int argc, char **argv, char **error)
 {
     if (!fits(n, img, error))
         return false;
-    if (!span_take(n, node_image_bytes(img), own_arguments_bytes(argc, argv), node_image_is_long32(img),
+    if (!span_take(n, img, node_image_bytes(img), own_arguments_bytes(argc, argv), node_image_is_long32(img),
                    node_image_is_asan(img)))
         return lacks_addresses(n, error);
     own_put_arguments(n, argc, argv);
@@ -89,9 +100,11 @@ static bool make_parts(struct node *n, const struct node_image *img, int argc, c
     if (node_image_is_asan(img) && !(n->asan = asan_begin(n->sys->asan, n)))
         return lacks_addresses(n, error);
     n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start,
-                            n->region->heap_bytes - own_memory_bytes(n), memory_has_room, memory_heap_is, n);
+                            n->region->heap_bytes - own_memory_bytes(n), heap_has_room, memory_heap_is, n);
     fiber_begin(&n->lp.fiber, n->system_stack, NODE_SYSTEM_STACK, run_program, n);
-    crossing_begin(&n->lp.fiber, n->stack + n->stack_bytes);
+    struct crossing_top *top = (void *)(n->stack + n->stack_bytes);
+    top->has_errno = node_image_has_errno(img);
+    crossing_begin(&n->lp.fiber, top);
     if (n->sys->debugger)
         show_debugger(n);
     isolate_made(n);
@@ -127,7 +140,9 @@ static struct node *make(struct node_system *sys, uint32_t id, uint32_t address)
     lp_begin(&n->lp, &sys->schedule, address, &n->cold->lp);
     set_clock(n);
     snprintf(n->name, sizeof n->name, "node %u", id);
-    match_begin(n, &n->cold->ids);
+    match_begin(n);
+    if (sys->numbering)
+        numbering_begin(n);
     n->info = (struct node_info){-1, -1, -1, -1};
     n->deferred.begun = VT_NEVER;
     return n;
@@ -143,8 +158,10 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
 {
     n->envp = envp;
     if (make_parts(n, img, argc, argv, error)) {
+        taken_begin(n);
+        livelock_begin(n);
         path_times_begin(n);
-        n->races = races_begin(n->sys->races, n);
+        races_begin(n->sys->races, n);
         if (n->sys->recorder)
             node_record(n);
         return n;
@@ -183,7 +200,7 @@ void node_start(struct node *n, vtime t)
     vtime late = n->sys->timing ? timing_start(n->sys->timing, node_timed(n)) : 0;
     n->stats.away += late;
     if (late)
-        RECORD(n, no_program, t + late);
+        ANNOUNCE(n, no_program, t + late);
     lp_start(&n->lp, t + late);
 }
 
@@ -197,11 +214,13 @@ static void strip(struct node *n)
     if (n->sys->schedule.protocol)
         match_abandon(n); /* what its messages under way would report to */
     match_end(n);
+    if (n->sys->numbering)
+        numbering_end(n);
     waits_free(&n->stats.waits);
+    taken_end(n);
     path_times_end(n);
-    livelock_free(n);
-    if (n->races)
-        races_end(n);
+    livelock_end(n);
+    races_end(n);
     if (n->asan)
         asan_end(n), n->asan = NULL;
     free(n->crash);

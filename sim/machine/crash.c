@@ -5,7 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <asm/prctl.h>
+#include <sys/syscall.h>
 #include <ucontext.h>
+#include <unistd.h>
 #include "files/virtual_time.h"
 #include "kernel/crossing.h"
 #include "kernel/xalloc.h"
@@ -14,12 +17,16 @@
 #include "guest/backtrace.h"
 #include "node/self.h"
 
+/* The stack of a thread's signal handlers, which grows down towards the rest. A program may have lost the way
+ * to thread-local variables; a handler finds this by its stack. */
 struct crash_guard {
+    uint64_t mark;
+    void *thread_pointer;    /* what %fs is to point to */
     struct node_crash crash; /* the latest, until crash_keep() */
-    char stack[1 << 16];     /* the signal handler's stack */
+    char stack[1 << 16];
 };
 
-static _Thread_local struct crash_guard *guard;
+static const uint64_t MARK = UINT64_C(0x6372617368206d65);
 
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
@@ -38,24 +45,78 @@ static void note_frames(struct node_crash *c, const struct node *n, const greg_t
     c->depth += backtrace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
 }
 
-static void on_fault(int signal, siginfo_t *info, void *context)
+static void note_crash(struct node_crash *c, struct node *n, int signal, const siginfo_t *info,
+                       const greg_t *r)
 {
-    struct crash_guard *g = guard;
-    struct fiber *f = fiber_current();
-    if (!g || !f) {
-        struct sigaction usual = {.sa_handler = SIG_DFL};
-        sigaction(signal, &usual, NULL);
-        raise(signal);
+    c->signal = signal, c->code = info->si_code;
+    c->address = signal == SIGSYS ? (uintptr_t)info->si_syscall : (uintptr_t)info->si_addr;
+    c->top = backtrace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
+    note_frames(c, n, r);
+    n->crash = c;
+}
+
+/* The C library's own function of this name reaches a thread's variables. */
+static void thread_pointer(int how, void *p)
+{
+    long result = SYS_arch_prctl;
+    __asm__ volatile("syscall" : "+a"(result) : "D"((long)how), "S"(p) : "rcx", "r11", "memory");
+}
+
+/* The guard of the thread to which a signal came, NULL if it has none. From here on the thread has its
+ * variables again. */
+__attribute__((no_stack_protector)) static struct crash_guard *guard_of(const ucontext_t *context)
+{
+    struct crash_guard *g = context->uc_stack.ss_sp;
+    void *found;
+    if (context->uc_stack.ss_flags & SS_DISABLE || !g || g->mark != MARK)
+        return NULL;
+    thread_pointer(ARCH_GET_FS, &found);
+    thread_pointer(ARCH_SET_FS, g->thread_pointer);
+    g->crash.lost_thread = found != g->thread_pointer;
+    return g;
+}
+
+/* A fault of the simulator's own, perhaps since a program has written to its memory. */
+static void end_process(int signal)
+{
+    static const char TEXT[] =
+        "touchstone: a fault outside of all programs. One of them has written to memory "
+        "that is not its own, or touchstone has an error\n";
+    (void)!write(STDERR_FILENO, TEXT, sizeof TEXT - 1);
+    struct sigaction usual = {.sa_handler = SIG_DFL};
+    sigaction(signal, &usual, NULL);
+    raise(signal);
+}
+
+__attribute__((no_stack_protector)) static void on_fault(int signal, siginfo_t *info, void *context)
+{
+    struct crash_guard *g = guard_of(context);
+    struct fiber *f = g ? fiber_current() : NULL;
+    if (!f) {
+        end_process(signal);
         return;
     }
-    struct node *n = fiber_arg(f);
-    const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
-    g->crash.signal = signal;
-    g->crash.address = signal == SIGSYS ? (uintptr_t)info->si_syscall : (uintptr_t)info->si_addr;
-    g->crash.top = backtrace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
-    note_frames(&g->crash, n, r);
-    n->crash = &g->crash;
+    note_crash(&g->crash, fiber_arg(f), signal, info, ((ucontext_t *)context)->uc_mcontext.gregs);
     fiber_finish(f);
+}
+
+void crash_end_computing(int signal, siginfo_t *info, void *context)
+{
+    struct crash_guard *g = guard_of(context);
+    struct fiber *f = g ? fiber_current() : NULL;
+    const greg_t *r = ((ucontext_t *)context)->uc_mcontext.gregs;
+    if (!f || !backtrace_in_program(fiber_arg(f), (uintptr_t)r[REG_RIP]))
+        return;
+    note_crash(&g->crash, fiber_arg(f), signal, info, r);
+    fiber_finish(f);
+}
+
+bool crash_is_fault(const struct node *n)
+{
+    for (int i = 0; i < FAULT_COUNT; i++)
+        if (n->crash->signal == FAULTS[i])
+            return true;
+    return false;
 }
 
 void crash_catch(void)
@@ -65,28 +126,20 @@ void crash_catch(void)
         sigaction(FAULTS[i], &a, NULL);
 }
 
-void crash_ignore(void)
-{
-    struct sigaction usual = {.sa_handler = SIG_DFL};
-    for (int i = 0; i < FAULT_COUNT; i++)
-        sigaction(FAULTS[i], &usual, NULL);
-}
-
 struct crash_guard *crash_watch(void)
 {
-    assert(!guard);
-    guard = xcalloc(1, sizeof *guard);
-    stack_t s = {.ss_sp = guard->stack, .ss_size = sizeof guard->stack};
+    struct crash_guard *g = xcalloc(1, sizeof *g);
+    g->mark = MARK;
+    __asm__("mov %%fs:0, %0" : "=r"(g->thread_pointer));
+    stack_t s = {.ss_sp = g, .ss_size = sizeof *g};
     sigaltstack(&s, NULL);
-    return guard;
+    return g;
 }
 
 void crash_unwatch(struct crash_guard *g)
 {
-    assert(g == guard);
     stack_t none = {.ss_flags = SS_DISABLE};
     sigaltstack(&none, NULL);
-    guard = NULL;
     free(g);
 }
 
@@ -108,14 +161,35 @@ void crash_keep(struct node *n)
     n->crash = kept;
 }
 
-static const char *signal_text(int s)
+/* Of floating-point exceptions only those that a program has unmasked are faults. */
+static const char *arithmetic_text(int code)
 {
-    switch (s) {
+    switch (code) {
+    case FPE_FLTDIV:
+        return "floating-point division by zero, an exception that it has unmasked";
+    case FPE_FLTOVF:
+        return "floating-point overflow, an exception that it has unmasked";
+    case FPE_FLTUND:
+        return "floating-point underflow, an exception that it has unmasked";
+    case FPE_FLTRES:
+        return "inexact floating-point result, an exception that it has unmasked";
+    case FPE_FLTINV:
+        return "invalid floating-point operation, an exception that it has unmasked";
+    default:
+        return "integer division by zero or overflow";
+    }
+}
+
+static const char *fault_text(const struct node_crash *g)
+{
+    if (g->lost_thread)
+        return "it has changed the register fs, by which the C library finds its own variables";
+    switch (g->signal) {
     case SIGSEGV:
     case SIGBUS:
         return "it used an address it may not";
     case SIGFPE:
-        return "integer division by zero or overflow";
+        return arithmetic_text(g->code);
     case SIGILL:
         return "illegal instruction";
     case SIGABRT:
@@ -136,6 +210,25 @@ static const struct node *owner_of(const struct node_system *s, uintptr_t addres
     return NULL;
 }
 
+/* The address of which a program that keeps addresses in ints has kept the lower half, so that it used
+ * `used`; 0: that is no node's. */
+static uintptr_t cut_address(const struct node *n, uintptr_t used)
+{
+    uintptr_t half = UINT32_MAX, whole = ((uintptr_t)n->span & ~half) | (used & half);
+    return whole != used && owner_of(n->sys, whole) ? whole : 0;
+}
+
+static void print_cut(FILE *f, const struct node *n, uintptr_t whole)
+{
+    fprintf(
+        f, "\n  an address kept in an int? 0x%zx is in the memory of %s; an int holds addresses below 2 GB: ",
+        (size_t)whole, owner_of(n->sys, whole)->name);
+    fprintf(f, "%s",
+            node_image_is_long32(n->file)
+                ? "run it on fewer nodes, or on nodes with less memory (--set node.memory_mb=N)"
+                : "nxcc --long32 gives the nodes such");
+}
+
 /* Is the address in the guard behind the end of a part of the node's memory? */
 static bool is_behind(uintptr_t address, const char *end)
 {
@@ -146,16 +239,19 @@ static void print_cause(FILE *f, const struct node *n)
 {
     const struct node_crash *g = n->crash;
     uintptr_t stack = (uintptr_t)n->stack;
-    bool memory = g->signal == SIGSEGV || g->signal == SIGBUS;
+    bool memory = (g->signal == SIGSEGV || g->signal == SIGBUS) && !g->lost_thread;
     const struct node *owner = memory ? owner_of(n->sys, g->address) : NULL;
-    fprintf(f, "%s (%s)", signal_text(g->signal), strsignal(g->signal));
+    uintptr_t whole = memory ? cut_address(n, g->address) : 0;
+    fprintf(f, "%s (%s)", fault_text(g), strsignal(g->signal));
     if (g->signal == SIGSYS)
         fprintf(f, ": number %zu; they call functions of C and NX (doc/host-files.md)", (size_t)g->address);
     else if (memory && g->address < stack && g->address >= stack - (1 << 16))
         fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
                 (size_t)(n->sys->cfg->stack_bytes >> 10));
-    else if (memory && g->address < 4096)
+    else if (memory && g->address == 0)
         fprintf(f, ": a null pointer");
+    else if (memory && g->address < 4096)
+        fprintf(f, ": 0x%zx, a member of a null pointer, or a number that is no address", (size_t)g->address);
     else if (owner && owner != n)
         fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->name);
     else if (memory && is_behind(g->address, n->program + n->image_bytes))
@@ -164,6 +260,8 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx, behind the end of its heap", (size_t)g->address);
     else if (memory)
         fprintf(f, ": 0x%zx", (size_t)g->address);
+    if (whole)
+        print_cut(f, n, whole);
     if (memory && n->failed_malloc)
         fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->failed_malloc);
 }
@@ -195,7 +293,7 @@ char *crash_report(const struct node *n)
         fprintf(f, "\n  in %s", called ? called : "a library function");
     }
     backtrace_print(f, n, "in", g->frames[0]);
-    if (!g->in_library && !has_frame(n, g->frames[0]))
+    if (g->in_library || !has_frame(n, g->frames[0]))
         backtrace_print(f, n, "called from", g->top - 1);
     for (int i = 1; i < g->depth; i++)
         backtrace_print(f, n, "called from", g->frames[i] - 1);

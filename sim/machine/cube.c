@@ -16,7 +16,7 @@
 #include "os/fail.h"
 #include "os/gate.h"
 #include "os/match.h"
-#include "os/race_hooks.h"
+#include "races/race_check.h"
 
 enum { ALL = -1, MOST_NAME = 32 };
 
@@ -230,6 +230,7 @@ static struct program *open_program(struct node *host, const char *path)
         free(file);
         return NULL;
     }
+    node_image_set_layer(image, node_image_layer(host->file));
     struct program *p = xcalloc(1, sizeof *p);
     *p = (struct program){{file, NULL}, image, c->programs};
     return c->programs = p;
@@ -272,7 +273,7 @@ static long load_one(struct node *host, struct program *p, uint32_t i, long pid)
     s->cube->former = f;
     node_succeed(n, before, node_now(host));
     n->pid = pid;
-    RACES(n, loaded, host);
+    races_loaded(n, host);
     s->nodes[i] = n;
     s->running++;
     node_start(n, node_now(host));

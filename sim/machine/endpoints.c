@@ -3,8 +3,8 @@
 #include "machine/endpoints.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"
+#include "machine/history.h"
 #include "os/charge.h"
-#include "os/history.h"
 #include "os/match.h"
 
 static bool is_service(const struct node_system *sys, uint32_t address)
@@ -36,12 +36,11 @@ static bool envelope(void *ctx, struct message *m, vtime now)
 
 static void arrived(void *ctx, struct message *m, vtime now)
 {
-    if (!m->serves) {
-        match_arrived(ctx, m, now);
-        return;
-    }
     history_add(ctx, m, now);
-    post_arrived(m, now);
+    if (m->serves)
+        post_arrived(m, now);
+    else
+        match_arrived(ctx, m);
 }
 
 struct protocol_nodes endpoints_calls(struct node_system *sys)

@@ -6,6 +6,8 @@
 #include "guest/backtrace.h"
 #include "guest/debugger.h"
 #include "guest/image.h"
+#include "guest/libc.h"
+#include "guest/span_texts.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"
@@ -13,7 +15,8 @@
 #include "machine/cube.h"
 #include "machine/endpoints.h"
 #include "net/protocol_record.h"
-#include "os/numbering.h"
+#include "replay/numbering.h"
+#include "replay/orders.h"
 #include "races/race_check.h"
 #include "asan/asan_check.h"
 
@@ -64,9 +67,22 @@ static void make_numbering(struct machine *m)
     if (!o->schedule && !orders)
         return;
     m->sys.numbering = numbering_new(m->sys.count, orders, o->schedule);
+    m->sys.orders = orders ? &orders_policy : NULL;
     m->lines = backtrace_lines_new();
     m->sys.numbering->line = line_on_stack, m->sys.numbering->line_ctx = m->lines;
     protocol_number(m->sys.schedule.protocol);
+}
+
+static bool has_addresses(const struct node_system *s, char **error)
+{
+    const struct topo *t = &s->topo;
+    if (t->addresses <= TOPO_ADDRESSES)
+        return true;
+    *error = xasprintf(
+        "%s has %u nodes, %u I/O nodes and directories, and %s host: more than the %d addresses of a "
+        "network",
+        s->cfg->name, t->positions, t->services, t->host ? "a" : "no", TOPO_ADDRESSES);
+    return false;
 }
 
 static bool make_shape(struct machine *m, char **error)
@@ -79,7 +95,7 @@ static bool make_shape(struct machine *m, char **error)
         topo_add_services(&m->sys.topo, cfs_services(c));
         if (m->options.host)
             topo_add_host(&m->sys.topo);
-        return true;
+        return has_addresses(&m->sys, error);
     }
     *error = cube ? xasprintf("%s has no %u nodes: it is a hypercube of at most %u", c->name, n,
                               1u << c->dimension)
@@ -127,6 +143,7 @@ static bool make_nodes(struct machine *m, char **error)
     m->image = node_image_open(m->options.argv[0], error);
     if (!m->image)
         return false;
+    node_image_set_layer(m->image, m->options.layer);
     if (m->options.host)
         return make_host(m, error);
     s->flushes = node_image_uses(m->image, "flushmsg") || node_image_uses(m->image, "_flushmsg");
@@ -197,13 +214,15 @@ void machine_free(struct machine *m)
 {
     if (!m)
         return;
-    /* Latest first: the C library searches its streams from the one made last. */
+    if (m->sys.nodes && !m->sys.cube)
+        node_libc_close_streams(m->sys.nodes, m->sys.count);
     node_delete(m->sys.host);
     for (uint32_t i = m->sys.nodes && !m->sys.cube ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);
     cube_free(m->sys.cube);
     arena_free(&m->sys.made);
     arena_free(&m->sys.made_cold);
+    span_texts_free(m->sys.texts);
     free(m->sys.nodes);
     cfs_free(m->sys.cfs);
     debugger_free(m->sys.debugger);

@@ -33,6 +33,7 @@ struct machine_options {
     FILE *out, *err;     /* the programs' output */
     FILE *history;       /* gets a line for each message received; NULL: no history */
     struct fence *fence; /* files of this computer that programs may use: guest/fence.h. NULL: all */
+    char *const *layer;  /* functions that reports do not name: guest/layer.h; NULL: none */
     const char *cfs_dir; /* the folder that holds the files of /cfs; NULL: a temporary one */
 };
 
@@ -52,8 +53,9 @@ struct machine {
     struct backtrace_lines *lines; /* for the schedule; NULL: none */
     struct progress_line progress;
     double progress_at;      /* hostclock_s() at the next */
+    double output_at;        /* when what programs have written is flushed */
     sigset_t signals_before; /* what was blocked before the run */
-    int signal;              /* the signal that ended the run; 0: none */
+    _Atomic int signal;      /* the signal that ended the run; 0: none */
     vtime end;               /* when the last program ended */
     double begin;            /* hostclock_s() at the start of the run */
     double wall_s, start_s;  /* seconds of host time: of the run; of putting the machine together */

@@ -10,18 +10,26 @@
 #include "machine/machine.h"
 #include "machine/refused_file.h"
 #include "machine/outside.h"
+#include "machine/overdue.h"
 #include "machine/verdict.h"
 #include "net/protocol_record.h"
 #include "os/end.h"
 #include "os/first_failure.h"
-#include "os/node_record.h"
-#include "os/numbering.h"
-#include "os/schedule_record.h"
+#include "os/observer.h"
+#include "replay/numbering.h"
+#include "replay/schedule_record.h"
+#include "races/race_check.h"
 #include "timing/draw_read.h"
 
-/* Reports a crash; called at the crash's place in the total order. */
+/* Reports a crash; called at the crash's place in the total order. A program that was ended since the run is
+ * overdue has no fault: the run ends for the reason for which it was to end. */
 static void show_crash(struct node *n)
 {
+    if (!crash_is_fault(n)) {
+        n->sys->schedule.look(n->sys->schedule.look_ctx);
+        assert(n->sys->schedule.stop);
+        return;
+    }
     node_end_crashed(n);
     char *report = crash_report(n);
     node_system_fail(n->sys, STOP_FAILED, (struct instant){n->stats.ended_at, n->lp.address}, "%s", report);
@@ -33,6 +41,7 @@ static void run_events(struct machine *m)
     struct node_system *s = &m->sys;
     struct crash_guard *guard = crash_watch();
     crash_catch();
+    overdue_begin(m);
     s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = backtrace_print_calls;
     s->refused = refused_file, s->exited = verdict_exited;
     s->schedule.look = outside_look, s->schedule.look_ctx = m;
@@ -40,8 +49,8 @@ static void run_events(struct machine *m)
     m->workers =
         engine_run(&s->schedule, &(struct engine_threads){s->isolate || s->debugger ? 1 : m->options.workers,
                                                           m->options.shuffle, crash_thread_begins,
-                                                          crash_thread_ends, guard});
-    crash_ignore();
+                                                          crash_thread_ends, overdue_hurry, guard});
+    overdue_end();
     crash_unwatch(guard);
 }
 
@@ -60,7 +69,7 @@ static void note_end(struct machine *m, struct node *n)
 {
     const struct schedule *s = &m->sys.schedule;
     node_settle(n, end_of(s), stops_at_a_time(s));
-    RECORD(n, end, n->stats.ended_at);
+    ANNOUNCE(n, ends, n->stats.ended_at);
     m->end = vt_max(m->end, n->stats.ended_at);
 }
 
@@ -80,9 +89,9 @@ static void end_schedule(struct machine *m)
     if (!s->numbering)
         return;
     for (uint32_t i = 0; i < machine_nodes(m); i++)
-        number_end(s->nodes[i]);
+        numbering_over(s->nodes[i]);
     if (s->host)
-        number_end(s->host);
+        numbering_over(s->host);
     if (s->numbering->out)
         schedule_record_end(s);
 }
@@ -110,6 +119,7 @@ void machine_run(struct machine *m)
     outside_begin(m);
     begin_schedule(m);
     run_events(m);
+    races_over(m->sys.races);
     outside_end(m);
     for (uint32_t i = 0; i < machine_nodes(m); i++)
         note_end(m, m->sys.nodes[i]);

@@ -9,6 +9,7 @@
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"
+#include "machine/overdue.h"
 #include "machine/whereabouts.h"
 #include "os/first_failure.h"
 
@@ -18,6 +19,10 @@ enum { ENDINGS = sizeof ENDING / sizeof *ENDING };
 
 /* Seconds of host time before the first progress line, and from one to the next. */
 static const double PROGRESS_AFTER = 1, PROGRESS_EVERY = 0.25;
+
+/* Seconds after which the programs' output reaches its file, so that users see how far a long run has
+ * come. */
+static const double OUTPUT_EVERY = 0.1;
 
 /* Those of the signals that are not ignored, as they are under nohup. SIGINT is a debugger's, if there is
  * one: it stops the run. */
@@ -83,10 +88,18 @@ static void tell_where(struct machine *m)
     engine_release(&s->schedule);
 }
 
-static void show_progress(struct machine *m)
+static void show_output(struct machine *m, double now)
+{
+    if (now < m->output_at)
+        return;
+    m->output_at = now + OUTPUT_EVERY;
+    fflush(m->sys.out[0]);
+}
+
+static void show_progress(struct machine *m, double now)
 {
     const struct schedule *s = &m->sys.schedule;
-    double now = hostclock_s(), at = vt_seconds(come_to(s)), limit = m->options.max_virtual_s;
+    double at = vt_seconds(come_to(s)), limit = m->options.max_virtual_s;
     char text[120], share[60] = "";
     if (now < m->progress_at)
         return;
@@ -98,13 +111,35 @@ static void show_progress(struct machine *m)
     progress_line_show(m->sys.progress, text);
 }
 
+/* outside_take_ending(), of the signals that wait. */
+static int take_ending(struct machine *m, const sigset_t *pending)
+{
+    int i = 0;
+    while (i < ENDINGS && !sigismember(pending, ENDING[i]))
+        i++;
+    if (i == ENDINGS)
+        return 0;
+    take_signal(ENDING[i]);
+    if (!m->signal) {
+        m->signal = ENDING[i];
+        overdue_from_now();
+    }
+    return ENDING[i];
+}
+
+int outside_take_ending(struct machine *m)
+{
+    sigset_t pending;
+    sigpending(&pending);
+    return take_ending(m, &pending);
+}
+
 static void poll_signals(struct machine *m)
 {
     sigset_t pending;
     sigpending(&pending);
-    for (int i = 0; i < ENDINGS && !m->signal; i++)
-        if (sigismember(&pending, ENDING[i]))
-            m->signal = ENDING[i];
+    if (!m->signal)
+        take_ending(m, &pending);
     if (m->signal)
         node_system_fail(&m->sys, STOP_INTERRUPTED, (struct instant){0},
                          m->signal == SIGINT ? "interrupted" : "stopped by SIG%s", sigabbrev_np(m->signal));
@@ -117,10 +152,12 @@ static void poll_signals(struct machine *m)
 void outside_look(void *ctx)
 {
     struct machine *m = ctx;
+    double now = hostclock_s();
     poll_signals(m);
+    show_output(m, now);
     if (m->sys.progress)
-        show_progress(m);
-    if (m->options.max_wall_s > 0 && !m->sys.debugger && hostclock_s() - m->begin > m->options.max_wall_s)
+        show_progress(m, now);
+    if (m->options.max_wall_s > 0 && !m->sys.debugger && now - m->begin > m->options.max_wall_s)
         node_system_fail(&m->sys, STOP_WALL_TIME, (struct instant){0}, "wall time limit of %s reached",
                          duration_text(m->options.max_wall_s).text);
 }

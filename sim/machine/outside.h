@@ -12,4 +12,7 @@ void outside_begin(struct machine *m);
 /* Looks at all of that: ends the run, or answers. m is a struct machine: for schedule.look. */
 void outside_look(void *m);
 void outside_end(struct machine *m);
+/* Takes a signal that waits and is to end the run, and notes the first in m->signal. 0: none waits. Safe in a
+ * handler of a signal. */
+int outside_take_ending(struct machine *m);
 #endif

@@ -31,21 +31,12 @@ static double share_of_polls(const struct livelock_poll *p, vtime now)
     return p->count && now > p->since ? part(p->spent, now - p->since) : 0;
 }
 
-static const char *line_of_poll(const struct node *n, const struct livelock_poll *p,
-                                struct backtrace_lines *lines)
-{
-    const char *line = NULL;
-    for (int i = 0; i < LIVELOCK_PLACES && p->places[i] && !line; i++)
-        line = backtrace_line_at(lines, n, p->places[i]);
-    return line;
-}
-
-static bool polls(const struct node *n, vtime now, struct standstill *s)
+static bool polls(const struct livelock *l, vtime now, struct standstill *s)
 {
     double all = 0, most = 0;
     *s = (struct standstill){.until = now, .goes_on = true};
     for (int i = 0; i < LIVELOCK_POLLS; i++) {
-        const struct livelock_poll *p = &n->livelock->polls[i];
+        const struct livelock_poll *p = &l->polls[i];
         double share = share_of_polls(p, now);
         all += share;
         if (share > most)
@@ -68,9 +59,8 @@ static const struct livelock_handler *most_time(const struct livelock_siege *s)
     return most;
 }
 
-static bool handlers(const struct node *n, vtime now, struct standstill *s)
+static bool handlers(const struct livelock *l, vtime now, struct standstill *s)
 {
-    const struct livelock *l = n->livelock;
     const struct livelock_siege *g = l->siege.stood >= l->worst.stood ? &l->siege : &l->worst;
     vtime until = vt_min(g->until, now);
     *s = (struct standstill){.since = g->since, .until = until, .count = g->handlers};
@@ -84,12 +74,13 @@ static bool handlers(const struct node *n, vtime now, struct standstill *s)
 
 bool standstill_of(const struct node *n, struct backtrace_lines *lines, struct standstill *s)
 {
-    if (!n->livelock)
+    const struct livelock *l = livelock_of(n);
+    if (!l)
         return false;
     vtime now = present(n);
-    if (polls(n, now, s))
-        s->line = line_of_poll(n, s->poll, lines);
-    else if (handlers(n, now, s))
+    if (polls(l, now, s))
+        s->line = backtrace_line_of(lines, n, s->poll->places, LIVELOCK_PLACES);
+    else if (handlers(l, now, s))
         s->line = backtrace_line_at(lines, n, (uintptr_t)s->handler->handler + 1);
     else
         return false;

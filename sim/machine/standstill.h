@@ -1,5 +1,5 @@
 /* standstill.h - nodes that live and come no further, as far as their polls and handlers show
- * (os/livelock.h): they poll for what does not come, or stand still because handlers follow one another.
+ * (notes/livelock.h): they poll for what does not come, or stand still because handlers follow one another.
  *
  * A node is named when all of this holds. Healthy programs do not come near; doc/livelock.md says why.
  *   polls      STANDSTILL_POLLS polls of one kind in a row have found nothing, for a tenth of the node's time
@@ -9,7 +9,7 @@
 #ifndef MACHINE_STANDSTILL_H
 #define MACHINE_STANDSTILL_H
 #include "guest/backtrace.h"
-#include "os/livelock.h"
+#include "notes/livelock.h"
 
 enum { STANDSTILL_POLLS = 1000, STANDSTILL_HANDLERS = 100 };
 

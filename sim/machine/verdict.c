@@ -7,7 +7,7 @@
 #include "machine/waits_for.h"
 #include "machine/whereabouts.h"
 #include "os/end.h"
-#include "os/orders.h"
+#include "replay/orders.h"
 
 static char *exit_text(const struct node *n)
 {

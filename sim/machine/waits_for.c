@@ -5,11 +5,11 @@
 #include "guest/backtrace.h"
 #include "guest/image.h"
 #include "kernel/xalloc.h"
+#include "notes/taken.h"
 #include "nx_api/calls/awaited.h"
 #include "os/due.h"
 #include "os/end.h"
 #include "os/memory.h"
-#include "os/taken.h"
 
 struct filling {
     const struct node_system *s;
@@ -163,10 +163,7 @@ static enum waitfor_fate fate_of(enum taken_how how)
 
 static const char *line_of_taken(const struct filling *f, const struct node *n, const struct taken *t)
 {
-    const char *line = NULL;
-    for (int i = 0; i < TAKEN_CALLS && t->at[i] && !line; i++)
-        line = backtrace_line_at(f->lines, n, t->at[i]);
-    return waitfor_text(f->w, line);
+    return waitfor_text(f->w, backtrace_line_of(f->lines, n, t->at, TAKEN_CALLS));
 }
 
 static void add_taken(const struct filling *f, const struct node *n, const struct taken_ring *r,
@@ -196,9 +193,10 @@ static void fill_mailbox(const struct filling *f, const struct node *n, struct w
     add_messages(f, n->mailbox.whole, to);
     add_messages(f, n->coming, to);
     add_receives(f, n, to);
-    if (n->cold->taken) {
-        add_taken(f, n, &n->cold->taken->by_program, to);
-        add_taken(f, n, &n->cold->taken->lost, to);
+    const struct taken_log *taken = taken_of(n);
+    if (taken) {
+        add_taken(f, n, &taken->by_program, to);
+        add_taken(f, n, &taken->lost, to);
     }
 }
 

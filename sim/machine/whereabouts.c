@@ -8,6 +8,7 @@
 #include "guest/backtrace.h"
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
+#include "machine/crash.h"
 #include "machine/standstill.h"
 #include "nx_api/contract/program_image.h"
 #include "os/end.h"
@@ -38,6 +39,15 @@ static bool is_from_outside(enum stop stop)
     return stop == STOP_NOT || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED;
 }
 
+/* The line of a program whose fiber a signal has ended. */
+static const char *line_of_crash(const struct node *n, struct backtrace_lines *lines)
+{
+    uintptr_t calls[sizeof n->crash->frames / sizeof(uintptr_t)];
+    memcpy(calls, n->crash->frames, sizeof calls);
+    calls[0]++; /* as if a call returned there */
+    return backtrace_line_of(lines, n, calls, n->crash->depth);
+}
+
 /* The source line in which a node's program is; NULL if it is not known. At a limit of virtual time, a
  * computing program's line is that of its last slice boundary: the program may have computed past the limit
  * before it was known that the system takes time from it. */
@@ -46,6 +56,8 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
     const enum stop stop = n->sys->schedule.stop;
     if (n->lp.state == LP_ENDED)
         return NULL;
+    if (is_from_outside(stop) && n->crash)
+        return line_of_crash(n, lines);
     if (is_from_outside(stop) && !n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
         return backtrace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
     if (stop == STOP_NOT && n->sys->running && !n->at_poll)
@@ -53,7 +65,7 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
     if (n->call)
         return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? backtrace_line(lines, n) : NULL;
     if (stop == STOP_VIRTUAL_TIME)
-        return backtrace_line_at(lines, n, clock_last_place(&n->lp));
+        return backtrace_line_of(lines, n, (uintptr_t[]){clock_last_place(&n->lp)}, 1);
     if (n->at_poll)
         return backtrace_line(lines, n);
     return is_from_outside(stop) ? backtrace_line_away(lines, n) : NULL;

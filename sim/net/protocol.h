@@ -66,7 +66,7 @@ struct message {
     bool buffered : 1; /* held in a system buffer */
     bool unwanted : 1; /* to be thrown away when it arrives */
     bool too_long : 1; /* for its receiver's buffer */
-    bool whole : 1;    /* unexpected, and in the order of the whole: node/unexpected.h */
+    bool whole : 1;    /* unexpected, and in the order of the whole: os/unexpected.h */
     size_t bytes;
     union {
         uint64_t order; /* among the source's messages; until it is sent */

@@ -1,6 +1,6 @@
 /* protocol_number.h - numbers of messages, for schedules (doc/schedule-format.md): which message of its
  * sender a message is, and which of those to its receiver. Only in runs that are recorded, or keep orders,
- * messages have room for them. The operating system assigns them (os/numbering.h). */
+ * messages have room for them. replay/numbering.h assigns them. */
 #ifndef NET_PROTOCOL_NUMBER_H
 #define NET_PROTOCOL_NUMBER_H
 #include "net/protocol.h"

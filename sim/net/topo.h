@@ -21,6 +21,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Of a network, at most: a node, service or host takes one. (An event's key has room for so many.) */
+enum { TOPO_ADDRESSES = 1 << 20 };
+
 struct topo {
     uint32_t nodes;         /* of the program */
     uint32_t dimension;     /* hypercube: > 0 or one node; mesh: 0 */

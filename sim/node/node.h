@@ -25,22 +25,21 @@
 #include "nx_api/contract/ids.h"
 
 struct node;
-struct node_image;      /* a program file, read once: guest/image.h */
-struct node_heap;       /* guest/heap.h */
-struct node_region;     /* node/self.h */
-struct node_system;     /* what all nodes share: node/system.h */
-struct nxc_image;       /* nx_api/contract/program_image.h */
-struct node_record;     /* what is to be written into a trace: os/node_record.h */
-struct livelock;        /* signs of one: os/livelock.h */
-struct node_path_times; /* where system time and waits fall, by path of calls: os/path_times.h */
-struct nxc_path;        /* nx_api/contract/program_image.h */
-struct taken_log;       /* messages taken and lost: os/taken.h */
-struct node_asan;       /* which memory its program may access: asan/node_asan.h */
-struct node_races;      /* what is known of accesses to memory: races/node_races.h */
-struct node_crash;      /* what is known of a program's crash: machine/crash.h */
+struct node_image;  /* a program file, read once: guest/image.h */
+struct node_heap;   /* guest/heap.h */
+struct node_region; /* node/self.h */
+struct node_system; /* what all nodes share: node/system.h */
+struct nxc_image;   /* nx_api/contract/program_image.h */
+struct observer;    /* hears of what happens to the node: os/observer.h */
+struct node_asan;   /* which memory its program may access: asan/node_asan.h */
+struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
 /* Why a node ended. */
 enum node_end { NODE_RUNNING, NODE_RETURNED, NODE_EXITED, NODE_KILLED, NODE_CRASHED, NODE_NOT_LOADED };
+
+/* Where a program's text comes from: the node has its own; or that of its place in the machine's texts
+ * (guest/span_texts.h), to which this node's is to be written. */
+enum node_text { TEXT_OWN, TEXT_SHARED, TEXT_TO_SHARE };
 
 /* What the operating system has the processor for. */
 enum node_task {
@@ -77,7 +76,7 @@ struct node_stats {
     vtime away;
 };
 
-/* Messages and what they are for: os/mailbox.h. A line of the cache. */
+/* Messages and what they are for: nx_api/contract/message.h. A line of the cache. */
 struct mailbox {
     struct posted posted;
     struct message *whole, **whole_end; /* os/unexpected.h */
@@ -138,20 +137,17 @@ struct node_memory {
 struct deferred_cold {
     struct message *message[DEFERRED_MOST];
     struct node_memory
-        memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
-    const struct nxc_path *path[DEFERRED_MOST]; /* on which the call was made, if the node has path_times */
-    int32_t type[DEFERRED_MOST];                /* in node.call_type when the caller resumes, if it has any */
+        memory[DEFERRED_MOST];   /* the program's at the call, if it has changed since the one before */
+    int32_t type[DEFERRED_MOST]; /* in node.call_type when the caller resumes, if it has any */
 };
 
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
  * together. */
 struct node_cold {
-    struct id_block ids;        /* the first of the mailbox's */
     struct deferred_cold calls; /* os */
     struct own_calls own;
     struct lp_cold lp;
     struct node_error error;
-    struct taken_log *taken; /* os. NULL: nothing has been noted */
 };
 
 /* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what
@@ -164,10 +160,10 @@ struct node {
     uint32_t
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     bool is_host;
+    bool in_order;              /* os: an observer wants no call deferred */
     bool armed;                 /* os: posted a handler at any time */
     bool call_has_type, awaits; /* os: see call */
     bool hands_over;            /* os: the call was entered by node_enter_early, and has not waited */
-    bool names_senders;         /* os: posted a receive from a certain node at any time */
     bool heap_moved;            /* os: heap_used has changed since the program was last in a call */
     struct node_times times;    /* os */
     struct lp lp;               /* lp */
@@ -179,14 +175,12 @@ struct node {
     } wait;
     vtime waits_system;         /* os: times.system when it began to wait */
     const char *call;           /* os: the call the program is in, for reports; NULL while it computes */
-    struct node_record *record; /* os. NULL: the node is in no trace */
-    struct node_races *races;   /* machine. NULL: the program was built without --races */
+    uint64_t heard;             /* os: what the observers want to be told: os/observer.h */
+    struct observer *observers; /* os. NULL: nobody observes the node */
     struct node_asan *asan;     /* machine. NULL: the program was built without --asan */
-    struct node_path_times *path_times; /* os. NULL: the program was built without --profile */
-    struct livelock *livelock; /* os. NULL: no poll has found nothing, and no handler has interrupted it */
-    vtime call_since;          /* os */
-    long call_type;            /* os: type, typesel or id it was given, if call_has_type */
-    long awaited;              /* os: type or typesel of the message the call is about, if awaits */
+    vtime call_since;           /* os */
+    long call_type;             /* os: type, typesel or id it was given, if call_has_type */
+    long awaited;               /* os: type or typesel of the message the call is about, if awaits */
     uintptr_t
         frame; /* os: on the stack: of the call while it is blocked, or of the poll where it has stopped */
     bool masked, in_handler; /* os */
@@ -218,6 +212,8 @@ struct node {
     uint32_t id;
     struct node_region *region;                               /* guest. NULL: it has no program */
     char *span, *system_stack, *stack, *program, *heap_start; /* guest: the lowest bytes of each: span.h */
+    bool heap_guarded;                                        /* guest: span_guard_heap */
+    enum node_text text;                                      /* guest */
     char *data;                    /* guest: of the program, behind text and constants */
     size_t stack_bytes;            /* guest: those the machine file gives, or some more */
     const struct node_image *file; /* guest */

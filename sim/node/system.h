@@ -12,7 +12,8 @@
 struct fence;
 struct fence_refusal; /* guest/fence.h */
 struct recorder;
-struct numbering; /* os/numbering.h */
+struct numbering; /* replay/numbering.h */
+struct order_policy;
 struct asan;
 struct races;
 
@@ -31,12 +32,14 @@ struct node_system {
     const struct node_fs *fs; /* the machine's file system, NULL none: file.h */
     struct cfs *cfs;          /* the same, for NX's own calls on it: cfs/cfs.h */
     struct node **nodes;
-    struct arena made, made_cold; /* what nodes are made of; to be freed behind them */
-    struct node_region *roomy;    /* guest: regions of address space with room for more nodes: span.h */
-    uintptr_t last_region;        /* guest: the latest that lies where all are meant to; 0: none */
-    bool isolate;                 /* only `writable` may write to its memory: isolate.h */
-    struct node *writable;        /* os. NULL: none */
-    enum node_guards guards;      /* the least that any region has */
+    struct arena made, made_cold;  /* what nodes are made of; to be freed behind them */
+    struct node_region *roomy;     /* guest: regions of address space with room for more nodes: span.h */
+    uintptr_t last_region;         /* guest: the latest that lies where all are meant to; 0: none */
+    _Atomic uint64_t streams_made; /* guest: of so many nodes, on any thread */
+    struct span_texts *texts;      /* guest: guest/span_texts.h. NULL: none yet */
+    bool isolate;                  /* only `writable` may write to its memory: isolate.h */
+    struct node *writable;         /* os. NULL: none */
+    enum node_guards guards;       /* the least that any region has */
     size_t most_mappings; /* not 0: as if the host allowed so many, and had no lighter guards; for tests */
     struct node *host;    /* the node that runs the host program, NULL: none. Its number is count. */
     struct cube *cube;    /* what a host program does with the nodes, NULL: all have been loaded: cube.h */
@@ -52,15 +55,16 @@ struct node_system {
     FILE *out[2];
     struct progress_line *progress; /* on the terminal that has the output; NULL: none */
 
-    uint64_t digest;          /* os: of all messages received: time, nodes, type, length, in order */
+    uint64_t digest;          /* of all messages received: time, nodes, type, length, in order */
     FILE *history;            /* the same as text, a line for each; NULL: not wanted */
-    uint64_t messages, bytes; /* os: received */
-    /* os: a set of hashes of the types received */
+    uint64_t messages, bytes; /* received by nodes */
+    /* a set of hashes of the types received by nodes */
     uint64_t types_come[NODE_TYPE_HASHES / 64];
-    struct timing *timing;       /* NULL: the machine's usual */
-    struct numbering *numbering; /* NULL: the run is neither recorded as a schedule nor keeps orders */
-    struct recorder *recorder;   /* of the run's trace: os/node_record.h. NULL: none */
-    struct asan *asan;           /* of the programs built with --asan: asan/asan_check.h */
+    struct timing *timing;             /* NULL: the machine's usual */
+    struct numbering *numbering;       /* NULL: the run is neither recorded as a schedule nor keeps orders */
+    const struct order_policy *orders; /* os/order_policy.h. NULL: the run keeps none */
+    struct recorder *recorder;         /* of the run's trace: record/node_record.h. NULL: none */
+    struct asan *asan;                 /* of the programs built with --asan: asan/asan_check.h */
     struct races *races; /* of the programs built with --races: races/race_check.h. NULL: there are none */
     /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */
     char **host_files;

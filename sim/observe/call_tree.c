@@ -8,7 +8,7 @@
 #include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "nx_api/contract/program_image.h"
-#include "os/path_times.h"
+#include "profile/path_times.h"
 
 /* Stands for what is computed in functions compiled without --profile. */
 static const char REST[] = "(compiled without --profile)";
@@ -173,8 +173,9 @@ static void add_computing(struct call_tree *t, const struct machine *m, const st
     int64_t rest = (int64_t)n->lp.clock.units;
     if (!n->cut_short) {
         rest -= add_paths(t, m, n, 0, n->image->root);
-        if (n->path_times->handlers.children)
-            rest -= add_paths(t, m, n, named_child(t, 0, SPOT_OTHER, HANDLERS), &n->path_times->handlers);
+        const struct node_path_times *times = path_times_of(n);
+        if (times->handlers.children)
+            rest -= add_paths(t, m, n, named_child(t, 0, SPOT_OTHER, HANDLERS), &times->handlers);
     }
     if (rest) {
         uint32_t spot = named_child(t, 0, SPOT_OTHER, n->cut_short ? CUT : REST);
@@ -205,7 +206,7 @@ static uint32_t spot_of(struct call_tree *t, const struct machine *m, const stru
 {
     if (!p || p == n->image->root)
         return 0;
-    if (p == &n->path_times->handlers)
+    if (p == &path_times_of(n)->handlers)
         return named_child(t, 0, SPOT_OTHER, HANDLERS);
     return path_spot(t, m, n, spot_of(t, m, n, p->parent), p);
 }
@@ -262,11 +263,12 @@ static void add_place(struct call_tree *t, const struct machine *m, const struct
 
 static void add_places(struct call_tree *t, const struct machine *m, const struct node *n)
 {
-    struct named_place *sorted = xcalloc(n->path_times->count + 1, sizeof *sorted);
-    for (size_t i = 0; i < n->path_times->count; i++)
-        sorted[i] = (struct named_place){&n->path_times->list[i], name_of(&n->path_times->list[i])};
-    qsort(sorted, n->path_times->count, sizeof *sorted, by_place_name);
-    for (size_t i = 0; i < n->path_times->count; i++) {
+    const struct node_path_times *times = path_times_of(n);
+    struct named_place *sorted = xcalloc(times->count + 1, sizeof *sorted);
+    for (size_t i = 0; i < times->count; i++)
+        sorted[i] = (struct named_place){&times->list[i], name_of(&times->list[i])};
+    qsort(sorted, times->count, sizeof *sorted, by_place_name);
+    for (size_t i = 0; i < times->count; i++) {
         add_place(t, m, n, sorted[i].place);
         free(sorted[i].name);
     }

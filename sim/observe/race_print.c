@@ -7,6 +7,8 @@
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 
+enum { MOST_OTHERS = 8 }; /* pairs of places in a report beside the first */
+
 /* --- pieces; all are malloc'd --- */
 
 /* "queue.c:12", or the function if the program was built without -g. */
@@ -35,11 +37,6 @@ static const char *strand(const struct race_report_side *s)
     return s->in_handler ? "handler" : "main program";
 }
 
-static bool is_of_buffer(const struct race_report *r)
-{
-    return r->what == RACE_ON_SEND || r->what == RACE_ON_RECEIVE || r->what == RACE_OF_BUFFERS;
-}
-
 /* "on_done writes", "main program's crecv writes" */
 static char *access_text(const struct race_report_side *s)
 {
@@ -55,7 +52,7 @@ char *race_print_head(const struct race_report *r)
     if (r->what == RACE_OF_BUFFERS)
         text = xasprintf("race on %s: %s at %s is given a buffer that is under way for %s at %s", variable,
                          b->call, other, a->call, at);
-    else if (is_of_buffer(r))
+    else if (race_report_is_of_buffer(r))
         text = xasprintf("race on %s: %s %s at %s the buffer of %s at %s", variable, strand(b), verb(b),
                          other, a->call, at);
     else {
@@ -114,7 +111,7 @@ static char *why_accesses(const struct race_report *r)
 
 char *race_print_why(const struct race_report *r)
 {
-    return is_of_buffer(r) ? why_buffer(r) : why_accesses(r);
+    return race_report_is_of_buffer(r) ? why_buffer(r) : why_accesses(r);
 }
 
 /* --- where --- */
@@ -189,15 +186,22 @@ static void print_number(uint64_t n, FILE *f)
     }
 }
 
-static void print_where(const struct race_report *r, FILE *f)
+/* "6 times on nodes 0-3" */
+static void print_found(const struct race_report *r, FILE *f)
 {
     char *nodes = race_print_nodes(r);
     const char *what = strcmp(nodes, "host") == 0 ? "the " : strpbrk(nodes, ",-") ? "nodes " : "node ";
-    fprintf(f, "  %-13s ", "found");
     print_number(r->count, f);
-    fprintf(f, " %s on %s%s; the above on %s, where the %s came %s\n", r->count == 1 ? "time" : "times", what,
-            nodes, r->node, is_of_buffer(r) ? "call" : "handler", r->first_came_later ? "later" : "first");
+    fprintf(f, " %s on %s%s", r->count == 1 ? "time" : "times", what, nodes);
     free(nodes);
+}
+
+static void print_where(const struct race_report *r, FILE *f)
+{
+    fprintf(f, "  %-13s ", "found");
+    print_found(r, f);
+    fprintf(f, "; the above on %s, where the %s came %s\n", r->node,
+            race_report_is_of_buffer(r) ? "call" : "handler", r->first_came_later ? "later" : "first");
 }
 
 /* "race on VARIABLE: ...": what comes before the colon stands out. */
@@ -207,19 +211,47 @@ static void print_head(const char *head, const struct ink *ink, FILE *f)
     fprintf(f, "%s%.*s%s%s\n", ink->yellow, length, head, ink->off, head + length);
 }
 
+/* The other places at which the static variable of race i races, a line each. */
+static void print_others(const struct race_reports *t, size_t i, FILE *f)
+{
+    size_t told = 0, left = 0;
+    for (size_t k = i + 1; k < t->count; k++) {
+        if (t->list[k].group != i)
+            continue;
+        if (told == MOST_OTHERS) {
+            left++;
+            continue;
+        }
+        char *head = race_print_head(&t->list[k]);
+        fprintf(f, "  %-13s %s, ", told++ ? "" : "also", head + strcspn(head, ":") + 2);
+        print_found(&t->list[k], f);
+        fputc('\n', f);
+        free(head);
+    }
+    if (left)
+        fprintf(f, "  %-13s and at %zu more pairs of places, which --races FILE writes\n", "", left);
+}
+
+static void print(const struct race_report *r, const struct ink *ink, FILE *f)
+{
+    char *head = race_print_head(r), *why = race_print_why(r);
+    print_head(head, ink, f);
+    print_side(&r->side[0], f);
+    print_side(&r->side[1], f);
+    fprintf(f, "  %-13s %s.\n", "why", why);
+    print_where(r, f);
+    free(head);
+    free(why);
+}
+
 void race_print(const struct race_reports *t, FILE *f)
 {
     struct ink ink = ink_for(f);
     for (size_t i = 0; i < t->count; i++) {
-        const struct race_report *r = &t->list[i];
-        char *head = race_print_head(r), *why = race_print_why(r);
-        print_head(head, &ink, f);
-        print_side(&r->side[0], f);
-        print_side(&r->side[1], f);
-        fprintf(f, "  %-13s %s.\n", "why", why);
-        print_where(r, f);
-        free(head);
-        free(why);
+        if (t->list[i].group != i)
+            continue;
+        print(&t->list[i], &ink, f);
+        print_others(t, i, f);
     }
 }
 
@@ -228,6 +260,8 @@ void race_print_count(const struct race_reports *t, FILE *f)
     if (!t->checked)
         return;
     fprintf(f, "races          %zu found", t->count);
+    if (t->groups < t->count)
+        fprintf(f, ", in %zu report%s", t->groups, t->groups == 1 ? "" : "s");
     if (t->suppressed)
         fprintf(f, ", %zu suppressed", t->suppressed);
     if (t->dropped)

@@ -45,6 +45,7 @@ static struct race_report report_of(struct race_texts *t, const struct node_race
     const char *variable, *other;
     struct race_report out = {
         .what = f->what, .count = f->count, .node = race_text(t, r->name), .nodes = nodes};
+    out.file = r->file, out.offset = f->offset;
     out.side[0] = side_of(t, r, first, &variable);
     out.side[1] = side_of(t, r, second, &other);
     out.first_came_later = first == &f->later;
@@ -143,6 +144,30 @@ static void suppress(struct race_reports *t, const struct race_suppressions *s)
     t->count = left;
 }
 
+/* --- groups --- */
+
+bool race_report_is_of_buffer(const struct race_report *r)
+{
+    return r->what == RACE_ON_SEND || r->what == RACE_ON_RECEIVE || r->what == RACE_OF_BUFFERS;
+}
+
+/* (Texts that are equal are one.) */
+static void group(struct race_reports *t)
+{
+    const char **object = xcalloc(t->count, sizeof *object);
+    for (size_t i = 0, k; i < t->count; i++) {
+        struct race_report *r = &t->list[i];
+        object[i] = race_text_of_data(t->texts, r->file, r->offset);
+        for (k = 0; k < i; k++)
+            if (*object[i] && object[k] == object[i] &&
+                race_report_is_of_buffer(&t->list[k]) == race_report_is_of_buffer(r))
+                break;
+        r->group = k;
+        t->groups += k == i;
+    }
+    free(object);
+}
+
 /* --- collecting --- */
 
 static size_t components(const struct races *all)
@@ -181,6 +206,7 @@ struct race_reports *race_reports_collect(const struct races *all, const struct 
         qsort(t->list, t->count, sizeof *t->list, compare);
         t->count = merge(t->list, t->count);
         suppress(t, s);
+        group(t);
     }
     return t;
 }

@@ -7,6 +7,7 @@
 #include "races/race_findings.h"
 
 struct races;
+struct node_image;
 struct race_suppressions;
 
 enum { RACE_MOST_FRAMES = 12 };
@@ -16,6 +17,7 @@ struct race_frame {
     const char *function; /* "": not known */
     const char *file;     /* without its folder; "": not known */
     int line;
+    bool in_layer; /* guest/layer.h */
 };
 
 struct race_report_side {
@@ -31,7 +33,10 @@ struct race_report_side {
 
 struct race_report {
     enum race_what what;
-    const char *variable;            /* "": not known */
+    const char *variable;          /* "": not known */
+    const struct node_image *file; /* of the instance: its program, and the memory's offset in it */
+    uintptr_t offset;
+    size_t group; /* the index of the first race of the same static variable; its own if there is none */
     struct race_report_side side[2]; /* the handler's first; or of buffers: the call's whose buffer it is */
     bool first_came_later;           /* in the instance: side[0] after side[1] */
     const char *node;                /* of the instance: "node 3", "host" */
@@ -43,13 +48,15 @@ struct race_report {
 
 struct race_reports {
     struct race_report *list; /* in the order of the source */
-    size_t count;
+    size_t count, groups;
     size_t suppressed;
     uint64_t dropped; /* instances of which nothing else is known */
     bool checked;     /* a program was built with --races */
     struct race_texts *texts;
 };
 
+/* Is it about a buffer under way, and not about two accesses? */
+bool race_report_is_of_buffer(const struct race_report *r);
 /* Of a machine that has run. s: NULL, or what is not to be reported. */
 struct race_reports *race_reports_collect(const struct races *r, const struct race_suppressions *s);
 void race_reports_free(struct race_reports *t);

@@ -5,8 +5,8 @@
 #include <string.h>
 #include "guest/elffile.h"
 #include "guest/image.h"
+#include "guest/layer.h"
 #include "guest/source_data.h"
-#include "guest/source_line.h"
 #include "kernel/xalloc.h"
 
 struct found {
@@ -53,24 +53,16 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-static bool is_library(const char *path)
-{
-    return strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/");
-}
-
 /* (The instruction before a return address is the call.) */
 static bool find(struct race_texts *t, const struct node_image *file, uint32_t returns,
                  struct race_frame *frame)
 {
-    const struct elf_file *elf = node_image_elf(file);
-    const char *name;
-    int line = 0;
-    const Elf64_Sym *s = elf_function_at(elf, returns - 1, &name);
-    char *path = elf->debug ? source_line(elf->bytes, elf->size, returns - 1, &line) : NULL;
-    bool in_program = !path || !is_library(path);
-    *frame =
-        (struct race_frame){race_text(t, s ? name : ""), race_text(t, path ? base_name(path) : ""), line};
-    free(path);
+    struct layer_place p = layer_place(node_image_elf(file), node_image_layer(file), returns - 1);
+    *frame = (struct race_frame){race_text(t, p.function), race_text(t, p.path ? base_name(p.path) : ""),
+                                 p.line, p.in_layer};
+    bool in_program = !p.path || !layer_is_library(p.path);
+    free(p.function);
+    free(p.path);
     return in_program;
 }
 
@@ -107,8 +99,10 @@ static size_t frame_of_site(struct race_texts *t, const struct node_races *r, ui
     const struct nxc_race_site *site = offset ? elf_at(elf, offset, sizeof *site) : NULL;
     if (!site)
         return 0;
-    *frame = (struct race_frame){site_text(t, elf, offset, site->function),
-                                 base_name(site_text(t, elf, offset, site->file)), site->line};
+    const char *function = site_text(t, elf, offset, site->function);
+    const char *path = site_text(t, elf, offset, site->file);
+    *frame = (struct race_frame){function, base_name(path), site->line,
+                                 layer_has(node_image_layer(r->file), function, path)};
     *variable = site_text(t, elf, offset, site->variable);
     return 1;
 }
@@ -127,18 +121,60 @@ static uint32_t callers(struct race_texts *t, const struct node_image *file, con
     return i + 1;
 }
 
+/* Where the code that tells of an access jumps back to, right behind the access's check (race_code.cc of the
+ * plugin): the code itself stands apart, and no debugging information is about it. 0: it is not such code. */
+static uint32_t told_at(const struct elf_file *elf, uint32_t returns)
+{
+    static const unsigned char DROPS[] = {0x59, 0x48, 0x8d, 0x64, 0x24, 0x10}; /* POPQ %rcx; LEAQ 16(%rsp) */
+    const unsigned char *code = elf_at(elf, returns, sizeof DROPS + 5);
+    int32_t away;
+    if (!code)
+        return 0;
+    if (memcmp(code, DROPS, sizeof DROPS) == 0)
+        code += sizeof DROPS, returns += sizeof DROPS;
+    if (*code == 0xeb) /* JMP, a short one */
+        return returns + 2 + (uint32_t)(signed char)code[1];
+    memcpy(&away, code + 1, sizeof away);
+    return *code == 0xe9 ? returns + 5 + (uint32_t)away : 0;
+}
+
+/* Names, in place of a site of the layer that GCC has inlined, the function around it. */
+static void leave_inlined(struct race_texts *t, const struct node_image *file, uint32_t returns,
+                          struct race_frame *site)
+{
+    uint32_t at = site->in_layer ? told_at(node_image_elf(file), returns) : 0;
+    struct race_frame around;
+    if (at && race_text_of_call(t, file, at, &around) && !around.in_layer)
+        *site = around;
+}
+
+/* Drops the frames inside of the one that reports name (guest/layer.h); returns how many are left. */
+static size_t drop_layer(struct race_frame frames[], size_t depth)
+{
+    size_t in = 0;
+    while (in < depth && frames[in].in_layer)
+        in++;
+    if (in == depth)
+        return depth;
+    memmove(frames, frames + in, (depth - in) * sizeof *frames);
+    return depth - in;
+}
+
 size_t race_text_of_place(struct race_texts *t, const struct node_races *r, uint32_t place,
                           struct race_frame frames[RACE_MOST_FRAMES], const char **variable)
 {
     const struct race_place *p = race_places_at(r->places, place);
     *variable = "";
     size_t depth = frame_of_site(t, r, p->site, frames, variable);
-    for (uint32_t i = depth ? callers(t, r->file, p) : 0; i < p->depth && depth < RACE_MOST_FRAMES; i++)
+    uint32_t i = depth ? callers(t, r->file, p) : 0;
+    if (depth && i <= p->depth)
+        leave_inlined(t, r->file, p->stack[i - 1], frames);
+    for (; i < p->depth && depth < RACE_MOST_FRAMES; i++)
         if (race_text_of_call(t, r->file, p->stack[i], &frames[depth]))
             depth++;
     if (!depth)
-        frames[depth++] = (struct race_frame){"", "", 0};
-    return depth;
+        frames[depth++] = (struct race_frame){"", "", 0, false};
+    return drop_layer(frames, depth);
 }
 
 /* (Texts that are equal are one.) */

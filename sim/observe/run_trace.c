@@ -31,6 +31,8 @@ static json_t *head(const struct machine *m, const struct run_trace_options *o)
     json_set(root, "settings", json_texts(m->sys.cfg->set));
     json_set(root, "nodes", json_integer(machine_nodes(m)));
     json_set(root, "network", network(&m->sys.topo));
+    if (m->options.layer)
+        json_set(root, "layer", json_texts(m->options.layer));
     if (o->nodes)
         json_set(root, "traced", traced);
     else

@@ -3,8 +3,7 @@
 #include "lp/clock.h"
 #include "lp/engine.h"
 #include "node/system.h"
-#include "os/node_record.h"
-#include "os/path_times.h"
+#include "os/observer.h"
 #include "os/share.h"
 
 static void add(struct node *n, enum node_task task, vtime t)
@@ -16,8 +15,7 @@ static void add(struct node *n, enum node_task task, vtime t)
 void node_account(struct node *n, enum node_task task, vtime t)
 {
     add(n, task, t);
-    if (n->path_times)
-        path_times_add(n, t, 0);
+    ANNOUNCE(n, charged, t, 0, false);
     share_use(n, t);
 }
 
@@ -25,8 +23,7 @@ void charge_undo(struct node *n, enum node_task task, vtime t)
 {
     n->times.tasks[task] -= t;
     n->times.system -= t;
-    if (n->path_times)
-        path_times_add(n, -t, 0);
+    ANNOUNCE(n, charged, -t, 0, false);
 }
 
 vtime node_system_time(const struct node *n, vtime t)
@@ -46,10 +43,7 @@ static void steal(struct node *n, enum node_task task, vtime t)
     if (computes)
         clock_steal(&n->lp, t);
     add(n, task, t);
-    if (n->path_times && computes)
-        path_times_add_interrupt(n, t);
-    else if (n->path_times)
-        path_times_add(n, t, 0);
+    ANNOUNCE(n, charged, t, 0, computes);
 }
 
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
@@ -59,7 +53,7 @@ vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vti
     n->sys_free = vt_max(at, n->sys_free) + t;
     enum node_task what = task == PROTOCOL_SEND ? NODE_SENDING : NODE_RECEIVING;
     steal(n, what, t);
-    RECORD(n, system, what, n->sys_free, t);
+    ANNOUNCE(n, system, what, n->sys_free, t);
     return n->sys_free;
 }
 
@@ -69,7 +63,7 @@ void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtim
     enum node_task what = task == PROTOCOL_SEND ? NODE_FEEDING : NODE_EMPTYING;
     t = node_system_time(n, t);
     steal(n, what, t);
-    RECORD(n, system, what, at + t, t);
+    ANNOUNCE(n, system, what, at + t, t);
 }
 
 /* --- waiting --- */
@@ -86,9 +80,8 @@ void charge_wait_ends(struct node *n, vtime t)
     if (overlapped)
         n->times.system -= overlapped, n->stats.overlapped += overlapped;
     n->stats.idle += idle;
-    RECORD(n, waited, n->lp.blocked_since, t, waited - idle);
-    if (n->path_times)
-        path_times_add(n, -overlapped, idle);
+    ANNOUNCE(n, waited, n->lp.blocked_since, t, waited - idle);
+    ANNOUNCE(n, charged, -overlapped, idle, false);
     if (idle)
         waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
 }

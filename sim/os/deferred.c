@@ -9,8 +9,7 @@
 #include "os/charge.h"
 #include "os/match.h"
 #include "os/memory.h"
-#include "os/node_record.h"
-#include "os/path_times.h"
+#include "os/observer.h"
 #include "os/unexpected.h"
 #include "os/gate.h"
 
@@ -64,9 +63,7 @@ void deferred_begin(struct node *n)
     if (n->heap_moved)
         n->cold->calls.memory[i] = node_memory_now(n);
     n->heap_moved = false;
-    if (n->path_times)
-        n->cold->calls.path[i] = path_times_now(n);
-    RECORD(n, deferred);
+    ANNOUNCE(n, deferred);
 }
 
 /* Nothing reaches the node before the call that has waited is committed: its program knows what is in its
@@ -95,7 +92,7 @@ void deferred_resume_caller(struct node *n)
     if (p->count == 0) { /* it is committed */
         deferred_begin(n);
         p->begun = n->call_since;
-        RECORD(n, deferred_again);
+        ANNOUNCE(n, deferred_again);
     }
     p->open = true;
     struct deferred_call *c = open_call(n);
@@ -245,19 +242,6 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
     }
 }
 
-/* What is charged from now on belongs to the i-th call, not to that which the program has come to; to the
- * latter. */
-static void charge_call(struct node *n, uint32_t i)
-{
-    if (n->path_times)
-        path_times_charge(n, n->cold->calls.path[index_of(n, i)], nth(n, i)->name);
-}
-static void charge_program(struct node *n)
-{
-    if (n->path_times)
-        path_times_charge_program(n);
-}
-
 /* The call's commit time: hands over what it has to. */
 static void begin(struct node *n, struct deferred_call *c, vtime now)
 {
@@ -267,9 +251,9 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
     if (c->posts)
         match_post(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends) {
-        charge_call(n, 0);
+        ANNOUNCE(n, charges_deferred, 0);
         match_send(n, message_of(n, 0), now + c->spent);
-        charge_program(n);
+        ANNOUNCE(n, charges_program);
     }
 }
 
@@ -290,7 +274,7 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
     struct deferred *p = &n->deferred;
     if (p->begun == VT_NEVER) {
         vtime done = c->resumes_caller ? handed_over(n, 0) : 0;
-        RECORD(n, committed, now);
+        ANNOUNCE(n, committed, now);
         begin(n, c, now);
         if (c->resumes_caller) {
             p->commits = done + p->shift;
@@ -299,12 +283,12 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
             return;
         }
     } else {
-        RECORD(n, resumed, now, now + copying(n, c));
+        ANNOUNCE(n, resumed, now, now + copying(n, c));
         if (c->consumes_message)
             take(n, c, now);
     }
     clock_note_committed(&n->lp, c->units);
-    RECORD(n, popped);
+    ANNOUNCE(n, popped);
     pop(n);
 }
 
@@ -349,7 +333,7 @@ static void unsend(struct node *n, const struct deferred_call *c, struct message
 static void unmake(struct node *n)
 {
     struct deferred_call *c = last(n);
-    charge_call(n, n->deferred.count - 1);
+    ANNOUNCE(n, charges_deferred, n->deferred.count - 1);
     if (c->consumes_message)
         put_back(n, c);
     if (c->has_message)
@@ -357,13 +341,13 @@ static void unmake(struct node *n)
     if (c->selected && c->receive->m)
         match_withdraw(n, c->receive);
     charge_undo(n, NODE_CALL, c->spent);
-    charge_program(n);
+    ANNOUNCE(n, charges_program);
 }
 
 void deferred_undo(struct node *n)
 {
     struct deferred *p = &n->deferred;
-    RECORD(n, rolled_back);
+    ANNOUNCE(n, rolled_back);
     for (; p->count; p->count--)
         unmake(n);
     p->selects = false;

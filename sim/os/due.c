@@ -6,8 +6,8 @@
 #include "lp/engine.h"
 #include "net/protocol.h"
 #include "node/system.h"
-#include "os/numbering.h"
-#include "os/orders.h"
+#include "os/observer.h"
+#include "os/order_policy.h"
 
 struct due due_take(struct mailbox *b)
 {
@@ -42,7 +42,7 @@ void due_add(struct node *n, vtime at, struct receive *r, struct send *s)
     lp_synchronise(&n->lp);
     vtime late = lateness(n);
     at += late;
-    NUMBER(n, due, at, late);
+    ANNOUNCE(n, handler_due, at, late);
     struct mailbox *b = &n->mailbox;
     struct due *d = xmalloc(sizeof *d);
     *d = (struct due){.at = at, .receive = r, .send = s, .next = d};
@@ -60,7 +60,8 @@ bool due_may_interrupt(const struct node *n)
 vtime due_next(const struct node *n)
 {
     const struct due *first = due_first(&n->mailbox);
-    if (first && orders_are_kept(n->sys) && !orders_let_handler_run(n))
+    const struct order_policy *orders = order_policy_of(n);
+    if (first && orders && !orders->lets_handler_run(n))
         return VT_NEVER; /* it waits for a call */
     return first ? vt_max(first->at, clock_when(&n->lp, n->share_until)) : VT_NEVER;
 }
@@ -68,6 +69,7 @@ vtime due_next(const struct node *n)
 bool due_now(const struct node *n, vtime now)
 {
     const struct due *first = due_first(&n->mailbox);
+    const struct order_policy *orders = order_policy_of(n);
     return first && first->at <= now && !n->masked && !n->in_handler &&
-           (!orders_are_kept(n->sys) || orders_let_handler_run(n));
+           (!orders || orders->lets_handler_run(n));
 }

@@ -5,7 +5,7 @@
 #include "os/charge.h"
 #include "os/gate.h"
 #include "os/match.h"
-#include "os/node_record.h"
+#include "os/observer.h"
 
 static void has_ended(struct node *n, enum node_end how, int code, vtime at)
 {
@@ -13,7 +13,7 @@ static void has_ended(struct node *n, enum node_end how, int code, vtime at)
     n->exit_code = code;
     lp_end(&n->lp);
     n->stats.ended_at = at;
-    RECORD(n, end, at);
+    ANNOUNCE(n, ends, at);
     n->sys->running--;
     if (n->sys->cube)
         match_abandon(n); /* another program may come */

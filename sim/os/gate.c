@@ -14,8 +14,7 @@
 #include "os/match.h"
 #include "os/memory.h"
 #include "os/order.h"
-#include "os/node_record.h"
-#include "os/race_hooks.h"
+#include "os/observer.h"
 #include "lp/clock.h"
 #include "node/self.h"
 
@@ -53,7 +52,7 @@ static void await_commit(struct node *n)
     n->call_since = VT_NEVER; /* the program has not come to the call */
     node_order(n);
     n->call_since = node_now(n);
-    RECORD(n, call_begins);
+    ANNOUNCE(n, call_begins);
     while (handlers_run(n, false))
         node_order(n);
     node_memory_settle(n);
@@ -70,9 +69,9 @@ void node_enter(struct node *n, const char *call)
 static bool may_defer(const struct node *n)
 {
     const struct node_system *s = n->sys;
-    return !n->lp.offloaded && !n->armed && !n->races && !n->asan && !n->is_host && !s->schedule.stop &&
+    return !n->lp.offloaded && !n->armed && !n->in_order && !n->asan && !n->is_host && !s->schedule.stop &&
            n->call_since <= s->schedule.max_time && !n->lp.clock.stolen && !s->cube && !s->flushes &&
-           !s->numbering && deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
+           deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
            !lp_is_passed(&n->lp, n->call_since);
 }
 
@@ -88,8 +87,7 @@ void node_enter_early(struct node *n, const char *call)
 void node_leave(struct node *n)
 {
     clock_sync(&n->lp);
-    RECORD(n, call_ends);
-    RACES(n, computes);
+    ANNOUNCE(n, call_ends);
     n->call = NULL;
     if (!n->deferred.open) {
         node_memory_settle(n);
@@ -173,11 +171,11 @@ static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg)
     return n->lp.blocked_since != VT_NEVER;
 }
 
-/* Is what the call waits for there already, so that the program can go on with it? Nothing may reach the node
+/* Can the program go on with what the call waits for, which is there already? Nothing may reach the node
  * before the call's commit time, nor may the call itself make room for others' messages. */
-static bool may_resume_early(struct node *n, vtime now, bool (*ready)(struct node *n, void *arg), void *arg)
+static bool may_resume_early(const struct node *n, vtime now)
 {
-    return ready(n, arg) && may_defer(n) && now <= n->sys->schedule.max_time && !match_may_grant(n) &&
+    return may_defer(n) && now <= n->sys->schedule.max_time && !match_may_grant(n) &&
            lp_is_alone(&n->lp, now);
 }
 
@@ -186,15 +184,16 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     struct lp *lp = &n->lp;
     vtime now = clock_sync(lp);
     n->deferred.open = false;
-    bool yields = order_must_yield(n, now), early = n->hands_over;
-    if (yields && early && may_resume_early(n, now, ready, arg)) {
+    bool yields = order_must_yield(n, now), early = yields && n->hands_over,
+         is_ready = early && ready(n, arg);
+    if (is_ready && may_resume_early(n, now)) {
         deferred_resume_caller(n);
         return;
     }
     n->hands_over = false;
     lp_begin_wait(lp);
     if (yields) {
-        if (early && !n->armed && !n->is_host && lp_may_block_lazily(lp, now) && !ready(n, arg))
+        if (early && !is_ready && !n->armed && !n->is_host && lp_may_block_lazily(lp, now))
             lp_block_lazily(lp);
         else
             lp_prepare_yield(lp, now);

@@ -13,11 +13,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "os/order.h"
-#include "os/livelock.h"
-#include "os/node_record.h"
-#include "os/numbering.h"
-#include "os/path_times.h"
-#include "os/race_hooks.h"
+#include "os/observer.h"
 #include "os/share.h"
 
 void mailbox_post_handler(struct node *n, const struct receive *what)
@@ -53,24 +49,19 @@ static vtime delay(struct node *n, vtime due)
     return n->lp.clock.units == n->opened.units || from > now ? 0 : now - from;
 }
 
-/* Runs the first handler that is due, and returns which one that was, for reports. */
-static struct livelock_handler run_first(struct node *n)
+/* Runs the first handler that is due. */
+static void run_first(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
     struct due d = due_take(b);
     struct node_info before = n->info;
-    struct nxc_path *path = n->path_times ? path_times_handler_begins(n) : NULL;
     b->handlers--;
     n->stats.handlers++;
     n->stats.latest = vt_max(n->stats.latest, delay(n, d.at));
     n->in_handler = true;
-    RECORD(n, handler_begins, d.at);
-    NUMBER(n, handler, d.at, d.receive);
-    RACES(n, handler_begins, d.receive, d.send);
+    ANNOUNCE(n, handler_begins, &d);
 
     mailbox_handler *handler = d.receive ? d.receive->handler : d.send->handler;
-    struct livelock_handler which = {
-        .handler = handler, .sends = !d.receive, .type = d.receive ? d.receive->select.type : 0};
     long param = d.receive ? d.receive->param : d.send->param;
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps / 2);
     if (!d.receive)
@@ -84,36 +75,30 @@ static struct livelock_handler run_first(struct node *n)
     node_enter(n, "(the end of a handler)");
     node_spend_on(n, NODE_INTERRUPT, n->sys->cfg->interrupt_ps - n->sys->cfg->interrupt_ps / 2);
 
-    RECORD(n, handler_ends);
-    RACES(n, handler_ends);
-    if (path)
-        path_times_handler_ends(n, path);
+    ANNOUNCE(n, handler_ends);
     n->in_handler = false;
     handlers_open(n);
     n->info = before;
-    livelock_progress(n, NULL);
-    return which;
 }
 
 /* The same, inside a call: afterwards reports tell of that call again, not of those that the handler has
  * made. */
-static struct livelock_handler run_within(struct node *n)
+static void run_within(struct node *n)
 {
     const char *call = n->call;
     long type = n->call_type, awaited = n->awaited;
     bool has_type = n->call_has_type, awaits = n->awaits, hands_over = n->hands_over;
     vtime since = n->call_since;
-    struct livelock_handler which = run_first(n);
+    run_first(n);
     n->call = call, n->call_type = type, n->call_has_type = has_type, n->call_since = since;
     n->awaited = awaited, n->awaits = awaits, n->hands_over = hands_over;
-    return which;
 }
 
 bool handlers_mask(struct node *n, bool masked)
 {
     bool before = n->masked;
     n->masked = masked;
-    RACES(n, masks, masked);
+    ANNOUNCE(n, masks, masked);
     return before;
 }
 
@@ -122,10 +107,10 @@ bool handlers_mask(struct node *n, bool masked)
 static void interrupt(struct node *n)
 {
     vtime begun = node_now(n);
-    struct livelock_handler which = run_within(n);
+    run_within(n);
     vtime ended = node_now(n), stood = ended - begun;
     n->stats.stood += stood;
-    livelock_interrupted(n, &which, begun, ended);
+    ANNOUNCE(n, interrupted, begun, ended);
     share_give(n, stood);
 }
 

@@ -11,11 +11,8 @@
 #include "nx_api/contract/backend.h"
 #include "os/asan_hooks.h"
 #include "os/match.h"
-#include "os/node_record.h"
-#include "os/taken.h"
-#include "os/numbering.h"
-#include "os/orders.h"
-#include "os/race_hooks.h"
+#include "os/observer.h"
+#include "os/order_policy.h"
 #include "os/unexpected.h"
 #include "os/fail.h"
 
@@ -26,21 +23,21 @@ struct mailbox_ids *mailbox_ids(const struct node *n)
 
 void mailbox_post(struct node *n, struct receive *r)
 {
-    if (r->select.node >= 0)
-        n->names_senders = true;
-    RACES(n, posts, r);
+    ANNOUNCE(n, posts, r);
+    if (r->select.type < 0 || r->select.node >= 0 || r->handler)
+        ANNOUNCE(n, posts_special, r);
     front_post(n, r);
 }
 
 void mailbox_withdraw(struct node *n, struct receive *r)
 {
-    RACES(n, withdraws, r);
+    ANNOUNCE(n, withdraws, r);
     match_withdraw(n, r);
 }
 
 bool mailbox_complete(struct node *n, const struct receive *r)
 {
-    if (!r->m || r->complete > node_now(n))
+    if (!r->m || r->complete > n->lp.clock.now) /* which stands still: the program is in a call */
         return false;
     prefetch_pair(r->m); /* it is read soon, and is in no cache */
     return true;
@@ -50,23 +47,20 @@ long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
     m->too_long = !matching_fits(r);
-    RACES(n, takes, r);
     if (!m->too_long)
         ASAN_CALL(n, true, r->buf, m->bytes);
     long result = matching_take(n, r);
+    ANNOUNCE(n, takes, r);
     r->m = NULL;
     m->receive = NULL;
-    RECORD(n, takes, m);
-    if (taken_matters(n, r))
-        taken_note(n, r, m);
-    NUMBER(n, take, r);
     front_received(n, m);
     return result;
 }
 
 const struct message *mailbox_probe(struct node *n, const struct selector *select)
 {
-    const struct message *m = orders_are_kept(n->sys) ? orders_probe(n, select) : unexpected_first(n, select);
+    const struct order_policy *orders = order_policy_of(n);
+    const struct message *m = orders ? orders->probe(n, select) : unexpected_first(n, select);
     return m && m->whole && m->complete <= node_now(n) ? m : NULL;
 }
 
@@ -78,6 +72,7 @@ void mailbox_drop(struct receive *r)
 
 void mailbox_unfollow(struct send *s)
 {
-    RACES(node_self(), sent, s);
+    struct node *n = node_self();
+    ANNOUNCE(n, sent, s);
     match_unfollow(s);
 }

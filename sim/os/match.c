@@ -5,20 +5,16 @@
 #include "node/system.h"
 #include "os/charge.h"
 #include "os/due.h"
-#include "os/history.h"
 #include "os/memory.h"
-#include "os/livelock.h"
-#include "os/taken.h"
-#include "os/numbering.h"
-#include "os/orders.h"
+#include "os/observer.h"
+#include "os/order_policy.h"
 #include "os/unexpected.h"
 #include "nx_api/contract/matching.h"
 
-void match_begin(struct node *n, struct id_block *ids)
+void match_begin(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
     *b = (struct mailbox){0};
-    ids_begin(&b->ids, ids);
     posted_begin(&b->posted);
     unexpected_begin(n);
 }
@@ -50,8 +46,6 @@ void match_end(struct node *n)
     due_free(b);
     free_posted(b);
     ids_end(&b->ids); /* receives posted are in there */
-    free(n->cold->taken);
-    n->cold->taken = NULL;
 }
 
 /* --- system buffers --- */
@@ -95,7 +89,7 @@ static void unbuffer(struct node *n, struct message *m, vtime now)
 
 static void give(struct node *n, struct receive *r, struct message *m)
 {
-    NUMBER(n, give, r, m);
+    ANNOUNCE(n, gives, r, m);
     r->m = m;
     r->complete = m->arrived ? m->complete : VT_NEVER;
     m->receive = r;
@@ -108,14 +102,15 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
     if (m->unwanted)
         return true;
     lp_synchronise(&n->lp);
-    NUMBER(n, came, m, now);
-    struct receive *r = orders_are_kept(n->sys) ? orders_take_posted(n, m) : posted_take(n, &b->posted, m);
+    ANNOUNCE(n, envelope, m, now);
+    const struct order_policy *orders = order_policy_of(n);
+    struct receive *r = orders ? orders->take_posted(n, m) : posted_take(n, &b->posted, m);
     if (r) {
         give(n, r, m);
         return true;
     }
     if (m->forced) {
-        taken_note_loss(n, m, TAKEN_AS_FORCED, now);
+        ANNOUNCE(n, loses, m, false, now);
         return false;
     }
     unexpected_add(n, m);
@@ -128,20 +123,15 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
     return true;
 }
 
-void match_arrived(void *ctx, struct message *m, vtime now)
+void match_arrived(void *ctx, struct message *m)
 {
-    struct node_system *sys = ctx;
-    struct node *n = node_at(sys, m->to);
+    struct node *n = node_at(ctx, m->to);
     struct receive *r = m->receive;
     if (r)
         r->complete = m->complete;
     else if (!m->unwanted)
         unexpected_has_arrived(n, m);
-    sys->messages++;
-    sys->bytes += m->bytes;
-    history_add(sys, m, now);
-    sys->types_come[node_type_hash(m->type) / 64] |= UINT64_C(1) << node_type_hash(m->type) % 64;
-    livelock_progress(n, m);
+    ANNOUNCE(n, arrives, m);
     if (m->unwanted)
         protocol_message_free(m);
     else if (r && r->handler)
@@ -192,7 +182,7 @@ vtime match_send_late(const struct node *n)
 vtime match_send(struct node *n, struct message *first, vtime now)
 {
     vtime begun = now, late = match_send_late(n);
-    NUMBER(n, send, first, now + match_send_time(n, first), late);
+    ANNOUNCE(n, hands_over, first, now + match_send_time(n, first), late);
     for (struct message *m = first, *next; m; m = next) {
         next = m->next;
         now += match_send_time(n, m);
@@ -206,8 +196,8 @@ vtime match_send(struct node *n, struct message *first, vtime now)
 
 void match_post(struct node *n, struct receive *r, vtime now)
 {
-    NUMBER(n, post, r, now);
-    struct message *m = orders_are_kept(n->sys) ? orders_unexpected(n, r) : unexpected_first(n, &r->select);
+    const struct order_policy *orders = order_policy_of(n);
+    struct message *m = orders ? orders->unexpected(n, r) : unexpected_first(n, &r->select);
     if (!m) {
         posted_append(&n->mailbox.posted, r);
         return;
@@ -230,7 +220,6 @@ void match_put_back(struct node *n, struct message *m)
 
 void match_withdraw(struct node *n, struct receive *r)
 {
-    NUMBER(n, withdraw, r);
     if (posted_remove(&n->mailbox.posted, r))
         return;
     struct message *m = r->m;
@@ -270,7 +259,7 @@ static void throw_away_all(struct node *n, struct message *list, int64_t typesel
         next = m->next;
         if (!mailbox_selects(typesel, m->type))
             continue;
-        taken_note_loss(n, m, TAKEN_BY_FLUSH, now);
+        ANNOUNCE(n, loses, m, true, now);
         unexpected_take(n, m);
         throw_away(n, m, now);
     }
@@ -316,7 +305,7 @@ void match_abandon(struct node *n)
          m = protocol_next_to(m))
         if (m->receive)
             drop_receive(m);
-    NUMBER(n, end);
+    ANNOUNCE(n, abandons);
     due_free(b);
     free_posted(b);
     posted_begin(&b->posted);

@@ -13,8 +13,7 @@
 #include "net/protocol.h"
 #include "node/node.h"
 
-/* With room for its first ids, for as long as there is the node. */
-void match_begin(struct node *n, struct id_block *ids);
+void match_begin(struct node *n);
 void match_end(struct node *n);
 
 /* Throws away the unexpected messages that typesel selects, also those still under way whose envelope has
@@ -57,5 +56,5 @@ bool match_ignores(const struct node *n);
 /* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
 bool match_envelope(void *ctx, struct message *m, vtime now);
 void match_sent(void *ctx, struct message *m, vtime now);
-void match_arrived(void *ctx, struct message *m, vtime now);
+void match_arrived(void *ctx, struct message *m);
 #endif

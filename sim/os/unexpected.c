@@ -84,7 +84,8 @@ static void remove_whole(struct node *n, struct message *m)
     }
 }
 
-static struct message *first_of_type(const struct node *n, const struct selector *select)
+static __attribute__((noinline)) struct message *first_of_type(const struct node *n,
+                                                               const struct selector *select)
 {
     for (uint32_t i = 0;; i++) {
         struct message *m = queues_at(n->by_type, (uint32_t)select->type, i);
@@ -142,6 +143,8 @@ void unexpected_has_arrived(struct node *n, const struct message *m)
 
 struct message *unexpected_first(const struct node *n, const struct selector *select)
 {
+    if (!n->mailbox.whole && !n->coming)
+        return NULL; /* as most often */
     bool one_type = n->by_type && select->type >= 0 && select->type <= INT32_MAX;
     struct message *m = one_type ? first_of_type(n, select) : matching_first(n, select, n->mailbox.whole);
     return m ? m : matching_first(n, select, n->coming);

@@ -27,6 +27,8 @@
  * of a node are taken to run in this run's order for those who hear of them; but what a handler itself has
  * heard of the main program is known for each run.
  *
+ * What a handler's run puts back as it found it does not race: races/race_restored.h.
+ *
  * When nothing is to be told. Before a handler is posted no access can race with one: whoever posts it has
  * made all these accesses before, and each run of a handler is ordered behind its posting. The same is so
  * again when no handler is posted or due, and the main program has heard of the last that ran: all that
@@ -40,10 +42,12 @@
 #include "net/protocol.h"
 #include "node/node.h"
 #include "nx_api/contract/races.h"
+#include "os/observer.h"
 #include "races/race_clock.h"
 #include "races/race_findings.h"
 #include "races/race_flights.h"
 #include "races/race_places.h"
+#include "races/race_restored.h"
 #include "races/race_shadow.h"
 
 struct races;
@@ -58,6 +62,7 @@ struct race_moment {
 };
 
 struct node_races {
+    struct observer observer; /* first */
     struct races *all;
     struct node_races *next;
     const struct node_image *file;
@@ -97,6 +102,7 @@ struct node_races {
     struct race_places *places;
     struct race_flights flights;
     struct race_findings findings;
+    struct race_restored restored; /* by the present run */
 };
 
 /* What a message carries: what its sender was, and had heard of. */
@@ -117,6 +123,14 @@ struct races {
 };
 
 /* --- race_strands.c --- */
+
+extern const struct announcements race_observer;
+
+/* NULL: the node's program was built without --races. */
+static inline struct node_races *races_of(const struct node *n)
+{
+    return (struct node_races *)observer_of(n, &race_observer);
+}
 
 /* The main program's epoch for what it does now. */
 uint64_t race_main_epoch(struct node_races *r);

@@ -17,7 +17,9 @@ struct accessor {
     bool updates;                     /* a write of a value that was computed from what was read here */
     const struct nxc_race_site *site; /* NULL: a call's */
     const void *frame;
-    uintptr_t object; /* where the bytes begin */
+    uintptr_t object;           /* where the bytes begin */
+    bool small;                 /* they are one of the program's objects, of at most RACE_RESTORED_BYTES */
+    struct race_before *before; /* a handler's: the word, if its races have to wait */
 };
 
 static bool writes(enum race_kind k)
@@ -58,10 +60,16 @@ static struct race_side side_then(const struct node_races *r, enum race_kind kin
                               handler ? race_run_moment(r, x.epoch) : race_main_moment(r, x.epoch)};
 }
 
+static struct race_finding finding(struct accessor *a, enum race_what what, struct race_side earlier,
+                                   uintptr_t at)
+{
+    return (struct race_finding){
+        .what = what, .earlier = earlier, .later = side_now(a), .offset = at - (uintptr_t)a->n->program};
+}
+
 static void found(struct accessor *a, enum race_what what, struct race_side earlier, uintptr_t at)
 {
-    struct race_finding f = {
-        .what = what, .earlier = earlier, .later = side_now(a), .offset = at - (uintptr_t)a->n->program};
+    struct race_finding f = finding(a, what, earlier, at);
     race_findings_add(&a->r->findings, &f);
 }
 
@@ -82,7 +90,11 @@ static bool is_excused(struct race_access a, struct race_access b)
 static void race(struct accessor *a, enum race_kind kind, struct race_access other, uintptr_t at)
 {
     enum race_what what = a->as.is_volatile && other.is_volatile ? RACE_OF_UPDATE : RACE_OF_ACCESSES;
-    found(a, what, side_then(a->r, kind, other), at);
+    struct race_finding f = finding(a, what, side_then(a->r, kind, other), at);
+    if (a->before)
+        race_restored_wait(&a->r->restored, a->before, &f);
+    else
+        race_findings_add(&a->r->findings, &f);
 }
 
 /* One of the two writes what the other reads, and they exclude each other: the later one hears of the
@@ -180,7 +192,7 @@ static void meet_handler(struct accessor *a, const struct race_cell *c, enum rac
         return;
     if (a->kind >= RACE_MASKED_READ || is_excused(a->as, other))
         flow(a, kind, other);
-    else
+    else if (!other.restored)
         race(a, kind, other, at);
 }
 
@@ -202,7 +214,7 @@ static void find_update(struct accessor *a, const struct race_cell *c, unsigned 
     a->as.updates = true;
     read = masked.epoch > read.epoch ? masked : read;
     if (read.raced && overlaps(handlers, bytes) && handlers.is_volatile && !handlers.excused &&
-        !a->as.excused)
+        !handlers.restored && !a->as.excused)
         race(a, RACE_HANDLER_WRITE, handlers, at);
 }
 
@@ -250,7 +262,8 @@ static __attribute__((noinline)) void access_word(struct accessor *a, struct rac
                                                   uintptr_t at)
 {
     struct race_access *last = &c->of[a->kind];
-    a->as.updates = a->as.raced = a->as.flowed = false;
+    a->as.updates = a->as.raced = a->as.flowed = a->as.restored = false;
+    a->before = is_handlers(a->kind) ? race_restored_word(a->r, a->n, c, at, a->small) : NULL;
     if (is_handlers(a->kind))
         meet_as_handler(a, c, bytes, at);
     else
@@ -258,6 +271,7 @@ static __attribute__((noinline)) void access_word(struct accessor *a, struct rac
     place_of(a);
     if (last->epoch == a->as.epoch) {
         a->as.flowed |= last->flowed;
+        a->as.restored |= last->restored;
         bytes |= last->place == a->as.place ? last->bytes : 0;
     }
     *last = a->as;
@@ -373,7 +387,7 @@ static void access_memory(struct accessor *a, uintptr_t at, size_t bytes)
  * begun one. */
 static inline struct accessor accessor(struct node *n, bool write, bool is_volatile, bool excused)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = races_of(n);
     bool handler = r->handlers.runs, waits = !write && (is_volatile || excused);
     enum race_kind kind = handler ? RACE_HANDLER_READ : n->masked ? RACE_MASKED_READ : RACE_MAIN_READ;
     uint64_t epoch = handler ? r->handlers.run : waits ? r->main.epoch : race_main_epoch(r);
@@ -399,22 +413,26 @@ static inline __attribute__((always_inline)) void tell(const void *address, size
     struct node *n = node_self();
     if (n->asan)
         asan_told(n, address, bytes, site, frame);
-    if (!n->races || !*n->races->on)
+    struct node_races *r = races_of(n);
+    if (!r || !*r->on)
         return;
     if (site->flags & NXC_RACE_UPDATE) {
-        n->races->main.updates = n->races->handlers.runs ? NULL : address;
+        r->main.updates = r->handlers.runs ? NULL : address;
         return;
     }
     bool is_volatile = site->flags & NXC_RACE_VOLATILE && bytes <= LARGEST_VOLATILE;
     bool excused = site->flags & (NXC_RACE_SPIN | NXC_RACE_IGNORE), write = site->flags & NXC_RACE_WRITE;
     struct accessor a = accessor(n, write, is_volatile, excused);
-    a.updates = write && is_volatile && n->races->main.updates == address;
-    n->races->main.updates = NULL;
+    a.updates = write && is_volatile && r->main.updates == address;
+    r->main.updates = NULL;
     a.site = site;
     a.frame = frame;
+    a.small = site->bytes && bytes <= RACE_RESTORED_BYTES;
+    if (a.kind == RACE_HANDLER_WRITE && a.small && r->restored.count)
+        race_restored_writes(r, (uintptr_t)address, bytes);
     access_memory(&a, (uintptr_t)address, bytes);
     if (is_volatile || excused)
-        n->races->main.released = true;
+        r->main.released = true;
 }
 
 void node_nxc_race_range(const void *address, size_t bytes, const struct nxc_race_site *site)
@@ -423,20 +441,22 @@ void node_nxc_race_range(const void *address, size_t bytes, const struct nxc_rac
 }
 
 /* Has the strand accessed this word so in this epoch? As is_known(), by one look at the word's cell: this
- * is what nearly all accesses come to. */
+ * is what nearly all accesses come to. (Whether a handler changes what it writes is to be looked at up to its
+ * first change.) */
 static inline bool is_known_word(const struct node_races *r, uintptr_t at, enum race_kind kind,
                                  uint64_t epoch, unsigned bytes)
 {
     const struct race_cell *c = race_shadow_quick(r->shadow, at);
     struct race_access x = c ? c->of[kind] : (struct race_access){0};
-    return x.epoch == epoch && (x.bytes & bytes) == bytes && !x.is_volatile && !x.excused;
+    return x.epoch == epoch && (x.bytes & bytes) == bytes && !x.is_volatile && !x.excused &&
+           (kind != RACE_HANDLER_WRITE || x.restored);
 }
 
 /* The same of one or two words of memory that no buffer under way touches. (If only buffers matter, of all
  * memory.) */
-static inline bool is_known_access(const struct node *n, uintptr_t at, const struct nxc_race_site *site)
+static inline bool is_known_access(const struct node *n, const struct node_races *r, uintptr_t at,
+                                   const struct nxc_race_site *site)
 {
-    const struct node_races *r = n->races;
     bool handler = r->handlers.runs;
     unsigned first = at % RACE_WORD;
     enum race_kind kind = handler ? RACE_HANDLER_READ : n->masked ? RACE_MASKED_READ : RACE_MAIN_READ;
@@ -457,7 +477,8 @@ static inline bool is_known_access(const struct node *n, uintptr_t at, const str
 void node_nxc_race_access(const void *address, const struct nxc_race_site *site)
 {
     const struct node *n = node_self();
-    if (!n->races || !is_known_access(n, (uintptr_t)address, site))
+    const struct node_races *r = races_of(n);
+    if (!r || !is_known_access(n, r, (uintptr_t)address, site))
         tell(address, site->bytes, site, __builtin_frame_address(0));
 }
 
@@ -465,13 +486,13 @@ void node_nxc_race_access(const void *address, const struct nxc_race_site *site)
 
 uint32_t race_place_in_call(struct node *n, const char *call, const void *frame)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = races_of(n);
     return race_places_here(r->places, n, NULL, call, r->handlers.runs ? r->handlers.posted : 0, frame);
 }
 
 void race_access_in_call(struct node *n, uintptr_t at, size_t bytes, bool write, uint32_t place)
 {
-    if (!n->races->tracks)
+    if (!races_of(n)->tracks)
         return;
     struct accessor a = accessor(n, write, false, false);
     a.as.place = place & PLACE_MASK;
@@ -481,7 +502,7 @@ void race_access_in_call(struct node *n, uintptr_t at, size_t bytes, bool write,
 
 void race_buffer_in_call(struct node *n, uintptr_t at, size_t bytes, bool receives, uint32_t place)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = races_of(n);
     const struct race_flight *f;
     struct accessor a = {.n = n, .r = r, .as = {.place = place & PLACE_MASK}};
     a.kind = (r->handlers.runs ? RACE_HANDLER_READ : RACE_MAIN_READ) + (receives ? 1 : 0);

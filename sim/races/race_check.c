@@ -15,6 +15,8 @@ struct races *races_new(void)
 
 static void free_parts(struct node_races *r)
 {
+    race_restored_give_up(&r->restored, &r->findings);
+    race_restored_free(&r->restored);
     race_clock_free(r->main.heard);
     race_clock_free(r->handlers.heard);
     r->main.heard = r->handlers.heard = NULL;
@@ -42,11 +44,12 @@ void races_free(struct races *all)
     free(all);
 }
 
-struct node_races *races_begin(struct races *all, struct node *n)
+void races_begin(struct races *all, struct node *n)
 {
     if (!n->image->races || n->asan)
-        return NULL;
+        return;
     struct node_races *r = xcalloc(1, sizeof *r);
+    r->observer.hears = &race_observer;
     r->all = all;
     r->file = n->file;
     r->number = n->is_host ? 0 : n->id + 1;
@@ -60,20 +63,32 @@ struct node_races *races_begin(struct races *all, struct node *n)
     r->places = race_places_new();
     *all->last = r;
     all->last = &r->next;
-    return r;
+    observer_add(n, &r->observer);
+}
+
+void races_over(struct races *all)
+{
+    for (struct node_races *r = all->nodes; r; r = r->next)
+        race_restored_give_up(&r->restored, &r->findings);
 }
 
 void races_end(struct node *n)
 {
-    free_parts(n->races);
-    n->races->gone = true;
+    struct node_races *r = races_of(n);
+    if (!r)
+        return;
+    observer_remove(n, &r->observer);
+    free_parts(r);
+    r->gone = true;
 }
 
 void races_succeed(struct node *n, const struct node *before)
 {
-    if (!n->races || !before->races)
+    struct node_races *r = races_of(n);
+    const struct node_races *old = races_of(before);
+    if (!r || !old)
         return;
-    n->races->main.epoch = before->races->main.epoch + 1;
-    n->races->handlers.run = before->races->handlers.run;
-    n->races->main.knows = n->races->handlers.run; /* of another program's handlers nothing is left */
+    r->main.epoch = old->main.epoch + 1;
+    r->handlers.run = old->handlers.run;
+    r->main.knows = r->handlers.run; /* of another program's handlers nothing is left */
 }

@@ -41,7 +41,8 @@ struct race_access {
     uint64_t raced : 1;               /* a read of a volatile object that the other's write could follow */
     uint64_t
         flowed : 1; /* a handler's read of what the main program had written while handlers were masked */
-    uint64_t unused : 1;
+    uint64_t restored : 1; /* a handler's, of what its run put back (races/race_restored.h); while the run
+                              goes on: of what it has changed */
 };
 _Static_assert(sizeof(struct race_access) == 8, "an access takes a word of the computer");
 

@@ -1,11 +1,11 @@
-/* race_strands.c - what orders a node's two strands: os/race_hooks.h. See node_races.h. */
+/* race_strands.c - what orders a node's two strands: as observed (os/observer.h). See node_races.h. */
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "net/protocol.h"
+#include "os/due.h"
 #include "os/order.h"
-#include "os/race_hooks.h"
 #include "races/node_races.h"
 
 /* --- epochs --- */
@@ -48,11 +48,16 @@ static void begin_run(struct node_races *r, vtime now)
     *m = (struct race_moment){r->handlers.run, now, r->handlers.knows};
 }
 
+static struct node_races *checker(struct observer *o)
+{
+    return (struct node_races *)o;
+}
+
 /* --- are accesses to be told? --- */
 
 static void set_on(struct node *n)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = races_of(n);
     bool tracks = n->mailbox.handlers || r->handlers.runs || r->main.knows < r->handlers.run;
     if (r->tracks && !tracks) {
         race_shadow_clear(r->shadow);
@@ -62,9 +67,9 @@ static void set_on(struct node *n)
     *r->on = tracks || r->flights.count;
 }
 
-void races_computes(struct node *n)
+static void hear_call_ends(struct observer *by, struct node *n)
 {
-    n->races->since = node_now(n);
+    checker(by)->since = node_now(n);
     set_on(n);
 }
 
@@ -162,7 +167,7 @@ static bool knows_something(const struct node_races *r)
 static void take_off(struct node *n, const void *key, const void *buf, size_t bytes, bool receives,
                      uint32_t place)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = races_of(n);
     uintptr_t begin = (uintptr_t)buf;
     race_flights_add(&r->flights, &(struct race_flight){.key = key,
                                                         .begin = begin,
@@ -180,48 +185,53 @@ static void take_off(struct node *n, const void *key, const void *buf, size_t by
 static void land(struct node *n, const void *key)
 {
     struct race_flight f;
-    if (!race_flights_remove(&n->races->flights, key, &f))
+    if (!race_flights_remove(&races_of(n)->flights, key, &f))
         return;
     race_clock_free(f.heard);
     set_on(n);
 }
 
-void races_sends(struct node *n, const void *buf, size_t bytes, struct message *first, const struct send *s)
+static void hear_sends(struct observer *by, struct node *n, const struct observed_send *what)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = checker(by);
+    const struct send *s = what->s;
+    uintptr_t buf = (uintptr_t)what->buf;
     bool lasts = s && s != &n->cold->own.send[0] && s != &n->cold->own.send[1];
     set_on(n);
     uint32_t place = *r->on || lasts ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
-    race_buffer_in_call(n, (uintptr_t)buf, bytes, false, place);
-    race_access_in_call(n, (uintptr_t)buf, bytes, false, place);
-    if (first && knows_something(r))
-        protocol_carry(first, &new_stamp(r)->cargo);
+    race_buffer_in_call(n, buf, what->bytes, false, place);
+    race_access_in_call(n, buf, what->bytes, false, place);
+    if (what->first && knows_something(r))
+        protocol_carry(what->first, &new_stamp(r)->cargo);
     if (lasts)
-        take_off(n, s, buf, bytes, false, place);
+        take_off(n, s, what->buf, what->bytes, false, place);
 }
 
-void races_sent(struct node *n, const struct send *s)
+static void hear_sent(struct observer *by, struct node *n, const struct send *s)
 {
+    (void)by;
     land(n, s);
 }
 
 /* --- receiving --- */
 
-void races_posts(struct node *n, const struct receive *r)
+static void hear_posts(struct observer *by, struct node *n, struct receive *r)
 {
+    (void)by;
     uint32_t place = race_place_in_call(n, n->call, __builtin_frame_address(0));
     race_buffer_in_call(n, (uintptr_t)r->buf, r->room, true, place);
     take_off(n, r, r->buf, r->room, true, place);
 }
 
-void races_withdraws(struct node *n, const struct receive *r)
+static void hear_withdraws(struct observer *by, struct node *n, struct receive *r)
 {
+    (void)by;
     land(n, r);
 }
 
-void races_takes(struct node *n, const struct receive *r)
+static void hear_takes(struct observer *by, struct node *n, struct receive *r)
 {
-    struct node_races *c = n->races;
+    struct node_races *c = checker(by);
     const struct message *m = r->m;
     uint32_t place;
     if (m->carries) {
@@ -240,11 +250,12 @@ void races_takes(struct node *n, const struct receive *r)
 
 /* --- handlers --- */
 
-void races_handler_begins(struct node *n, const struct receive *r, const struct send *s)
+static void hear_handler_begins(struct observer *by, struct node *n, const struct due *d)
 {
-    struct node_races *c = n->races;
+    struct node_races *c = checker(by);
     struct race_flight f = {0};
-    race_flights_remove(&c->flights, r ? (const void *)r : s, &f);
+    race_restored_give_up(&c->restored, &c->findings); /* the last was left by longjmp */
+    race_flights_remove(&c->flights, d->receive ? (const void *)d->receive : d->send, &f);
     c->handlers.runs = true;
     c->handlers.knows = c->handlers.told = f.now.main;
     memset(c->handlers.read, 0, sizeof c->handlers.read);
@@ -256,18 +267,19 @@ void races_handler_begins(struct node *n, const struct receive *r, const struct 
     set_on(n);
 }
 
-void races_handler_ends(struct node *n)
+static void hear_handler_ends(struct observer *by, struct node *n)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = checker(by);
+    race_restored_run_ends(r, n);
     r->handlers.runs = false;
     r->main.released = true;
     r->since = node_now(n);
     set_on(n);
 }
 
-void races_masks(struct node *n, bool masked)
+static void hear_masks(struct observer *by, struct node *n, bool masked)
 {
-    struct node_races *r = n->races;
+    struct node_races *r = checker(by);
     if (masked)
         return;
     r->main.released = true;
@@ -280,29 +292,46 @@ void races_masks(struct node *n, bool masked)
 
 /* --- the rest --- */
 
-void races_moves(struct node *n, bool write, const void *at, size_t bytes)
+static void hear_moves(struct observer *by, struct node *n, bool write, const void *at, size_t bytes)
 {
-    uint32_t place = *n->races->on ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
+    uint32_t place = *checker(by)->on ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
     race_buffer_in_call(n, (uintptr_t)at, bytes, write, place);
     race_access_in_call(n, (uintptr_t)at, bytes, write, place);
 }
 
-void races_freed(struct node *n, const void *at, size_t bytes)
+static void hear_freed(struct observer *by, struct node *n, const void *at, size_t bytes)
 {
-    if (n->races->flights.count)
+    if (checker(by)->flights.count)
         race_buffer_in_call(n, (uintptr_t)at, bytes, true,
                             race_place_in_call(n, "free", __builtin_frame_address(0)));
 }
 
-void races_allocated(struct node *n, const void *at, size_t bytes)
+static void hear_allocated(struct observer *by, struct node *n, const void *at, size_t bytes)
 {
-    if (at && n->races->tracks)
-        race_shadow_forget(n->races->shadow, (uintptr_t)at, bytes);
+    (void)n;
+    if (at && checker(by)->tracks)
+        race_shadow_forget(checker(by)->shadow, (uintptr_t)at, bytes);
 }
 
 void races_loaded(struct node *n, struct node *host)
 {
-    if (host->races)
-        race_hear(n->races, host->races->number, now(host->races),
-                  host->races->handlers.runs ? host->races->handlers.heard : host->races->main.heard);
+    struct node_races *r = races_of(n), *h = races_of(host);
+    if (r && h)
+        race_hear(r, h->number, now(h), h->handlers.runs ? h->handlers.heard : h->main.heard);
 }
+
+const struct announcements race_observer = {
+    .in_order = true,
+    .call_ends = hear_call_ends,
+    .sends = hear_sends,
+    .sent = hear_sent,
+    .posts = hear_posts,
+    .withdraws = hear_withdraws,
+    .takes = hear_takes,
+    .handler_begins = hear_handler_begins,
+    .handler_ends = hear_handler_ends,
+    .masks = hear_masks,
+    .moves = hear_moves,
+    .allocated = hear_allocated,
+    .freed = hear_freed,
+};

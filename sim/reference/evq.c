@@ -94,7 +94,8 @@ void evq_put_late(struct evq *q, vtime time, uint32_t address, evq_fire *fire, v
 void evq_put_sent(struct evq *q, vtime time, uint32_t address, struct evq_sender by, evq_fire *fire,
                   void *ctx, void *arg)
 {
-    put(q, (struct event){time, address, .sent = true, .sender = by.address, .sequence = by.number, fire, ctx,
+    uint64_t number = by.number & ((UINT64_C(1) << EVQ_NUMBER_BITS) - 1);
+    put(q, (struct event){time, address, .sent = true, .sender = by.address, .sequence = number, fire, ctx,
                           arg});
 }
 
@@ -103,12 +104,13 @@ vtime evq_next(const struct evq *q)
     return q->length ? q->heap[0].time : VT_NEVER;
 }
 
-bool evq_step(struct evq *q, struct instant *present)
+bool evq_step(struct evq *q, struct instant *present, struct instant *reached)
 {
     if (!q->length)
         return false;
     struct event e = take(q);
     *present = (struct instant){e.time, e.address};
+    *reached = instant_later(*present, *reached);
     q->now = e.time;
     e.fire(e.ctx, e.arg, e.time);
     return true;

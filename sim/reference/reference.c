@@ -29,8 +29,7 @@
 #include "lp/engine.h"
 #include "lp/upcalls.h"
 #include "node/system.h"
-#include "os/node_record.h"
-#include "os/race_hooks.h"
+#include "os/observer.h"
 #include "os/charge.h"
 #include "os/front.h"
 #include "os/gate.h"
@@ -140,7 +139,7 @@ static void enter(struct node *n, const char *call)
     n->call_since = VT_NEVER; /* it has not come so far */
     node_order(n);
     n->call_since = node_now(n);
-    RECORD(n, call_begins);
+    ANNOUNCE(n, call_begins);
     while (handlers_run(n, false))
         node_order(n);
     node_memory_settle(n);
@@ -161,8 +160,7 @@ void node_enter_early(struct node *n, const char *call)
 void node_leave(struct node *n)
 {
     clock_sync(&n->lp);
-    RECORD(n, call_ends);
-    RACES(n, computes);
+    ANNOUNCE(n, call_ends);
     n->call = NULL;
     gate_begin_segment(n);
     compute_on(&n->lp);
@@ -283,7 +281,7 @@ struct workers_stats engine_run(struct schedule *s, const struct engine_threads 
         if (evq_next(s->q) > s->max_time)
             up_end_at_limit(s);
         else
-            evq_step(s->q, &s->present);
+            evq_step(s->q, &s->present, &s->reached);
     }
     return (struct workers_stats){0};
 }

@@ -44,8 +44,8 @@ static void mean_normals(unsigned order, part_vertex *mean)
     }
     for (int i = 0; i < 6; i++)
         weld_add(w, corner[i]);
-    for (int i = 53; i >= 0; i--) {
-        int j = rand_r(&order) % (i + 1);
+    for (int i = 53; i >= 6; i--) {
+        int j = 6 + rand_r(&order) % (i - 5);
         part_vertex v;
         memcpy(v, corner[j], sizeof v);
         memcpy(corner[j], corner[i], sizeof v);
@@ -74,7 +74,6 @@ static void the_mean_of_two_normals_is_half_way(void **state)
     struct weld *w = weld_begin(1);
     part_vertex a = {5, 5, 5, 1, 0, 0}, b = {5, 5, 5, 0, -1, 0}, mean;
     weld_add(w, a);
-    weld_normal(w, a);
     weld_normal(w, b);
     assert_true(weld_vertex(w, 0, mean));
     assert_true(fabs(mean[3] - sqrt(0.5)) < 1e-7 && fabs(mean[4] + sqrt(0.5)) < 1e-7 && mean[5] == 0);

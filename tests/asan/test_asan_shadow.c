@@ -92,6 +92,22 @@ static void what_is_forgotten_is_open(void **state)
     asan_shadow_end(&s);
 }
 
+static void what_is_closed_alike_is_opened(void **state)
+{
+    (void)state;
+    struct asan_shadow s;
+    assert_true(asan_shadow_begin(&s, LOW, BYTES));
+    asan_shadow_mark(&s, LOW, 40, NXC_ASAN_RETURNED);
+    asan_shadow_mark(&s, LOW + 40, 8, NXC_ASAN_LOCAL);
+    asan_shadow_open_alike(&s, LOW + 19);
+    assert_int_equal(asan_shadow_first(&s, LOW, 16), LOW);
+    assert_int_equal(asan_shadow_first(&s, LOW + 16, 32), LOW + 40);
+    asan_shadow_mark(&s, LOW + BYTES - 16, 16, NXC_ASAN_RETURNED);
+    asan_shadow_open_alike(&s, LOW + BYTES - 16);
+    assert_int_equal(asan_shadow_first(&s, LOW + BYTES - 16, 16), 0);
+    asan_shadow_end(&s);
+}
+
 static void what_has_no_shadow_is_open(void **state)
 {
     (void)state;
@@ -110,6 +126,7 @@ int main(void)
         cmocka_unit_test(a_zone_behind_a_variable_leaves_the_neighbours),
         cmocka_unit_test(the_reason_is_told),
         cmocka_unit_test(what_is_forgotten_is_open),
+        cmocka_unit_test(what_is_closed_alike_is_opened),
         cmocka_unit_test(what_has_no_shadow_is_open),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

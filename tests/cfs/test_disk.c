@@ -48,7 +48,7 @@ static void serve(struct access *x, int n)
         x[i].a.starts = starts, x[i].a.done = done, x[i].a.ctx = &x[i];
         disk_put(d, &x[i].a, 0);
     }
-    while (evq_step(q, &(struct instant){0}))
+    while (evq_step(q, &(struct instant){0}, &(struct instant){0}))
         ;
     disk_free(d);
     evq_free(q);

@@ -76,7 +76,7 @@ static void end(struct world *w)
 
 static void run(struct world *w)
 {
-    while (evq_step(w->q, &(struct instant){0}))
+    while (evq_step(w->q, &(struct instant){0}, &(struct instant){0}))
         ;
 }
 

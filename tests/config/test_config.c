@@ -66,6 +66,15 @@ static void masktrap_takes_65_to_70_us_on_a_paragon(void **state)
     }
 }
 
+static void gettimeofday_takes_0_3_ms_on_a_paragon(void **state)
+{
+    (void)state;
+    struct cfg_machine *paragon = shipped("paragon"), *delta = shipped("delta");
+    assert_int_equal(paragon->clock_call_ps + paragon->unix_call_ps, 305 * US);
+    assert_int_equal(delta->unix_call_ps, 0);
+    cfg_free(paragon), cfg_free(delta);
+}
+
 static void delta_is_a_mesh_of_528(void **state)
 {
     (void)state;
@@ -211,7 +220,7 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {3, "rows = -1; columns = 3;", "toy.cfg:3: rows: -1 is out of range: 1 to 4096 are allowed"},
         {3, "rows = 2.5; columns = 3;", "toy.cfg:3: rows: must be a whole number from 1 to 4096"},
         {3, "rows = 4000; columns = 3000;",
-         "toy.cfg:2: topology: 4000 x 3000 nodes; at most 65536 are allowed"},
+         "toy.cfg:2: topology: 4000 x 3000 nodes; at most 1048576 are allowed"},
         {2, "topology = { kind = \"ring\";",
          "toy.cfg:2: kind: \"ring\" is unknown; \"hypercube\" and \"mesh\" are allowed"},
         {2, "topology = { kind = \"hypercube\";",
@@ -311,6 +320,7 @@ int main(void)
         cmocka_unit_test(ipsc860_adds_up_to_bokhari),
         cmocka_unit_test(longer_forced_messages_are_as_short_ones_where_the_file_does_not_say),
         cmocka_unit_test(masktrap_takes_65_to_70_us_on_a_paragon),
+        cmocka_unit_test(gettimeofday_takes_0_3_ms_on_a_paragon),
         cmocka_unit_test(delta_is_a_mesh_of_528),
         cmocka_unit_test(hwclock_counts_at_10_mhz_and_on_the_paragon_at_50),
         cmocka_unit_test(file_systems_are_as_published),

@@ -10,7 +10,6 @@ enum { MOST = 20 };
 
 struct node {
     struct mailbox_ids ids;
-    struct id_block first;
 };
 
 static struct node node;
@@ -40,7 +39,7 @@ void mailbox_unfollow(struct send *s)
 static int begin(void **state)
 {
     (void)state;
-    ids_begin(&node.ids, &node.first);
+    node.ids = (struct mailbox_ids){0};
     return 0;
 }
 

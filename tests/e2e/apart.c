@@ -1,4 +1,5 @@
 /* apart.c - apart WHAT: a node accesses memory that is not its own; WHAT says how. */
+#include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -97,7 +98,7 @@ int main(int argc, char **argv)
     else if (!strcmp(what, "stacks"))
         other_stack(malloc(65536), 65536), other_stack(data_room, sizeof data_room);
     else if (!strcmp(what, "addresses"))
-        printf("%p %p %p\n", malloc(1000), (void *)shared, (void *)&argc);
+        printf("%p %p %p %p\n", malloc(1000), (void *)shared, (void *)&argc, (void *)&errno);
     else if (!strcmp(what, "near"))
         printf("%d\n", labs((char *)malloc(1000000) - (char *)shared) < 1L << 31 &&
                            labs((char *)&argc - (char *)shared) < 1L << 31);

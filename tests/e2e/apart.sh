@@ -1,6 +1,7 @@
 #!/bin/bash
 # apart.sh - a node that accesses other memory than its own is stopped; the message names node and line; other nodes' memory is
 # unchanged.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 compile apart
 

@@ -48,7 +48,7 @@ for fault in "$seeds"/*_fault.*; do
         eval 'grep -qx "status 0" checked && [ -s out ] && diff plain checked'
     pairs=$((pairs + 1))
 done
-check "at least eighteen pairs" test "$pairs" -ge 18
+check "at least twenty-two pairs" test "$pairs" -ge 22
 
 # --- doc/asan.md: its commands give the report that it shows ---
 
@@ -59,6 +59,48 @@ PATH=$BUILD:$PATH bash commands >out 2>err
 status=$?
 check "doc/asan.md: status 1" ended_with 1
 check "doc/asan.md: the report is the one shown" eval '[ -s expected ] && head -n "$(wc -l <expected)" err | diff expected -'
+
+# --- a file without --asan: its frames lie where functions with red zones have returned ---
+
+cat >plain.c <<'END'
+long fill(long *all, long n);
+
+__attribute__((noinline)) long plain(long n)
+{
+    long own[30];
+    return fill(own, n) + own[1];
+}
+END
+cat >mixed.c <<'END'
+#include <stdio.h>
+long plain(long n);
+
+__attribute__((noinline)) long fill(long *all, long n)
+{
+    long i;
+    for (i = 0; i < n; i++)
+        all[i] = i;
+    return all[n - 1];
+}
+
+__attribute__((noinline)) static long deep(long n)
+{
+    long own[40];
+    fill(own, 40);
+    return n ? deep(n - 1) + own[n] : 0;
+}
+
+int main(void)
+{
+    printf("%ld %ld\n", deep(9) + plain(30), deep(3) + plain(20));
+    return 0;
+}
+END
+for level in -O0 -O2; do
+    "$BUILD/nxcc" $level -g -c plain.c && "$BUILD/nxcc" $level -g --asan -o mixed mixed.c plain.o
+    run -q -n 1 mixed
+    check "frames of a file without --asan may lie anywhere, $level" eval 'ended_with 0 && [ "$(cat out)" = "75 26" ]'
+done
 
 # --- what cannot be had ---
 

@@ -1,6 +1,7 @@
 #!/bin/bash
 # cache.sh - a program compiled with a data cache (i860xr-cache.cfg): 8 KB, lines of 32 bytes; 8 clocks for a miss, 3 for a
 # store to a line that is not in the cache, and 16 more if the page was not used lately.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 costs=$tests/../../machines/cpu/i860xr-cache.cfg
 cp "$tests/../../machines/cpu/i860-calls.cfg" .
@@ -42,3 +43,28 @@ sed 's/entries = 64/entries = 4096/' "$costs" >wide.cfg
 "$BUILD/nxcc" --costs ./wide.cfg -c "$tests/cache.c" >out 2>err
 status=$?
 check "a translation buffer of 4096 entries is refused" said "wide.cfg:[0-9]+: tlb: must have 1 to 4 ways and 1 to 64 sets"
+
+# --- the costs that a program was compiled with, and the machine's ---
+told() { said "^touchstone run: cost was compiled with the costs of $1, but $2 has those of $3: nxcc --costs .*/$3\$"; }
+silent() { ! grep -q 'was compiled with' err; }
+echo 'int part(void) { return 0; }' >part.c
+echo 'int part(); int main(void) { return part(); }' >cost.c
+"$BUILD/nxcc" -o cost cost.c part.c
+run -m ipsc860 -n 1 cost
+check "the machine has the usual costs: nothing is said" silent
+run -m paragon -n 1 cost
+check "the machine has other costs" told i860xr.cfg paragon i860xp.cfg
+run -q -m paragon -n 1 cost
+check "-q tells no times: nothing is said" silent
+"$BUILD/nxcc" --costs i860xp.cfg -o cost cost.c part.c
+run -m paragon -n 1 cost
+check "compiled for the machine: nothing is said" silent
+"$BUILD/nxcc" --costs i860xp.cfg -c cost.c
+"$BUILD/nxcc" -o cost cost.o part.c
+run -m paragon -n 1 cost
+check "one file of two was compiled with other costs" told i860xr.cfg paragon i860xp.cfg
+"$BUILD/nxcc" --costs i860xr-cache.cfg -o cost cost.c part.c
+run -m ipsc860 -n 1 cost
+check "with a cache" told i860xr-cache.cfg ipsc860 i860xr.cfg
+run -m ipsc860 --set node.cpu=cpu/i860xr-cache.cfg -n 1 cost
+check "the machine has one, too: nothing is said" silent

@@ -1,5 +1,6 @@
 #!/bin/bash
 # cfs.sh - the files of /cfs: where touchstone keeps them, and its messages about them.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 compile cfs_keep
 export TMPDIR=$work/tmp
@@ -25,6 +26,31 @@ check "without --cfs nothing is kept" ended_with 1
 check "a missing file: call, node and file are named" said 'node 0, at [0-9.]+ [mun]?s: gopen: /cfs/kept/lines: No such file'
 run -m ipsc860 -n 1 --cfs disks cfs_keep /cfs/../../etc/passwd
 check "nothing outside the folder is reached" said 'gopen: .*Permission denied'
+
+echo secret >secret
+ln -s "$work/secret" disks/kept/absolute
+ln -s ../../secret disks/kept/relative
+ln -s ../.. disks/kept/out
+ln -s ../../made disks/kept/dangling
+ln -s ../kept/lines disks/kept/within
+for name in kept/absolute kept/relative kept/out/secret; do
+    run -m ipsc860 -n 1 --cfs disks cfs_keep try /cfs/$name
+    check "a link out of the folder is not followed: $name" grep -qx 'open: Permission denied; stat: Permission denied' out
+done
+run -m ipsc860 -n 1 --cfs disks cfs_keep remove /cfs/kept/out/secret
+check "nor is a file removed or moved through one" grep -qx 'rename: Permission denied; unlink: Permission denied' out
+run -m ipsc860 -n 1 --cfs disks cfs_keep try /cfs/kept/dangling
+check "nor is one made" test "$(cat out)" != 'open: Success; stat: Success' -a ! -e made
+run -m ipsc860 -n 1 --cfs disks cfs_keep try /cfs/kept/out/made
+check "nor in a folder that a link leads to" grep -q 'open: Permission denied' out
+check "what is outside stays" test "$(cat secret)" = secret -a ! -e made
+run -m ipsc860 -n 1 --cfs disks cfs_keep try /cfs/kept/within
+check "a link within the folder is" grep -qx 'open: Success; stat: Success' out
+run -m ipsc860 -n 1 --cfs disks cfs_keep remove /cfs/kept/absolute
+check "a link itself may be moved and removed" grep -qx 'rename: Success; unlink: Success' out
+TMPDIR=/nowhere run -m ipsc860 -n 1 cfs_keep write
+check "no folder for temporary files: the run ends, and says what to do" \
+    said 'the files of /cfs: no folder can be made in TMPDIR=/nowhere: No such file or directory; set TMPDIR to a folder'
 
 run -m ipsc860 --cfs disks/kept/lines cfs_keep read
 check "--cfs that is no folder: exit status 65" ended_with 65

@@ -5,7 +5,7 @@
 root=$(cd "$tests/../.." && pwd)
 prefix=$work/prefix
 
-make -s -C "$root" B="$BUILD" PREFIX="$prefix" install >install.log 2>&1
+make -s -C "$root" -o "$BUILD/obj/flags" B="$BUILD" PREFIX="$prefix" install >install.log 2>&1
 check "touchstone is installed" test -x "$prefix/bin/touchstone" -a -x "$prefix/bin/nxcc"
 export PATH=$prefix/bin:$PATH XDG_CACHE_HOME=$work/cache GITHUB_STEP_SUMMARY=$work/summary
 

@@ -1,6 +1,7 @@
 #!/bin/bash
 # crossing.sh - the system has a stack of its own: what a program finds where it has set nothing depends on the program alone, on
 # any thread, in both engines, wherever this computer has its own addresses.
+# without: touchstone-lab app
 BUILD=$(cd "${BUILD:-build}" && pwd)
 . tests/e2e/common.bash
 

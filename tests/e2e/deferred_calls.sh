@@ -2,6 +2,7 @@
 # deferred_calls.sh - deferring calls changes no result. A program that has flushmsg defers no call: its times, digest and
 # outcome must equal those of the program without flushmsg, on all machines, with any number of workers, and with a limit of
 # virtual time.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 
 "$BUILD/nxcc" -O2 -o talk "$tests/talk.c"

@@ -14,6 +14,7 @@
 # change nothing. Of the timings that `touchstone run --timing SEED,interrupts=1ms` draws, about one in four deadlocks; of those of
 # interrupts=2ms one in two, and some of them in the cycle. (With the usual bounds, interrupts=50us, none of 40 did.)
 # `touchstone explore` shall find that, and the two delays.
+# without: touchstone-lab
 . "$(dirname "$0")/common.bash"
 two_groups="-group 1 -sphere 16 16 3 -shares layers -preload -nooverlap -half 0.01 -digest"
 

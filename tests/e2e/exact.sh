@@ -19,7 +19,7 @@ same() { # NAME ARGS...
     check "$name: it runs" grep -q '"digest": "[0-9a-f]*[1-9a-f]' first
     figures "$BUILD/touchstone" "$@" >again
     check "$name: twice the same" cmp first again
-    for other in O0 asan; do
+    for other in O0 light asan; do
         if [ -x "$BUILD/$other/touchstone" ]; then
             figures "$BUILD/$other/touchstone" "$@" >other
             check "$name: the same in the build $other" cmp first other

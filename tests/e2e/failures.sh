@@ -1,5 +1,6 @@
 #!/bin/bash
 # failures.sh - programs that fail: touchstone's messages and exit status.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 for p in deadlock crash quits endless greedy flood; do compile $p; done
 

@@ -47,6 +47,17 @@ __attribute__((noinline)) static int divide(int a, int b)
     return a / b;
 }
 
+/* Unmasks invalid operation, division by zero and overflow, as programs of the time did for their tests. */
+static void unmask(void)
+{
+    unsigned control;
+    __asm__("stmxcsr %0" : "=m"(control));
+    control &= ~0x680u;
+    __asm__ volatile("ldmxcsr %0" ::"m"(control));
+}
+
+static volatile double nought, large = 1e308;
+
 __attribute__((noinline)) static void copy(char *to)
 {
     memcpy(to, low, 5 + (size_t)zero);
@@ -125,6 +136,18 @@ int main(int argc, char **argv)
         return recurse(1);
     if (!strcmp(how, "divide"))
         return divide(7, zero);
+    if (!strncmp(how, "float_", 6))
+        unmask();
+    if (!strcmp(how, "float_divide"))
+        large = large / nought;
+    if (!strcmp(how, "float_overflow"))
+        large = large * large;
+    if (!strcmp(how, "float_invalid"))
+        large = nought / nought;
+    if (!strcmp(how, "number"))
+        printf("%s and more\n", low);
+    if (!strcmp(how, "length"))
+        gdsum((double *)&large, -1, (double *)&nought);
     if (!strcmp(how, "illegal"))
         __builtin_trap();
     if (!strcmp(how, "copy"))

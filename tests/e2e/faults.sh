@@ -17,8 +17,13 @@ fault() { # HOW STATUS TEXT [TEXT...]
 called='^  called from main\+0x[0-9a-f]+ \(faults.c:'
 fault stack 1 'node 1 crashed .*: its stack of [0-9]+ KB overflowed' '^  in recurse.*faults.c:'
 fault divide 1 'node 1 crashed .*: integer division by zero' '^  in divide.*faults.c:'
+fault float_divide 1 'node 1 crashed .*: floating-point division by zero, an exception that it has unmasked' '^  in main.*faults.c:'
+fault float_overflow 1 'node 1 crashed .*: floating-point overflow, an exception that it has unmasked' '^  in main.*faults.c:'
+fault float_invalid 1 'node 1 crashed .*: invalid floating-point operation, an exception that it has unmasked' '^  in main.*faults.c:'
+fault number 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number that is no address' '^  in printf$' '^  called from main.*faults.c:'
+fault length 1 'node 1, at [0-9.]+ [mun]?s: gdsum: irecv\([0-9]+, buf, -8\): length -8 is negative' '^  called from main.*faults.c:'
 fault illegal 1 'node 1 crashed .*: illegal instruction' '^  in main.*faults.c:'
-fault copy 1 'node 1 crashed .*: a null pointer$' '^  in memcpy$' '^  called from copy.*faults.c:' "$called"
+fault copy 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number that is no address$' '^  in memcpy$' '^  called from copy.*faults.c:' "$called"
 fault heap 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ .*was written past its end' '^  called from .*faults.c:'
 fault heap_end 1 'node 1, at [0-9.]+ [mun]?s: its heap is damaged: .*behind the 20 bytes at'
 fault heap_before 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ was not allocated'
@@ -27,11 +32,11 @@ fault free_other 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ was not alloca
 fault abort 1 'node 1, at [0-9.]+ [mun]?s: abort$' '^  called from .*faults.c:'
 fault raise 1 'node 1, at [0-9.]+ [mun]?s: raise: signal 10 .*ends a program: nodes have no signal handlers' '^  called from .*faults.c:'
 fault caught 1 'node 1, at [0-9.]+ [mun]?s: raise: signal 10 .*ends a program: nodes have no signal handlers'
-fault caught_fault 1 'node 1 crashed .*: a null pointer' '^  in .*faults.c:'
+fault caught_fault 1 'node 1 crashed .*: 0x8, a member of a null pointer' '^  in .*faults.c:'
 check "a handler of SIGSEGV is not called" bash -c '! grep -q caught out'
 fault handler_exit 1 'node 1 ended at [0-9.]+ [mun]?s with exit\(4\)'
 check "handler_exit: the handler's output" grep -q 'the handler exits' out
-fault handler_crash 1 'node 1 crashed .*: a null pointer' '^  in crashes.*faults.c:'
+fault handler_crash 1 'node 1 crashed .*: 0x8, a member of a null pointer' '^  in crashes.*faults.c:'
 fault handler_jump 0
 check "longjmp out of a handler: the program goes on" bash -c 'grep -q "the handler jumps" out && grep -q "and went on" out'
 fault deadlock 2 'deadlock' 'node 1: crecv\(77\)'
@@ -154,8 +159,16 @@ mkdir bin
 env -u HOME -u XDG_CACHE_HOME PATH="$work/bin" "$BUILD/touchstone" study s.cfg -o s >out 2>err </dev/null
 status=$?
 check "no HOME, no gnuplot: the results are there" grep -q '^nodes' s/results.csv
-check "no gnuplot: said" said gnuplot
-check "no gnuplot: no error, if the study asks for no picture" ended_with 0
+check "no gnuplot: said once, with the package" test "$(grep -c '^no pictures: .*gnuplot.*: apt install gnuplot-nox' err)" = 1
+check "no gnuplot: status 1" ended_with 1
+PATH="$work/bin" "$BUILD/touchstone" plot s >out 2>err </dev/null
+status=$?
+check "no gnuplot, plot: said" said '^touchstone plot: .*: apt install gnuplot-nox$'
+check "no gnuplot, plot: status 1" ended_with 1
+sed 's/^axes/pictures = ( );\naxes/' s.cfg >none.cfg
+PATH="$work/bin" "$BUILD/touchstone" study none.cfg -o none >out 2>err </dev/null
+status=$?
+check "no gnuplot: no error, if the study wants no picture" ended_with 0
 sed 's/^axes/pictures = ( { file = "t"; x = "nodes"; y = "total_s"; } );\naxes/' s.cfg >p.cfg
 PATH="$work/bin" "$BUILD/touchstone" study p.cfg -o p --no-cache >out 2>err </dev/null
 status=$?

@@ -79,6 +79,46 @@ check "two that do the same" ended_with 1
 check "are told together" shows '^send .* not determined: only together with receive$'
 check "both" shows '^receive .* not determined: only together with send$'
 
+# --- values at which runs fail: a little above the best of a, on one of the points ---
+cat >limit.c <<'END2'
+#include <stdio.h>
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    double x = atof(argv[argc - 3]), a = atof(argv[argc - 2]), b = atof(argv[argc - 1]);
+    if (x == 2 && a > 5.05)
+        exit(3);
+    printf("y %.9f\n", a * x + b);
+    return 0;
+}
+END2
+"$BUILD/nxcc" -O2 -o limit limit.c
+cat >limit.cfg <<'END2'
+program = "limit";
+machine = "delta";
+nodes = 1;
+axes = ( { name = "x"; values = ( 0, 1, 2 ); arguments = "{}"; } );
+fit = {
+    parameters = (
+        { name = "a"; arguments = "{}"; from = 0.0; to = 10.0; start = 4.5; },
+        { name = "b"; arguments = "{}"; from = 0.0; to = 10.0; start = 2.0; }
+    );
+    measurements = ( { x = 0; y = 3; }, { x = 1; y = 8; }, { x = 2; y = 13; } );
+};
+END2
+fit limit.cfg
+check "runs fail beside the best: all is determined" ended_with 0
+check "the best is found" near a 5
+check "both numbers" near b 3
+check "slopes are those of the runs that did not fail" shows '^x 2: y +\+0\.769[0-9]* +\+0\.230[0-9]*$'
+check "an evaluation with a run that failed is told" said '^ +[0-9]+  a run failed  a [5-9]\.[0-9]+  b '
+check "the report names the runs" shows '^a 5\.[01][0-9]*  b [0-9.]+: x 2: y: exit status 1: .*exit\(3\)$'
+check "each once" bash -c '! grep ": x 2: y: " out | sort | uniq -d | grep .'
+sed 's/start = 4.5/start = 6.0/' limit.cfg >late.cfg
+fit late.cfg
+check "a run that fails at the start is an error" ended_with 65
+check "and it is told" said '^touchstone fit: late.cfg:[0-9]+: x 2: y failed: '
+
 # --- cost factors: the program is built for each ---
 cp "$tests/parts.c" parts.c
 echo 'factors = ( { file = "parts.c"; factor = 1.37; } );' >true.cfg

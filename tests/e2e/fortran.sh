@@ -1,6 +1,7 @@
 #!/bin/bash
 # fortran.sh - Fortran programs: compiling and linking, with C and without; the variables of each node; ends by errors and STOP;
 # loops that cost as much as those of C. tests/nx/f77_* test NX calls and files.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 f=$tests/fortran
 nxf77() { "$BUILD/nxf77" -O2 "$@" 2>compile.err; }

@@ -4,7 +4,7 @@
 . "$tests/mpi.bash"
 root=$(cd "$tests/../.." && pwd)
 stage=$work/stage
-touchstone_make() { limited make -s -C "$root" B="$BUILD" PREFIX=/opt/nx DESTDIR="$stage" "$@" >make.log 2>&1; }
+touchstone_make() { limited make -s -C "$root" -o "$BUILD/obj/flags" B="$BUILD" PREFIX=/opt/nx DESTDIR="$stage" "$@" >make.log 2>&1; }
 there() { (cd "$stage/opt/nx" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C sort); }
 
 # What was there before, touchstone's own folders among it, has to stay.
@@ -47,6 +47,7 @@ lib/touchstone/mpi/KIND/theirs
 lib/touchstone/mpi/names.map
 lib/touchstone/runtime.o
 lib/touchstone/runtime_long32.o
+lib/touchstone/touchstone-lab
 lib/touchstone/touchstone-reference
 share/bash-completion/completions/...
 share/fish/vendor_completions.d/...
@@ -64,8 +65,11 @@ END
 check "the files are those that are expected" diff expected <(kinds)
 headers() { diff <(cd "$root/nx_api/include" && find . -type f | sort) <(cd "$stage/opt/nx/share/touchstone/include" && find . -type f | sort); }
 check "all headers are among them" headers
-host_programs() { for file in bin/touchstone bin/nxcc lib/touchstone/touchstone-reference lib/touchstone/count.so; do echo "$stage/opt/nx/$file"; done; }
+host_programs() { for file in bin/touchstone bin/nxcc lib/touchstone/touchstone-reference lib/touchstone/touchstone-lab lib/touchstone/count.so; do echo "$stage/opt/nx/$file"; done; }
 no_debugging() { ! host_programs | xargs -n1 readelf -SW | grep -F .debug_info; }
+draws() { ldd "$stage/opt/nx/$1" | grep -qE "libcairo|libX11|libopen-trace-format|liblapack"; }
+only_lab_draws() { draws lib/touchstone/touchstone-lab && ! draws bin/touchstone && ! draws lib/touchstone/touchstone-reference; }
+check "what simulates loads no library for drawing" only_lab_draws
 check "what runs on the host has no debugging information" no_debugging
 no_path() { ! grep -rlF "$stage" "$stage/opt/nx"; }
 check "no file names DESTDIR" no_path

@@ -1,6 +1,7 @@
 #!/bin/bash
 # livelock.sh - programs that poll for what nobody sends, or stand still for handlers, are named at limits, in the summary and in
 # the JSON file, alike in both engines; programs that come to their ends are not.
+# without: touchstone-lab
 . "$(dirname "$0")/common.bash"
 compile livelock
 line_of() { grep -n "line of $1 " "$tests/livelock.c" | cut -d: -f1; }

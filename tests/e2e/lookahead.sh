@@ -3,6 +3,7 @@
 # program that counts in memory gives none: times, digest and outcome must be equal, also if messages of all kinds come
 # meanwhile, if programs are killed or fail, if time is limited, with any slices and several workers.
 # The line where a program was last seen computing differs, since the two programs poll at different places.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 
 "$BUILD/nxcc" -O2 -o lookahead "$tests/lookahead.c"

@@ -1,5 +1,6 @@
 #!/bin/bash
 # memory_sizes.sh - nodes of 16 and 8 MB: programs that fit only the larger, and the high-water mark to the byte.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 compile sizes
 "$BUILD/nxcc" -O2 -DFIELD=9000000 -o field "$tests/sizes.c"

@@ -25,6 +25,28 @@ check "without root and sudo, setup says what root is to do" said '^  apt-get in
 check "what is there is not among it" eval '! grep -qw make <(grep apt-get err)'
 check "and setup fails" ended_with 1
 
+# `make tables` needs less, and builds without the rest.
+new_computer sh "$root/package/setup" "$root/packages.txt" tables
+check "setup names what tables need" said '^  apt-get install --no-install-recommends .* gnuplot-nox .* nettle-dev'
+check "without gfortran, OTF2, cairo, three.js and Boost's headers" eval \
+    '! grep -qE "gfortran|open-trace|cairo|libjs|libboost[^ ]*-dev" <(grep apt-get err)'
+light() { make -n -C "$root" B="$work/new" NODES="$work/new" NODE_FC=absent LTO= "$@" >made 2>err; }
+light ONLY=tables "$work"/new/{touchstone,touchstone-lab}
+check "touchstone-lab for tables is linked" grep -q -- '-o .*/new/touchstone-lab ' made
+check "without what draws" eval '! grep -qE -- "-lcairo|-lopen-trace-format2|-lnlopt|-llapack|-lwebp|sim/lab/(page|render|export)" made'
+light "$work/new/app/model"
+check "the model is compiled" grep -q 'new/nxcc .*/new/app/model' made
+check "without Fortran, MPI and kmath" eval '! grep -qE "absent|NXF77|libgfortran\.a|mpicc|kmath" made'
+mkdir c_only
+ln -s "$BUILD"/node/* c_only/
+rm c_only/libgfortran.a
+mkdir c_build
+cp "$BUILD/nxcc" c_build/
+ln -s ../c_only c_build/node
+check "C programs are linked without GNU Fortran's library" c_build/nxcc -O2 -o ring "$tests/ring.c"
+run -n 4 ring
+check "and run" ended_with 0
+
 # dpkg-buildpackage asks for build-essential and for Build-Depends; of alternatives one is enough.
 {
     awk '/^Build-Depends:/ { on = 1; sub(/^[^:]*:/, "") } /^[A-Z]/ { on = 0 } on' "$root/debian/control" | tr ',' '\n' |

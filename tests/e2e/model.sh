@@ -1,5 +1,6 @@
 #!/bin/bash
 # model.sh - the model program finds the same polygons, however its work is divided.
+# without: touchstone-lab
 . "$(dirname "$0")/common.bash"
 
 # The polygons of a run: their numbers and the hash of all their vertices.

@@ -1,6 +1,7 @@
 #!/bin/bash
 # mpi.sh - programs on MPI (nxcc --mpi): handlers, floods, ends and their messages; the model finds the polygons that it finds
 # on simulated nodes. mpi_nx.sh runs the conformance programs.
+# without: touchstone-lab
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 
@@ -56,6 +57,33 @@ rules out >got
 rules "$tests/../nx/long32.out" >wanted
 check "--long32: a program and its libraries agree" cmp got wanted
 
+# Addresses kept in ints: of the heap, also of large blocks, of local and of static variables.
+cat >kept.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+#include <stdlib.h>
+int common[4];
+put(at, value)
+int at, value;
+{
+    *(int *)at = value;
+}
+int main(void)
+{
+    int local = 0, *part[] = {malloc(100), malloc(4 << 20), &local, &common[1]}, right = 0;
+    for (int i = 0; i < 4; i++)
+        put(part[i], mynode() + i);
+    gsync();
+    for (int i = 0; i < 4; i++)
+        right += *part[i] == mynode() + i;
+    printf("%d kept\n", right);
+    return 0;
+}
+END
+"$BUILD/nxcc" --mpi --long32 -g -w -o kept kept.c
+on_mpi 2 ./kept
+check "--long32: addresses kept in ints are right" printed $'4 kept\n4 kept'
+
 # --- ends ---
 sorted() { [ "$(sort out)" = "$1" ]; }
 quiet() { [ "$status" = 0 ] && [ ! -s err ]; }
@@ -84,8 +112,13 @@ check "an error: what was printed before is there" sorted $'0 here\n1 here\n2 he
 mpirun -np 3 ./hangs >out 2>err &
 have_begun() { [ "$(wc -l <out)" = 3 ]; }
 awaited have_begun
-# (What a node has printed is a moment before where it hangs.)
-asked() { kill -USR1 $! && sleep 0.2 && grep -q 'is in crecv' err && grep -q 'is computing' err && grep -q 'is after' err; }
+# Each node answers each signal. (What a node has printed is a moment before where it hangs.)
+signals=0
+answered() { [ "$(grep -c '^nx: node [0-2]: is ' err)" -ge $((3 * signals)) ]; }
+asked() {
+    kill -USR1 $! && signals=$((signals + 1)) && awaited answered &&
+        grep -q 'is in crecv' err && grep -q 'is computing' err && grep -q 'is after' err
+}
 awaited asked
 kill $!
 wait $! 2>wait.err

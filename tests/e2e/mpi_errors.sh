@@ -1,5 +1,6 @@
 #!/bin/bash
 # mpi_errors.sh - crashes and errors on MPI: what, in which call or handler, and the calls under way with their source lines.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

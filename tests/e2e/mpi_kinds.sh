@@ -1,6 +1,7 @@
 #!/bin/bash
 # mpi_kinds.sh - nxcc --mpi with each kind of MPI that is installed (NXCC_MPICC), and programs that define names of MPI's and the
 # C library's.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 printed() { [ "$(cat out)" = "$1" ]; }

@@ -1,5 +1,6 @@
 #!/bin/bash
 # mpi_long.sh - long messages on MPI, which go without a copy if their receiver waits.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

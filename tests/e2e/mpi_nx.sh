@@ -1,6 +1,7 @@
 #!/bin/bash
 # mpi_nx.sh - the conformance programs of tests/nx on MPI, on as many nodes as they run on elsewhere, if no more than 8: the
 # same output, lines in any order (that of different nodes' output is mpirun's), and the same exit status.
+# without: touchstone-lab app
 #
 # Not here, and why:
 not_here="

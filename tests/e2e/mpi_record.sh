@@ -1,5 +1,6 @@
 #!/bin/bash
 # mpi_record.sh - NX_RECORD: the order of a run on MPI, replayed on simulated nodes.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

@@ -1,5 +1,6 @@
 #!/bin/bash
 # mpi_summary.sh - NX_SUMMARY and NX_SUMMARY_JSON: what the nodes of a run on MPI did.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

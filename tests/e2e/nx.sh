@@ -6,6 +6,7 @@
 #     compile: OPTIONS   for nxcc
 #     again: OPTIONS     compiled once more, with these options, too: all runs print the same
 #     stdin: TEXT        a line for its standard input
+# without: touchstone-lab app
 BUILD=$(cd "${BUILD:-build}" && pwd)
 . tests/patience.bash
 work=$(mktemp -d)

@@ -1,5 +1,6 @@
 #!/bin/bash
 # old_style.sh - C of 1990 compiles without options, and runs.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 
 old() { "$BUILD/nxcc" -w -O2 -o old "$tests/old_style.c" "$tests/old_style_part.c"; }
@@ -66,3 +67,39 @@ own_stack() { "$BUILD/nxcc" -O0 -fno-stack-clash-protection -o stack stack.c; }
 check "a stack switched by alloca compiles" own_stack
 run -q -n 2 stack
 check "a stack switched by alloca, with -fno-stack-clash-protection" [ "$(sort -u out)" = "on the other stack: 10" ]
+
+# An address kept in an int, as the argument of a function of the time is.
+cat >kept.c <<'END2'
+#include <nx.h>
+#include <stdio.h>
+#include <stdlib.h>
+int common[4];
+put(at, value)
+int at, value;
+{
+    *(int *)at = value;
+}
+int main(void)
+{
+    int *block = malloc(100), local = 0;
+    put(block, mynode());
+    put(&local, mynode());
+    put(&common[1], mynode());
+    gsync();
+    if (*block == mynode() && local == mynode() && common[1] == mynode())
+        printf("kept\n");
+    return 0;
+}
+END2
+keeps() { "$BUILD/nxcc" -w -g "$@" -o kept kept.c; }
+keeps --long32
+[[ $BUILD = *asan* ]] && most=61 || most=128 # (AddressSanitizer has its own tables from 2 GB on)
+run -q -m ipsc860 -n $most kept
+check "addresses kept in ints are right on $most nodes with --long32" [ "$(grep -c '^kept$' out)" = $most ]
+run -m paragon -n 128 kept
+check "on nodes above 2 GB: an address kept in an int?" said '^  an address kept in an int\? 0x[0-9a-f]{8,} is in the memory of node'
+check "what to do with --long32" said 'below 2 GB: run it on fewer nodes, .*memory_mb'
+check "where it was used" said 'in put.*\(kept\.c:8\)'
+keeps
+run -m ipsc860 -n 2 kept
+check "without --long32: an address kept in an int?" said 'address kept in an int\? 0x[0-9a-f]{9,} is in the memory of node .* nxcc --long32'

@@ -1,6 +1,7 @@
 #!/bin/bash
 # order_dependent.sh - the programs of tests/explore do well in the usual run, and have the bad outcome that their heads tell when
 # they are compiled so that something in them is late. Exploring has to find these outcomes.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 seeds=$tests/../explore
 

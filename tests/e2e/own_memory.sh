@@ -1,6 +1,7 @@
 #!/bin/bash
 # own_memory.sh - each node has its own arguments and environment, and may write there: other nodes, and other runs, see nothing
 # of it.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 
 cat >parts.c <<'END'

@@ -2,6 +2,7 @@
 # prices.sh - the prices of library calls that depend on arguments (machines/cpu/i860-calls.cfg): by how many clocks a call takes longer
 # with 80 elements than with 40, if each unit costs a clock and all else nothing. Fortran's calls are made above two stacks with
 # different bytes: a price that reads what is no count takes another time with each.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 cpu=$tests/../../machines/cpu
 calls=$cpu/i860-calls.cfg

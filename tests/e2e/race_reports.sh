@@ -1,6 +1,7 @@
 #!/bin/bash
 # race_reports.sh - what touchstone run tells of races: the whole text, equal over engines, workers and slices; JSON;
 # suppressions; the exit status; and that the check changes no result.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 
 build() { # PROGRAM OPTION...
@@ -58,7 +59,21 @@ for how in "-w 1" "-w 3 --shuffle 5" "--engine reference"; do
     check "the same with $how" diff found <(reports)
 done
 
+# A variable that races at several pairs of places is one report, with the first pair in full.
+build places --races
+run -m ipsc860 -n 2 --races places.json places
+reports | grep -E '^race|^  also|^  {16}[hm]' | sed -E 's/, [0-9]+ times? on node 0$//; 1{/^races/d}' >found
+cat >expected <<'END'
+race on count.adds: handler reads and writes at places.c:14, main program writes at places.c:25
+  also          handler writes at places.c:15, main program writes at places.c:26
+race on other: handler reads and writes at places.c:16, main program reads and writes at places.c:27
+END
+check "the places of a variable are told in one report" diff expected found
+check "the summary counts both" grep -qx 'races          3 found, in 2 reports' err
+check "--races has each pair" test "$(grep -c '"what"' places.json)" = 3
+
 # JSON.
+build jobs --races
 run -q -m ipsc860 -n 3 --races r.json --json j.json jobs
 check "--races: an object for each" test "$(grep -c '"what"' r.json)" = 2
 check "with the variable" grep -q '"variable": "done"' r.json

@@ -22,7 +22,8 @@ results() { cat "$1/journal" 2>/dev/null | grep -c ' [df] {'; }
 has_results() { [ "$(results "$1")" -ge "$2" ]; }
 # interrupted SIGNAL POINTS STUDY DIR: starts a study, and sends it that signal when so many points have their results.
 interrupted() {
-    "$BUILD/touchstone" study "$3" -o "$4" -j 2 >out 2>err </dev/null &
+    # (nohup ignores SIGHUP.)
+    env --default-signal=HUP,TERM "$BUILD/touchstone" study "$3" -o "$4" -j 2 >out 2>err </dev/null &
     awaited has_results "$4" "$2"
     kill -"$1" $!
     wait $! 2>/dev/null
@@ -49,6 +50,19 @@ interrupted TERM 3 half.cfg half
 check "a signal to end is obeyed" ended_with 143
 check "and what to do is said" said '^stopped: 3 of 6 points are in half/journal; the same command goes on from there$'
 check "no child is left behind" bash -c '! pgrep -f "$0/counted"' "$work"
+mkdir tmp
+TMPDIR=$work/tmp interrupted HUP 3 half.cfg hung_up
+check "SIGHUP is obeyed, too" ended_with 129
+check "and no folder is left in TMPDIR" test -z "$(ls tmp)"
+TMPDIR=$work/tmp interrupted KILL 3 half.cfg slain
+check "kill -9 leaves one" test -n "$(ls tmp)"
+printf 'program = "counted";\nmachine = "delta";\naxes = ( { name = "nodes"; values = ( 1, 2 ); } );\npictures = ();\n' >quick.cfg
+TMPDIR=$work/tmp study quick.cfg -o quick
+check "the next command runs" ended_with 0
+check "and removes that one" test -z "$(ls tmp)"
+TMPDIR=/nowhere study quick.cfg -o nowhere
+check "a TMPDIR that is not there: said, with what to do" \
+    said '^touchstone study: no folder can be made in TMPDIR=/nowhere: No such file.*; set TMPDIR to a folder that you can write to$'
 study many.cfg -o killed
 check "in the end all is there" ended_with 0
 check "it says what was there before" grep -qE '^[0-9]+ points run, [0-9]+ in killed/journal before, 0 from the cache; 0 of 42 points failed$' out

@@ -95,6 +95,11 @@ check "and nothing is left in the folder" test "$(ls study/added)" = journal
 begin study
 get '/data?study=0'
 check "points that were added are there again" grep -q '"added":true' out
+"$touchstone" page shown.html study 2>err
+/usr/bin/python3 -c 'import base64, re, zlib
+data = re.search("data-kind=\"study\"[^>]*>([^<]*)", open("shown.html").read()).group(1)
+print(zlib.decompress(base64.b64decode(data)).decode())' >shown.json
+check "touchstone page shows them, too" grep -q '"added": *true' shown.json
 sed -i 's/2, 4/2, 4, 16, 32/' short.cfg
 curl -sN -m "$patience" "$(at /events)" >events &
 "$touchstone" study short.cfg -o study -j 1 >out 2>err </dev/null

@@ -1,5 +1,6 @@
 #!/bin/bash
 # set.sh - touchstone run --set replaces a number of the machine file, and the figures show the change.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 compile ring
 

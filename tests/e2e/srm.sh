@@ -1,5 +1,6 @@
 #!/bin/bash
 # srm.sh - the service that allocates nodes, and the shell commands that use it.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 export TOUCHSTONE_SRM=$work/srm
 for p in ring endless deadlock quits; do compile $p; done

@@ -1,5 +1,6 @@
-/* stopped.c - stopped HOW: node 1 computes or waits without end; or crashes in a library call; or is flooded
- * with messages. */
+/* stopped.c - stopped HOW: node 1 computes or waits without end; or crashes in a library call, or spoils what
+ * the library needs; or is flooded with messages. Or node 0 reads. */
+#include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,12 +25,30 @@ static void flood(int n)
         crecv(1, b, sizeof b);
 }
 
+static void enter_twice(long n)
+{
+    printf("loop\n");
+    if (n > 5)
+        printf("entered from two places\n");
+here:
+    goto here;
+}
+
+static void jump(void)
+{
+    static jmp_buf there;
+    setjmp(there);
+    longjmp(there, 1);
+}
+
 int main(int argc, char **argv)
 {
     const char *how = argc > 1 ? argv[1] : "";
     printf("node %ld is there\n", mynode());
     if (!strcmp(how, "flood")) {
         flood(atoi(argv[2]));
+    } else if (!strcmp(how, "reads")) {
+        getchar();
     } else if (mynode() == 1) {
         if (!strcmp(how, "for"))
             for (;;)
@@ -40,6 +59,16 @@ int main(int argc, char **argv)
         if (!strcmp(how, "asm"))
             for (;;)
                 __asm__ volatile("");
+        if (!strcmp(how, "unseen")) /* by the compiler's plugin */
+            __asm__ volatile("1: jmp 1b");
+        if (!strcmp(how, "stream"))
+            memset(stdout, 0xff, sizeof *stdout);
+        if (!strcmp(how, "register"))
+            __asm__ volatile("mov %0, %%fs" ::"r"(0));
+        if (!strcmp(how, "entered"))
+            enter_twice(numnodes());
+        if (!strcmp(how, "longjmp"))
+            jump();
         if (!strcmp(how, "calls"))
             while (dclock() >= 0)
                 ;

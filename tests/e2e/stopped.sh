@@ -6,9 +6,9 @@ compile stopped
 compile ring
 
 # --- loops that do nothing ---
-for how in for goto asm calls; do
+for how in for goto asm entered longjmp calls; do
     line="node 1: .*(computing|dclock).*stopped.c:[0-9]+"
-    run -q -n 2 --max-virtual-time 0.01 stopped $how
+    limited "$BUILD/touchstone" run -q -n 2 --max-virtual-time 0.01 stopped $how >out 2>err
     check "$how: the limit of virtual time" said 'virtual time limit of 10 ms reached'
     [ $how = calls ] || check "$how: and where it is then" said "$line"
     run -q -n 2 --max-wall-time 0.5 stopped $how
@@ -18,9 +18,38 @@ for how in for goto asm calls; do
     check "$how: the reference stops it, too" said 'virtual time limit of 10 ms reached'
 done
 
+# A loop in which there is no poll takes no virtual time, either.
+loop=$(grep -n 'jmp 1b' "$tests/stopped.c" | cut -d: -f1)
+for options in "-w 1 -n 2" "-w 2 -n 40" "--engine reference -n 2"; do
+    # shellcheck disable=SC2086
+    run -q $options --max-wall-time 0.1 stopped unseen
+    check "$options: a loop without polls ends at the limit of real time" said 'wall time limit of 100 ms reached'
+    check "$options: and where it is" said "node.* 1: computing \\(stopped.c:$loop\\)"
+done
+
 # --- signals ---
+for how in for calls unseen; do
+    "$BUILD/touchstone" run -q -n 2 stopped $how >out 2>err &
+    child=$!
+    awaited has_computed $child 60
+    kill -TERM $child
+    kill -TERM $child # as timeout does
+    wait $child
+    status=$?
+    check "a signal sent twice, $how: is one" said '^touchstone run: stopped by SIGTERM'
+done
+mkfifo never
+"$BUILD/touchstone" run -n 2 stopped reads 3<>never <&3 >out 2>err &
+child=$!
+awaited grep -q 'node 1 is there' out
+ends() { ! kill -TERM $child 2>/dev/null; }
+awaited ends
+wait $child
+status=$?
+check "a second signal: ends a run that waits for its input" ended_with 143
+check "a second signal: and says so" said 'ended at once, by a second signal'
 for signal in INT TERM HUP; do
-    for how in for calls; do
+    for how in for calls unseen; do
         # (A shell without job control starts what is in the background with SIGINT ignored; nohup ignores SIGHUP.)
         env --default-signal=INT,TERM,HUP "$BUILD/touchstone" run -n 2 stopped $how >out 2>err &
         child=$!
@@ -44,6 +73,18 @@ awaited has_computed $! 60
 kill -TERM $!
 wait $!
 check "an ignored SIGHUP stays ignored" said 'stopped by SIGTERM'
+
+# --- what the nodes print reaches its file while the run goes on ---
+for options in "-w 1" "-w 2" "--engine reference"; do
+    for how in for calls; do
+        # shellcheck disable=SC2086
+        "$BUILD/touchstone" run -q -n 2 $options stopped $how >out 2>err &
+        check "$options, $how: output is there before the end" awaited grep -q '^node 1 is there' out
+        kill -KILL $!
+        wait $! 2>/dev/null
+    done
+    : >out
+done
 
 # --- where are the nodes? ---
 asked() { # ARGS: a run that is asked, goes on, and is ended if it has no end
@@ -90,6 +131,12 @@ check "a crash in the library: in which call" said '^  in printf'
 check "a crash in the library: called from where" said '^  called from (show|main).*stopped.c:'
 run -q -n 2 stopped strlen
 check "a crash in another: in which call" said '^  in strlen'
+run -q -n 2 stopped register
+check "a register that the library needs" said '^touchstone run: node 1 crashed at .* changed the register fs'
+check "a register that the library needs: where" said 'called from main.*stopped.c:'
+run -n 2 stopped stream
+check "a stream overwritten: the run's figures" said '^digest'
+check "a stream overwritten: why it ends" said '^touchstone: a fault outside of all programs'
 
 # --- floods ---
 seconds() { # MESSAGES
@@ -151,6 +198,12 @@ refused() { # NAME TEXT COMMAND...
 refused "a machine file that is a folder" 'folder.cfg: cannot be read: it is a folder' run -m ./folder.cfg ring
 refused "one that includes a folder" 'folder.cfg: cannot be read: it is a folder' run -m ./ipsc860.cfg ring
 refused "one without end" '/dev/zero: cannot be read: it is larger' run -m /dev/zero ring
+refused "one that is a pipe" 'pipe: cannot be read: it is a pipe' run -m ./pipe ring
+for ((i = 0; i < 10; i++)); do echo '@include "itself.cfg"'; done >itself.cfg
+refused "a study that includes itself" 'itself.cfg:1: @include "itself.cfg": a file cannot include itself' study itself.cfg
+echo '@include "two.cfg"' >one.cfg
+printf '\n@include "one.cfg"\n' >two.cfg
+refused "two that include each other" 'two.cfg:2: @include "one.cfg": a file cannot include itself, nor' study one.cfg
 refused "one that is not there" 'none.cfg: cannot be read: No such file' run -m ./none.cfg ring
 refused "a study that is a folder" 'folder.cfg: cannot be read: it is a folder' study folder.cfg
 refused "a label that is no UTF-8" 'bad.cfg:5: a byte that is not UTF-8 text' study bad.cfg
@@ -172,7 +225,6 @@ awaited has_folder
 check "a run has a folder for /cfs" test "$(ls tmp | wc -l)" = 1
 kill -KILL $child
 wait $child 2>/dev/null
-touch -d '1 hour ago' tmp/*
 TMPDIR=$work/tmp "$BUILD/touchstone" run -q -m ipsc860 open >out 2>err &
 awaited has_computed $! 50
 kill -TERM $!

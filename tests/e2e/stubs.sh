@@ -1,5 +1,6 @@
 #!/bin/bash
 # stubs.sh - nxcc --stubs links calls that nodes do not have; they fail with ENOSYS, and the report names those made.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 . "$tests/mpi.bash"
 

@@ -1,5 +1,6 @@
 #!/bin/bash
 # surface.sh - PLY files of the model program, read as a viewer reads them: closed, welded, in the right place, the same on any nodes.
+# without: touchstone-lab
 . "$(dirname "$0")/common.bash"
 model=$BUILD/app/model
 gcc -O2 -o ply_facts "$tests/ply_facts.c" -lm

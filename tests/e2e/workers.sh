@@ -2,6 +2,7 @@
 # workers.sh - any number of workers, scheduled in any order, gives equal results: what programs print, all figures (but wall
 # times), messages about failures, exit status, profiles. Every program of tests/nx, and the failing programs of the other
 # tests, with one worker and then with several in random order.
+# without: touchstone-lab
 . "$(dirname "$0")/common.bash"
 nx=$tests/../nx
 # A stopped program does not free its memory; LeakSanitizer's reports differ by their addresses.

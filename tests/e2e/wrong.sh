@@ -1,5 +1,6 @@
 #!/bin/bash
 # wrong.sh - an error in a call without underscore ends the process; the message names node, time, call, arguments and line.
+# without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 compile wrong
 

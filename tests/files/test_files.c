@@ -128,44 +128,65 @@ static void what_could_not_be_written_is_an_error(void **state)
 
 /* --- scratch --- */
 
-static void make_old(const char *path)
+static char *left_by_a_killed_one(const char *name)
 {
-    struct timespec t[2] = {{.tv_sec = time(NULL) - 1000}, {.tv_sec = time(NULL) - 1000}};
-    assert_int_equal(utimensat(AT_FDCWD, path, t, 0), 0);
+    int to_parent[2];
+    char *theirs = calloc(1, 200);
+    assert_int_equal(pipe(to_parent), 0);
+    pid_t child = fork();
+    if (child == 0) {
+        struct scratch s = scratch_new(name);
+        assert_true(write(to_parent[1], s.path, strlen(s.path)) > 0);
+        _exit(0); /* as if the process had been killed */
+    }
+    waitpid(child, NULL, 0);
+    assert_true(read(to_parent[0], theirs, 199) > 0);
+    close(to_parent[0]);
+    close(to_parent[1]);
+    assert_int_equal(access(theirs, F_OK), 0);
+    return theirs;
 }
 
 static void a_scratch_folder_goes_with_its_process(void **state)
 {
     (void)state;
-    struct scratch mine = scratch_new("test");
+    struct scratch mine = scratch_new("touchstone-study");
     put("inside", "");
-    int to_parent[2];
-    char theirs[200] = "";
-    assert_int_equal(pipe(to_parent), 0);
-    pid_t child = fork();
-    if (child == 0) {
-        struct scratch s = scratch_new("test");
-        assert_true(write(to_parent[1], s.path, strlen(s.path)) > 0);
-        _exit(0); /* as if the process had been killed */
-    }
-    waitpid(child, NULL, 0);
-    assert_true(read(to_parent[0], theirs, sizeof theirs - 1) > 0);
-    assert_int_equal(access(theirs, F_OK), 0);
-    struct scratch another = scratch_new("test");
-    assert_int_equal(access(theirs, F_OK), 0); /* another process may be about to lock it */
-    make_old(theirs);
-    make_old(mine.path);
-    make_old(another.path);
-    assert_int_equal(mkdir("test-123456x", 0700), 0); /* another name: must stay */
-    make_old("test-123456x");
-    struct scratch third = scratch_new("test");
+    char *theirs = left_by_a_killed_one("touchstone-study");
+    assert_int_equal(mkdir("touchstone-study-123456x", 0700), 0); /* other names: must stay */
+    assert_int_equal(mkdir("touchstone-notes-123456", 0700), 0);
+    struct scratch another = scratch_new("touchstone-cfs"); /* of another kind: removes it all the same */
     assert_int_not_equal(access(theirs, F_OK), 0);
+    struct scratch third = scratch_new("touchstone-study");
     assert_int_equal(access(mine.path, F_OK), 0);
     assert_int_equal(access(another.path, F_OK), 0);
-    assert_int_equal(access("test-123456x", F_OK), 0);
+    assert_int_equal(access("touchstone-study-123456x", F_OK), 0);
+    assert_int_equal(access("touchstone-notes-123456", F_OK), 0);
     scratch_remove(&mine);
     scratch_remove(&another);
     scratch_remove(&third);
+    free(theirs);
+}
+
+/* Processes that all make folders at once must not take a folder that is not locked yet for a dead one's. */
+static void scratch_folders_of_the_living_stay(void **state)
+{
+    (void)state;
+    enum { PROCESSES = 4, ROUNDS = 100 };
+    for (int i = 0; i < PROCESSES; i++)
+        if (fork() == 0) {
+            for (int k = 0; k < ROUNDS; k++) {
+                struct scratch s = scratch_new("touchstone-why");
+                if (!s.path || access(s.path, F_OK) != 0)
+                    _exit(1);
+                scratch_remove(&s);
+            }
+            _exit(0);
+        }
+    for (int i = 0, status; i < PROCESSES; i++) {
+        assert_true(wait(&status) > 0);
+        assert_int_equal(status, 0);
+    }
 }
 
 /* --- what people write --- */
@@ -298,6 +319,7 @@ int main(void)
         TEST(a_pipe_gets_what_is_written),
         TEST(what_could_not_be_written_is_an_error),
         TEST(a_scratch_folder_goes_with_its_process),
+        TEST(scratch_folders_of_the_living_stay),
         TEST(text_is_read_if_it_is_text),
         TEST(a_number_is_as_exact_as_its_last_digit),
         TEST(text_that_json_cannot_hold_ends_the_process_with_a_message),

@@ -26,6 +26,16 @@ static void read_slices(const struct options *o)
     free(image);
 }
 
+/* A file that cannot be opened leaves nothing behind: a leak ends the fuzzer. */
+static void open_missing(const struct options *o)
+{
+    struct options missing = *o;
+    char error[256];
+    missing.volume = "/nowhere/volume";
+    if (!volume_check(&missing, error, sizeof error))
+        abort();
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     struct options o = {0};
@@ -37,6 +47,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     o.bits = bytes[3] & 1 ? 16 : 8;
     o.volume = path;
     read_slices(&o);
+    open_missing(&o);
     free(path);
     return 0;
 }

@@ -22,7 +22,7 @@ static void note(void *ctx, void *arg, vtime now)
 
 static void run(struct evq *q)
 {
-    while (evq_step(q, &(struct instant){0}))
+    while (evq_step(q, &(struct instant){0}, &(struct instant){0}))
         ;
     evq_free(q);
 }
@@ -212,11 +212,11 @@ static void of_one_time_what_comes_is_known(void **state)
     evq_put(q, 8, 0, count, &happened[EVENTS], NULL);
     assert_null(coming(q, 5));
     for (int i = 0; i < 10; i++)
-        assert_true(evq_step(q, &(struct instant){0}));
+        assert_true(evq_step(q, &(struct instant){0}, &(struct instant){0}));
     for (int at = 10; at < EVENTS - 1; at++) {
         for (int after = 0; after <= 22; after++)
             assert_ptr_equal(coming(q, (unsigned)after), at + after < EVENTS ? &happened[at + after] : NULL);
-        assert_true(evq_step(q, &(struct instant){0}));
+        assert_true(evq_step(q, &(struct instant){0}, &(struct instant){0}));
     }
     evq_free(q);
 }
@@ -308,7 +308,7 @@ static void step_as_expected(struct plain *p)
     evq_fire *fire;
     const void *hint = evq_coming(p->q, 0, &fire);
     assert_true(fire == (hint ? happens : NULL));
-    assert_true(evq_step(p->q, &(struct instant){0}));
+    assert_true(evq_step(p->q, &(struct instant){0}, &(struct instant){0}));
     assert_int_equal(p->happened, e->id);
     assert_int_equal(p->now, e->time);
     *e = p->pending[--p->length];
@@ -331,7 +331,7 @@ static void any_mix_comes_out_in_order(void **state)
         }
         while (p->length > 0)
             step_as_expected(p);
-        assert_false(evq_step(p->q, &(struct instant){0}));
+        assert_false(evq_step(p->q, &(struct instant){0}, &(struct instant){0}));
         assert_int_equal(evq_next(p->q), VT_NEVER);
         assert_int_equal(evq_next_address(p->q), UINT32_MAX);
         assert_true(evq_late_is_first(p->q, VT_NEVER, 0));

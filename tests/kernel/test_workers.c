@@ -43,7 +43,15 @@ static void end_thread(void *own)
     (void)own;
 }
 
-static const struct workers_calls CALLS = {NULL, begin_thread, run_job, end_thread};
+static atomic_bool hurried;
+
+static void hurry(pthread_t thread)
+{
+    assert_false(pthread_equal(thread, pthread_self()));
+    atomic_store(&hurried, true);
+}
+
+static const struct workers_calls CALLS = {NULL, begin_thread, run_job, end_thread, hurry};
 
 static struct workers *begin(unsigned threads, uint64_t shuffle)
 {
@@ -475,6 +483,31 @@ static uint64_t digest_of_run(unsigned threads, uint64_t shuffle)
     return m.digest;
 }
 
+static bool waits_to_be_hurried(struct job *j)
+{
+    (void)j;
+    while (!atomic_load(&hurried))
+        sched_yield();
+    return true;
+}
+
+static void a_thread_that_does_not_come_back_is_hurried(void **state)
+{
+    (void)state;
+    for (int drops = 0; drops < 2; drops++) {
+        struct workers *ws = begin(1, 0);
+        struct job j = {.run = waits_to_be_hurried};
+        atomic_store(&hurried, false);
+        submit(ws, &j, 50, 7);
+        await_start(&j);
+        if (drops)
+            workers_drop(ws, &j.task);
+        end(ws);
+        assert_true(atomic_load(&hurried));
+        assert_false(j.running);
+    }
+}
+
 static void neither_the_number_of_threads_nor_shuffling_changes_the_order_of_events(void **state)
 {
     uint64_t digest = digest_of_run(1, 0);
@@ -500,6 +533,7 @@ int main(void)
         cmocka_unit_test(a_running_task_that_is_dropped_has_stopped),
         cmocka_unit_test(a_task_that_is_done_can_be_dropped),
         cmocka_unit_test(halt_returns_only_when_nothing_runs),
+        cmocka_unit_test(a_thread_that_does_not_come_back_is_hurried),
         cmocka_unit_test(neither_the_number_of_threads_nor_shuffling_changes_the_order_of_events),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -61,11 +61,71 @@ static void ranges_are_kept(void **state)
 {
     (void)state;
     struct fit_problem p = {2, 2, outside, NULL};
-    double x[] = {0.5, 0.5}, slope[4];
+    double x[] = {0.5, 0.5}, here[2], slope[4];
     assert_true(fit_least(&p, x, 100));
     assert_true(x[0] > 0.999 && x[1] < 0.001);
-    assert_true(fit_slopes(&p, x, 0.01, slope)); /* at the ends of the range, too */
+    assert_true(outside(NULL, x, here));
+    assert_true(fit_slopes(&p, x, here, 0.01, slope)); /* at the ends of the range, too */
     assert_true(fabs(slope[0] - 1) < 1e-9 && slope[1] == 0 && slope[2] == 0 && fabs(slope[3] - 1) < 1e-9);
+}
+
+/* As curves(), but runs fail where a number is above its limit: some beside the least, some at it. */
+static const double *limits;
+
+static bool limited(void *arg, const double x[], double r[])
+{
+    curves(arg, x, r);
+    for (int k = 0; k < 2; k++)
+        if (x[k] > limits[k])
+            r[k] = NAN;
+    return true;
+}
+
+static void the_best_has_not_failed(void **state)
+{
+    (void)state;
+    static const double BESIDE[] = {0.301, 1}, AT[] = {0.2, 1};
+    unsigned calls = 0;
+    struct fit_problem p = {2, 4, limited, &calls};
+    double x[] = {0.1, 0.1};
+    limits = BESIDE;
+    assert_true(fit_least(&p, x, 200));
+    assert_true(fabs(x[0] - 0.3) < 1e-4 && fabs(x[1] - 0.8) < 1e-4);
+    limits = AT;
+    x[0] = 0.1, x[1] = 0.1;
+    assert_true(fit_least(&p, x, 200));
+    assert_true(x[0] > 0.195 && x[0] <= 0.2 && fabs(x[1] - 0.8) < 0.02);
+}
+
+/* Number 0 fails above, number 1 on both sides of x. */
+static bool beside(void *arg, const double x[], double r[])
+{
+    (void)arg;
+    r[0] = x[0] > 0.5 ? NAN : 3 * x[0];
+    r[1] = x[1] == 0.5 ? x[0] : NAN;
+    return true;
+}
+
+static void slopes_are_taken_where_runs_have_not_failed(void **state)
+{
+    (void)state;
+    struct fit_problem p = {2, 2, beside, NULL};
+    double x[] = {0.5, 0.5}, here[2], slope[4];
+    assert_true(beside(NULL, x, here));
+    assert_true(fit_slopes(&p, x, here, 0.01, slope));
+    assert_true(fabs(slope[0] - 3) < 1e-9 && slope[1] == 0);
+    assert_true(fabs(slope[2] - 1) < 1e-9 && isnan(slope[3]));
+}
+
+static void what_has_failed_determines_nothing(void **state)
+{
+    (void)state;
+    static const double slope[] = {1, NAN, 2, 0};
+    struct fit_number of[2];
+    fit_determine(slope, 2, 2, 0.1, of);
+    assert_int_equal(of[0].standing, FIT_DETERMINED);
+    assert_true(fabs(of[0].error - 0.05) < 1e-12);
+    assert_int_equal(of[1].standing, FIT_OPEN);
 }
 
 static bool third_fails(void *arg, const double x[], double r[])
@@ -216,6 +276,9 @@ int main(void)
         cmocka_unit_test(the_least_is_found),
         cmocka_unit_test(one_number_and_steps_will_do),
         cmocka_unit_test(ranges_are_kept),
+        cmocka_unit_test(the_best_has_not_failed),
+        cmocka_unit_test(slopes_are_taken_where_runs_have_not_failed),
+        cmocka_unit_test(what_has_failed_determines_nothing),
         cmocka_unit_test(what_cannot_go_on_is_not_asked_again),
         cmocka_unit_test(errors_are_the_scatter_over_the_slope),
         cmocka_unit_test(a_number_without_influence_is_found),

@@ -64,6 +64,23 @@ static void longest_start_first(void **state)
     pool_clear(jobs, 4);
 }
 
+static void a_lower_turn_starts_first(void **state)
+{
+    (void)state;
+    struct log log = {0};
+    struct pool_watcher watcher = {note, &log};
+    struct pool_job jobs[] = {
+        {.name = "long, second", .argv = SH(":"), .turn = 1, .weight = 3},
+        {.name = "short, first", .argv = SH(":"), .weight = 1},
+        {.name = "middle, first", .argv = SH(":"), .weight = 2},
+    };
+    assert_true(pool_run(jobs, 3, 1, &watcher).all_done);
+    assert_ptr_equal(log.ended[0], &jobs[2]);
+    assert_ptr_equal(log.ended[1], &jobs[1]);
+    assert_ptr_equal(log.ended[2], &jobs[0]);
+    pool_clear(jobs, 3);
+}
+
 static void no_more_than_asked_run_at_once(void **state)
 {
     (void)state;
@@ -124,18 +141,37 @@ static void a_pipe_held_open_by_a_grandchild_does_not_delay(void **state)
     pool_clear(&job, 1);
 }
 
-static void a_signal_ends_the_pool(void **state)
+/* (Under nohup the tests themselves begin with SIGHUP ignored.) */
+static void stopped_by(int number, char *const *argv)
 {
-    (void)state;
-    struct pool_job jobs[] = {
-        {.name = "stops us", .argv = SH("kill -TERM $PPID; exec sleep 300"), .weight = 2},
-        {.name = "never starts", .argv = SH(":"), .weight = 1}};
+    signal(number, SIG_DFL);
+    struct pool_job jobs[] = {{.name = "stops us", .argv = argv, .weight = 2},
+                              {.name = "never starts", .argv = SH(":"), .weight = 1}};
     struct pool_end end = pool_run(jobs, 2, 1, NULL);
-    assert_true(end.stopped);
+    assert_int_equal(end.stopped, number);
     assert_true(end.wall_time_s < 300);
     assert_int_equal(jobs[0].state, POOL_FAILED);
     assert_int_equal(jobs[1].state, POOL_WAITING);
     pool_clear(jobs, 2);
+}
+
+static void a_signal_ends_the_pool(void **state)
+{
+    (void)state;
+    stopped_by(SIGTERM, SH("kill -TERM $PPID; exec sleep 300"));
+    stopped_by(SIGHUP, SH("kill -HUP $PPID; exec sleep 300"));
+}
+
+static void an_ignored_hangup_stays_ignored(void **state)
+{
+    (void)state;
+    signal(SIGHUP, SIG_IGN);
+    struct pool_job job = {.name = "hangs up", .argv = SH("kill -HUP $PPID; kill -HUP $$; echo on")};
+    struct pool_end end = pool_run(&job, 1, 1, NULL);
+    signal(SIGHUP, SIG_DFL);
+    assert_true(end.all_done);
+    assert_string_equal(job.out, "on\n");
+    pool_clear(&job, 1);
 }
 
 int main(void)
@@ -143,11 +179,13 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(output_is_kept_apart),
         cmocka_unit_test(longest_start_first),
+        cmocka_unit_test(a_lower_turn_starts_first),
         cmocka_unit_test(no_more_than_asked_run_at_once),
         cmocka_unit_test(failures_are_told_and_the_rest_goes_on),
         cmocka_unit_test(much_output_is_cut_and_does_not_block),
         cmocka_unit_test(a_pipe_held_open_by_a_grandchild_does_not_delay),
         cmocka_unit_test(a_signal_ends_the_pool),
+        cmocka_unit_test(an_ignored_hangup_stays_ignored),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

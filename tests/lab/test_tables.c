@@ -1,6 +1,7 @@
 /* test_tables.c - the making of tables, with a script in place of the simulator.
  *
- * For the script a run on N nodes takes 1200 / N s. It records its arguments, and fails when told to.
+ * For the script a run on N nodes takes 1200 / N s. It records its arguments, fails when told to, and when
+ * told to be patient ends a run of table 2 only when table 1 is printed.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,6 +22,8 @@ static const char stand_in[] =
     "machine=$4 nodes=$6 json=$8; shift 8\n"
     "echo \"$machine $nodes $*\" >>calls\n"
     "if [ $nodes = 8 ] && [ -e fail ]; then echo 'node 3 at 1.5 s: it broke' >&2; exit 1; fi\n"
+    "case \"$*\" in *-noreassign*) tries=0; while [ -e patient ] && ! grep -q 'Table 1' said; do\n"
+    "    sleep 0.1; tries=$((tries + 1)); [ $tries -lt 600 ] || exit 1; done ;; esac\n"
     "echo 'Some words for people: 3'\n"
     "case \"$*\" in *-slow*) s=2400 ;; *) s=1200 ;; esac\n"
     "awk -v n=$nodes -v s=$s 'BEGIN { printf \"total_s %.6f\\n\", s / n }'\n"
@@ -105,6 +108,17 @@ static void same_rows_run_once_with_the_right_arguments(void **state)
                                "delta 16 build/app/model -approx 111 -group 8 -noreassign\n"
                                "delta 8 build/app/model -approx 111 -group 8\n");
     free(calls);
+}
+
+static void a_table_is_printed_when_its_runs_are_done(void **state)
+{
+    (void)state;
+    write_file("patient", "");
+    assert_int_equal(make(NULL, NULL), TABLES_DONE);
+    char *said = read_text("said"), *first = strstr(said, "Table 1:"), *second = strstr(said, "Table 2:");
+    assert_true(first && second && first < second);
+    assert_null(strstr(first + 1, "Table 1:"));
+    free(said);
 }
 
 static void json_holds_both_sides(void **state)
@@ -260,6 +274,7 @@ int main(void)
 {
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter, leave)
     const struct CMUnitTest tests[] = {
+        IN_FOLDER(a_table_is_printed_when_its_runs_are_done),
         IN_FOLDER(same_rows_run_once_with_the_right_arguments),
         IN_FOLDER(json_holds_both_sides),
         IN_FOLDER(only_wall_times_differ_between_two_runs),

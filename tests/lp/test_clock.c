@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <cmocka.h>
+#include "lp/block.h"
 #include "lp/clock.h"
 #include "tests/child.h"
 
@@ -392,6 +393,20 @@ static void after_a_roll_back_it_is_unknown_how_far_the_program_had_computed_ahe
         }
 }
 
+/* Many units of a fast processor end within one picosecond. */
+static void a_program_that_is_ended_where_it_is_has_the_least_units_of_that_time(void **state)
+{
+    struct fake there, beyond;
+    (void)state;
+    struct lp *lp = begin(&there, 45000UL * MHZ), *ahead = begin(&beyond, 45000UL * MHZ);
+    spend(&there, 92118000), spend(&beyond, 92999999);
+    vtime t = clock_sync(lp);
+    assert_true(clock_sync(ahead) > t);
+    lp->state = ahead->state = LP_COMPUTING;
+    assert_true(lp_end_at(lp, t) && lp_end_at(ahead, t));
+    assert_int_equal(lp->clock.units, ahead->clock.units);
+}
+
 static void roll_back_takes_no_more_than_has_been_computed(void **state)
 {
     struct fake f;
@@ -460,6 +475,7 @@ int main(void)
         cmocka_unit_test(places_that_the_ring_has_lost_are_unknown),
         cmocka_unit_test(stolen_time_is_the_clocks_only_when_it_is_added),
         cmocka_unit_test(after_a_roll_back_it_is_unknown_how_far_the_program_had_computed_ahead),
+        cmocka_unit_test(a_program_that_is_ended_where_it_is_has_the_least_units_of_that_time),
         cmocka_unit_test(roll_back_takes_no_more_than_has_been_computed),
         cmocka_unit_test(a_crash_is_counted_at_the_next_slice_boundary),
         cmocka_unit_test(the_time_of_units_to_come_counts_from_now),

@@ -428,7 +428,7 @@ static void end_thread(void *own)
 
 static void run_with(struct fake_machine *m, unsigned threads, uint64_t shuffle)
 {
-    engine_run(&m->s, &(struct engine_threads){threads, shuffle, begin_thread, end_thread, NULL});
+    engine_run(&m->s, &(struct engine_threads){threads, shuffle, begin_thread, end_thread, NULL, NULL});
 }
 
 static void run(struct fake_machine *m)

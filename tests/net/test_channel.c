@@ -36,7 +36,7 @@ static void send(struct trip *trips, int count)
         trips[i].transit.duration = 100;
         channel_send(w, &trips[i].transit, 0);
     }
-    while (evq_step(q, &(struct instant){0}))
+    while (evq_step(q, &(struct instant){0}, &(struct instant){0}))
         ;
     channel_free(w);
     evq_free(q);

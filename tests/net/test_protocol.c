@@ -79,7 +79,7 @@ static void begin(struct fake *f, bool room)
 
 static void run(struct fake *f)
 {
-    while (evq_step(f->q, &(struct instant){0}))
+    while (evq_step(f->q, &(struct instant){0}, &(struct instant){0}))
         ;
 }
 
@@ -259,7 +259,7 @@ static void nothing_reaches_a_node_before_its_horizon(void **state)
         horizon = protocol_horizon(f.protocol, 1, now);
         assert_true(horizon >= now);
         vtime busy = f.free_at[1];
-        assert_true(evq_step(f.q, &(struct instant){0}));
+        assert_true(evq_step(f.q, &(struct instant){0}, &(struct instant){0}));
         if (f.free_at[1] != busy || f.seen_count != seen)
             assert_true(now >= horizon); /* something reached it: not before the horizon seen just before */
         seen = f.seen_count;

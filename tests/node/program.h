@@ -16,6 +16,7 @@
 #include "guest/image.h"
 #include "guest/libc.h"
 #include "guest/backtrace.h"
+#include "guest/span_texts.h"
 #include "lp/engine.h"
 #include "machine/assemble.h"
 #include "node/system.h"
@@ -102,10 +103,18 @@ struct nodes {
     size_t length[2];
 };
 
-static inline void nodes_load(struct nodes *x, uint32_t count, const char *path, int argc, char **argv,
-                              char **envp)
+static inline struct node_image *open_image(const char *path)
 {
     char *error = NULL;
+    struct node_image *img = node_image_open(path, &error);
+    if (img == NULL)
+        fail_msg("%s", error);
+    return img;
+}
+
+/* A machine without nodes. */
+static inline void nodes_begin(struct nodes *x, uint32_t count, const char *path)
+{
     memset(x, 0, sizeof *x);
     x->cfg = (struct cfg_machine){.name = "test",
                                   .clock_hz = 40000000,
@@ -113,7 +122,8 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
                                   .system_bytes = 1 << 20,
                                   .stack_bytes = 512 << 10,
                                   .message_ids = 10,
-                                  .clock_call_ps = VT_MICROSECOND};
+                                  .clock_call_ps = VT_MICROSECOND * 3 / 4,
+                                  .unix_call_ps = VT_MICROSECOND / 4};
     x->sys =
         (struct node_system){.cfg = &x->cfg,
                              .schedule = {.q = evq_new(), .max_time = VT_NEVER, .longest_slice = VT_SECOND},
@@ -123,21 +133,32 @@ static inline void nodes_load(struct nodes *x, uint32_t count, const char *path,
                              .print_calls = backtrace_print_calls};
     for (int i = 0; i < 2; i++)
         x->sys.out[i] = open_memstream(&x->text[i], &x->length[i]);
-    x->image = node_image_open(path, &error);
-    if (x->image == NULL)
+    x->image = open_image(path);
+}
+
+static inline void nodes_add(struct nodes *x, uint32_t i, const struct node_image *img, int argc, char **argv,
+                             char **envp)
+{
+    char *error = NULL;
+    x->node[i] = node_new(&x->sys, i, img, argc, argv, envp, &error);
+    if (x->node[i] == NULL)
         fail_msg("%s", error);
-    for (uint32_t i = 0; i < count; i++) {
-        x->node[i] = node_new(&x->sys, i, x->image, argc, argv, envp, &error);
-        if (x->node[i] == NULL)
-            fail_msg("%s", error);
-    }
+}
+
+static inline void nodes_load(struct nodes *x, uint32_t count, const char *path, int argc, char **argv,
+                              char **envp)
+{
+    nodes_begin(x, count, path);
+    for (uint32_t i = 0; i < count; i++)
+        nodes_add(x, i, x->image, argc, argv, envp);
 }
 
 static inline void nodes_run(struct nodes *x)
 {
     for (uint32_t i = 0; i < x->sys.count; i++)
         lp_start(&x->node[i]->lp, 0);
-    while (!x->sys.schedule.stop && evq_step(x->sys.schedule.q, &x->sys.schedule.present))
+    while (!x->sys.schedule.stop &&
+           evq_step(x->sys.schedule.q, &x->sys.schedule.present, &x->sys.schedule.reached))
         ;
     fflush(x->sys.out[0]);
     fflush(x->sys.out[1]);
@@ -147,6 +168,7 @@ static inline void nodes_free(struct nodes *x)
 {
     for (uint32_t i = 0; i < x->sys.count; i++)
         node_delete(x->node[i]);
+    span_texts_free(x->sys.texts);
     node_image_close(x->image);
     evq_free(x->sys.schedule.q);
     for (int i = 0; i < 2; i++) {

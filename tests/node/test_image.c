@@ -29,7 +29,7 @@ static int call_main(const struct nodes *x, int i, int argc, char **argv)
     const struct node *n = x->node[i];
     struct called c = {.node = n, .argc = argc, .argv = argv};
     fiber_begin(&c.fiber, n->system_stack, NODE_SYSTEM_STACK, call, &c);
-    crossing_begin(&c.fiber, n->stack + n->stack_bytes);
+    crossing_begin(&c.fiber, (void *)(n->stack + n->stack_bytes));
     fiber_resume(&c.fiber);
     fiber_end(&c.fiber);
     return c.answer;
@@ -80,6 +80,35 @@ static void pointers_to_library_functions_work(void **state)
                        "int main(int argc) { return (int)f(49.0 * argc) + g(\"four\"); }"));
     assert_int_equal(call_main(&x, 0, 4, NULL), 18);
     nodes_free(&x);
+}
+
+/* As in a machine that has no mappings left: each node has a region for itself. */
+static void nodes_of_several_regions_share_their_text(void **state)
+{
+    enum { NODES = 3, OTHER = 2 };
+    static char *none[] = {NULL};
+    struct nodes x;
+    nodes_begin(
+        &x, NODES,
+        build_as_nxcc(*state, "static int count[5000]; int main(int argc) { return count[4999] += argc; }"));
+    x.cfg.memory_bytes = 600 << 20;
+    x.sys.most_mappings = 1;
+    for (uint32_t i = 0; i < OTHER; i++)
+        nodes_add(&x, i, x.image, 0, none, none);
+    assert_ptr_not_equal(x.node[0]->region, x.node[1]->region);
+    assert_true(x.node[0]->text == TEXT_TO_SHARE && x.node[1]->text == TEXT_SHARED);
+    assert_int_equal(call_main(&x, 0, 3, NULL), 3);
+    assert_int_equal(call_main(&x, 1, 4, NULL), 4);
+    x.node[0]->program[0] = 0;
+    assert_int_equal(x.node[1]->program[0], '\177');
+    struct node_image *smaller = open_image(build_as_nxcc(*state, "int main(int argc) { return 7 * argc; }"));
+    nodes_add(&x, OTHER, smaller, 0, none, none);
+    assert_true(x.node[OTHER]->region->has_texts && x.node[OTHER]->text == TEXT_OWN);
+    assert_int_equal(call_main(&x, OTHER, 3, NULL), 21);
+    for (size_t i = node_image_bytes(smaller); i < node_image_bytes(x.image); i++)
+        assert_int_equal(x.node[OTHER]->program[i], 0);
+    nodes_free(&x);
+    node_image_close(smaller);
 }
 
 static bool has_relocation(const char *path, unsigned type)
@@ -303,6 +332,7 @@ int main(void)
         TEST(globals_are_private),
         TEST(initialised_pointers_point_into_the_own_node),
         TEST(pointers_to_library_functions_work),
+        TEST(nodes_of_several_regions_share_their_text),
         TEST(each_node_has_its_own_stdout),
         TEST(stdout_may_be_copied_into_the_program),
         TEST(weak_names_that_nobody_has_are_null),

@@ -9,10 +9,11 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "guest/span.h"
+#include "guest/span_texts.h"
 #include "node/system.h"
 #include "node/self.h"
 
-enum { NODES = 3, PROGRAM = 100 << 10 };
+enum { NODES = 3, CUBE = 128, PROGRAM = 100 << 10 };
 
 static struct cfg_machine cfg = {.memory_bytes = 16 << 20, .system_bytes = 1 << 20, .stack_bytes = 512 << 10};
 
@@ -29,7 +30,7 @@ static void take(struct machine *m, uint32_t count, size_t most, bool long32)
         (struct node_system){.cfg = &cfg, .count = count, .most_mappings = most, .guards = NODE_GUARDS_ALL};
     for (int i = 0; i < NODES; i++) {
         m->node[i] = (struct node){.sys = &m->sys, .id = (uint32_t)i};
-        assert_true(span_take(&m->node[i], PROGRAM, 0, long32, false));
+        assert_true(span_take(&m->node[i], NULL, PROGRAM, 0, long32, false));
     }
 }
 
@@ -37,6 +38,7 @@ static void release(struct machine *m)
 {
     for (int i = 0; i < NODES; i++)
         span_release(&m->node[i]);
+    span_texts_free(m->sys.texts);
 }
 
 /* Can a byte be written? A child process tries, since it may die of it. */
@@ -62,6 +64,8 @@ static void check_guards(struct machine *m, bool data, bool stacks)
         assert_true(is_there(n->heap_start) && is_there(heap_end - 1));
         assert_int_equal(is_there(n->stack - 1), !stacks);
         assert_int_equal(is_there(n->program + PROGRAM), !data);
+        assert_true(is_there(heap_end));
+        span_guard_heap(n);
         assert_int_equal(is_there(heap_end), !data);
     }
 }
@@ -106,10 +110,11 @@ static void all_memory_tells_whose_it_is(void **state)
     take(&m, NODES, 0, false);
     for (int i = 0; i < NODES; i++) {
         struct node *n = &m.node[i];
-        char *parts[] = {n->stack, n->program, n->program + PROGRAM - 1, n->heap_start,
-                         n->heap_start + n->region->heap_bytes - 1};
+        char *parts[] = {n->system_stack,          n->stack,      n->program,
+                         n->program + PROGRAM - 1, n->heap_start, n->heap_start + n->region->heap_bytes - 1};
         for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
-            assert_ptr_equal(node_at_address((uintptr_t)parts[k]), n);
+            if (parts[k] < n->heap_start)
+                assert_ptr_equal(node_at_address((uintptr_t)parts[k]), n);
             for (int j = 0; j < NODES; j++)
                 assert_int_equal(node_owns(&m.node[j], (uintptr_t)parts[k]), i == j);
         }
@@ -134,17 +139,44 @@ static void a_nodes_parts_are_near_to_each_other(void **state)
     cfg.memory_bytes = 16 << 20;
 }
 
-static void memory_of_programs_with_a_long_of_32_bits_lies_below_4_gb(void **state)
+/* The lower half of an address there could be that of another node's memory below 4 GB. */
+static void an_address_above_4_gb_is_nobodys_if_a_program_keeps_it_in_an_int(void **state)
 {
-    struct machine m;
+    struct node_system sys = {.cfg = &cfg, .count = 5 * CUBE, .guards = NODE_GUARDS_ALL};
+    static struct node node[5 * CUBE];
+    uint32_t above = 0;
+    (void)state;
+    for (uint32_t i = 0; i < sys.count; i++) {
+        node[i] = (struct node){.sys = &sys, .id = i};
+        assert_true(span_take(&node[i], NULL, PROGRAM, 0, true, false));
+        uintptr_t at = (uintptr_t)node[i].stack;
+        intptr_t kept = (int)at;
+        above += at > UINT32_MAX;
+        for (uint32_t k = 0; at > UINT32_MAX && k < i; k++)
+            assert_false(node_owns(&node[k], (uintptr_t)kept));
+    }
+    assert_true(above > 2 * CUBE);
+    for (uint32_t i = 0; i < sys.count; i++)
+        span_release(&node[i]);
+}
+
+static void a_cube_of_programs_with_a_long_of_32_bits_lies_below_2_gb(void **state)
+{
+    struct node_system sys = {.cfg = &cfg, .count = CUBE, .guards = NODE_GUARDS_ALL};
+    static struct node node[CUBE];
     (void)state;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     skip(); /* sanitizers have their own memory there */
 #endif
-    take(&m, NODES, 0, true);
-    for (int i = 0; i < NODES; i++)
-        assert_true((uintptr_t)m.node[i].heap_start + m.node[i].region->heap_bytes < UINT64_C(1) << 32);
-    release(&m);
+    cfg.system_bytes = 3 << 19;
+    for (int i = 0; i < CUBE; i++) {
+        node[i] = (struct node){.sys = &sys, .id = (uint32_t)i};
+        assert_true(span_take(&node[i], NULL, PROGRAM, 0, true, false));
+        assert_true((uintptr_t)node[i].heap_start + node[i].region->heap_bytes < UINT64_C(1) << 31);
+    }
+    for (int i = 0; i < CUBE; i++)
+        span_release(&node[i]);
+    cfg.system_bytes = 1 << 20;
 }
 
 int main(void)
@@ -154,7 +186,8 @@ int main(void)
         cmocka_unit_test(guards_are_given_up_when_there_are_too_many_nodes_for_them),
         cmocka_unit_test(all_memory_tells_whose_it_is),
         cmocka_unit_test(a_nodes_parts_are_near_to_each_other),
-        cmocka_unit_test(memory_of_programs_with_a_long_of_32_bits_lies_below_4_gb),
+        cmocka_unit_test(an_address_above_4_gb_is_nobodys_if_a_program_keeps_it_in_an_int),
+        cmocka_unit_test(a_cube_of_programs_with_a_long_of_32_bits_lies_below_2_gb),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

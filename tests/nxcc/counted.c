@@ -79,6 +79,23 @@ double c_sqrt(double x)
     return sqrt(x);
 }
 
+__attribute__((optimize("no-trapping-math"))) double c_fast_floor(double x)
+{
+    return floor(x);
+}
+
+int c_divide_and_remainder(int a, int b)
+{
+    return a / b ^ a % b;
+}
+
+int c_order(double a, double b)
+{
+    if (a != b)
+        return a < b ? -1 : 1;
+    return 0;
+}
+
 double c_exp(double x)
 {
     return exp(x);

@@ -15,6 +15,9 @@ long c_inlined(long n);
 long c_inlined_in_loop(long n);
 long c_calls_small(long n); /* twice small(), which multiplies and adds */
 double c_sqrt(double x);
+double c_fast_floor(double x);
+int c_divide_and_remainder(int a, int b);
+int c_order(double a, double b);
 double c_exp(double x);
 double c_from_int(int i);
 int c_switch(int i);

@@ -126,6 +126,15 @@ check "C++ is refused at once" says "other.cc: C++ programs cannot be made" "$NX
 same() { "$NXCC" -O2 -S -o a.s hello.c && "$NXCC" -O2 -S -o b.s hello.c && cmp a.s b.s; }
 check "the same source gives the same code" same
 
+echo '#include <math.h>
+float root(float x) { return 1 / sqrtf(x); }
+volatile float two = 2;
+int main(void) { return root(two) > 1; }' >p.c
+exact() { "$NXCC" -O2 -ffast-math -mrecip -c p.c && objdump -d p.o >said && grep -q sqrtss said && ! grep -E 'rsqrt|rcp' said; }
+check "no reciprocal is approximated, as each kind of processor does otherwise" exact
+
+check "a root in place is no call, also if errno is not wanted" [ "$(units -fno-math-errno)" -lt "$(units)" ]
+
 cat >p.c <<'EOF'
 #include <stdio.h>
 static double twice(double x) { return x * 2; }

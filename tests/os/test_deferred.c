@@ -18,6 +18,7 @@
 #include "os/front.h"
 #include "os/gate.h"
 #include "os/match.h"
+#include "os/observer.h"
 #include "os/unexpected.h"
 
 enum { NODES = 2, BYTES = 80, CALL = 3, SEND = 33, ARRIVE = 15 /* us */ };
@@ -66,7 +67,7 @@ static void begin(struct fake *f)
 static void end(struct fake *f)
 {
     struct protocol *p = f->sys.schedule.protocol;
-    while (evq_step(f->sys.schedule.q, &f->sys.schedule.present))
+    while (evq_step(f->sys.schedule.q, &f->sys.schedule.present, &f->sys.schedule.reached))
         ;
     deferred_undo(f->n);
     for (uint32_t i = 0; i < NODES; i++) {
@@ -153,7 +154,7 @@ static void message_at(struct fake *f, vtime t, int32_t type)
 static void run_until(struct fake *f, vtime t)
 {
     while (evq_next(f->sys.schedule.q) <= t)
-        evq_step(f->sys.schedule.q, &f->sys.schedule.present);
+        evq_step(f->sys.schedule.q, &f->sys.schedule.present, &f->sys.schedule.reached);
 }
 
 /* The machine has stopped: calls that needed no event are committed, too. */
@@ -239,6 +240,55 @@ static void deferred_calls_are_committed_in_order_and_at_their_times(void **stat
     assert_int_equal(complete_at(&f, 1), (100 + SEND + ARRIVE) * US);
     assert_int_equal(complete_at(&f, 2), (200 + SEND + ARRIVE) * US);
     assert_int_equal(f.n->times.tasks[NODE_SENDING], 2 * (SEND - CALL) * US);
+    end(&f);
+}
+
+/* A subscriber that counts what becomes of calls. */
+struct calls_counted {
+    struct observer observer; /* first */
+    int deferred, committed, left;
+    vtime at[2];
+};
+
+static void count_deferred(struct observer *o, struct node *n)
+{
+    (void)n;
+    ((struct calls_counted *)o)->deferred++;
+}
+
+static void count_committed(struct observer *o, struct node *n, vtime t)
+{
+    struct calls_counted *c = (struct calls_counted *)o;
+    (void)n;
+    c->at[c->committed++ % 2] = t;
+}
+
+static void count_left(struct observer *o, struct node *n)
+{
+    (void)n;
+    ((struct calls_counted *)o)->left++;
+}
+
+static void what_becomes_of_deferred_calls_is_announced(void **state)
+{
+    static const struct announcements hears = {
+        .deferred = count_deferred, .committed = count_committed, .popped = count_left};
+    struct calls_counted c = {.observer.hears = &hears};
+    struct fake f;
+    (void)state;
+    begin(&f);
+    observer_add(f.n, &c.observer);
+    others_may_interfere(&f);
+    compute(&f, 100), send(&f, 1);
+    compute(&f, 67), send(&f, 2);
+    assert_int_equal(c.deferred, 2);
+    assert_int_equal(c.committed, 0);
+    run_until(&f, 100 * US);
+    assert_int_equal(c.committed, 1);
+    run_until(&f, VT_SECOND);
+    assert_int_equal(c.committed, 2);
+    assert_int_equal(c.left, 2);
+    assert_true(c.at[0] == 100 * US && c.at[1] == 200 * US);
     end(&f);
 }
 
@@ -371,7 +421,8 @@ static void a_message_does_not_overtake_one_that_waits_for_its_event(void **stat
     begin(&f);
     others_may_interfere(&f);
     compute(&f, 100), send(&f, 1);
-    evq_step(f.sys.schedule.q, &f.sys.schedule.present); /* now nothing can reach the node */
+    evq_step(f.sys.schedule.q, &f.sys.schedule.present,
+             &f.sys.schedule.reached); /* now nothing can reach the node */
     compute(&f, 67), send(&f, 2);
     assert_int_equal(protocol_under_way(f.sys.schedule.protocol), 0);
     run_until(&f, 100 * US);
@@ -481,6 +532,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(deferred_calls_are_committed_in_order_and_at_their_times),
+        cmocka_unit_test(what_becomes_of_deferred_calls_is_announced),
         cmocka_unit_test(a_receive_is_posted_when_the_machine_has_come_to_its_commit_time),
         cmocka_unit_test(there_is_room_for_so_many_and_no_more),
         cmocka_unit_test(a_receive_that_selects_an_unexpected_message_has_it_at_once),

@@ -28,8 +28,120 @@ static void note(long x)
     seen = (seen ^ (unsigned long long)x) * 1099511628211ULL;
 }
 
+/* --- what a program finds where it has set nothing ---
+ *
+ * What the system leaves there must depend on the program alone. Not so what compiled code itself leaves:
+ * below a call may lie a register that holds what code counts, or the return address of one of two copies
+ * of a loop, and the engine and slices determine both; a jmp_buf may hold the register, too. So after_call()
+ * clears the stack, makes one call with handlers masked, and looks at every word; elsewhere a look counts
+ * addresses of the computer's, which no program may find. With --profile, compiled code keeps such an
+ * address in registers (nxc_path): programs built so do not look. */
+enum { LEFT_OUT = 8, AFTER_CALLS = 60, CLEARED = 1000 };
+#ifdef PLAYER_PROFILED
+enum { LOOKS = 0 };
+#else
+enum { LOOKS = 1 };
+#endif
+
+/* Programs, libraries and stacks of the computer lie from 0x50... to 0x7f... No branch depends on
+ * a word, so that time does not. */
+__attribute__((noinline)) static void count_addresses(void)
+{
+    const volatile unsigned long *sp = __builtin_frame_address(0);
+    long count = 0;
+    __asm__("" : "+r"(sp));
+    for (long i = LEFT_OUT; i < LEFT_OUT + LOOKS * AFTER_CALLS; i++)
+        count += (sp[-i] >> 40) - 0x50 < 0x30;
+    note(count);
+}
+
+__attribute__((noinline)) static void clear_stack(void)
+{
+    volatile unsigned long *sp = __builtin_frame_address(0);
+    __asm__("" : "+r"(sp));
+    for (long i = LEFT_OUT; i < CLEARED; i++)
+        sp[-i] = 0;
+}
+
+__attribute__((noinline)) static void hash_stack(void)
+{
+    const volatile unsigned long *sp = __builtin_frame_address(0);
+    unsigned long sum = 0;
+    __asm__("" : "+r"(sp));
+    for (long i = LEFT_OUT; i < LEFT_OUT + LOOKS * (CLEARED - 2 * LEFT_OUT); i++)
+        sum = (sum ^ sp[-i]) * 1099511628211UL;
+    note((long)sum);
+}
+
+__attribute__((noinline)) static void after_call(long call, long n)
+{
+    static char text[100];
+    static volatile double x;
+    long before = masktrap(1);
+    clear_stack();
+    switch (call) {
+    case 0:
+        for (long i = 0; i < 50 * n; i++)
+            x = x * 0.5 + 1;
+        break;
+    case 1:
+        iprobe(-1);
+        break;
+    case 2:
+        csend(112, out, n, mynode(), 0);
+        break;
+    case 3:
+        snprintf(text, sizeof text, "%ld %g %Lf", n, 1.0 / (double)n, 1.5L);
+        break;
+    case 4:
+        free(malloc((size_t)n));
+        break;
+    case 5:
+        dclock();
+        break;
+    case 6:
+        getenv("PROVE_WORDS");
+        break;
+    case 7:
+        usleep((unsigned)n % 100);
+        break;
+    case 8:
+        printf("%ld\n", n);
+        break;
+    default:
+        strtod("1.25e3", NULL);
+    }
+    hash_stack();
+    masktrap(before);
+}
+
+__attribute__((noinline)) static void never_set(long n)
+{
+    long x, some[40];
+    char text[30];
+    if (n > 2)
+        x = n;
+    some[n] = n;
+    text[n] = 'a';
+    __asm__("" : "+m"(some), "+m"(text), "+r"(x));
+    for (int i = 0; i < 40; i++)
+        note(some[i]);
+    for (int i = 0; i < 30; i++)
+        note(text[i]);
+    note(x);
+}
+
+static void given_memory(long bytes)
+{
+    volatile unsigned char *p = malloc((size_t)bytes);
+    for (long i = 0; p && i < bytes; i += 1 + bytes / 64)
+        note(p[i]);
+    free((void *)p);
+}
+
 static void told(void)
 {
+    count_addresses();
     note(infotype());
     note(infocount());
     note(infonode());
@@ -505,6 +617,91 @@ static void at_exit(long kind, long clocks)
     exit_kind = kind, exit_clocks = clocks;
     atexit(work_at_exit);
 }
+
+/* --- what the system and the C library answer by pointer --- */
+
+static char **arguments;
+static int argument_count;
+
+static void note_text(const char *text)
+{
+    for (; text && *text; text++)
+        note(*text);
+}
+
+/* Reads an answer, and writes over a character of it, as each node may. */
+static void change(char *answer, long at)
+{
+    note_text(answer);
+    if (answer && at < (long)strlen(answer))
+        answer[at] = (char)('a' + mynode() % 26);
+}
+
+static void split_argument(long which, long pieces)
+{
+    if (argument_count < 2)
+        return;
+    char *piece = strtok(arguments[1 + which % (argument_count - 1)], ",");
+    for (; piece; piece = pieces-- > 0 ? strtok(NULL, ",") : NULL)
+        note_text(piece);
+}
+
+static void all_arguments(void)
+{
+    for (int i = 1; i < argument_count; i++)
+        note_text(arguments[i]);
+}
+
+static void set_variable(long n)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%ld of node %ld", n, mynode());
+    setenv(n % 2 ? "PROVE_WORDS" : "PROVE_MORE", text, n > 1);
+    note_text(getenv("PROVE_MORE"));
+}
+
+static void time_text(long seconds, long at)
+{
+    time_t t = seconds * 86400;
+    struct tm *tm = gmtime(&t);
+    note(tm->tm_yday);
+    tm->tm_hour = (int)(mynode() % 24);
+    change(asctime(tm), at);
+}
+
+static void change_seed(long n)
+{
+    unsigned short seed[3] = {(unsigned short)n, (unsigned short)mynode(), 3};
+    unsigned short *before = seed48(seed);
+    note(before[0]);
+    before[1] = (unsigned short)n;
+    note(lrand48());
+}
+
+/* --- in Fortran --- */
+
+#ifdef PLAYER_FORTRAN
+void f_note_(const int *x)
+{
+    note(*x);
+}
+
+/* A number as Fortran takes it. */
+#define AT(x)                                                                                                \
+    &(int)                                                                                                   \
+    {                                                                                                        \
+        (int)(x)                                                                                             \
+    }
+void f_send_(const int *type, const int *length, const int *node);
+void f_receive_(const int *type);
+void f_post_(const int *type, const int *kind, const int *clocks);
+void f_clock_(void);
+void f_compute_(const int *kind, const int *clocks);
+void f_arrays_(const int *kind, const int *n);
+void f_text_(const int *kind, const int *n);
+void f_characters_(const int *kind, const int *n);
+void f_never_set_(const int *n);
+#endif
 
 /* --- the host's --- */
 

@@ -1,7 +1,8 @@
 /* player.c - the node program of `make prove`: each node executes the operations of ops.def that an
  * environment variable lists, PROVE_3 for node 3, PROVE_HOST for the host program: "OP a b c d OP a b c d
  * ...", OP being the operation's number. At its end it prints its results. The fast engine defers no call of
- * a program that has flushmsg: PLAYER_FLUSHES therefore makes a second player, and nxcc -host the host's. */
+ * a program that has flushmsg: PLAYER_FLUSHES therefore makes a second player, and nxcc -host the host's.
+ * PLAYER_FORTRAN makes one with parts.f90. */
 #include "parts.h"
 
 #ifdef PLAYER_FLUSHES
@@ -13,6 +14,11 @@
 #define HOST(code) code
 #else
 #define HOST(code) (void)0
+#endif
+#ifdef PLAYER_FORTRAN
+#define FORTRAN(code) code
+#else
+#define FORTRAN(code) (void)0
 #endif
 
 #define FAMILY(name, share)
@@ -35,8 +41,9 @@ static void play(long op, long a, long b, long c, long d)
     }
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    argument_count = argc, arguments = argv;
     char name[32] = "PROVE_HOST";
     if (mynode() != myhost())
         snprintf(name, sizeof name, "PROVE_%ld", mynode());

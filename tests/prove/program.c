@@ -307,7 +307,7 @@ static void choose_numbers(struct chooser *c)
         "system.ask_send_us",       "system.short_receive_us", "system.ask_receive_us",
         "system.grant_receive_us",  "system.long_receive_us",  "system.interrupt_us",
         "net.short_hop_us",         "net.long_hop_us",         "system.forced_send_us",
-        "system.forced_receive_us", "system.kernel_us"};
+        "system.forced_receive_us", "system.kernel_us",        "system.unix_call_us"};
     struct program *p = c->p;
     uint64_t *r = &c->random;
     if (random_chance(r, 0.2))
@@ -320,7 +320,7 @@ static void choose_numbers(struct chooser *c)
         set_number(p, "node.program_share", random_chance(r, 0.3) ? 0 : (double)spread(r, 900) / 1000);
     bool small = !strcmp(p->machine, "delta") || !strcmp(p->machine, "ipsc860");
     if (small && random_chance(r, 0.15))
-        set_number(p, "node.system_kb", (double)(14700 + random_below(r, 500)));
+        set_number(p, "node.system_kb", (double)(14700 + random_below(r, 500))), p->little_memory = true;
 }
 
 static void choose_machine(struct chooser *c)
@@ -364,6 +364,19 @@ static void choose_timing(struct program *p)
                  ",method=pct,depth=%u,length=%u", depth, length);
 }
 
+/* Families that came later are chosen by random numbers of their own: all else of a seed's program stays. */
+static void add_later_families(struct program *p, double end)
+{
+    struct chooser c = {.p = p, .random = p->seed ^ UINT64_C(0xdead57ac)};
+    if (random_chance(&c.random, 0.6))
+        add_some(&c, FAMILY_unset, 6, end);
+    if (random_chance(&c.random, 0.5))
+        add_some(&c, FAMILY_answers, 10, end);
+    p->fortran = !p->host && !p->flushes && !p->profile && !p->little_memory && random_chance(&c.random, 0.4);
+    if (p->fortran)
+        add_some(&c, FAMILY_fortran, 40, end);
+}
+
 struct program *program_new(uint64_t seed)
 {
     struct chooser c = {.p = calloc(1, sizeof *c.p), .random = seed * 2654435761u + 1};
@@ -383,6 +396,7 @@ struct program *program_new(uint64_t seed)
         add_some(&c, FAMILY_flushing, 5, phases);
     if (c.p->host)
         add_host(&c, phases);
+    add_later_families(c.p, phases);
     for (int i = 0; i < SCRIPTS; i++)
         if (c.p->script[i].count)
             qsort(c.p->script[i].ops, c.p->script[i].count, sizeof(struct op), by_key);
@@ -484,12 +498,17 @@ static void print_script(const struct program *p, int node, FILE *f)
 void program_print(const struct program *p, const char *parts, FILE *f)
 {
     FILE *from = fopen(parts, "r");
-    fprintf(f, "#define FLUSH(code) code\n#define HOST(code) code\n");
+    fprintf(f, "#define FLUSH(code) code\n#define HOST(code) code\n#define FORTRAN(code) code\n");
+    if (p->profile)
+        fprintf(f, "#define PLAYER_PROFILED\n");
+    if (p->fortran)
+        fprintf(f, "#define PLAYER_FORTRAN /* nxf77 links it with tests/prove/parts.f90 */\n");
     for (int c; from && (c = getc(from)) != EOF;)
         putc(c, f);
     if (from)
         fclose(from);
-    fprintf(f, "\nint main(void)\n{\n    switch (mynode()) {\n");
+    fprintf(f, "\nint main(int argc, char **argv)\n{\n    argument_count = argc, arguments = argv;\n"
+               "    switch (mynode()) {\n");
     for (int node = 0; node < (int)p->nodes; node++) {
         if (!p->script[node].count)
             continue;

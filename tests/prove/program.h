@@ -24,7 +24,8 @@ struct program {
     const char *machine;
     uint32_t nodes;
     bool flushes, host, cube; /* host: there is a host program; cube: it calls getcube itself */
-    bool profile;
+    bool profile, fortran;    /* fortran: with parts.f90 */
+    bool little_memory;       /* too little for Fortran's library */
     bool traced, recorded;
     double most_virtual_s;
     char set[MOST_SET][48]; /* KEY=VALUE of the machine file */

@@ -77,6 +77,7 @@ static void print_program(const struct program *p, const char *way, const char *
                    script + strcspn(script, "=") + 1);
             free(script);
         }
+    printf("export PROVE_WORDS='%s'\n", TRIAL_WORDS);
     trial_print_command(p, TRIAL_REFERENCE, stdout);
     trial_print_command(p, way, stdout);
 }

@@ -73,7 +73,15 @@ static void add_program(struct arguments *a, const struct program *p, const char
         add(a, "--host");
         add(a, "%splayer-host", folder);
     }
-    add(a, "%splayer%s", folder, p->flushes ? "-flushes" : p->profile ? "-profile" : "");
+    add(a, "%splayer%s", folder,
+        p->flushes   ? "-flushes"
+        : p->profile ? "-profile"
+        : p->fortran ? "-fortran"
+                     : "");
+    if (p->host)
+        return;
+    add(a, "one,two,,three");
+    add(a, "of,node,program");
 }
 
 static bool is_traced(const struct program *p, const char *way)
@@ -134,7 +142,8 @@ void trial_print_command(const struct program *p, const char *way, FILE *f)
     free_arguments(&a);
 }
 
-/* The environment of a run: the scripts, and the computer's paths; nothing else of the prover's. */
+/* The environment of a run: the scripts, words to change, and the computer's paths; nothing else of the
+ * prover's. */
 static void environment(const struct program *p, char **all)
 {
     static const char *const KEPT[] = {"PATH",         "HOME",        "TMPDIR", "TOUCHSTONE_HOME",
@@ -148,6 +157,7 @@ static void environment(const struct program *p, char **all)
     for (int i = 0; i < SCRIPTS; i++)
         if (p->script[i].count)
             all[count++] = program_script(p, i);
+    all[count++] = strdup("PROVE_WORDS=" TRIAL_WORDS);
     all[count] = NULL;
 }
 

@@ -26,6 +26,8 @@ struct trial {
 /* Of a recorded program: without its --timing, but with the schedule that its last run on the reference
  * engine has written. */
 #define TRIAL_REPLAYED "-w 2 --replay replayed"
+/* What the variable PROVE_WORDS holds when a program begins. */
+#define TRIAL_WORDS "left and right"
 struct trial trial_run(const struct place *place, const struct program *p, const char *way);
 void trial_free(struct trial *t);
 /* The first result that differs, or RESULTS if only the status does; -1: none. */

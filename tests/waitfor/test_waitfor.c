@@ -140,6 +140,32 @@ static void all_wait_for_any(void **state)
                 "    One of them has to send before it receives.");
 }
 
+static void expect_why(const struct waitfor *w, uint32_t i, const char *sentence)
+{
+    assert_string_equal(w->nodes[i].why, sentence);
+}
+
+/* Of those that live, each has a list of the others, which parts the run of nodes that it is in. */
+static void some_wait_for_any_and_others_have_ended(void **state)
+{
+    (void)state;
+    struct waitfor *w = waitfor_new(8);
+    w->nodes[7].is_host = true, w->nodes[7].name = "host";
+    for (uint32_t i = 0; i < w->count; i++)
+        receives(w, i, 7, WAITFOR_ANY);
+    ends(w, 4), ends(w, 6);
+    waitfor_analyse(w);
+    expect_why(w, 0,
+               "It waits for type 7 from any node; nodes 1-3, 5 and the host could send it, but none has.");
+    expect_why(
+        w, 2,
+        "It waits for type 7 from any node; nodes 0, 1, 3, 5 and the host could send it, but none has.");
+    expect_why(w, 5,
+               "It waits for type 7 from any node; nodes 0-3 and the host could send it, but none has.");
+    expect_why(w, 7, "It waits for type 7 from any node; nodes 0-3, 5 could send it, but none has.");
+    waitfor_free(w);
+}
+
 static void one_waits_for_any_and_all_for_that(void **state)
 {
     (void)state;
@@ -599,6 +625,23 @@ static void many_nodes(void **state)
     assert_true(clock() - begun < 40 * CLOCKS_PER_SEC);
 }
 
+/* Of 100,000 nodes that wait for any other, or are in an operation, which one node has left: what is the same
+ * for many is found once. By the square of the nodes this would take minutes. */
+static void very_many_nodes(void **state)
+{
+    (void)state;
+    clock_t begun = clock();
+    for (uint32_t kind = 0; kind < 3; kind++) {
+        struct waitfor *w = waitfor_new(100000);
+        for (uint32_t i = 1; i < w->count; i++)
+            receives(w, i, kind == 0 ? 7 : kind == 1 ? GSYNC : i % 2 ? GSYNC : 7, WAITFOR_ANY);
+        ends(w, 0);
+        free(text_of(w));
+        waitfor_free(w);
+    }
+    assert_true(clock() - begun < 20 * CLOCKS_PER_SEC);
+}
+
 /* --- times ---------------------------------------------------------------------------------------------- */
 
 static void times_are_those_of_other_reports(void **state)
@@ -625,6 +668,7 @@ int main(void)
         cmocka_unit_test(the_shortest_of_two_cycles),
         cmocka_unit_test(two_operations_in_different_orders),
         cmocka_unit_test(all_wait_for_any),
+        cmocka_unit_test(some_wait_for_any_and_others_have_ended),
         cmocka_unit_test(one_waits_for_any_and_all_for_that),
         cmocka_unit_test(a_message_of_another_type),
         cmocka_unit_test(a_message_of_a_type_outside_of_a_set),
@@ -645,6 +689,7 @@ int main(void)
         cmocka_unit_test(more_states_than_are_told),
         cmocka_unit_test(random_graphs),
         cmocka_unit_test(many_nodes),
+        cmocka_unit_test(very_many_nodes),
         cmocka_unit_test(times_are_those_of_other_reports),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,6 +31,20 @@ static bool run_gnuplot(const char *script, char **error)
     return drawn;
 }
 
+bool chart_can_draw(char **error)
+{
+    char *const argv[] = {"gnuplot", "--version", NULL};
+    struct pool_job job = {.name = "gnuplot", .argv = argv};
+    bool can = pool_run(&job, 1, 1, NULL).all_done;
+    if (!can)
+        *error =
+            xasprintf("pictures need gnuplot, which cannot be run here (%s): install it, in Debian as root: "
+                      "apt install gnuplot-nox",
+                      job.error ? job.error : "stopped");
+    pool_clear(&job, 1);
+    return can;
+}
+
 bool chart_draw(const struct record_points *points, const struct picture *p, const char *dir, char **error)
 {
     struct scratch scratch = folder_scratch("touchstone-picture", error);

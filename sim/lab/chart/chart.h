@@ -4,6 +4,9 @@
 #include "lab/chart/picture.h"
 #include "lab/chart/record.h"
 
+/* Is there a gnuplot that runs? False with *error malloc'd, which says what to install. */
+bool chart_can_draw(char **error);
+
 /* Draws DIR/FILE.png and DIR/FILE.svg. Points that failed or lack the figure are left out. An axis of several
  * values that the picture does not use is held at its first value; the picture says so. False with *error
  * malloc'd. */

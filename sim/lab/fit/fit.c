@@ -29,25 +29,24 @@ static void positions(const struct fit *f, double x[])
         x[i] = f->position[f->searched[i]];
 }
 
-/* Computes the figures at the present positions. */
-static bool measure(struct fit *f, double computed[], double *rms)
+/* Computes the figures and r->residuals at the present positions. */
+static bool measure(struct fit *f, struct fit_result *r, double computed[], double *rms)
 {
-    double x[FIT_MAX_NUMBERS], *residuals = numbers(f->measurements);
+    double x[FIT_MAX_NUMBERS];
     positions(f, x);
-    bool good = fit_try(f, x, residuals);
-    *rms = fit_rms(residuals, f->measurements);
+    bool good = fit_try(f, x, r->residuals);
+    *rms = fit_rms(r->residuals, f->measurements);
     memcpy(computed, f->computed, f->measurements * sizeof *computed);
-    free(residuals);
     return good;
 }
 
 /* Leaves parameters out of the search that have no influence at the start, nor a step FAR from it. */
-static bool leave_out(struct fit *f)
+static bool leave_out(struct fit *f, const struct fit_result *r)
 {
     struct fit_problem p = problem_of(f);
     double x[FIT_MAX_NUMBERS], *slope = numbers(p.residuals * p.numbers);
     positions(f, x);
-    bool good = fit_slopes(&p, x, FAR, slope);
+    bool good = fit_slopes(&p, x, r->residuals, FAR, slope);
     for (size_t k = f->count = 0; good && k < p.numbers; k++) {
         bool influence = false;
         for (size_t i = 0; i < p.residuals; i++)
@@ -127,7 +126,7 @@ static bool look_around(struct fit *f, struct fit_result *r)
     struct fit_problem p = problem_of(f);
     double x[FIT_MAX_NUMBERS], *slope = numbers(p.residuals * p.numbers);
     positions(f, x);
-    bool good = fit_slopes(&p, x, NEAR, slope);
+    bool good = fit_slopes(&p, x, r->residuals, NEAR, slope);
     if (good) {
         set_percent(f, r, slope);
         set_standings(f, r, slope);
@@ -150,6 +149,7 @@ static void begin(struct fit *f, struct fit_result *r)
     }
     r->before = numbers(f->measurements);
     r->after = numbers(f->measurements);
+    r->residuals = numbers(f->measurements);
     r->percent = numbers(f->measurements * f->parameters);
 }
 
@@ -164,8 +164,8 @@ static bool determined(const struct fit *f, const struct fit_result *r)
 static enum fit_end conduct(struct fit *f, struct fit_result *r, char **error)
 {
     begin(f, r);
-    bool good = measure(f, r->before, &r->rms_before) && leave_out(f) && search(f) &&
-                measure(f, r->after, &r->rms_after) && look_around(f, r);
+    bool good = measure(f, r, r->before, &r->rms_before) && leave_out(f, r) && search(f) &&
+                measure(f, r, r->after, &r->rms_after) && look_around(f, r);
     if (!good) {
         *error = f->error;
         f->error = NULL;
@@ -184,6 +184,7 @@ enum fit_end fit_run(const struct fit_options *options, char **error)
     enum fit_end end = fit_read(&f, error) ? conduct(&f, &r, error) : FIT_ERROR;
     free(r.before);
     free(r.after);
+    free(r.residuals);
     free(r.percent);
     fit_clear(&f);
     return end;

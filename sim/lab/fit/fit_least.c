@@ -13,7 +13,7 @@ static const double FIRST_STEP = 0.1, LAST_STEP = 1e-5;
 struct search {
     const struct fit_problem *problem;
     nlopt_opt opt;
-    double *residuals, *best, best_rms;
+    double *residuals, *best, best_rms, worst_rms;
     bool failed;
 };
 
@@ -31,7 +31,8 @@ double fit_rms(const double residuals[], size_t count)
     return sqrt(sum / (double)count);
 }
 
-/* The objective for NLopt. Remembers the best x, for a search that is stopped. */
+/* The objective for NLopt. Remembers the best x, for a search that is stopped. Where a run failed, the search
+ * is told the worst of what ran: that leads it away, and bends BOBYQA's parabola less than more would. */
 static double squares(unsigned n, const double x[], double gradient[], void *arg)
 {
     struct search *s = arg;
@@ -42,10 +43,13 @@ static double squares(unsigned n, const double x[], double gradient[], void *arg
         return INFINITY;
     }
     double rms = fit_rms(s->residuals, s->problem->residuals);
+    if (isnan(rms))
+        return s->worst_rms * s->worst_rms;
     if (rms < s->best_rms) {
         s->best_rms = rms;
         memcpy(s->best, x, n * sizeof *x);
     }
+    s->worst_rms = fmax(s->worst_rms, rms);
     return rms * rms;
 }
 
@@ -85,28 +89,36 @@ bool fit_least(const struct fit_problem *p, double x[], unsigned most)
     return !s.failed;
 }
 
-/* The slopes of all residuals by number k. */
-static bool slopes_of(const struct fit_problem *p, double x[], size_t k, double step, double slope[],
-                      double *below, double *above)
+/* The slope of one residual, between the outermost positions at which it is there. */
+static double slope_of(const double x[3], const double residual[3])
 {
-    double here = x[k], low = fmax(here - step, 0), high = fmin(here + step, 1);
-    x[k] = low;
+    int low = isnan(residual[0]) ? 1 : 0, high = isnan(residual[2]) ? 1 : 2;
+    return x[high] > x[low] ? (residual[high] - residual[low]) / (x[high] - x[low]) : NAN;
+}
+
+/* The slopes of all residuals by number k. */
+static bool slopes_of(const struct fit_problem *p, double x[], const double here[], size_t k, double step,
+                      double slope[], double *below, double *above)
+{
+    double by[] = {fmax(x[k] - step, 0), x[k], fmin(x[k] + step, 1)};
+    x[k] = by[0];
     bool good = p->at(p->arg, x, below);
-    x[k] = high;
+    x[k] = by[2];
     good = good && p->at(p->arg, x, above);
-    x[k] = here;
+    x[k] = by[1];
     for (size_t i = 0; good && i < p->residuals; i++)
-        slope[i * p->numbers + k] = (above[i] - below[i]) / (high - low);
+        slope[i * p->numbers + k] = slope_of(by, (double[]){below[i], here[i], above[i]});
     return good;
 }
 
-bool fit_slopes(const struct fit_problem *p, const double x[], double step, double slope[])
+bool fit_slopes(const struct fit_problem *p, const double x[], const double here[], double step,
+                double slope[])
 {
     double *at = numbers(p->numbers), *below = numbers(p->residuals), *above = numbers(p->residuals);
     bool good = true;
     memcpy(at, x, p->numbers * sizeof *x);
     for (size_t k = 0; good && k < p->numbers; k++)
-        good = slopes_of(p, at, k, step, slope, below, above);
+        good = slopes_of(p, at, here, k, step, slope, below, above);
     free(at);
     free(below);
     free(above);

@@ -16,18 +16,22 @@ enum { FIT_MAX_NUMBERS = 16 };
 struct fit_problem {
     size_t numbers;   /* 1 to FIT_MAX_NUMBERS */
     size_t residuals; /* 1 or more */
-    /* Computes the residuals at x. False ends the search. */
+    /* Computes the residuals at x; NAN: there is none, because its run failed. False ends the search. */
     bool (*at)(void *arg, const double x[], double residuals[]);
     void *arg;
 };
 
-/* Searches from x, in at most `most` evaluations, and sets x to the best. False if at() returned false. */
+/* Searches from x, in at most `most` evaluations, and sets x to the best at which all runs have residuals, as
+ * they must have where it begins. False if at() returned false. */
 bool fit_least(const struct fit_problem *p, double x[], unsigned most);
 const char *fit_least_method(size_t numbers);
 
-/* slope[i * numbers + k] = d residual i / d number k at x, from residuals `step` below and above x, on one
- * side at an end of the range. False if at() returned false. */
-bool fit_slopes(const struct fit_problem *p, const double x[], double step, double slope[]);
+/* slope[i * numbers + k] = d residual i / d number k at x, where the residuals are here[], from residuals
+ * `step` below and above x: on one side at an end of the range, or where the other side has none. NAN:
+ * neither side has one. False if at() returned false. */
+bool fit_slopes(const struct fit_problem *p, const double x[], const double here[], double step,
+                double slope[]);
 
+/* NAN if one of them is. */
 double fit_rms(const double residuals[], size_t count);
 #endif

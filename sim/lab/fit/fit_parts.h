@@ -36,8 +36,9 @@ struct fit {
     size_t searched[FIT_MAX_NUMBERS], count;
     double position[FIT_MAX_NUMBERS];
 
-    double *computed; /* figures of the latest evaluation */
+    double *computed; /* figures of the latest evaluation; NAN: its run failed */
     unsigned evaluations;
+    char **failed;              /* runs that failed, each once: parameters, point and reason */
     char *built;                /* the factors of the last build */
     char *program;              /* path of the built program; NULL: the study's own program */
     struct study_counts counts; /* sums over all evaluations */
@@ -80,10 +81,12 @@ bool fit_try(void *arg, const double x[], double residuals[]);
 struct fit_result {
     double *before, *after; /* the computed figure for each measurement */
     double rms_before, rms_after;
+    double *residuals;                         /* at the present positions */
     struct fit_number number[FIT_MAX_NUMBERS]; /* of each parameter */
     double error[FIT_MAX_NUMBERS];             /* the standard error in the parameter's unit */
     char text[FIT_MAX_NUMBERS][32], start[FIT_MAX_NUMBERS][32];
-    /* [measurement * parameters + parameter]: percent of the figure for one percent of the parameter */
+    /* [measurement * parameters + parameter]: percent of the figure for one percent of the parameter; NAN:
+     * runs failed on both sides */
     double *percent;
 };
 

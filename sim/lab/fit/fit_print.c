@@ -77,10 +77,23 @@ static void print_sensitivities(const struct fit *f, const struct fit_result *r,
         fprintf(out, " %14s", f->parameter[n].name);
     for (size_t i = 0; i < f->measurements; i++) {
         fprintf(out, "\n%-40s", f->measurement[i].name);
-        for (size_t n = 0; n < f->parameters; n++)
-            fprintf(out, " %+14.6f", r->percent[i * f->parameters + n]);
+        for (size_t n = 0; n < f->parameters; n++) {
+            double percent = r->percent[i * f->parameters + n];
+            if (isnan(percent))
+                fprintf(out, " %14s", "not known");
+            else
+                fprintf(out, " %+14.6f", percent);
+        }
     }
     fputc('\n', out);
+}
+
+static void print_failed(const struct fit *f, FILE *out)
+{
+    if (f->failed)
+        fputs("\nruns that failed; the fit leaves them out\n", out);
+    for (char **run = f->failed; run && *run; run++)
+        fprintf(out, "%s\n", *run);
 }
 
 void fit_print(const struct fit *f, const struct fit_result *r, FILE *out)
@@ -88,6 +101,7 @@ void fit_print(const struct fit *f, const struct fit_result *r, FILE *out)
     print_parameters(f, r, out);
     print_measurements(f, r, out);
     print_sensitivities(f, r, out);
+    print_failed(f, out);
     fprintf(out, "\nroot mean square of the residuals, %s: %.4g at the start, %.4g fitted\n", unit(f),
             r->rms_before, r->rms_after);
     fprintf(out, "%s: %u evaluations, %zu runs, %zu more of before\n", fit_least_method(f->count),

@@ -270,6 +270,7 @@ void fit_clear(struct fit *f)
     }
     free(f->measurement);
     free(f->computed);
+    words_free(f->failed);
     free(f->built);
     free(f->program);
     free(f->error);

@@ -11,9 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A failed run counts as a figure so many times too large, which leads the search away. */
-static const double FAILED = 10;
-
 static double residual_of(const struct fit_measurement *m, double computed)
 {
     return (computed - m->value) / m->scale;
@@ -23,6 +20,7 @@ static double residual_of(const struct fit_measurement *m, double computed)
 
 struct visit {
     struct fit *fit;
+    const char *at; /* the parameters' values */
     unsigned *seen; /* for each measurement, the number of points that match it */
 };
 
@@ -43,6 +41,18 @@ static bool is_at(const struct fit_measurement *m, const json_t *point)
     return true;
 }
 
+/* Adds a run to those that failed, unless it is among them. */
+static void add_failed(struct fit *f, const char *at, const char *name, const char *reason)
+{
+    char *said = xasprintf("%s: %s: %s", at, name, reason);
+    for (char **other = f->failed; other && *other; other++)
+        if (strcmp(*other, said) == 0) {
+            free(said);
+            return;
+        }
+    words_add(&f->failed, said);
+}
+
 /* Takes the figures of a point. In the first evaluation every figure must be there; later runs may fail. */
 static bool visit_point(void *arg, const json_t *point, char **error)
 {
@@ -57,20 +67,19 @@ static bool visit_point(void *arg, const json_t *point, char **error)
         f->computed[i] = figure_of(point, m->figure);
         if (!isnan(f->computed[i]))
             continue;
+        const char *reason = failure ? failure : "the run has no such figure, or it is no number";
         if (!f->evaluations) {
-            *error =
-                failure ? xasprintf("%s: %s failed: %s", m->at, m->name, failure)
-                        : xasprintf("%s: %s: the run has no such figure, or it is no number", m->at, m->name);
+            *error = xasprintf("%s: %s%s: %s", m->at, m->name, failure ? " failed" : "", reason);
             return false;
         }
-        f->computed[i] = m->value * (1 + FAILED);
+        add_failed(f, v->at, m->name, reason);
     }
     return true;
 }
 
-static bool compare(struct fit *f, struct study *s)
+static bool compare(struct fit *f, struct study *s, const char *at)
 {
-    struct visit v = {f, xcalloc(f->measurements, sizeof *v.seen)};
+    struct visit v = {f, at, xcalloc(f->measurements, sizeof *v.seen)};
     bool good = study_each(s, visit_point, &v, &f->error);
     for (size_t i = 0; good && i < f->measurements; i++)
         if (v.seen[i] != 1) {
@@ -104,7 +113,7 @@ static struct given give(const struct fit *f, const double position[])
     return g;
 }
 
-static bool run(struct fit *f, const double position[])
+static bool run(struct fit *f, const double position[], const char *at)
 {
     struct study_options o = f->options->study;
     if (!fit_build(f, position))
@@ -117,7 +126,7 @@ static bool run(struct fit *f, const double position[])
     enum study_end end = study ? study_run(study, &f->error) : STUDY_ERROR;
     if (end == STUDY_STOPPED)
         f->error = xasprintf("stopped by a signal; the same command goes on from here");
-    bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare(f, study);
+    bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare(f, study, at);
     if (good) {
         struct study_counts c = study_counts(study);
         f->counts.run += c.run;
@@ -130,16 +139,27 @@ static bool run(struct fit *f, const double position[])
     return good;
 }
 
-static void tell(const struct fit *f, const double position[], double rms)
+/* "send 40  interrupt 89.4427"; malloc'd. */
+static char *values_at(const struct fit *f, const double position[])
 {
-    FILE *to = f->options->progress;
-    fprintf(to, "%3u  %s %.6g", f->evaluations, f->by_rounding ? "rms" : "rms, percent", rms);
+    char *values = xstrdup("");
     for (size_t i = 0; i < f->parameters; i++) {
         char text[32];
         fit_text(&f->parameter[i], position[i], text);
-        fprintf(to, "  %s %s", f->parameter[i].name, text);
+        words_append(&values, "%s%s %s", i ? "  " : "", f->parameter[i].name, text);
     }
-    fputc('\n', to);
+    return values;
+}
+
+static void tell(const struct fit *f, const char *at, double rms)
+{
+    FILE *to = f->options->progress;
+    fprintf(to, "%3u  ", f->evaluations);
+    if (isnan(rms))
+        fputs("a run failed", to);
+    else
+        fprintf(to, "%s %.6g", f->by_rounding ? "rms" : "rms, percent", rms);
+    fprintf(to, "  %s\n", at);
 }
 
 bool fit_try(void *arg, const double x[], double residuals[])
@@ -149,11 +169,14 @@ bool fit_try(void *arg, const double x[], double residuals[])
     memcpy(position, f->position, sizeof position);
     for (size_t i = 0; i < f->count; i++)
         position[f->searched[i]] = x[i];
-    if (!run(f, position))
-        return false;
-    for (size_t i = 0; i < f->measurements; i++)
-        residuals[i] = residual_of(&f->measurement[i], f->computed[i]);
-    f->evaluations++;
-    tell(f, position, fit_rms(residuals, f->measurements));
-    return true;
+    char *at = values_at(f, position);
+    bool good = run(f, position, at);
+    if (good) {
+        for (size_t i = 0; i < f->measurements; i++)
+            residuals[i] = residual_of(&f->measurement[i], f->computed[i]);
+        f->evaluations++;
+        tell(f, at, fit_rms(residuals, f->measurements));
+    }
+    free(at);
+    return good;
 }

@@ -97,6 +97,17 @@ static char *close_stream(struct stream *s)
 
 /* --- a child's life --- */
 
+/* Signals by which people end the pool. */
+static const int ENDING[] = {SIGINT, SIGTERM, SIGHUP};
+enum { ENDINGS = sizeof ENDING / sizeof *ENDING };
+
+/* SIGHUP is ignored under nohup, and stays so. */
+static bool ends(int signal)
+{
+    struct sigaction now;
+    return signal != SIGHUP || sigaction(signal, NULL, &now) || now.sa_handler != SIG_IGN;
+}
+
 /* Runs in the child, between fork and exec. The child gets its own process group: a terminal's Ctrl-C is for
  * the parent to handle. */
 static void become(const struct pool_job *job, const char *threads, int out, int err, pid_t parent)
@@ -105,8 +116,9 @@ static void become(const struct pool_job *job, const char *threads, int out, int
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
-    signal(SIGINT, SIG_DFL);
-    signal(SIGTERM, SIG_DFL);
+    for (int i = 0; i < ENDINGS; i++)
+        if (ends(ENDING[i]))
+            signal(ENDING[i], SIG_DFL);
     signal(SIGPIPE, SIG_DFL);
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -207,10 +219,13 @@ static void fill(struct pool *p)
     }
 }
 
-/* SIGINT and SIGTERM come from people: the child was stopped, its run did not fail. */
+/* Such signals come from people: the child was stopped, its run did not fail. */
 static bool by_hand(int status)
 {
-    return WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM);
+    for (int i = 0; i < ENDINGS; i++)
+        if (WIFSIGNALED(status) && WTERMSIG(status) == ENDING[i])
+            return true;
+    return false;
 }
 
 static void end_child(struct pool *p, struct child *c, int status)
@@ -276,15 +291,15 @@ static void loop(struct pool *p)
 {
     static const struct timeval second = {1, 0};
     struct event *events[] = {
-        evsignal_new(p->base, SIGCHLD, on_child, p),
-        evsignal_new(p->base, SIGINT, on_stop, p),
-        evsignal_new(p->base, SIGTERM, on_stop, p),
-        event_new(p->base, -1, EV_PERSIST, on_second, p),
+        event_new(p->base, -1, EV_PERSIST, on_second, p), evsignal_new(p->base, SIGCHLD, on_child, p),
+        evsignal_new(p->base, SIGINT, on_stop, p),        evsignal_new(p->base, SIGTERM, on_stop, p),
+        evsignal_new(p->base, SIGHUP, on_stop, p),
     };
     enum { EVENTS = sizeof events / sizeof *events };
+    int used = ends(SIGHUP) ? EVENTS : EVENTS - 1;
     p->refill = event_new(p->base, -1, 0, on_refill, p);
-    for (int i = 0; i < EVENTS; i++)
-        if (!p->refill || !events[i] || event_add(events[i], i == EVENTS - 1 ? &second : NULL) != 0)
+    for (int i = 0; i < used; i++)
+        if (!p->refill || !events[i] || event_add(events[i], i == 0 ? &second : NULL) != 0)
             xexhausted();
     p->no_more = p->source->began && !p->source->began(p->source->arg, p->base);
     fill(p);
@@ -360,6 +375,8 @@ static void second_of_list(void *arg)
 static int longer_first(const void *a, const void *b)
 {
     const struct pool_job *x = *(struct pool_job *const *)a, *y = *(struct pool_job *const *)b;
+    if (x->turn != y->turn)
+        return x->turn < y->turn ? -1 : 1;
     if (x->weight != y->weight)
         return x->weight < y->weight ? 1 : -1;
     return x < y ? -1 : x > y; /* jobs of equal weight in the caller's order */

@@ -5,8 +5,8 @@
  * a result as any other and does not stop the pool. The environment variable TOUCHSTONE_WORKERS tells each
  * child how many threads it may use.
  *
- * SIGINT and SIGTERM end the pool: running children are killed, waiting jobs are not started, pool_run()
- * returns. Children are killed when the parent process dies.
+ * SIGINT, SIGTERM and SIGHUP (unless ignored, as under nohup) end the pool: running children are killed,
+ * waiting jobs are not started, pool_run() returns. Children are killed when the parent process dies.
  */
 #ifndef LAB_JOBS_PROCESS_POOL_H
 #define LAB_JOBS_PROCESS_POOL_H
@@ -21,7 +21,8 @@ enum pool_state { POOL_WAITING, POOL_RUNNING, POOL_DONE, POOL_FAILED };
 struct pool_job {
     const char *name;  /* for people: "table 1, 16 nodes" */
     char *const *argv; /* ended by NULL; argv[0] is looked for in PATH if it has no '/' */
-    double weight;     /* how long the job should take, in any unit; the longest start first */
+    unsigned turn;     /* jobs of a lower turn start first; mostly 0 */
+    double weight;     /* how long the job should take, in any unit; the longest of a turn start first */
     const char *dir;   /* its working folder; NULL: the parent's */
     char *const *env;  /* its environment, ended by NULL; NULL: the parent's */
     const char *in;    /* the file that is its standard input; NULL: it is empty */
@@ -30,7 +31,7 @@ struct pool_job {
 
     /* Filled in by pool_run(); text is freed by pool_clear(). */
     enum pool_state state;
-    bool stopped; /* POOL_FAILED because of SIGINT or SIGTERM to the child or the parent, not by itself */
+    bool stopped; /* POOL_FAILED because of such a signal to the child or the parent, not by itself */
     char *out;    /* its standard output (at most POOL_MAX_OUT bytes), ended by '\0' */
     char *error;  /* failed: how it ended and the last lines of its standard error */
     double wall_time_s;

@@ -47,6 +47,12 @@ bool page_add(struct page *p, const char *path, const struct trace_selection *se
     return ok;
 }
 
+void page_add_study(struct page *p, const char *name, json_t *results)
+{
+    *new_item(p) = (struct page_item){.kind = PAGE_STUDY, .name = xstrdup(name), .json = results};
+    p->count++;
+}
+
 void page_add_trace(struct page *p, const char *name, const struct trace *t)
 {
     *new_item(p) = (struct page_item){.kind = PAGE_TRACE, .name = xstrdup(name), .trace = t};

@@ -12,6 +12,7 @@
  * integers of picoseconds. */
 #ifndef LAB_PAGE_PAGE_H
 #define LAB_PAGE_PAGE_H
+#include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include "lab/trace/trace_model.h"
@@ -26,6 +27,9 @@ void page_free(struct page *p);
  * selection: what of it, NULL: all), a critical path (trace why --json), folded stacks, a surface (PLY).
  * False with *error, a malloc'd text that names the path. */
 bool page_add(struct page *p, const char *path, const struct trace_selection *selection, char **error);
+/* Adds results of a study in memory (results.json's form), which it takes over. name: as people shall read
+ * it. */
+void page_add_study(struct page *p, const char *name, json_t *results);
 /* Adds a trace in memory, which must outlive the page. name: as people shall read it. */
 void page_add_trace(struct page *p, const char *name, const struct trace *t);
 

@@ -174,6 +174,19 @@ json_t *live_study_data(const struct live_study *s)
     return data;
 }
 
+json_t *live_study_results_with_added(const char *dir)
+{
+    char *error = NULL;
+    struct live_study *s = live_study_is(dir) ? live_study_open(dir, &error) : NULL;
+    json_t *data = s && s->results && json_object_size(s->more.points) ? live_study_data(s) : NULL;
+    if (data)
+        json_object_del(data, "progress");
+    if (s)
+        live_study_close(s);
+    free(error);
+    return data;
+}
+
 /* --- adding --------------------------------------------------------------------------------------------- */
 
 static bool is_point(const json_t *flat, const json_t *values, const char *set)

@@ -40,6 +40,9 @@ json_t *live_study_progress(const struct live_study *s);
 /* All there is to show, as results.json has it, with the added points (added: true) among the others, and
  * an axis `set` if points with settings were added; and progress. The caller owns it. */
 json_t *live_study_data(const struct live_study *s);
+/* The results in the folder, with the points that were added to them, as live_study_data() gives them. NULL:
+ * there are no results, or nothing was added. The caller owns it. */
+json_t *live_study_results_with_added(const char *dir);
 /* Has it a result of the point with these values and settings? */
 bool live_study_has(const struct live_study *s, const json_t *values, const json_t *set);
 /* Adds the record of a point. False with *error malloc'd. */

@@ -26,6 +26,6 @@ struct serve_options {
     FILE *out; /* for the address */
 };
 
-/* Serves until SIGINT or SIGTERM. False with *error malloc'd. */
+/* Serves until SIGINT, SIGTERM or SIGHUP. False with *error malloc'd. */
 bool serve(const struct serve_options *options, char **error);
 #endif

@@ -22,6 +22,24 @@ static bool draw(const struct study *s, const struct record_points *points, cons
     return drawn;
 }
 
+/* Draws the pictures, and counts them in *drawn. False if there is no gnuplot for them, or the study names
+ * them and not all are drawn: of standard ones, some may have nothing to show. */
+static bool draw_all(const struct study *s, const struct record_points *points, const struct picture list[],
+                     size_t count, size_t *drawn)
+{
+    char *error = NULL;
+    *drawn = 0;
+    if (count && !chart_can_draw(&error)) {
+        fprintf(s->options.progress, "no pictures: %s (or write pictures = ( ); into the study file)\n",
+                error);
+        free(error);
+        return false;
+    }
+    for (size_t i = 0; i < count; i++)
+        *drawn += draw(s, points, &list[i]);
+    return !s->spec->pictures || *drawn == count;
+}
+
 /* The header of the results, which names the baseline of the speed-ups. NULL with *error. */
 static json_t *header_of(struct study *s, char **error)
 {
@@ -48,8 +66,7 @@ enum study_end study_report(struct study *s, char **error)
         list = standard;
         pictures = chart_standard(&points, standard);
     }
-    for (size_t i = 0; written && i < pictures; i++)
-        drawn += draw(s, &points, &list[i]);
+    bool complete = written && draw_all(s, &points, list, pictures, &drawn);
     written = written && findings_write(&points, list, pictures, o->dir, error);
     json_decref(points.header);
     if (!written)
@@ -57,5 +74,5 @@ enum study_end study_report(struct study *s, char **error)
     fprintf(o->out,
             "%zu points, %zu failed; %s has findings.md, results.json, results.csv and %zu picture%s\n",
             s->count, s->counts.failed, o->dir, drawn, drawn == 1 ? "" : "s");
-    return s->counts.failed || (s->spec->pictures && drawn < pictures) ? STUDY_INCOMPLETE : STUDY_DONE;
+    return s->counts.failed || !complete ? STUDY_INCOMPLETE : STUDY_DONE;
 }

@@ -77,7 +77,8 @@ static bool write_instead(FILE *out, const struct tables_options *o, const struc
 {
     struct results v = results_plan(r->paper, r->fitted, o->wanted);
     change(&v, instead);
-    bool ok = table_runs_do(o, v.paper, v.runs, v.run_count, &v.wall_time_s, error);
+    bool ok =
+        table_runs_do(o, v.paper, v.runs, v.run_count, (struct runs_watcher){NULL}, &v.wall_time_s, error);
     char *code = xasprintf("`%s`", instead);
     if (ok)
         line(out, what, code, &v);

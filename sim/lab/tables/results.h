@@ -27,6 +27,7 @@ struct results {
     struct run *runs;
     size_t run_count;
     double wall_time_s;
+    size_t printed; /* tables that results_print_ready() has printed */
 };
 
 /* The rows of the wanted tables (numbers ended by 0; NULL: all), each with its run, which has not been run
@@ -69,8 +70,11 @@ double results_contradiction_pct(const struct result_table *t, size_t row);
 /* The decimals that show a time with four significant figures. */
 int results_decimals(double total_s);
 
-/* The tables as text for people, and as JSON, owned by the caller. */
+/* The tables as text for people: those whose runs, and those of the tables before, have ended; then, at the
+ * end, what has not been printed and what is true of all. */
+void results_print_ready(struct results *r, FILE *out);
 void results_print(const struct results *r, FILE *out);
+/* As JSON, owned by the caller. */
 json_t *results_json(const struct results *r);
 /* Writes a gnuplot script that draws table t into DIR/table-N.png and .svg. */
 void results_plot(const struct result_table *t, const char *dir, FILE *script);

@@ -36,7 +36,10 @@ static struct run *run_for(struct results *r, const struct paper_row *row)
         if (r->runs[i].nodes == row->nodes && strcmp(r->runs[i].arguments, row->arguments) == 0)
             return &r->runs[i];
     struct run *run = &r->runs[r->run_count++];
-    *run = (struct run){.nodes = row->nodes, .arguments = row->arguments, .weight = weight_of(row)};
+    *run = (struct run){.nodes = row->nodes,
+                        .arguments = row->arguments,
+                        .turn = (unsigned)r->table_count,
+                        .weight = weight_of(row)};
     return run;
 }
 

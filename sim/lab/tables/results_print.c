@@ -101,10 +101,26 @@ static bool any_ties(const struct results *r)
     return false;
 }
 
+static bool is_ready(const struct result_table *t)
+{
+    for (size_t i = 0; i < t->table->count; i++)
+        if (!t->rows[i].run->outcome.run && !t->rows[i].run->outcome.error)
+            return false;
+    return true;
+}
+
+void results_print_ready(struct results *r, FILE *out)
+{
+    struct ink ink = ink_for(out);
+    for (; r->printed < r->table_count && is_ready(&r->tables[r->printed]); r->printed++)
+        print_table(out, &ink, &r->tables[r->printed]);
+    fflush(out);
+}
+
 void results_print(const struct results *r, FILE *out)
 {
     struct ink ink = ink_for(out);
-    for (size_t t = 0; t < r->table_count; t++)
+    for (size_t t = r->printed; t < r->table_count; t++)
         print_table(out, &ink, &r->tables[t]);
     fputs("\nhost idle: \"ours\" has the waits for the last request of a layer, \"all\" has every wait for a "
           "request.\n",

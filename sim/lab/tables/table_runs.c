@@ -79,25 +79,35 @@ struct doing {
     struct runs_journal *journal; /* NULL: none */
     struct progress progress;
     struct pool_watcher shown;
+    struct runs_watcher watcher;
 };
+
+/* What the watcher writes stands in place of the terminal's line, which returns within a second. */
+static void tell(struct doing *d)
+{
+    progress_end(&d->progress);
+    if (d->watcher.changed)
+        d->watcher.changed(d->watcher.arg);
+}
 
 /* After a run's end: reads its outcome and adds it to the journal, before the next run starts. */
 static void changed(void *arg, const struct pool_status *status)
 {
     struct doing *d = arg;
+    d->shown.changed(d->shown.arg, status);
     if (status->finished && status->finished->state != POOL_WAITING) {
         size_t job = (size_t)(status->finished - d->jobs), i = d->which[job];
         read_outcome(&d->runs[i], status->finished, d->commands[i].json);
         if (d->journal && !d->runs[i].outcome.error)
             runs_journal_add(d->journal, &d->runs[i]);
+        tell(d);
     }
-    d->shown.changed(d->shown.arg, status);
 }
 
 static bool do_in(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-                  const char *scratch, struct runs_journal *journal, double *wall_s)
+                  const char *scratch, struct runs_journal *journal, struct runs_watcher told, double *wall_s)
 {
-    struct doing d = {.runs = runs, .journal = journal};
+    struct doing d = {.runs = runs, .journal = journal, .watcher = told};
     d.commands = xcalloc(count + 1, sizeof *d.commands);
     d.jobs = xcalloc(count + 1, sizeof *d.jobs);
     d.which = xcalloc(count + 1, sizeof *d.which);
@@ -105,13 +115,14 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
         build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
         if (journal && runs_journal_find(journal, &runs[i]))
             continue;
-        d.jobs[d.count] =
-            (struct pool_job){.name = runs[i].name, .argv = d.commands[i].argv, .weight = runs[i].weight};
+        d.jobs[d.count] = (struct pool_job){
+            .name = runs[i].name, .argv = d.commands[i].argv, .turn = runs[i].turn, .weight = runs[i].weight};
         d.which[d.count++] = i;
     }
     if (d.count < count)
         fprintf(o->progress, "%zu of %zu runs are in %s/journal\n", count - d.count, count, o->dir);
     d.shown = progress_watcher(&d.progress, o->progress);
+    tell(&d);
     struct pool_watcher watcher = {changed, &d};
     struct pool_end end = pool_run(d.jobs, d.count, o->at_once, &watcher);
     progress_end(&d.progress);
@@ -126,13 +137,13 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
 }
 
 bool table_runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-                   double *wall_s, char **error)
+                   struct runs_watcher watcher, double *wall_s, char **error)
 {
     struct runs_journal *journal = o->resume ? runs_journal_open(o, paper, error) : NULL;
     struct scratch scratch = {NULL, -1};
     if (!o->resume || journal)
         scratch = folder_scratch("touchstone-tables", error);
-    bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, journal, wall_s);
+    bool ok = scratch.path && do_in(o, paper, runs, count, scratch.path, journal, watcher, wall_s);
     if (scratch.path && !ok)
         *error = o->resume ? xasprintf("stopped; the same command goes on from %s/journal", o->dir)
                            : xasprintf("stopped; nothing was written");

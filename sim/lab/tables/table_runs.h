@@ -16,6 +16,7 @@ struct run {
     const char *extra;                    /* further arguments, separated by spaces; or NULL */
     char *settings[RUN_MAX_SETTINGS + 1]; /* for --set, ended by NULL; malloc'd */
     char *name;                           /* "tables 1, 2, 3; 8 nodes"; malloc'd */
+    unsigned turn;                        /* of its first table: earlier tables' runs start first */
     double weight;                        /* its host time in any unit */
     bool fitted;                          /* something was fitted to one of its rows */
     struct outcome outcome;
@@ -26,9 +27,15 @@ struct run {
 
 struct tables_options;
 
+/* Is called whenever outcomes have been set. May be {NULL}. */
+struct runs_watcher {
+    void (*changed)(void *arg);
+    void *arg;
+};
+
 /* Runs all of them, or takes them from the journal, and sets their outcomes. Adds the host time to *wall_s.
  * False with *error malloc'd if a signal stopped the runs. */
 bool table_runs_do(const struct tables_options *o, const struct paper *paper, struct run runs[], size_t count,
-                   double *wall_s, char **error);
+                   struct runs_watcher watcher, double *wall_s, char **error);
 void table_runs_clear(struct run runs[], size_t count);
 #endif

@@ -3,6 +3,7 @@
 #include "files/atomic_file.h"
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
+#include "lab/chart/chart.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/tables/choices.h"
 #include "lab/tables/explain_print.h"
@@ -36,7 +37,13 @@ static bool write_json(const struct results *r, const char *dir, char **error)
 /* Draws a picture for each table. A failure is printed on progress. */
 static bool draw(const struct tables_options *o, const struct results *r)
 {
-    bool ok = true;
+    char *error = NULL;
+    bool ok = chart_can_draw(&error);
+    if (!ok) {
+        fprintf(o->progress, "no pictures: %s\n", error);
+        free(error);
+        return false;
+    }
     for (size_t t = 0; t < r->table_count; t++) {
         char *path = xasprintf("%s/plot.%ld", o->dir, (long)getpid());
         FILE *script = fopen(path, "we");
@@ -91,13 +98,27 @@ static enum tables_end end_journal(const struct tables_options *o, enum tables_e
     return end;
 }
 
+struct printing {
+    struct results *results;
+    FILE *out;
+};
+
+static void print_ready(void *arg)
+{
+    struct printing *p = arg;
+    results_print_ready(p->results, p->out);
+}
+
 static enum tables_end make(const struct tables_options *o, struct results *r, char **error)
 {
+    struct printing printing = {r, o->out};
+    /* (The range of a row that is sensitive to ties is known last.) */
+    struct runs_watcher watcher = {o->ties ? NULL : print_ready, &printing};
     if (!r->table_count)
         *error = xasprintf("none of these tables is in paper.cfg");
     else if (!folder_make(o->dir))
         *error = xasprintf("%s cannot be made: %s", o->dir, strerror(errno));
-    else if (table_runs_do(o, r->paper, r->runs, r->run_count, &r->wall_time_s, error) &&
+    else if (table_runs_do(o, r->paper, r->runs, r->run_count, watcher, &r->wall_time_s, error) &&
              (!o->ties || tie_sensitivity_run(o, r, error)))
         return end_journal(o, write_down(o, r, error));
     return TABLES_ERROR;
@@ -142,7 +163,7 @@ static struct explain *run_and_explain(const struct tables_options *o, const str
          .name = xasprintf("the row, measured")}};
     struct tables_options alone = *o;
     alone.resume = false;
-    if (table_runs_do(&alone, paper, runs, 2, &wall_s, error))
+    if (table_runs_do(&alone, paper, runs, 2, (struct runs_watcher){NULL}, &wall_s, error))
         e = explain_read(paper, row, table, &runs[1].outcome, &runs[0].outcome, error);
     table_runs_clear(runs, 2);
     return e;

@@ -215,7 +215,7 @@ static bool write_residuals(FILE *out, const struct tables_options *o, struct re
                                 .weight = run->weight,
                                 .name = xasprintf("%s; measured", run->name)};
     }
-    bool ok = table_runs_do(o, r->paper, timed, count, &r->wall_time_s, error);
+    bool ok = table_runs_do(o, r->paper, timed, count, (struct runs_watcher){NULL}, &r->wall_time_s, error);
     if (ok && count)
         fprintf(out, "\n## What remains: the %zu largest errors\n", count);
     for (size_t i = 0; ok && i < count; i++)

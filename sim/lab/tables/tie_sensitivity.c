@@ -55,7 +55,8 @@ static bool do_with(const struct tables_options *o, struct results *r, const str
     for (size_t i = 0; i < r->run_count; i++)
         for (unsigned k = 0; r->runs[i].ties && k < TIE_RUNS; k++)
             variants[count++] = variant(&r->runs[i], m, k);
-    bool ok = table_runs_do(o, r->paper, variants, count, &r->wall_time_s, error);
+    bool ok =
+        table_runs_do(o, r->paper, variants, count, (struct runs_watcher){NULL}, &r->wall_time_s, error);
     for (size_t i = 0, v = 0; ok && i < r->run_count; i++) {
         struct run *run = &r->runs[i];
         if (!run->ties)

@@ -27,16 +27,31 @@ static uint32_t number_of(const json_t *object, const char *key)
     return (uint32_t)json_integer_value(json_object_get(object, key));
 }
 
+/* Ended by NULL. */
+static char **words_of(const json_t *list)
+{
+    char **words = xcalloc(json_array_size(list) + 1, sizeof *words);
+    for (size_t i = 0; i < json_array_size(list); i++) {
+        const char *word = json_string_value(json_array_get(list, i));
+        words[i] = xstrdup(word ? word : "");
+    }
+    return words;
+}
+
+static void free_words(char **words)
+{
+    for (char **word = words; word && *word; word++)
+        free(*word);
+    free(words);
+}
+
 static void read_command(struct trace *t, const json_t *list)
 {
     size_t size;
     FILE *joined = xchecked(open_memstream(&t->command, &size));
-    t->argv = xcalloc(json_array_size(list) + 1, sizeof *t->argv);
-    for (size_t i = 0; i < json_array_size(list); i++) {
-        const char *word = json_string_value(json_array_get(list, i));
-        t->argv[i] = xstrdup(word ? word : "");
+    t->argv = words_of(list);
+    for (size_t i = 0; t->argv[i]; i++)
         fprintf(joined, "%s%s", i ? " " : "", t->argv[i]);
-    }
     fclose(joined);
 }
 
@@ -84,6 +99,7 @@ static bool read_head(struct trace *t, const char *text)
         t->program = text_of(head, "program"), t->machine = text_of(head, "machine");
         t->folder = text_of(head, "folder"), t->version = text_of(head, "version");
         read_command(t, json_object_get(head, "command"));
+        t->layer = words_of(json_object_get(head, "layer"));
         make_nodes(t, nodes, json_object_get(head, "traced"));
         t->from = (vtime)json_integer_value(json_object_get(head, "from"));
         t->to = to ? (vtime)json_integer_value(to) : VT_NEVER;
@@ -460,11 +476,11 @@ void trace_free(struct trace *t)
         return;
     for (int32_t i = 0; i < t->name_count; i++)
         free(t->names[i]);
-    for (char **word = t->argv; word && *word; word++)
-        free(*word);
-    void *const parts[] = {t->path,     t->program, t->machine,  t->command, t->argv,  t->folder,
-                           t->version,  t->names,   t->classes,  t->nodes,   t->calls, t->waits,
-                           t->handlers, t->systems, t->messages, t->blocks};
+    free_words(t->argv);
+    free_words(t->layer);
+    void *const parts[] = {t->path,    t->program,  t->machine, t->command,  t->folder,
+                           t->version, t->names,    t->classes, t->nodes,    t->calls,
+                           t->waits,   t->handlers, t->systems, t->messages, t->blocks};
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         free(parts[i]);
     trace_stacks_free(t->stacks);

@@ -122,6 +122,7 @@ struct trace {
     char *program, *machine,
         *command;    /* what ran: path; name of the machine; the whole command, for people */
     char **argv;     /* the whole command, ended by NULL; argv[0] is touchstone */
+    char **layer;    /* patterns of its message layer (guest/layer.h), ended by NULL */
     char *folder;    /* in which it ran */
     char *version;   /* of touchstone */
     vtime from, to;  /* what is in memory: to == end unless the trace was cut */
@@ -194,12 +195,14 @@ struct trace_frame {
     const char *file;     /* as the compiler was given it, "relax.c"; NULL: no line is known */
     int line;             /* from 1 on; 0: not known */
     bool library;         /* a function of NX's library, such as gsync, which the linker added */
+    bool layer;           /* of the message layer that the run was given */
 };
 
 /* The frames of a stack, innermost first, found when first asked for; *count of them. The program's file must
  * still be there: otherwise no frames. */
 const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int *count);
-/* The innermost frame that is not the library's; NULL: none is known. */
+/* The innermost frame that is not the library's, and that reports name (guest/layer.h); NULL: none is
+ * known. */
 const struct trace_frame *trace_place(const struct trace *t, int32_t stack);
 /* What the program called: "csend", or the library's function that did it for the program: "gsync". */
 const char *trace_called_name(const struct trace *t, const struct trace_call *c);

@@ -3,12 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "guest/elffile.h"
-#include "guest/source_line.h"
+#include "guest/layer.h"
 #include "kernel/xalloc.h"
 #include "lab/trace/trace_parts.h"
 
 struct place {
-    int64_t offset; /* of the return address in the program */
+    int64_t offset;        /* of the return address in the program */
+    struct layer_place at; /* keeps the texts of */
     struct trace_frame frame;
 };
 
@@ -40,7 +41,8 @@ struct trace_stacks *trace_stacks_new(void)
 static void free_program(struct program *p)
 {
     for (size_t i = 0; i < p->count; i++) {
-        free((char *)(uintptr_t)p->places[i]->frame.file);
+        free(p->places[i]->at.function);
+        free(p->places[i]->at.path);
         free(p->places[i]);
     }
     free(p->places);
@@ -106,26 +108,15 @@ static const struct elf_file *opened(struct program *p)
     return p->elf;
 }
 
-/* Is it the library's: a source file of nx_api, named from its root or by its whole path? */
-static bool is_library(const char *path)
+static struct trace_frame frame_of(const struct layer_place *at)
 {
-    return !strncmp(path, "nx_api/", 7) || strstr(path, "/nx_api/");
-}
-
-static struct trace_frame look_up(const struct elf_file *f, uint64_t address)
-{
-    struct trace_frame frame = {.function = ""};
-    const char *name;
-    if (elf_function_at(f, address, &name))
-        frame.function = name;
-    frame.library = !strncmp(frame.function, "nxc_", 4); /* from a program that computes to the simulator */
-    char *path = f->debug ? source_line(f->bytes, f->size, address, &frame.line) : NULL;
-    if (!path)
+    struct trace_frame frame = {.function = at->function, .line = at->line, .layer = at->in_layer};
+    frame.library = !strncmp(at->function, "nxc_", 4); /* from a program that computes to the simulator */
+    if (!at->path)
         return frame;
-    const char *slash = strrchr(path, '/');
-    frame.library = frame.library || is_library(path);
-    frame.file = xstrdup(slash ? slash + 1 : path);
-    free(path);
+    const char *slash = strrchr(at->path, '/');
+    frame.library = frame.library || layer_is_library(at->path);
+    frame.file = slash ? slash + 1 : at->path;
     return frame;
 }
 
@@ -144,7 +135,8 @@ static size_t position(const struct program *p, int64_t offset)
 }
 
 /* The frame whose call returns to the offset. */
-static struct trace_frame frame_at(struct program *p, const struct elf_file *f, int64_t offset)
+static struct trace_frame frame_at(struct program *p, const struct elf_file *f, char *const *layer,
+                                   int64_t offset)
 {
     size_t at = position(p, offset);
     if (at < p->count && p->places[at]->offset == offset)
@@ -154,9 +146,10 @@ static struct trace_frame frame_at(struct program *p, const struct elf_file *f, 
         p->places = xreallocarray(p->places, p->room, sizeof *p->places);
     }
     memmove(p->places + at + 1, p->places + at, (p->count++ - at) * sizeof *p->places);
-    p->places[at] = xmalloc(sizeof **p->places);
-    *p->places[at] = (struct place){offset, look_up(f, (uint64_t)offset - 1)};
-    return p->places[at]->frame;
+    struct place *place = p->places[at] = xmalloc(sizeof *place);
+    place->offset = offset;
+    place->at = layer_place(f, layer, (uint64_t)offset - 1);
+    return place->frame = frame_of(&place->at);
 }
 
 const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int *count)
@@ -172,7 +165,7 @@ const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int 
     if (!k->frames) {
         k->frames = xcalloc((size_t)k->depth, sizeof *k->frames);
         for (int i = 0; i < k->depth; i++)
-            k->frames[i] = frame_at(p, f, k->offsets[i]);
+            k->frames[i] = frame_at(p, f, t->layer, k->offsets[i]);
     }
     *count = k->depth;
     return k->frames;
@@ -182,10 +175,15 @@ const struct trace_frame *trace_place(const struct trace *t, int32_t stack)
 {
     int count;
     const struct trace_frame *frames = trace_stack(t, stack, &count);
-    for (int i = 0; i < count; i++)
-        if (!frames[i].library && *frames[i].function)
+    const struct trace_frame *innermost = NULL;
+    for (int i = 0; i < count; i++) {
+        if (frames[i].library || !*frames[i].function)
+            continue;
+        if (!frames[i].layer)
             return &frames[i];
-    return NULL;
+        innermost = innermost ? innermost : &frames[i];
+    }
+    return innermost;
 }
 
 const char *trace_called_name(const struct trace *t, const struct trace_call *c)

@@ -71,6 +71,7 @@ static void await(void)
     if (is("alarm") || is("sends much"))
         return;
     if (is("reads")) {
+        puts("asks");
         printf("read %s", fgets(line, sizeof line, stdin) ? line : "nothing\n");
         csend(4, &word, sizeof word, 1, 0);
         return;

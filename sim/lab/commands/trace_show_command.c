@@ -1,0 +1,281 @@
+/* trace_show_command.c - touchstone trace show: pictures of a run, from its trace. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "lab/commands/lab_commands.h"
+#include "cli/say.h"
+#include "cli/trace_options.h"
+#include "files/folder_make.h"
+#include "files/virtual_time.h"
+#include "kernel/xalloc.h"
+#include "lab/show/channel_film.h"
+#include "lab/show/displays.h"
+#include "lab/show/picture_file.h"
+
+enum { BY = CLI_KEY, MESSAGES, FRAMES, SVG };
+enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
+
+struct arguments {
+    const char **names; /* displays, then the trace */
+    size_t name_count;
+    const char *output;
+    bool svg, list;
+    struct trace_selection select;
+    struct show show;
+    const struct display **displays;
+    size_t display_count;
+    const char *trace;
+};
+
+static const struct argp_option OPTIONS[] = {
+    {"output", 'o', "OUT", 0,
+     "OUT.png or OUT.svg (a film: OUT.webp) for one display, - for standard output; or a folder. Default: "
+     "TRACE-DISPLAY.png beside the trace",
+     1},
+    {"svg", SVG, NULL, 0, "Write SVG where the name does not say it", 1},
+    {"by", BY, "messages|bytes", 0, "Count messages or bytes, in matrix and queues; default messages", 1},
+    {"messages", MESSAGES, "N", 0,
+     "Draw at most N messages in space-time; default as many as leave it readable", 1},
+    {"frames", FRAMES, "N", 0, "Pictures of a film; default 60", 1},
+    {0}};
+
+static const char DOC[] =
+    "Draws what nodes, messages and channels did, from a trace of touchstone run --trace. DISPLAY is one or "
+    "more of the following, or all; default gantt. `touchstone trace show list` says what to look for in "
+    "each.";
+static const char AFTER[] = "\vOf more than 128 nodes, neighbours share a row; a picture says how many.\n\n"
+                            "Exit status:\n"
+                            "  0   all pictures are drawn\n"
+                            "  1   a picture failed\n"
+                            "  64  wrong arguments\n"
+                            "  65  the trace cannot be used\n\n"
+                            "Example:\n"
+                            "  touchstone run -m ipsc860 -n 16 --trace ring.trace ring\n"
+                            "  touchstone trace show gantt space-time --from 1ms --to 2ms ring.trace\n"
+                            "  touchstone trace show all -o pictures ring.trace";
+
+/* --- arguments --- */
+
+static void add_display(struct arguments *a, const struct display *d)
+{
+    a->displays = xreallocarray(a->displays, a->display_count + 1, sizeof(struct display *));
+    a->displays[a->display_count++] = d;
+}
+
+static void take_display(struct argp_state *state, struct arguments *a, const char *name)
+{
+    const struct display *d = display_find(name);
+    if (!strcmp(name, "all"))
+        for (d = DISPLAYS; d->name; d++)
+            add_display(a, d);
+    else if (d)
+        add_display(a, d);
+    else
+        argp_error(state, "there is no display '%s'; `touchstone trace show list` has them all", name);
+}
+
+/* One file is for one display, and its name must be of a kind in which that is drawn. */
+static void check_output(struct argp_state *state, const struct arguments *a)
+{
+    bool film = a->displays[0]->film, to_stdout = a->output && !strcmp(a->output, "-");
+    enum picture_kind kind = a->output ? picture_kind_of(a->output) : PICTURE_UNKNOWN;
+    if ((kind || to_stdout) && a->display_count > 1)
+        argp_error(state, "-o %s is one file, for one display: give a folder for %zu", a->output,
+                   a->display_count);
+    if (kind && film != (kind == PICTURE_WEBP))
+        argp_error(state,
+                   film ? "the film is an animated WebP: -o OUT.webp, not '%s'"
+                        : "pictures are PNG or SVG: -o OUT.png or OUT.svg, not '%s'",
+                   a->output);
+}
+
+static void understand(struct argp_state *state, struct arguments *a)
+{
+    if (a->name_count == 1 && !strcmp(a->names[0], "list")) {
+        a->list = true;
+        return;
+    }
+    if (!a->name_count || (a->name_count == 1 && (display_find(a->names[0]) || !strcmp(a->names[0], "all"))))
+        argp_error(state, "which trace? (written by touchstone run --trace FILE; it comes last)");
+    a->trace = a->names[a->name_count - 1];
+    for (size_t i = 0; i + 1 < a->name_count; i++)
+        take_display(state, a, a->names[i]);
+    if (!a->display_count)
+        add_display(a, display_find("gantt"));
+    check_output(state, a);
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    if (key == ARGP_KEY_INIT) {
+        state->child_inputs[0] = &a->select;
+    } else if (key == ARGP_KEY_ARG) {
+        a->names = xreallocarray(a->names, a->name_count + 1, sizeof(char *));
+        a->names[a->name_count++] = arg;
+    } else if (key == 'o') {
+        a->output = arg;
+    } else if (key == SVG) {
+        a->svg = true;
+    } else if (key == BY) {
+        if (strcmp(arg, "messages") && strcmp(arg, "bytes"))
+            argp_error(state, "--by takes messages or bytes, not '%s'", arg);
+        a->show.by_bytes = !strcmp(arg, "bytes");
+    } else if (key == MESSAGES) {
+        a->show.most_lines = cli_whole(state, "--messages", "a number of messages", MOST_LINES, arg);
+    } else if (key == FRAMES) {
+        a->show.frames = cli_whole(state, "--frames", "a number of pictures", MOST_FRAMES, arg);
+    } else if (key == ARGP_KEY_END) {
+        understand(state, a);
+    } else {
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+/* --- drawing --- */
+
+/* The file of a display. malloc'd. */
+static char *path_of(const struct arguments *a, const struct display *d)
+{
+    const char *ending = d->film ? "webp" : a->svg ? "svg" : "png";
+    if (a->output && (picture_kind_of(a->output) || !strcmp(a->output, "-")))
+        return xstrdup(a->output);
+    if (a->output)
+        return xasprintf("%s/%s.%s", a->output, d->name, ending);
+    const char *slash = strrchr(a->trace, '/'), *base = slash ? slash + 1 : a->trace,
+               *dot = strrchr(base, '.');
+    size_t length = dot && dot > base ? (size_t)(dot - a->trace) : strlen(a->trace);
+    return xasprintf("%.*s-%s.%s", (int)length, a->trace, d->name, ending);
+}
+
+struct drawing {
+    const struct display *display;
+    const struct show *show;
+};
+
+static void draw_display(void *ctx, const struct canvas *c)
+{
+    const struct drawing *d = ctx;
+    d->display->draw(d->show, c);
+}
+
+/* On a terminal, says what takes its time, in a line that the next one rewrites; NULL erases it. */
+static void stage(const char *doing, const char *what)
+{
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r\033[K%s%s", doing ? doing : "", doing ? what : "");
+}
+
+static void film_stage(void *ctx, uint32_t done, uint32_t of)
+{
+    (void)ctx;
+    char *text = xasprintf("picture %u of %u", done, of);
+    stage("drawing film: ", text);
+    free(text);
+}
+
+static bool write_display(const struct arguments *a, const struct display *d, const char *path, char **error)
+{
+    struct drawing drawing = {d, &a->show};
+    if (d->film)
+        return channel_film_write(&a->show, path, film_stage, NULL, error);
+    enum picture_kind kind = picture_kind_of(path);
+    return picture_write(path,
+                         kind     ? kind
+                         : a->svg ? PICTURE_SVG
+                                  : PICTURE_PNG,
+                         d->height(&a->show), draw_display, &drawing, error);
+}
+
+/* Draws all displays; says what it has written. Returns the exit status. */
+static int draw_all(const struct arguments *a)
+{
+    int status = 0;
+    for (size_t i = 0; i < a->display_count; i++) {
+        char *error = NULL, *path = path_of(a, a->displays[i]);
+        stage("drawing ", a->displays[i]->name);
+        bool written = write_display(a, a->displays[i], path, &error);
+        stage(NULL, NULL);
+        if (!written) {
+            cli_say_error("trace show", "no picture %s: %s", a->displays[i]->name, error);
+            free(error);
+            status = 1;
+        } else if (strcmp(path, "-")) {
+            printf("%s\n", path);
+        }
+        free(path);
+    }
+    return status;
+}
+
+static int input_error(char *error)
+{
+    return cli_failed("trace show", error, CLI_EXIT_INPUT);
+}
+
+/* Is there anything to draw? */
+static char *why_nothing(const struct arguments *a)
+{
+    const struct trace *t = a->show.trace;
+    if (t->from >= t->to)
+        return xasprintf("%s has nothing in that interval: the run ended at %s", a->trace,
+                         virtual_time_moment(t->end).text);
+    if (!a->show.rows.nodes)
+        return xasprintf("%s has none of these nodes: it has nodes 0 to %d", a->trace, t->node_count - 1);
+    return NULL;
+}
+
+static int show(struct arguments *a)
+{
+    char *error = NULL;
+    stage("reading ", a->trace);
+    struct trace *t = trace_load(a->trace, &a->select, &error);
+    stage(NULL, NULL);
+    if (!t)
+        return input_error(error);
+    a->show.trace = t;
+    a->show.rows = node_rows_make(t);
+    bool folder = a->output && strcmp(a->output, "-") && !picture_kind_of(a->output);
+    int status;
+    if ((error = why_nothing(a)))
+        status = input_error(error);
+    else if (folder && !folder_make(a->output))
+        status = input_error(xasprintf("%s cannot be made: %m", a->output));
+    else
+        status = draw_all(a);
+    node_rows_free(&a->show.rows);
+    trace_free(t);
+    return status;
+}
+
+static int list(void)
+{
+    for (const struct display *d = DISPLAYS; d->name; d++)
+        printf("%-12s %s\n%-12s %s\n", d->name, d->what, "", d->look);
+    return 0;
+}
+
+int cli_trace_show(int argc, char **argv)
+{
+    enum { LINES = 32 };
+    struct argp_option options[LINES] = {0}, *line = options;
+    for (const struct argp_option *o = OPTIONS; o->name; o++)
+        *line++ = *o;
+    *line++ = (struct argp_option){.doc = "Displays:", .group = 3};
+    for (const struct display *d = DISPLAYS; d->name; d++)
+        *line++ = (struct argp_option){.name = d->name, .doc = d->what, .flags = OPTION_DOC, .group = 3};
+    static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 2}, {0}};
+    char *doc = xasprintf("%s%s", DOC, AFTER);
+    const struct argp argp = {options, parse, "[DISPLAY...] TRACE\nlist", doc, CHILDREN, NULL, NULL};
+    struct arguments a = {.show = {.frames = DEFAULT_FRAMES}};
+    cli_parse(&argp, "touchstone trace show", 0, argc, argv, &a);
+    int status = a.list ? list() : show(&a);
+    canvas_forget_fonts();
+    free((bool *)(uintptr_t)a.select.nodes);
+    free(a.names);
+    free(a.displays);
+    free(doc);
+    return status;
+}

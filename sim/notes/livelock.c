@@ -1,0 +1,200 @@
+/* livelock.c - see livelock.h. */
+#include "notes/livelock.h"
+#include <stdlib.h>
+#include "guest/backtrace.h"
+#include "kernel/crossing.h"
+#include "kernel/xalloc.h"
+#include "node/system.h"
+#include "nx_api/contract/matching.h"
+#include "os/charge.h"
+#include "os/due.h"
+#include "os/observer.h"
+
+struct livelock_note {
+    struct observer observer;        /* first */
+    struct livelock *signs;          /* NULL: there are none */
+    struct livelock_handler handler; /* the last that has begun */
+};
+
+static struct livelock_note *note_of(struct observer *o)
+{
+    return (struct livelock_note *)o;
+}
+
+static struct livelock *signs_of(struct observer *o)
+{
+    struct livelock_note *own = note_of(o);
+    if (!own->signs)
+        own->signs = xcalloc(1, sizeof *own->signs);
+    return own->signs;
+}
+
+static const struct announcements at_first, with_rows;
+
+/* --- polls --- */
+
+static bool is_of(const struct livelock_poll *p, const char *call, const struct selector *s, uintptr_t place)
+{
+    return p->call == call && p->places[0] == place && p->asks == (s != NULL) &&
+           (!s || (p->select.type == s->type && p->select.node == s->node && p->select.pid == s->pid));
+}
+
+/* The entry, or the place for a new one. */
+static struct livelock_poll *find(struct livelock *l, const char *call, const struct selector *s,
+                                  uintptr_t place)
+{
+    struct livelock_poll *shortest = &l->polls[0];
+    for (int i = 0; i < LIVELOCK_POLLS; i++) {
+        struct livelock_poll *p = &l->polls[i];
+        if (is_of(p, call, s, place))
+            return p;
+        if (p->count < shortest->count)
+            shortest = p;
+    }
+    l->rows -= shortest->count > 0;
+    *shortest = (struct livelock_poll){0};
+    return shortest;
+}
+
+static void find_places(const struct node *n, uintptr_t frame, uintptr_t *places)
+{
+    uintptr_t returns[LIVELOCK_PLACES];
+    int depth = backtrace_walk(n, frame, returns, LIVELOCK_PLACES), count = 0;
+    for (int i = 0; i < depth; i++)
+        if (backtrace_in_program(n, returns[i]))
+            places[count++] = returns[i];
+}
+
+static void begin_row(struct livelock *l, struct node *n, struct livelock_poll *p,
+                      const struct selector *select, uintptr_t place)
+{
+    *p = (struct livelock_poll){.call = n->call, .asks = select != NULL, .since = n->call_since};
+    if (select)
+        p->select = *select;
+    p->places[0] = place;
+    find_places(n, (uintptr_t)crossing_frame(), p->places);
+    l->rows++;
+}
+
+/* Programs that poll do so often: the latest entry is most likely the one. */
+static void hear_finds_nothing(struct observer *o, struct node *n, const struct selector *select)
+{
+    const struct cfg_machine *cfg = n->sys->cfg;
+    uintptr_t place = crossing_caller();
+    struct livelock *l = signs_of(o);
+    struct livelock_poll *p = l->latest;
+    if (!p || !is_of(p, n->call, select, place))
+        p = l->latest = find(l, n->call, select, place);
+    if (p->count == 0)
+        begin_row(l, n, p, select, place);
+    p->count++;
+    p->spent += node_system_time(n, cfg->call_ps) + (select ? 0 : node_system_time(n, cfg->kernel_ps));
+    if (o->hears != &with_rows)
+        observer_wants(n, o, &with_rows);
+}
+
+/* A message has come to the node; NULL: a handler has run. */
+static void end_rows(struct livelock *l, const struct node *n, const struct message *m)
+{
+    for (int i = 0; l->rows && i < LIVELOCK_POLLS; i++) {
+        struct livelock_poll *p = &l->polls[i];
+        if (p->count && (!p->asks || (m && matching_selects(n, &p->select, m)))) {
+            p->count = 0, p->call = NULL;
+            l->rows--;
+        }
+    }
+}
+
+static void hear_arrives(struct observer *o, struct node *n, const struct message *m)
+{
+    end_rows(note_of(o)->signs, n, m);
+}
+
+static void hear_handler_ends(struct observer *o, struct node *n)
+{
+    end_rows(note_of(o)->signs, n, NULL);
+}
+
+/* --- handlers --- */
+
+static void add_handler(struct livelock_siege *s, const struct livelock_handler *h, vtime time)
+{
+    uint32_t i = 0;
+    while (i < s->kinds &&
+           (s->by[i].handler != h->handler || s->by[i].sends != h->sends || s->by[i].type != h->type))
+        i++;
+    if (i == LIVELOCK_HANDLERS)
+        return;
+    if (i == s->kinds)
+        s->by[s->kinds++] = *h;
+    s->by[i].count++;
+    s->by[i].time += time;
+}
+
+static void hear_handler_begins(struct observer *o, struct node *n, const struct due *d)
+{
+    (void)n;
+    note_of(o)->handler =
+        (struct livelock_handler){.handler = d->receive ? d->receive->handler : d->send->handler,
+                                  .sends = !d->receive,
+                                  .type = d->receive ? d->receive->select.type : 0};
+}
+
+static void hear_interrupted(struct observer *o, struct node *n, vtime begun, vtime ended)
+{
+    (void)n;
+    struct livelock *l = signs_of(o);
+    struct livelock_siege *s = &l->siege;
+    if (s->handlers && 2 * s->stood < begun - s->since) {
+        if (s->stood > l->worst.stood)
+            l->worst = *s;
+        s->handlers = 0;
+    }
+    if (!s->handlers)
+        *s = (struct livelock_siege){.since = begun};
+    s->handlers++;
+    s->stood += ended - begun;
+    s->until = ended;
+    add_handler(s, &note_of(o)->handler, ended - begun);
+}
+
+/* --- the observer --- */
+
+/* Messages that come do not matter before a poll has found nothing. */
+static const struct announcements at_first = {.finds_nothing = hear_finds_nothing,
+                                              .handler_begins = hear_handler_begins,
+                                              .interrupted = hear_interrupted};
+static const struct announcements with_rows = {.finds_nothing = hear_finds_nothing,
+                                               .handler_begins = hear_handler_begins,
+                                               .interrupted = hear_interrupted,
+                                               .arrives = hear_arrives,
+                                               .handler_ends = hear_handler_ends};
+
+static struct observer *observer_at(const struct node *n)
+{
+    struct observer *o = observer_of(n, &at_first);
+    return o ? o : observer_of(n, &with_rows);
+}
+
+void livelock_begin(struct node *n)
+{
+    struct livelock_note *own = xcalloc(1, sizeof *own);
+    own->observer.hears = &at_first;
+    observer_add(n, &own->observer);
+}
+
+void livelock_end(struct node *n)
+{
+    struct observer *o = observer_at(n);
+    if (!o)
+        return;
+    observer_remove(n, o);
+    free(note_of(o)->signs);
+    free(o);
+}
+
+const struct livelock *livelock_of(const struct node *n)
+{
+    struct observer *o = observer_at(n);
+    return o ? note_of(o)->signs : NULL;
+}

@@ -1,0 +1,373 @@
+/* node_record.c - see node_record.h. */
+#include "record/node_record.h"
+#include <assert.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
+#include "lp/clock.h"
+#include "net/protocol_record.h"
+#include "node/self.h"
+#include "node/system.h"
+#include "os/due.h"
+#include "os/observer.h"
+#include "os/order.h"
+#include "trace/recorder.h"
+
+enum { DEEPEST_STACK = 32 };
+
+/* What has begun and not ended: a call, or a handler. */
+struct open {
+    union {
+        struct recorded_call call;
+        struct recorded_handler handler; /* if is_handler */
+    };
+    bool is_handler;
+    struct recorded_wait *waits;
+    uint32_t wait_room;
+    bool sends; /* what the call waits for: hear_awaits */
+    long from;
+    /* Of a deferred call: its time of beginning is known; its program has left it, after such a time,
+     * whatever puts off both. */
+    bool begun, left;
+    vtime takes;
+};
+
+enum { DEEPEST = 4 };
+
+struct node_record {
+    struct observer observer; /* first */
+    uint32_t program;
+    int depth;
+    struct open open[DEEPEST];
+    struct open deferred[DEFERRED_MOST]; /* as node.calls */
+};
+
+static struct node_record *record_of(struct observer *o)
+{
+    return (struct node_record *)o;
+}
+
+static struct recorder *recorder_of(const struct node *n)
+{
+    return n->sys->recorder;
+}
+
+static struct open *top(struct node_record *r)
+{
+    return r->depth ? &r->open[r->depth - 1] : NULL;
+}
+
+/* The i-th deferred call. */
+static struct open *nth_deferred(struct node_record *r, const struct node *n, uint32_t i)
+{
+    return &r->deferred[(n->deferred.first + i) % DEFERRED_MOST];
+}
+
+/* What the program is in. */
+static struct open *innermost(struct node_record *r, const struct node *n)
+{
+    return n->deferred.open ? nth_deferred(r, n, n->deferred.count - 1) : top(r);
+}
+
+static struct open *innermost_call(struct node_record *r, const struct node *n)
+{
+    struct open *o = innermost(r, n);
+    return o && !o->is_handler ? o : NULL;
+}
+
+static struct open *push(struct node_record *r, bool is_handler)
+{
+    assert(r->depth < DEEPEST);
+    struct open *o = &r->open[r->depth++];
+    o->is_handler = is_handler;
+    return o;
+}
+
+static void hear_no_program(struct observer *by, struct node *n, vtime t)
+{
+    (void)by;
+    recorder_no_program(recorder_of(n), n->lp.address, t);
+}
+
+/* --- where the program is --- */
+
+/* The program's stack: its number +1, or 0. The frames of the simulator come first and are left out; the
+ * stack ends with the gate by which it has called main, or the handler. */
+static uint32_t stack_now(const struct node_record *r, struct node *n, const void *innermost)
+{
+    uintptr_t offsets[DEEPEST_STACK];
+    uint32_t depth = 0;
+    for (uintptr_t frame = (uintptr_t)innermost; node_may_be_frame(n, frame) && depth < DEEPEST_STACK;) {
+        uintptr_t next = ((const uintptr_t *)frame)[0],
+                  offset = ((const uintptr_t *)frame)[1] - (uintptr_t)n->program;
+        if (offset < n->image_bytes)
+            offsets[depth++] = offset;
+        else if (depth)
+            break;
+        if (next <= frame)
+            break;
+        frame = next;
+    }
+    return depth ? recorder_stack(recorder_of(n), r->program, offsets, depth) + 1 : 0;
+}
+
+/* --- calls --- */
+
+static void begin_call(struct node_record *r, struct node *n, struct open *o, const void *innermost_frame)
+{
+    o->call = (struct recorded_call){.address = n->lp.address,
+                                     .name = recorder_name(recorder_of(n), n->call),
+                                     .stack = stack_now(r, n, innermost_frame),
+                                     .flags = n->in_handler ? CALL_IN_HANDLER : 0,
+                                     .begin = node_now(n)};
+    o->is_handler = o->sends = o->begun = o->left = false, o->from = -1;
+}
+
+static void hear_call_begins(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    begin_call(r, n, push(r, false), __builtin_frame_address(0));
+}
+
+static void end_call(struct node *n, struct open *o, vtime t)
+{
+    o->call.end = t;
+    o->call.ordered = vt_min(vt_max(o->call.ordered, o->call.begin), t);
+    o->call.waits = o->waits;
+    recorder_call(recorder_of(n), &o->call);
+}
+
+static void hear_call_ends(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = innermost(r, n);
+    if (!o)
+        return; /* the program begins */
+    if (o->is_handler) {
+        o->handler.entered = node_now(n);
+        o->handler.type = n->info.type;
+        return;
+    }
+    if (n->call_has_type)
+        o->call.flags |= CALL_HAS_TYPE, o->call.type = n->call_type;
+    if (n->deferred.open) {
+        o->takes = node_now(n) - o->call.begin;
+        o->left = true;
+    } else {
+        o->call.ordered = n->sys->schedule.reached.time;
+        end_call(n, o, node_now(n));
+        r->depth--;
+    }
+}
+
+static void hear_awaits(struct observer *by, struct node *n, bool sends, long from)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = innermost_call(r, n);
+    if (o)
+        o->sends = sends, o->from = from;
+}
+
+static void hear_waited(struct observer *by, struct node *n, vtime begin, vtime end, vtime busy)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = innermost_call(r, n);
+    if (!o || end == begin)
+        return;
+    if (o->call.wait_count == o->wait_room) {
+        o->wait_room = o->wait_room ? 2 * o->wait_room : 4;
+        o->waits = xreallocarray(o->waits, o->wait_room, sizeof *o->waits);
+    }
+    struct recorded_wait *w = &o->waits[o->call.wait_count++];
+    *w = (struct recorded_wait){.begin = begin, .end = end, .busy = busy};
+    if (n->awaits)
+        w->flags |= WAIT_HAS_TYPE, w->type = n->awaited;
+    if (o->sends)
+        w->flags |= WAIT_SENDS;
+    else if (o->from >= 0)
+        w->flags |= WAIT_HAS_FROM, w->from = (uint32_t)o->from;
+}
+
+static void hear_sends(struct observer *by, struct node *n, const struct observed_send *what)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = innermost_call(r, n);
+    if (!o)
+        return;
+    if (!(o->call.flags & CALL_SENT))
+        o->call.sent_order = what->order;
+    o->call.flags |= CALL_SENT;
+    o->call.sent_count = what->order + what->count - o->call.sent_order;
+}
+
+static void hear_takes(struct observer *by, struct node *n, struct receive *taken)
+{
+    const struct message *m = taken->m;
+    struct node_record *r = record_of(by);
+    struct open *o = innermost(r, n);
+    if (o && o->is_handler) {
+        o->handler.flags |= HANDLER_HAS_MESSAGE;
+        o->handler.source = m->source, o->handler.order = protocol_recorded_order(m);
+    } else if (o) {
+        o->call.flags |= CALL_TOOK;
+        o->call.taken_source = m->source, o->call.taken_order = protocol_recorded_order(m);
+        o->call.taken_at = node_now(n);
+    }
+}
+
+/* --- deferred calls --- */
+
+/* Exchanges two, each of which keeps its room for waits. */
+static void exchange(struct open *a, struct open *b)
+{
+    struct open before = *a;
+    *a = *b, *b = before;
+}
+
+static void hear_deferred(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    begin_call(r, n, nth_deferred(r, n, n->deferred.count - 1), __builtin_frame_address(0));
+}
+
+static void hear_deferred_again(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = nth_deferred(r, n, n->deferred.count - 1);
+    exchange(o, top(r));
+    r->depth--;
+    o->begun = true;
+}
+
+static void hear_committed(struct observer *by, struct node *n, vtime t)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = nth_deferred(r, n, 0);
+    o->call.end = t + o->takes;
+    o->call.begin = t;
+    o->begun = true;
+}
+
+static void hear_resumed(struct observer *by, struct node *n, vtime t, vtime done)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = nth_deferred(r, n, 0);
+    o->call.taken_at = o->call.ordered = t, o->call.end = done;
+}
+
+static void hear_popped(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    struct open *o = nth_deferred(r, n, 0);
+    if (o->left)
+        end_call(n, o, o->call.end);
+    else
+        exchange(push(r, false), o);
+}
+
+/* The program goes no further. If it was in the first of them, it still is. */
+static void hear_rolled_back(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    if (n->deferred.count && nth_deferred(r, n, 0)->begun)
+        exchange(push(r, false), nth_deferred(r, n, 0));
+}
+
+/* --- handlers --- */
+
+static void hear_handler_begins(struct observer *by, struct node *n, const struct due *d)
+{
+    struct node_record *r = record_of(by);
+    uint32_t stack = stack_now(r, n, __builtin_frame_address(0));
+    struct open *o = push(r, true);
+    o->handler = (struct recorded_handler){
+        .address = n->lp.address, .stack = stack, .due = d->at, .begin = node_now(n), .entered = VT_NEVER};
+}
+
+static void hear_handler_ends(struct observer *by, struct node *n)
+{
+    struct node_record *r = record_of(by);
+    vtime left = top(r)->call.begin; /* of the call by which the system ends a handler */
+    r->depth--;
+    struct open *o = top(r);
+    assert(o->is_handler);
+    o->handler.left = left;
+    o->handler.end = node_now(n);
+    recorder_handler(recorder_of(n), &o->handler);
+    r->depth--;
+}
+
+/* --- the system --- */
+
+static void hear_system(struct observer *by, struct node *n, enum node_task task, vtime end, vtime t)
+{
+    (void)by;
+    vtime now = n->sys->schedule.reached.time;
+    recorder_system(recorder_of(n), n->lp.address, task, vt_min(now, end - t), end - t, end);
+}
+
+/* --- the end --- */
+
+static void end_open(struct node *n, struct open *o, vtime t, bool unfinished)
+{
+    if (o->is_handler) {
+        o->handler.end = vt_max(t, o->handler.begin);
+        o->handler.entered = vt_min(o->handler.entered, o->handler.end);
+        o->handler.left = o->handler.end;
+        o->handler.flags |= unfinished ? HANDLER_UNFINISHED : 0;
+        recorder_handler(recorder_of(n), &o->handler);
+    } else {
+        o->call.flags |= unfinished ? CALL_UNFINISHED : 0;
+        o->call.ordered = t;
+        end_call(n, o, vt_max(t, o->call.begin));
+    }
+}
+
+static void hear_ends(struct observer *by, struct node *n, vtime t)
+{
+    struct node_record *r = record_of(by);
+    bool unfinished = n->end != NODE_RETURNED && n->end != NODE_EXITED;
+    for (; r->depth; r->depth--)
+        end_open(n, top(r), t, unfinished);
+    recorder_node_end(recorder_of(n), n->lp.address, t);
+    for (int i = 0; i < DEEPEST; i++)
+        free(r->open[i].waits);
+    for (int i = 0; i < DEFERRED_MOST; i++)
+        free(r->deferred[i].waits);
+    observer_remove(n, by);
+    free(r);
+}
+
+/* --- the beginning --- */
+
+static const struct announcements heard = {
+    .no_program = hear_no_program,
+    .ends = hear_ends,
+    .call_begins = hear_call_begins,
+    .call_ends = hear_call_ends,
+    .awaits = hear_awaits,
+    .waited = hear_waited,
+    .sends = hear_sends,
+    .takes = hear_takes,
+    .deferred = hear_deferred,
+    .deferred_again = hear_deferred_again,
+    .committed = hear_committed,
+    .resumed = hear_resumed,
+    .popped = hear_popped,
+    .rolled_back = hear_rolled_back,
+    .handler_begins = hear_handler_begins,
+    .handler_ends = hear_handler_ends,
+    .system = hear_system,
+};
+
+void record_begin(struct node *n, uint32_t program)
+{
+    if (!recorder_wants(recorder_of(n), n->lp.address))
+        return;
+    struct node_record *r = xcalloc(1, sizeof *r);
+    r->observer.hears = &heard;
+    r->program = program;
+    observer_add(n, &r->observer);
+    vtime begins = vt_max(n->sys->schedule.reached.time, n->lp.clock.now);
+    if (begins)
+        recorder_no_program(recorder_of(n), n->lp.address, begins);
+}

@@ -1,0 +1,42 @@
+/* same_value_correct.c - a handler sets a flag, and main clears it, but only while handlers are masked.
+ * variable: flag
+ * run: -n 2
+ */
+#include <stdio.h>
+#include "nx.h"
+
+static int flag = 1;
+static long request, sum;
+static double work = 1;
+
+static void serve(long type, long count, long node, long pid)
+{
+    (void)type, (void)count, (void)pid;
+    flag = 1;
+    csend(2, &request, sizeof request, node, 0);
+    hrecv(1, &request, sizeof request, serve);
+    flag = 1;
+}
+
+int main(void)
+{
+    long got;
+
+    if (mynode() == 0)
+        hrecv(1, &request, sizeof request, serve);
+    gsync();
+    for (long i = 0; i < 20; i++)
+        if (mynode() == 1) {
+            csend(1, &i, sizeof i, 0, 0);
+            crecv(2, &got, sizeof got);
+            sum += got;
+        }
+    for (long i = 0; i < 200000 && mynode() == 0; i++)
+        work = work * 0.5 + 1;
+    if (mynode() == 0)
+        masktrap(1), flag = 0, masktrap(0);
+    gsync();
+    if (mynode() == 1)
+        printf("%ld %d %g\n", sum, flag, work);
+    return 0;
+}
