@@ -239,7 +239,7 @@ static void clocks_show_virtual_time(void **state)
         "int main() { time_t t = time(0), u; struct timeval v; sleep(3); usleep(250); gettimeofday(&v, 0);\n"
         "printf(\"%ld %ld.%06ld %ld\\n\", (long)t, v.tv_sec - t, (long)v.tv_usec, (long)clock());\n"
         "printf(\"%d\", time(&u) == u); return 0; }",
-        "725846400 3.000252 3\n1"); /* UNIX's clock calls take 0.75 + 0.25 us; sleeping is no processor time */
+        "725846400 3.000252 3\n1"); /* clock calls take 0.75 + 0.25 us; sleeping is no processor time */
 }
 
 static void random_numbers_are_glibc_s_and_each_node_s_own(void **state)
