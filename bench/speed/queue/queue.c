@@ -109,11 +109,12 @@ static void put(struct hold *h, struct item e)
 static double hold_evq(const struct load *l, size_t pending, uint64_t *sum)
 {
     struct hold h = {evq_new(), l, 1, 0, calloc(pending, RANKS)};
+    struct instant present = {0}, reached = {0};
     for (size_t i = 0; i < pending; i++)
         put(&h, successor(l, origin(l, i), &h.random));
     double begin = seconds();
     for (size_t i = 0; i < HOLDS; i++)
-        evq_step(h.q, &(struct instant){0});
+        evq_step(h.q, &present, &reached);
     double t = seconds() - begin;
     *sum = h.sum;
     evq_free(h.q);
