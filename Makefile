@@ -106,6 +106,7 @@ $B/touchstone-lab: $(LAB_MAIN:%.c=$B/obj/%.o) $B/libtouchstone.a
 -include $(SIM_OBJ:.o=.d) $(REF_OBJ:.o=.d) $(LAB_OBJ:.o=.d) $(MAINS:%.c=$B/obj/%.d)
 
 include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk nx_api/kmath/kmath.mk sim/lab/page/page.mk
+all: $(NXCC_DEPS)
 include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
 
 ifeq ($(ONLY),tables)
