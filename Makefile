@@ -43,7 +43,7 @@ LAB_SRC     := sim/lab/commands/tables_command.c $(wildcard sim/lab/tables/*.c s
     $(addprefix sim/lab/study/,expr.c inputs.c points.c spec.c)
 LIBS         = $(SIM_LIBS)
 endif
-SIM_SRC := $(filter-out $(MAINS) $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c))
+SIM_SRC := $(filter-out $(MAINS) $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c mpi_api/core/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 LAB_OBJ := $(LAB_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
@@ -105,7 +105,7 @@ $B/touchstone-lab: $(LAB_MAIN:%.c=$B/obj/%.o) $B/libtouchstone.a
 
 -include $(SIM_OBJ:.o=.d) $(REF_OBJ:.o=.d) $(LAB_OBJ:.o=.d) $(MAINS:%.c=$B/obj/%.d)
 
-include nx_api/nxcc/nxcc.mk nx_api/mpi/mpi.mk nx_api/kmath/kmath.mk sim/lab/page/page.mk
+include nx_api/nxcc/nxcc.mk mpi_api/mpi_api.mk nx_api/mpi/mpi.mk nx_api/kmath/kmath.mk sim/lab/page/page.mk
 all: $(NXCC_DEPS)
 include $(wildcard bench/machine/*.mk bench/speed/*/*.mk bench/paper/*/*.mk bench/studies/*.mk bench/gate/*.mk)
 
@@ -195,7 +195,7 @@ bench: setup ## Measure the simulator's own speed
 
 include doc/man/man.mk doc/manual/manual.mk share/completion/completion.mk package/package.mk
 
-FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
+FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] mpi_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)

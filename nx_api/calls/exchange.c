@@ -14,7 +14,7 @@ long nxs_csendrecv(word type, const void *buf, word len, word node, word pid, wo
                    word room)
 {
     struct node *n = node_self();
-    const struct outgoing o = {type, buf, len, node, pid};
+    const struct outgoing o = {.type = type, .buf = buf, .len = len, .node = node, .pid = pid};
     const struct incoming in = {{typesel, ANY, ANY}, answer, room, NULL};
     if (check(n, &o, &in) < 0)
         return -1;
@@ -34,7 +34,7 @@ long nxs_isendrecv(word type, const void *buf, word len, word node, word pid, wo
                    word room)
 {
     struct node *n = node_self();
-    const struct outgoing o = {type, buf, len, node, pid};
+    const struct outgoing o = {.type = type, .buf = buf, .len = len, .node = node, .pid = pid};
     const struct incoming in = {{typesel, ANY, ANY}, answer, room, NULL};
     if (check(n, &o, &in) < 0)
         return -1;
@@ -53,7 +53,7 @@ long nxs_hsendrecv(word type, const void *buf, word len, word node, word pid, wo
                    word room, mailbox_handler *handler)
 {
     struct node *n = node_self();
-    const struct outgoing o = {type, buf, len, node, pid};
+    const struct outgoing o = {.type = type, .buf = buf, .len = len, .node = node, .pid = pid};
     const struct incoming in = {{typesel, ANY, ANY}, answer, room, NULL};
     if (check(n, &o, &in) < 0 || nx_post_handler(n, &in, handler, 0) < 0)
         return -1;

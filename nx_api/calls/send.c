@@ -50,7 +50,7 @@ static void send_and_wait(struct node *n, const struct outgoing *o)
 long nxs_csend(word type, const void *buf, word len, word node, word pid)
 {
     struct node *n = node_self();
-    const struct outgoing o = {type, buf, len, node, pid};
+    const struct outgoing o = {.type = type, .buf = buf, .len = len, .node = node, .pid = pid};
     if (nx_check_send(n, &o) < 0)
         return -1;
     send_and_wait(n, &o);
@@ -60,7 +60,7 @@ long nxs_csend(word type, const void *buf, word len, word node, word pid)
 long nxs_isend(word type, const void *buf, word len, word node, word pid)
 {
     struct node *n = node_self();
-    const struct outgoing o = {type, buf, len, node, pid};
+    const struct outgoing o = {.type = type, .buf = buf, .len = len, .node = node, .pid = pid};
     if (nx_check_send(n, &o) < 0)
         return -1;
     long id = nx_new_id(n, ID_SENDS);
@@ -73,7 +73,7 @@ long nxs_hsendx(word type, const void *buf, word len, word node, word pid, mailb
                 long param)
 {
     struct node *n = node_self();
-    const struct outgoing o = {type, buf, len, node, pid};
+    const struct outgoing o = {.type = type, .buf = buf, .len = len, .node = node, .pid = pid};
     if (nx_check_send(n, &o) < 0)
         return -1;
     if (!handler)
@@ -94,7 +94,7 @@ long nxs_hsend(word type, const void *buf, word len, word node, word pid, mailbo
 long nxs_gsendx(word type, const void *buf, word len, const long nodes[], word count)
 {
     struct node *n = node_self();
-    struct outgoing o = {type, buf, len, 0, 0};
+    struct outgoing o = {.type = type, .buf = buf, .len = len};
     if (nx_check_send(n, &o) < 0)
         return -1;
     if (count < 0)

@@ -81,6 +81,8 @@ struct outgoing {
     long type;
     const void *buf;
     long len, node, pid;
+    bool in_order; /* MPI's: sent with this pid instead of the node's, and received in the order sent */
+    bool held;     /* MPI's, synchronous: done when a receive has taken it */
 };
 
 /* Sends to one node or to all others. *s, if not NULL, is done when the last message that this node itself

@@ -146,6 +146,10 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         a->factors = file;
     else if ((file = file_of("--as-intel", argc, argv, i)))
         intel_links(file);
+    else if ((file = file_of("--as-mpi", argc, argv, i)))
+        intel_mpi_links(file);
+    else if (!a->mpi && !strcmp(option, "-lmpi"))
+        a->mpi_program = true;
     else if (is_one_of(option, algebra))
         a->kmath = true;
     else if (!strcmp(option, "--profile"))
@@ -186,7 +190,8 @@ struct arguments arguments_read(int argc, char **argv)
         "-o",       "-D",       "-U",       "-I",         "-L",      "-l",      "-x",
         "-include", "-isystem", "-MF",      "-MT",        "-MQ",     "-iquote", "-Xlinker",
         "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
-    struct arguments a = {.costs = DEFAULT_COSTS, .links = true, .stub_values = ""};
+    struct arguments a = {
+        .costs = DEFAULT_COSTS, .links = true, .stub_values = "", .mpi_program = intel_is_mpi_name()};
     for (int i = 1; i < argc; i++)
         a.mpi = a.mpi || !strcmp(argv[i], "--mpi");
     /* Before the user's: lines for crash reports, and inlined code knows where it was written. */

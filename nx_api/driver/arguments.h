@@ -30,6 +30,7 @@ struct arguments {
     bool stubs;              /* for names that are not there */
     const char *stub_values; /* "name=0,other=1": what some of them return; "" */
     bool mpi;
+    bool mpi_program; /* for simulated nodes, with MPI's library and headers */
     bool kmath; /* is to be linked with the library of linear algebra */
 };
 

@@ -112,6 +112,12 @@ static void add_headers(struct arguments *a, const struct places *p, bool fortra
     add(a, p->include);
     add(a, "-isystem");
     add(a, "/usr/include/tirpc"); /* <rpc/rpc.h>, for XDR */
+    if (a->mpi_program) {
+        add(a, "-isystem");
+        add(a, p->mpi_include);
+        if (fortran)
+            add(a, text("-I%s", p->mpi_include));
+    }
     if (fortran)
         add(a, text("-I%s", p->include)); /* INCLUDE looks here only */
 }
@@ -143,6 +149,8 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, text("%s/runtime%s.o", p->lib, kind));
     if (a->kmath)
         add(a, text("%s/libkmath.a", p->lib));
+    if (a->mpi_program)
+        add(a, text("%s/libmpi.a", p->lib));
     add(a, text("%s/libxdr.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     const char *libgfortran = text("%s/libgfortran.a", p->lib);

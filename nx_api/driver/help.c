@@ -44,6 +44,9 @@ static const struct own_option {
                {"--as-intel", "DIR",
                 "make links in DIR by the names that makefiles of the time use: icc, if77,\n"
                 "ar860, as860, size860"},
+               {"--as-mpi", "DIR",
+                "make links in DIR by the names of MPI's compilers: mpicc, mpif77, mpif90, mpifort.\n"
+                "They compile MPI programs for simulated nodes; so does nxcc with -lmpi"},
                {"-host", NULL,
                 "a host program, for touchstone run --host: nx.h declares getcube, load and\n"
                 "their kin"},

@@ -82,11 +82,25 @@ static void make_link(const char *folder, const char *name, const char *target)
 {
     char *link = text("%s/%s", folder, name);
     if (unlink(link) && errno != ENOENT)
-        fail("--as-intel: %s: %s", link, strerror(errno));
+        fail("%s: %s", link, strerror(errno));
     if (symlink(target, link))
-        fail("--as-intel: %s: %s", link, strerror(errno));
+        fail("%s: %s", link, strerror(errno));
     printf("%s -> %s\n", link, target);
     free(link);
+}
+
+/* Links to this compiler in a folder, which is made if need be; names end with NULL. */
+static void make_links(const char *folder, const char *const *names)
+{
+    char self[PATH_MAX];
+    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    if (n < 0)
+        fail("/proc/self/exe: %s", strerror(errno));
+    self[n] = '\0';
+    if (mkdir(folder, 0777) && errno != EEXIST)
+        fail("%s: %s", folder, strerror(errno));
+    for (; *names; names++)
+        make_link(folder, *names, self);
 }
 
 /* The whole path of a program that the shell finds. */
@@ -131,17 +145,23 @@ void intel_become_tool(char **argv)
 
 _Noreturn void intel_links(const char *folder)
 {
-    char self[PATH_MAX];
-    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
-    if (n < 0)
-        fail("/proc/self/exe: %s", strerror(errno));
-    self[n] = '\0';
-    if (mkdir(folder, 0777) && errno != EEXIST)
-        fail("--as-intel %s: %s", folder, strerror(errno));
-    make_link(folder, "icc", self);
-    make_link(folder, "if77", self);
-    make_link(folder, "ar860", self);
-    make_link(folder, "as860", self);
+    static const char *const names[] = {"icc", "if77", "ar860", "as860", NULL};
+    make_links(folder, names);
     make_link(folder, "size860", which("size"));
+    exit(0);
+}
+
+/* --- MPI's names --- */
+
+static const char *const mpi_names[] = {"mpicc", "mpif77", "mpif90", "mpifort", NULL};
+
+bool intel_is_mpi_name(void)
+{
+    return is_one_of(program_invocation_short_name, mpi_names);
+}
+
+_Noreturn void intel_mpi_links(const char *folder)
+{
+    make_links(folder, mpi_names);
     exit(0);
 }

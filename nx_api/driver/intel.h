@@ -16,6 +16,10 @@ void intel_note(const struct arguments *a);
  * as860, size860. Does not return. */
 _Noreturn void intel_links(const char *folder);
 
+/* Is nxcc called by a name of MPI's compilers? Makes links by these names: mpicc, mpif77, mpif90, mpifort. */
+bool intel_is_mpi_name(void);
+_Noreturn void intel_mpi_links(const char *folder);
+
 /* Called as ar860, does what that did; as as860, says why it cannot be had. Returns if called by another
  * name. */
 void intel_become_tool(char **argv);

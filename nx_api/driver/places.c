@@ -33,12 +33,14 @@ struct places places_find(void)
     char *built = text("%s/node", self);
     if (readable_in(built, "count.so"))
         return (struct places){
-            .lib = built, .include = text("%s/include", built), .cpu = text("%s/cpu", built)};
+            .lib = built, .include = text("%s/include", built), .cpu = text("%s/cpu", built),
+            .mpi_include = text("%s/mpi_include", built)};
     free(built);
     struct places p = {
         .lib = text("%s/../lib/touchstone", self),
         .include = text("%s/../share/touchstone/include", self),
         .cpu = text("%s/../share/touchstone/cpu", self),
+        .mpi_include = text("%s/../share/touchstone/mpi_include", self),
     };
     if (!readable_in(p.lib, "count.so"))
         fail("count.so is neither in %s/node (build tree) nor in %s (installed): is the installation "

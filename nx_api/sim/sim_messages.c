@@ -92,7 +92,8 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
  * call ends. */
 bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
 {
-    return protocol_is_eager(n->sys->schedule.protocol, (word)o->type, (size_t)o->len) && !n->armed;
+    return !o->held && protocol_is_eager(n->sys->schedule.protocol, (word)o->type, (size_t)o->len) &&
+           !n->armed;
 }
 
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)
@@ -101,11 +102,15 @@ void nx_send(struct node *n, const struct outgoing *o, struct send *s)
     bool all = o->node == ALL_NODES;
     size_t len = (size_t)o->len;
     ASAN_CALL(n, false, o->buf, len);
-    word type = (word)o->type, pid = (word)n->pid; /* as programs give them */
+    word type = (word)o->type, pid = (word)(o->in_order ? o->pid : n->pid); /* as programs give them */
     uint64_t order = IS_HEARD(n, sends) ? protocol_next_order(p, n->lp.address) : 0;
     struct message *m =
         all ? protocol_to_all(p, n->lp.address, type, pid, o->buf, len)
             : protocol_message(p, n->lp.address, address_of(n, o->node), type, pid, o->buf, len);
+    if (o->in_order)
+        m->in_order = true;
+    if (o->held)
+        protocol_hold(m);
     uint64_t receivers = !all ? 1 : n->is_host ? n->sys->count : n->sys->count - 1;
     ANNOUNCE(
         n, sends,

@@ -118,6 +118,8 @@ struct cfg_machine {
     uint64_t copy_ps_per_byte;    /* from a system buffer to the program's, if no receive was posted */
     uint64_t interrupt_ps;        /* entry to and exit from a handler, together */
     uint64_t message_ids;         /* ids one process may hold */
+    /* A standard send of MPI of more bytes waits for its receive; 0: each does. */
+    uint64_t mpi_eager_limit;
 
     struct cfg_cfs cfs;
     struct cfg_host host;

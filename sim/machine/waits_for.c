@@ -5,6 +5,7 @@
 #include "guest/backtrace.h"
 #include "guest/image.h"
 #include "kernel/xalloc.h"
+#include "mpi_api/core/completion.h"
 #include "notes/taken.h"
 #include "nx_api/calls/awaited.h"
 #include "os/due.h"
@@ -71,7 +72,9 @@ static void fill_send(const struct filling *f, const struct send *s, struct wait
 
 static void fill_awaited(const struct filling *f, const struct node *n, struct waitfor_node *to)
 {
-    struct awaited a = nx_awaited((struct node *)(uintptr_t)n, n->wait.ready, n->wait.arg);
+    struct node *of = (struct node *)(uintptr_t)n;
+    struct awaited a = n->wait.ready == completion_is_ready ? completion_awaits(of, n->wait.arg)
+                                                            : nx_awaited(of, n->wait.ready, n->wait.arg);
     to->what = WAITFOR_FILE; /* nothing else is waited for without an event that is to come */
     if (a.receive || a.probe) {
         to->what = WAITFOR_MESSAGE;

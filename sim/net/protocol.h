@@ -67,6 +67,8 @@ struct message {
     bool unwanted : 1; /* to be thrown away when it arrives */
     bool too_long : 1; /* for its receiver's buffer */
     bool whole : 1;    /* unexpected, and in the order of the whole: os/unexpected.h */
+    bool in_order : 1; /* MPI's: with the others of its source and pid, it is found in the order sent */
+    bool held : 1;     /* MPI's synchronous send: the receiver clears it for a receive, not for room */
     size_t bytes;
     union {
         uint64_t order; /* among the source's messages; until it is sent */
@@ -122,7 +124,9 @@ vtime protocol_send_time(const struct protocol *p, int32_t type, size_t bytes);
 struct message *protocol_message(struct protocol *p, uint32_t from, uint32_t to, int32_t type, int32_t pid,
                                  const void *data, size_t bytes);
 void protocol_send(struct protocol *p, struct message *m, vtime at);
-/* The same, where the message leaves so much later. Envelopes of one sender are handled in the order sent all
+/* Makes a message that has not been sent one that asks first, however short, and is held. */
+void protocol_hold(struct message *m);
+/* protocol_send, where the message leaves so much later. Envelopes of one sender are handled in the order sent all
  * the same. */
 void protocol_send_late(struct protocol *p, struct message *m, vtime at, vtime late);
 /* Withdraws a message that was to leave at a time at which the sender's program has ended already. */

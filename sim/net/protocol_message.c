@@ -39,7 +39,7 @@ bool protocol_is_eager(const struct protocol *p, int32_t type, size_t bytes)
 void protocol_begin_trip(struct protocol *p, struct message *m)
 {
     const struct cfg_machine *c = p->cfg;
-    bool small = m->bytes <= c->short_limit;
+    bool small = m->bytes <= c->short_limit && !m->is_long;
     vtime hops = link_time(p, m) + hops_time(p, m, small ? c->short_hop_ps : c->long_hop_ps);
     vtime per_byte = is_hosts(p, m) ? c->host.link_ps_per_byte
                      : small        ? c->short_ps_per_byte
@@ -224,8 +224,14 @@ static struct message *message_new(struct protocol *p, enum protocol_size size, 
     m->order = p->endpoints[from].made++;
     m->is_long = !protocol_is_eager(p, type, bytes), m->forced = (type & PROTOCOL_FORCED) != 0;
     m->serves = m->carries = m->followed = m->cleared = m->arrived = m->buffered = m->unwanted = m->too_long =
-        m->whole = false;
+        m->whole = m->in_order = m->held = false;
     return m;
+}
+
+void protocol_hold(struct message *m)
+{
+    assert(!m->trip && !m->forced);
+    m->is_long = m->held = true;
 }
 
 struct message *protocol_message_sharing(struct protocol *p, uint32_t from, uint32_t to, int32_t type,

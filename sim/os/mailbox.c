@@ -61,7 +61,7 @@ const struct message *mailbox_probe(struct node *n, const struct selector *selec
 {
     const struct order_policy *orders = order_policy_of(n);
     const struct message *m = orders ? orders->probe(n, select) : unexpected_first(n, select);
-    return m && m->whole && m->complete <= node_now(n) ? m : NULL;
+    return m && (m->in_order || (m->whole && m->complete <= node_now(n))) ? m : NULL;
 }
 
 void mailbox_drop(struct receive *r)

@@ -66,7 +66,7 @@ static bool room_for(struct node *n, const struct message *m)
 static void grant_waiting(struct node *n, vtime now)
 {
     for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
-        if (!m->is_long || m->cleared)
+        if (!m->is_long || m->cleared || m->held)
             continue;
         if (!room_for(n, m))
             return;
@@ -115,7 +115,9 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
     }
     unexpected_add(n, m);
     lp_message_kept(&n->lp);
-    if (m->is_long && !room_for(n, m)) {
+    if (m->in_order)
+        lp_notify(&n->lp, now); /* a probe finds it before it is whole */
+    if (m->is_long && (m->held || !room_for(n, m))) {
         b->waiting++;
         return false;
     }

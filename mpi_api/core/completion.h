@@ -1,0 +1,16 @@
+/* completion.h - the end of receives and sends that have ids. */
+#ifndef MPI_COMPLETION_H
+#define MPI_COMPLETION_H
+#include "mpi_api/core/core.h"
+#include "nx_api/calls/awaited.h"
+
+/* What a receive of the message is told. */
+struct nxm_status completion_status(const struct node *n, const struct message *m);
+/* Puts the message of a receive that is complete into its buffer. */
+void completion_take(struct node *n, struct receive *r, struct nxm_status *status);
+/* nxm_complete, in a call. */
+bool completion_run(struct node *n, const struct nxm_completion *c);
+/* For node_wait, given a struct nxm_completion; and what it still waits for, for reports. */
+bool completion_is_ready(struct node *n, void *completion);
+struct awaited completion_awaits(struct node *n, const struct nxm_completion *c);
+#endif

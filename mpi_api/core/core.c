@@ -1,0 +1,190 @@
+/* core.c - see core.h: MPI's messages, on a node's mailbox. */
+#include "mpi_api/core/core.h"
+#include <stdint.h>
+#include "mpi_api/core/completion.h"
+#include "nx_api/calls/msgwait.h"
+#include "nx_api/calls/probe.h"
+#include "nx_api/calls/receive.h"
+#include "nx_api/calls/send.h"
+#include "nx_api/contract/matching.h"
+
+static const char *const names[] = {
+#define MPI_NAME(name) "MPI_" #name,
+#include "mpi_api/core/names.def"
+#undef MPI_NAME
+};
+
+static const char *name_of(int call)
+{
+    return call >= 0 && call < MPI_CALLS ? names[call] : "MPI";
+}
+
+static struct node *enter(int call)
+{
+    struct node *n = node_self();
+    node_enter(n, name_of(call));
+    nx_begins_call(n);
+    return n;
+}
+
+static struct node *enter_early(int call)
+{
+    struct node *n = node_self();
+    node_enter_early(n, name_of(call));
+    nx_begins_call(n);
+    return n;
+}
+
+/* --- sending --- */
+
+static struct outgoing outgoing_of(const struct nxm_envelope *e, const void *buf, long len, int held)
+{
+    return (struct outgoing){.type = e->tag,
+                             .buf = buf,
+                             .len = len,
+                             .node = e->node,
+                             .pid = e->context,
+                             .in_order = true,
+                             .held = held != 0};
+}
+
+long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int held);
+long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int held)
+{
+    struct node *n = enter_early(e->call);
+    const struct outgoing o = outgoing_of(e, buf, len, held);
+    nx_about(n, e->tag);
+    if (nx_goes_at_once(n, &o)) {
+        nx_send(n, &o, NULL);
+    } else {
+        struct send *s = nx_own_send(n);
+        nx_send(n, &o, s);
+        if (!s->done)
+            node_wait(n, nx_send_is_done, s);
+    }
+    node_leave(n);
+    return 0;
+}
+
+/* Ids that are not sends of isend and kin, or of NX's calls, do not run out. */
+static long new_id(struct node *n, unsigned use)
+{
+    return mailbox_id_new(n, use, INT32_MAX);
+}
+
+long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int held);
+long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int held)
+{
+    struct node *n = enter_early(e->call);
+    const struct outgoing o = outgoing_of(e, buf, len, held);
+    long id = 0;
+    nx_about(n, e->tag);
+    if (!nx_goes_at_once(n, &o))
+        id = new_id(n, ID_SENDS);
+    nx_send(n, &o, id ? mailbox_id_send(n, id) : NULL);
+    node_leave(n);
+    return id;
+}
+
+/* --- receiving --- */
+
+static struct selector selector_of(const struct nxm_envelope *e)
+{
+    return (struct selector){e->tag, e->node, e->context};
+}
+
+static void post(struct node *n, struct receive *r, const struct nxm_envelope *e, void *buf, long room)
+{
+    nx_about(n, e->tag);
+    *r = (struct receive){.select = selector_of(e), .buf = buf, .room = (size_t)room};
+    nx_spend_call(n);
+    mailbox_post(n, r);
+}
+
+long node_nxm_recv(const struct nxm_envelope *e, void *buf, long room, struct nxm_status *status);
+long node_nxm_recv(const struct nxm_envelope *e, void *buf, long room, struct nxm_status *status)
+{
+    struct node *n = enter_early(e->call);
+    struct receive *r = nx_own_receive(n);
+    post(n, r, e, buf, room);
+    node_wait(n, nx_receive_is_complete, r);
+    completion_take(n, r, status);
+    node_leave(n);
+    return 0;
+}
+
+long node_nxm_irecv(const struct nxm_envelope *e, void *buf, long room);
+long node_nxm_irecv(const struct nxm_envelope *e, void *buf, long room)
+{
+    struct node *n = enter_early(e->call);
+    long id = new_id(n, ID_RECEIVES);
+    post(n, mailbox_id_receive(n, id), e, buf, room);
+    node_leave(n);
+    return id;
+}
+
+long node_nxm_receive_into(int id, void *buf, long room);
+long node_nxm_receive_into(int id, void *buf, long room)
+{
+    struct receive *r = mailbox_id_receive(node_self(), id);
+    r->buf = buf, r->room = (size_t)room;
+    return 0;
+}
+
+long node_nxm_probe(const struct nxm_envelope *e, int wait, struct nxm_status *status);
+long node_nxm_probe(const struct nxm_envelope *e, int wait, struct nxm_status *status)
+{
+    struct node *n = enter(e->call);
+    struct incoming in = {.select = selector_of(e)};
+    nx_about(n, e->tag);
+    nx_spend_call(n);
+    if (wait)
+        node_wait(n, nx_probe_finds, &in);
+    const struct message *m = mailbox_probe(n, &in.select);
+    if (m)
+        *status = completion_status(n, m);
+    else
+        nx_found_nothing(n, &in.select);
+    node_leave(n);
+    return m != NULL;
+}
+
+long node_nxm_cancel(int call, int id);
+long node_nxm_cancel(int call, int id)
+{
+    struct node *n = enter(call);
+    struct receive *r = mailbox_id_receive(n, id);
+    bool withdraws = r && !r->m;
+    nx_spend_call(n);
+    if (withdraws) {
+        mailbox_withdraw(n, r);
+        mailbox_id_release(n, id);
+    }
+    node_leave(n);
+    return withdraws;
+}
+
+/* --- others --- */
+
+long node_nxm_complete(const struct nxm_completion *c);
+long node_nxm_complete(const struct nxm_completion *c)
+{
+    bool waits = c->how & NXM_WAIT;
+    struct node *n = waits ? enter_early(c->call) : enter(c->call);
+    bool done = completion_run(n, c);
+    node_leave(n);
+    return done;
+}
+
+long node_nxm_fail(int call, const char *text);
+long node_nxm_fail(int call, const char *text)
+{
+    struct node *n = enter(call);
+    node_fail(n, "%s: %s", name_of(call), text);
+}
+
+long node_nxm_eager_limit(void);
+long node_nxm_eager_limit(void)
+{
+    return (long)node_self()->sys->cfg->mpi_eager_limit;
+}

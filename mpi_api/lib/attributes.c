@@ -1,0 +1,262 @@
+/* attributes.c - what programs attach to communicators and datatypes, by keys. */
+#include <stdlib.h>
+#include <string.h>
+#include "lib.h"
+#include "nx.h"
+
+struct attribute {
+    struct attribute *next;
+    int key;
+    void *value;
+};
+
+/* The functions of communicators and of datatypes differ in their first parameter only: a handle. */
+typedef int copy_function(void *handle, int key, void *extra, void *in, void *out, int *flag);
+typedef int delete_function(void *handle, int key, void *value, void *extra);
+
+struct key {
+    copy_function *copy;
+    delete_function *drop;
+    void *extra;
+    int users; /* attributes, and 1 until it is freed; 0: none */
+    bool freed;
+};
+
+enum { FIRST_KEY = 1000 };
+static struct key *keys;
+static int key_count;
+
+static struct key *key_of(int key)
+{
+    struct key *k = key >= FIRST_KEY && key < FIRST_KEY + key_count ? &keys[key - FIRST_KEY] : NULL;
+    return k && k->users ? k : NULL;
+}
+
+static int key_new(void *copy, void *drop, int *key, void *extra)
+{
+    keys = realloc(keys, (size_t)(key_count + 1) * sizeof *keys);
+    keys[key_count] = (struct key){(copy_function *)copy, (delete_function *)drop, extra, 1, false};
+    *key = FIRST_KEY + key_count++;
+    return MPI_SUCCESS;
+}
+
+static int no_key(const char *call, int key)
+{
+    return fail(NULL, CALL_Other, MPI_ERR_KEYVAL, "%s: %d is no attribute key, or has been freed", call, key);
+}
+
+static int key_free(const char *call, int *key)
+{
+    struct key *k = key_of(*key);
+    if (!k || k->freed)
+        return no_key(call, *key);
+    k->freed = true;
+    k->users--;
+    *key = MPI_KEYVAL_INVALID;
+    return MPI_SUCCESS;
+}
+
+static struct attribute **find(struct attribute **list, int key)
+{
+    while (*list && (*list)->key != key)
+        list = &(*list)->next;
+    return list;
+}
+
+/* Ends an attribute, unless the key's function says no, which may change the list. */
+static int delete_one(void *handle, struct attribute **list, int key)
+{
+    struct attribute *a = *find(list, key);
+    struct key *k = key_of(key);
+    int code = a && k && k->drop ? k->drop(handle, key, a->value, k->extra) : MPI_SUCCESS;
+    struct attribute **link = find(list, key);
+    if (code || !*link)
+        return code;
+    a = *link;
+    *link = a->next;
+    keys[key - FIRST_KEY].users--;
+    free(a);
+    return MPI_SUCCESS;
+}
+
+/* The last set goes first. */
+static int delete_all(void *handle, struct attribute **list)
+{
+    while (*list) {
+        int code = delete_one(handle, list, (*list)->key);
+        if (code)
+            return code;
+    }
+    return MPI_SUCCESS;
+}
+
+static int set(const char *call, void *handle, struct attribute **list, int key, void *value)
+{
+    if (!key_of(key))
+        return no_key(call, key);
+    int code = delete_one(handle, list, key);
+    if (code)
+        return code;
+    struct attribute *a = get_memory(sizeof *a);
+    *a = (struct attribute){*list, key, value};
+    *list = a;
+    key_of(key)->users++;
+    return MPI_SUCCESS;
+}
+
+static int get(const char *call, struct attribute **list, int key, void *value, int *flag)
+{
+    if (!key_of(key))
+        return no_key(call, key);
+    struct attribute *a = *find(list, key);
+    *flag = a != NULL;
+    if (a)
+        memcpy(value, &a->value, sizeof a->value);
+    return MPI_SUCCESS;
+}
+
+/* --- communicators --- */
+
+static void *handle_of(const struct comm *c)
+{
+    return c == &comm_world  ? (void *)MPI_COMM_WORLD
+           : c == &comm_self ? (void *)MPI_COMM_SELF
+                             : (void *)HANDLE(MPI_Comm, c);
+}
+
+int comm_delete_attributes(struct comm *c)
+{
+    return delete_all(handle_of(c), &c->attributes);
+}
+
+/* Oldest first, so that the copy has them in the same order. */
+static int copy_from(struct attribute *a, struct comm *from, struct comm *to)
+{
+    if (!a)
+        return MPI_SUCCESS;
+    int code = copy_from(a->next, from, to), flag = 0;
+    struct key *k = key_of(a->key);
+    void *value = NULL;
+    if (code || !k || !k->copy)
+        return code;
+    if (k->copy == (copy_function *)MPI_COMM_DUP_FN)
+        value = a->value, flag = true;
+    else
+        code = k->copy(handle_of(from), a->key, k->extra, a->value, &value, &flag);
+    if (code || !flag)
+        return code;
+    struct attribute *copy = get_memory(sizeof *copy);
+    *copy = (struct attribute){to->attributes, a->key, value};
+    to->attributes = copy;
+    key_of(a->key)->users++;
+    return MPI_SUCCESS;
+}
+
+int comm_copy_attributes(struct comm *from, struct comm *to)
+{
+    return copy_from(from->attributes, from, to);
+}
+
+CALL(Comm_create_keyval,
+     (MPI_Comm_copy_attr_function * copy, MPI_Comm_delete_attr_function *delete, int *keyval, void *extra))
+{
+    return key_new((void *)copy, (void *)delete, keyval, extra);
+}
+
+CALL(Comm_free_keyval, (int *keyval))
+{
+    return key_free("MPI_Comm_free_keyval", keyval);
+}
+
+CALL(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
+{
+    struct comm *c = comm_of(comm);
+    return c ? set("MPI_Comm_set_attr", comm, &c->attributes, keyval, value) : fail_comm(CALL_Other);
+}
+
+/* Those that are there from the beginning: pointers to numbers. */
+static const int *own_attribute(int key)
+{
+    static int tag_ub = 999999999, host = MPI_PROC_NULL, io = MPI_ANY_SOURCE, global = 1, size, code;
+    size = (int)numnodes(), code = MPI_ERR_LASTCODE;
+    switch (key) {
+    case MPI_TAG_UB:
+        return &tag_ub;
+    case MPI_HOST:
+        return &host;
+    case MPI_IO:
+        return &io;
+    case MPI_WTIME_IS_GLOBAL:
+        return &global;
+    case MPI_UNIVERSE_SIZE:
+        return &size;
+    case MPI_LASTUSEDCODE:
+        return &code;
+    default:
+        return NULL;
+    }
+}
+
+CALL(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
+{
+    struct comm *c = comm_of(comm);
+    const int *own = own_attribute(keyval);
+    if (!c)
+        return fail_comm(CALL_Other);
+    if (!own)
+        return keyval == MPI_APPNUM ? (*flag = 0, MPI_SUCCESS)
+                                    : get("MPI_Comm_get_attr", &c->attributes, keyval, value, flag);
+    memcpy(value, &own, sizeof own);
+    *flag = true;
+    return MPI_SUCCESS;
+}
+
+CALL(Comm_delete_attr, (MPI_Comm comm, int keyval))
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Other);
+    return key_of(keyval) ? delete_one(comm, &c->attributes, keyval) : no_key("MPI_Comm_delete_attr", keyval);
+}
+
+/* --- datatypes --- */
+
+int type_delete_attributes(struct type *t)
+{
+    return delete_all((void *)HANDLE(MPI_Datatype, t), &t->attributes);
+}
+
+CALL(Type_create_keyval,
+     (MPI_Type_copy_attr_function * copy, MPI_Type_delete_attr_function *delete, int *keyval, void *extra))
+{
+    return key_new((void *)copy, (void *)delete, keyval, extra);
+}
+
+CALL(Type_free_keyval, (int *keyval))
+{
+    return key_free("MPI_Type_free_keyval", keyval);
+}
+
+CALL(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
+{
+    struct type *t = type_of(type);
+    if (!t)
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_set_attr: the datatype is null, or freed");
+    return set("MPI_Type_set_attr", type, &t->attributes, keyval, value);
+}
+
+CALL(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *flag))
+{
+    struct type *t = type_of(type);
+    if (!t)
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_get_attr: the datatype is null, or freed");
+    return get("MPI_Type_get_attr", &t->attributes, keyval, value, flag);
+}
+
+CALL(Type_delete_attr, (MPI_Datatype type, int keyval))
+{
+    struct type *t = type_of(type);
+    if (!t)
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_delete_attr: the datatype is null, or freed");
+    return key_of(keyval) ? delete_one(type, &t->attributes, keyval) : no_key("MPI_Type_delete_attr", keyval);
+}

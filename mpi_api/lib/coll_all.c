@@ -1,0 +1,303 @@
+/* coll_all.c - all to all: allgather, alltoall, and their forms with lengths.
+ *
+ * Algorithms and their limits: Thakur, Rabenseifner and Gropp (2005), as in coll_one.c. */
+#include <stdlib.h>
+#include <string.h>
+#include "coll.h"
+
+/* --- allgather --- */
+
+/* Short ones: Bruck's, log2 of the ranks steps. Long ones: a ring. */
+enum { SHORT_GATHER = 81920, MEDIUM_GATHER = 524288 };
+
+static bool is_power_of_two(int n)
+{
+    return !(n & (n - 1));
+}
+
+/* In step k a rank has the parts of 2^k ranks from itself on, and gets as many that follow. */
+static int bruck(const struct coll *o, char *parts, size_t each)
+{
+    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    for (int have = 1; have < size && !code; have *= 2) {
+        int more = have < size - have ? have : size - have;
+        code = coll_exchange(o, parts, (int)(each * (size_t)more), MPI_BYTE, (rank - have + size) % size,
+                             parts + each * (size_t)have, (int)(each * (size_t)more), MPI_BYTE,
+                             (rank + have) % size);
+    }
+    return code;
+}
+
+int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, void *all)
+{
+    int size = coll_size(o), rank = coll_rank(o);
+    char *parts = get_memory(bytes * (size_t)size);
+    memcpy(parts, own, bytes);
+    int code = bruck(o, parts, bytes);
+    for (int i = 0; i < size && !code; i++)
+        memcpy((char *)all + bytes * (size_t)((rank + i) % size), parts + bytes * (size_t)i, bytes);
+    free(parts);
+    return code;
+}
+
+static int allgather_short(const struct coll *o, void *into, int room, MPI_Datatype as)
+{
+    int size = coll_size(o), rank = coll_rank(o);
+    size_t each = (size_t)room * size_of(as);
+    char *parts = get_memory(each * (size_t)size);
+    type_pack(element(into, (MPI_Aint)rank * room, as), room, as, parts);
+    int code = bruck(o, parts, each);
+    for (int i = 1; i < size && !code; i++)
+        type_unpack(parts + each * (size_t)i, each, element(into, (MPI_Aint)((rank + i) % size) * room, as), room,
+                    as);
+    free(parts);
+    return code;
+}
+
+/* In step k a rank passes on the part that it got in the step before. */
+static int ring(const struct coll *o, void *into, const int rooms[], const int places[], MPI_Datatype as)
+{
+    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    for (int k = 0; k < size - 1 && !code; k++) {
+        int out = (rank - k + size) % size, in = (rank - k - 1 + size) % size;
+        code = coll_exchange(o, element(into, places[out], as), rooms[out], as, (rank + 1) % size,
+                             element(into, places[in], as), rooms[in], as, (rank - 1 + size) % size);
+    }
+    return code;
+}
+
+static int ring_of_equals(const struct coll *o, void *into, int room, MPI_Datatype as)
+{
+    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    for (int k = 0; k < size - 1 && !code; k++) {
+        int out = (rank - k + size) % size, in = (rank - k - 1 + size) % size;
+        code = coll_exchange(o, element(into, (MPI_Aint)out * room, as), room, as, (rank + 1) % size,
+                             element(into, (MPI_Aint)in * room, as), room, as, (rank - 1 + size) % size);
+    }
+    return code;
+}
+
+CALL(Allgather,
+     (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, MPI_Comm comm))
+{
+    struct coll o;
+    int code = coll_begin(&o, CALL_Allgather, comm);
+    if (!code)
+        code = coll_check(&o, room, as);
+    if (!code && buf != MPI_IN_PLACE)
+        code = coll_check(&o, count, type);
+    if (code)
+        return code;
+    if (buf != MPI_IN_PLACE)
+        type_copy(buf, count, type, element(into, (MPI_Aint)coll_rank(&o) * room, as), room, as);
+    size_t all = (size_t)room * size_of(as) * (size_t)coll_size(&o);
+    bool brief = all < SHORT_GATHER || (all < MEDIUM_GATHER && is_power_of_two(coll_size(&o)));
+    return brief ? allgather_short(&o, into, room, as) : ring_of_equals(&o, into, room, as);
+}
+
+CALL(Allgatherv, (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[],
+                  const int places[], MPI_Datatype as, MPI_Comm comm))
+{
+    struct coll o;
+    int code = coll_begin(&o, CALL_Allgatherv, comm);
+    if (!code)
+        code = coll_check(&o, 0, as);
+    if (!code && buf != MPI_IN_PLACE)
+        code = coll_check(&o, count, type);
+    if (code)
+        return code;
+    int rank = coll_rank(&o);
+    if (buf != MPI_IN_PLACE)
+        type_copy(buf, count, type, element(into, places[rank], as), rooms[rank], as);
+    return ring(&o, into, rooms, places, as);
+}
+
+/* --- alltoall --- */
+
+/* Short ones: Bruck's; of middle length: all at once; long ones: one partner after the other. */
+enum { SHORT_ALLTOALL = 256, LONG_ALLTOALL = 32768, FEW_RANKS = 8 };
+
+/* Part i is for the rank i further. In step k all parts whose number has bit k go 2^k ranks on. */
+static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
+{
+    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    char *out = get_memory(each * (size_t)size), *in = get_memory(each * (size_t)size);
+    for (int bit = 1; bit < size && !code; bit *= 2) {
+        int n = 0;
+        for (int i = 0; i < size; i++)
+            if (i & bit)
+                memcpy(out + each * (size_t)n++, parts + each * (size_t)i, each);
+        code = coll_exchange(o, out, (int)(each * (size_t)n), MPI_BYTE, (rank + bit) % size, in,
+                             (int)(each * (size_t)n), MPI_BYTE, (rank - bit + size) % size);
+        n = 0;
+        for (int i = 0; i < size; i++)
+            if (i & bit)
+                memcpy(parts + each * (size_t)i, in + each * (size_t)n++, each);
+    }
+    free(out);
+    free(in);
+    return code;
+}
+
+static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into,
+                          int room, MPI_Datatype as)
+{
+    int size = coll_size(o), rank = coll_rank(o);
+    size_t each = (size_t)room * size_of(as);
+    char *parts = get_memory(each * (size_t)size);
+    for (int i = 0; i < size; i++)
+        type_pack(element(buf, (MPI_Aint)((rank + i) % size) * count, t), count, t, parts + each * (size_t)i);
+    int code = alltoall_bruck(o, parts, each);
+    for (int i = 0; i < size && !code; i++)
+        type_unpack(parts + each * (size_t)i, each,
+                    element(into, (MPI_Aint)((rank - i + size) % size) * room, as), room, as);
+    free(parts);
+    return code;
+}
+
+/* What each rank sends to each other, and gets. */
+struct parts {
+    const void *buf;
+    void *into;
+    const int *counts, *at, *rooms, *places; /* NULL: all of count, room, one after the other */
+    int count, room;
+    MPI_Datatype type, as;
+    const MPI_Datatype *types, *ases; /* NULL: type, as; else at and places are bytes */
+};
+
+static void *part_out(const struct parts *p, int i, int *count, MPI_Datatype *t)
+{
+    *t = p->types ? p->types[i] : p->type;
+    *count = p->counts ? p->counts[i] : p->count;
+    if (p->types)
+        return (char *)(uintptr_t)p->buf + p->at[i];
+    return element(p->buf, p->counts ? p->at[i] : (MPI_Aint)i * p->count, *t);
+}
+
+static void *part_in(const struct parts *p, int i, int *room, MPI_Datatype *t)
+{
+    *t = p->ases ? p->ases[i] : p->as;
+    *room = p->rooms ? p->rooms[i] : p->room;
+    if (p->ases)
+        return (char *)p->into + p->places[i];
+    return element(p->into, p->rooms ? p->places[i] : (MPI_Aint)i * p->room, *t);
+}
+
+static int at_once(const struct coll *o, const struct parts *p)
+{
+    int size = coll_size(o), rank = coll_rank(o), n = 0, count, room;
+    MPI_Datatype t, as;
+    struct request **r = get_memory(2 * (size_t)size * sizeof *r);
+    for (int k = 1; k < size; k++) {
+        int from = (rank - k + size) % size;
+        void *at = part_in(p, from, &room, &as);
+        if (any_bytes(room, as))
+            r[n++] = coll_start(o, false, at, room, as, from);
+    }
+    for (int k = 1; k < size; k++) {
+        int to = (rank + k) % size;
+        void *at = part_out(p, to, &count, &t);
+        if (any_bytes(count, t))
+            r[n++] = coll_start(o, true, at, count, t, to);
+    }
+    const void *own = part_out(p, rank, &count, &t);
+    void *at = part_in(p, rank, &room, &as);
+    type_copy(own, count, t, at, room, as);
+    int code = coll_wait(o, n, r);
+    free(r);
+    return code;
+}
+
+static int one_by_one(const struct coll *o, const struct parts *p)
+{
+    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS, count, room;
+    MPI_Datatype t, as;
+    const void *own = part_out(p, rank, &count, &t);
+    void *at = part_in(p, rank, &room, &as);
+    type_copy(own, count, t, at, room, as);
+    for (int k = 1; k < size && !code; k++) {
+        int to = is_power_of_two(size) ? rank ^ k : (rank + k) % size;
+        int from = is_power_of_two(size) ? to : (rank - k + size) % size;
+        const void *out = part_out(p, to, &count, &t);
+        void *in = part_in(p, from, &room, &as);
+        code = coll_exchange(o, out, count, t, to, in, room, as, from);
+    }
+    return code;
+}
+
+/* In place: what is sent lies where what comes is to lie, so it is copied out first. */
+static int in_place(const struct coll *o, const struct parts *p)
+{
+    int size = coll_size(o), room;
+    size_t bytes = 0;
+    MPI_Datatype as;
+    int *counts = get_memory(2 * (size_t)size * sizeof *counts), *at = counts + size;
+    for (int i = 0; i < size; i++) {
+        part_in(p, i, &room, &as);
+        counts[i] = (int)((size_t)room * size_of(as)), at[i] = (int)bytes;
+        bytes += (size_t)counts[i];
+    }
+    char *copy = get_memory(bytes);
+    for (int i = 0; i < size; i++) {
+        void *from = part_in(p, i, &room, &as);
+        type_pack(from, room, as, copy + at[i]);
+    }
+    struct parts q = *p;
+    q.buf = copy, q.counts = counts, q.at = at, q.type = MPI_BYTE, q.types = NULL;
+    int code = at_once(o, &q);
+    free(copy);
+    free(counts);
+    return code;
+}
+
+CALL(Alltoall,
+     (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, MPI_Comm comm))
+{
+    struct coll o;
+    int code = coll_begin(&o, CALL_Alltoall, comm);
+    if (!code)
+        code = coll_check(&o, room, as);
+    if (!code && buf != MPI_IN_PLACE)
+        code = coll_check(&o, count, type);
+    if (code)
+        return code;
+    const struct parts p = {.buf = buf, .into = into, .count = count, .room = room, .type = type, .as = as};
+    size_t each = (size_t)room * size_of(as);
+    if (buf == MPI_IN_PLACE)
+        return in_place(&o, &p);
+    if (each <= SHORT_ALLTOALL && coll_size(&o) >= FEW_RANKS)
+        return alltoall_short(&o, buf, count, type, into, room, as);
+    return each <= LONG_ALLTOALL ? at_once(&o, &p) : one_by_one(&o, &p);
+}
+
+CALL(Alltoallv, (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into,
+                 const int rooms[], const int places[], MPI_Datatype as, MPI_Comm comm))
+{
+    struct coll o;
+    int code = coll_begin(&o, CALL_Alltoallv, comm);
+    if (!code)
+        code = coll_check(&o, 0, as);
+    if (!code && buf != MPI_IN_PLACE)
+        code = coll_check(&o, 0, type);
+    if (code)
+        return code;
+    const struct parts p = {.buf = buf, .into = into, .counts = counts, .at = at, .rooms = rooms,
+                            .places = places, .type = type, .as = as};
+    return buf == MPI_IN_PLACE ? in_place(&o, &p) : at_once(&o, &p);
+}
+
+CALL(Alltoallw, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[], void *into,
+                 const int rooms[], const int places[], const MPI_Datatype as[], MPI_Comm comm))
+{
+    struct coll o;
+    int code = coll_begin(&o, CALL_Alltoallw, comm);
+    if (code)
+        return code;
+    for (int i = 0; i < coll_size(&o); i++)
+        if ((code = coll_check(&o, rooms[i], as[i])) ||
+            (buf != MPI_IN_PLACE && (code = coll_check(&o, counts[i], types[i]))))
+            return code;
+    const struct parts p = {.buf = buf, .into = into, .counts = counts, .at = at, .rooms = rooms,
+                            .places = places, .types = types, .ases = as};
+    return buf == MPI_IN_PLACE ? in_place(&o, &p) : at_once(&o, &p);
+}

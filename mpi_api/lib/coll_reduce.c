@@ -1,0 +1,357 @@
+/* coll_reduce.c - reductions, to one rank and to all, and over the ranks before one.
+ *
+ * Algorithms and their limits: Thakur, Rabenseifner and Gropp (2005), as in coll_one.c. An operation that does
+ * not commute gets its operands in the order of the ranks. */
+#include <stdlib.h>
+#include <string.h>
+#include "coll.h"
+
+/* --- buffers for elements of any type: as long as they are in the program's --- */
+
+struct operand {
+    char *memory, *at;
+};
+
+static struct operand operand_new(int count, MPI_Datatype type)
+{
+    const struct type *t = type_of(type);
+    MPI_Aint low = t->true_lb, bytes = t->true_ub - t->true_lb;
+    if (count > 1)
+        bytes += (count - 1) * type_extent(t);
+    struct operand x = {.memory = get_memory((size_t)bytes + 16)};
+    x.at = x.memory - low;
+    return x;
+}
+
+static void operand_free(struct operand x)
+{
+    free(x.memory);
+}
+
+static void swap(struct operand *x, struct operand *y)
+{
+    struct operand z = *x;
+    *x = *y, *y = z;
+}
+
+/* A reduction under way: own so far, and what comes. */
+struct sum {
+    const struct coll *o;
+    struct operand own, other;
+    int count;
+    MPI_Datatype t;
+    MPI_Op op;
+};
+
+static struct sum sum_begin(const struct coll *o, const void *buf, int count, MPI_Datatype t, MPI_Op op)
+{
+    struct sum s = {o, operand_new(count, t), operand_new(count, t), count, t, op};
+    type_copy(buf, count, t, s.own.at, count, t);
+    return s;
+}
+
+static void sum_end(struct sum *s)
+{
+    operand_free(s->own);
+    operand_free(s->other);
+}
+
+/* The other operand is there; own = other op own, or own op other. */
+static void add(struct sum *s, bool other_is_left)
+{
+    if (other_is_left) {
+        op_apply(s->op, s->other.at, s->own.at, s->count, s->t);
+        return;
+    }
+    op_apply(s->op, s->own.at, s->other.at, s->count, s->t);
+    swap(&s->own, &s->other);
+}
+
+static void send_own(const struct sum *s, int to)
+{
+    coll_send(s->o, s->own.at, s->count, s->t, to);
+}
+
+static int receive_other(struct sum *s, int from)
+{
+    return coll_receive(s->o, s->other.at, s->count, s->t, from);
+}
+
+static int exchange(struct sum *s, int peer)
+{
+    return coll_exchange(s->o, s->own.at, s->count, s->t, peer, s->other.at, s->count, s->t, peer);
+}
+
+/* --- to one: a binomial tree --- */
+
+static int reduce_tree(struct sum *s, int root)
+{
+    int size = coll_size(s->o), rel = (coll_rank(s->o) - root + size) % size, code = MPI_SUCCESS;
+    for (int mask = 1; mask < size && !code; mask *= 2) {
+        if (rel & mask) {
+            send_own(s, (rel - mask + root) % size);
+            break;
+        }
+        if (rel + mask < size) {
+            code = receive_other(s, (rel + mask + root) % size);
+            if (!code)
+                add(s, false);
+        }
+    }
+    return code;
+}
+
+int coll_reduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op,
+                int root)
+{
+    struct sum s = sum_begin(o, buf, count, t, op);
+    int first = op_commutes(op) ? root : 0, rank = coll_rank(o);
+    int code = reduce_tree(&s, first);
+    if (!code && first != root && rank == first)
+        send_own(&s, root);
+    if (!code && first != root && rank == root)
+        code = coll_receive(o, into, count, t, first);
+    else if (!code && rank == root)
+        type_copy(s.own.at, count, t, into, count, t);
+    sum_end(&s);
+    return code;
+}
+
+/* --- to all --- */
+
+/* Short ones: recursive doubling. Long ones, of MPI's own types: each rank reduces a part, and then all gather
+ * the parts (Rabenseifner). The ranks beyond a power of two hand theirs to a neighbour first. */
+enum { SHORT_ALLREDUCE = 2048 };
+
+struct fold {
+    int power; /* so many take part */
+    int rest;  /* the first 2 rest ranks are pairs, of which the second takes part */
+    int number; /* among those that take part; -1: does not */
+};
+
+static struct fold fold_of(const struct coll *o)
+{
+    struct fold f = {1, 0, 0};
+    int rank = coll_rank(o);
+    while (f.power <= coll_size(o) / 2)
+        f.power *= 2;
+    f.rest = coll_size(o) - f.power;
+    f.number = rank >= 2 * f.rest ? rank - f.rest : rank % 2 ? rank / 2 : -1;
+    return f;
+}
+
+static int fold_rank(const struct fold *f, int number)
+{
+    return number < f->rest ? 2 * number + 1 : number + f->rest;
+}
+
+/* Those that do not take part hand over what they have. */
+static int fold_in(struct sum *s, const struct fold *f)
+{
+    int rank = coll_rank(s->o), code = MPI_SUCCESS;
+    if (f->number < 0)
+        send_own(s, rank + 1);
+    else if (rank < 2 * f->rest && !(code = receive_other(s, rank - 1)))
+        add(s, true);
+    return code;
+}
+
+/* And get the result. */
+static int fold_out(struct sum *s, const struct fold *f)
+{
+    int rank = coll_rank(s->o);
+    if (f->number < 0)
+        return coll_receive(s->o, s->own.at, s->count, s->t, rank + 1);
+    if (rank < 2 * f->rest)
+        send_own(s, rank - 1);
+    return MPI_SUCCESS;
+}
+
+static int doubling(struct sum *s, const struct fold *f)
+{
+    int code = MPI_SUCCESS;
+    for (int mask = 1; mask < f->power && !code; mask *= 2) {
+        int peer = fold_rank(f, f->number ^ mask);
+        code = exchange(s, peer);
+        if (!code)
+            add(s, peer < coll_rank(s->o));
+    }
+    return code;
+}
+
+static int part_at(int count, int parts, int i)
+{
+    return (int)((long)count * i / parts);
+}
+
+/* Halves what the rank reduces, step by step, down to one part; then doubles what it has of the result. */
+static int halving(struct sum *s, const struct fold *f)
+{
+    int first = 0, last = f->power, code = MPI_SUCCESS;
+    for (int mask = f->power / 2; mask && !code; mask /= 2) {
+        int peer = fold_rank(f, f->number ^ mask), middle = first + mask;
+        bool low = !(f->number & mask);
+        int give = low ? middle : first, give_end = low ? last : middle;
+        int keep = low ? first : middle, keep_end = low ? middle : last;
+        int at = part_at(s->count, f->power, give), n = part_at(s->count, f->power, give_end) - at;
+        int own = part_at(s->count, f->power, keep), m = part_at(s->count, f->power, keep_end) - own;
+        code = coll_exchange(s->o, element(s->own.at, at, s->t), n, s->t, peer, element(s->other.at, own, s->t), m,
+                             s->t, peer);
+        if (!code)
+            op_apply(s->op, element(s->other.at, own, s->t), element(s->own.at, own, s->t), m, s->t);
+        first = keep, last = keep_end;
+    }
+    for (int mask = 1; mask < f->power && !code; mask *= 2) {
+        int peer = fold_rank(f, f->number ^ mask);
+        int have = f->number & -mask, theirs = have ^ mask;
+        int at = part_at(s->count, f->power, have), n = part_at(s->count, f->power, have + mask) - at;
+        int in = part_at(s->count, f->power, theirs), m = part_at(s->count, f->power, theirs + mask) - in;
+        code = coll_exchange(s->o, element(s->own.at, at, s->t), n, s->t, peer, element(s->own.at, in, s->t), m,
+                             s->t, peer);
+    }
+    return code;
+}
+
+int coll_allreduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op)
+{
+    struct sum s = sum_begin(o, buf, count, t, op);
+    struct fold f = fold_of(o);
+    bool brief = (size_t)count * size_of(t) <= SHORT_ALLREDUCE || !op_is_own(op) || count < f.power ||
+                 !op_commutes(op);
+    int code = fold_in(&s, &f);
+    if (!code && f.number >= 0)
+        code = brief ? doubling(&s, &f) : halving(&s, &f);
+    if (!code)
+        code = fold_out(&s, &f);
+    if (!code)
+        type_copy(s.own.at, count, t, into, count, t);
+    sum_end(&s);
+    return code;
+}
+
+/* --- the calls --- */
+
+static int check(struct coll *o, int call, int count, MPI_Datatype t, MPI_Op op, MPI_Comm comm)
+{
+    int code = coll_begin(o, call, comm);
+    if (!code)
+        code = coll_check(o, count, t);
+    const char *refuses = code ? NULL : op_refuses(op, t);
+    return refuses ? fail(o->c, call, MPI_ERR_OP, "%s", refuses) : code;
+}
+
+CALL(Reduce, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm))
+{
+    struct coll o;
+    int code = check(&o, CALL_Reduce, count, type, op, comm);
+    if (!code)
+        code = coll_check_root(&o, root);
+    if (code)
+        return code;
+    return coll_reduce(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op, root);
+}
+
+CALL(Allreduce, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+{
+    struct coll o;
+    int code = check(&o, CALL_Allreduce, count, type, op, comm);
+    if (code)
+        return code;
+    return coll_allreduce(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op);
+}
+
+/* Reduced to the first rank, and scattered from there. */
+static int reduce_scatter(const struct coll *o, const void *buf, void *into, const int counts[], const int at[],
+                          int total, MPI_Datatype t, MPI_Op op)
+{
+    struct operand all = operand_new(total, t);
+    bool in_place = buf == MPI_IN_PLACE;
+    int rank = coll_rank(o);
+    int code = coll_reduce(o, in_place ? into : buf, all.at, total, t, op, 0);
+    if (!code)
+        code = coll_scatterv(o, all.at, counts, at, t, into, counts[rank], t, 0);
+    operand_free(all);
+    return code;
+}
+
+CALL(Reduce_scatter,
+     (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+{
+    struct coll o;
+    int code = check(&o, CALL_Reduce_scatter, 0, type, op, comm), total = 0;
+    if (code)
+        return code;
+    int *at = get_memory((size_t)coll_size(&o) * sizeof *at);
+    for (int i = 0; i < coll_size(&o); i++) {
+        if (counts[i] < 0)
+            code = fail(o.c, CALL_Reduce_scatter, MPI_ERR_COUNT, "the count %d is negative", counts[i]);
+        at[i] = total;
+        total += counts[i];
+    }
+    if (!code)
+        code = reduce_scatter(&o, buf, into, counts, at, total, type, op);
+    free(at);
+    return code;
+}
+
+CALL(Reduce_scatter_block, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+{
+    struct coll o;
+    int code = check(&o, CALL_Reduce_scatter_block, count, type, op, comm);
+    if (code)
+        return code;
+    int size = coll_size(&o), *counts = get_memory(2 * (size_t)size * sizeof *counts), *at = counts + size;
+    for (int i = 0; i < size; i++)
+        counts[i] = count, at[i] = i * count;
+    code = reduce_scatter(&o, buf, into, counts, at, size * count, type, op);
+    free(counts);
+    return code;
+}
+
+/* In step k a rank gets the sum of the 2^k ranks before the 2^k it has; `before`: of the ranks before it. */
+static int scan(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op,
+                bool inclusive)
+{
+    struct sum s = sum_begin(o, buf, count, t, op);
+    struct operand before = operand_new(count, t), keep = operand_new(count, t);
+    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    bool any = false;
+    for (int mask = 1; mask < size && !code; mask *= 2) {
+        if (rank + mask < size)
+            send_own(&s, rank + mask);
+        if (rank - mask < 0)
+            continue;
+        code = receive_other(&s, rank - mask);
+        if (code)
+            break;
+        type_copy(s.other.at, count, t, keep.at, count, t);
+        if (any)
+            op_apply(op, keep.at, before.at, count, t);
+        else
+            type_copy(keep.at, count, t, before.at, count, t);
+        any = true;
+        add(&s, true);
+    }
+    if (!code && inclusive)
+        type_copy(s.own.at, count, t, into, count, t);
+    else if (!code && any)
+        type_copy(before.at, count, t, into, count, t);
+    operand_free(before);
+    operand_free(keep);
+    sum_end(&s);
+    return code;
+}
+
+CALL(Scan, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+{
+    struct coll o;
+    int code = check(&o, CALL_Scan, count, type, op, comm);
+    return code ? code : scan(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op, true);
+}
+
+CALL(Exscan, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+{
+    struct coll o;
+    int code = check(&o, CALL_Exscan, count, type, op, comm);
+    return code ? code : scan(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op, false);
+}

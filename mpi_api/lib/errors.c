@@ -1,0 +1,190 @@
+/* errors.c - error handlers, codes and their texts. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lib.h"
+
+struct errhandler {
+    struct object object;
+    MPI_Comm_errhandler_function *function;
+};
+
+static const char *const texts[] = {
+    [MPI_SUCCESS] = "no error",
+    [MPI_ERR_BUFFER] = "invalid buffer",
+    [MPI_ERR_COUNT] = "invalid count",
+    [MPI_ERR_TYPE] = "invalid datatype",
+    [MPI_ERR_TAG] = "invalid tag",
+    [MPI_ERR_COMM] = "invalid communicator",
+    [MPI_ERR_RANK] = "invalid rank",
+    [MPI_ERR_REQUEST] = "invalid request",
+    [MPI_ERR_ROOT] = "invalid root",
+    [MPI_ERR_GROUP] = "invalid group",
+    [MPI_ERR_OP] = "invalid operation",
+    [MPI_ERR_TOPOLOGY] = "invalid topology",
+    [MPI_ERR_DIMS] = "invalid dimensions",
+    [MPI_ERR_ARG] = "invalid argument",
+    [MPI_ERR_UNKNOWN] = "unknown error",
+    [MPI_ERR_TRUNCATE] = "the message is longer than the receive",
+    [MPI_ERR_OTHER] = "another error",
+    [MPI_ERR_INTERN] = "an error of the library",
+    [MPI_ERR_PENDING] = "the request is not done",
+    [MPI_ERR_IN_STATUS] = "the error is in the statuses",
+    [MPI_ERR_INFO_KEY] = "invalid key of an info",
+    [MPI_ERR_INFO_NOKEY] = "the info has no such key",
+    [MPI_ERR_INFO_VALUE] = "invalid value of an info",
+    [MPI_ERR_INFO] = "invalid info",
+    [MPI_ERR_KEYVAL] = "invalid attribute key",
+    [MPI_ERR_NO_MEM] = "no memory left",
+    [MPI_ERR_UNSUPPORTED_OPERATION] = "not supported",
+};
+
+/* --- errors of calls --- */
+
+static void call_handler(MPI_Errhandler handler, struct comm *c, int call, int code, const char *text)
+{
+    struct errhandler *own = object_of(handler, ERRHANDLER);
+    if (own) {
+        MPI_Comm comm = c == &comm_world ? MPI_COMM_WORLD : c == &comm_self ? MPI_COMM_SELF : HANDLE(MPI_Comm, c);
+        own->function(&comm, &code);
+    } else if (handler != MPI_ERRORS_RETURN) {
+        nxm_fail(call, text);
+    }
+}
+
+int fail(struct comm *c, int call, int code, const char *fmt, ...)
+{
+    char text[200];
+    va_list ap;
+    va_start(ap, fmt);
+    vsnprintf(text, sizeof text, fmt, ap);
+    va_end(ap);
+    c = c ? c : &comm_world;
+    call_handler(c->handler, c, call, code, text);
+    return code;
+}
+
+int fail_comm(int call)
+{
+    return fail(NULL, call, MPI_ERR_COMM, "%s",
+                mpi_runs ? "the communicator is null, or freed"
+                         : "called before MPI_Init, or after MPI_Finalize");
+}
+
+/* --- handlers --- */
+
+CALL(Comm_create_errhandler, (MPI_Comm_errhandler_function * function, MPI_Errhandler *handler))
+{
+    struct errhandler *h = object_new(ERRHANDLER, sizeof *h);
+    h->function = function;
+    *handler = HANDLE(MPI_Errhandler, h);
+    return MPI_SUCCESS;
+}
+
+CALL(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler))
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Other);
+    struct errhandler *h = object_of(handler, ERRHANDLER), *before = object_of(c->handler, ERRHANDLER);
+    if (h)
+        h->object.users++;
+    if (before && object_leave(&before->object))
+        free(before);
+    c->handler = handler;
+    return MPI_SUCCESS;
+}
+
+CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Other);
+    struct errhandler *h = object_of(c->handler, ERRHANDLER);
+    if (h)
+        h->object.users++;
+    *handler = c->handler;
+    return MPI_SUCCESS;
+}
+
+CALL(Comm_call_errhandler, (MPI_Comm comm, int code))
+{
+    struct comm *c = comm_of(comm);
+    char text[MPI_MAX_ERROR_STRING];
+    int length;
+    if (!c)
+        return fail_comm(CALL_Other);
+    PMPI_Error_string(code, text, &length);
+    call_handler(c->handler, c, CALL_Other, code, text);
+    return MPI_SUCCESS;
+}
+
+CALL(Errhandler_free, (MPI_Errhandler * handler))
+{
+    struct errhandler *h = object_of(*handler, ERRHANDLER);
+    if (h && object_leave(&h->object))
+        free(h);
+    *handler = MPI_ERRHANDLER_NULL;
+    return MPI_SUCCESS;
+}
+
+/* --- codes: those that programs add are behind MPI_ERR_LASTCODE --- */
+
+enum { FIRST_ADDED = MPI_ERR_LASTCODE + 1 };
+static struct added {
+    int class;
+    char *text;
+} * added;
+static int added_count;
+
+static int add(int class)
+{
+    added = realloc(added, (size_t)(added_count + 1) * sizeof *added);
+    added[added_count] = (struct added){class, NULL};
+    return FIRST_ADDED + added_count++;
+}
+
+static struct added *added_of(int code)
+{
+    return code >= FIRST_ADDED && code < FIRST_ADDED + added_count ? &added[code - FIRST_ADDED] : NULL;
+}
+
+CALL(Add_error_class, (int *class))
+{
+    *class = add(0);
+    added_of(*class)->class = *class;
+    return MPI_SUCCESS;
+}
+
+CALL(Add_error_code, (int class, int *code))
+{
+    *code = add(class);
+    return MPI_SUCCESS;
+}
+
+CALL(Add_error_string, (int code, const char *text))
+{
+    struct added *a = added_of(code);
+    if (!a)
+        return fail(NULL, CALL_Other, MPI_ERR_ARG, "%d is no error code that the program has added", code);
+    free(a->text);
+    a->text = strdup(text);
+    return MPI_SUCCESS;
+}
+
+CALL(Error_string, (int code, char *text, int *length))
+{
+    const struct added *a = added_of(code);
+    bool known = code >= 0 && code < (int)(sizeof texts / sizeof *texts) && texts[code];
+    *length = snprintf(text, MPI_MAX_ERROR_STRING, "%s",
+                       a ? (a->text ? a->text : "") : known ? texts[code] : "unknown error code");
+    return MPI_SUCCESS;
+}
+
+CALL(Error_class, (int code, int *class))
+{
+    const struct added *a = added_of(code);
+    *class = a ? a->class : code;
+    return MPI_SUCCESS;
+}

@@ -1,0 +1,149 @@
+/* info.c - hints: pairs of texts, which are kept and have no effect. */
+#include <stdlib.h>
+#include <string.h>
+#include "lib.h"
+
+struct pair {
+    struct pair *next;
+    char *key, *value;
+};
+struct info {
+    struct object object;
+    struct pair *pairs; /* in the order in which they were set */
+};
+
+static struct info *info_of(MPI_Info handle)
+{
+    return object_of(handle, INFO);
+}
+
+static int no_info(const char *call)
+{
+    return fail(NULL, CALL_Other, MPI_ERR_INFO, "%s: the info is null, or freed", call);
+}
+
+static struct pair **find(struct info *i, const char *key)
+{
+    struct pair **link = &i->pairs;
+    while (*link && strcmp((*link)->key, key) != 0)
+        link = &(*link)->next;
+    return link;
+}
+
+CALL(Info_create, (MPI_Info * info))
+{
+    struct info *i = object_new(INFO, sizeof *i);
+    *info = HANDLE(MPI_Info, i);
+    return MPI_SUCCESS;
+}
+
+CALL(Info_set, (MPI_Info info, const char *key, const char *value))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_set");
+    struct pair **link = find(i, key);
+    if (!*link) {
+        *link = calloc(1, sizeof **link);
+        (*link)->key = strdup(key);
+    }
+    free((*link)->value);
+    (*link)->value = strdup(value);
+    return MPI_SUCCESS;
+}
+
+CALL(Info_get, (MPI_Info info, const char *key, int room, char *value, int *flag))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_get");
+    const struct pair *p = *find(i, key);
+    *flag = p != NULL;
+    if (p) {
+        strncpy(value, p->value, (size_t)room);
+        value[room] = '\0';
+    }
+    return MPI_SUCCESS;
+}
+
+CALL(Info_get_valuelen, (MPI_Info info, const char *key, int *length, int *flag))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_get_valuelen");
+    const struct pair *p = *find(i, key);
+    *flag = p != NULL;
+    if (p)
+        *length = (int)strlen(p->value);
+    return MPI_SUCCESS;
+}
+
+CALL(Info_get_nkeys, (MPI_Info info, int *count))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_get_nkeys");
+    *count = 0;
+    for (const struct pair *p = i->pairs; p; p = p->next)
+        ++*count;
+    return MPI_SUCCESS;
+}
+
+CALL(Info_get_nthkey, (MPI_Info info, int n, char *key))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_get_nthkey");
+    const struct pair *p = i->pairs;
+    for (int k = 0; p && k < n; k++)
+        p = p->next;
+    if (!p || n < 0)
+        return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Info_get_nthkey: there is no key %d", n);
+    strcpy(key, p->key);
+    return MPI_SUCCESS;
+}
+
+static void remove_pair(struct pair **link)
+{
+    struct pair *p = *link;
+    *link = p->next;
+    free(p->key);
+    free(p->value);
+    free(p);
+}
+
+CALL(Info_delete, (MPI_Info info, const char *key))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_delete");
+    struct pair **link = find(i, key);
+    if (!*link)
+        return fail(NULL, CALL_Other, MPI_ERR_INFO_NOKEY, "MPI_Info_delete: the info has no key \"%.80s\"", key);
+    remove_pair(link);
+    return MPI_SUCCESS;
+}
+
+CALL(Info_dup, (MPI_Info info, MPI_Info *to))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_dup");
+    PMPI_Info_create(to);
+    for (const struct pair *p = i->pairs; p; p = p->next)
+        PMPI_Info_set(*to, p->key, p->value);
+    return MPI_SUCCESS;
+}
+
+CALL(Info_free, (MPI_Info * info))
+{
+    struct info *i = info_of(*info);
+    if (!i)
+        return no_info("MPI_Info_free");
+    while (i->pairs)
+        remove_pair(&i->pairs);
+    if (object_leave(&i->object))
+        free(i);
+    *info = MPI_INFO_NULL;
+    return MPI_SUCCESS;
+}

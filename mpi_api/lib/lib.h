@@ -1,0 +1,217 @@
+/* lib.h - what the files of MPI's library share. The library is a part of the node program: nxcc compiles it,
+ * what it computes is counted as the program's, and its variables are the rank's own.
+ *
+ *     point to point, requests, probes  --->  core (mpi_api/core): matching, waiting, sending
+ *     collectives                       --->  coll.h: sends and receives in the other half of a context
+ *     datatypes, groups, communicators, operations, topologies, attributes: here alone
+ *
+ * A handle is a number: of a constant of mpi.h, or of a place in the table of objects. So Fortran's handles
+ * are C's. */
+#ifndef MPI_LIB_H
+#define MPI_LIB_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "mpi.h"
+#include "mpi_api/core/core.h"
+
+/* A call, which programs reach by both of its names. */
+#define CALL(name, parameters)                                                                               \
+    int MPI_##name parameters __attribute__((weak, alias("PMPI_" #name)));                                   \
+    int PMPI_##name parameters
+
+/* --- objects --- */
+
+enum kind { COMM = 1, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE };
+
+struct object {
+    enum kind kind;
+    int users, handle;
+};
+
+/* A new object, all 0, with one user, as the first member of a struct of so many bytes. */
+void *object_new(enum kind kind, size_t bytes);
+/* The object behind a handle; NULL: none of that kind. */
+void *object_of(const void *handle, enum kind kind);
+/* One user less. True: it was the last one; the handle is none any more, and the caller frees. */
+bool object_leave(struct object *o);
+#define HANDLE(type, x) ((type)(intptr_t)(x)->object.handle)
+
+void *get_memory(size_t bytes); /* malloc, or the end of the run; NULL for none */
+
+/* --- communicators --- */
+
+struct group {
+    struct object object;
+    int size, rank; /* rank -1: the process is none of them */
+    int first;      /* nodes NULL: rank r is node first + r */
+    int *nodes;
+};
+
+static inline int group_node(const struct group *g, int rank)
+{
+    return g->nodes ? g->nodes[rank] : g->first + rank;
+}
+int group_rank_of(const struct group *g, int node); /* MPI_UNDEFINED: none */
+struct group *group_new(int size);                  /* with nodes to be filled in */
+struct group *group_done(struct group *g);          /* filled in */
+void group_leave(struct group *g);
+struct group *group_of(MPI_Group handle);
+
+struct topology;
+struct attribute;
+
+struct comm {
+    struct object object;
+    struct group *local, *remote; /* remote NULL: of one group */
+    struct group *peers;          /* whom ranks of point to point name */
+    int context;                  /* point to point; collectives: the next */
+    MPI_Errhandler handler;
+    struct attribute *attributes;
+    struct topology *topology;
+    char *name;
+};
+
+extern struct comm comm_world, comm_self;
+struct comm *comm_of(MPI_Comm handle); /* NULL: none */
+/* A new communicator of the group, which it takes over. */
+struct comm *comm_new(struct group *local, struct group *remote, int context);
+/* Collective over c's local group: a context that none of its processes uses. */
+int comm_agree_context(struct comm *c, int call);
+int comm_copy_attributes(struct comm *from, struct comm *to);
+int comm_delete_attributes(struct comm *c);
+struct topology *topology_copy(const struct topology *t);
+void topology_free(struct topology *t);
+
+/* --- errors --- */
+
+/* Tells the communicator's error handler (NULL: that of MPI_COMM_WORLD); what the call returns. */
+int fail(struct comm *c, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
+int fail_comm(int call); /* the communicator is none */
+
+/* --- datatypes --- */
+
+/* Bytes that lie together; elements of `unit` bytes. */
+struct run {
+    MPI_Aint at;
+    size_t bytes;
+    int unit;
+};
+
+struct type {
+    struct object object;
+    size_t size;
+    MPI_Aint lb, ub, true_lb, true_ub;
+    int runs;
+    struct run one, *run; /* run: &one, if there is one only */
+    bool committed, has_lb, has_ub;
+    int combiner, ints, addresses, types; /* of what it was made: Type_get_contents */
+    int *int_list;
+    MPI_Aint *address_list;
+    MPI_Datatype *type_list;
+    struct attribute *attributes;
+    char *name;
+};
+
+enum basic_class { NO_TYPE, WHOLE, NATURAL, REAL, COMPLEX, LOGICAL, BITS, PAIR };
+struct basic {
+    uint8_t bytes, class; /* PAIR: a value and an int behind it, in so many bytes */
+    uint8_t value;        /* PAIR: bytes of the value */
+};
+enum { FIRST_BASIC = 0x200, BASICS = 0xf2 };
+extern const struct basic basic_types[BASICS];
+static inline const struct basic *type_basic(MPI_Datatype t)
+{
+    uintptr_t i = (uintptr_t)t - FIRST_BASIC;
+    return i < BASICS && basic_types[i].class ? &basic_types[i] : NULL;
+}
+struct type *type_of(MPI_Datatype handle); /* NULL: none */
+static inline MPI_Aint type_extent(const struct type *t)
+{
+    return t->ub - t->lb;
+}
+MPI_Aint extent_of(MPI_Datatype t);
+size_t size_of(MPI_Datatype t);
+bool type_is_valid(MPI_Datatype t); /* for communication: there, and committed */
+
+/* The bytes of `count` elements, in order: from memory, and into it, at most so many. */
+void type_pack(const void *buf, int count, MPI_Datatype t, char *to);
+void type_unpack(const char *from, size_t bytes, void *buf, int count, MPI_Datatype t);
+/* Where the bytes lie, if they lie together; NULL: they do not. */
+void *type_together(const void *buf, int count, MPI_Datatype t, size_t *bytes);
+/* Copies elements of one type to those of another. */
+void type_copy(const void *from, int count, MPI_Datatype t, void *to, int room, MPI_Datatype as);
+
+/* --- point to point --- */
+
+enum mode { STANDARD, BUFFERED, SYNCHRONOUS, READY };
+
+struct request {
+    struct object object;
+    enum { SENDS, RECEIVES, GENERAL } what;
+    bool persistent, active, cancelled;
+    enum mode mode;
+    int id;     /* the core's; 0: done */
+    int peer; /* the other's rank */
+    struct nxm_envelope envelope;
+    struct comm *comm;
+    void *buf, *packed; /* packed: instead of buf, while it is under way */
+    int count;
+    MPI_Datatype type;
+    size_t room;
+    MPI_Status status; /* if no message belongs to it */
+    MPI_Grequest_query_function *query;
+    MPI_Grequest_free_function *release;
+    MPI_Grequest_cancel_function *cancel;
+    void *extra;
+};
+
+/* Sends and receives that have been checked. Of a rank's other half of the context: collectives'. */
+struct transfer {
+    int call;
+    const void *buf;
+    int count;
+    MPI_Datatype type;
+    int peer, tag; /* peer: a rank, MPI_PROC_NULL or MPI_ANY_SOURCE */
+    MPI_Comm comm;
+    enum mode mode;
+    struct comm *c; /* set by transfer_check */
+};
+int transfer_check(struct transfer *t, bool sends);
+int transfer_send(struct transfer *t);                    /* blocking */
+int transfer_receive(struct transfer *t, MPI_Status *status);
+struct request *transfer_begin(const struct transfer *t, bool sends); /* not under way yet */
+void request_start(struct request *r);
+/* The request is done, with this from the core. */
+int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_Status *status);
+void request_drop(struct request *r);
+/* Buffered sends: a copy of the data goes, if the attached buffer has room. */
+int buffered_send(struct transfer *t);
+
+void status_empty(MPI_Status *status);
+void status_set(MPI_Status *status, int source, int tag, size_t bytes);
+size_t status_bytes(const MPI_Status *status);
+/* Of a message that the core has told of. */
+void status_of(const struct comm *c, const struct nxm_status *s, MPI_Status *status);
+
+/* --- operations --- */
+
+struct op {
+    struct object object;
+    MPI_User_function *function;
+    bool commutes, fortran;
+};
+/* inout = in op inout */
+void op_apply(MPI_Op op, void *in, void *inout, int count, MPI_Datatype t);
+bool op_commutes(MPI_Op op);
+bool op_is_own(MPI_Op op); /* one of MPI's, element by element */
+/* NULL: the operation may be applied to the type; else why not. */
+const char *op_refuses(MPI_Op op, MPI_Datatype t);
+
+/* --- run --- */
+
+extern bool mpi_runs; /* between MPI_Init and MPI_Finalize */
+extern long mpi_eager_limit;
+void run_begin(void);
+
+#endif

@@ -1,0 +1,74 @@
+/* objects.c - the table behind handles. */
+#include <stdio.h>
+#include <stdlib.h>
+#include "lib.h"
+
+/* Handles below are constants of mpi.h. */
+enum { FIRST_HANDLE = 0x1000 };
+
+static struct object **table;
+static int used, size;
+static int first_free = -1; /* of those that are free: the next is in `next` */
+static int *next;
+
+void *get_memory(size_t bytes)
+{
+    void *p = bytes ? malloc(bytes) : NULL;
+    if (bytes && !p)
+        nxm_fail(CALL_Other, "the node has no memory left for MPI's library");
+    return p;
+}
+
+static void grow(void)
+{
+    size = size ? 2 * size : 64;
+    table = realloc(table, (size_t)size * sizeof *table);
+    next = realloc(next, (size_t)size * sizeof *next);
+    if (!table || !next)
+        nxm_fail(CALL_Other, "the node has no memory left for MPI's handles");
+}
+
+static int take_place(void)
+{
+    if (first_free >= 0) {
+        int place = first_free;
+        first_free = next[place];
+        return place;
+    }
+    if (used == size)
+        grow();
+    return used++;
+}
+
+void *object_new(enum kind kind, size_t bytes)
+{
+    struct object *o = calloc(1, bytes);
+    if (!o)
+        nxm_fail(CALL_Other, "the node has no memory left for MPI's objects");
+    int place = take_place();
+    table[place] = o;
+    o->kind = kind, o->users = 1, o->handle = FIRST_HANDLE + place;
+    return o;
+}
+
+void *object_of(const void *handle, enum kind kind)
+{
+    uintptr_t place = (uintptr_t)handle - FIRST_HANDLE;
+    if (place >= (uintptr_t)used)
+        return NULL;
+    struct object *o = table[place];
+    return o && o->kind == kind ? o : NULL;
+}
+
+bool object_leave(struct object *o)
+{
+    if (--o->users > 0)
+        return false;
+    int place = o->handle - FIRST_HANDLE;
+    if (place >= 0 && place < used && table[place] == o) {
+        table[place] = NULL;
+        next[place] = first_free;
+        first_free = place;
+    }
+    return true;
+}

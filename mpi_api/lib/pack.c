@@ -1,0 +1,179 @@
+/* pack.c - the bytes of elements in order, out of memory and back. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lib.h"
+
+void *type_together(const void *buf, int count, MPI_Datatype handle, size_t *bytes)
+{
+    const struct basic *b = type_basic(handle);
+    if (b && b->class != PAIR) {
+        *bytes = (size_t)count * b->bytes;
+        return (void *)(uintptr_t)buf;
+    }
+    const struct type *t = type_of(handle);
+    *bytes = (size_t)count * t->size;
+    if (t->runs > 1 || (count > 1 && type_extent(t) != (MPI_Aint)t->size))
+        return NULL;
+    return (char *)(uintptr_t)buf + t->run[0].at;
+}
+
+void type_pack(const void *buf, int count, MPI_Datatype handle, char *to)
+{
+    size_t bytes;
+    const void *together = type_together(buf, count, handle, &bytes);
+    if (together) {
+        memcpy(to, together, bytes);
+        return;
+    }
+    const struct type *t = type_of(handle);
+    const char *element = buf;
+    for (int i = 0; i < count; i++, element += type_extent(t))
+        for (int k = 0; k < t->runs; k++) {
+            memcpy(to, element + t->run[k].at, t->run[k].bytes);
+            to += t->run[k].bytes;
+        }
+}
+
+void type_unpack(const char *from, size_t bytes, void *buf, int count, MPI_Datatype handle)
+{
+    size_t whole;
+    void *together = type_together(buf, count, handle, &whole);
+    bytes = bytes < whole ? bytes : whole;
+    if (together) {
+        memcpy(together, from, bytes);
+        return;
+    }
+    const struct type *t = type_of(handle);
+    char *element = buf;
+    for (; bytes; element += type_extent(t))
+        for (int k = 0; k < t->runs && bytes; k++) {
+            size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes;
+            memcpy(element + t->run[k].at, from, some);
+            from += some, bytes -= some;
+        }
+}
+
+void type_copy(const void *from, int count, MPI_Datatype t, void *to, int room, MPI_Datatype as)
+{
+    size_t bytes, whole;
+    const void *source = type_together(from, count, t, &bytes);
+    void *target = type_together(to, room, as, &whole);
+    if (source && target) {
+        memmove(target, source, bytes < whole ? bytes : whole);
+    } else if (source) {
+        type_unpack(source, bytes, to, room, as);
+    } else {
+        char *packed = get_memory(bytes);
+        type_pack(from, count, t, packed);
+        type_unpack(packed, bytes, to, room, as);
+        free(packed);
+    }
+}
+
+/* --- the calls --- */
+
+CALL(Pack, (const void *buf, int count, MPI_Datatype type, void *into, int room, int *position, MPI_Comm comm))
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Other);
+    if (!type_is_valid(type))
+        return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Pack: the datatype is null, freed, or not committed");
+    size_t bytes = (size_t)count * size_of(type);
+    if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)room)
+        return fail(c, CALL_Other, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
+                    "MPI_Pack: %d elements of %zu bytes do not fit into %d bytes behind position %d", count,
+                    size_of(type), room, *position);
+    type_pack(buf, count, type, (char *)into + *position);
+    *position += (int)bytes;
+    return MPI_SUCCESS;
+}
+
+CALL(Unpack, (const void *from, int size, int *position, void *buf, int count, MPI_Datatype type, MPI_Comm comm))
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Other);
+    if (!type_is_valid(type))
+        return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Unpack: the datatype is null, freed, or not committed");
+    size_t bytes = (size_t)count * size_of(type);
+    if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)size)
+        return fail(c, CALL_Other, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
+                    "MPI_Unpack: there are fewer than %d elements of %zu bytes in %d bytes behind position %d",
+                    count, size_of(type), size, *position);
+    type_unpack((const char *)from + *position, bytes, buf, count, type);
+    *position += (int)bytes;
+    return MPI_SUCCESS;
+}
+
+CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Other);
+    if (!type_of(type))
+        return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Pack_size: the datatype is null, or freed");
+    *size = count * (int)size_of(type);
+    return MPI_SUCCESS;
+}
+
+/* --- what a status says of the bytes --- */
+
+CALL(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
+{
+    if (!type_of(type))
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Get_count: the datatype is null, or freed");
+    size_t bytes = status_bytes(status), size = size_of(type);
+    if (!size)
+        *count = bytes ? MPI_UNDEFINED : 0;
+    else
+        *count = bytes % size || bytes / size > INT_MAX ? MPI_UNDEFINED : (int)(bytes / size);
+    return MPI_SUCCESS;
+}
+
+CALL(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
+{
+    const struct type *t = type_of(type);
+    if (!t)
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Get_elements: the datatype is null, or freed");
+    size_t bytes = status_bytes(status), in_one = 0, n = 0;
+    for (int k = 0; k < t->runs; k++)
+        in_one += t->run[k].bytes / (size_t)t->run[k].unit;
+    if (t->size) {
+        n = bytes / t->size * in_one;
+        bytes %= t->size;
+    }
+    for (int k = 0; bytes && k < t->runs; k++) {
+        size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes, unit = (size_t)t->run[k].unit;
+        n += some / unit;
+        bytes -= some;
+        if (some % unit) {
+            *count = MPI_UNDEFINED;
+            return MPI_SUCCESS;
+        }
+    }
+    *count = n > INT_MAX ? MPI_UNDEFINED : (int)n;
+    return MPI_SUCCESS;
+}
+
+CALL(Status_set_elements, (MPI_Status * status, MPI_Datatype type, int count))
+{
+    const struct type *t = type_of(type);
+    if (!t)
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Status_set_elements: the datatype is null, or freed");
+    status_set(status, status->MPI_SOURCE, status->MPI_TAG, (size_t)count * t->size);
+    return MPI_SUCCESS;
+}
+
+CALL(Status_set_cancelled, (MPI_Status * status, int flag))
+{
+    status->MPI_internal[2] = flag != 0;
+    return MPI_SUCCESS;
+}
+
+CALL(Test_cancelled, (const MPI_Status *status, int *flag))
+{
+    *flag = status->MPI_internal[2];
+    return MPI_SUCCESS;
+}

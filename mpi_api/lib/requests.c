@@ -1,0 +1,405 @@
+/* requests.c - waiting for requests, testing and freeing them. */
+#include <stdlib.h>
+#include "lib.h"
+
+/* --- the end of one --- */
+
+/* Requests that programs free while they are under way: their ids are kept until they are done. */
+static int *orphans, orphan_count;
+
+void request_drop(struct request *r)
+{
+    if (object_leave(&r->object)) {
+        free(r->packed);
+        free(r);
+    }
+}
+
+static int end(struct request *r, MPI_Status *status)
+{
+    if (r->what == GENERAL) {
+        if (status)
+            status_empty(status);
+        int code = r->query ? r->query(r->extra, status ? status : &r->status) : MPI_SUCCESS;
+        int freed = r->release ? r->release(r->extra) : MPI_SUCCESS;
+        return code ? code : freed;
+    }
+    if (status) {
+        int error = status->MPI_ERROR;
+        *status = r->status;
+        status->MPI_ERROR = error;
+    }
+    return MPI_SUCCESS;
+}
+
+/* The message is in the buffer, or in `packed`. */
+static int received(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
+{
+    if (r->packed && !s->truncated)
+        type_unpack(r->packed, (size_t)s->bytes, r->buf, r->count, r->type);
+    status_of(r->comm, s, status);
+    if (!s->truncated)
+        return MPI_SUCCESS;
+    return fail(r->comm, call, MPI_ERR_TRUNCATE,
+                "the message of tag %d from rank %d has %ld bytes, but the buffer only %zu", s->tag,
+                group_rank_of(r->comm->peers, s->node), s->bytes, r->room);
+}
+
+int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
+{
+    int code;
+    if (r->id && r->what == RECEIVES)
+        code = received(r, call, s, status);
+    else
+        code = end(r, status);
+    r->id = 0;
+    r->active = false;
+    free(r->packed);
+    r->packed = NULL;
+    if (!r->persistent)
+        request_drop(r);
+    return code;
+}
+
+/* --- many --- */
+
+/* The requests of a call, their ids, and what the core says. Those of a call lie here until it is done. */
+struct many {
+    int call, count;
+    struct request **request; /* NULL: of no request */
+    int *ids;
+    struct nxm_status *status;
+    int active, done; /* done: those that need not be waited for */
+};
+
+static void *scratch;
+static size_t scratch_bytes;
+
+static bool is_done(const struct request *r)
+{
+    return !r->id && !(r->what == GENERAL && !r->cancelled && !r->count);
+}
+
+static int gather(struct many *m, int call, int count, const MPI_Request requests[])
+{
+    size_t each = sizeof *m->request + sizeof *m->ids + sizeof *m->status;
+    size_t bytes = (size_t)count * each;
+    if (bytes > scratch_bytes) {
+        free(scratch);
+        scratch = get_memory(bytes);
+        scratch_bytes = bytes;
+    }
+    *m = (struct many){.call = call, .count = count, .request = scratch};
+    m->status = (struct nxm_status *)(m->request + count);
+    m->ids = (int *)(m->status + count);
+    for (int i = 0; i < count; i++) {
+        struct request *r = object_of(requests[i], REQUEST);
+        if (!r && requests[i] != MPI_REQUEST_NULL)
+            return fail(NULL, call, MPI_ERR_REQUEST, "request %d is none, or has been freed", i);
+        m->request[i] = r && r->active ? r : NULL;
+        m->ids[i] = m->request[i] ? r->id : 0;
+        m->status[i].done = 0;
+        m->active += m->request[i] != NULL;
+        m->done += m->request[i] && is_done(r);
+    }
+    return MPI_SUCCESS;
+}
+
+static bool complete(const struct many *m, int how)
+{
+    return nxm_complete(&(struct nxm_completion){m->call, how, m->count, m->ids, m->status});
+}
+
+/* Request i is done. */
+static int finish(const struct many *m, int i, MPI_Request requests[], MPI_Status *status)
+{
+    struct request *r = m->request[i];
+    bool stays = r->persistent;
+    int code = request_finish(r, m->call, &m->status[i], status);
+    if (!stays)
+        requests[i] = MPI_REQUEST_NULL;
+    return code;
+}
+
+static bool ended(const struct many *m, int i)
+{
+    return m->request[i] && (m->status[i].done || is_done(m->request[i]));
+}
+
+static int finish_all(const struct many *m, MPI_Request requests[], MPI_Status statuses[])
+{
+    int code = MPI_SUCCESS;
+    for (int i = 0; i < m->count; i++) {
+        MPI_Status *status = statuses ? &statuses[i] : NULL;
+        int one = MPI_SUCCESS;
+        if (m->request[i])
+            one = finish(m, i, requests, status);
+        else
+            status_empty(status);
+        if (one && !code && statuses)
+            for (int k = 0; k < i; k++)
+                statuses[k].MPI_ERROR = MPI_SUCCESS;
+        code = one ? one : code;
+        if (code && status)
+            status->MPI_ERROR = one;
+    }
+    return code ? MPI_ERR_IN_STATUS : MPI_SUCCESS;
+}
+
+/* --- the calls --- */
+
+static bool waits_for_general(const struct many *m)
+{
+    for (int i = 0; i < m->count; i++)
+        if (m->request[i] && m->request[i]->what == GENERAL && !is_done(m->request[i]))
+            return true;
+    return false;
+}
+
+static int no_end(int call)
+{
+    return fail(NULL, call, MPI_ERR_REQUEST,
+                "a generalized request is waited for that nobody else can complete: a rank has one thread");
+}
+
+CALL(Wait, (MPI_Request * request, MPI_Status *status))
+{
+    struct request *r = object_of(*request, REQUEST);
+    struct nxm_status s = {0};
+    if (!r && *request != MPI_REQUEST_NULL)
+        return fail(NULL, CALL_Wait, MPI_ERR_REQUEST, "the request is none, or has been freed");
+    if (!r || !r->active) {
+        status_empty(status);
+        return MPI_SUCCESS;
+    }
+    if (r->id)
+        nxm_complete(&(struct nxm_completion){CALL_Wait, NXM_WAIT, 1, &r->id, &s});
+    else if (!is_done(r))
+        return no_end(CALL_Wait);
+    if (!r->persistent)
+        *request = MPI_REQUEST_NULL;
+    return request_finish(r, CALL_Wait, &s, status);
+}
+
+CALL(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
+{
+    struct many m;
+    int code = gather(&m, CALL_Waitall, count, requests);
+    if (code)
+        return code;
+    if (waits_for_general(&m))
+        return no_end(CALL_Waitall);
+    if (m.active > m.done)
+        complete(&m, NXM_WAIT);
+    return finish_all(&m, requests, statuses);
+}
+
+static int first_ended(const struct many *m)
+{
+    int i = 0;
+    while (i < m->count && !ended(m, i))
+        i++;
+    return i;
+}
+
+static int wait_any(int call, bool waits, int count, MPI_Request requests[], int *index, int *flag,
+                    MPI_Status *status)
+{
+    struct many m;
+    int code = gather(&m, call, count, requests);
+    if (code)
+        return code;
+    *flag = true, *index = MPI_UNDEFINED;
+    if (!m.active) {
+        status_empty(status);
+        return MPI_SUCCESS;
+    }
+    if (!m.done && waits && waits_for_general(&m) && m.active == 1)
+        return no_end(call);
+    if (!m.done && !complete(&m, NXM_ANY | (waits ? NXM_WAIT : 0)))
+        return *flag = false, MPI_SUCCESS;
+    int i = first_ended(&m);
+    if (i == m.count)
+        return *flag = false, MPI_SUCCESS;
+    *index = i;
+    return finish(&m, i, requests, status);
+}
+
+CALL(Waitany, (int count, MPI_Request requests[], int *index, MPI_Status *status))
+{
+    int flag;
+    return wait_any(CALL_Waitany, true, count, requests, index, &flag, status);
+}
+
+CALL(Testany, (int count, MPI_Request requests[], int *index, int *flag, MPI_Status *status))
+{
+    return wait_any(CALL_Testany, false, count, requests, index, flag, status);
+}
+
+static int wait_some(int call, bool waits, int count, MPI_Request requests[], int *done, int indices[],
+                     MPI_Status statuses[])
+{
+    struct many m;
+    int code = gather(&m, call, count, requests), n = 0;
+    if (code)
+        return code;
+    *done = m.active ? 0 : MPI_UNDEFINED;
+    if (!m.active)
+        return MPI_SUCCESS;
+    if (m.active > m.done)
+        complete(&m, NXM_SOME | (waits && !m.done ? NXM_WAIT : 0));
+    for (int i = 0; i < count; i++)
+        if (ended(&m, i)) {
+            MPI_Status *status = statuses ? &statuses[n] : NULL;
+            int one = finish(&m, i, requests, status);
+            indices[n++] = i;
+            if (status)
+                status->MPI_ERROR = one;
+            code = one ? MPI_ERR_IN_STATUS : code;
+        }
+    *done = n;
+    return code;
+}
+
+CALL(Waitsome, (int count, MPI_Request requests[], int *done, int indices[], MPI_Status statuses[]))
+{
+    return wait_some(CALL_Waitsome, true, count, requests, done, indices, statuses);
+}
+
+CALL(Testsome, (int count, MPI_Request requests[], int *done, int indices[], MPI_Status statuses[]))
+{
+    return wait_some(CALL_Testsome, false, count, requests, done, indices, statuses);
+}
+
+CALL(Test, (MPI_Request * request, int *flag, MPI_Status *status))
+{
+    int index;
+    return wait_any(CALL_Test, false, 1, request, &index, flag, status);
+}
+
+CALL(Testall, (int count, MPI_Request requests[], int *flag, MPI_Status statuses[]))
+{
+    struct many m;
+    int code = gather(&m, CALL_Testall, count, requests);
+    if (code)
+        return code;
+    *flag = !waits_for_general(&m) && (m.active == m.done || complete(&m, NXM_ALL));
+    return *flag ? finish_all(&m, requests, statuses) : MPI_SUCCESS;
+}
+
+/* --- starting again, and ending --- */
+
+static int start(int call, MPI_Request request)
+{
+    struct request *r = object_of(request, REQUEST);
+    if (!r || !r->persistent || r->active)
+        return fail(NULL, call, MPI_ERR_REQUEST, "%s",
+                    r && r->persistent ? "the request is under way already" : "the request is no persistent one");
+    r->envelope.call = call;
+    request_start(r);
+    return MPI_SUCCESS;
+}
+
+CALL(Start, (MPI_Request * request))
+{
+    return start(CALL_Start, *request);
+}
+
+CALL(Startall, (int count, MPI_Request requests[]))
+{
+    int code = MPI_SUCCESS;
+    for (int i = 0; i < count && !code; i++)
+        code = start(CALL_Startall, requests[i]);
+    return code;
+}
+
+/* Gives back the ids of freed requests that are done. */
+static void settle_orphans(void)
+{
+    int left = 0;
+    for (int i = 0; i < orphan_count; i++) {
+        struct nxm_status s;
+        if (!nxm_complete(&(struct nxm_completion){CALL_Request_free, NXM_ALL, 1, &orphans[i], &s}))
+            orphans[left++] = orphans[i];
+    }
+    orphan_count = left;
+}
+
+CALL(Request_free, (MPI_Request * request))
+{
+    struct request *r = object_of(*request, REQUEST);
+    if (!r)
+        return fail(NULL, CALL_Request_free, MPI_ERR_REQUEST, "the request is null, or has been freed");
+    settle_orphans();
+    if (r->active && r->id) {
+        orphans = realloc(orphans, (size_t)(orphan_count + 1) * sizeof *orphans);
+        orphans[orphan_count++] = r->id;
+        r->packed = NULL; /* the message may be on its way from or to it */
+    }
+    int code = r->what == GENERAL && r->count && r->release ? r->release(r->extra) : MPI_SUCCESS;
+    request_drop(r);
+    *request = MPI_REQUEST_NULL;
+    return code;
+}
+
+CALL(Request_get_status, (MPI_Request request, int *flag, MPI_Status *status))
+{
+    struct request *r = object_of(request, REQUEST);
+    struct nxm_status s;
+    if (!r && request != MPI_REQUEST_NULL)
+        return fail(NULL, CALL_Request_get_status, MPI_ERR_REQUEST, "the request is none, or has been freed");
+    *flag = true;
+    if (!r || !r->active) {
+        status_empty(status);
+        return MPI_SUCCESS;
+    }
+    if (r->what == GENERAL)
+        return *flag = is_done(r), *flag && status && r->query ? r->query(r->extra, status) : MPI_SUCCESS;
+    if (r->id && !nxm_complete(&(struct nxm_completion){CALL_Request_get_status, NXM_ALL, 1, &r->id, &s}))
+        return *flag = false, MPI_SUCCESS;
+    if (r->id && r->what == RECEIVES) {
+        received(r, CALL_Request_get_status, &s, &r->status);
+        free(r->packed);
+        r->packed = NULL;
+    }
+    r->id = 0; /* it stays, done, until it is waited for */
+    if (status)
+        *status = r->status;
+    return MPI_SUCCESS;
+}
+
+/* A receive that has no message yet; sends go on, as the standard allows. */
+CALL(Cancel, (MPI_Request * request))
+{
+    struct request *r = object_of(*request, REQUEST);
+    if (!r)
+        return fail(NULL, CALL_Cancel, MPI_ERR_REQUEST, "the request is null, or has been freed");
+    if (r->what == GENERAL)
+        return r->cancel ? r->cancel(r->extra, r->count) : MPI_SUCCESS;
+    if (r->what == RECEIVES && r->id && nxm_cancel(CALL_Cancel, r->id)) {
+        r->id = 0;
+        r->status.MPI_internal[2] = true;
+    }
+    return MPI_SUCCESS;
+}
+
+/* --- generalized --- */
+
+CALL(Grequest_start, (MPI_Grequest_query_function * query, MPI_Grequest_free_function *release,
+                      MPI_Grequest_cancel_function *cancel, void *extra, MPI_Request *request))
+{
+    struct request *r = object_new(REQUEST, sizeof *r);
+    r->what = GENERAL, r->active = true;
+    r->query = query, r->release = release, r->cancel = cancel, r->extra = extra;
+    *request = HANDLE(MPI_Request, r);
+    return MPI_SUCCESS;
+}
+
+CALL(Grequest_complete, (MPI_Request request))
+{
+    struct request *r = object_of(request, REQUEST);
+    if (!r || r->what != GENERAL)
+        return fail(NULL, CALL_Other, MPI_ERR_REQUEST, "MPI_Grequest_complete: no generalized request");
+    r->count = 1;
+    return MPI_SUCCESS;
+}

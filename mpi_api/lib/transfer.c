@@ -1,0 +1,297 @@
+/* transfer.c - point to point: checks, and blocking sends and receives. */
+#include <stdlib.h>
+#include "lib.h"
+
+/* --- statuses --- */
+
+void status_set(MPI_Status *status, int source, int tag, size_t bytes)
+{
+    status->MPI_SOURCE = source, status->MPI_TAG = tag;
+    status->MPI_internal[0] = (int)(bytes & 0xffffffff);
+    status->MPI_internal[1] = (int)(bytes >> 32);
+    status->MPI_internal[2] = 0;
+}
+
+size_t status_bytes(const MPI_Status *status)
+{
+    return (size_t)(unsigned)status->MPI_internal[0] | (size_t)status->MPI_internal[1] << 32;
+}
+
+void status_empty(MPI_Status *status)
+{
+    if (!status)
+        return;
+    status_set(status, MPI_ANY_SOURCE, MPI_ANY_TAG, 0);
+    status->MPI_ERROR = MPI_SUCCESS;
+}
+
+void status_of(const struct comm *c, const struct nxm_status *s, MPI_Status *status)
+{
+    if (status)
+        status_set(status, group_rank_of(c->peers, s->node), s->tag, (size_t)s->bytes);
+}
+
+static void status_of_nobody(MPI_Status *status)
+{
+    if (status)
+        status_set(status, MPI_PROC_NULL, MPI_ANY_TAG, 0);
+}
+
+/* --- checks --- */
+
+static int wrong_peer(const struct transfer *t, bool sends)
+{
+    int last = t->c->peers->size - 1;
+    if (t->peer == MPI_ANY_SOURCE && sends)
+        return fail(t->c, t->call, MPI_ERR_RANK, "a message is sent to one rank, not to MPI_ANY_SOURCE");
+    return fail(t->c, t->call, MPI_ERR_RANK, "there is no rank %d in the communicator (ranks are 0 to %d)",
+                t->peer, last);
+}
+
+static int wrong_tag(const struct transfer *t)
+{
+    return fail(t->c, t->call, MPI_ERR_TAG, "tag %d is out of range (0 to 999999999)", t->tag);
+}
+
+int transfer_check(struct transfer *t, bool sends)
+{
+    struct comm *c = t->c = comm_of(t->comm);
+    if (__builtin_expect(!c, 0))
+        return fail_comm(t->call);
+    if (__builtin_expect((unsigned)t->peer >= (unsigned)c->peers->size, 0) && t->peer != MPI_PROC_NULL &&
+        (sends || t->peer != MPI_ANY_SOURCE))
+        return wrong_peer(t, sends);
+    if (__builtin_expect((unsigned)t->tag > 999999999, 0) && (sends || t->tag != MPI_ANY_TAG))
+        return wrong_tag(t);
+    if (__builtin_expect(t->count < 0, 0))
+        return fail(c, t->call, MPI_ERR_COUNT, "the count %d is negative", t->count);
+    if (__builtin_expect(!type_is_valid(t->type), 0))
+        return fail(c, t->call, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
+    if (__builtin_expect(!t->buf, 0) && t->count && type_basic(t->type) && size_of(t->type) &&
+        t->peer != MPI_PROC_NULL)
+        return fail(c, t->call, MPI_ERR_BUFFER, "the buffer of %d elements is a null pointer", t->count);
+    return MPI_SUCCESS;
+}
+
+static struct nxm_envelope envelope_of(const struct transfer *t)
+{
+    return (struct nxm_envelope){t->call, t->tag == MPI_ANY_TAG ? -1 : t->tag,
+                                 t->peer < 0 ? -1 : group_node(t->c->peers, t->peer), t->c->context};
+}
+
+/* --- blocking --- */
+
+static bool is_held(enum mode mode, size_t bytes)
+{
+    return mode == SYNCHRONOUS || (mode == STANDARD && bytes > (size_t)mpi_eager_limit);
+}
+
+int transfer_send(struct transfer *t)
+{
+    size_t bytes;
+    if (t->peer == MPI_PROC_NULL)
+        return MPI_SUCCESS;
+    const struct nxm_envelope e = envelope_of(t);
+    const void *at = type_together(t->buf, t->count, t->type, &bytes);
+    if (at) {
+        nxm_send(&e, at, (long)bytes, is_held(t->mode, bytes));
+        return MPI_SUCCESS;
+    }
+    char *packed = get_memory(bytes);
+    type_pack(t->buf, t->count, t->type, packed);
+    nxm_send(&e, packed, (long)bytes, is_held(t->mode, bytes));
+    free(packed);
+    return MPI_SUCCESS;
+}
+
+static int too_long(const struct transfer *t, const struct nxm_status *s, size_t room)
+{
+    return fail(t->c, t->call, MPI_ERR_TRUNCATE,
+                "the message of tag %d from rank %d has %ld bytes, but the buffer only %zu", s->tag,
+                group_rank_of(t->c->peers, s->node), s->bytes, room);
+}
+
+int transfer_receive(struct transfer *t, MPI_Status *status)
+{
+    size_t room;
+    struct nxm_status s;
+    if (t->peer == MPI_PROC_NULL) {
+        status_of_nobody(status);
+        return MPI_SUCCESS;
+    }
+    const struct nxm_envelope e = envelope_of(t);
+    void *at = type_together(t->buf, t->count, t->type, &room);
+    char *packed = at ? NULL : get_memory(room);
+    nxm_recv(&e, at ? at : packed, (long)room, &s);
+    if (!s.truncated && packed)
+        type_unpack(packed, (size_t)s.bytes, (void *)(uintptr_t)t->buf, t->count, t->type);
+    free(packed);
+    status_of(t->c, &s, status);
+    return s.truncated ? too_long(t, &s, room) : MPI_SUCCESS;
+}
+
+/* --- those with requests --- */
+
+struct request *transfer_begin(const struct transfer *t, bool sends)
+{
+    struct request *r = object_new(REQUEST, sizeof *r);
+    r->what = sends ? SENDS : RECEIVES;
+    r->comm = t->c;
+    r->peer = t->peer;
+    r->mode = t->mode;
+    r->buf = (void *)(uintptr_t)t->buf, r->count = t->count, r->type = t->type;
+    if (t->peer != MPI_PROC_NULL)
+        r->envelope = envelope_of(t);
+    r->envelope.call = t->call;
+    return r;
+}
+
+static void start_send(struct request *r)
+{
+    size_t bytes;
+    const void *at = type_together(r->buf, r->count, r->type, &bytes);
+    if (!at) {
+        r->packed = get_memory(bytes);
+        type_pack(r->buf, r->count, r->type, r->packed);
+        at = r->packed;
+    }
+    r->id = (int)nxm_isend(&r->envelope, at, (long)bytes, is_held(r->mode, bytes));
+    if (!r->id) {
+        free(r->packed);
+        r->packed = NULL;
+    }
+}
+
+static void start_receive(struct request *r)
+{
+    void *at = type_together(r->buf, r->count, r->type, &r->room);
+    if (!at)
+        at = r->packed = get_memory(r->room);
+    r->id = (int)nxm_irecv(&r->envelope, at, (long)r->room);
+}
+
+void request_start(struct request *r)
+{
+    r->active = true, r->cancelled = false;
+    r->id = 0;
+    status_empty(&r->status);
+    if (r->peer == MPI_PROC_NULL) {
+        if (r->what == RECEIVES)
+            status_of_nobody(&r->status);
+    } else if (r->mode == BUFFERED && r->what == SENDS) {
+        struct transfer t = {r->envelope.call, r->buf, r->count, r->type, r->peer, r->envelope.tag,
+                             MPI_COMM_NULL, BUFFERED, r->comm};
+        buffered_send(&t);
+    } else if (r->what == SENDS) {
+        start_send(r);
+    } else {
+        start_receive(r);
+    }
+}
+
+static int begin(struct transfer *t, bool sends, MPI_Request *request)
+{
+    int code = transfer_check(t, sends);
+    if (code)
+        return code;
+    struct request *r = transfer_begin(t, sends);
+    request_start(r);
+    *request = HANDLE(MPI_Request, r);
+    return MPI_SUCCESS;
+}
+
+static int prepare(struct transfer *t, bool sends, MPI_Request *request)
+{
+    int code = transfer_check(t, sends);
+    if (code)
+        return code;
+    struct request *r = transfer_begin(t, sends);
+    r->persistent = true;
+    *request = HANDLE(MPI_Request, r);
+    return MPI_SUCCESS;
+}
+
+/* --- the calls --- */
+
+#define SEND(name, iname, mode)                                                                              \
+    CALL(name, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm))            \
+    {                                                                                                        \
+        struct transfer t = {CALL_##name, buf, count, type, dest, tag, comm, mode, NULL};                    \
+        int code = transfer_check(&t, true);                                                                 \
+        if (code)                                                                                            \
+            return code;                                                                                     \
+        return mode == BUFFERED ? buffered_send(&t) : transfer_send(&t);                                     \
+    }                                                                                                        \
+    CALL(iname, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm,            \
+                 MPI_Request *request))                                                                      \
+    {                                                                                                        \
+        struct transfer t = {CALL_##iname, buf, count, type, dest, tag, comm, mode, NULL};                   \
+        return begin(&t, true, request);                                                                     \
+    }                                                                                                        \
+    CALL(name##_init, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm,      \
+                       MPI_Request *request))                                                                \
+    {                                                                                                        \
+        struct transfer t = {CALL_Start, buf, count, type, dest, tag, comm, mode, NULL};                     \
+        return prepare(&t, true, request);                                                                   \
+    }
+SEND(Send, Isend, STANDARD)
+SEND(Bsend, Ibsend, BUFFERED)
+SEND(Ssend, Issend, SYNCHRONOUS)
+SEND(Rsend, Irsend, READY)
+
+CALL(Recv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Status *status))
+{
+    struct transfer t = {CALL_Recv, buf, count, type, source, tag, comm, STANDARD, NULL};
+    int code = transfer_check(&t, false);
+    return code ? code : transfer_receive(&t, status);
+}
+
+CALL(Irecv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request))
+{
+    struct transfer t = {CALL_Irecv, buf, count, type, source, tag, comm, STANDARD, NULL};
+    return begin(&t, false, request);
+}
+
+CALL(Recv_init,
+     (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request))
+{
+    struct transfer t = {CALL_Start, buf, count, type, source, tag, comm, STANDARD, NULL};
+    return prepare(&t, false, request);
+}
+
+/* The receive is posted, the message is sent, the receive is waited for. */
+CALL(Sendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
+                MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Status *status))
+{
+    struct transfer out = {CALL_Sendrecv, buf, count, type, dest, tag, comm, STANDARD, NULL};
+    struct transfer in = {CALL_Sendrecv, into, room, as, source, select, comm, STANDARD, NULL};
+    MPI_Request request;
+    int code = transfer_check(&out, true);
+    if (!code)
+        code = begin(&in, false, &request);
+    if (code)
+        return code;
+    struct request *r = object_of(request, REQUEST), *s = transfer_begin(&out, true);
+    request_start(s);
+    int ids[2] = {s->id, r->id};
+    struct nxm_status done[2] = {{0}, {0}};
+    if (ids[0] || ids[1])
+        nxm_complete(&(struct nxm_completion){CALL_Sendrecv, NXM_WAIT, 2, ids, done});
+    request_finish(s, CALL_Sendrecv, &done[0], NULL);
+    return request_finish(r, CALL_Sendrecv, &done[1], status);
+}
+
+CALL(Sendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source, int select,
+                        MPI_Comm comm, MPI_Status *status))
+{
+    struct transfer out = {CALL_Sendrecv_replace, buf, count, type, dest, tag, comm, STANDARD, NULL};
+    int code = transfer_check(&out, true);
+    if (code)
+        return code;
+    size_t bytes = (size_t)count * size_of(type);
+    char *copy = get_memory(bytes);
+    type_pack(buf, count, type, copy);
+    code = PMPI_Sendrecv(copy, (int)bytes, MPI_BYTE, dest, tag, buf, count, type, source, select, comm, status);
+    free(copy);
+    return code;
+}
