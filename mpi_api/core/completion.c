@@ -97,6 +97,7 @@ bool completion_run(struct node *n, const struct nxm_completion *c)
             c->status[i].done = 0;
         return false;
     }
-    take_done(n, c);
+    if (!(c->how & NXM_LEAVE))
+        take_done(n, c);
     return true;
 }

@@ -39,7 +39,8 @@ enum nxm_how {
     NXM_WAIT = 1, /* else: looks once */
     NXM_ALL = 0,  /* all, or (a test) none of them */
     NXM_ANY = 2,  /* the first that is done */
-    NXM_SOME = 4  /* all that are done */
+    NXM_SOME = 4, /* all that are done */
+    NXM_LEAVE = 8 /* none is taken: it is only waited for */
 };
 struct nxm_completion {
     int call, how, count;

@@ -117,6 +117,12 @@ typedef struct MPI_ABI_File *MPI_File;
 #define MPI_UINT32_T ((MPI_Datatype)0x251)
 #define MPI_INT64_T ((MPI_Datatype)0x258)
 #define MPI_UINT64_T ((MPI_Datatype)0x259)
+#define MPI_CXX_FLOAT_COMPLEX ((MPI_Datatype)0x213)
+#define MPI_CXX_DOUBLE_COMPLEX ((MPI_Datatype)0x217)
+#define MPI_CXX_LONG_DOUBLE_COMPLEX ((MPI_Datatype)0x225)
+#define MPI_CXX_BOOL ((MPI_Datatype)0x239)
+#define MPI_INTEGER16 ((MPI_Datatype)0x2e1)
+#define MPI_COMPLEX32 ((MPI_Datatype)0x2eb)
 #define MPI_INTEGER1 ((MPI_Datatype)0x2c1)
 #define MPI_CHARACTER ((MPI_Datatype)0x2c3)
 #define MPI_INTEGER2 ((MPI_Datatype)0x2c9)
@@ -210,6 +216,9 @@ enum {
     MPI_COMBINER_SUBARRAY = 111,
     MPI_COMBINER_DARRAY = 112,
     MPI_COMBINER_RESIZED = 116,
+    MPI_TYPECLASS_INTEGER = 192,
+    MPI_TYPECLASS_REAL = 193,
+    MPI_TYPECLASS_COMPLEX = 194,
     MPI_IDENT = 201,
     MPI_CONGRUENT = 202,
     MPI_SIMILAR = 203,
@@ -265,17 +274,23 @@ double PMPI_Wtick(void);
 MPI_Aint MPI_Aint_add(MPI_Aint base, MPI_Aint displacement);
 MPI_Aint MPI_Aint_diff(MPI_Aint a, MPI_Aint b);
 
-#define MPI_HANDLE(type, name)                                                                               \
-    static inline MPI_Fint MPI_##name##_c2f(type handle) { return (MPI_Fint)(intptr_t)handle; }               \
-    static inline type MPI_##name##_f2c(MPI_Fint handle) { return (type)(intptr_t)handle; }
-MPI_HANDLE(MPI_Comm, Comm)
-MPI_HANDLE(MPI_Datatype, Type)
-MPI_HANDLE(MPI_Group, Group)
-MPI_HANDLE(MPI_Request, Request)
-MPI_HANDLE(MPI_Op, Op)
-MPI_HANDLE(MPI_Info, Info)
-MPI_HANDLE(MPI_Errhandler, Errhandler)
-#undef MPI_HANDLE
+/* Handles as Fortran has them, and back. */
+#define MPI_DECLARE(type, name)                                                                              \
+    MPI_Fint MPI_##name##_c2f(type handle);                                                                  \
+    MPI_Fint PMPI_##name##_c2f(type handle);                                                                 \
+    type MPI_##name##_f2c(MPI_Fint handle);                                                                  \
+    type PMPI_##name##_f2c(MPI_Fint handle);
+MPI_DECLARE(MPI_Comm, Comm)
+MPI_DECLARE(MPI_Datatype, Type)
+MPI_DECLARE(MPI_Group, Group)
+MPI_DECLARE(MPI_Request, Request)
+MPI_DECLARE(MPI_Op, Op)
+MPI_DECLARE(MPI_Info, Info)
+MPI_DECLARE(MPI_Errhandler, Errhandler)
+MPI_DECLARE(MPI_Message, Message)
+#undef MPI_DECLARE
+int MPI_Status_c2f(const MPI_Status *status, MPI_Fint *f);
+int MPI_Status_f2c(const MPI_Fint *f, MPI_Status *status);
 
 /* --- MPI-1's that MPI-3 has removed --- */
 typedef MPI_Comm_copy_attr_function MPI_Copy_function;

@@ -42,6 +42,10 @@ MPI_DECLARE(Sendrecv, (const void *buf, int count, MPI_Datatype type, int dest, 
                        MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Status *status))
 MPI_DECLARE(Sendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source,
                                int select, MPI_Comm comm, MPI_Status *status))
+MPI_DECLARE(Isendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
+                        MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Request *request))
+MPI_DECLARE(Isendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source,
+                                int select, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Buffer_attach, (void *buf, int size))
 MPI_DECLARE(Buffer_detach, (void *buf, int *size))
 MPI_DECLARE(Probe, (int source, int tag, MPI_Comm comm, MPI_Status *status))
@@ -51,6 +55,8 @@ MPI_DECLARE(Improbe, (int source, int tag, MPI_Comm comm, int *flag, MPI_Message
                       MPI_Status *status))
 MPI_DECLARE(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
 MPI_DECLARE(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
+MPI_DECLARE(Get_elements_x, (const MPI_Status *status, MPI_Datatype type, MPI_Count *count))
+MPI_DECLARE(Status_set_elements_x, (MPI_Status *status, MPI_Datatype type, MPI_Count count))
 MPI_DECLARE(Status_set_elements, (MPI_Status *status, MPI_Datatype type, int count))
 MPI_DECLARE(Status_set_cancelled, (MPI_Status *status, int flag))
 
@@ -90,6 +96,9 @@ MPI_DECLARE(Type_create_struct, (int count, const int lengths[], const MPI_Aint 
                                  const MPI_Datatype types[], MPI_Datatype *type))
 MPI_DECLARE(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], const int starts[],
                                    int order, MPI_Datatype old, MPI_Datatype *type))
+MPI_DECLARE(Type_create_darray, (int ranks, int rank, int dims, const int sizes[], const int kinds[],
+                                 const int blocks[], const int grid[], int order, MPI_Datatype old,
+                                 MPI_Datatype *type))
 MPI_DECLARE(Type_create_resized, (MPI_Datatype old, MPI_Aint lb, MPI_Aint extent, MPI_Datatype *type))
 MPI_DECLARE(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
 MPI_DECLARE(Type_commit, (MPI_Datatype *type))
@@ -101,6 +110,9 @@ MPI_DECLARE(Type_lb, (MPI_Datatype type, MPI_Aint *lb))
 MPI_DECLARE(Type_ub, (MPI_Datatype type, MPI_Aint *ub))
 MPI_DECLARE(Type_get_extent, (MPI_Datatype type, MPI_Aint *lb, MPI_Aint *extent))
 MPI_DECLARE(Type_get_true_extent, (MPI_Datatype type, MPI_Aint *lb, MPI_Aint *extent))
+MPI_DECLARE(Type_get_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
+MPI_DECLARE(Type_get_true_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
+MPI_DECLARE(Type_match_size, (int kind, int size, MPI_Datatype *type))
 MPI_DECLARE(Type_get_envelope, (MPI_Datatype type, int *ints, int *addresses, int *types, int *combiner))
 MPI_DECLARE(Type_get_contents, (MPI_Datatype type, int max_ints, int max_addresses, int max_types, int ints[],
                                 MPI_Aint addresses[], MPI_Datatype types[]))
@@ -113,37 +125,83 @@ MPI_DECLARE(Unpack, (const void *from, int size, int *position, void *buf, int c
                      MPI_Comm comm))
 MPI_DECLARE(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
 
+MPI_DECLARE(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into,
+                            MPI_Aint room, MPI_Aint *position))
+MPI_DECLARE(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf,
+                              int count, MPI_Datatype type))
+MPI_DECLARE(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_Aint *size))
+
 /* collectives */
 #define FROM const void *buf, int count, MPI_Datatype type
 #define INTO void *into, int room, MPI_Datatype as
 #define FROM_EACH const void *buf, const int counts[], const int at[], MPI_Datatype type
 #define INTO_EACH void *into, const int rooms[], const int places[], MPI_Datatype as
 MPI_DECLARE(Barrier, (MPI_Comm comm))
+MPI_DECLARE(Barrier_init, (MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ibarrier, (MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Bcast, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm))
+MPI_DECLARE(Bcast_init, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ibcast, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Gather, (FROM, INTO, int root, MPI_Comm comm))
+MPI_DECLARE(Gather_init, (FROM, INTO, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Igather, (FROM, INTO, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Gatherv, (FROM, INTO_EACH, int root, MPI_Comm comm))
+MPI_DECLARE(Gatherv_init, (FROM, INTO_EACH, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Igatherv, (FROM, INTO_EACH, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Scatter, (FROM, INTO, int root, MPI_Comm comm))
+MPI_DECLARE(Scatter_init, (FROM, INTO, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iscatter, (FROM, INTO, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Scatterv, (FROM_EACH, INTO, int root, MPI_Comm comm))
+MPI_DECLARE(Scatterv_init, (FROM_EACH, INTO, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iscatterv, (FROM_EACH, INTO, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Allgather, (FROM, INTO, MPI_Comm comm))
+MPI_DECLARE(Allgather_init, (FROM, INTO, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iallgather, (FROM, INTO, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Allgatherv, (FROM, INTO_EACH, MPI_Comm comm))
+MPI_DECLARE(Allgatherv_init, (FROM, INTO_EACH, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iallgatherv, (FROM, INTO_EACH, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Alltoall, (FROM, INTO, MPI_Comm comm))
+MPI_DECLARE(Alltoall_init, (FROM, INTO, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ialltoall, (FROM, INTO, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Alltoallv, (FROM_EACH, INTO_EACH, MPI_Comm comm))
+MPI_DECLARE(Alltoallv_init, (FROM_EACH, INTO_EACH, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ialltoallv, (FROM_EACH, INTO_EACH, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Alltoallw, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[],
                         void *into, const int rooms[], const int places[], const MPI_Datatype as[],
                         MPI_Comm comm))
+MPI_DECLARE(Alltoallw_init, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[],
+                        void *into, const int rooms[], const int places[], const MPI_Datatype as[],
+                        MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ialltoallw, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[],
+                        void *into, const int rooms[], const int places[], const MPI_Datatype as[],
+                        MPI_Comm comm, MPI_Request *request))
 #undef FROM
 #undef INTO
 #undef FROM_EACH
 #undef INTO_EACH
 #define OPERANDS const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op
 MPI_DECLARE(Reduce, (OPERANDS, int root, MPI_Comm comm))
+MPI_DECLARE(Reduce_init, (OPERANDS, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ireduce, (OPERANDS, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Allreduce, (OPERANDS, MPI_Comm comm))
+MPI_DECLARE(Allreduce_init, (OPERANDS, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iallreduce, (OPERANDS, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Scan, (OPERANDS, MPI_Comm comm))
+MPI_DECLARE(Scan_init, (OPERANDS, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iscan, (OPERANDS, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Exscan, (OPERANDS, MPI_Comm comm))
+MPI_DECLARE(Exscan_init, (OPERANDS, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Iexscan, (OPERANDS, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Reduce_scatter_block, (OPERANDS, MPI_Comm comm))
+MPI_DECLARE(Reduce_scatter_block_init, (OPERANDS, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ireduce_scatter_block, (OPERANDS, MPI_Comm comm, MPI_Request *request))
 #undef OPERANDS
 MPI_DECLARE(Reduce_scatter, (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op,
                              MPI_Comm comm))
+MPI_DECLARE(Reduce_scatter_init, (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op,
+                             MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Ireduce_scatter, (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op,
+                             MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Reduce_local, (const void *in, void *inout, int count, MPI_Datatype type, MPI_Op op))
 MPI_DECLARE(Op_create, (MPI_User_function *function, int commutes, MPI_Op *op))
 MPI_DECLARE(Op_free, (MPI_Op *op))
@@ -171,6 +229,8 @@ MPI_DECLARE(Comm_compare, (MPI_Comm a, MPI_Comm b, int *result))
 MPI_DECLARE(Comm_group, (MPI_Comm comm, MPI_Group *group))
 MPI_DECLARE(Comm_dup, (MPI_Comm comm, MPI_Comm *to))
 MPI_DECLARE(Comm_dup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to))
+MPI_DECLARE(Comm_idup, (MPI_Comm comm, MPI_Comm *to, MPI_Request *request))
+MPI_DECLARE(Comm_idup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to, MPI_Request *request))
 MPI_DECLARE(Comm_create, (MPI_Comm comm, MPI_Group group, MPI_Comm *to))
 MPI_DECLARE(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
 MPI_DECLARE(Comm_split, (MPI_Comm comm, int color, int key, MPI_Comm *to))
@@ -188,13 +248,13 @@ MPI_DECLARE(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
 MPI_DECLARE(Intercomm_create, (MPI_Comm local, int leader, MPI_Comm bridge, int remote_leader, int tag,
                                MPI_Comm *to))
 MPI_DECLARE(Intercomm_merge, (MPI_Comm comm, int high, MPI_Comm *to))
-MPI_DECLARE(Comm_create_keyval, (MPI_Comm_copy_attr_function *copy, MPI_Comm_delete_attr_function *delete,
+MPI_DECLARE(Comm_create_keyval, (MPI_Comm_copy_attr_function *copy, MPI_Comm_delete_attr_function *drop,
                                  int *keyval, void *extra))
 MPI_DECLARE(Comm_free_keyval, (int *keyval))
 MPI_DECLARE(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 MPI_DECLARE(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
 MPI_DECLARE(Comm_delete_attr, (MPI_Comm comm, int keyval))
-MPI_DECLARE(Type_create_keyval, (MPI_Type_copy_attr_function *copy, MPI_Type_delete_attr_function *delete,
+MPI_DECLARE(Type_create_keyval, (MPI_Type_copy_attr_function *copy, MPI_Type_delete_attr_function *drop,
                                  int *keyval, void *extra))
 MPI_DECLARE(Type_free_keyval, (int *keyval))
 MPI_DECLARE(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
@@ -208,9 +268,9 @@ MPI_DECLARE(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
 MPI_DECLARE(Comm_call_errhandler, (MPI_Comm comm, int code))
 MPI_DECLARE(Errhandler_free, (MPI_Errhandler *handler))
 MPI_DECLARE(Error_string, (int code, char *text, int *length))
-MPI_DECLARE(Error_class, (int code, int *class))
-MPI_DECLARE(Add_error_class, (int *class))
-MPI_DECLARE(Add_error_code, (int class, int *code))
+MPI_DECLARE(Error_class, (int code, int *kind))
+MPI_DECLARE(Add_error_class, (int *kind))
+MPI_DECLARE(Add_error_code, (int kind, int *code))
 MPI_DECLARE(Add_error_string, (int code, const char *text))
 
 /* topologies */
@@ -233,10 +293,36 @@ MPI_DECLARE(Graph_neighbors, (MPI_Comm comm, int rank, int most, int neighbors[]
 MPI_DECLARE(Graph_map, (MPI_Comm comm, int nodes, const int ends[], const int edges[], int *rank))
 MPI_DECLARE(Topo_test, (MPI_Comm comm, int *kind))
 
+MPI_DECLARE(Dist_graph_create_adjacent, (MPI_Comm comm, int ins, const int sources[], const int in_weights[],
+                                         int outs, const int dests[], const int out_weights[], MPI_Info info,
+                                         int reorder, MPI_Comm *to))
+MPI_DECLARE(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const int degrees[],
+                                const int dests[], const int weights[], MPI_Info info, int reorder,
+                                MPI_Comm *to))
+MPI_DECLARE(Dist_graph_neighbors_count, (MPI_Comm comm, int *ins, int *outs, int *weighted))
+MPI_DECLARE(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int in_weights[], int most_outs,
+                                   int dests[], int out_weights[]))
+#define NEIGHBOR(name, parameters)                                                                    \
+    MPI_DECLARE(Neighbor_##name, (NEIGHBOR_LIST parameters, MPI_Comm comm))                                  \
+    MPI_DECLARE(Ineighbor_##name, (NEIGHBOR_LIST parameters, MPI_Comm comm, MPI_Request * request))
+#define NEIGHBOR_LIST(...) __VA_ARGS__
+NEIGHBOR(allgather, (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as))
+NEIGHBOR(allgatherv, (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[],
+                        const int places[], MPI_Datatype as))
+NEIGHBOR(alltoall, (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as))
+NEIGHBOR(alltoallv, (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into,
+                       const int rooms[], const int places[], MPI_Datatype as))
+NEIGHBOR(alltoallw, (const void *buf, const int counts[], const MPI_Aint at[], const MPI_Datatype types[],
+                       void *into, const int rooms[], const MPI_Aint places[], const MPI_Datatype as[]))
+#undef NEIGHBOR
+#undef NEIGHBOR_LIST
+
 /* hints: kept, and without effect */
 MPI_DECLARE(Info_create, (MPI_Info *info))
 MPI_DECLARE(Info_set, (MPI_Info info, const char *key, const char *value))
 MPI_DECLARE(Info_get, (MPI_Info info, const char *key, int room, char *value, int *flag))
+MPI_DECLARE(Info_get_string, (MPI_Info info, const char *key, int *room, char *value, int *flag))
+MPI_DECLARE(Info_create_env, (int argc, char *argv[], MPI_Info *info))
 MPI_DECLARE(Info_get_valuelen, (MPI_Info info, const char *key, int *length, int *flag))
 MPI_DECLARE(Info_get_nkeys, (MPI_Info info, int *count))
 MPI_DECLARE(Info_get_nthkey, (MPI_Info info, int n, char *key))

@@ -48,10 +48,11 @@ static int no_key(const char *call, int key)
 static int key_free(const char *call, int *key)
 {
     struct key *k = key_of(*key);
-    if (!k || k->freed)
+    if (!k)
         return no_key(call, *key);
+    if (!k->freed)
+        k->users--; /* else only attributes keep it */
     k->freed = true;
-    k->users--;
     *key = MPI_KEYVAL_INVALID;
     return MPI_SUCCESS;
 }
@@ -130,7 +131,7 @@ int comm_delete_attributes(struct comm *c)
 }
 
 /* Oldest first, so that the copy has them in the same order. */
-static int copy_from(struct attribute *a, struct comm *from, struct comm *to)
+static int copy_from(struct attribute *a, void *from, struct attribute **to)
 {
     if (!a)
         return MPI_SUCCESS;
@@ -142,19 +143,19 @@ static int copy_from(struct attribute *a, struct comm *from, struct comm *to)
     if (k->copy == (copy_function *)MPI_COMM_DUP_FN)
         value = a->value, flag = true;
     else
-        code = k->copy(handle_of(from), a->key, k->extra, a->value, &value, &flag);
+        code = k->copy(from, a->key, k->extra, a->value, &value, &flag);
     if (code || !flag)
         return code;
     struct attribute *copy = get_memory(sizeof *copy);
-    *copy = (struct attribute){to->attributes, a->key, value};
-    to->attributes = copy;
+    *copy = (struct attribute){*to, a->key, value};
+    *to = copy;
     key_of(a->key)->users++;
     return MPI_SUCCESS;
 }
 
 int comm_copy_attributes(struct comm *from, struct comm *to)
 {
-    return copy_from(from->attributes, from, to);
+    return copy_from(from->attributes, handle_of(from), &to->attributes);
 }
 
 CALL(Comm_create_keyval,
@@ -220,6 +221,11 @@ CALL(Comm_delete_attr, (MPI_Comm comm, int keyval))
 }
 
 /* --- datatypes --- */
+
+int type_copy_attributes(struct type *from, struct type *to)
+{
+    return copy_from(from->attributes, (void *)HANDLE(MPI_Datatype, from), &to->attributes);
+}
 
 int type_delete_attributes(struct type *t)
 {

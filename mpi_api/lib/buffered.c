@@ -32,6 +32,28 @@ static void settle(int call, bool waits)
     }
 }
 
+void buffered_copy(const struct transfer *t)
+{
+    size_t bytes = (size_t)t->count * size_of(t->type);
+    if (t->peer == MPI_PROC_NULL)
+        return;
+    struct copy *c = get_memory(sizeof *c + bytes);
+    type_pack(t->buf, t->count, t->type, c->data);
+    c->bytes = bytes;
+    struct nxm_envelope e = {t->call, t->tag, group_node(t->c->peers, t->peer), t->c->context};
+    c->id = (int)nxm_isend(&e, c->data, (long)bytes, false);
+    if (!c->id) {
+        free(c);
+        return;
+    }
+    in_use += bytes + MPI_BSEND_OVERHEAD;
+    struct copy **last = &copies;
+    while (*last)
+        last = &(*last)->next;
+    c->next = NULL;
+    *last = c;
+}
+
 int buffered_send(struct transfer *t)
 {
     size_t bytes = (size_t)t->count * size_of(t->type);
@@ -42,21 +64,7 @@ int buffered_send(struct transfer *t)
         return fail(t->c, t->call, MPI_ERR_BUFFER,
                     "%zu bytes and MPI_BSEND_OVERHEAD do not fit into the attached buffer: %zu of %zu are free",
                     bytes, size - in_use, size);
-    struct copy *c = get_memory(sizeof *c + bytes);
-    type_pack(t->buf, t->count, t->type, c->data);
-    c->bytes = bytes;
-    struct nxm_envelope e = {t->call, t->tag, group_node(t->c->peers, t->peer), t->c->context};
-    c->id = (int)nxm_isend(&e, c->data, (long)bytes, false);
-    if (!c->id) {
-        free(c);
-        return MPI_SUCCESS;
-    }
-    in_use += bytes + MPI_BSEND_OVERHEAD;
-    struct copy **last = &copies;
-    while (*last)
-        last = &(*last)->next;
-    c->next = NULL;
-    *last = c;
+    buffered_copy(t);
     return MPI_SUCCESS;
 }
 

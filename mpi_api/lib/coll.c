@@ -1,23 +1,84 @@
 /* coll.c - see coll.h. */
 #include "coll.h"
 #include <stdlib.h>
+#include "tasks.h"
 
-int coll_begin(struct coll *o, int call, MPI_Comm comm)
+/* --- beginning --- */
+
+/* Tags below this are those of collectives, the others of Comm_create_group. */
+enum { COLLECTIVES = 900000000 };
+
+struct coll coll_of(struct comm *c, int call)
 {
-    *o = (struct coll){comm_of(comm), call};
-    if (!o->c)
+    const struct group *g = c->remote ? c->remote : c->local;
+    c->collectives = (c->collectives + 1) % COLLECTIVES;
+    return (struct coll){c, call, c->collectives, g, g->size, c->local->rank};
+}
+
+struct coll coll_inside(const struct coll *o)
+{
+    struct coll in = *o;
+    in.group = o->c->local, in.size = o->c->local->size;
+    return in;
+}
+
+/* What Start needs of a persistent collective. */
+struct prepared {
+    struct args args;
+    coll_run *run;
+};
+
+int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request)
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Start);
+    a->o = coll_of(c, CALL_Start);
+    int code = check(a);
+    if (code)
+        return code;
+    struct request *r = object_new(REQUEST, sizeof *r);
+    struct prepared *p = get_memory(sizeof *p);
+    *p = (struct prepared){*a, run};
+    r->what = COLLECTS, r->persistent = true, r->comm = c, r->prepared = p;
+    c->object.users++;
+    *request = HANDLE(MPI_Request, r);
+    return MPI_SUCCESS;
+}
+
+void coll_restart(struct request *r)
+{
+    r->active = true;
+    r->task = task_start(r->prepared->run, &r->prepared->args);
+}
+
+int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request)
+{
+    struct comm *c = comm_of(comm);
+    if (!c)
         return fail_comm(call);
-    if (o->c->remote)
-        return fail(o->c, call, MPI_ERR_COMM, "collectives of communicators of two groups are not there");
+    a->o = coll_of(c, call);
+    int code = check(a);
+    if (code)
+        return code;
+    if (!request)
+        return run(a);
+    struct request *r = object_new(REQUEST, sizeof *r);
+    r->what = COLLECTS, r->active = true, r->comm = c;
+    c->object.users++;
+    status_empty(&r->status);
+    r->task = task_start(run, a);
+    *request = HANDLE(MPI_Request, r);
     return MPI_SUCCESS;
 }
 
 int coll_check_root(const struct coll *o, int root)
 {
-    if (root >= 0 && root < coll_size(o))
+    bool none = o->c->remote && (root == MPI_ROOT || root == MPI_PROC_NULL);
+    if (none || (root >= 0 && root < o->size))
         return MPI_SUCCESS;
     return fail(o->c, o->call, MPI_ERR_ROOT, "root %d is not one of the communicator's ranks (0 to %d)", root,
-                coll_size(o) - 1);
+                o->size - 1);
 }
 
 int coll_check(const struct coll *o, int count, MPI_Datatype t)
@@ -33,40 +94,7 @@ int coll_check(const struct coll *o, int count, MPI_Datatype t)
 
 static struct nxm_envelope envelope(const struct coll *o, int peer)
 {
-    return (struct nxm_envelope){o->call, o->call, group_node(o->c->local, peer), o->c->context + 1};
-}
-
-void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to)
-{
-    size_t bytes;
-    const struct nxm_envelope e = envelope(o, to);
-    const void *at = type_together(buf, count, t, &bytes);
-    char *packed = at || !bytes ? NULL : get_memory(bytes);
-    if (packed)
-        type_pack(buf, count, t, packed);
-    nxm_send(&e, at ? at : packed, (long)bytes, false);
-    free(packed);
-}
-
-static int too_long(const struct coll *o, const struct nxm_status *s, size_t room)
-{
-    return fail(o->c, o->call, MPI_ERR_TRUNCATE,
-                "rank %d sends %ld bytes, but this one expects %zu: counts or datatypes differ",
-                group_rank_of(o->c->local, s->node), s->bytes, room);
-}
-
-int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int from)
-{
-    size_t room;
-    struct nxm_status s;
-    const struct nxm_envelope e = envelope(o, from);
-    void *at = type_together(buf, count, t, &room);
-    char *packed = at || !room ? NULL : get_memory(room);
-    nxm_recv(&e, at ? at : packed, (long)room, &s);
-    if (packed && !s.truncated)
-        type_unpack(packed, (size_t)s.bytes, buf, count, t);
-    free(packed);
-    return s.truncated ? too_long(o, &s, room) : MPI_SUCCESS;
+    return (struct nxm_envelope){o->call, o->tag, group_node(o->group, peer), o->c->context + 1};
 }
 
 struct request *coll_start(const struct coll *o, bool sends, void *buf, int count, MPI_Datatype t, int peer)
@@ -74,6 +102,8 @@ struct request *coll_start(const struct coll *o, bool sends, void *buf, int coun
     struct request *r = object_new(REQUEST, sizeof *r);
     r->what = sends ? SENDS : RECEIVES, r->mode = READY;
     r->comm = o->c, r->peer = peer;
+    o->c->object.users++;
+    type_keep(t);
     r->buf = buf, r->count = count, r->type = t;
     r->envelope = envelope(o, peer);
     request_start(r);
@@ -90,7 +120,7 @@ int coll_wait(const struct coll *o, int count, struct request *r[])
         any = any || ids[i];
     }
     if (any)
-        nxm_complete(&(struct nxm_completion){o->call, NXM_WAIT, count, ids, status});
+        tasks_complete(&(struct nxm_completion){o->call, NXM_WAIT, count, ids, status});
     for (int i = 0; i < count; i++) {
         int one = r[i] ? request_finish(r[i], o->call, &status[i], NULL) : MPI_SUCCESS;
         code = one ? one : code;
@@ -98,6 +128,52 @@ int coll_wait(const struct coll *o, int count, struct request *r[])
     free(ids);
     free(status);
     return code;
+}
+
+void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to)
+{
+    size_t bytes;
+    const struct nxm_envelope e = envelope(o, to);
+    const void *at = type_together(buf, count, t, &bytes);
+    char *packed = at || !bytes ? NULL : get_memory(bytes);
+    if (packed)
+        type_pack(buf, count, t, packed);
+    int id = (int)nxm_isend(&e, at ? at : packed, (long)bytes, false);
+    if (id)
+        tasks_complete(&(struct nxm_completion){o->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
+    free(packed);
+}
+
+static int too_long(const struct coll *o, const struct nxm_status *s, size_t room)
+{
+    return fail(o->c, o->call, MPI_ERR_TRUNCATE,
+                "rank %d sends %ld bytes, but this one expects %zu: counts or datatypes differ",
+                group_rank_of(o->group, s->node), s->bytes, room);
+}
+
+/* The receive of a call of the program, when no task waits; else one with an id. */
+static void receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
+{
+    if (!tasks_under_way) {
+        nxm_recv(e, at, (long)room, s);
+        return;
+    }
+    int id = (int)nxm_irecv(e, at, (long)room);
+    tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
+}
+
+int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int from)
+{
+    size_t room;
+    struct nxm_status s;
+    const struct nxm_envelope e = envelope(o, from);
+    void *at = type_together(buf, count, t, &room);
+    char *packed = at || !room ? NULL : get_memory(room);
+    receive(&e, at ? at : packed, room, &s);
+    if (packed && !s.truncated)
+        type_unpack(packed, (size_t)s.bytes, buf, count, t);
+    free(packed);
+    return s.truncated ? too_long(o, &s, room) : MPI_SUCCESS;
 }
 
 int coll_exchange(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to, void *into,

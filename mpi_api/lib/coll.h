@@ -1,24 +1,68 @@
-/* coll.h - messages of collectives: in the other half of the communicator's context, with the call's number as
- * the tag, between ranks of its local group. */
+/* coll.h - collectives. Each is written once, and serves as a blocking call, as one with a request, and as a
+ * persistent one (coll_call). Its messages go in the other half of the communicator's context; their tag is
+ * the number of the collective on the communicator, so that several may be under way.
+ *
+ * A communicator of two groups: ranks name those of the other group, and struct coll of the local one is had
+ * by coll_inside. */
 #ifndef MPI_COLL_H
 #define MPI_COLL_H
 #include "lib.h"
 
 struct coll {
     struct comm *c;
-    int call;
+    int call, tag;
+    const struct group *group; /* whom ranks name */
+    int size, rank;            /* of the group; the own rank, in the local one */
 };
 
-static inline int coll_size(const struct coll *o)
-{
-    return o->c->local->size;
-}
-static inline int coll_rank(const struct coll *o)
-{
-    return o->c->local->rank;
-}
-/* A call of a collective on this communicator: 0, or the error. */
-int coll_begin(struct coll *o, int call, MPI_Comm comm);
+/* A collective of the communicator: the next in order. */
+struct coll coll_of(struct comm *c, int call);
+/* That of two groups as one of the local group alone. */
+struct coll coll_inside(const struct coll *o);
+
+/* What a collective is given: as named in mpi_calls.h. */
+struct args {
+    struct coll o;
+    const void *buf;
+    void *into;
+    int count, room, root;
+    const int *counts, *at, *rooms, *places;
+    MPI_Datatype type, as;
+    const MPI_Datatype *types, *ases;
+    const MPI_Aint *out_addresses, *in_addresses; /* between neighbours: bytes */
+    bool same;                                    /* each gets the same part */
+    MPI_Op op;
+};
+typedef int coll_run(struct args *a);
+/* Checks and runs a collective; or begins one, whose request is `request`. */
+int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
+/* The request of a persistent one, which MPI_Start begins. */
+int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
+void coll_restart(struct request *r);
+
+/* The three forms of a call. The parameters, in parentheses; the values of struct args. */
+#define COLLECTIVE(name, iname, function, parameters, ...)                                                   \
+    CALL(name, (COLL_LIST parameters MPI_Comm comm))                                                         \
+    {                                                                                                        \
+        struct args a = {__VA_ARGS__};                                                                       \
+        return coll_call(&a, CALL_##name, comm, check_##function, function, NULL);                           \
+    }                                                                                                        \
+    CALL(iname, (COLL_LIST parameters MPI_Comm comm, MPI_Request *request))                                  \
+    {                                                                                                        \
+        struct args a = {__VA_ARGS__};                                                                       \
+        return coll_call(&a, CALL_##iname, comm, check_##function, function, request);                       \
+    }                                                                                                        \
+    CALL(name##_init, (COLL_LIST parameters MPI_Comm comm, MPI_Info info, MPI_Request *request))             \
+    {                                                                                                        \
+        struct args a = {__VA_ARGS__};                                                                       \
+        (void)info;                                                                                          \
+        return coll_prepare(&a, comm, check_##function, function, request);                                  \
+    }
+#define COLL_LIST(...) __VA_ARGS__ __VA_OPT__(, )
+
+/* Within one group: a context that no other communicator of its processes has. */
+int comm_agree_context(const struct coll *o);
+
 int coll_check_root(const struct coll *o, int root);
 /* A count and a type of an argument. */
 int coll_check(const struct coll *o, int count, MPI_Datatype t);
@@ -28,7 +72,7 @@ int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int
 /* Both at once. */
 int coll_exchange(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to, void *into,
                   int room, MPI_Datatype as, int from);
-/* Those of many, which are waited for together. */
+/* Those of many, which are waited for together; some may be NULL. */
 struct request *coll_start(const struct coll *o, bool sends, void *buf, int count, MPI_Datatype t, int peer);
 int coll_wait(const struct coll *o, int count, struct request *r[]);
 /* Bytes. */
@@ -41,14 +85,21 @@ static inline int coll_receive_bytes(const struct coll *o, void *buf, size_t byt
     return coll_receive(o, buf, (int)bytes, MPI_BYTE, from);
 }
 
-/* Algorithms that several calls use; checked. */
+/* Algorithms that several calls use, within one group; checked. */
+int coll_barrier(const struct coll *o);
 int coll_bcast(const struct coll *o, void *buf, int count, MPI_Datatype t, int root);
-int coll_allreduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op);
 int coll_reduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op,
                 int root);
+int coll_allreduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op);
 int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, void *all);
 int coll_scatterv(const struct coll *o, const void *buf, const int counts[], const int at[], MPI_Datatype t,
                   void *into, int room, MPI_Datatype as, int root);
+/* All parts at once: each rank's own, unless the communicator has two groups. */
+int coll_at_once(const struct args *a);
+
+/* Collectives of two groups. */
+coll_run inter_barrier, inter_bcast, inter_gather, inter_scatter, inter_allgather, inter_reduce,
+    inter_allreduce, inter_reduce_scatter;
 
 static inline bool any_bytes(int count, MPI_Datatype t)
 {
@@ -59,4 +110,11 @@ static inline void *element(const void *buf, MPI_Aint i, MPI_Datatype t)
 {
     return (char *)(uintptr_t)buf + i * extent_of(t);
 }
+
+/* Memory for elements of any type, which lie in it as in the program's. */
+struct operand {
+    char *memory, *at;
+};
+struct operand operand_new(int count, MPI_Datatype type);
+void operand_free(struct operand x);
 #endif

@@ -18,7 +18,7 @@ static bool is_power_of_two(int n)
 /* In step k a rank has the parts of 2^k ranks from itself on, and gets as many that follow. */
 static int bruck(const struct coll *o, char *parts, size_t each)
 {
-    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     for (int have = 1; have < size && !code; have *= 2) {
         int more = have < size - have ? have : size - have;
         code = coll_exchange(o, parts, (int)(each * (size_t)more), MPI_BYTE, (rank - have + size) % size,
@@ -30,7 +30,7 @@ static int bruck(const struct coll *o, char *parts, size_t each)
 
 int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, void *all)
 {
-    int size = coll_size(o), rank = coll_rank(o);
+    int size = o->size, rank = o->rank;
     char *parts = get_memory(bytes * (size_t)size);
     memcpy(parts, own, bytes);
     int code = bruck(o, parts, bytes);
@@ -42,7 +42,7 @@ int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, vo
 
 static int allgather_short(const struct coll *o, void *into, int room, MPI_Datatype as)
 {
-    int size = coll_size(o), rank = coll_rank(o);
+    int size = o->size, rank = o->rank;
     size_t each = (size_t)room * size_of(as);
     char *parts = get_memory(each * (size_t)size);
     type_pack(element(into, (MPI_Aint)rank * room, as), room, as, parts);
@@ -57,7 +57,7 @@ static int allgather_short(const struct coll *o, void *into, int room, MPI_Datat
 /* In step k a rank passes on the part that it got in the step before. */
 static int ring(const struct coll *o, void *into, const int rooms[], const int places[], MPI_Datatype as)
 {
-    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     for (int k = 0; k < size - 1 && !code; k++) {
         int out = (rank - k + size) % size, in = (rank - k - 1 + size) % size;
         code = coll_exchange(o, element(into, places[out], as), rooms[out], as, (rank + 1) % size,
@@ -68,7 +68,7 @@ static int ring(const struct coll *o, void *into, const int rooms[], const int p
 
 static int ring_of_equals(const struct coll *o, void *into, int room, MPI_Datatype as)
 {
-    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     for (int k = 0; k < size - 1 && !code; k++) {
         int out = (rank - k + size) % size, in = (rank - k - 1 + size) % size;
         code = coll_exchange(o, element(into, (MPI_Aint)out * room, as), room, as, (rank + 1) % size,
@@ -77,40 +77,42 @@ static int ring_of_equals(const struct coll *o, void *into, int room, MPI_Dataty
     return code;
 }
 
-CALL(Allgather,
-     (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, MPI_Comm comm))
+static int check_allgather(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Allgather, comm);
-    if (!code)
-        code = coll_check(&o, room, as);
-    if (!code && buf != MPI_IN_PLACE)
-        code = coll_check(&o, count, type);
-    if (code)
-        return code;
-    if (buf != MPI_IN_PLACE)
-        type_copy(buf, count, type, element(into, (MPI_Aint)coll_rank(&o) * room, as), room, as);
-    size_t all = (size_t)room * size_of(as) * (size_t)coll_size(&o);
-    bool brief = all < SHORT_GATHER || (all < MEDIUM_GATHER && is_power_of_two(coll_size(&o)));
-    return brief ? allgather_short(&o, into, room, as) : ring_of_equals(&o, into, room, as);
+    int code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
+    return code || a->buf == MPI_IN_PLACE ? code : coll_check(&a->o, a->count, a->type);
+}
+#define check_allgatherv check_allgather
+
+static int allgather(struct args *a)
+{
+    const struct coll *o = &a->o;
+    if (o->c->remote)
+        return inter_allgather(a);
+    if (a->buf != MPI_IN_PLACE)
+        type_copy(a->buf, a->count, a->type, element(a->into, (MPI_Aint)o->rank * a->room, a->as), a->room, a->as);
+    size_t all = (size_t)a->room * size_of(a->as) * (size_t)o->size;
+    bool brief = all < SHORT_GATHER || (all < MEDIUM_GATHER && is_power_of_two(o->size));
+    return brief ? allgather_short(o, a->into, a->room, a->as) : ring_of_equals(o, a->into, a->room, a->as);
 }
 
-CALL(Allgatherv, (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[],
-                  const int places[], MPI_Datatype as, MPI_Comm comm))
+static int allgatherv(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Allgatherv, comm);
-    if (!code)
-        code = coll_check(&o, 0, as);
-    if (!code && buf != MPI_IN_PLACE)
-        code = coll_check(&o, count, type);
-    if (code)
-        return code;
-    int rank = coll_rank(&o);
-    if (buf != MPI_IN_PLACE)
-        type_copy(buf, count, type, element(into, places[rank], as), rooms[rank], as);
-    return ring(&o, into, rooms, places, as);
+    const struct coll *o = &a->o;
+    if (o->c->remote)
+        return inter_allgather(a);
+    if (a->buf != MPI_IN_PLACE)
+        type_copy(a->buf, a->count, a->type, element(a->into, a->places[o->rank], a->as), a->rooms[o->rank], a->as);
+    return ring(o, a->into, a->rooms, a->places, a->as);
 }
+
+COLLECTIVE(Allgather, Iallgather, allgather,
+           (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as), .buf = buf,
+           .count = count, .type = type, .into = into, .room = room, .as = as)
+COLLECTIVE(Allgatherv, Iallgatherv, allgatherv,
+           (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[], const int places[],
+            MPI_Datatype as),
+           .buf = buf, .count = count, .type = type, .into = into, .rooms = rooms, .places = places, .as = as)
 
 /* --- alltoall --- */
 
@@ -120,7 +122,7 @@ enum { SHORT_ALLTOALL = 256, LONG_ALLTOALL = 32768, FEW_RANKS = 8 };
 /* Part i is for the rank i further. In step k all parts whose number has bit k go 2^k ranks on. */
 static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
 {
-    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     char *out = get_memory(each * (size_t)size), *in = get_memory(each * (size_t)size);
     for (int bit = 1; bit < size && !code; bit *= 2) {
         int n = 0;
@@ -142,7 +144,7 @@ static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
 static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into,
                           int room, MPI_Datatype as)
 {
-    int size = coll_size(o), rank = coll_rank(o);
+    int size = o->size, rank = o->rank;
     size_t each = (size_t)room * size_of(as);
     char *parts = get_memory(each * (size_t)size);
     for (int i = 0; i < size; i++)
@@ -155,17 +157,8 @@ static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_
     return code;
 }
 
-/* What each rank sends to each other, and gets. */
-struct parts {
-    const void *buf;
-    void *into;
-    const int *counts, *at, *rooms, *places; /* NULL: all of count, room, one after the other */
-    int count, room;
-    MPI_Datatype type, as;
-    const MPI_Datatype *types, *ases; /* NULL: type, as; else at and places are bytes */
-};
-
-static void *part_out(const struct parts *p, int i, int *count, MPI_Datatype *t)
+/* The part for a rank, and the part from a rank: lists of counts, or the same count for all. */
+static void *part_out(const struct args *p, int i, int *count, MPI_Datatype *t)
 {
     *t = p->types ? p->types[i] : p->type;
     *count = p->counts ? p->counts[i] : p->count;
@@ -174,7 +167,7 @@ static void *part_out(const struct parts *p, int i, int *count, MPI_Datatype *t)
     return element(p->buf, p->counts ? p->at[i] : (MPI_Aint)i * p->count, *t);
 }
 
-static void *part_in(const struct parts *p, int i, int *room, MPI_Datatype *t)
+static void *part_in(const struct args *p, int i, int *room, MPI_Datatype *t)
 {
     *t = p->ases ? p->ases[i] : p->as;
     *room = p->rooms ? p->rooms[i] : p->room;
@@ -183,34 +176,39 @@ static void *part_in(const struct parts *p, int i, int *room, MPI_Datatype *t)
     return element(p->into, p->rooms ? p->places[i] : (MPI_Aint)i * p->room, *t);
 }
 
-static int at_once(const struct coll *o, const struct parts *p)
+int coll_at_once(const struct args *p)
 {
-    int size = coll_size(o), rank = coll_rank(o), n = 0, count, room;
+    const struct coll *o = &p->o;
+    int size = o->size, rank = o->rank, n = 0, count, room;
+    bool own_part = !o->c->remote;
     MPI_Datatype t, as;
     struct request **r = get_memory(2 * (size_t)size * sizeof *r);
-    for (int k = 1; k < size; k++) {
-        int from = (rank - k + size) % size;
+    for (int k = own_part; k < size; k++) {
+        int from = (rank % size - k + size) % size;
         void *at = part_in(p, from, &room, &as);
         if (any_bytes(room, as))
             r[n++] = coll_start(o, false, at, room, as, from);
     }
-    for (int k = 1; k < size; k++) {
+    for (int k = own_part; k < size; k++) {
         int to = (rank + k) % size;
         void *at = part_out(p, to, &count, &t);
         if (any_bytes(count, t))
             r[n++] = coll_start(o, true, at, count, t, to);
     }
-    const void *own = part_out(p, rank, &count, &t);
-    void *at = part_in(p, rank, &room, &as);
-    type_copy(own, count, t, at, room, as);
+    if (own_part) {
+        const void *own = part_out(p, rank, &count, &t);
+        void *at = part_in(p, rank, &room, &as);
+        type_copy(own, count, t, at, room, as);
+    }
     int code = coll_wait(o, n, r);
     free(r);
     return code;
 }
 
-static int one_by_one(const struct coll *o, const struct parts *p)
+static int one_by_one(const struct args *p)
 {
-    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS, count, room;
+    const struct coll *o = &p->o;
+    int size = o->size, rank = o->rank, code = MPI_SUCCESS, count, room;
     MPI_Datatype t, as;
     const void *own = part_out(p, rank, &count, &t);
     void *at = part_in(p, rank, &room, &as);
@@ -226,9 +224,9 @@ static int one_by_one(const struct coll *o, const struct parts *p)
 }
 
 /* In place: what is sent lies where what comes is to lie, so it is copied out first. */
-static int in_place(const struct coll *o, const struct parts *p)
+static int in_place(const struct args *p)
 {
-    int size = coll_size(o), room;
+    int size = p->o.size, room;
     size_t bytes = 0;
     MPI_Datatype as;
     int *counts = get_memory(2 * (size_t)size * sizeof *counts), *at = counts + size;
@@ -242,62 +240,59 @@ static int in_place(const struct coll *o, const struct parts *p)
         void *from = part_in(p, i, &room, &as);
         type_pack(from, room, as, copy + at[i]);
     }
-    struct parts q = *p;
+    struct args q = *p;
     q.buf = copy, q.counts = counts, q.at = at, q.type = MPI_BYTE, q.types = NULL;
-    int code = at_once(o, &q);
+    int code = coll_at_once(&q);
     free(copy);
     free(counts);
     return code;
 }
 
-CALL(Alltoall,
-     (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, MPI_Comm comm))
+static int check_alltoall(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Alltoall, comm);
-    if (!code)
-        code = coll_check(&o, room, as);
-    if (!code && buf != MPI_IN_PLACE)
-        code = coll_check(&o, count, type);
-    if (code)
-        return code;
-    const struct parts p = {.buf = buf, .into = into, .count = count, .room = room, .type = type, .as = as};
-    size_t each = (size_t)room * size_of(as);
-    if (buf == MPI_IN_PLACE)
-        return in_place(&o, &p);
-    if (each <= SHORT_ALLTOALL && coll_size(&o) >= FEW_RANKS)
-        return alltoall_short(&o, buf, count, type, into, room, as);
-    return each <= LONG_ALLTOALL ? at_once(&o, &p) : one_by_one(&o, &p);
+    int code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
+    return code || a->buf == MPI_IN_PLACE ? code : coll_check(&a->o, a->counts ? 0 : a->count, a->type);
+}
+#define check_alltoallv check_alltoall
+
+static int check_alltoallw(struct args *a)
+{
+    int code = MPI_SUCCESS;
+    for (int i = 0; i < a->o.size && !code; i++) {
+        code = coll_check(&a->o, a->rooms[i], a->ases[i]);
+        if (!code && a->buf != MPI_IN_PLACE)
+            code = coll_check(&a->o, a->counts[i], a->types[i]);
+    }
+    return code;
 }
 
-CALL(Alltoallv, (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into,
-                 const int rooms[], const int places[], MPI_Datatype as, MPI_Comm comm))
+static int alltoall(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Alltoallv, comm);
-    if (!code)
-        code = coll_check(&o, 0, as);
-    if (!code && buf != MPI_IN_PLACE)
-        code = coll_check(&o, 0, type);
-    if (code)
-        return code;
-    const struct parts p = {.buf = buf, .into = into, .counts = counts, .at = at, .rooms = rooms,
-                            .places = places, .type = type, .as = as};
-    return buf == MPI_IN_PLACE ? in_place(&o, &p) : at_once(&o, &p);
+    const struct coll *o = &a->o;
+    size_t each = (size_t)a->room * size_of(a->as);
+    if (a->buf == MPI_IN_PLACE)
+        return in_place(a);
+    if (each <= SHORT_ALLTOALL && o->size >= FEW_RANKS && !o->c->remote)
+        return alltoall_short(o, a->buf, a->count, a->type, a->into, a->room, a->as);
+    return each <= LONG_ALLTOALL || o->c->remote ? coll_at_once(a) : one_by_one(a);
 }
 
-CALL(Alltoallw, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[], void *into,
-                 const int rooms[], const int places[], const MPI_Datatype as[], MPI_Comm comm))
+static int alltoallv(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Alltoallw, comm);
-    if (code)
-        return code;
-    for (int i = 0; i < coll_size(&o); i++)
-        if ((code = coll_check(&o, rooms[i], as[i])) ||
-            (buf != MPI_IN_PLACE && (code = coll_check(&o, counts[i], types[i]))))
-            return code;
-    const struct parts p = {.buf = buf, .into = into, .counts = counts, .at = at, .rooms = rooms,
-                            .places = places, .types = types, .ases = as};
-    return buf == MPI_IN_PLACE ? in_place(&o, &p) : at_once(&o, &p);
+    return a->buf == MPI_IN_PLACE ? in_place(a) : coll_at_once(a);
 }
+#define alltoallw alltoallv
+
+COLLECTIVE(Alltoall, Ialltoall, alltoall,
+           (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as), .buf = buf,
+           .count = count, .type = type, .into = into, .room = room, .as = as)
+COLLECTIVE(Alltoallv, Ialltoallv, alltoallv,
+           (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into,
+            const int rooms[], const int places[], MPI_Datatype as),
+           .buf = buf, .counts = counts, .at = at, .type = type, .into = into, .rooms = rooms,
+           .places = places, .as = as)
+COLLECTIVE(Alltoallw, Ialltoallw, alltoallw,
+           (const void *buf, const int counts[], const int at[], const MPI_Datatype types[], void *into,
+            const int rooms[], const int places[], const MPI_Datatype as[]),
+           .buf = buf, .counts = counts, .at = at, .types = types, .into = into, .rooms = rooms,
+           .places = places, .ases = as)

@@ -8,19 +8,28 @@
 
 /* --- barrier: in step k each rank tells the one 2^k further --- */
 
-CALL(Barrier, (MPI_Comm comm))
+int coll_barrier(const struct coll *o)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Barrier, comm);
-    if (code)
-        return code;
-    int size = coll_size(&o), rank = coll_rank(&o);
-    for (int step = 1; step < size; step *= 2) {
-        coll_send_bytes(&o, "", 0, (rank + step) % size);
-        coll_receive_bytes(&o, NULL, 0, (rank - step + size) % size);
+    int code = MPI_SUCCESS;
+    for (int step = 1; step < o->size && !code; step *= 2) {
+        coll_send_bytes(o, "", 0, (o->rank + step) % o->size);
+        code = coll_receive_bytes(o, NULL, 0, (o->rank - step + o->size) % o->size);
     }
+    return code;
+}
+
+static int check_barrier(struct args *a)
+{
+    (void)a;
     return MPI_SUCCESS;
 }
+
+static int barrier(struct args *a)
+{
+    return a->o.c->remote ? inter_barrier(a) : coll_barrier(&a->o);
+}
+
+COLLECTIVE(Barrier, Ibarrier, barrier, (), .root = 0)
 
 /* --- broadcast --- */
 
@@ -29,7 +38,7 @@ enum { LONG_BCAST = 12288, FEW_RANKS = 8 };
 
 static int bcast_tree(const struct coll *o, void *buf, int count, MPI_Datatype t, int root)
 {
-    int size = coll_size(o), rel = (coll_rank(o) - root + size) % size, mask = 1, code = MPI_SUCCESS;
+    int size = o->size, rel = (o->rank - root + size) % size, mask = 1, code = MPI_SUCCESS;
     while (mask < size && !(rel & mask))
         mask *= 2;
     if (mask < size)
@@ -49,7 +58,7 @@ static size_t part_at(size_t bytes, int size, int part)
 /* Parts are numbered from the root's rank on; a rank gets those of its part of the tree. */
 static void bcast_scatter(const struct coll *o, char *data, size_t bytes, int root)
 {
-    int size = coll_size(o), rel = (coll_rank(o) - root + size) % size, mask = 1;
+    int size = o->size, rel = (o->rank - root + size) % size, mask = 1;
     while (mask < size && !(rel & mask))
         mask *= 2;
     if (mask < size) {
@@ -68,7 +77,7 @@ static void bcast_scatter(const struct coll *o, char *data, size_t bytes, int ro
 /* In step k a rank passes on the part that it got in the step before. */
 static void bcast_ring(const struct coll *o, char *data, size_t bytes, int root)
 {
-    int size = coll_size(o), rank = coll_rank(o), rel = (rank - root + size) % size;
+    int size = o->size, rank = o->rank, rel = (rank - root + size) % size;
     int left = (rank - 1 + size) % size, right = (rank + 1) % size;
     for (int k = 0; k < size - 1; k++) {
         int out = (rel - k + size) % size, in = (rel - k - 1 + size) % size;
@@ -82,31 +91,34 @@ int coll_bcast(const struct coll *o, void *buf, int count, MPI_Datatype t, int r
 {
     size_t bytes;
     char *together = type_together(buf, count, t, &bytes);
-    if (bytes < LONG_BCAST || coll_size(o) < FEW_RANKS)
+    if (bytes < LONG_BCAST || o->size < FEW_RANKS)
         return bcast_tree(o, buf, count, t, root);
     char *data = together ? together : get_memory(bytes);
-    if (!together && coll_rank(o) == root)
+    if (!together && o->rank == root)
         type_pack(buf, count, t, data);
     bcast_scatter(o, data, bytes, root);
     bcast_ring(o, data, bytes, root);
     if (!together) {
-        if (coll_rank(o) != root)
+        if (o->rank != root)
             type_unpack(data, bytes, buf, count, t);
         free(data);
     }
     return MPI_SUCCESS;
 }
 
-CALL(Bcast, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm))
+static int check_bcast(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Bcast, comm);
-    if (!code)
-        code = coll_check_root(&o, root);
-    if (!code)
-        code = coll_check(&o, count, type);
-    return code ? code : coll_bcast(&o, buf, count, type, root);
+    int code = coll_check_root(&a->o, a->root);
+    return code ? code : coll_check(&a->o, a->count, a->type);
 }
+
+static int bcast(struct args *a)
+{
+    return a->o.c->remote ? inter_bcast(a) : coll_bcast(&a->o, a->into, a->count, a->type, a->root);
+}
+
+COLLECTIVE(Bcast, Ibcast, bcast, (void *buf, int count, MPI_Datatype type, int root), .into = buf,
+           .count = count, .type = type, .root = root)
 
 /* --- gather and scatter: a binomial tree, in which a rank has the packed parts of those below it --- */
 
@@ -119,10 +131,13 @@ static int ranks_below(int rel, int size)
     return rel + mask < size ? mask : size - rel;
 }
 
-static int gather(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into, int room,
-                  MPI_Datatype as, int root)
+static int gather_tree(const struct args *a)
 {
-    int size = coll_size(o), rank = coll_rank(o), rel = (rank - root + size) % size;
+    const struct coll *o = &a->o;
+    const void *buf = a->buf;
+    int count = a->count, room = a->room, root = a->root;
+    MPI_Datatype t = a->type, as = a->as;
+    int size = o->size, rank = o->rank, rel = (rank - root + size) % size;
     bool in_place = rank == root && buf == MPI_IN_PLACE;
     size_t each = rank == root ? (size_t)room * size_of(as) : (size_t)count * size_of(t);
     char *parts = get_memory(each * (size_t)ranks_below(rel, size));
@@ -141,36 +156,46 @@ static int gather(const struct coll *o, const void *buf, int count, MPI_Datatype
         }
     }
     if (rank == root && !in_place)
-        type_copy(buf, count, t, element(into, (MPI_Aint)root * room, as), room, as);
+        type_copy(buf, count, t, element(a->into, (MPI_Aint)root * room, as), room, as);
     for (int i = 1; rank == root && i < size; i++)
-        type_unpack(parts + each * (size_t)i, each, element(into, (MPI_Aint)((i + root) % size) * room, as), room,
+        type_unpack(parts + each * (size_t)i, each, element(a->into, (MPI_Aint)((i + root) % size) * room, as), room,
                     as);
     free(parts);
     return MPI_SUCCESS;
 }
 
-CALL(Gather, (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, int root,
-              MPI_Comm comm))
+static int check_gather(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Gather, comm);
-    if (!code)
-        code = coll_check_root(&o, root);
-    if (!code && coll_rank(&o) == root)
-        code = coll_check(&o, room, as);
-    if (!code && buf != MPI_IN_PLACE)
-        code = coll_check(&o, count, type);
-    return code ? code : gather(&o, buf, count, type, into, room, as, root);
+    bool gets = a->root == MPI_ROOT || (a->root == a->o.rank && !a->o.c->remote);
+    int code = coll_check_root(&a->o, a->root);
+    if (!code && gets)
+        code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
+    if (!code && a->buf != MPI_IN_PLACE && a->root >= 0)
+        code = coll_check(&a->o, a->count, a->type);
+    return code;
 }
 
-static int scatter(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into, int room,
-                   MPI_Datatype as, int root)
+static int gather(struct args *a)
 {
-    int size = coll_size(o), rank = coll_rank(o), rel = (rank - root + size) % size, code = MPI_SUCCESS;
+    return a->o.c->remote ? inter_gather(a) : gather_tree(a);
+}
+#define check_gatherv check_gather
+
+COLLECTIVE(Gather, Igather, gather,
+           (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, int root),
+           .buf = buf, .count = count, .type = type, .into = into, .room = room, .as = as, .root = root)
+
+static int scatter_tree(const struct args *a)
+{
+    const struct coll *o = &a->o;
+    void *into = a->into;
+    int count = a->count, room = a->room, root = a->root;
+    MPI_Datatype t = a->type, as = a->as;
+    int size = o->size, rank = o->rank, rel = (rank - root + size) % size, code = MPI_SUCCESS;
     size_t each = rank == root ? (size_t)count * size_of(t) : (size_t)room * size_of(as);
     char *parts = get_memory(each * (size_t)ranks_below(rel, size));
     for (int i = 1; rank == root && i < size; i++)
-        type_pack(element(buf, (MPI_Aint)((i + root) % size) * count, t), count, t, parts + each * (size_t)i);
+        type_pack(element(a->buf, (MPI_Aint)((i + root) % size) * count, t), count, t, parts + each * (size_t)i);
     int mask = 1;
     while (mask < size && !(rel & mask))
         mask *= 2;
@@ -183,63 +208,72 @@ static int scatter(const struct coll *o, const void *buf, int count, MPI_Datatyp
     if (rank != root && !code)
         type_unpack(parts, each, into, room, as);
     else if (rank == root && into != MPI_IN_PLACE)
-        type_copy(element(buf, (MPI_Aint)root * count, t), count, t, into, room, as);
+        type_copy(element(a->buf, (MPI_Aint)root * count, t), count, t, into, room, as);
     free(parts);
     return code;
 }
 
-CALL(Scatter, (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, int root,
-               MPI_Comm comm))
+static int check_scatter(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Scatter, comm);
-    if (!code)
-        code = coll_check_root(&o, root);
-    if (!code && coll_rank(&o) == root)
-        code = coll_check(&o, count, type);
-    if (!code && into != MPI_IN_PLACE)
-        code = coll_check(&o, room, as);
-    return code ? code : scatter(&o, buf, count, type, into, room, as, root);
+    bool gives = a->root == MPI_ROOT || (a->root == a->o.rank && !a->o.c->remote);
+    int code = coll_check_root(&a->o, a->root);
+    if (!code && gives)
+        code = coll_check(&a->o, a->counts ? 0 : a->count, a->type);
+    if (!code && a->into != MPI_IN_PLACE && a->root >= 0)
+        code = coll_check(&a->o, a->room, a->as);
+    return code;
 }
+
+static int scatter(struct args *a)
+{
+    return a->o.c->remote ? inter_scatter(a) : scatter_tree(a);
+}
+#define check_scatterv check_scatter
+
+COLLECTIVE(Scatter, Iscatter, scatter,
+           (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as, int root),
+           .buf = buf, .count = count, .type = type, .into = into, .room = room, .as = as, .root = root)
 
 /* --- parts of different lengths: straight from and to the root --- */
 
-CALL(Gatherv, (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[], const int places[],
-               MPI_Datatype as, int root, MPI_Comm comm))
+static int gather_parts(const struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Gatherv, comm);
-    if (!code)
-        code = coll_check_root(&o, root);
-    if (code)
-        return code;
-    int size = coll_size(&o), rank = coll_rank(&o);
-    if (rank != root) {
-        code = coll_check(&o, count, type);
-        if (!code && any_bytes(count, type))
-            coll_send(&o, buf, count, type, root);
-        return code;
+    const struct coll *o = &a->o;
+    int code;
+    if (o->rank != a->root) {
+        if (any_bytes(a->count, a->type))
+            coll_send(o, a->buf, a->count, a->type, a->root);
+        return MPI_SUCCESS;
     }
-    code = coll_check(&o, 0, as);
-    struct request **r = get_memory((size_t)size * sizeof *r);
-    for (int i = 0; i < size && !code; i++) {
-        void *at = element(into, places[i], as);
+    struct request **r = get_memory((size_t)o->size * sizeof *r);
+    for (int i = 0; i < o->size; i++) {
+        void *at = element(a->into, a->places[i], a->as);
         r[i] = NULL;
-        if (i != root && any_bytes(rooms[i], as))
-            r[i] = coll_start(&o, false, at, rooms[i], as, i);
-        else if (i == root && buf != MPI_IN_PLACE)
-            type_copy(buf, count, type, at, rooms[i], as);
+        if (i != o->rank && any_bytes(a->rooms[i], a->as))
+            r[i] = coll_start(o, false, at, a->rooms[i], a->as, i);
+        else if (i == o->rank && a->buf != MPI_IN_PLACE)
+            type_copy(a->buf, a->count, a->type, at, a->rooms[i], a->as);
     }
-    if (!code)
-        code = coll_wait(&o, size, r);
+    code = coll_wait(o, o->size, r);
     free(r);
     return code;
 }
 
+static int gatherv(struct args *a)
+{
+    return a->o.c->remote ? inter_gather(a) : gather_parts(a);
+}
+
+COLLECTIVE(Gatherv, Igatherv, gatherv,
+           (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[], const int places[],
+            MPI_Datatype as, int root),
+           .buf = buf, .count = count, .type = type, .into = into, .rooms = rooms, .places = places, .as = as,
+           .root = root)
+
 int coll_scatterv(const struct coll *o, const void *buf, const int counts[], const int at[], MPI_Datatype t,
                   void *into, int room, MPI_Datatype as, int root)
 {
-    int size = coll_size(o), rank = coll_rank(o);
+    int size = o->size, rank = o->rank;
     if (rank != root)
         return any_bytes(room, as) ? coll_receive(o, into, room, as, root) : MPI_SUCCESS;
     struct request **r = get_memory((size_t)size * sizeof *r);
@@ -256,16 +290,15 @@ int coll_scatterv(const struct coll *o, const void *buf, const int counts[], con
     return code;
 }
 
-CALL(Scatterv, (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into, int room,
-                MPI_Datatype as, int root, MPI_Comm comm))
+static int scatterv(struct args *a)
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Scatterv, comm);
-    if (!code)
-        code = coll_check_root(&o, root);
-    if (!code && coll_rank(&o) == root)
-        code = coll_check(&o, 0, type);
-    if (!code && into != MPI_IN_PLACE)
-        code = coll_check(&o, room, as);
-    return code ? code : coll_scatterv(&o, buf, counts, at, type, into, room, as, root);
+    if (a->o.c->remote)
+        return inter_scatter(a);
+    return coll_scatterv(&a->o, a->buf, a->counts, a->at, a->type, a->into, a->room, a->as, a->root);
 }
+
+COLLECTIVE(Scatterv, Iscatterv, scatterv,
+           (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into, int room,
+            MPI_Datatype as, int root),
+           .buf = buf, .counts = counts, .at = at, .type = type, .into = into, .room = room, .as = as,
+           .root = root)

@@ -8,11 +8,7 @@
 
 /* --- buffers for elements of any type: as long as they are in the program's --- */
 
-struct operand {
-    char *memory, *at;
-};
-
-static struct operand operand_new(int count, MPI_Datatype type)
+struct operand operand_new(int count, MPI_Datatype type)
 {
     const struct type *t = type_of(type);
     MPI_Aint low = t->true_lb, bytes = t->true_ub - t->true_lb;
@@ -23,7 +19,7 @@ static struct operand operand_new(int count, MPI_Datatype type)
     return x;
 }
 
-static void operand_free(struct operand x)
+void operand_free(struct operand x)
 {
     free(x.memory);
 }
@@ -86,7 +82,7 @@ static int exchange(struct sum *s, int peer)
 
 static int reduce_tree(struct sum *s, int root)
 {
-    int size = coll_size(s->o), rel = (coll_rank(s->o) - root + size) % size, code = MPI_SUCCESS;
+    int size = s->o->size, rel = (s->o->rank - root + size) % size, code = MPI_SUCCESS;
     for (int mask = 1; mask < size && !code; mask *= 2) {
         if (rel & mask) {
             send_own(s, (rel - mask + root) % size);
@@ -105,7 +101,7 @@ int coll_reduce(const struct coll *o, const void *buf, void *into, int count, MP
                 int root)
 {
     struct sum s = sum_begin(o, buf, count, t, op);
-    int first = op_commutes(op) ? root : 0, rank = coll_rank(o);
+    int first = op_commutes(op) ? root : 0, rank = o->rank;
     int code = reduce_tree(&s, first);
     if (!code && first != root && rank == first)
         send_own(&s, root);
@@ -132,10 +128,10 @@ struct fold {
 static struct fold fold_of(const struct coll *o)
 {
     struct fold f = {1, 0, 0};
-    int rank = coll_rank(o);
-    while (f.power <= coll_size(o) / 2)
+    int rank = o->rank;
+    while (f.power <= o->size / 2)
         f.power *= 2;
-    f.rest = coll_size(o) - f.power;
+    f.rest = o->size - f.power;
     f.number = rank >= 2 * f.rest ? rank - f.rest : rank % 2 ? rank / 2 : -1;
     return f;
 }
@@ -148,7 +144,7 @@ static int fold_rank(const struct fold *f, int number)
 /* Those that do not take part hand over what they have. */
 static int fold_in(struct sum *s, const struct fold *f)
 {
-    int rank = coll_rank(s->o), code = MPI_SUCCESS;
+    int rank = s->o->rank, code = MPI_SUCCESS;
     if (f->number < 0)
         send_own(s, rank + 1);
     else if (rank < 2 * f->rest && !(code = receive_other(s, rank - 1)))
@@ -159,7 +155,7 @@ static int fold_in(struct sum *s, const struct fold *f)
 /* And get the result. */
 static int fold_out(struct sum *s, const struct fold *f)
 {
-    int rank = coll_rank(s->o);
+    int rank = s->o->rank;
     if (f->number < 0)
         return coll_receive(s->o, s->own.at, s->count, s->t, rank + 1);
     if (rank < 2 * f->rest)
@@ -174,7 +170,7 @@ static int doubling(struct sum *s, const struct fold *f)
         int peer = fold_rank(f, f->number ^ mask);
         code = exchange(s, peer);
         if (!code)
-            add(s, peer < coll_rank(s->o));
+            add(s, peer < s->o->rank);
     }
     return code;
 }
@@ -231,82 +227,104 @@ int coll_allreduce(const struct coll *o, const void *buf, void *into, int count,
 
 /* --- the calls --- */
 
-static int check(struct coll *o, int call, int count, MPI_Datatype t, MPI_Op op, MPI_Comm comm)
+static int check_reduction(const struct args *a, int count)
 {
-    int code = coll_begin(o, call, comm);
-    if (!code)
-        code = coll_check(o, count, t);
-    const char *refuses = code ? NULL : op_refuses(op, t);
-    return refuses ? fail(o->c, call, MPI_ERR_OP, "%s", refuses) : code;
+    int code = coll_check(&a->o, count, a->type);
+    const char *refuses = code ? NULL : op_refuses(a->op, a->type);
+    return refuses ? fail(a->o.c, a->o.call, MPI_ERR_OP, "%s", refuses) : code;
 }
 
-CALL(Reduce, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm))
+/* What the rank brings. */
+static const void *operand_of(const struct args *a)
 {
-    struct coll o;
-    int code = check(&o, CALL_Reduce, count, type, op, comm);
-    if (!code)
-        code = coll_check_root(&o, root);
-    if (code)
-        return code;
-    return coll_reduce(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op, root);
+    return a->buf == MPI_IN_PLACE ? a->into : a->buf;
 }
 
-CALL(Allreduce, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+static int check_reduce(struct args *a)
 {
-    struct coll o;
-    int code = check(&o, CALL_Allreduce, count, type, op, comm);
-    if (code)
-        return code;
-    return coll_allreduce(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op);
+    int code = coll_check_root(&a->o, a->root);
+    return code || a->root == MPI_PROC_NULL ? code : check_reduction(a, a->count);
 }
+
+static int reduce(struct args *a)
+{
+    if (a->o.c->remote)
+        return inter_reduce(a);
+    return coll_reduce(&a->o, operand_of(a), a->into, a->count, a->type, a->op, a->root);
+}
+
+static int check_allreduce(struct args *a)
+{
+    return check_reduction(a, a->count);
+}
+
+static int allreduce(struct args *a)
+{
+    if (a->o.c->remote)
+        return inter_allreduce(a);
+    return coll_allreduce(&a->o, operand_of(a), a->into, a->count, a->type, a->op);
+}
+
+#define OPERANDS const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op
+#define GIVEN .buf = buf, .into = into, .count = count, .type = type, .op = op
+COLLECTIVE(Reduce, Ireduce, reduce, (OPERANDS, int root), GIVEN, .root = root)
+COLLECTIVE(Allreduce, Iallreduce, allreduce, (OPERANDS), GIVEN)
 
 /* Reduced to the first rank, and scattered from there. */
-static int reduce_scatter(const struct coll *o, const void *buf, void *into, const int counts[], const int at[],
-                          int total, MPI_Datatype t, MPI_Op op)
+static int reduce_and_scatter(const struct coll *o, const void *buf, void *into, const int counts[],
+                              const int at[], int total, MPI_Datatype t, MPI_Op op)
 {
     struct operand all = operand_new(total, t);
-    bool in_place = buf == MPI_IN_PLACE;
-    int rank = coll_rank(o);
-    int code = coll_reduce(o, in_place ? into : buf, all.at, total, t, op, 0);
+    int code = coll_reduce(o, buf, all.at, total, t, op, 0);
     if (!code)
-        code = coll_scatterv(o, all.at, counts, at, t, into, counts[rank], t, 0);
+        code = coll_scatterv(o, all.at, counts, at, t, into, counts[o->rank], t, 0);
     operand_free(all);
     return code;
 }
 
-CALL(Reduce_scatter,
-     (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+static int check_reduce_scatter(struct args *a)
 {
-    struct coll o;
-    int code = check(&o, CALL_Reduce_scatter, 0, type, op, comm), total = 0;
-    if (code)
-        return code;
-    int *at = get_memory((size_t)coll_size(&o) * sizeof *at);
-    for (int i = 0; i < coll_size(&o); i++) {
-        if (counts[i] < 0)
-            code = fail(o.c, CALL_Reduce_scatter, MPI_ERR_COUNT, "the count %d is negative", counts[i]);
+    int code = check_reduction(a, 0);
+    for (int i = 0; i < a->o.c->local->size && !code; i++)
+        code = coll_check(&a->o, a->counts[i], a->type);
+    return code;
+}
+
+static int reduce_scatter(struct args *a)
+{
+    if (a->o.c->remote)
+        return inter_reduce_scatter(a);
+    int total = 0, *at = get_memory((size_t)a->o.size * sizeof *at);
+    for (int i = 0; i < a->o.size; i++) {
         at[i] = total;
-        total += counts[i];
+        total += a->counts[i];
     }
-    if (!code)
-        code = reduce_scatter(&o, buf, into, counts, at, total, type, op);
+    int code = reduce_and_scatter(&a->o, operand_of(a), a->into, a->counts, at, total, a->type, a->op);
     free(at);
     return code;
 }
 
-CALL(Reduce_scatter_block, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+static int check_reduce_scatter_block(struct args *a)
 {
-    struct coll o;
-    int code = check(&o, CALL_Reduce_scatter_block, count, type, op, comm);
-    if (code)
-        return code;
-    int size = coll_size(&o), *counts = get_memory(2 * (size_t)size * sizeof *counts), *at = counts + size;
+    return check_reduction(a, a->count);
+}
+
+static int reduce_scatter_block(struct args *a)
+{
+    int size = a->o.c->local->size, *counts = get_memory((size_t)size * sizeof *counts);
     for (int i = 0; i < size; i++)
-        counts[i] = count, at[i] = i * count;
-    code = reduce_scatter(&o, buf, into, counts, at, size * count, type, op);
+        counts[i] = a->count;
+    struct args b = *a;
+    b.counts = counts;
+    int code = reduce_scatter(&b);
     free(counts);
     return code;
 }
+
+COLLECTIVE(Reduce_scatter, Ireduce_scatter, reduce_scatter,
+           (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op), .buf = buf,
+           .into = into, .counts = counts, .type = type, .op = op)
+COLLECTIVE(Reduce_scatter_block, Ireduce_scatter_block, reduce_scatter_block, (OPERANDS), GIVEN)
 
 /* In step k a rank gets the sum of the 2^k ranks before the 2^k it has; `before`: of the ranks before it. */
 static int scan(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op,
@@ -314,7 +332,7 @@ static int scan(const struct coll *o, const void *buf, void *into, int count, MP
 {
     struct sum s = sum_begin(o, buf, count, t, op);
     struct operand before = operand_new(count, t), keep = operand_new(count, t);
-    int size = coll_size(o), rank = coll_rank(o), code = MPI_SUCCESS;
+    int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     bool any = false;
     for (int mask = 1; mask < size && !code; mask *= 2) {
         if (rank + mask < size)
@@ -342,16 +360,24 @@ static int scan(const struct coll *o, const void *buf, void *into, int count, MP
     return code;
 }
 
-CALL(Scan, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+static int check_prefix(struct args *a)
 {
-    struct coll o;
-    int code = check(&o, CALL_Scan, count, type, op, comm);
-    return code ? code : scan(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op, true);
+    if (a->o.c->remote)
+        return fail(a->o.c, a->o.call, MPI_ERR_COMM, "not for communicators of two groups");
+    return check_reduction(a, a->count);
+}
+#define check_inclusive check_prefix
+#define check_exclusive check_prefix
+
+static int inclusive(struct args *a)
+{
+    return scan(&a->o, operand_of(a), a->into, a->count, a->type, a->op, true);
 }
 
-CALL(Exscan, (const void *buf, void *into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+static int exclusive(struct args *a)
 {
-    struct coll o;
-    int code = check(&o, CALL_Exscan, count, type, op, comm);
-    return code ? code : scan(&o, buf == MPI_IN_PLACE ? into : buf, into, count, type, op, false);
+    return scan(&a->o, operand_of(a), a->into, a->count, a->type, a->op, false);
 }
+
+COLLECTIVE(Scan, Iscan, inclusive, (OPERANDS), GIVEN)
+COLLECTIVE(Exscan, Iexscan, exclusive, (OPERANDS), GIVEN)

@@ -15,8 +15,12 @@ struct comm *comm_of(MPI_Comm handle)
     return handle == MPI_COMM_SELF ? &comm_self : object_of(handle, COMM);
 }
 
-/* Where the next communicator's context may be, on this process. */
-static int next_context = NXM_FIRST_CONTEXT + 4;
+/* A context that no other communicator has: of this process's own. */
+static int context_new(void)
+{
+    static int made;
+    return NXM_FIRST_CONTEXT + 4 + 2 * (made++ * comm_world.local->size + comm_world.local->rank);
+}
 
 struct comm *comm_new(struct group *local, struct group *remote, int context)
 {
@@ -27,12 +31,25 @@ struct comm *comm_new(struct group *local, struct group *remote, int context)
     return c;
 }
 
-int comm_agree_context(struct comm *c, int call)
+int comm_agree_context(const struct coll *o)
 {
-    const struct coll o = {c, call};
-    int context;
-    coll_allreduce(&o, &next_context, &context, 1, MPI_INT, MPI_MAX);
-    next_context = context + 2;
+    int context = o->rank ? 0 : context_new();
+    coll_bcast(o, &context, 1, MPI_INT, 0);
+    return context;
+}
+
+/* Of both groups: that of the one whose first node is lower. */
+static int agree_between(const struct coll *o)
+{
+    const struct coll in = coll_inside(o);
+    int context = 0;
+    if (!o->rank && group_node(o->c->local, 0) < group_node(o->c->remote, 0)) {
+        context = context_new();
+        coll_send_bytes(o, &context, sizeof context, 0);
+    } else if (!o->rank) {
+        coll_receive_bytes(o, &context, sizeof context, 0);
+    }
+    coll_bcast(&in, &context, 1, MPI_INT, 0);
     return context;
 }
 
@@ -47,7 +64,7 @@ static struct group *keep(struct group *g)
     return copy;
 }
 
-static void drop(struct comm *c)
+void comm_leave(struct comm *c)
 {
     if (!object_leave(&c->object))
         return;
@@ -156,33 +173,50 @@ CALL(Comm_get_parent, (MPI_Comm * parent))
 
 /* --- making and ending --- */
 
-/* What a copy has of the one it is made from. */
-static void inherit(struct comm *c, const struct comm *from)
+static struct comm *inherit(struct comm *c, const struct comm *from)
 {
-    MPI_Comm handle = HANDLE(MPI_Comm, c);
-    PMPI_Comm_set_errhandler(handle, from->handler);
+    PMPI_Comm_set_errhandler(HANDLE(MPI_Comm, c), from->handler);
+    return c;
 }
 
-/* The bigger of the contexts that the two groups' processes could use, known to all. */
-static int agree_between(struct comm *c, int call);
+static int check_nothing(struct args *a)
+{
+    (void)a;
+    return MPI_SUCCESS;
+}
 
-CALL(Comm_dup, (MPI_Comm comm, MPI_Comm *to))
+/* The copy is there already; its context is agreed on now. */
+static int agree_on_copy(struct args *a)
+{
+    struct comm *copy = a->into;
+    copy->context = a->o.c->remote ? agree_between(&a->o) : comm_agree_context(&a->o);
+    return MPI_SUCCESS;
+}
+
+static int duplicate(int call, MPI_Comm comm, MPI_Comm *to, MPI_Request *request)
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Comm_dup);
-    int context = c->remote ? agree_between(c, CALL_Comm_dup) : comm_agree_context(c, CALL_Comm_dup);
-    struct comm *copy = comm_new(keep(c->local), c->remote ? keep(c->remote) : NULL, context);
-    inherit(copy, c);
+        return fail_comm(call);
+    struct comm *copy = inherit(comm_new(keep(c->local), c->remote ? keep(c->remote) : NULL, 0), c);
+    struct args a = {.into = copy};
     copy->topology = topology_copy(c->topology);
     int code = comm_copy_attributes(c, copy);
-    if (code) {
-        drop(copy);
-        *to = MPI_COMM_NULL;
-        return fail(c, CALL_Comm_dup, code, "an attribute's copy function says no");
-    }
-    *to = HANDLE(MPI_Comm, copy);
-    return MPI_SUCCESS;
+    *to = code ? MPI_COMM_NULL : HANDLE(MPI_Comm, copy);
+    if (!code)
+        return coll_call(&a, call, comm, check_nothing, agree_on_copy, request);
+    comm_leave(copy);
+    return fail(c, call, code, "an attribute's copy function says no");
+}
+
+CALL(Comm_dup, (MPI_Comm comm, MPI_Comm *to))
+{
+    return duplicate(CALL_Comm_dup, comm, to, NULL);
+}
+
+CALL(Comm_idup, (MPI_Comm comm, MPI_Comm *to, MPI_Request *request))
+{
+    return duplicate(CALL_Comm_idup, comm, to, request);
 }
 
 CALL(Comm_dup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to))
@@ -191,56 +225,68 @@ CALL(Comm_dup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to))
     return PMPI_Comm_dup(comm, to);
 }
 
+CALL(Comm_idup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to, MPI_Request *request))
+{
+    (void)info;
+    return PMPI_Comm_idup(comm, to, request);
+}
+
+/* --- a part of a communicator --- */
+
+/* Is each of g in the communicator's own group? */
+static bool is_within(const struct group *g, const struct group *all)
+{
+    for (int i = 0; i < g->size; i++)
+        if (group_rank_of(all, group_node(g, i)) == MPI_UNDEFINED)
+            return false;
+    return true;
+}
+
+/* The two groups tell each other which part they choose; each may be empty. */
+static struct group *exchange_parts(const struct coll *o, const struct group *own)
+{
+    const struct coll in = coll_inside(o);
+    int size = own->size, theirs = 0;
+    if (!o->rank)
+        coll_exchange(o, &size, 1, MPI_INT, 0, &theirs, 1, MPI_INT, 0);
+    coll_bcast(&in, &theirs, 1, MPI_INT, 0);
+    struct group *g = group_new(theirs);
+    int *nodes = get_memory((size_t)size * sizeof *nodes);
+    for (int i = 0; i < size; i++)
+        nodes[i] = group_node(own, i);
+    if (!o->rank)
+        coll_exchange(o, nodes, size, MPI_INT, 0, g->nodes, theirs, MPI_INT, 0);
+    free(nodes);
+    coll_bcast(&in, g->nodes, theirs, MPI_INT, 0);
+    return group_done(g);
+}
+
 CALL(Comm_create, (MPI_Comm comm, MPI_Group group, MPI_Comm *to))
 {
     struct comm *c = comm_of(comm);
-    struct group *g = group_of(group);
+    struct group *g = group_of(group), *remote = NULL;
     if (!c)
         return fail_comm(CALL_Comm_create);
-    if (!g)
-        return fail(c, CALL_Comm_create, MPI_ERR_GROUP, "the group is null, or freed");
+    if (!g || !is_within(g, c->local))
+        return fail(c, CALL_Comm_create, MPI_ERR_GROUP, "the group is %s",
+                    g ? "no part of the communicator's" : "null, or freed");
+    struct coll o = coll_of(c, CALL_Comm_create);
     if (c->remote)
-        return fail(c, CALL_Comm_create, MPI_ERR_COMM, "not for communicators of two groups");
-    for (int i = 0; i < g->size; i++)
-        if (group_rank_of(c->local, group_node(g, i)) == MPI_UNDEFINED)
-            return fail(c, CALL_Comm_create, MPI_ERR_GROUP,
-                        "node %d of the group is not in the communicator", group_node(g, i));
-    int context = comm_agree_context(c, CALL_Comm_create);
+        remote = exchange_parts(&o, g);
+    int context = c->remote ? agree_between(&o) : comm_agree_context(&o);
     *to = MPI_COMM_NULL;
-    if (g->rank < 0)
-        return MPI_SUCCESS;
-    struct comm *made = comm_new(keep(g), NULL, context);
-    inherit(made, c);
-    *to = HANDLE(MPI_Comm, made);
+    if (g->rank < 0 || (remote && !remote->size))
+        return group_leave(remote), MPI_SUCCESS;
+    *to = HANDLE(MPI_Comm, inherit(comm_new(keep(g), remote, context), c));
     return MPI_SUCCESS;
 }
 
-/* Collective over the group alone, which has no context yet: in the parent's, one after the other. */
-static int agree_in_group(struct comm *c, const struct group *g)
-{
-    const struct coll o = {c, CALL_Comm_create_group};
-    int context = next_context, theirs;
-    int first = group_rank_of(c->local, group_node(g, 0));
-    if (g->rank > 0) {
-        coll_send_bytes(&o, &context, sizeof context, first);
-        coll_receive_bytes(&o, &context, sizeof context, first);
-    } else {
-        for (int i = 1; i < g->size; i++) {
-            coll_receive_bytes(&o, &theirs, sizeof theirs, group_rank_of(c->local, group_node(g, i)));
-            context = theirs > context ? theirs : context;
-        }
-        for (int i = 1; i < g->size; i++)
-            coll_send_bytes(&o, &context, sizeof context, group_rank_of(c->local, group_node(g, i)));
-    }
-    next_context = context + 2;
-    return context;
-}
-
+/* Only the group's processes take part: the first tells the others, by a tag of its own. */
 CALL(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
 {
+    enum { FIRST_TAG = 900000000, TAGS = 99999999 };
     struct comm *c = comm_of(comm);
     struct group *g = group_of(group);
-    (void)tag;
     if (!c)
         return fail_comm(CALL_Comm_create_group);
     if (!g)
@@ -248,9 +294,8 @@ CALL(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
     *to = MPI_COMM_NULL;
     if (g->rank < 0)
         return MPI_SUCCESS;
-    struct comm *made = comm_new(keep(g), NULL, agree_in_group(c, g));
-    inherit(made, c);
-    *to = HANDLE(MPI_Comm, made);
+    const struct coll o = {c, CALL_Comm_create_group, FIRST_TAG + tag % TAGS, g, g->size, g->rank};
+    *to = HANDLE(MPI_Comm, inherit(comm_new(keep(g), NULL, comm_agree_context(&o)), c));
     return MPI_SUCCESS;
 }
 
@@ -267,38 +312,58 @@ static int by_key(const void *x, const void *y)
 }
 
 /* Those of the same color, by key and rank. */
-static struct group *group_of_color(const struct group *all, struct choice *choices, int color)
+static struct group *group_of_color(const struct group *all, const struct choice *choices, int color)
 {
+    struct choice *own = get_memory((size_t)all->size * sizeof *own);
     int size = 0;
     for (int i = 0; i < all->size; i++)
         if (choices[i].color == color)
-            choices[size++] = choices[i];
-    qsort(choices, (size_t)size, sizeof *choices, by_key);
+            own[size++] = choices[i];
+    qsort(own, (size_t)size, sizeof *own, by_key);
     struct group *g = group_new(size);
     for (int i = 0; i < size; i++)
-        g->nodes[i] = group_node(all, choices[i].rank);
+        g->nodes[i] = group_node(all, own[i].rank);
+    free(own);
     return group_done(g);
+}
+
+/* What the ranks of the other group have chosen. */
+static struct choice *choices_of_others(const struct coll *o, const struct choice *own, int count)
+{
+    const struct coll in = coll_inside(o);
+    int numbers = (int)(sizeof *own / sizeof(int));
+    struct choice *theirs = get_memory((size_t)o->size * sizeof *theirs);
+    if (!o->rank)
+        coll_exchange(o, own, numbers * count, MPI_INT, 0, theirs, numbers * o->size, MPI_INT, 0);
+    coll_bcast(&in, theirs, numbers * o->size, MPI_INT, 0);
+    return theirs;
 }
 
 CALL(Comm_split, (MPI_Comm comm, int color, int key, MPI_Comm *to))
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Comm_split, comm);
-    if (code)
-        return code;
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Comm_split);
     if (color < 0 && color != MPI_UNDEFINED)
-        return fail(o.c, CALL_Comm_split, MPI_ERR_ARG, "the color %d is negative", color);
-    struct choice own = {color, key, coll_rank(&o)};
-    struct choice *choices = get_memory((size_t)coll_size(&o) * sizeof *choices);
-    coll_allgather_bytes(&o, &own, sizeof own, choices);
-    int context = comm_agree_context(o.c, CALL_Comm_split);
-    *to = MPI_COMM_NULL;
-    if (color != MPI_UNDEFINED) {
-        struct comm *made = comm_new(group_of_color(o.c->local, choices, color), NULL, context);
-        inherit(made, o.c);
-        *to = HANDLE(MPI_Comm, made);
+        return fail(c, CALL_Comm_split, MPI_ERR_ARG, "the color %d is negative", color);
+    const struct coll o = coll_of(c, CALL_Comm_split), in = coll_inside(&o);
+    struct choice own = {color, key, o.rank};
+    struct choice *choices = get_memory((size_t)in.size * sizeof *choices), *others = NULL;
+    struct group *remote = NULL;
+    coll_allgather_bytes(&in, &own, sizeof own, choices);
+    if (c->remote) {
+        others = choices_of_others(&o, choices, in.size);
+        remote = group_of_color(c->remote, others, color);
     }
+    /* One context does for all parts: no process is in two. */
+    int context = c->remote ? agree_between(&o) : comm_agree_context(&o);
+    *to = MPI_COMM_NULL;
+    if (color != MPI_UNDEFINED && (!remote || remote->size))
+        *to = HANDLE(MPI_Comm, inherit(comm_new(group_of_color(c->local, choices, color), remote, context), c));
+    else
+        group_leave(remote);
     free(choices);
+    free(others);
     return MPI_SUCCESS;
 }
 
@@ -322,7 +387,7 @@ CALL(Comm_free, (MPI_Comm * comm))
     int code = comm_delete_attributes(c);
     if (code)
         return fail(c, CALL_Comm_free, code, "an attribute's delete function says no");
-    drop(c);
+    comm_leave(c);
     *comm = MPI_COMM_NULL;
     return MPI_SUCCESS;
 }
@@ -334,90 +399,51 @@ CALL(Comm_disconnect, (MPI_Comm * comm))
 
 /* --- communicators of two groups --- */
 
-/* The leaders of the two groups tell each other, in point to point's context of a communicator. */
-static void leaders_exchange(struct comm *bridge, int call, int tag, int leader, const void *own, int bytes,
-                             void *theirs)
+/* The leaders tell each other, in point to point's half of the bridge's context. */
+static void leaders_exchange(struct comm *bridge, int tag, int leader, const void *own, size_t bytes,
+                             void *theirs, size_t room)
 {
-    struct nxm_envelope e = {call, tag, group_node(bridge->peers, leader), bridge->context};
+    struct nxm_envelope e = {CALL_Intercomm_create, tag, group_node(bridge->peers, leader), bridge->context};
     struct nxm_status status;
-    long id = nxm_irecv(&e, theirs, bytes);
-    nxm_send(&e, own, bytes, false);
-    nxm_complete(&(struct nxm_completion){call, NXM_WAIT, 1, &(int){(int)id}, &status});
+    int id = (int)nxm_irecv(&e, theirs, (long)room);
+    nxm_send(&e, own, (long)bytes, false);
+    nxm_complete(&(struct nxm_completion){CALL_Intercomm_create, NXM_WAIT, 1, &id, &status});
 }
 
-/* The local groups agree; then the leaders; then all are told. */
-static int agree_between(struct comm *c, int call)
-{
-    struct comm inside = *c;
-    inside.remote = NULL, inside.peers = inside.local;
-    const struct coll o = {&inside, call};
-    int context, theirs;
-    coll_allreduce(&o, &next_context, &context, 1, MPI_INT, MPI_MAX);
-    if (c->local->rank == 0) {
-        struct comm other = *c;
-        other.context++; /* of collectives, in which nobody else is now */
-        leaders_exchange(&other, call, MPI_CALLS, 0, &context, sizeof context, &theirs);
-        context = theirs > context ? theirs : context;
-    }
-    coll_bcast(&o, &context, 1, MPI_INT, 0);
-    next_context = context + 2;
-    return context;
-}
-
-/* What a leader tells the other of its group. */
+/* What a leader tells the other of its group: a context that is its own. */
 struct offer {
-    int size, context;
+    int size, context, node;
 };
-
-static struct group *exchange_groups(const struct coll *o, bool leads, struct comm *bridge, int remote_leader,
-                                     int tag, struct offer *theirs)
-{
-    struct offer own = {coll_size(o), next_context};
-    coll_allreduce(o, &next_context, &own.context, 1, MPI_INT, MPI_MAX);
-    if (leads)
-        leaders_exchange(bridge, CALL_Intercomm_create, tag, remote_leader, &own, sizeof own, theirs);
-    int leader = -1;
-    int mine = leads ? coll_rank(o) : -1;
-    coll_allreduce(o, &mine, &leader, 1, MPI_INT, MPI_MAX);
-    coll_bcast(o, theirs, 2, MPI_INT, leader);
-    struct group *g = group_new(theirs->size);
-    if (leads) {
-        int *nodes = get_memory((size_t)own.size * sizeof *nodes);
-        for (int i = 0; i < own.size; i++)
-            nodes[i] = group_node(o->c->local, i);
-        struct nxm_envelope e = {CALL_Intercomm_create, tag, group_node(bridge->peers, remote_leader),
-                                 bridge->context};
-        struct nxm_status status;
-        long id = nxm_irecv(&e, g->nodes, (long)sizeof *nodes * theirs->size);
-        nxm_send(&e, nodes, (long)sizeof *nodes * own.size, false);
-        nxm_complete(&(struct nxm_completion){CALL_Intercomm_create, NXM_WAIT, 1, &(int){(int)id}, &status});
-        free(nodes);
-    }
-    coll_bcast(o, g->nodes, theirs->size, MPI_INT, leader);
-    theirs->context = own.context > theirs->context ? own.context : theirs->context;
-    return group_done(g);
-}
 
 CALL(Intercomm_create,
      (MPI_Comm local, int leader, MPI_Comm bridge, int remote_leader, int tag, MPI_Comm *to))
 {
-    struct coll o;
-    struct offer theirs = {0, 0};
-    int code = coll_begin(&o, CALL_Intercomm_create, local);
-    if (code)
-        return code;
-    if (leader < 0 || leader >= coll_size(&o))
-        return fail(o.c, CALL_Intercomm_create, MPI_ERR_RANK, "leader %d is not one of %d ranks", leader,
-                    coll_size(&o));
-    bool leads = coll_rank(&o) == leader;
-    struct comm *b = leads ? comm_of(bridge) : NULL;
-    if (leads && !b)
+    struct comm *c = comm_of(local), *b = NULL;
+    if (!c || c->remote)
         return fail_comm(CALL_Intercomm_create);
-    struct group *remote = exchange_groups(&o, leads, b, remote_leader, tag, &theirs);
-    next_context = theirs.context + 2;
-    struct comm *made = comm_new(keep(o.c->local), remote, theirs.context);
-    inherit(made, o.c);
-    *to = HANDLE(MPI_Comm, made);
+    const struct coll o = coll_of(c, CALL_Intercomm_create);
+    if (leader < 0 || leader >= o.size)
+        return fail(c, CALL_Intercomm_create, MPI_ERR_RANK, "leader %d is not one of %d ranks", leader, o.size);
+    bool leads = o.rank == leader;
+    if (leads && !(b = comm_of(bridge)))
+        return fail_comm(CALL_Intercomm_create);
+    struct offer own = {o.size, leads ? context_new() : 0, group_node(c->local, leader)}, theirs;
+    if (leads)
+        leaders_exchange(b, tag, remote_leader, &own, sizeof own, &theirs, sizeof theirs);
+    if (leads && own.node < theirs.node)
+        theirs.context = own.context;
+    coll_bcast(&o, &theirs, (int)sizeof theirs, MPI_BYTE, leader);
+    struct group *remote = group_new(theirs.size);
+    if (leads) {
+        int *nodes = get_memory((size_t)own.size * sizeof *nodes);
+        for (int i = 0; i < own.size; i++)
+            nodes[i] = group_node(c->local, i);
+        leaders_exchange(b, tag, remote_leader, nodes, (size_t)own.size * sizeof *nodes, remote->nodes,
+                         (size_t)theirs.size * sizeof *nodes);
+        free(nodes);
+    }
+    coll_bcast(&o, remote->nodes, theirs.size, MPI_INT, leader);
+    *to = HANDLE(MPI_Comm, inherit(comm_new(keep(c->local), group_done(remote), theirs.context), c));
     return MPI_SUCCESS;
 }
 
@@ -429,23 +455,16 @@ CALL(Intercomm_merge, (MPI_Comm comm, int high, MPI_Comm *to))
         return fail_comm(CALL_Intercomm_merge);
     if (!c->remote)
         return fail(c, CALL_Intercomm_merge, MPI_ERR_COMM, "the communicator has one group only");
-    struct comm inside = *c;
-    inside.remote = NULL, inside.peers = inside.local;
-    const struct coll o = {&inside, CALL_Intercomm_merge};
-    int context = agree_between(c, CALL_Intercomm_merge), theirs = 0, own = high != 0;
-    if (c->local->rank == 0) {
-        struct comm other = *c;
-        other.context++;
-        leaders_exchange(&other, CALL_Intercomm_merge, MPI_CALLS, 0, &own, sizeof own, &theirs);
-    }
-    coll_bcast(&o, &theirs, 1, MPI_INT, 0);
+    const struct coll o = coll_of(c, CALL_Intercomm_merge), in = coll_inside(&o);
+    int context = agree_between(&o), theirs = 0, own = high != 0;
+    if (!o.rank)
+        coll_exchange(&o, &own, 1, MPI_INT, 0, &theirs, 1, MPI_INT, 0);
+    coll_bcast(&in, &theirs, 1, MPI_INT, 0);
     bool first = own != theirs ? own < theirs : group_node(c->local, 0) < group_node(c->remote, 0);
-    const struct group *a = first ? c->local : c->remote, *b = first ? c->remote : c->local;
-    struct group *g = group_new(a->size + b->size);
+    const struct group *x = first ? c->local : c->remote, *y = first ? c->remote : c->local;
+    struct group *g = group_new(x->size + y->size);
     for (int i = 0; i < g->size; i++)
-        g->nodes[i] = i < a->size ? group_node(a, i) : group_node(b, i - a->size);
-    struct comm *made = comm_new(group_done(g), NULL, context);
-    inherit(made, c);
-    *to = HANDLE(MPI_Comm, made);
+        g->nodes[i] = i < x->size ? group_node(x, i) : group_node(y, i - x->size);
+    *to = HANDLE(MPI_Comm, inherit(comm_new(group_done(g), NULL, context), c));
     return MPI_SUCCESS;
 }

@@ -1,4 +1,5 @@
 /* info.c - hints: pairs of texts, which are kept and have no effect. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "lib.h"
@@ -14,7 +15,8 @@ struct info {
 
 static struct info *info_of(MPI_Info handle)
 {
-    return object_of(handle, INFO);
+    static struct info env; /* of how the run was begun nothing is told */
+    return handle == MPI_INFO_ENV ? &env : object_of(handle, INFO);
 }
 
 static int no_info(const char *call)
@@ -60,10 +62,32 @@ CALL(Info_get, (MPI_Info info, const char *key, int room, char *value, int *flag
     const struct pair *p = *find(i, key);
     *flag = p != NULL;
     if (p) {
-        strncpy(value, p->value, (size_t)room);
-        value[room] = '\0';
+        size_t length = strnlen(p->value, (size_t)room);
+        memmove(value, p->value, length);
+        value[length] = '\0';
     }
     return MPI_SUCCESS;
+}
+
+/* room: with the end of the text; the length with it, too. */
+CALL(Info_get_string, (MPI_Info info, const char *key, int *room, char *value, int *flag))
+{
+    struct info *i = info_of(info);
+    if (!i)
+        return no_info("MPI_Info_get_string");
+    const struct pair *p = *find(i, key);
+    *flag = p != NULL;
+    if (p && *room > 0)
+        snprintf(value, (size_t)*room, "%s", p->value);
+    if (p)
+        *room = (int)strlen(p->value) + 1;
+    return MPI_SUCCESS;
+}
+
+CALL(Info_create_env, (int argc, char *argv[], MPI_Info *info))
+{
+    (void)argc, (void)argv;
+    return PMPI_Info_create(info);
 }
 
 CALL(Info_get_valuelen, (MPI_Info info, const char *key, int *length, int *flag))

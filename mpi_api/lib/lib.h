@@ -67,6 +67,7 @@ struct comm {
     struct group *peers;          /* whom ranks of point to point name */
     int context;                  /* point to point; collectives: the next */
     MPI_Errhandler handler;
+    int collectives; /* so many have begun: coll.h */
     struct attribute *attributes;
     struct topology *topology;
     char *name;
@@ -76,8 +77,7 @@ extern struct comm comm_world, comm_self;
 struct comm *comm_of(MPI_Comm handle); /* NULL: none */
 /* A new communicator of the group, which it takes over. */
 struct comm *comm_new(struct group *local, struct group *remote, int context);
-/* Collective over c's local group: a context that none of its processes uses. */
-int comm_agree_context(struct comm *c, int call);
+void comm_leave(struct comm *c); /* one user less: of those that are under way, or the handle's */
 int comm_copy_attributes(struct comm *from, struct comm *to);
 int comm_delete_attributes(struct comm *c);
 struct topology *topology_copy(const struct topology *t);
@@ -102,6 +102,7 @@ struct type {
     struct object object;
     size_t size;
     MPI_Aint lb, ub, true_lb, true_ub;
+    int align; /* of its members, as a C compiler does */
     int runs;
     struct run one, *run; /* run: &one, if there is one only */
     bool committed, has_lb, has_ub;
@@ -132,6 +133,10 @@ static inline MPI_Aint type_extent(const struct type *t)
 }
 MPI_Aint extent_of(MPI_Datatype t);
 size_t size_of(MPI_Datatype t);
+int type_copy_attributes(struct type *from, struct type *to);
+int type_delete_attributes(struct type *t);
+void type_keep(MPI_Datatype t); /* one user more: of those that are under way */
+void type_leave(MPI_Datatype t);
 bool type_is_valid(MPI_Datatype t); /* for communication: there, and committed */
 
 /* The bytes of `count` elements, in order: from memory, and into it, at most so many. */
@@ -148,7 +153,7 @@ enum mode { STANDARD, BUFFERED, SYNCHRONOUS, READY };
 
 struct request {
     struct object object;
-    enum { SENDS, RECEIVES, GENERAL } what;
+    enum { SENDS, RECEIVES, GENERAL, COLLECTS } what;
     bool persistent, active, cancelled;
     enum mode mode;
     int id;     /* the core's; 0: done */
@@ -164,6 +169,8 @@ struct request {
     MPI_Grequest_free_function *release;
     MPI_Grequest_cancel_function *cancel;
     void *extra;
+    struct task *task; /* of a collective */
+    struct prepared *prepared;
 };
 
 /* Sends and receives that have been checked. Of a rank's other half of the context: collectives'. */
@@ -187,6 +194,7 @@ int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_
 void request_drop(struct request *r);
 /* Buffered sends: a copy of the data goes, if the attached buffer has room. */
 int buffered_send(struct transfer *t);
+void buffered_copy(const struct transfer *t); /* whether it has room or not */
 
 void status_empty(MPI_Status *status);
 void status_set(MPI_Status *status, int source, int tag, size_t bytes);

@@ -118,6 +118,69 @@ CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
     return MPI_SUCCESS;
 }
 
+/* --- in the order of bytes that all computers agree on: each element's highest first --- */
+
+static void reverse_elements(const struct type *t, char *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        for (int k = 0; k < t->runs; k++)
+            for (size_t done = 0; done < t->run[k].bytes; done += (size_t)t->run[k].unit, bytes += t->run[k].unit)
+                for (int low = 0, high = t->run[k].unit - 1; low < high; low++, high--) {
+                    char c = bytes[low];
+                    bytes[low] = bytes[high], bytes[high] = c;
+                }
+}
+
+static int check_external(const char *name, MPI_Datatype type)
+{
+    if (strcmp(name, "external32") != 0)
+        return fail(NULL, CALL_Other, MPI_ERR_ARG, "there is the representation external32 only");
+    return type_of(type) ? MPI_SUCCESS : fail(NULL, CALL_Other, MPI_ERR_TYPE, "the datatype is null, or freed");
+}
+
+CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_Aint *size))
+{
+    int code = check_external(name, type);
+    if (!code)
+        *size = count * (MPI_Aint)size_of(type);
+    return code;
+}
+
+CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into, MPI_Aint room,
+                     MPI_Aint *position))
+{
+    int code = check_external(name, type);
+    if (code)
+        return code;
+    MPI_Aint bytes = count * (MPI_Aint)size_of(type);
+    if (*position + bytes > room)
+        return fail(NULL, CALL_Other, MPI_ERR_TRUNCATE, "MPI_Pack_external: there is no room for %ld bytes",
+                    (long)bytes);
+    type_pack(buf, count, type, (char *)into + *position);
+    reverse_elements(type_of(type), (char *)into + *position, (size_t)count);
+    *position += bytes;
+    return MPI_SUCCESS;
+}
+
+CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf, int count,
+                       MPI_Datatype type))
+{
+    int code = check_external(name, type);
+    if (code)
+        return code;
+    MPI_Aint bytes = count * (MPI_Aint)size_of(type);
+    if (*position + bytes > size)
+        return fail(NULL, CALL_Other, MPI_ERR_TRUNCATE, "MPI_Unpack_external: fewer than %ld bytes are there",
+                    (long)bytes);
+    char *copy = get_memory((size_t)bytes);
+    memcpy(copy, (const char *)from + *position, (size_t)bytes);
+    reverse_elements(type_of(type), copy, (size_t)count);
+    type_unpack(copy, (size_t)bytes, buf, count, type);
+    free(copy);
+    *position += bytes;
+    return MPI_SUCCESS;
+}
+
 /* --- what a status says of the bytes --- */
 
 CALL(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
@@ -132,7 +195,7 @@ CALL(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
     return MPI_SUCCESS;
 }
 
-CALL(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
+CALL(Get_elements_x, (const MPI_Status *status, MPI_Datatype type, MPI_Count *count))
 {
     const struct type *t = type_of(type);
     if (!t)
@@ -148,22 +211,33 @@ CALL(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
         size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes, unit = (size_t)t->run[k].unit;
         n += some / unit;
         bytes -= some;
-        if (some % unit) {
-            *count = MPI_UNDEFINED;
-            return MPI_SUCCESS;
-        }
+        if (some % unit)
+            return *count = MPI_UNDEFINED, MPI_SUCCESS;
     }
-    *count = n > INT_MAX ? MPI_UNDEFINED : (int)n;
+    *count = (MPI_Count)n;
     return MPI_SUCCESS;
 }
 
-CALL(Status_set_elements, (MPI_Status * status, MPI_Datatype type, int count))
+CALL(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
+{
+    MPI_Count n;
+    int code = PMPI_Get_elements_x(status, type, &n);
+    *count = code || n > INT_MAX ? MPI_UNDEFINED : (int)n;
+    return code;
+}
+
+CALL(Status_set_elements_x, (MPI_Status * status, MPI_Datatype type, MPI_Count count))
 {
     const struct type *t = type_of(type);
     if (!t)
         return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Status_set_elements: the datatype is null, or freed");
     status_set(status, status->MPI_SOURCE, status->MPI_TAG, (size_t)count * t->size);
     return MPI_SUCCESS;
+}
+
+CALL(Status_set_elements, (MPI_Status * status, MPI_Datatype type, int count))
+{
+    return PMPI_Status_set_elements_x(status, type, count);
 }
 
 CALL(Status_set_cancelled, (MPI_Status * status, int flag))

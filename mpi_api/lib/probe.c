@@ -1,6 +1,6 @@
 /* probe.c - looking for messages, and claiming them. */
 #include <stdlib.h>
-#include "lib.h"
+#include "tasks.h"
 
 /* A message that has been claimed: a receive that has it, and has no buffer yet. */
 struct claim {
@@ -20,7 +20,11 @@ static int look(int call, bool waits, int source, int tag, MPI_Comm comm, struct
         return *flag = true, MPI_SUCCESS;
     struct nxm_envelope e = {call, tag == MPI_ANY_TAG ? -1 : tag,
                              source < 0 ? -1 : group_node(t->c->peers, source), t->c->context};
-    *flag = (int)nxm_probe(&e, waits, s);
+    do {
+        if (tasks_under_way)
+            tasks_go_on(call);
+        *flag = (int)nxm_probe(&e, waits && !tasks_under_way, s);
+    } while (waits && !*flag);
     return MPI_SUCCESS;
 }
 
@@ -66,6 +70,7 @@ static int claim(int call, bool waits, int source, int tag, MPI_Comm comm, int *
     }
     struct claim *m = object_new(MESSAGE, sizeof *m);
     m->comm = t.c;
+    t.c->object.users++;
     m->id = (int)nxm_irecv(&(struct nxm_envelope){call, s.tag, s.node, t.c->context}, NULL, 0);
     *message = HANDLE(MPI_Message, m);
     status_of(t.c, &s, status);
@@ -100,6 +105,7 @@ CALL(Imrecv, (void *buf, int count, MPI_Datatype type, MPI_Message *message, MPI
             at = r->packed = get_memory(r->room);
         nxm_receive_into(m->id, at, (long)r->room);
         r->id = m->id;
+        comm_leave(m->comm);
         if (object_leave(&m->object))
             free(m);
     }

@@ -1,6 +1,6 @@
 /* requests.c - waiting for requests, testing and freeing them. */
 #include <stdlib.h>
-#include "lib.h"
+#include "tasks.h"
 
 /* --- the end of one --- */
 
@@ -9,14 +9,22 @@ static int *orphans, orphan_count;
 
 void request_drop(struct request *r)
 {
-    if (object_leave(&r->object)) {
-        free(r->packed);
-        free(r);
-    }
+    if (!object_leave(&r->object))
+        return;
+    if (r->comm)
+        comm_leave(r->comm);
+    type_leave(r->type);
+    free(r->prepared);
+    free(r->packed);
+    free(r);
 }
 
 static int end(struct request *r, MPI_Status *status)
 {
+    if (r->what == COLLECTS) {
+        status_empty(status);
+        return task_end(r->task);
+    }
     if (r->what == GENERAL) {
         if (status)
             status_empty(status);
@@ -70,6 +78,7 @@ struct many {
     int *ids;
     struct nxm_status *status;
     int active, done; /* done: those that need not be waited for */
+    int messages, collectives; /* of the active ones that are not done */
 };
 
 static void *scratch;
@@ -77,13 +86,17 @@ static size_t scratch_bytes;
 
 static bool is_done(const struct request *r)
 {
-    return !r->id && !(r->what == GENERAL && !r->cancelled && !r->count);
+    if (r->what == COLLECTS)
+        return task_is_done(r->task);
+    return !r->id && (r->what != GENERAL || r->count);
 }
 
 static int gather(struct many *m, int call, int count, const MPI_Request requests[])
 {
     size_t each = sizeof *m->request + sizeof *m->ids + sizeof *m->status;
     size_t bytes = (size_t)count * each;
+    if (tasks_under_way)
+        tasks_go_on(call);
     if (bytes > scratch_bytes) {
         free(scratch);
         scratch = get_memory(bytes);
@@ -101,13 +114,45 @@ static int gather(struct many *m, int call, int count, const MPI_Request request
         m->status[i].done = 0;
         m->active += m->request[i] != NULL;
         m->done += m->request[i] && is_done(r);
+        m->messages += m->ids[i] != 0;
+        m->collectives += m->request[i] && r->what == COLLECTS && !is_done(r);
     }
     return MPI_SUCCESS;
 }
 
+/* Looks at, or waits for, those that send or receive. */
 static bool complete(const struct many *m, int how)
 {
-    return nxm_complete(&(struct nxm_completion){m->call, how, m->count, m->ids, m->status});
+    return m->messages && tasks_complete(&(struct nxm_completion){m->call, how, m->count, m->ids, m->status});
+}
+
+static bool any_collective_done(const struct many *m)
+{
+    for (int i = 0; i < m->count; i++)
+        if (m->request[i] && m->request[i]->what == COLLECTS && is_done(m->request[i]))
+            return true;
+    return false;
+}
+
+/* Waits until one is done, or more. */
+static void wait_for_one(const struct many *m, int how)
+{
+    if (!m->collectives) {
+        complete(m, how | NXM_WAIT);
+        return;
+    }
+    while (!complete(m, how) && !any_collective_done(m)) {
+        tasks_wait_for_any(m->call, m->count, m->ids);
+        tasks_go_on(m->call);
+    }
+}
+
+static void wait_for_all(const struct many *m)
+{
+    for (int i = 0; i < m->count; i++)
+        if (m->request[i] && m->request[i]->what == COLLECTS)
+            tasks_wait(m->call, m->request[i]->task);
+    complete(m, NXM_WAIT);
 }
 
 /* Request i is done. */
@@ -173,7 +218,9 @@ CALL(Wait, (MPI_Request * request, MPI_Status *status))
         return MPI_SUCCESS;
     }
     if (r->id)
-        nxm_complete(&(struct nxm_completion){CALL_Wait, NXM_WAIT, 1, &r->id, &s});
+        tasks_complete(&(struct nxm_completion){CALL_Wait, NXM_WAIT, 1, &r->id, &s});
+    else if (r->what == COLLECTS)
+        tasks_wait(CALL_Wait, r->task);
     else if (!is_done(r))
         return no_end(CALL_Wait);
     if (!r->persistent)
@@ -190,7 +237,7 @@ CALL(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
     if (waits_for_general(&m))
         return no_end(CALL_Waitall);
     if (m.active > m.done)
-        complete(&m, NXM_WAIT);
+        wait_for_all(&m);
     return finish_all(&m, requests, statuses);
 }
 
@@ -216,8 +263,10 @@ static int wait_any(int call, bool waits, int count, MPI_Request requests[], int
     }
     if (!m.done && waits && waits_for_general(&m) && m.active == 1)
         return no_end(call);
-    if (!m.done && !complete(&m, NXM_ANY | (waits ? NXM_WAIT : 0)))
-        return *flag = false, MPI_SUCCESS;
+    if (!m.done && waits)
+        wait_for_one(&m, NXM_ANY);
+    else if (!m.done)
+        complete(&m, NXM_ANY);
     int i = first_ended(&m);
     if (i == m.count)
         return *flag = false, MPI_SUCCESS;
@@ -246,8 +295,10 @@ static int wait_some(int call, bool waits, int count, MPI_Request requests[], in
     *done = m.active ? 0 : MPI_UNDEFINED;
     if (!m.active)
         return MPI_SUCCESS;
-    if (m.active > m.done)
-        complete(&m, NXM_SOME | (waits && !m.done ? NXM_WAIT : 0));
+    if (!m.done && waits)
+        wait_for_one(&m, NXM_SOME);
+    else if (m.active > m.done)
+        complete(&m, NXM_SOME);
     for (int i = 0; i < count; i++)
         if (ended(&m, i)) {
             MPI_Status *status = statuses ? &statuses[n] : NULL;
@@ -283,7 +334,7 @@ CALL(Testall, (int count, MPI_Request requests[], int *flag, MPI_Status statuses
     int code = gather(&m, CALL_Testall, count, requests);
     if (code)
         return code;
-    *flag = !waits_for_general(&m) && (m.active == m.done || complete(&m, NXM_ALL));
+    *flag = !waits_for_general(&m) && !m.collectives && (!m.messages || complete(&m, NXM_ALL));
     return *flag ? finish_all(&m, requests, statuses) : MPI_SUCCESS;
 }
 
@@ -296,7 +347,10 @@ static int start(int call, MPI_Request request)
         return fail(NULL, call, MPI_ERR_REQUEST, "%s",
                     r && r->persistent ? "the request is under way already" : "the request is no persistent one");
     r->envelope.call = call;
-    request_start(r);
+    if (r->what == COLLECTS)
+        coll_restart(r);
+    else
+        request_start(r);
     return MPI_SUCCESS;
 }
 
@@ -353,6 +407,8 @@ CALL(Request_get_status, (MPI_Request request, int *flag, MPI_Status *status))
         status_empty(status);
         return MPI_SUCCESS;
     }
+    if (r->what == COLLECTS)
+        return tasks_go_on(CALL_Request_get_status), *flag = is_done(r), status_empty(status), MPI_SUCCESS;
     if (r->what == GENERAL)
         return *flag = is_done(r), *flag && status && r->query ? r->query(r->extra, status) : MPI_SUCCESS;
     if (r->id && !nxm_complete(&(struct nxm_completion){CALL_Request_get_status, NXM_ALL, 1, &r->id, &s}))

@@ -1,15 +1,7 @@
 /* topologies.c - grids and graphs of ranks. Ranks are not reordered: a rank is where its node is. */
 #include <stdlib.h>
 #include <string.h>
-#include "coll.h"
-
-struct topology {
-    int kind;              /* MPI_CART, MPI_GRAPH */
-    int dims, *sides;      /* of a grid */
-    int *periods;          /* behind sides */
-    int nodes, edge_count; /* of a graph */
-    int *ends, *edges;     /* rank r's neighbours are edges[ends[r - 1]] to before edges[ends[r]] */
-};
+#include "topologies.h"
 
 static int *copy_of(const int *list, int count)
 {
@@ -27,6 +19,20 @@ static struct topology *grid_new(int dims, const int sides[], const int periods[
     return t;
 }
 
+struct topology *topology_of_neighbors(int ins, const int sources[], const int in_weights[], int outs,
+                                       const int dests[], const int out_weights[])
+{
+    struct topology *t = calloc(1, sizeof *t);
+    t->kind = MPI_DIST_GRAPH, t->edge_count = ins, t->outs = outs;
+    t->edges = copy_of(sources, ins), t->dests = copy_of(dests, outs);
+    t->weighted = in_weights && in_weights != MPI_UNWEIGHTED;
+    if (t->weighted) {
+        t->in_weights = copy_of(in_weights, ins);
+        t->out_weights = copy_of(out_weights, outs);
+    }
+    return t;
+}
+
 static struct topology *graph_new(int nodes, const int ends[], const int edges[])
 {
     struct topology *t = calloc(1, sizeof *t);
@@ -39,7 +45,11 @@ struct topology *topology_copy(const struct topology *t)
 {
     if (!t)
         return NULL;
-    return t->kind == MPI_CART ? grid_new(t->dims, t->sides, t->periods) : graph_new(t->nodes, t->ends, t->edges);
+    if (t->kind == MPI_CART)
+        return grid_new(t->dims, t->sides, t->periods);
+    if (t->kind == MPI_GRAPH)
+        return graph_new(t->nodes, t->ends, t->edges);
+    return topology_of_neighbors(t->edge_count, t->edges, t->in_weights, t->outs, t->dests, t->out_weights);
 }
 
 void topology_free(struct topology *t)
@@ -50,11 +60,14 @@ void topology_free(struct topology *t)
     free(t->periods);
     free(t->ends);
     free(t->edges);
+    free(t->dests);
+    free(t->in_weights);
+    free(t->out_weights);
     free(t);
 }
 
 /* The communicator's grid or graph; NULL with *code: it has none. */
-static const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code)
+const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code)
 {
     struct comm *c = comm_of(comm);
     const struct topology *t = c ? c->topology : NULL;
@@ -77,27 +90,24 @@ CALL(Topo_test, (MPI_Comm comm, int *kind))
 
 /* --- grids --- */
 
-/* The largest factor of n that is at most the k-th root of it, or the smallest above: sides as equal as can be. */
-static int side_near_root(int n, int k)
+/* Sides that make n, none longer than the one before or than `limit`, the first as short as can be. */
+static bool find_sides(int n, int dims, int limit, int sides[])
 {
-    int best = n;
-    for (int side = 1; side <= n; side++) {
-        long volume = 1;
-        if (n % side)
-            continue;
-        for (int i = 0; i < k; i++)
-            volume *= side < 46341 ? side : 46341;
-        if (volume >= n) {
-            best = side;
-            break;
-        }
+    if (!dims)
+        return n == 1;
+    for (int side = 1; side <= limit && side <= n; side++) {
+        double volume = 1;
+        for (int d = 0; d < dims; d++)
+            volume *= side;
+        if (n % side == 0 && volume >= n && find_sides(n / side, dims - 1, side, sides + 1))
+            return *sides = side, true;
     }
-    return best;
+    return false;
 }
 
 CALL(Dims_create, (int nodes, int dims, int sides[]))
 {
-    int given = 1, open = 0, last = nodes;
+    int given = 1, open = 0, found[dims + 1], n = 0;
     for (int d = 0; d < dims; d++) {
         if (sides[d] < 0)
             return fail(NULL, CALL_Other, MPI_ERR_DIMS, "MPI_Dims_create: side %d is %d", d, sides[d]);
@@ -108,14 +118,10 @@ CALL(Dims_create, (int nodes, int dims, int sides[]))
     if (nodes % given || (!open && given != nodes))
         return fail(NULL, CALL_Other, MPI_ERR_DIMS,
                     "MPI_Dims_create: %d nodes are no multiple of the %d that the given sides make", nodes, given);
-    int left = nodes / given;
+    find_sides(nodes / given, open, nodes, found);
     for (int d = 0; d < dims; d++)
-        if (!sides[d]) {
-            int side = open == 1 ? left : side_near_root(left, open);
-            sides[d] = side <= last ? side : left;
-            left /= sides[d];
-            open--;
-        }
+        if (!sides[d])
+            sides[d] = found[n++];
     return MPI_SUCCESS;
 }
 
@@ -128,10 +134,10 @@ static int ranks_of(int dims, const int sides[])
 }
 
 /* A communicator of the first ranks, with a topology, which it takes over. */
-static int make(const struct coll *o, int ranks, struct topology *t, MPI_Comm *to)
+int topology_make(const struct coll *o, int ranks, struct topology *t, MPI_Comm *to)
 {
-    int color = coll_rank(o) < ranks ? 0 : MPI_UNDEFINED;
-    int context = comm_agree_context(o->c, o->call);
+    int color = o->rank < ranks ? 0 : MPI_UNDEFINED;
+    int context = comm_agree_context(o);
     *to = MPI_COMM_NULL;
     if (color == MPI_UNDEFINED) {
         topology_free(t);
@@ -149,21 +155,21 @@ static int make(const struct coll *o, int ranks, struct topology *t, MPI_Comm *t
 
 CALL(Cart_create, (MPI_Comm comm, int dims, const int sides[], const int periods[], int reorder, MPI_Comm *to))
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Cart_create, comm);
+    struct comm *c = comm_of(comm);
     (void)reorder;
-    if (code)
-        return code;
+    if (!c || c->remote)
+        return fail_comm(CALL_Cart_create);
+    const struct coll o = coll_of(c, CALL_Cart_create);
     for (int d = 0; d < dims; d++)
         if (sides[d] < 1)
             return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "side %d of the grid is %d", d, sides[d]);
-    if (dims < 0 || ranks_of(dims, sides) > coll_size(&o))
+    if (dims < 0 || ranks_of(dims, sides) > o.size)
         return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "the grid has %d ranks, the communicator %d",
-                    ranks_of(dims, sides), coll_size(&o));
-    return make(&o, ranks_of(dims, sides), grid_new(dims, sides, periods), to);
+                    ranks_of(dims, sides), o.size);
+    return topology_make(&o, ranks_of(dims, sides), grid_new(dims, sides, periods), to);
 }
 
-static void coords_of(const struct topology *t, int rank, int coords[])
+void topology_coords(const struct topology *t, int rank, int coords[])
 {
     for (int d = t->dims - 1; d >= 0; d--) {
         coords[d] = rank % t->sides[d];
@@ -172,7 +178,7 @@ static void coords_of(const struct topology *t, int rank, int coords[])
 }
 
 /* MPI_PROC_NULL: outside of a side that is not periodic. */
-static int rank_at(const struct topology *t, const int coords[])
+int topology_rank_at(const struct topology *t, const int coords[])
 {
     int rank = 0;
     for (int d = 0; d < t->dims; d++) {
@@ -193,7 +199,7 @@ CALL(Cart_coords, (MPI_Comm comm, int rank, int most, int coords[]))
     if (rank < 0 || rank >= ranks_of(t->dims, t->sides) || most < t->dims)
         return fail(comm_of(comm), CALL_Other, rank < 0 || most >= t->dims ? MPI_ERR_RANK : MPI_ERR_ARG,
                     "MPI_Cart_coords: rank %d, room for %d of %d coordinates", rank, most, t->dims);
-    coords_of(t, rank, coords);
+    topology_coords(t, rank, coords);
     return MPI_SUCCESS;
 }
 
@@ -203,7 +209,7 @@ CALL(Cart_rank, (MPI_Comm comm, const int coords[], int *rank))
     const struct topology *t = topology_of("MPI_Cart_rank", comm, MPI_CART, &code);
     if (!t)
         return code;
-    *rank = rank_at(t, coords);
+    *rank = topology_rank_at(t, coords);
     if (*rank == MPI_PROC_NULL)
         return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG, "MPI_Cart_rank: the coordinates lie outside of the grid");
     return MPI_SUCCESS;
@@ -218,11 +224,11 @@ CALL(Cart_shift, (MPI_Comm comm, int direction, int by, int *source, int *dest))
     if (direction < 0 || direction >= t->dims)
         return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG, "MPI_Cart_shift: direction %d of %d", direction, t->dims);
     int coords[t->dims];
-    coords_of(t, comm_of(comm)->local->rank, coords);
+    topology_coords(t, comm_of(comm)->local->rank, coords);
     coords[direction] += by;
-    *dest = rank_at(t, coords);
+    *dest = topology_rank_at(t, coords);
     coords[direction] -= 2 * by;
-    *source = rank_at(t, coords);
+    *source = topology_rank_at(t, coords);
     return MPI_SUCCESS;
 }
 
@@ -233,7 +239,7 @@ CALL(Cart_get, (MPI_Comm comm, int most, int sides[], int periods[], int coords[
     if (!t)
         return code;
     int own[t->dims + 1];
-    coords_of(t, comm_of(comm)->local->rank, own);
+    topology_coords(t, comm_of(comm)->local->rank, own);
     for (int d = 0; d < t->dims && d < most; d++)
         sides[d] = t->sides[d], periods[d] = t->periods[d] != 0, coords[d] = own[d];
     return MPI_SUCCESS;
@@ -267,7 +273,7 @@ CALL(Cart_sub, (MPI_Comm comm, const int keep[], MPI_Comm *to))
     if (!t)
         return code;
     int coords[t->dims + 1], sides[t->dims + 1], periods[t->dims + 1];
-    coords_of(t, comm_of(comm)->local->rank, coords);
+    topology_coords(t, comm_of(comm)->local->rank, coords);
     for (int d = 0; d < t->dims; d++) {
         if (keep[d]) {
             key = key * t->sides[d] + coords[d];
@@ -276,8 +282,10 @@ CALL(Cart_sub, (MPI_Comm comm, const int keep[], MPI_Comm *to))
             color = color * t->sides[d] + coords[d];
         }
     }
+    if (!dims && comm_of(comm)->local->rank)
+        color = MPI_UNDEFINED; /* as MPICH has it: one rank is left */
     code = PMPI_Comm_split(comm, color, key, to);
-    if (!code)
+    if (!code && *to != MPI_COMM_NULL)
         comm_of(*to)->topology = grid_new(dims, sides, periods);
     return code;
 }
@@ -286,19 +294,19 @@ CALL(Cart_sub, (MPI_Comm comm, const int keep[], MPI_Comm *to))
 
 CALL(Graph_create, (MPI_Comm comm, int nodes, const int ends[], const int edges[], int reorder, MPI_Comm *to))
 {
-    struct coll o;
-    int code = coll_begin(&o, CALL_Graph_create, comm);
+    struct comm *c = comm_of(comm);
     (void)reorder;
-    if (code)
-        return code;
-    if (nodes < 0 || nodes > coll_size(&o))
+    if (!c || c->remote)
+        return fail_comm(CALL_Graph_create);
+    const struct coll o = coll_of(c, CALL_Graph_create);
+    if (nodes < 0 || nodes > o.size)
         return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "the graph has %d nodes, the communicator %d ranks", nodes,
-                    coll_size(&o));
+                    o.size);
     for (int i = 0; nodes && i < ends[nodes - 1]; i++)
         if (edges[i] < 0 || edges[i] >= nodes)
             return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "edge %d leads to %d, which is no node of the graph", i,
                         edges[i]);
-    return make(&o, nodes, graph_new(nodes, ends, edges), to);
+    return topology_make(&o, nodes, graph_new(nodes, ends, edges), to);
 }
 
 CALL(Graphdims_get, (MPI_Comm comm, int *nodes, int *edges))

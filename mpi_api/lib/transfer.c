@@ -1,6 +1,6 @@
 /* transfer.c - point to point: checks, and blocking sends and receives. */
 #include <stdlib.h>
-#include "lib.h"
+#include "tasks.h"
 
 /* --- statuses --- */
 
@@ -86,6 +86,28 @@ static bool is_held(enum mode mode, size_t bytes)
     return mode == SYNCHRONOUS || (mode == STANDARD && bytes > (size_t)mpi_eager_limit);
 }
 
+/* While collectives are under way: with an id, so that they go on. */
+static void send(const struct nxm_envelope *e, const void *at, size_t bytes, bool held)
+{
+    if (!tasks_under_way) {
+        nxm_send(e, at, (long)bytes, held);
+        return;
+    }
+    int id = (int)nxm_isend(e, at, (long)bytes, held);
+    if (id)
+        tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
+}
+
+static void receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
+{
+    if (!tasks_under_way) {
+        nxm_recv(e, at, (long)room, s);
+        return;
+    }
+    int id = (int)nxm_irecv(e, at, (long)room);
+    tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
+}
+
 int transfer_send(struct transfer *t)
 {
     size_t bytes;
@@ -94,12 +116,12 @@ int transfer_send(struct transfer *t)
     const struct nxm_envelope e = envelope_of(t);
     const void *at = type_together(t->buf, t->count, t->type, &bytes);
     if (at) {
-        nxm_send(&e, at, (long)bytes, is_held(t->mode, bytes));
+        send(&e, at, bytes, is_held(t->mode, bytes));
         return MPI_SUCCESS;
     }
     char *packed = get_memory(bytes);
     type_pack(t->buf, t->count, t->type, packed);
-    nxm_send(&e, packed, (long)bytes, is_held(t->mode, bytes));
+    send(&e, packed, bytes, is_held(t->mode, bytes));
     free(packed);
     return MPI_SUCCESS;
 }
@@ -122,7 +144,7 @@ int transfer_receive(struct transfer *t, MPI_Status *status)
     const struct nxm_envelope e = envelope_of(t);
     void *at = type_together(t->buf, t->count, t->type, &room);
     char *packed = at ? NULL : get_memory(room);
-    nxm_recv(&e, at ? at : packed, (long)room, &s);
+    receive(&e, at ? at : packed, room, &s);
     if (!s.truncated && packed)
         type_unpack(packed, (size_t)s.bytes, (void *)(uintptr_t)t->buf, t->count, t->type);
     free(packed);
@@ -137,6 +159,8 @@ struct request *transfer_begin(const struct transfer *t, bool sends)
     struct request *r = object_new(REQUEST, sizeof *r);
     r->what = sends ? SENDS : RECEIVES;
     r->comm = t->c;
+    t->c->object.users++;
+    type_keep(t->type);
     r->peer = t->peer;
     r->mode = t->mode;
     r->buf = (void *)(uintptr_t)t->buf, r->count = t->count, r->type = t->type;
@@ -276,7 +300,7 @@ CALL(Sendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag
     int ids[2] = {s->id, r->id};
     struct nxm_status done[2] = {{0}, {0}};
     if (ids[0] || ids[1])
-        nxm_complete(&(struct nxm_completion){CALL_Sendrecv, NXM_WAIT, 2, ids, done});
+        tasks_complete(&(struct nxm_completion){CALL_Sendrecv, NXM_WAIT, 2, ids, done});
     request_finish(s, CALL_Sendrecv, &done[0], NULL);
     return request_finish(r, CALL_Sendrecv, &done[1], status);
 }
@@ -294,4 +318,21 @@ CALL(Sendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int t
     code = PMPI_Sendrecv(copy, (int)bytes, MPI_BYTE, dest, tag, buf, count, type, source, select, comm, status);
     free(copy);
     return code;
+}
+
+/* The request is the receive's; a copy of the message goes, which its owner may forget. */
+CALL(Isendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
+                 MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Request *request))
+{
+    struct transfer out = {CALL_Isend, buf, count, type, dest, tag, comm, STANDARD, NULL};
+    int code = transfer_check(&out, true);
+    if (!code)
+        buffered_copy(&out);
+    return code ? code : PMPI_Irecv(into, room, as, source, select, comm, request);
+}
+
+CALL(Isendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source, int select,
+                         MPI_Comm comm, MPI_Request *request))
+{
+    return PMPI_Isendrecv(buf, count, type, dest, tag, buf, count, type, source, select, comm, request);
 }

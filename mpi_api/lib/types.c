@@ -29,7 +29,9 @@ const struct basic basic_types[BASICS] = {
     AT(0x2d1) = {4, WHOLE, 0},     AT(0x2d2) = {4, REAL, 0},     AT(0x2d8) = {8, LOGICAL, 0},
     AT(0x2d9) = {8, WHOLE, 0},     AT(0x2da) = {8, REAL, 0},     AT(0x2db) = {8, COMPLEX, 0},
     AT(0x2e2) = {16, REAL, 0},     AT(0x2e3) = {16, COMPLEX, 0}, AT(0x2f0) = {0, BITS, 0},
-    AT(0x2f1) = {0, BITS, 0},
+    AT(0x2f1) = {0, BITS, 0},      AT(0x213) = {8, COMPLEX, 0},  AT(0x217) = {16, COMPLEX, 0},
+    AT(0x225) = {32, COMPLEX, 0},  AT(0x239) = {1, LOGICAL, 0},  AT(0x2e1) = {16, BITS, 0},
+    AT(0x2eb) = {32, COMPLEX, 0},
 };
 
 /* Where a pair's int lies. */
@@ -56,6 +58,7 @@ static struct type *make_basic(uintptr_t handle)
     t->object = (struct object){TYPE, 1, (int)handle};
     t->ub = t->true_ub = b->bytes;
     t->size = b->bytes;
+    t->align = b->class == COMPLEX ? b->bytes / 2 : b->class == PAIR ? b->value : b->bytes;
     t->runs = b->bytes ? 1 : 0;
     t->run = &t->one;
     t->one = (struct run){0, b->bytes, b->bytes};
@@ -142,18 +145,19 @@ static void add_block(struct type *t, int *room, const struct type *old, int cou
         return;
     MPI_Aint first = at, last = at + (count - 1) * extent;
     MPI_Aint low = extent < 0 ? last : first, high = extent < 0 ? first : last;
-    bool marks = old->has_lb || old->has_ub;
-    if (old->has_lb || !t->has_lb) {
+    bool marks = !old->size && (old->has_lb || old->has_ub);
+    t->align = old->align > t->align ? old->align : t->align;
+    if (marks ? old->has_lb : old->has_lb || !t->has_lb) {
         MPI_Aint lb = low + old->lb;
         t->lb = (old->has_lb && !t->has_lb) || lb < t->lb ? lb : t->lb;
         t->has_lb = t->has_lb || old->has_lb;
     }
-    if (old->has_ub || !t->has_ub) {
+    if (marks ? old->has_ub : old->has_ub || !t->has_ub) {
         MPI_Aint ub = high + old->ub;
         t->ub = (old->has_ub && !t->has_ub) || ub > t->ub ? ub : t->ub;
         t->has_ub = t->has_ub || old->has_ub;
     }
-    if (old->size || !marks) {
+    if (!marks) {
         t->true_lb = low + old->true_lb < t->true_lb ? low + old->true_lb : t->true_lb;
         t->true_ub = high + old->true_ub > t->true_ub ? high + old->true_ub : t->true_ub;
     }
@@ -163,16 +167,13 @@ static void add_block(struct type *t, int *room, const struct type *old, int cou
 static MPI_Datatype finish(struct type *t, int combiner, bool padded)
 {
     if (t->lb == PTRDIFF_MAX)
-        t->lb = t->ub == PTRDIFF_MIN ? 0 : t->ub;
+        t->lb = 0;
     if (t->ub == PTRDIFF_MIN)
-        t->ub = t->lb;
+        t->ub = 0;
     if (t->true_lb == PTRDIFF_MAX)
         t->true_lb = t->true_ub = 0;
-    int unit = 1;
-    for (int i = 0; padded && i < t->runs; i++)
-        unit = t->run[i].unit > unit ? t->run[i].unit : unit;
-    if (padded && !t->has_ub && (t->ub - t->lb) % unit)
-        t->ub += unit - (t->ub - t->lb) % unit;
+    if (padded && !t->has_ub && t->align && (t->ub - t->lb) % t->align)
+        t->ub += t->align - (t->ub - t->lb) % t->align;
     if (!t->run)
         t->run = &t->one;
     t->combiner = combiner;
@@ -190,10 +191,8 @@ static void keep(struct type *t, int ints, int addresses, int types)
 
 static void keep_type(struct type *t, int i, MPI_Datatype old)
 {
-    struct type *o = type_of(old);
     t->type_list[i] = old;
-    if (!type_basic(old))
-        o->object.users++;
+    type_keep(old);
 }
 
 static int no_type(const char *call)
@@ -362,6 +361,13 @@ CALL(Type_create_resized, (MPI_Datatype old, MPI_Aint lb, MPI_Aint extent, MPI_D
     return MPI_SUCCESS;
 }
 
+static void drop_inner(struct type *t)
+{
+    object_leave(&t->object);
+    free(t->run);
+    free(t);
+}
+
 /* A block of an array: from the dimension that varies fastest on, each makes a row of what is below it. */
 CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], const int starts[], int order,
                             MPI_Datatype old, MPI_Datatype *type))
@@ -382,19 +388,14 @@ CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], c
             add_block(t, &room, inner ? inner : o, 1, i * whole);
         at += starts[d] * whole;
         whole *= sizes[d];
-        if (inner) {
-            object_leave(&inner->object);
-            free(inner->run);
-            free(inner);
-        }
+        if (inner)
+            drop_inner(inner);
         inner = t;
     }
     struct type *t = type_new();
     int room = 0;
     add_block(t, &room, inner, 1, at);
-    object_leave(&inner->object);
-    free(inner->run);
-    free(inner);
+    drop_inner(inner);
     t->lb = 0, t->ub = whole, t->has_lb = t->has_ub = true;
     keep(t, 2 + 3 * dims, 0, 1);
     t->int_list[0] = dims, t->int_list[1 + 3 * dims] = order;
@@ -408,10 +409,64 @@ CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], c
     return MPI_SUCCESS;
 }
 
-CALL(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
+/* The elements of a dimension that a rank has: every so many blocks one of `block`. */
+static struct type *distributed(const struct type *inner, MPI_Aint step, int size, int block, int parts, int part)
+{
+    struct type *t = type_new();
+    int room = 0;
+    for (long first = (long)part * block; first < size; first += (long)parts * block)
+        for (long i = first; i < first + block && i < size; i++)
+            add_block(t, &room, inner, 1, i * step);
+    return t;
+}
+
+CALL(Type_create_darray, (int ranks, int rank, int dims, const int sizes[], const int kinds[], const int blocks[],
+                          const int grid[], int order, MPI_Datatype old, MPI_Datatype *type))
 {
     const struct type *o = type_of(old);
-    int room = 0;
+    if (!o)
+        return no_type("MPI_Type_create_darray");
+    MPI_Aint step = type_extent(o);
+    struct type *inner = NULL;
+    int coords[dims + 1], left = rank, room = 0;
+    for (int d = dims - 1; d >= 0; d--) {
+        coords[d] = left % grid[d];
+        left /= grid[d];
+    }
+    for (int k = 0; k < dims; k++) {
+        int d = order == MPI_ORDER_FORTRAN ? k : dims - 1 - k, block = blocks[d];
+        if (kinds[d] == MPI_DISTRIBUTE_NONE)
+            block = sizes[d];
+        else if (block == MPI_DISTRIBUTE_DFLT_DARG)
+            block = kinds[d] == MPI_DISTRIBUTE_BLOCK ? (sizes[d] + grid[d] - 1) / grid[d] : 1;
+        struct type *t = distributed(inner ? inner : o, step, sizes[d], block,
+                                     kinds[d] == MPI_DISTRIBUTE_NONE ? 1 : grid[d],
+                                     kinds[d] == MPI_DISTRIBUTE_NONE ? 0 : coords[d]);
+        if (inner)
+            drop_inner(inner);
+        inner = t;
+        step *= sizes[d];
+    }
+    struct type *t = type_new();
+    add_block(t, &room, inner, 1, 0);
+    drop_inner(inner);
+    t->lb = 0, t->ub = step, t->has_lb = t->has_ub = true;
+    keep(t, 4 + 4 * dims, 0, 1);
+    t->int_list[0] = ranks, t->int_list[1] = rank, t->int_list[2] = dims, t->int_list[3 + 4 * dims] = order;
+    for (int d = 0; d < dims; d++) {
+        const int *lists[] = {sizes, kinds, blocks, grid};
+        for (int i = 0; i < 4; i++)
+            t->int_list[3 + i * dims + d] = lists[i][d];
+    }
+    keep_type(t, 0, old);
+    *type = finish(t, MPI_COMBINER_DARRAY, false);
+    return MPI_SUCCESS;
+}
+
+CALL(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
+{
+    struct type *o = type_of(old);
+    int room = 0, code;
     if (!o)
         return no_type("MPI_Type_dup");
     struct type *t = type_new();
@@ -421,7 +476,12 @@ CALL(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
     keep_type(t, 0, old);
     *type = finish(t, MPI_COMBINER_DUP, false);
     t->committed = o->committed;
-    return MPI_SUCCESS;
+    code = type_copy_attributes(o, t);
+    if (code) {
+        type_leave(*type);
+        *type = MPI_DATATYPE_NULL;
+    }
+    return code;
 }
 
 CALL(Type_commit, (MPI_Datatype * type))
@@ -433,13 +493,20 @@ CALL(Type_commit, (MPI_Datatype * type))
     return MPI_SUCCESS;
 }
 
-static void leave(MPI_Datatype handle)
+void type_keep(MPI_Datatype handle)
+{
+    struct type *t = type_basic(handle) ? NULL : object_of(handle, TYPE);
+    if (t)
+        t->object.users++;
+}
+
+void type_leave(MPI_Datatype handle)
 {
     struct type *t = type_basic(handle) ? NULL : object_of(handle, TYPE);
     if (!t || !object_leave(&t->object))
         return;
     for (int i = 0; i < t->types; i++)
-        leave(t->type_list[i]);
+        type_leave(t->type_list[i]);
     free(t->int_list);
     free(t->address_list);
     free(t->type_list);
@@ -448,8 +515,6 @@ static void leave(MPI_Datatype handle)
         free(t->run);
     free(t);
 }
-
-int type_delete_attributes(struct type *t);
 
 CALL(Type_free, (MPI_Datatype * type))
 {
@@ -460,7 +525,7 @@ CALL(Type_free, (MPI_Datatype * type))
     int code = type_delete_attributes(t);
     if (code)
         return code;
-    leave(*type);
+    type_leave(*type);
     *type = MPI_DATATYPE_NULL;
     return MPI_SUCCESS;
 }
@@ -500,6 +565,32 @@ CALL(Type_get_true_extent, (MPI_Datatype type, MPI_Aint *lb, MPI_Aint *extent))
     return MPI_SUCCESS;
 }
 
+CALL(Type_get_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
+{
+    return PMPI_Type_get_extent(type, lb, extent);
+}
+
+CALL(Type_get_true_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
+{
+    return PMPI_Type_get_true_extent(type, lb, extent);
+}
+
+CALL(Type_match_size, (int kind, int size, MPI_Datatype *type))
+{
+    static const struct match {
+        int kind, size;
+        MPI_Datatype type;
+    } matches[] = {{MPI_TYPECLASS_INTEGER, 1, MPI_INTEGER1},  {MPI_TYPECLASS_INTEGER, 2, MPI_INTEGER2},
+                   {MPI_TYPECLASS_INTEGER, 4, MPI_INTEGER4},  {MPI_TYPECLASS_INTEGER, 8, MPI_INTEGER8},
+                   {MPI_TYPECLASS_REAL, 4, MPI_REAL4},        {MPI_TYPECLASS_REAL, 8, MPI_REAL8},
+                   {MPI_TYPECLASS_REAL, 16, MPI_REAL16},      {MPI_TYPECLASS_COMPLEX, 8, MPI_COMPLEX8},
+                   {MPI_TYPECLASS_COMPLEX, 16, MPI_COMPLEX16}, {MPI_TYPECLASS_COMPLEX, 32, MPI_COMPLEX32}};
+    for (size_t i = 0; i < sizeof matches / sizeof *matches; i++)
+        if (matches[i].kind == kind && matches[i].size == size)
+            return *type = matches[i].type, MPI_SUCCESS;
+    return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Type_match_size: no datatype of this kind has %d bytes", size);
+}
+
 CALL(Type_get_envelope, (MPI_Datatype type, int *ints, int *addresses, int *types, int *combiner))
 {
     const struct type *t = type_of(type);
@@ -523,8 +614,7 @@ CALL(Type_get_contents, (MPI_Datatype type, int max_ints, int max_addresses, int
     memcpy(addresses, t->address_list, (size_t)t->addresses * sizeof *addresses);
     for (int i = 0; i < t->types; i++) {
         types[i] = t->type_list[i];
-        if (!type_basic(types[i]))
-            type_of(types[i])->object.users++;
+        type_keep(types[i]);
     }
     return MPI_SUCCESS;
 }
@@ -556,7 +646,9 @@ static const char *own_name(MPI_Datatype type)
     NAME(MPI_UINT64_T) NAME(MPI_C_BOOL) NAME(MPI_C_FLOAT_COMPLEX) NAME(MPI_C_DOUBLE_COMPLEX)
     NAME(MPI_C_LONG_DOUBLE_COMPLEX) NAME(MPI_AINT) NAME(MPI_COUNT) NAME(MPI_OFFSET) NAME(MPI_INTEGER1)
     NAME(MPI_INTEGER2) NAME(MPI_INTEGER4) NAME(MPI_INTEGER8) NAME(MPI_REAL4) NAME(MPI_REAL8)
-    NAME(MPI_COMPLEX8) NAME(MPI_COMPLEX16) NAME(MPI_LB) NAME(MPI_UB)
+    NAME(MPI_COMPLEX8) NAME(MPI_COMPLEX16) NAME(MPI_REAL16) NAME(MPI_INTEGER16) NAME(MPI_COMPLEX32)
+    NAME(MPI_CXX_BOOL) NAME(MPI_CXX_FLOAT_COMPLEX) NAME(MPI_CXX_DOUBLE_COMPLEX)
+    NAME(MPI_CXX_LONG_DOUBLE_COMPLEX) NAME(MPI_LOGICAL4) NAME(MPI_LOGICAL8) NAME(MPI_LB) NAME(MPI_UB)
 #undef NAME
     return "";
 }

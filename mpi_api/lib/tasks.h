@@ -1,0 +1,23 @@
+/* tasks.h - collectives under way: each has a stack, on which it runs until it has to wait for messages. It
+ * goes on when the program is in a call that waits, tests or probes (MPI's rule of progress). */
+#ifndef MPI_TASKS_H
+#define MPI_TASKS_H
+#include "coll.h"
+
+struct task;
+
+/* Begins, and runs as far as it comes. */
+struct task *task_start(coll_run *run, const struct args *a);
+bool task_is_done(const struct task *t);
+/* The result of one that is done; frees it. */
+int task_end(struct task *t);
+
+/* nxm_complete for calls of the program, and of tasks: tasks go on meanwhile. */
+bool tasks_complete(const struct nxm_completion *c);
+/* Waits until the task is done, and until one of the list is; runs those that can go on. */
+void tasks_wait(int call, const struct task *t);
+void tasks_go_on(int call);
+/* Waits until something comes that a task or one of these ids waits for. */
+void tasks_wait_for_any(int call, int count, const int ids[]);
+extern int tasks_under_way;
+#endif

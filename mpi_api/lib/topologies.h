@@ -1,0 +1,27 @@
+/* topologies.h - the grid or graph of a communicator. */
+#ifndef MPI_TOPOLOGIES_H
+#define MPI_TOPOLOGIES_H
+#include "coll.h"
+
+struct topology {
+    int kind;         /* MPI_CART, MPI_GRAPH, MPI_DIST_GRAPH */
+    int dims, *sides; /* of a grid */
+    int *periods;
+    int nodes, edge_count;
+    int *ends, *edges; /* of a graph: rank r's neighbours are edges[ends[r - 1]] to before edges[ends[r]] */
+    /* MPI_DIST_GRAPH: of the own rank; edges are those that lead to it */
+    int outs, *dests;
+    bool weighted;
+    int *in_weights, *out_weights;
+};
+
+/* The communicator's, of this kind; NULL with *code: it has none. */
+const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code);
+struct topology *topology_of_neighbors(int ins, const int sources[], const int in_weights[], int outs,
+                                       const int dests[], const int out_weights[]);
+/* A communicator of the first ranks, with a topology, which it takes over. */
+int topology_make(const struct coll *o, int ranks, struct topology *t, MPI_Comm *to);
+void topology_coords(const struct topology *t, int rank, int coords[]);
+/* MPI_PROC_NULL: outside of a side that is not periodic. */
+int topology_rank_at(const struct topology *t, const int coords[]);
+#endif
