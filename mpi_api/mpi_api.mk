@@ -1,9 +1,10 @@
 # mpi_api.mk - MPI for simulated nodes: the library of node programs, and its headers. Included by the Makefile.
-#   $(NODE)/libmpi.a           linked where nxcc goes by the name of mpicc, mpif77 or mpif90: nx_api/driver/mpi_names.h
-#   $(NODE)/mpi_include        mpi.h
+#   $(NODE)/libmpi.a           linked where nxcc goes by the name of mpicc, mpif77 or mpif90, or with -lmpi
+#   $(NODE)/mpi_include/       mpi.h, mpif.h, and Fortran's module mpi
 MPI_LIB_SRC := $(wildcard mpi_api/lib/*.c mpi_api/fortran/*.c)
 MPI_LIB_OBJ := $(MPI_LIB_SRC:%.c=$(NODE)/obj/%.o)
 MPI_LIB_HDR := $(wildcard mpi_api/*/*.h mpi_api/core/*.def)
+MPI_HEADERS := $(addprefix $(NODE)/mpi_include/,mpi.h mpi_calls.h mpif.h mpi.mod)
 
 $(MPI_LIB_OBJ): $(NODE)/obj/mpi_api/%.o: mpi_api/%.c $(MPI_LIB_HDR) $(NODE_TOOLS)
 	@mkdir -p $(@D)
@@ -16,4 +17,20 @@ $(NODE)/libmpi.a: $(MPI_LIB_OBJ)
 	@rm -f $@
 	ar rcs $@ $^
 
-$(NODE)/mpi_include: ; @mkdir -p $(@D) && ln -sfnr mpi_api/include $@
+$(NODE)/mpi_include/%.h: mpi_api/include/%.h
+	@mkdir -p $(@D)
+	cp $< $@
+
+$(NODE)/mpi_include/mpif.h: mpi_api/fortran/make-mpif mpi_api/include/mpi.h
+	@mkdir -p $(@D)
+	$^ >$@.new && mv $@.new $@
+
+$(NODE)/mpi_include/mpi.mod: mpi_api/fortran/mpi.f90 $(NODE)/mpi_include/mpif.h
+	$(call say,NXF77,$@)
+	$(NODE_FC) -I$(@D) -J$(@D) -fsyntax-only $<
+
+mpi-suite: setup ## Run MPICH's own tests (Debian's source package) on simulated nodes
+	$(SUBMAKE) all
+	tests/mpich/fetch $B
+	tests/mpich/suite $B
+.PHONY: mpi-suite

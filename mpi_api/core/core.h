@@ -1,5 +1,5 @@
-/* core.h - what MPI's library, which is a part of the node program (mpi_api/lib), asks of the system. Programs
- * do not call these.
+/* core.h - what MPI's library, which is a part of the node program (mpi_api/lib), asks of the system.
+ * Programs do not call these.
  *
  * A message's tag is its NX type, the context of its communicator its process type; of one source and context
  * messages are received in the order sent. A context is used by two halves: point to point, and collectives.

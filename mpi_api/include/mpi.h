@@ -1,7 +1,7 @@
 /* mpi.h - MPI on simulated nodes: MPI-1.3 whole, and what programs use of MPI-2 and MPI-3.
  *
- * Values are those of the MPI-5 standard's application binary interface (the MPI Forum's stub header), so that
- * what compiles here compiles with an MPI library that keeps to it. What MPI-3 has removed of MPI-1 is at the
+ * Values are those of the MPI-5 standard's application binary interface (the MPI Forum's stub header): what
+ * compiles here compiles with an MPI library that keeps to it. What MPI-3 has removed of MPI-1 is at the
  * end. Units: counts are elements of a datatype, extents and displacements bytes, times seconds. All calls
  * return MPI_SUCCESS or an error code, after the communicator's error handler. */
 #ifndef MPI_H
@@ -184,13 +184,7 @@ enum {
 #define MPI_MAX_PROCESSOR_NAME 256
 #define MPI_BSEND_OVERHEAD 512
 
-enum {
-    MPI_ANY_SOURCE = -1,
-    MPI_ANY_TAG = -2,
-    MPI_PROC_NULL = -3,
-    MPI_ROOT = -4,
-    MPI_UNDEFINED = -32766
-};
+enum { MPI_ANY_SOURCE = -1, MPI_ANY_TAG = -2, MPI_PROC_NULL = -3, MPI_ROOT = -4, MPI_UNDEFINED = -32766 };
 
 enum {
     MPI_THREAD_SINGLE = 0,

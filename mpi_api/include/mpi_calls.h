@@ -42,8 +42,9 @@ MPI_DECLARE(Sendrecv, (const void *buf, int count, MPI_Datatype type, int dest, 
                        MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Status *status))
 MPI_DECLARE(Sendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source,
                                int select, MPI_Comm comm, MPI_Status *status))
-MPI_DECLARE(Isendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
-                        MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Request *request))
+MPI_DECLARE(Isendrecv,
+            (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
+             MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Isendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source,
                                 int select, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Buffer_attach, (void *buf, int size))
@@ -51,58 +52,58 @@ MPI_DECLARE(Buffer_detach, (void *buf, int *size))
 MPI_DECLARE(Probe, (int source, int tag, MPI_Comm comm, MPI_Status *status))
 MPI_DECLARE(Iprobe, (int source, int tag, MPI_Comm comm, int *flag, MPI_Status *status))
 MPI_DECLARE(Mprobe, (int source, int tag, MPI_Comm comm, MPI_Message *message, MPI_Status *status))
-MPI_DECLARE(Improbe, (int source, int tag, MPI_Comm comm, int *flag, MPI_Message *message,
-                      MPI_Status *status))
+MPI_DECLARE(Improbe,
+            (int source, int tag, MPI_Comm comm, int *flag, MPI_Message *message, MPI_Status *status))
 MPI_DECLARE(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
 MPI_DECLARE(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
 MPI_DECLARE(Get_elements_x, (const MPI_Status *status, MPI_Datatype type, MPI_Count *count))
-MPI_DECLARE(Status_set_elements_x, (MPI_Status *status, MPI_Datatype type, MPI_Count count))
-MPI_DECLARE(Status_set_elements, (MPI_Status *status, MPI_Datatype type, int count))
-MPI_DECLARE(Status_set_cancelled, (MPI_Status *status, int flag))
+MPI_DECLARE(Status_set_elements_x, (MPI_Status * status, MPI_Datatype type, MPI_Count count))
+MPI_DECLARE(Status_set_elements, (MPI_Status * status, MPI_Datatype type, int count))
+MPI_DECLARE(Status_set_cancelled, (MPI_Status * status, int flag))
 
 /* requests */
-MPI_DECLARE(Wait, (MPI_Request *request, MPI_Status *status))
+MPI_DECLARE(Wait, (MPI_Request * request, MPI_Status *status))
 MPI_DECLARE(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
 MPI_DECLARE(Waitany, (int count, MPI_Request requests[], int *index, MPI_Status *status))
 MPI_DECLARE(Waitsome, (int count, MPI_Request requests[], int *done, int indices[], MPI_Status statuses[]))
-MPI_DECLARE(Test, (MPI_Request *request, int *flag, MPI_Status *status))
+MPI_DECLARE(Test, (MPI_Request * request, int *flag, MPI_Status *status))
 MPI_DECLARE(Testall, (int count, MPI_Request requests[], int *flag, MPI_Status statuses[]))
 MPI_DECLARE(Testany, (int count, MPI_Request requests[], int *index, int *flag, MPI_Status *status))
 MPI_DECLARE(Testsome, (int count, MPI_Request requests[], int *done, int indices[], MPI_Status statuses[]))
-MPI_DECLARE(Start, (MPI_Request *request))
+MPI_DECLARE(Start, (MPI_Request * request))
 MPI_DECLARE(Startall, (int count, MPI_Request requests[]))
-MPI_DECLARE(Request_free, (MPI_Request *request))
+MPI_DECLARE(Request_free, (MPI_Request * request))
 MPI_DECLARE(Request_get_status, (MPI_Request request, int *flag, MPI_Status *status))
-MPI_DECLARE(Cancel, (MPI_Request *request))
+MPI_DECLARE(Cancel, (MPI_Request * request))
 MPI_DECLARE(Test_cancelled, (const MPI_Status *status, int *flag))
-MPI_DECLARE(Grequest_start, (MPI_Grequest_query_function *query, MPI_Grequest_free_function *release,
+MPI_DECLARE(Grequest_start, (MPI_Grequest_query_function * query, MPI_Grequest_free_function *release,
                              MPI_Grequest_cancel_function *cancel, void *extra, MPI_Request *request))
 MPI_DECLARE(Grequest_complete, (MPI_Request request))
 
 /* datatypes */
 MPI_DECLARE(Type_contiguous, (int count, MPI_Datatype old, MPI_Datatype *type))
 MPI_DECLARE(Type_vector, (int count, int length, int stride, MPI_Datatype old, MPI_Datatype *type))
-MPI_DECLARE(Type_create_hvector, (int count, int length, MPI_Aint stride, MPI_Datatype old,
-                                  MPI_Datatype *type))
-MPI_DECLARE(Type_indexed, (int count, const int lengths[], const int at[], MPI_Datatype old,
-                           MPI_Datatype *type))
-MPI_DECLARE(Type_create_hindexed, (int count, const int lengths[], const MPI_Aint at[], MPI_Datatype old,
-                                   MPI_Datatype *type))
-MPI_DECLARE(Type_create_indexed_block, (int count, int length, const int at[], MPI_Datatype old,
-                                        MPI_Datatype *type))
-MPI_DECLARE(Type_create_hindexed_block, (int count, int length, const MPI_Aint at[], MPI_Datatype old,
-                                         MPI_Datatype *type))
+MPI_DECLARE(Type_create_hvector,
+            (int count, int length, MPI_Aint stride, MPI_Datatype old, MPI_Datatype *type))
+MPI_DECLARE(Type_indexed,
+            (int count, const int lengths[], const int at[], MPI_Datatype old, MPI_Datatype *type))
+MPI_DECLARE(Type_create_hindexed,
+            (int count, const int lengths[], const MPI_Aint at[], MPI_Datatype old, MPI_Datatype *type))
+MPI_DECLARE(Type_create_indexed_block,
+            (int count, int length, const int at[], MPI_Datatype old, MPI_Datatype *type))
+MPI_DECLARE(Type_create_hindexed_block,
+            (int count, int length, const MPI_Aint at[], MPI_Datatype old, MPI_Datatype *type))
 MPI_DECLARE(Type_create_struct, (int count, const int lengths[], const MPI_Aint at[],
                                  const MPI_Datatype types[], MPI_Datatype *type))
 MPI_DECLARE(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], const int starts[],
                                    int order, MPI_Datatype old, MPI_Datatype *type))
-MPI_DECLARE(Type_create_darray, (int ranks, int rank, int dims, const int sizes[], const int kinds[],
-                                 const int blocks[], const int grid[], int order, MPI_Datatype old,
-                                 MPI_Datatype *type))
+MPI_DECLARE(Type_create_darray,
+            (int ranks, int rank, int dims, const int sizes[], const int kinds[], const int blocks[],
+             const int grid[], int order, MPI_Datatype old, MPI_Datatype *type))
 MPI_DECLARE(Type_create_resized, (MPI_Datatype old, MPI_Aint lb, MPI_Aint extent, MPI_Datatype *type))
 MPI_DECLARE(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
-MPI_DECLARE(Type_commit, (MPI_Datatype *type))
-MPI_DECLARE(Type_free, (MPI_Datatype *type))
+MPI_DECLARE(Type_commit, (MPI_Datatype * type))
+MPI_DECLARE(Type_free, (MPI_Datatype * type))
 MPI_DECLARE(Type_size, (MPI_Datatype type, int *size))
 MPI_DECLARE(Type_size_x, (MPI_Datatype type, MPI_Count *size))
 MPI_DECLARE(Type_extent, (MPI_Datatype type, MPI_Aint *extent))
@@ -127,8 +128,8 @@ MPI_DECLARE(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
 
 MPI_DECLARE(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into,
                             MPI_Aint room, MPI_Aint *position))
-MPI_DECLARE(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf,
-                              int count, MPI_Datatype type))
+MPI_DECLARE(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position,
+                              void *buf, int count, MPI_Datatype type))
 MPI_DECLARE(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_Aint *size))
 
 /* collectives */
@@ -140,7 +141,8 @@ MPI_DECLARE(Barrier, (MPI_Comm comm))
 MPI_DECLARE(Barrier_init, (MPI_Comm comm, MPI_Info info, MPI_Request *request))
 MPI_DECLARE(Ibarrier, (MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Bcast, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm))
-MPI_DECLARE(Bcast_init, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Bcast_init, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm, MPI_Info info,
+                         MPI_Request *request))
 MPI_DECLARE(Ibcast, (void *buf, int count, MPI_Datatype type, int root, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Gather, (FROM, INTO, int root, MPI_Comm comm))
 MPI_DECLARE(Gather_init, (FROM, INTO, int root, MPI_Comm comm, MPI_Info info, MPI_Request *request))
@@ -166,15 +168,15 @@ MPI_DECLARE(Ialltoall, (FROM, INTO, MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Alltoallv, (FROM_EACH, INTO_EACH, MPI_Comm comm))
 MPI_DECLARE(Alltoallv_init, (FROM_EACH, INTO_EACH, MPI_Comm comm, MPI_Info info, MPI_Request *request))
 MPI_DECLARE(Ialltoallv, (FROM_EACH, INTO_EACH, MPI_Comm comm, MPI_Request *request))
-MPI_DECLARE(Alltoallw, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[],
-                        void *into, const int rooms[], const int places[], const MPI_Datatype as[],
-                        MPI_Comm comm))
+MPI_DECLARE(Alltoallw,
+            (const void *buf, const int counts[], const int at[], const MPI_Datatype types[], void *into,
+             const int rooms[], const int places[], const MPI_Datatype as[], MPI_Comm comm))
 MPI_DECLARE(Alltoallw_init, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[],
-                        void *into, const int rooms[], const int places[], const MPI_Datatype as[],
-                        MPI_Comm comm, MPI_Info info, MPI_Request *request))
+                             void *into, const int rooms[], const int places[], const MPI_Datatype as[],
+                             MPI_Comm comm, MPI_Info info, MPI_Request *request))
 MPI_DECLARE(Ialltoallw, (const void *buf, const int counts[], const int at[], const MPI_Datatype types[],
-                        void *into, const int rooms[], const int places[], const MPI_Datatype as[],
-                        MPI_Comm comm, MPI_Request *request))
+                         void *into, const int rooms[], const int places[], const MPI_Datatype as[],
+                         MPI_Comm comm, MPI_Request *request))
 #undef FROM
 #undef INTO
 #undef FROM_EACH
@@ -196,22 +198,22 @@ MPI_DECLARE(Reduce_scatter_block, (OPERANDS, MPI_Comm comm))
 MPI_DECLARE(Reduce_scatter_block_init, (OPERANDS, MPI_Comm comm, MPI_Info info, MPI_Request *request))
 MPI_DECLARE(Ireduce_scatter_block, (OPERANDS, MPI_Comm comm, MPI_Request *request))
 #undef OPERANDS
-MPI_DECLARE(Reduce_scatter, (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op,
-                             MPI_Comm comm))
-MPI_DECLARE(Reduce_scatter_init, (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op,
-                             MPI_Comm comm, MPI_Info info, MPI_Request *request))
+MPI_DECLARE(Reduce_scatter,
+            (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op, MPI_Comm comm))
+MPI_DECLARE(Reduce_scatter_init, (const void *buf, void *into, const int counts[], MPI_Datatype type,
+                                  MPI_Op op, MPI_Comm comm, MPI_Info info, MPI_Request *request))
 MPI_DECLARE(Ireduce_scatter, (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op,
-                             MPI_Comm comm, MPI_Request *request))
+                              MPI_Comm comm, MPI_Request *request))
 MPI_DECLARE(Reduce_local, (const void *in, void *inout, int count, MPI_Datatype type, MPI_Op op))
-MPI_DECLARE(Op_create, (MPI_User_function *function, int commutes, MPI_Op *op))
-MPI_DECLARE(Op_free, (MPI_Op *op))
+MPI_DECLARE(Op_create, (MPI_User_function * function, int commutes, MPI_Op *op))
+MPI_DECLARE(Op_free, (MPI_Op * op))
 MPI_DECLARE(Op_commutative, (MPI_Op op, int *commutes))
 
 /* groups */
 MPI_DECLARE(Group_size, (MPI_Group group, int *size))
 MPI_DECLARE(Group_rank, (MPI_Group group, int *rank))
-MPI_DECLARE(Group_translate_ranks, (MPI_Group from, int count, const int ranks[], MPI_Group to,
-                                    int translated[]))
+MPI_DECLARE(Group_translate_ranks,
+            (MPI_Group from, int count, const int ranks[], MPI_Group to, int translated[]))
 MPI_DECLARE(Group_compare, (MPI_Group a, MPI_Group b, int *result))
 MPI_DECLARE(Group_union, (MPI_Group a, MPI_Group b, MPI_Group *group))
 MPI_DECLARE(Group_intersection, (MPI_Group a, MPI_Group b, MPI_Group *group))
@@ -220,7 +222,7 @@ MPI_DECLARE(Group_incl, (MPI_Group from, int count, const int ranks[], MPI_Group
 MPI_DECLARE(Group_excl, (MPI_Group from, int count, const int ranks[], MPI_Group *group))
 MPI_DECLARE(Group_range_incl, (MPI_Group from, int count, int ranges[][3], MPI_Group *group))
 MPI_DECLARE(Group_range_excl, (MPI_Group from, int count, int ranges[][3], MPI_Group *group))
-MPI_DECLARE(Group_free, (MPI_Group *group))
+MPI_DECLARE(Group_free, (MPI_Group * group))
 
 /* communicators */
 MPI_DECLARE(Comm_size, (MPI_Comm comm, int *size))
@@ -235,9 +237,9 @@ MPI_DECLARE(Comm_create, (MPI_Comm comm, MPI_Group group, MPI_Comm *to))
 MPI_DECLARE(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
 MPI_DECLARE(Comm_split, (MPI_Comm comm, int color, int key, MPI_Comm *to))
 MPI_DECLARE(Comm_split_type, (MPI_Comm comm, int kind, int key, MPI_Info info, MPI_Comm *to))
-MPI_DECLARE(Comm_free, (MPI_Comm *comm))
-MPI_DECLARE(Comm_disconnect, (MPI_Comm *comm))
-MPI_DECLARE(Comm_get_parent, (MPI_Comm *parent))
+MPI_DECLARE(Comm_free, (MPI_Comm * comm))
+MPI_DECLARE(Comm_disconnect, (MPI_Comm * comm))
+MPI_DECLARE(Comm_get_parent, (MPI_Comm * parent))
 MPI_DECLARE(Comm_set_name, (MPI_Comm comm, const char *name))
 MPI_DECLARE(Comm_get_name, (MPI_Comm comm, char *name, int *length))
 MPI_DECLARE(Comm_set_info, (MPI_Comm comm, MPI_Info info))
@@ -245,16 +247,16 @@ MPI_DECLARE(Comm_get_info, (MPI_Comm comm, MPI_Info *info))
 MPI_DECLARE(Comm_test_inter, (MPI_Comm comm, int *flag))
 MPI_DECLARE(Comm_remote_size, (MPI_Comm comm, int *size))
 MPI_DECLARE(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
-MPI_DECLARE(Intercomm_create, (MPI_Comm local, int leader, MPI_Comm bridge, int remote_leader, int tag,
-                               MPI_Comm *to))
+MPI_DECLARE(Intercomm_create,
+            (MPI_Comm local, int leader, MPI_Comm bridge, int remote_leader, int tag, MPI_Comm *to))
 MPI_DECLARE(Intercomm_merge, (MPI_Comm comm, int high, MPI_Comm *to))
-MPI_DECLARE(Comm_create_keyval, (MPI_Comm_copy_attr_function *copy, MPI_Comm_delete_attr_function *drop,
+MPI_DECLARE(Comm_create_keyval, (MPI_Comm_copy_attr_function * copy, MPI_Comm_delete_attr_function *drop,
                                  int *keyval, void *extra))
 MPI_DECLARE(Comm_free_keyval, (int *keyval))
 MPI_DECLARE(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 MPI_DECLARE(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
 MPI_DECLARE(Comm_delete_attr, (MPI_Comm comm, int keyval))
-MPI_DECLARE(Type_create_keyval, (MPI_Type_copy_attr_function *copy, MPI_Type_delete_attr_function *drop,
+MPI_DECLARE(Type_create_keyval, (MPI_Type_copy_attr_function * copy, MPI_Type_delete_attr_function *drop,
                                  int *keyval, void *extra))
 MPI_DECLARE(Type_free_keyval, (int *keyval))
 MPI_DECLARE(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
@@ -262,11 +264,11 @@ MPI_DECLARE(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *fla
 MPI_DECLARE(Type_delete_attr, (MPI_Datatype type, int keyval))
 
 /* errors */
-MPI_DECLARE(Comm_create_errhandler, (MPI_Comm_errhandler_function *function, MPI_Errhandler *handler))
+MPI_DECLARE(Comm_create_errhandler, (MPI_Comm_errhandler_function * function, MPI_Errhandler *handler))
 MPI_DECLARE(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler))
 MPI_DECLARE(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
 MPI_DECLARE(Comm_call_errhandler, (MPI_Comm comm, int code))
-MPI_DECLARE(Errhandler_free, (MPI_Errhandler *handler))
+MPI_DECLARE(Errhandler_free, (MPI_Errhandler * handler))
 MPI_DECLARE(Error_string, (int code, char *text, int *length))
 MPI_DECLARE(Error_class, (int code, int *kind))
 MPI_DECLARE(Add_error_class, (int *kind))
@@ -275,8 +277,8 @@ MPI_DECLARE(Add_error_string, (int code, const char *text))
 
 /* topologies */
 MPI_DECLARE(Dims_create, (int nodes, int dims, int sides[]))
-MPI_DECLARE(Cart_create, (MPI_Comm comm, int dims, const int sides[], const int periods[], int reorder,
-                          MPI_Comm *to))
+MPI_DECLARE(Cart_create,
+            (MPI_Comm comm, int dims, const int sides[], const int periods[], int reorder, MPI_Comm *to))
 MPI_DECLARE(Cart_coords, (MPI_Comm comm, int rank, int most, int coords[]))
 MPI_DECLARE(Cart_rank, (MPI_Comm comm, const int coords[], int *rank))
 MPI_DECLARE(Cart_shift, (MPI_Comm comm, int direction, int by, int *source, int *dest))
@@ -284,8 +286,8 @@ MPI_DECLARE(Cart_sub, (MPI_Comm comm, const int keep[], MPI_Comm *to))
 MPI_DECLARE(Cart_get, (MPI_Comm comm, int most, int sides[], int periods[], int coords[]))
 MPI_DECLARE(Cartdim_get, (MPI_Comm comm, int *dims))
 MPI_DECLARE(Cart_map, (MPI_Comm comm, int dims, const int sides[], const int periods[], int *rank))
-MPI_DECLARE(Graph_create, (MPI_Comm comm, int nodes, const int ends[], const int edges[], int reorder,
-                           MPI_Comm *to))
+MPI_DECLARE(Graph_create,
+            (MPI_Comm comm, int nodes, const int ends[], const int edges[], int reorder, MPI_Comm *to))
 MPI_DECLARE(Graph_get, (MPI_Comm comm, int most_nodes, int most_edges, int ends[], int edges[]))
 MPI_DECLARE(Graphdims_get, (MPI_Comm comm, int *nodes, int *edges))
 MPI_DECLARE(Graph_neighbors_count, (MPI_Comm comm, int rank, int *count))
@@ -293,32 +295,32 @@ MPI_DECLARE(Graph_neighbors, (MPI_Comm comm, int rank, int most, int neighbors[]
 MPI_DECLARE(Graph_map, (MPI_Comm comm, int nodes, const int ends[], const int edges[], int *rank))
 MPI_DECLARE(Topo_test, (MPI_Comm comm, int *kind))
 
-MPI_DECLARE(Dist_graph_create_adjacent, (MPI_Comm comm, int ins, const int sources[], const int in_weights[],
-                                         int outs, const int dests[], const int out_weights[], MPI_Info info,
-                                         int reorder, MPI_Comm *to))
-MPI_DECLARE(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const int degrees[],
-                                const int dests[], const int weights[], MPI_Info info, int reorder,
-                                MPI_Comm *to))
+MPI_DECLARE(Dist_graph_create_adjacent,
+            (MPI_Comm comm, int ins, const int sources[], const int in_weights[], int outs, const int dests[],
+             const int out_weights[], MPI_Info info, int reorder, MPI_Comm *to))
+MPI_DECLARE(Dist_graph_create,
+            (MPI_Comm comm, int count, const int sources[], const int degrees[], const int dests[],
+             const int weights[], MPI_Info info, int reorder, MPI_Comm *to))
 MPI_DECLARE(Dist_graph_neighbors_count, (MPI_Comm comm, int *ins, int *outs, int *weighted))
-MPI_DECLARE(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int in_weights[], int most_outs,
-                                   int dests[], int out_weights[]))
-#define NEIGHBOR(name, parameters)                                                                    \
+MPI_DECLARE(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int in_weights[],
+                                   int most_outs, int dests[], int out_weights[]))
+#define NEIGHBOR(name, parameters)                                                                           \
     MPI_DECLARE(Neighbor_##name, (NEIGHBOR_LIST parameters, MPI_Comm comm))                                  \
     MPI_DECLARE(Ineighbor_##name, (NEIGHBOR_LIST parameters, MPI_Comm comm, MPI_Request * request))
 #define NEIGHBOR_LIST(...) __VA_ARGS__
 NEIGHBOR(allgather, (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as))
 NEIGHBOR(allgatherv, (const void *buf, int count, MPI_Datatype type, void *into, const int rooms[],
-                        const int places[], MPI_Datatype as))
+                      const int places[], MPI_Datatype as))
 NEIGHBOR(alltoall, (const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as))
 NEIGHBOR(alltoallv, (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into,
-                       const int rooms[], const int places[], MPI_Datatype as))
+                     const int rooms[], const int places[], MPI_Datatype as))
 NEIGHBOR(alltoallw, (const void *buf, const int counts[], const MPI_Aint at[], const MPI_Datatype types[],
-                       void *into, const int rooms[], const MPI_Aint places[], const MPI_Datatype as[]))
+                     void *into, const int rooms[], const MPI_Aint places[], const MPI_Datatype as[]))
 #undef NEIGHBOR
 #undef NEIGHBOR_LIST
 
 /* hints: kept, and without effect */
-MPI_DECLARE(Info_create, (MPI_Info *info))
+MPI_DECLARE(Info_create, (MPI_Info * info))
 MPI_DECLARE(Info_set, (MPI_Info info, const char *key, const char *value))
 MPI_DECLARE(Info_get, (MPI_Info info, const char *key, int room, char *value, int *flag))
 MPI_DECLARE(Info_get_string, (MPI_Info info, const char *key, int *room, char *value, int *flag))
@@ -328,4 +330,4 @@ MPI_DECLARE(Info_get_nkeys, (MPI_Info info, int *count))
 MPI_DECLARE(Info_get_nthkey, (MPI_Info info, int n, char *key))
 MPI_DECLARE(Info_delete, (MPI_Info info, const char *key))
 MPI_DECLARE(Info_dup, (MPI_Info info, MPI_Info *to))
-MPI_DECLARE(Info_free, (MPI_Info *info))
+MPI_DECLARE(Info_free, (MPI_Info * info))

@@ -61,9 +61,10 @@ int buffered_send(struct transfer *t)
         return MPI_SUCCESS;
     settle(t->call, false);
     if (in_use + bytes + MPI_BSEND_OVERHEAD > size)
-        return fail(t->c, t->call, MPI_ERR_BUFFER,
-                    "%zu bytes and MPI_BSEND_OVERHEAD do not fit into the attached buffer: %zu of %zu are free",
-                    bytes, size - in_use, size);
+        return fail(
+            t->c, t->call, MPI_ERR_BUFFER,
+            "%zu bytes and MPI_BSEND_OVERHEAD do not fit into the attached buffer: %zu of %zu are free",
+            bytes, size - in_use, size);
     buffered_copy(t);
     return MPI_SUCCESS;
 }

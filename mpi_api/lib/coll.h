@@ -47,12 +47,12 @@ void coll_restart(struct request *r);
         struct args a = {__VA_ARGS__};                                                                       \
         return coll_call(&a, CALL_##name, comm, check_##function, function, NULL);                           \
     }                                                                                                        \
-    CALL(iname, (COLL_LIST parameters MPI_Comm comm, MPI_Request *request))                                  \
+    CALL(iname, (COLL_LIST parameters MPI_Comm comm, MPI_Request * request))                                 \
     {                                                                                                        \
         struct args a = {__VA_ARGS__};                                                                       \
         return coll_call(&a, CALL_##iname, comm, check_##function, function, request);                       \
     }                                                                                                        \
-    CALL(name##_init, (COLL_LIST parameters MPI_Comm comm, MPI_Info info, MPI_Request *request))             \
+    CALL(name##_init, (COLL_LIST parameters MPI_Comm comm, MPI_Info info, MPI_Request * request))            \
     {                                                                                                        \
         struct args a = {__VA_ARGS__};                                                                       \
         (void)info;                                                                                          \

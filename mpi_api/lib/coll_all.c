@@ -48,8 +48,8 @@ static int allgather_short(const struct coll *o, void *into, int room, MPI_Datat
     type_pack(element(into, (MPI_Aint)rank * room, as), room, as, parts);
     int code = bruck(o, parts, each);
     for (int i = 1; i < size && !code; i++)
-        type_unpack(parts + each * (size_t)i, each, element(into, (MPI_Aint)((rank + i) % size) * room, as), room,
-                    as);
+        type_unpack(parts + each * (size_t)i, each, element(into, (MPI_Aint)((rank + i) % size) * room, as),
+                    room, as);
     free(parts);
     return code;
 }
@@ -90,7 +90,8 @@ static int allgather(struct args *a)
     if (o->c->remote)
         return inter_allgather(a);
     if (a->buf != MPI_IN_PLACE)
-        type_copy(a->buf, a->count, a->type, element(a->into, (MPI_Aint)o->rank * a->room, a->as), a->room, a->as);
+        type_copy(a->buf, a->count, a->type, element(a->into, (MPI_Aint)o->rank * a->room, a->as), a->room,
+                  a->as);
     size_t all = (size_t)a->room * size_of(a->as) * (size_t)o->size;
     bool brief = all < SHORT_GATHER || (all < MEDIUM_GATHER && is_power_of_two(o->size));
     return brief ? allgather_short(o, a->into, a->room, a->as) : ring_of_equals(o, a->into, a->room, a->as);
@@ -102,7 +103,8 @@ static int allgatherv(struct args *a)
     if (o->c->remote)
         return inter_allgather(a);
     if (a->buf != MPI_IN_PLACE)
-        type_copy(a->buf, a->count, a->type, element(a->into, a->places[o->rank], a->as), a->rooms[o->rank], a->as);
+        type_copy(a->buf, a->count, a->type, element(a->into, a->places[o->rank], a->as), a->rooms[o->rank],
+                  a->as);
     return ring(o, a->into, a->rooms, a->places, a->as);
 }
 

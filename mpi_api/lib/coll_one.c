@@ -149,8 +149,9 @@ static int gather_tree(const struct args *a)
             break;
         }
         if (rel + mask < size) {
-            int code = coll_receive_bytes(o, parts + each * (size_t)mask,
-                                          each * (size_t)ranks_below(rel + mask, size), (rel + mask + root) % size);
+            int code =
+                coll_receive_bytes(o, parts + each * (size_t)mask,
+                                   each * (size_t)ranks_below(rel + mask, size), (rel + mask + root) % size);
             if (code)
                 return free(parts), code;
         }
@@ -158,8 +159,8 @@ static int gather_tree(const struct args *a)
     if (rank == root && !in_place)
         type_copy(buf, count, t, element(a->into, (MPI_Aint)root * room, as), room, as);
     for (int i = 1; rank == root && i < size; i++)
-        type_unpack(parts + each * (size_t)i, each, element(a->into, (MPI_Aint)((i + root) % size) * room, as), room,
-                    as);
+        type_unpack(parts + each * (size_t)i, each,
+                    element(a->into, (MPI_Aint)((i + root) % size) * room, as), room, as);
     free(parts);
     return MPI_SUCCESS;
 }
@@ -195,12 +196,14 @@ static int scatter_tree(const struct args *a)
     size_t each = rank == root ? (size_t)count * size_of(t) : (size_t)room * size_of(as);
     char *parts = get_memory(each * (size_t)ranks_below(rel, size));
     for (int i = 1; rank == root && i < size; i++)
-        type_pack(element(a->buf, (MPI_Aint)((i + root) % size) * count, t), count, t, parts + each * (size_t)i);
+        type_pack(element(a->buf, (MPI_Aint)((i + root) % size) * count, t), count, t,
+                  parts + each * (size_t)i);
     int mask = 1;
     while (mask < size && !(rel & mask))
         mask *= 2;
     if (mask < size)
-        code = coll_receive_bytes(o, parts, each * (size_t)ranks_below(rel, size), (rel - mask + root) % size);
+        code =
+            coll_receive_bytes(o, parts, each * (size_t)ranks_below(rel, size), (rel - mask + root) % size);
     for (mask /= 2; mask > 0 && !code; mask /= 2)
         if (rel + mask < size)
             coll_send_bytes(o, parts + each * (size_t)mask, each * (size_t)ranks_below(rel + mask, size),

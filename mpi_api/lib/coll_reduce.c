@@ -1,7 +1,7 @@
 /* coll_reduce.c - reductions, to one rank and to all, and over the ranks before one.
  *
- * Algorithms and their limits: Thakur, Rabenseifner and Gropp (2005), as in coll_one.c. An operation that does
- * not commute gets its operands in the order of the ranks. */
+ * Algorithms and their limits: Thakur, Rabenseifner and Gropp (2005), as in coll_one.c. An operation that
+ * does not commute gets its operands in the order of the ranks. */
 #include <stdlib.h>
 #include <string.h>
 #include "coll.h"
@@ -115,13 +115,13 @@ int coll_reduce(const struct coll *o, const void *buf, void *into, int count, MP
 
 /* --- to all --- */
 
-/* Short ones: recursive doubling. Long ones, of MPI's own types: each rank reduces a part, and then all gather
+/* Short ones: recursive doubling. Long ones, of MPI's own types: each rank reduces a part, then all gather
  * the parts (Rabenseifner). The ranks beyond a power of two hand theirs to a neighbour first. */
 enum { SHORT_ALLREDUCE = 2048 };
 
 struct fold {
-    int power; /* so many take part */
-    int rest;  /* the first 2 rest ranks are pairs, of which the second takes part */
+    int power;  /* so many take part */
+    int rest;   /* the first 2 rest ranks are pairs, of which the second takes part */
     int number; /* among those that take part; -1: does not */
 };
 
@@ -191,8 +191,8 @@ static int halving(struct sum *s, const struct fold *f)
         int keep = low ? first : middle, keep_end = low ? middle : last;
         int at = part_at(s->count, f->power, give), n = part_at(s->count, f->power, give_end) - at;
         int own = part_at(s->count, f->power, keep), m = part_at(s->count, f->power, keep_end) - own;
-        code = coll_exchange(s->o, element(s->own.at, at, s->t), n, s->t, peer, element(s->other.at, own, s->t), m,
-                             s->t, peer);
+        code = coll_exchange(s->o, element(s->own.at, at, s->t), n, s->t, peer,
+                             element(s->other.at, own, s->t), m, s->t, peer);
         if (!code)
             op_apply(s->op, element(s->other.at, own, s->t), element(s->own.at, own, s->t), m, s->t);
         first = keep, last = keep_end;
@@ -202,8 +202,8 @@ static int halving(struct sum *s, const struct fold *f)
         int have = f->number & -mask, theirs = have ^ mask;
         int at = part_at(s->count, f->power, have), n = part_at(s->count, f->power, have + mask) - at;
         int in = part_at(s->count, f->power, theirs), m = part_at(s->count, f->power, theirs + mask) - in;
-        code = coll_exchange(s->o, element(s->own.at, at, s->t), n, s->t, peer, element(s->own.at, in, s->t), m,
-                             s->t, peer);
+        code = coll_exchange(s->o, element(s->own.at, at, s->t), n, s->t, peer, element(s->own.at, in, s->t),
+                             m, s->t, peer);
     }
     return code;
 }

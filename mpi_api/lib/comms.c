@@ -78,7 +78,7 @@ void comm_leave(struct comm *c)
 /* --- asking --- */
 
 #define ASK(name, type, expression)                                                                          \
-    CALL(name, (MPI_Comm comm, type *value))                                                                 \
+    CALL(name, (MPI_Comm comm, type * value))                                                                \
     {                                                                                                        \
         const struct comm *c = comm_of(comm);                                                                \
         if (!c)                                                                                              \
@@ -149,7 +149,10 @@ CALL(Comm_get_name, (MPI_Comm comm, char *name, int *length))
     struct comm *c = comm_of(comm);
     if (!c && comm != MPI_COMM_NULL)
         return fail_comm(CALL_Other);
-    const char *own = !c ? "MPI_COMM_NULL" : c == &comm_world ? "MPI_COMM_WORLD" : c == &comm_self ? "MPI_COMM_SELF" : "";
+    const char *own = !c                 ? "MPI_COMM_NULL"
+                      : c == &comm_world ? "MPI_COMM_WORLD"
+                      : c == &comm_self  ? "MPI_COMM_SELF"
+                                         : "";
     *length = snprintf(name, MPI_MAX_OBJECT_NAME, "%s", c && c->name ? c->name : own);
     return MPI_SUCCESS;
 }
@@ -359,7 +362,8 @@ CALL(Comm_split, (MPI_Comm comm, int color, int key, MPI_Comm *to))
     int context = c->remote ? agree_between(&o) : comm_agree_context(&o);
     *to = MPI_COMM_NULL;
     if (color != MPI_UNDEFINED && (!remote || remote->size))
-        *to = HANDLE(MPI_Comm, inherit(comm_new(group_of_color(c->local, choices, color), remote, context), c));
+        *to =
+            HANDLE(MPI_Comm, inherit(comm_new(group_of_color(c->local, choices, color), remote, context), c));
     else
         group_leave(remote);
     free(choices);
@@ -423,7 +427,8 @@ CALL(Intercomm_create,
         return fail_comm(CALL_Intercomm_create);
     const struct coll o = coll_of(c, CALL_Intercomm_create);
     if (leader < 0 || leader >= o.size)
-        return fail(c, CALL_Intercomm_create, MPI_ERR_RANK, "leader %d is not one of %d ranks", leader, o.size);
+        return fail(c, CALL_Intercomm_create, MPI_ERR_RANK, "leader %d is not one of %d ranks", leader,
+                    o.size);
     bool leads = o.rank == leader;
     if (leads && !(b = comm_of(bridge)))
         return fail_comm(CALL_Intercomm_create);

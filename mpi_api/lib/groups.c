@@ -233,7 +233,8 @@ static int choose_ranges(const char *call, MPI_Group from, int count, int ranges
     }
     int *ranks = get_memory(((size_t)n + 1) * sizeof *ranks), k = 0;
     for (int i = 0; i < count; i++)
-        for (int r = ranges[i][0]; ranges[i][2] > 0 ? r <= ranges[i][1] : r >= ranges[i][1]; r += ranges[i][2])
+        for (int r = ranges[i][0]; ranges[i][2] > 0 ? r <= ranges[i][1] : r >= ranges[i][1];
+             r += ranges[i][2])
             ranks[k++] = r;
     int code = choose(call, from, k, ranks, others, group);
     free(ranks);
@@ -288,7 +289,8 @@ CALL(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
     if (!c)
         return fail_comm(CALL_Other);
     if (!c->remote)
-        return fail(c, CALL_Other, MPI_ERR_COMM, "MPI_Comm_remote_group: the communicator has one group only");
+        return fail(c, CALL_Other, MPI_ERR_COMM,
+                    "MPI_Comm_remote_group: the communicator has one group only");
     *group = shared(c->remote);
     return MPI_SUCCESS;
 }

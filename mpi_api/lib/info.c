@@ -143,7 +143,8 @@ CALL(Info_delete, (MPI_Info info, const char *key))
         return no_info("MPI_Info_delete");
     struct pair **link = find(i, key);
     if (!*link)
-        return fail(NULL, CALL_Other, MPI_ERR_INFO_NOKEY, "MPI_Info_delete: the info has no key \"%.80s\"", key);
+        return fail(NULL, CALL_Other, MPI_ERR_INFO_NOKEY, "MPI_Info_delete: the info has no key \"%.80s\"",
+                    key);
     remove_pair(link);
     return MPI_SUCCESS;
 }

@@ -156,7 +156,7 @@ struct request {
     enum { SENDS, RECEIVES, GENERAL, COLLECTS } what;
     bool persistent, active, cancelled;
     enum mode mode;
-    int id;     /* the core's; 0: done */
+    int id;   /* the core's; 0: done */
     int peer; /* the other's rank */
     struct nxm_envelope envelope;
     struct comm *comm;
@@ -185,7 +185,7 @@ struct transfer {
     struct comm *c; /* set by transfer_check */
 };
 int transfer_check(struct transfer *t, bool sends);
-int transfer_send(struct transfer *t);                    /* blocking */
+int transfer_send(struct transfer *t); /* blocking */
 int transfer_receive(struct transfer *t, MPI_Status *status);
 struct request *transfer_begin(const struct transfer *t, bool sends); /* not under way yet */
 void request_start(struct request *r);

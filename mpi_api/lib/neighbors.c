@@ -43,21 +43,22 @@ static struct edge *gather_edges(const struct coll *o, const struct edge *own, i
 static struct topology *neighbors_of(const struct edge *all, int total, int rank, bool weighted)
 {
     int *lists = get_memory(4 * ((size_t)total + 1) * sizeof *lists), ins = 0, outs = 0;
-    int *sources = lists, *in_weights = lists + total, *dests = lists + 2 * total, *out_weights = lists + 3 * total;
+    int *sources = lists, *in_weights = lists + total, *dests = lists + 2 * total,
+        *out_weights = lists + 3 * total;
     for (int i = 0; i < total; i++) {
         if (all[i].dest == rank)
             sources[ins] = all[i].source, in_weights[ins++] = all[i].weight;
         if (all[i].source == rank)
             dests[outs] = all[i].dest, out_weights[outs++] = all[i].weight;
     }
-    struct topology *t = topology_of_neighbors(ins, sources, weighted ? in_weights : MPI_UNWEIGHTED, outs, dests,
-                                               out_weights);
+    struct topology *t =
+        topology_of_neighbors(ins, sources, weighted ? in_weights : MPI_UNWEIGHTED, outs, dests, out_weights);
     free(lists);
     return t;
 }
 
-CALL(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const int degrees[], const int dests[],
-                         const int weights[], MPI_Info info, int reorder, MPI_Comm *to))
+CALL(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const int degrees[],
+                         const int dests[], const int weights[], MPI_Info info, int reorder, MPI_Comm *to))
 {
     struct comm *c = comm_of(comm);
     bool weighted = weights != MPI_UNWEIGHTED;
@@ -197,7 +198,7 @@ static int exchange(struct args *a)
         struct args a = {__VA_ARGS__};                                                                       \
         return coll_call(&a, CALL_Neighbor_##name, comm, check_exchange, exchange, NULL);                    \
     }                                                                                                        \
-    CALL(Ineighbor_##name, (COLL_LIST parameters MPI_Comm comm, MPI_Request *request))                       \
+    CALL(Ineighbor_##name, (COLL_LIST parameters MPI_Comm comm, MPI_Request * request))                      \
     {                                                                                                        \
         struct args a = {__VA_ARGS__};                                                                       \
         return coll_call(&a, CALL_Neighbor_##name, comm, check_exchange, exchange, request);                 \
@@ -213,8 +214,8 @@ NEIGHBOR(allgatherv,
          .buf = buf, .count = count, .type = type, .into = into, .rooms = rooms, .places = places, .as = as,
          .same = true)
 NEIGHBOR(alltoallv,
-         (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into, const int rooms[],
-          const int places[], MPI_Datatype as),
+         (const void *buf, const int counts[], const int at[], MPI_Datatype type, void *into,
+          const int rooms[], const int places[], MPI_Datatype as),
          .buf = buf, .counts = counts, .at = at, .type = type, .into = into, .rooms = rooms, .places = places,
          .as = as)
 NEIGHBOR(alltoallw,

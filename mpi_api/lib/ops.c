@@ -14,40 +14,40 @@
     } while (0)
 
 #define BETWEEN(type)                                                                                        \
-    case SUM_NUMBER:                                                                                     \
+    case SUM_NUMBER:                                                                                         \
         LOOP(type, x[i] + y[i]);                                                                             \
         break;                                                                                               \
-    case PROD_NUMBER:                                                                                    \
+    case PROD_NUMBER:                                                                                        \
         LOOP(type, x[i] * y[i]);                                                                             \
         break;
 
 #define ORDERED(type)                                                                                        \
-    case MIN_NUMBER:                                                                                     \
+    case MIN_NUMBER:                                                                                         \
         LOOP(type, x[i] < y[i] ? x[i] : y[i]);                                                               \
         break;                                                                                               \
-    case MAX_NUMBER:                                                                                     \
+    case MAX_NUMBER:                                                                                         \
         LOOP(type, x[i] > y[i] ? x[i] : y[i]);                                                               \
         break;
 
 #define LOGICALLY(type)                                                                                      \
-    case LAND_NUMBER:                                                                                    \
+    case LAND_NUMBER:                                                                                        \
         LOOP(type, x[i] && y[i]);                                                                            \
         break;                                                                                               \
-    case LOR_NUMBER:                                                                                     \
+    case LOR_NUMBER:                                                                                         \
         LOOP(type, x[i] || y[i]);                                                                            \
         break;                                                                                               \
-    case LXOR_NUMBER:                                                                                    \
+    case LXOR_NUMBER:                                                                                        \
         LOOP(type, !x[i] != !y[i]);                                                                          \
         break;
 
 #define BITWISE(type)                                                                                        \
-    case BAND_NUMBER:                                                                                    \
+    case BAND_NUMBER:                                                                                        \
         LOOP(type, x[i] & y[i]);                                                                             \
         break;                                                                                               \
-    case BOR_NUMBER:                                                                                     \
+    case BOR_NUMBER:                                                                                         \
         LOOP(type, x[i] | y[i]);                                                                             \
         break;                                                                                               \
-    case BXOR_NUMBER:                                                                                    \
+    case BXOR_NUMBER:                                                                                        \
         LOOP(type, x[i] ^ y[i]);                                                                             \
         break;
 
@@ -106,7 +106,7 @@ COMPLEXES(on_long_double_complex, long double complex)
         const struct pair *x = in;                                                                           \
         struct pair *y = inout;                                                                              \
         for (size_t i = 0; i < n; i++) {                                                                     \
-            bool less = number == MINLOC_NUMBER ? x[i].value < y[i].value : x[i].value > y[i].value;     \
+            bool less = number == MINLOC_NUMBER ? x[i].value < y[i].value : x[i].value > y[i].value;         \
             if (less || (x[i].value == y[i].value && x[i].index < y[i].index))                               \
                 y[i] = x[i];                                                                                 \
         }                                                                                                    \

@@ -73,7 +73,8 @@ void type_copy(const void *from, int count, MPI_Datatype t, void *to, int room, 
 
 /* --- the calls --- */
 
-CALL(Pack, (const void *buf, int count, MPI_Datatype type, void *into, int room, int *position, MPI_Comm comm))
+CALL(Pack,
+     (const void *buf, int count, MPI_Datatype type, void *into, int room, int *position, MPI_Comm comm))
 {
     struct comm *c = comm_of(comm);
     if (!c)
@@ -90,7 +91,8 @@ CALL(Pack, (const void *buf, int count, MPI_Datatype type, void *into, int room,
     return MPI_SUCCESS;
 }
 
-CALL(Unpack, (const void *from, int size, int *position, void *buf, int count, MPI_Datatype type, MPI_Comm comm))
+CALL(Unpack,
+     (const void *from, int size, int *position, void *buf, int count, MPI_Datatype type, MPI_Comm comm))
 {
     struct comm *c = comm_of(comm);
     if (!c)
@@ -99,9 +101,10 @@ CALL(Unpack, (const void *from, int size, int *position, void *buf, int count, M
         return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Unpack: the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
     if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)size)
-        return fail(c, CALL_Other, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
-                    "MPI_Unpack: there are fewer than %d elements of %zu bytes in %d bytes behind position %d",
-                    count, size_of(type), size, *position);
+        return fail(
+            c, CALL_Other, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
+            "MPI_Unpack: there are fewer than %d elements of %zu bytes in %d bytes behind position %d", count,
+            size_of(type), size, *position);
     type_unpack((const char *)from + *position, bytes, buf, count, type);
     *position += (int)bytes;
     return MPI_SUCCESS;
@@ -124,7 +127,8 @@ static void reverse_elements(const struct type *t, char *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < t->runs; k++)
-            for (size_t done = 0; done < t->run[k].bytes; done += (size_t)t->run[k].unit, bytes += t->run[k].unit)
+            for (size_t done = 0; done < t->run[k].bytes;
+                 done += (size_t)t->run[k].unit, bytes += t->run[k].unit)
                 for (int low = 0, high = t->run[k].unit - 1; low < high; low++, high--) {
                     char c = bytes[low];
                     bytes[low] = bytes[high], bytes[high] = c;
@@ -135,7 +139,8 @@ static int check_external(const char *name, MPI_Datatype type)
 {
     if (strcmp(name, "external32") != 0)
         return fail(NULL, CALL_Other, MPI_ERR_ARG, "there is the representation external32 only");
-    return type_of(type) ? MPI_SUCCESS : fail(NULL, CALL_Other, MPI_ERR_TYPE, "the datatype is null, or freed");
+    return type_of(type) ? MPI_SUCCESS
+                         : fail(NULL, CALL_Other, MPI_ERR_TYPE, "the datatype is null, or freed");
 }
 
 CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_Aint *size))
@@ -146,8 +151,8 @@ CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_A
     return code;
 }
 
-CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into, MPI_Aint room,
-                     MPI_Aint *position))
+CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into,
+                     MPI_Aint room, MPI_Aint *position))
 {
     int code = check_external(name, type);
     if (code)
@@ -162,8 +167,8 @@ CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype
     return MPI_SUCCESS;
 }
 
-CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf, int count,
-                       MPI_Datatype type))
+CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf,
+                       int count, MPI_Datatype type))
 {
     int code = check_external(name, type);
     if (code)
@@ -230,7 +235,8 @@ CALL(Status_set_elements_x, (MPI_Status * status, MPI_Datatype type, MPI_Count c
 {
     const struct type *t = type_of(type);
     if (!t)
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Status_set_elements: the datatype is null, or freed");
+        return fail(NULL, CALL_Other, MPI_ERR_TYPE,
+                    "MPI_Status_set_elements: the datatype is null, or freed");
     status_set(status, status->MPI_SOURCE, status->MPI_TAG, (size_t)count * t->size);
     return MPI_SUCCESS;
 }

@@ -77,7 +77,7 @@ struct many {
     struct request **request; /* NULL: of no request */
     int *ids;
     struct nxm_status *status;
-    int active, done; /* done: those that need not be waited for */
+    int active, done;          /* done: those that need not be waited for */
     int messages, collectives; /* of the active ones that are not done */
 };
 
@@ -345,7 +345,8 @@ static int start(int call, MPI_Request request)
     struct request *r = object_of(request, REQUEST);
     if (!r || !r->persistent || r->active)
         return fail(NULL, call, MPI_ERR_REQUEST, "%s",
-                    r && r->persistent ? "the request is under way already" : "the request is no persistent one");
+                    r && r->persistent ? "the request is under way already"
+                                       : "the request is no persistent one");
     r->envelope.call = call;
     if (r->what == COLLECTS)
         coll_restart(r);

@@ -117,7 +117,8 @@ CALL(Dims_create, (int nodes, int dims, int sides[]))
     }
     if (nodes % given || (!open && given != nodes))
         return fail(NULL, CALL_Other, MPI_ERR_DIMS,
-                    "MPI_Dims_create: %d nodes are no multiple of the %d that the given sides make", nodes, given);
+                    "MPI_Dims_create: %d nodes are no multiple of the %d that the given sides make", nodes,
+                    given);
     find_sides(nodes / given, open, nodes, found);
     for (int d = 0; d < dims; d++)
         if (!sides[d])
@@ -153,7 +154,8 @@ int topology_make(const struct coll *o, int ranks, struct topology *t, MPI_Comm 
     return MPI_SUCCESS;
 }
 
-CALL(Cart_create, (MPI_Comm comm, int dims, const int sides[], const int periods[], int reorder, MPI_Comm *to))
+CALL(Cart_create,
+     (MPI_Comm comm, int dims, const int sides[], const int periods[], int reorder, MPI_Comm *to))
 {
     struct comm *c = comm_of(comm);
     (void)reorder;
@@ -211,7 +213,8 @@ CALL(Cart_rank, (MPI_Comm comm, const int coords[], int *rank))
         return code;
     *rank = topology_rank_at(t, coords);
     if (*rank == MPI_PROC_NULL)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG, "MPI_Cart_rank: the coordinates lie outside of the grid");
+        return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG,
+                    "MPI_Cart_rank: the coordinates lie outside of the grid");
     return MPI_SUCCESS;
 }
 
@@ -222,7 +225,8 @@ CALL(Cart_shift, (MPI_Comm comm, int direction, int by, int *source, int *dest))
     if (!t)
         return code;
     if (direction < 0 || direction >= t->dims)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG, "MPI_Cart_shift: direction %d of %d", direction, t->dims);
+        return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG, "MPI_Cart_shift: direction %d of %d", direction,
+                    t->dims);
     int coords[t->dims];
     topology_coords(t, comm_of(comm)->local->rank, coords);
     coords[direction] += by;
@@ -300,12 +304,12 @@ CALL(Graph_create, (MPI_Comm comm, int nodes, const int ends[], const int edges[
         return fail_comm(CALL_Graph_create);
     const struct coll o = coll_of(c, CALL_Graph_create);
     if (nodes < 0 || nodes > o.size)
-        return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "the graph has %d nodes, the communicator %d ranks", nodes,
-                    o.size);
+        return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "the graph has %d nodes, the communicator %d ranks",
+                    nodes, o.size);
     for (int i = 0; nodes && i < ends[nodes - 1]; i++)
         if (edges[i] < 0 || edges[i] >= nodes)
-            return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "edge %d leads to %d, which is no node of the graph", i,
-                        edges[i]);
+            return fail(o.c, CALL_Graph_create, MPI_ERR_ARG,
+                        "edge %d leads to %d, which is no node of the graph", i, edges[i]);
     return topology_make(&o, nodes, graph_new(nodes, ends, edges), to);
 }
 
@@ -357,7 +361,8 @@ CALL(Graph_neighbors, (MPI_Comm comm, int rank, int most, int neighbors[]))
     if (!t)
         return code;
     if (rank < 0 || rank >= t->nodes)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_RANK, "MPI_Graph_neighbors: rank %d of %d", rank, t->nodes);
+        return fail(comm_of(comm), CALL_Other, MPI_ERR_RANK, "MPI_Graph_neighbors: rank %d of %d", rank,
+                    t->nodes);
     for (int i = first_edge(t, rank), n = 0; i < t->ends[rank] && n < most; i++, n++)
         neighbors[n] = t->edges[i];
     return MPI_SUCCESS;

@@ -31,7 +31,7 @@ struct arguments {
     const char *stub_values; /* "name=0,other=1": what some of them return; "" */
     bool mpi;
     bool mpi_program; /* for simulated nodes, with MPI's library and headers */
-    bool kmath; /* is to be linked with the library of linear algebra */
+    bool kmath;       /* is to be linked with the library of linear algebra */
 };
 
 /* Does not return when they ask for help, or cannot be met. */

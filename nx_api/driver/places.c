@@ -32,9 +32,10 @@ struct places places_find(void)
 
     char *built = text("%s/node", self);
     if (readable_in(built, "count.so"))
-        return (struct places){
-            .lib = built, .include = text("%s/include", built), .cpu = text("%s/cpu", built),
-            .mpi_include = text("%s/mpi_include", built)};
+        return (struct places){.lib = built,
+                               .include = text("%s/include", built),
+                               .cpu = text("%s/cpu", built),
+                               .mpi_include = text("%s/mpi_include", built)};
     free(built);
     struct places p = {
         .lib = text("%s/../lib/touchstone", self),

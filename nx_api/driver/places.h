@@ -9,9 +9,9 @@
 #define DRIVER_PLACES_H
 
 struct places {
-    char *lib;     /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
-    char *include; /* nx.h */
-    char *cpu;     /* i860xr.cfg */
+    char *lib;         /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
+    char *include;     /* nx.h */
+    char *cpu;         /* i860xr.cfg */
     char *mpi_include; /* mpi.h */
 };
 

@@ -27,7 +27,7 @@ STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 NODE_TOOLS := $(NODES)/nxcc $(NODES)/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h nx_api/include/rpc/*.h)
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE_TOOLS)
 NXCC_C_DEPS := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS) # for C without options
-NXCC_DEPS  := $(NXCC_C_DEPS) $(NODE)/libmpi.a $(NODE)/mpi_include $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a
+NXCC_DEPS   = $(NXCC_C_DEPS) $(NODE)/libmpi.a $(MPI_HEADERS) $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(call say,LINK,$@)

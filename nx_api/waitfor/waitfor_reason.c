@@ -17,6 +17,10 @@ struct reasons {
 
 static void print_wanted(FILE *f, const struct waitfor *w, const struct waitfor_select *s)
 {
+    if (waitfor_is_mpi(s->pid)) {
+        waitfor_print_mpi(f, w, s->typesel, s->node, s->pid);
+        return;
+    }
     waitfor_print_typesel(f, s->typesel);
     fputs(" from ", f);
     waitfor_print_node(f, w, s->node);
@@ -34,6 +38,12 @@ static void print_difference(FILE *f, const struct waitfor *w, const struct wait
     bool type = !waitfor_type_selected(s->typesel, m->type);
     bool node = s->node != WAITFOR_ANY && s->node != m->from;
     bool pid = s->pid != WAITFOR_ANY && s->pid != m->pid;
+    if (waitfor_is_mpi(s->pid) && (type || node || pid)) {
+        fputs(" (it wants ", f);
+        print_wanted(f, w, s);
+        fputc(')', f);
+        return;
+    }
     fputs(type || node || pid ? " (it wants " : "", f);
     if (type)
         waitfor_print_typesel(f, s->typesel);
@@ -65,8 +75,9 @@ static void print_messages(FILE *f, const struct waitfor *w, const struct waitfo
         const struct waitfor_message *m = &n->messages[i];
         if (!is_told(m))
             continue;
-        fprintf(f, "%stype %ld from ", told++ ? ", " : "", m->type);
-        waitfor_print_node(f, w, m->from);
+        fputs(told++ ? ", " : "", f);
+        print_wanted(
+            f, w, &(struct waitfor_select){m->type, m->from, waitfor_is_mpi(m->pid) ? m->pid : WAITFOR_ANY});
         print_difference(f, w, n, m);
     }
     if (count > told)
@@ -392,6 +403,10 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
         [WAITFOR_KNOT] = "One of them has to send before it receives.",
         [WAITFOR_ORPHAN] = "Look for the send that has not been made.",
     };
+    const char *mpi =
+        n->what == WAITFOR_MESSAGE && waitfor_is_mpi(n->select.pid) ? waitfor_mpi_remedy(n) : NULL;
+    if (mpi)
+        return mpi;
     if (n->cause == WAITFOR_TAKEN)
         return remedy_for_taken(n);
     if (n->cause == WAITFOR_MASKED)

@@ -211,9 +211,8 @@ static bool read_mpi(struct cfg_reader *r, struct cfg_machine *m)
 
 static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
 {
-    static const char *const keys[] = {"name",   "description", "topology", "node", "net",
-                                       "system", "cfs",         "host",     "mpi_eager_limit",
-                                       NULL};
+    static const char *const keys[] = {"name", "description", "topology",        "node", "net", "system",
+                                       "cfs",  "host",        "mpi_eager_limit", NULL};
     const char *name, *description;
     config_setting_t *net, *system;
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "name", &name) ||

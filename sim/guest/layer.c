@@ -10,7 +10,8 @@
 
 bool layer_is_library(const char *path)
 {
-    return strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/");
+    return strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/") ||
+           strncmp(path, "mpi_api/", 8) == 0 || strstr(path, "/mpi_api/");
 }
 
 /* (GCC names parts and copies of a function NAME.part.0, NAME.constprop.0.) */

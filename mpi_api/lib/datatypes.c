@@ -1,4 +1,4 @@
-/* types.c - datatypes: each is a list of runs of bytes, in the order of its type map, and two bounds. */
+/* datatypes.c - each datatype is a list of runs of bytes, in the order of its type map, and two bounds. */
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,28 +9,28 @@
 
 #define AT(handle) [(handle)-FIRST_BASIC]
 const struct basic basic_types[BASICS] = {
-    AT(0x201) = {8, WHOLE, 0},     AT(0x202) = {8, WHOLE, 0},    AT(0x203) = {8, WHOLE, 0},
-    AT(0x207) = {1, BITS, 0},      AT(0x208) = {2, WHOLE, 0},    AT(0x209) = {4, WHOLE, 0},
-    AT(0x20a) = {8, WHOLE, 0},     AT(0x20b) = {8, WHOLE, 0},    AT(0x20c) = {2, NATURAL, 0},
-    AT(0x20d) = {4, NATURAL, 0},   AT(0x20e) = {8, NATURAL, 0},  AT(0x20f) = {8, NATURAL, 0},
-    AT(0x210) = {4, REAL, 0},      AT(0x212) = {8, COMPLEX, 0},  AT(0x214) = {8, REAL, 0},
-    AT(0x216) = {16, COMPLEX, 0},  AT(0x218) = {4, LOGICAL, 0},  AT(0x219) = {4, WHOLE, 0},
-    AT(0x21a) = {4, REAL, 0},      AT(0x21b) = {8, COMPLEX, 0},  AT(0x21c) = {8, REAL, 0},
-    AT(0x21d) = {16, COMPLEX, 0},  AT(0x220) = {16, REAL, 0},    AT(0x224) = {32, COMPLEX, 0},
-    AT(0x228) = {8, PAIR, 4},      AT(0x229) = {16, PAIR, 8},    AT(0x22a) = {16, PAIR, 8},
-    AT(0x22b) = {8, PAIR, 4},      AT(0x22c) = {8, PAIR, 2},     AT(0x22d) = {32, PAIR, 16},
-    AT(0x230) = {8, PAIR, 4},      AT(0x231) = {16, PAIR, 8},    AT(0x232) = {8, PAIR, 4},
-    AT(0x238) = {1, LOGICAL, 0},   AT(0x23c) = {4, WHOLE, 0},    AT(0x240) = {1, WHOLE, 0},
-    AT(0x241) = {1, NATURAL, 0},   AT(0x243) = {1, WHOLE, 0},    AT(0x244) = {1, WHOLE, 0},
-    AT(0x245) = {1, NATURAL, 0},   AT(0x247) = {1, BITS, 0},     AT(0x248) = {2, WHOLE, 0},
-    AT(0x249) = {2, NATURAL, 0},   AT(0x250) = {4, WHOLE, 0},    AT(0x251) = {4, NATURAL, 0},
-    AT(0x258) = {8, WHOLE, 0},     AT(0x259) = {8, NATURAL, 0},  AT(0x2c1) = {1, WHOLE, 0},
-    AT(0x2c3) = {1, BITS, 0},      AT(0x2c9) = {2, WHOLE, 0},    AT(0x2d0) = {4, LOGICAL, 0},
-    AT(0x2d1) = {4, WHOLE, 0},     AT(0x2d2) = {4, REAL, 0},     AT(0x2d8) = {8, LOGICAL, 0},
-    AT(0x2d9) = {8, WHOLE, 0},     AT(0x2da) = {8, REAL, 0},     AT(0x2db) = {8, COMPLEX, 0},
-    AT(0x2e2) = {16, REAL, 0},     AT(0x2e3) = {16, COMPLEX, 0}, AT(0x2f0) = {0, BITS, 0},
-    AT(0x2f1) = {0, BITS, 0},      AT(0x213) = {8, COMPLEX, 0},  AT(0x217) = {16, COMPLEX, 0},
-    AT(0x225) = {32, COMPLEX, 0},  AT(0x239) = {1, LOGICAL, 0},  AT(0x2e1) = {16, BITS, 0},
+    AT(0x201) = {8, WHOLE, 0},    AT(0x202) = {8, WHOLE, 0},    AT(0x203) = {8, WHOLE, 0},
+    AT(0x207) = {1, BITS, 0},     AT(0x208) = {2, WHOLE, 0},    AT(0x209) = {4, WHOLE, 0},
+    AT(0x20a) = {8, WHOLE, 0},    AT(0x20b) = {8, WHOLE, 0},    AT(0x20c) = {2, NATURAL, 0},
+    AT(0x20d) = {4, NATURAL, 0},  AT(0x20e) = {8, NATURAL, 0},  AT(0x20f) = {8, NATURAL, 0},
+    AT(0x210) = {4, REAL, 0},     AT(0x212) = {8, COMPLEX, 0},  AT(0x214) = {8, REAL, 0},
+    AT(0x216) = {16, COMPLEX, 0}, AT(0x218) = {4, LOGICAL, 0},  AT(0x219) = {4, WHOLE, 0},
+    AT(0x21a) = {4, REAL, 0},     AT(0x21b) = {8, COMPLEX, 0},  AT(0x21c) = {8, REAL, 0},
+    AT(0x21d) = {16, COMPLEX, 0}, AT(0x220) = {16, REAL, 0},    AT(0x224) = {32, COMPLEX, 0},
+    AT(0x228) = {8, PAIR, 4},     AT(0x229) = {16, PAIR, 8},    AT(0x22a) = {16, PAIR, 8},
+    AT(0x22b) = {8, PAIR, 4},     AT(0x22c) = {8, PAIR, 2},     AT(0x22d) = {32, PAIR, 16},
+    AT(0x230) = {8, PAIR, 4},     AT(0x231) = {16, PAIR, 8},    AT(0x232) = {8, PAIR, 4},
+    AT(0x238) = {1, LOGICAL, 0},  AT(0x23c) = {4, WHOLE, 0},    AT(0x240) = {1, WHOLE, 0},
+    AT(0x241) = {1, NATURAL, 0},  AT(0x243) = {1, WHOLE, 0},    AT(0x244) = {1, WHOLE, 0},
+    AT(0x245) = {1, NATURAL, 0},  AT(0x247) = {1, BITS, 0},     AT(0x248) = {2, WHOLE, 0},
+    AT(0x249) = {2, NATURAL, 0},  AT(0x250) = {4, WHOLE, 0},    AT(0x251) = {4, NATURAL, 0},
+    AT(0x258) = {8, WHOLE, 0},    AT(0x259) = {8, NATURAL, 0},  AT(0x2c1) = {1, WHOLE, 0},
+    AT(0x2c3) = {1, BITS, 0},     AT(0x2c9) = {2, WHOLE, 0},    AT(0x2d0) = {4, LOGICAL, 0},
+    AT(0x2d1) = {4, WHOLE, 0},    AT(0x2d2) = {4, REAL, 0},     AT(0x2d8) = {8, LOGICAL, 0},
+    AT(0x2d9) = {8, WHOLE, 0},    AT(0x2da) = {8, REAL, 0},     AT(0x2db) = {8, COMPLEX, 0},
+    AT(0x2e2) = {16, REAL, 0},    AT(0x2e3) = {16, COMPLEX, 0}, AT(0x2f0) = {0, BITS, 0},
+    AT(0x2f1) = {0, BITS, 0},     AT(0x213) = {8, COMPLEX, 0},  AT(0x217) = {16, COMPLEX, 0},
+    AT(0x225) = {32, COMPLEX, 0}, AT(0x239) = {1, LOGICAL, 0},  AT(0x2e1) = {16, BITS, 0},
     AT(0x2eb) = {32, COMPLEX, 0},
 };
 
@@ -310,8 +310,7 @@ CALL(Type_create_hindexed,
                    MPI_COMBINER_HINDEXED, type);
 }
 
-CALL(Type_create_indexed_block,
-     (int count, int length, const int at[], MPI_Datatype old, MPI_Datatype *type))
+CALL(Type_create_indexed_block, (int count, int length, const int at[], MPI_Datatype old, MPI_Datatype *type))
 {
     return indexed("MPI_Type_create_indexed_block", &(struct places){count, length, NULL, at, NULL}, old,
                    MPI_COMBINER_INDEXED_BLOCK, type);
@@ -324,8 +323,8 @@ CALL(Type_create_hindexed_block,
                    MPI_COMBINER_HINDEXED_BLOCK, type);
 }
 
-CALL(Type_create_struct, (int count, const int lengths[], const MPI_Aint at[], const MPI_Datatype types[],
-                          MPI_Datatype *type))
+CALL(Type_create_struct,
+     (int count, const int lengths[], const MPI_Aint at[], const MPI_Datatype types[], MPI_Datatype *type))
 {
     int room = 0;
     if (count < 0)
@@ -410,7 +409,8 @@ CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], c
 }
 
 /* The elements of a dimension that a rank has: every so many blocks one of `block`. */
-static struct type *distributed(const struct type *inner, MPI_Aint step, int size, int block, int parts, int part)
+static struct type *distributed(const struct type *inner, MPI_Aint step, int size, int block, int parts,
+                                int part)
 {
     struct type *t = type_new();
     int room = 0;
@@ -420,8 +420,9 @@ static struct type *distributed(const struct type *inner, MPI_Aint step, int siz
     return t;
 }
 
-CALL(Type_create_darray, (int ranks, int rank, int dims, const int sizes[], const int kinds[], const int blocks[],
-                          const int grid[], int order, MPI_Datatype old, MPI_Datatype *type))
+CALL(Type_create_darray,
+     (int ranks, int rank, int dims, const int sizes[], const int kinds[], const int blocks[],
+      const int grid[], int order, MPI_Datatype old, MPI_Datatype *type))
 {
     const struct type *o = type_of(old);
     if (!o)
@@ -520,8 +521,9 @@ CALL(Type_free, (MPI_Datatype * type))
 {
     struct type *t = type_basic(*type) ? NULL : object_of(*type, TYPE);
     if (!t)
-        return type_basic(*type) ? fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_free: one of MPI's own types")
-                                 : no_type("MPI_Type_free");
+        return type_basic(*type)
+                   ? fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_free: one of MPI's own types")
+                   : no_type("MPI_Type_free");
     int code = type_delete_attributes(t);
     if (code)
         return code;
@@ -580,15 +582,16 @@ CALL(Type_match_size, (int kind, int size, MPI_Datatype *type))
     static const struct match {
         int kind, size;
         MPI_Datatype type;
-    } matches[] = {{MPI_TYPECLASS_INTEGER, 1, MPI_INTEGER1},  {MPI_TYPECLASS_INTEGER, 2, MPI_INTEGER2},
-                   {MPI_TYPECLASS_INTEGER, 4, MPI_INTEGER4},  {MPI_TYPECLASS_INTEGER, 8, MPI_INTEGER8},
-                   {MPI_TYPECLASS_REAL, 4, MPI_REAL4},        {MPI_TYPECLASS_REAL, 8, MPI_REAL8},
-                   {MPI_TYPECLASS_REAL, 16, MPI_REAL16},      {MPI_TYPECLASS_COMPLEX, 8, MPI_COMPLEX8},
+    } matches[] = {{MPI_TYPECLASS_INTEGER, 1, MPI_INTEGER1},   {MPI_TYPECLASS_INTEGER, 2, MPI_INTEGER2},
+                   {MPI_TYPECLASS_INTEGER, 4, MPI_INTEGER4},   {MPI_TYPECLASS_INTEGER, 8, MPI_INTEGER8},
+                   {MPI_TYPECLASS_REAL, 4, MPI_REAL4},         {MPI_TYPECLASS_REAL, 8, MPI_REAL8},
+                   {MPI_TYPECLASS_REAL, 16, MPI_REAL16},       {MPI_TYPECLASS_COMPLEX, 8, MPI_COMPLEX8},
                    {MPI_TYPECLASS_COMPLEX, 16, MPI_COMPLEX16}, {MPI_TYPECLASS_COMPLEX, 32, MPI_COMPLEX32}};
     for (size_t i = 0; i < sizeof matches / sizeof *matches; i++)
         if (matches[i].kind == kind && matches[i].size == size)
             return *type = matches[i].type, MPI_SUCCESS;
-    return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Type_match_size: no datatype of this kind has %d bytes", size);
+    return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Type_match_size: no datatype of this kind has %d bytes",
+                size);
 }
 
 CALL(Type_get_envelope, (MPI_Datatype type, int *ints, int *addresses, int *types, int *combiner))
@@ -633,23 +636,83 @@ CALL(Type_set_name, (MPI_Datatype type, const char *name))
 static const char *own_name(MPI_Datatype type)
 {
 #define NAME(t)                                                                                              \
-    if (type == t)                                                                                           \
-        return #t;
-    NAME(MPI_INT) NAME(MPI_DOUBLE) NAME(MPI_FLOAT) NAME(MPI_CHAR) NAME(MPI_BYTE) NAME(MPI_PACKED)
-    NAME(MPI_SHORT) NAME(MPI_LONG) NAME(MPI_LONG_LONG) NAME(MPI_UNSIGNED_SHORT) NAME(MPI_UNSIGNED)
-    NAME(MPI_UNSIGNED_LONG) NAME(MPI_UNSIGNED_LONG_LONG) NAME(MPI_SIGNED_CHAR) NAME(MPI_UNSIGNED_CHAR)
-    NAME(MPI_LONG_DOUBLE) NAME(MPI_WCHAR) NAME(MPI_FLOAT_INT) NAME(MPI_DOUBLE_INT) NAME(MPI_LONG_INT)
-    NAME(MPI_2INT) NAME(MPI_SHORT_INT) NAME(MPI_LONG_DOUBLE_INT) NAME(MPI_LOGICAL) NAME(MPI_INTEGER)
-    NAME(MPI_REAL) NAME(MPI_COMPLEX) NAME(MPI_DOUBLE_PRECISION) NAME(MPI_DOUBLE_COMPLEX) NAME(MPI_CHARACTER)
-    NAME(MPI_2REAL) NAME(MPI_2DOUBLE_PRECISION) NAME(MPI_2INTEGER) NAME(MPI_INT8_T) NAME(MPI_INT16_T)
-    NAME(MPI_INT32_T) NAME(MPI_INT64_T) NAME(MPI_UINT8_T) NAME(MPI_UINT16_T) NAME(MPI_UINT32_T)
-    NAME(MPI_UINT64_T) NAME(MPI_C_BOOL) NAME(MPI_C_FLOAT_COMPLEX) NAME(MPI_C_DOUBLE_COMPLEX)
-    NAME(MPI_C_LONG_DOUBLE_COMPLEX) NAME(MPI_AINT) NAME(MPI_COUNT) NAME(MPI_OFFSET) NAME(MPI_INTEGER1)
-    NAME(MPI_INTEGER2) NAME(MPI_INTEGER4) NAME(MPI_INTEGER8) NAME(MPI_REAL4) NAME(MPI_REAL8)
-    NAME(MPI_COMPLEX8) NAME(MPI_COMPLEX16) NAME(MPI_REAL16) NAME(MPI_INTEGER16) NAME(MPI_COMPLEX32)
-    NAME(MPI_CXX_BOOL) NAME(MPI_CXX_FLOAT_COMPLEX) NAME(MPI_CXX_DOUBLE_COMPLEX)
-    NAME(MPI_CXX_LONG_DOUBLE_COMPLEX) NAME(MPI_LOGICAL4) NAME(MPI_LOGICAL8) NAME(MPI_LB) NAME(MPI_UB)
+    {                                                                                                        \
+        t, #t                                                                                                \
+    }
+    static const struct name {
+        MPI_Datatype type;
+        const char *name;
+    } names[] = {NAME(MPI_INT),
+                 NAME(MPI_DOUBLE),
+                 NAME(MPI_FLOAT),
+                 NAME(MPI_CHAR),
+                 NAME(MPI_BYTE),
+                 NAME(MPI_PACKED),
+                 NAME(MPI_SHORT),
+                 NAME(MPI_LONG),
+                 NAME(MPI_LONG_LONG),
+                 NAME(MPI_UNSIGNED_SHORT),
+                 NAME(MPI_UNSIGNED),
+                 NAME(MPI_UNSIGNED_LONG),
+                 NAME(MPI_UNSIGNED_LONG_LONG),
+                 NAME(MPI_SIGNED_CHAR),
+                 NAME(MPI_UNSIGNED_CHAR),
+                 NAME(MPI_LONG_DOUBLE),
+                 NAME(MPI_WCHAR),
+                 NAME(MPI_FLOAT_INT),
+                 NAME(MPI_DOUBLE_INT),
+                 NAME(MPI_LONG_INT),
+                 NAME(MPI_2INT),
+                 NAME(MPI_SHORT_INT),
+                 NAME(MPI_LONG_DOUBLE_INT),
+                 NAME(MPI_LOGICAL),
+                 NAME(MPI_INTEGER),
+                 NAME(MPI_REAL),
+                 NAME(MPI_COMPLEX),
+                 NAME(MPI_DOUBLE_PRECISION),
+                 NAME(MPI_DOUBLE_COMPLEX),
+                 NAME(MPI_CHARACTER),
+                 NAME(MPI_2REAL),
+                 NAME(MPI_2DOUBLE_PRECISION),
+                 NAME(MPI_2INTEGER),
+                 NAME(MPI_INT8_T),
+                 NAME(MPI_INT16_T),
+                 NAME(MPI_INT32_T),
+                 NAME(MPI_INT64_T),
+                 NAME(MPI_UINT8_T),
+                 NAME(MPI_UINT16_T),
+                 NAME(MPI_UINT32_T),
+                 NAME(MPI_UINT64_T),
+                 NAME(MPI_C_BOOL),
+                 NAME(MPI_C_FLOAT_COMPLEX),
+                 NAME(MPI_C_DOUBLE_COMPLEX),
+                 NAME(MPI_C_LONG_DOUBLE_COMPLEX),
+                 NAME(MPI_AINT),
+                 NAME(MPI_COUNT),
+                 NAME(MPI_OFFSET),
+                 NAME(MPI_INTEGER1),
+                 NAME(MPI_INTEGER2),
+                 NAME(MPI_INTEGER4),
+                 NAME(MPI_INTEGER8),
+                 NAME(MPI_REAL4),
+                 NAME(MPI_REAL8),
+                 NAME(MPI_COMPLEX8),
+                 NAME(MPI_COMPLEX16),
+                 NAME(MPI_REAL16),
+                 NAME(MPI_INTEGER16),
+                 NAME(MPI_COMPLEX32),
+                 NAME(MPI_CXX_BOOL),
+                 NAME(MPI_CXX_FLOAT_COMPLEX),
+                 NAME(MPI_CXX_DOUBLE_COMPLEX),
+                 NAME(MPI_CXX_LONG_DOUBLE_COMPLEX),
+                 NAME(MPI_LOGICAL4),
+                 NAME(MPI_LOGICAL8),
+                 NAME(MPI_LB),
+                 NAME(MPI_UB)};
 #undef NAME
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (names[i].type == type)
+            return names[i].name;
     return "";
 }
 
@@ -659,7 +722,9 @@ CALL(Type_get_name, (MPI_Datatype type, char *name, int *length))
     if (!t && type != MPI_DATATYPE_NULL)
         return no_type("MPI_Type_get_name");
     *length = snprintf(name, MPI_MAX_OBJECT_NAME, "%s",
-                       !t ? "MPI_DATATYPE_NULL" : t->name ? t->name : own_name(type));
+                       !t        ? "MPI_DATATYPE_NULL"
+                       : t->name ? t->name
+                                 : own_name(type));
     return MPI_SUCCESS;
 }
 

@@ -1,4 +1,4 @@
-/* probe.c - looking for messages, and claiming them. */
+/* probes.c - looking for messages, and claiming them. */
 #include <stdlib.h>
 #include "tasks.h"
 

@@ -1,4 +1,4 @@
-/* transfer.c - point to point: checks, and blocking sends and receives. */
+/* point_to_point.c - point to point: checks, and blocking sends and receives. */
 #include <stdlib.h>
 #include "tasks.h"
 
@@ -203,8 +203,8 @@ void request_start(struct request *r)
         if (r->what == RECEIVES)
             status_of_nobody(&r->status);
     } else if (r->mode == BUFFERED && r->what == SENDS) {
-        struct transfer t = {r->envelope.call, r->buf, r->count, r->type, r->peer, r->envelope.tag,
-                             MPI_COMM_NULL, BUFFERED, r->comm};
+        struct transfer t = {r->envelope.call, r->buf,        r->count, r->type, r->peer,
+                             r->envelope.tag,  MPI_COMM_NULL, BUFFERED, r->comm};
         buffered_send(&t);
     } else if (r->what == SENDS) {
         start_send(r);
@@ -270,7 +270,8 @@ CALL(Recv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Co
     return code ? code : transfer_receive(&t, status);
 }
 
-CALL(Irecv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request))
+CALL(Irecv,
+     (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request))
 {
     struct transfer t = {CALL_Irecv, buf, count, type, source, tag, comm, STANDARD, NULL};
     return begin(&t, false, request);
@@ -315,7 +316,8 @@ CALL(Sendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int t
     size_t bytes = (size_t)count * size_of(type);
     char *copy = get_memory(bytes);
     type_pack(buf, count, type, copy);
-    code = PMPI_Sendrecv(copy, (int)bytes, MPI_BYTE, dest, tag, buf, count, type, source, select, comm, status);
+    code =
+        PMPI_Sendrecv(copy, (int)bytes, MPI_BYTE, dest, tag, buf, count, type, source, select, comm, status);
     free(copy);
     return code;
 }

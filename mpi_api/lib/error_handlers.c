@@ -1,4 +1,4 @@
-/* errors.c - error handlers, codes and their texts. */
+/* error_handlers.c - error handlers, codes and their texts. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,7 +46,9 @@ static void call_handler(MPI_Errhandler handler, struct comm *c, int call, int c
 {
     struct errhandler *own = object_of(handler, ERRHANDLER);
     if (own) {
-        MPI_Comm comm = c == &comm_world ? MPI_COMM_WORLD : c == &comm_self ? MPI_COMM_SELF : HANDLE(MPI_Comm, c);
+        MPI_Comm comm = c == &comm_world  ? MPI_COMM_WORLD
+                        : c == &comm_self ? MPI_COMM_SELF
+                                          : HANDLE(MPI_Comm, c);
         own->function(&comm, &code);
     } else if (handler != MPI_ERRORS_RETURN) {
         nxm_fail(call, text);
@@ -178,7 +180,9 @@ CALL(Error_string, (int code, char *text, int *length))
     const struct added *a = added_of(code);
     bool known = code >= 0 && code < (int)(sizeof texts / sizeof *texts) && texts[code];
     *length = snprintf(text, MPI_MAX_ERROR_STRING, "%s",
-                       a ? (a->text ? a->text : "") : known ? texts[code] : "unknown error code");
+                       a       ? (a->text ? a->text : "")
+                       : known ? texts[code]
+                               : "unknown error code");
     return MPI_SUCCESS;
 }
 

@@ -1,0 +1,62 @@
+/* fortran.h - what the Fortran bindings share. Fortran hands everything by reference: handles are INTEGERs,
+ * the same numbers as C's; a status is an array of as many INTEGERs as C's has ints; texts are followed by
+ * blanks, and their lengths come last. */
+#ifndef MPI_FORTRAN_H
+#define MPI_FORTRAN_H
+#include <stdlib.h>
+#include <string.h>
+#include "mpi_api/lib/lib.h"
+
+typedef MPI_Fint f_int;
+
+/* A subroutine, which programs reach by both of its names. */
+#define FORTRAN(name, parameters)                                                                            \
+    void mpi_##name##_ parameters __attribute__((weak, alias("pmpi_" #name "_")));                           \
+    void pmpi_##name##_ parameters;                                                                          \
+    void pmpi_##name##_ parameters
+
+/* Variables of COMMON blocks of mpif.h, whose addresses mean something. MPI_BOTTOM is as good a place as 0:
+ * Fortran's addresses are counted from there, so that they fit into an INTEGER. */
+extern f_int mpi_fortran_in_place_, mpi_fortran_bottom_, mpi_fortran_unweighted_;
+extern f_int mpi_fortran_status_ignore_[8], mpi_fortran_statuses_ignore_[8];
+
+static inline void *f_buffer(void *p)
+{
+    return p == &mpi_fortran_in_place_ ? MPI_IN_PLACE : p;
+}
+
+static inline MPI_Status *f_status(f_int *s)
+{
+    return s == mpi_fortran_status_ignore_ || s == mpi_fortran_statuses_ignore_ ? MPI_STATUS_IGNORE
+                                                                                : (MPI_Status *)s;
+}
+
+#define F_HANDLE(type, x) ((type)(intptr_t)(x))
+
+#define F_COMM(x) F_HANDLE(MPI_Comm, *(x))
+#define F_TYPE(x) F_HANDLE(MPI_Datatype, *(x))
+#define F_OF(handle) ((f_int)(intptr_t)(handle))
+
+/* A call with a handle that it changes: declares `handle`, and gives it back. */
+#define WITH(type, x, call)                                                                                  \
+    do {                                                                                                     \
+        type handle = F_HANDLE(type, *(x));                                                                  \
+        *ierr = (call);                                                                                      \
+        *(x) = F_OF(handle);                                                                                 \
+    } while (0)
+
+/* A text without the blanks behind it, to be freed; a text with blanks behind it. */
+static inline char *f_text(const char *s, size_t length)
+{
+    while (length && s[length - 1] == ' ')
+        length--;
+    return strndup(s, length);
+}
+
+static inline void f_give_text(char *to, size_t room, const char *text)
+{
+    size_t length = strnlen(text, room);
+    memcpy(to, text, length);
+    memset(to + length, ' ', room - length);
+}
+#endif
