@@ -25,7 +25,7 @@ struct topology *topology_of_neighbors(int ins, const int sources[], const int i
     struct topology *t = calloc(1, sizeof *t);
     t->kind = MPI_DIST_GRAPH, t->edge_count = ins, t->outs = outs;
     t->edges = copy_of(sources, ins), t->dests = copy_of(dests, outs);
-    t->weighted = in_weights && in_weights != MPI_UNWEIGHTED;
+    t->weighted = in_weights != MPI_UNWEIGHTED && out_weights != MPI_UNWEIGHTED;
     if (t->weighted) {
         t->in_weights = copy_of(in_weights, ins);
         t->out_weights = copy_of(out_weights, outs);

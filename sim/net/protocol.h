@@ -126,8 +126,8 @@ struct message *protocol_message(struct protocol *p, uint32_t from, uint32_t to,
 void protocol_send(struct protocol *p, struct message *m, vtime at);
 /* Makes a message that has not been sent one that asks first, however short, and is held. */
 void protocol_hold(struct message *m);
-/* protocol_send, where the message leaves so much later. Envelopes of one sender are handled in the order sent all
- * the same. */
+/* protocol_send, where the message leaves so much later. Envelopes of one sender are handled in the order
+ * sent all the same. */
 void protocol_send_late(struct protocol *p, struct message *m, vtime at, vtime late);
 /* Withdraws a message that was to leave at a time at which the sender's program has ended already. */
 void protocol_take_back(struct message *m);
