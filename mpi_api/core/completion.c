@@ -1,6 +1,7 @@
 /* completion.c - see completion.h. */
 #include "mpi_api/core/completion.h"
 #include "nx_api/calls/msgwait.h"
+#include "os/observer.h"
 
 struct nxm_status completion_status(const struct node *n, const struct message *m)
 {
@@ -82,15 +83,28 @@ static void take_done(struct node *n, const struct nxm_completion *c)
     }
 }
 
+/* What the call is about: its first id, done or not. (A call that is made ahead of its time must not say what
+ * depends on the moment.) */
+static void tell(struct node *n, const struct nxm_completion *c)
+{
+    int i = 0;
+    while (i < c->count && !c->ids[i])
+        i++;
+    if (i == c->count)
+        return;
+    const struct receive *r = mailbox_id_receive(n, c->ids[i]);
+    ANNOUNCE(n, awaits, !r, r ? r->select.node : -1);
+    gate_awaits(n, r ? (long)r->select.type : mailbox_id_send(n, c->ids[i])->info.type);
+}
+
 bool completion_run(struct node *n, const struct nxm_completion *c)
 {
-    struct awaited a = completion_awaits(n, c);
     nx_spend_call(n);
-    if (a.receive || a.send)
-        nx_awaits(n, a.receive, a.send);
+    tell(n, c);
     if (c->how & NXM_WAIT) {
         node_wait(n, completion_is_ready, (void *)(uintptr_t)c);
     } else if (!completion_is_ready(n, (void *)(uintptr_t)c)) {
+        struct awaited a = completion_awaits(n, c);
         if (a.receive)
             nx_found_nothing(n, &a.receive->select);
         for (int i = 0; i < c->count; i++)

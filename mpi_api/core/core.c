@@ -81,7 +81,10 @@ long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int
     nx_about(n, e->tag);
     if (!nx_goes_at_once(n, &o))
         id = new_id(n, ID_SENDS);
-    nx_send(n, &o, id ? mailbox_id_send(n, id) : NULL);
+    struct send *s = id ? mailbox_id_send(n, id) : NULL;
+    if (s)
+        s->info.type = e->tag;
+    nx_send(n, &o, s);
     node_leave(n);
     return id;
 }

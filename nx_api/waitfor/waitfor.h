@@ -130,6 +130,7 @@ struct waitfor_node {
     long to;
     bool of_all;
     size_t to_bytes; /* of the send */
+    bool to_held;    /* MPI: the send waits for its receive, not for room */
 
     bool masked, in_handler;
     uint32_t due;                        /* handlers that are to run, and cannot */

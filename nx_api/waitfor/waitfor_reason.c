@@ -263,12 +263,14 @@ static void print_message_wait(FILE *f, const struct reasons *r, const struct wa
 static void print_buffer_wait(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
 {
     const struct waitfor_node *to = n->who == WAITFOR_ONE_NODE ? &w->nodes[n->whom] : NULL;
-    fprintf(f, "Its message of %zu bytes has no room at ", n->to_bytes);
+    fprintf(f, "Its message of %zu bytes has no %s at ", n->to_bytes, n->to_held ? "receive" : "room");
     waitfor_print_node(f, w, n->to);
     if (to)
         print_state(f, n, to);
     fputc('.', f);
-    if (to && to->buffer_bytes)
+    if (n->to_held)
+        fputs("\nA synchronous send, or one of more bytes than mpi_eager_limit, waits for its receive.", f);
+    else if (to && to->buffer_bytes)
         fprintf(f, "\nThat has %zu bytes of messages that no receive has asked for, and room for %zu in all.",
                 to->buffered_bytes, to->buffer_bytes);
 }
@@ -403,6 +405,8 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
         [WAITFOR_KNOT] = "One of them has to send before it receives.",
         [WAITFOR_ORPHAN] = "Look for the send that has not been made.",
     };
+    if (n->what == WAITFOR_BUFFER && n->to_held)
+        return "Post one of the receives (MPI_Irecv) before the sends, or use MPI_Sendrecv.";
     const char *mpi =
         n->what == WAITFOR_MESSAGE && waitfor_is_mpi(n->select.pid) ? waitfor_mpi_remedy(n) : NULL;
     if (mpi)

@@ -67,6 +67,7 @@ static void fill_send(const struct filling *f, const struct send *s, struct wait
     if (s->m) {
         to->to = number_of(f, s->m->to);
         to->to_bytes = s->m->bytes;
+        to->to_held = s->m->held;
     }
 }
 

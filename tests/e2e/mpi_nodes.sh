@@ -1,0 +1,52 @@
+#!/bin/bash
+# mpi_nodes.sh - MPI programs on simulated nodes: compiled by mpicc and mpif90, equal in both engines and with all workers; what reports
+# say of them; doc/mpi-programs.md.
+. "$(dirname "$0")/common.bash"
+page=$tests/../../doc/mpi-programs.md
+
+"$BUILD/nxcc" --as-mpi bin >links
+check "nxcc makes links by the names of MPI's compilers" grep -q "^bin/mpif90 -> .*/nxcc$" links
+check "mpicc compiles" bin/mpicc -O2 -g -Wall -o mpi_nodes "$tests/mpi_nodes.c"
+check "nxcc -lmpi is the same" "$BUILD/nxcc" -O2 -g -Wall -o again "$tests/mpi_nodes.c" -lmpi
+check "and gives the same program" cmp mpi_nodes again
+
+equal() { # NAME ARGS...: both engines, with 1, 2 and 4 workers, and delayed
+    local name=$1
+    shift
+    run_results --engine reference "$@" >reference
+    for workers in 1 2 4; do
+        run_results -w $workers "$@" >fast
+        check "$name: as the reference engine, $workers workers" cmp fast reference
+    done
+}
+for n in 4 9 16; do
+    run -q -m delta -n $n mpi_nodes
+    check "on $n nodes of the delta all holds" test "$status:$(grep -c ': yes$' out):$(grep -c NO out)" = 0:8:0
+    equal "$n nodes of the delta" -m delta -n $n mpi_nodes
+done
+equal "12 nodes of the paragon" -m paragon -n 12 mpi_nodes
+equal "no send is eager" -m delta -n 8 --set mpi_eager_limit=0 mpi_nodes
+check "mpif90 compiles" bin/mpif90 -O2 -o ring "$tests/mpi_nodes.f90"
+run -q -n 6 ring
+check "Fortran's calls" grep -qx '  4  4  9  15.0  2  1' out
+equal "Fortran" -n 6 ring
+
+run -q -n 4 mpi_nodes rank
+check "a rank that is none ends the run with the call and the ranks" said 'MPI_Send: there is no rank 4 in the communicator \(ranks are 0 to 3\)'
+check "and with the line of the program" said 'mpi_nodes\.c:[0-9]+'
+run -q -n 4 mpi_nodes long
+check "a message too long: both lengths" said 'MPI_Recv: the message of tag 9 from rank 0 has 9 bytes, but the buffer only 2'
+
+# The page.
+block "$page" c >heat.c
+block "$page" c 2 >unsafe.c
+block "$page" out >expected
+ln -s "$BUILD" build
+PATH=$BUILD:$PATH
+rm -rf bin
+check "the page's first commands" bash -e -c "$(block "$page" sh) >said"
+check "give what it says" cmp said expected
+PATH=$PWD/bin:$PATH
+check "the trace says what the ranks waited for" bash -e -c "$(block "$page" sh 2)"
+bash -c "$(block "$page" sh 3)" >out 2>err
+check "with mpi_eager_limit 0 the unsafe program is found, as the page says" cmp err <(block "$page" err)
