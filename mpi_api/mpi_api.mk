@@ -25,7 +25,7 @@ $(NODE)/mpi_include/mpif.h: mpi_api/fortran/make-mpif mpi_api/include/mpi.h
 	@mkdir -p $(@D)
 	$^ >$@.new && mv $@.new $@
 
-$(NODE)/mpi_include/mpi.mod: mpi_api/fortran/mpi.f90 $(NODE)/mpi_include/mpif.h
+$(NODE)/mpi_include/mpi.mod: mpi_api/fortran/mpi_module.f90 $(NODE)/mpi_include/mpif.h
 	$(call say,NXF77,$@)
 	$(NODE_FC) -I$(@D) -J$(@D) -fsyntax-only $<
 

@@ -10,7 +10,7 @@
 
 static const char *const names[] = {
 #define MPI_NAME(name) "MPI_" #name,
-#include "mpi_api/core/names.def"
+#include "mpi_api/core/mpi_names.def"
 #undef MPI_NAME
 };
 

@@ -9,10 +9,10 @@
 #ifndef MPI_CORE_H
 #define MPI_CORE_H
 
-/* MPI's calls by number, for reports: names.def. */
+/* MPI's calls by number, for reports: mpi_names.def. */
 enum nxm_call {
 #define MPI_NAME(name) CALL_##name,
-#include "mpi_api/core/names.def"
+#include "mpi_api/core/mpi_names.def"
 #undef MPI_NAME
     MPI_CALLS
 };

@@ -1,9 +1,9 @@
 /* places.h - where nxcc finds what it needs: from where it is itself.
  *
  * in the build tree   BUILD/nxcc
- *                     BUILD/node/{count.so, runtime.o, libnx.a, libnode.so ...}, BUILD/node/{include, cpu}
+ *                     BUILD/node/{count.so, runtime.o, libnx.a ...}, BUILD/node/{include, cpu, mpi_include}
  * installed           PREFIX/bin/nxcc
- *                     PREFIX/lib/touchstone/{count.so ...}, PREFIX/share/touchstone/{include, cpu}
+ *                     PREFIX/lib/touchstone/{count.so ...}, PREFIX/share/touchstone/{include, cpu, mpi_include}
  */
 #ifndef DRIVER_PLACES_H
 #define DRIVER_PLACES_H

@@ -44,7 +44,7 @@ read_rows() {
 
 # A file belongs to the longest folder of the layers that its path begins with; else to the one that it is in.
 read_files() {
-    find sim nx_api -type f \( -name '*.[chS]' -o -name '*.cc' -o -name '*.def' -o -name '*.f90' \) | LC_ALL=C sort |
+    find sim nx_api mpi_api -type f \( -name '*.[chS]' -o -name '*.cc' -o -name '*.def' -o -name '*.f90' \) | LC_ALL=C sort |
         awk -F'\t' 'FILENAME == ARGV[1] { layer[$1]; next }
             {
                 folder = $0

@@ -119,6 +119,7 @@ ENTRIES = {
     "explore.md": ["exploration of timings"],
     "host-programs.md": ["host programs", "System Resource Manager"],
     "livelock.md": ["livelock"],
+    "mpi-programs.md": ["MPI programs", "mpicc", "mpif90"],
     "old-programs.md": ["old programs", "Fortran", "K&R C"],
     "page.md": ["HTML page of results"],
     "profile.md": ["profile", "flame graph"],
