@@ -34,6 +34,7 @@ lib/touchstone/libc.so
 lib/touchstone/libgfortran.a
 lib/touchstone/libkmath.a
 lib/touchstone/libm.so
+lib/touchstone/libmpi.a
 lib/touchstone/libnode.so
 lib/touchstone/libnx.a
 lib/touchstone/libnx_long32.a
@@ -59,6 +60,10 @@ share/touchstone/cpu
 share/touchstone/examples/...
 share/touchstone/include/...
 share/touchstone/machines/...
+share/touchstone/mpi_include/mpi.h
+share/touchstone/mpi_include/mpi.mod
+share/touchstone/mpi_include/mpi_calls.h
+share/touchstone/mpi_include/mpif.h
 share/touchstone/schemas/...
 share/zsh/site-functions/...
 END
@@ -76,6 +81,8 @@ check "no file names DESTDIR" no_path
 
 mv "$stage/opt/nx" moved
 cp "$tests/ring.c" "$tests/crash.c" .
+moved/bin/nxcc --as-mpi mpi >links
+check "the installed mpicc compiles" mpi/mpicc -O2 -o mpi_nodes "$tests/mpi_nodes.c"
 check "the installed nxcc compiles, from another folder" moved/bin/nxcc -g -O2 -o ring ring.c
 installed_run() { (cd / && limited "$work/moved/bin/touchstone" run -q -m delta -n 16 "$work/ring") >out 2>err; }
 check "the installed touchstone runs it" installed_run
