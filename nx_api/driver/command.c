@@ -135,6 +135,7 @@ static void add_link(struct arguments *a, const struct places *p)
         "-Wl,-z,norelro", /* nobody protects them: so addresses and data need not begin pages of their own */
         "-Wl,--hash-style=sysv", /* its chain count is the number of dynamic symbols */
         "-Wl,--build-id",
+        "-Wl,-u,main", /* which may be in an archive of the user's: runtime.o, which calls it, comes later */
         "-Wl,--export-dynamic-symbol=nxc_image",
         NULL};
     static const char *const items[] = {"integer", "logical", "real", "complex", "character", "array"};

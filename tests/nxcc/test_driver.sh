@@ -100,6 +100,8 @@ intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && 
 check "--as-intel makes links by the names of Intel's tools" intel
 archive() { "$NXCC" -c other.c && rm -f libother.a && bin860/ar860 crl libother.a other.o && "$NXCC" hello.c libother.a; }
 check "ar860: the l of that time, for temporary files, is left out" archive
+main_in_archive() { "$NXCC" -c hello.c other.c && rm -f libmain.a && ar q libmain.a hello.o other.o && "$NXCC" -o hello libmain.a; }
+check "main may be in an archive" main_in_archive
 check "ar860: other letters and options are ar's" eval "bin860/ar860 t libother.a | grep -qx other.o && bin860/ar860 --help >said"
 check "as860 says what to do" says "as860: the i860's assembler is the one thing to be written anew" bin860/as860 -o x.o x.s
 one_note() {
