@@ -15,7 +15,8 @@ static void all(const char *what, int holds)
         printf("%s: %s\n", what, everywhere ? "yes" : "NO");
 }
 
-/* A long message, and then a short one of another tag: they come in the order sent, whatever is complete first. */
+/* A long message, and then a short one of another tag: they come in the order sent, whichever is complete
+ * first. */
 static void order(void)
 {
     enum { LONG = 40000 };
