@@ -3,7 +3,8 @@
  * in the build tree   BUILD/nxcc
  *                     BUILD/node/{count.so, runtime.o, libnx.a ...}, BUILD/node/{include, cpu, mpi_include}
  * installed           PREFIX/bin/nxcc
- *                     PREFIX/lib/touchstone/{count.so ...}, PREFIX/share/touchstone/{include, cpu, mpi_include}
+ *                     PREFIX/lib/touchstone/{count.so ...},
+ *                     PREFIX/share/touchstone/{include, cpu, mpi_include}
  */
 #ifndef DRIVER_PLACES_H
 #define DRIVER_PLACES_H
