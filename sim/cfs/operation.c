@@ -64,6 +64,14 @@ static void op_free(struct cfs_op *op)
     free(op);
 }
 
+static uint64_t sum_of(const struct iovec *parts, int count)
+{
+    uint64_t bytes = 0;
+    for (int i = 0; i < count; i++)
+        bytes += parts[i].iov_len;
+    return bytes;
+}
+
 static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec *parts, int count)
 {
     struct cfs *c = f->cfs;
@@ -72,8 +80,7 @@ static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec 
     op->shared = f->mode != MODE_OWN && f->mode != MODE_ASYNC;
     op->part_count = count;
     op->parts = xmalloc((size_t)count * sizeof *parts + 1);
-    for (int i = 0; i < count; i++)
-        op->bytes += parts[i].iov_len;
+    op->bytes = sum_of(parts, count);
     op->data = xmalloc(op->bytes + 1);
     memcpy(op->parts, parts, (size_t)count * sizeof *parts);
     char *to = op->data;
@@ -136,6 +143,8 @@ void cfs_wait(struct node *n, struct cfs_op *op)
 
 ssize_t cfs_end(struct cfs_op *op)
 {
+    if (!op->write) /* into the program's memory; what is written has been copied when the call began */
+        node_spend(op->node, op->bytes * op->cfs->cfg->client_ps_per_byte);
     ssize_t moved = (ssize_t)op->bytes;
     const char *from = op->data;
     uint64_t left = op->write ? 0 : op->bytes;
@@ -429,7 +438,8 @@ struct cfs_op *cfs_start(struct cfs_file *f, bool write, int64_t at, const struc
 {
     struct node *n = f->base.node;
     int access = f->flags & O_ACCMODE;
-    node_spend(n, n->sys->cfg->call_ps);
+    node_spend(n, n->sys->cfg->call_ps + f->cfs->cfg->client_ps +
+                      (write ? sum_of(parts, count) * f->cfs->cfg->client_ps_per_byte : 0));
     node_order(n);
     if (access != O_RDWR && access != (write ? O_WRONLY : O_RDONLY)) {
         errno = EBADF;

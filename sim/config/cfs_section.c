@@ -2,6 +2,7 @@
  * second. */
 #include "config/cfs_section.h"
 #include <math.h>
+#include <stdio.h>
 
 enum { KB = 1024, MOST_IO_NODES = 1024, MOST_DISKS = 4096, MOST_BLOCKS = 1 << 20 };
 
@@ -31,6 +32,17 @@ static bool read_sizes(struct cfg_reader *r, config_setting_t *g, struct cfg_cfs
     return true;
 }
 
+/* A time that is 0 where the file does not give it. */
+static bool read_time_or_none(struct cfg_reader *r, config_setting_t *g, const char *key, const char *tail,
+                              uint64_t *ps)
+{
+    char us[32], ns[32];
+    snprintf(us, sizeof us, "%s_us%s", key, tail), snprintf(ns, sizeof ns, "%s_ns%s", key, tail);
+    if (!config_setting_get_member(g, us) && !config_setting_get_member(g, ns))
+        return true;
+    return cfg_time(r, g, key, tail, ps);
+}
+
 bool cfg_read_cfs(struct cfg_reader *r, struct cfg_cfs *c)
 {
     static const char *const KEYS[] = {"io_nodes",
@@ -47,6 +59,10 @@ bool cfg_read_cfs(struct cfg_reader *r, struct cfg_cfs *c)
                                        "request_ns",
                                        "copy_us_per_byte",
                                        "copy_ns_per_byte",
+                                       "client_us",
+                                       "client_ns",
+                                       "client_us_per_byte",
+                                       "client_ns_per_byte",
                                        "seek_ms",
                                        "rotation_ms",
                                        "disk_mb_per_s",
@@ -61,6 +77,8 @@ bool cfg_read_cfs(struct cfg_reader *r, struct cfg_cfs *c)
     if (!cfg_group(r, r->root, "cfs", &g) || !cfg_only(r, g, KEYS) || !read_sizes(r, g, c) ||
         !cfg_time(r, g, "request", "", &c->request_ps) ||
         !cfg_time(r, g, "copy", "_per_byte", &c->copy_ps_per_byte) ||
+        !read_time_or_none(r, g, "client", "", &c->client_ps) ||
+        !read_time_or_none(r, g, "client", "_per_byte", &c->client_ps_per_byte) ||
         !read_ms(r, g, "seek_track_ms", &c->seek_track_ps) || !read_ms(r, g, "seek_ms", &c->seek_ps) ||
         !read_ms(r, g, "rotation_ms", &c->rotation_ps) ||
         !cfg_number(r, g, "disk_mb_per_s", 1e-3, 1e4, &mb_per_s) || !read_ms(r, g, "open_ms", &c->open_ps) ||

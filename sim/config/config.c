@@ -78,13 +78,14 @@ static uint64_t *field(struct cfg_machine *m, size_t offset)
     return (uint64_t *)(void *)((char *)m + offset);
 }
 
-/* Reads a group that holds times and one whole number besides: nothing else is allowed in it. */
+/* Reads a group that holds times and one whole number besides: nothing else is allowed in it but the key
+ * `more`, if it is not NULL. */
 static bool read_times(struct cfg_reader *r, config_setting_t *group, const struct time_key *keys,
                        size_t count, const char *whole, uint64_t min, uint64_t max, uint64_t *value,
-                       struct cfg_machine *m)
+                       const char *more, struct cfg_machine *m)
 {
     char names[2 * COUNT(system_times)][40];
-    const char *known[2 * COUNT(system_times) + 2] = {0};
+    const char *known[2 * COUNT(system_times) + 3] = {0};
     size_t used = 0;
     for (size_t i = 0; i < count; i++)
         for (int ns = 0; ns < 2; ns++, used++) {
@@ -92,7 +93,7 @@ static bool read_times(struct cfg_reader *r, config_setting_t *group, const stru
                      keys[i].tail);
             known[used] = names[used];
         }
-    known[used] = whole;
+    known[used] = whole, known[used + 1] = more;
 
     bool ok = cfg_only(r, group, known) && cfg_whole(r, group, whole, min, max, value);
     for (size_t i = 0; ok && i < count; i++) {
@@ -209,6 +210,14 @@ static bool read_mpi(struct cfg_reader *r, struct cfg_machine *m)
            cfg_whole(r, r->root, "mpi_eager_limit", 0, INT32_MAX, &m->mpi_eager_limit);
 }
 
+static bool read_system(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)
+{
+    static const char *const at_once = "moves_at_once";
+    return read_times(r, g, system_times, COUNT(system_times), "message_ids", 1, 1000000, &m->message_ids,
+                      at_once, m) &&
+           (!config_setting_get_member(g, at_once) || cfg_whole(r, g, at_once, 0, 1000, &m->moves_at_once));
+}
+
 static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
 {
     static const char *const keys[] = {"name", "description", "topology",        "node", "net", "system",
@@ -221,11 +230,9 @@ static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
     m->name = xstrdup(name);
     m->description = xstrdup(description);
     return read_topology(r, m) && read_node(r, m) && cfg_group(r, r->root, "net", &net) &&
-           read_times(r, net, net_times, COUNT(net_times), "short_limit", 0, MB, &m->short_limit, m) &&
-           cfg_group(r, r->root, "system", &system) &&
-           read_times(r, system, system_times, COUNT(system_times), "message_ids", 1, 1000000,
-                      &m->message_ids, m) &&
-           read_mpi(r, m) && cfg_read_cfs(r, &m->cfs) && cfg_read_host(r, m);
+           read_times(r, net, net_times, COUNT(net_times), "short_limit", 0, MB, &m->short_limit, NULL, m) &&
+           cfg_group(r, r->root, "system", &system) && read_system(r, system, m) && read_mpi(r, m) &&
+           cfg_read_cfs(r, &m->cfs) && cfg_read_host(r, m);
 }
 
 static int is_machine(const struct dirent *e)

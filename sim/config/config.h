@@ -30,6 +30,10 @@ struct cfg_cfs {
     uint64_t block_bytes;   /* a file's block b is on its disk b % disks */
     uint64_t window_blocks; /* at most so many blocks per disk of one call are under way */
 
+    /* the program's node, in a call that reads or writes, besides that of its messages */
+    uint64_t client_ps;          /* 0: none */
+    uint64_t client_ps_per_byte; /* between the program's memory and the system's; 0: none */
+
     /* an I/O node */
     uint64_t cache_blocks;
     uint64_t
@@ -115,6 +119,7 @@ struct cfg_machine {
     uint64_t long_receive_ps;     /* receiver: until the message is complete */
     uint64_t send_ps_per_byte;    /* sender's programmed I/O, messages that are not short */
     uint64_t receive_ps_per_byte; /* receiver's programmed I/O */
+    uint64_t moves_at_once;       /* messages that a processor moves at once by it; 0: any number */
     uint64_t copy_ps_per_byte;    /* from a system buffer to the program's, if no receive was posted */
     uint64_t interrupt_ps;        /* entry to and exit from a handler, together */
     uint64_t message_ids;         /* ids one process may hold */

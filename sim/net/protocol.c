@@ -17,6 +17,8 @@ struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *
     p->channels = channel_new(
         topo, q, &(struct channel_calls){p, protocol_trip_started, protocol_trip_done, NULL, NULL});
     p->endpoints = xcalloc(topo->addresses, sizeof *p->endpoints);
+    if (cfg->moves_at_once)
+        p->movers = movers_new(topo->addresses, cfg->moves_at_once, protocol_places_found, p);
     return p;
 }
 
@@ -29,6 +31,7 @@ void protocol_free(struct protocol *p)
             protocol_message_free(p->endpoints[i].in->m);
     assert(p->under_way == 0);
     channel_free(p->channels);
+    movers_free(p->movers);
     free(p->endpoints);
     for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
         arena_free(&p->messages[i]);

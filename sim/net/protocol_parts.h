@@ -5,6 +5,7 @@
 #define NET_PROTOCOL_PARTS_H
 #include <stddef.h>
 #include "kernel/arena.h"
+#include "net/movers.h"
 #include "net/protocol.h"
 #include "trace/trace_format.h"
 
@@ -59,6 +60,7 @@ struct protocol {
     struct topo topo;
     struct evq *q;
     struct channels *channels;
+    struct movers *movers; /* NULL: a processor moves any number of messages at once */
     struct protocol_nodes nodes;
     struct protocol_endpoint *endpoints;
     struct arena messages[PROTOCOL_SIZES], trips;
@@ -132,6 +134,8 @@ void protocol_note_end(struct protocol *p, struct trip *t);
 
 /* An event: a message, or its data (arg: the trip), enter the network. */
 void protocol_inject(void *ctx, void *arg, vtime now);
+/* What the movers tell: the processors at both ends are free to move the message. */
+void protocol_places_found(void *ctx, struct channel_transit *t, vtime now);
 /* What the channels tell: the head has come, the tail has passed. */
 void protocol_trip_started(void *ctx, struct channel_transit *t, vtime now);
 void protocol_trip_done(void *ctx, struct channel_transit *t, vtime now);

@@ -3,6 +3,11 @@
 #include <stddef.h>
 #include "net/protocol_parts.h"
 
+static struct trip *trip_of(struct channel_transit *t)
+{
+    return (struct trip *)((char *)t - offsetof(struct trip, transit));
+}
+
 static void sent(struct protocol *p, struct trip *t, vtime now)
 {
     protocol_unlink_out(t);
@@ -17,16 +22,9 @@ static void pio_send(struct protocol *p, const struct trip *t, vtime now)
     p->nodes.pio(p->nodes.ctx, t->transit.from, PROTOCOL_SEND, now, takes);
 }
 
-/* The message, or its data, enter the network. */
-void protocol_inject(void *ctx, void *arg, vtime now)
+/* The message, or its data, enter the network, and the sender's processor is free to move them. */
+static void enter(struct protocol *p, struct trip *t, vtime now)
 {
-    struct protocol *p = ctx;
-    struct trip *t = arg;
-    if (t->taken_back) {
-        protocol_message_free(t->m);
-        return;
-    }
-    protocol_note(p, t, MESSAGE_ENTERED, now);
     if (t->pio)
         pio_send(p, t, now);
     vtime duration = t->transit.duration;
@@ -39,9 +37,28 @@ void protocol_inject(void *ctx, void *arg, vtime now)
     channel_send(p->channels, &t->transit, now);
 }
 
-static struct trip *trip_of(struct channel_transit *t)
+void protocol_places_found(void *ctx, struct channel_transit *transit, vtime now)
 {
-    return (struct trip *)((char *)t - offsetof(struct trip, transit));
+    enter(ctx, trip_of(transit), now);
+}
+
+/* The message, or its data, are to enter the network. */
+void protocol_inject(void *ctx, void *arg, vtime now)
+{
+    struct protocol *p = ctx;
+    struct trip *t = arg;
+    if (t->taken_back) {
+        protocol_message_free(t->m);
+        return;
+    }
+    protocol_note(p, t, MESSAGE_ENTERED, now);
+    if (t->pio && p->movers) {
+        t->at_sender = protocol_after(0); /* the sender's processor begins to move bytes at some event */
+        t->at_receiver = protocol_after(protocol_latency(p, t->m));
+        movers_ask(p->movers, &t->transit, now);
+    } else {
+        enter(p, t, now);
+    }
 }
 
 /* The first byte has come: the receiver's processor moves the message out of the channel. */
@@ -85,5 +102,7 @@ void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
     protocol_note(p, t, MESSAGE_LEFT, now);
     if (t->is_long)
         sent(p, t, now);
+    if (t->pio && p->movers)
+        movers_done(p->movers, transit, now);
     protocol_trip_ends(p, t->m, now);
 }

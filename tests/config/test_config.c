@@ -75,6 +75,21 @@ static void gettimeofday_takes_0_3_ms_on_a_paragon(void **state)
     cfg_free(paragon), cfg_free(delta);
 }
 
+/* OSF/1 of early 1994: the processor moves one message at once, and a file's client has a cost. */
+static void a_paragon_s_processor_moves_messages_and_files(void **state)
+{
+    (void)state;
+    struct cfg_machine *paragon = shipped("paragon"), *delta = shipped("delta");
+    assert_int_equal(paragon->moves_at_once, 1);
+    assert_int_equal(paragon->send_ps_per_byte, paragon->long_ps_per_byte);
+    assert_int_equal(paragon->receive_ps_per_byte, paragon->long_ps_per_byte);
+    assert_int_equal(paragon->cfs.client_ps, 7400 * US);
+    assert_int_equal(paragon->cfs.client_ps_per_byte + paragon->long_ps_per_byte, 80000);
+    assert_int_equal(delta->moves_at_once, 0);
+    assert_int_equal(delta->cfs.client_ps + delta->cfs.client_ps_per_byte, 0);
+    cfg_free(paragon), cfg_free(delta);
+}
+
 static void delta_is_a_mesh_of_528(void **state)
 {
     (void)state;
@@ -242,6 +257,8 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {14, "interrupt_us = -1.0;", "toy.cfg:14: interrupt_us: -1 is out of range: 0 to 1e+06 are allowed"},
         {14, "", "toy.cfg:11: interrupt_us: missing"},
         {15, "message_ids = 0; };", "toy.cfg:15: message_ids: 0 is out of range: 1 to 1000000 are allowed"},
+        {15, "message_ids = 9; moves_at_once = -1; };",
+         "toy.cfg:15: moves_at_once: -1 is out of range: 0 to 1000 are allowed"},
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; disks = 1; };",
          "toy.cfg:1: disks: 1 is out of range: 2 to 4096 are allowed"},
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; discs = 1; };",
@@ -321,6 +338,7 @@ int main(void)
         cmocka_unit_test(longer_forced_messages_are_as_short_ones_where_the_file_does_not_say),
         cmocka_unit_test(masktrap_takes_65_to_70_us_on_a_paragon),
         cmocka_unit_test(gettimeofday_takes_0_3_ms_on_a_paragon),
+        cmocka_unit_test(a_paragon_s_processor_moves_messages_and_files),
         cmocka_unit_test(delta_is_a_mesh_of_528),
         cmocka_unit_test(hwclock_counts_at_10_mhz_and_on_the_paragon_at_50),
         cmocka_unit_test(file_systems_are_as_published),

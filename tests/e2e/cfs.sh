@@ -77,5 +77,15 @@ check "M_GLOBAL: calls that differ are an error" ended_with 1
 differ='all nodes give the same calls: a read of [0-9]+ bytes at 0 here, a read of [0-9]+ at 0 elsewhere'
 check "M_GLOBAL: which says how" said "cread: in I/O mode 4 $differ"
 
+# A client's own cost: 1000 us a call and 0.1 us a byte are 1409.6 us for 4096 bytes, whichever way.
+compile cfs_cost
+for engine in fast reference; do
+    run -m ipsc860 -n 1 --engine $engine cfs_cost
+    read -r wrote got <out
+    run -m ipsc860 -n 1 --engine $engine --set cfs.client_us=1000 --set cfs.client_us_per_byte=0.1 cfs_cost
+    check "client_us and client_us_per_byte come on top of a call ($engine engine)" \
+        awk -v wrote="$wrote" -v got="$got" '{ exit !($1 - wrote > 1409 && $1 - wrote < 1410 && $2 - got > 1409 && $2 - got < 1410) }' out
+done
+
 run --help
 check "--help tells of --cfs" grep -q -- '--cfs=DIR' out

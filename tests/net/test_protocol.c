@@ -269,6 +269,35 @@ static void nothing_reaches_a_node_before_its_horizon(void **state)
     end(&f);
 }
 
+/* Two nodes send each other 1,000 bytes at once, on a machine whose processors move so many messages at once.
+ * When does the last come? */
+static vtime exchange(uint64_t moves_at_once)
+{
+    struct fake f = {.q = evq_new(), .room = true};
+    struct cfg_machine cfg = IPSC;
+    struct topo topo;
+    static char data[1000];
+    struct protocol_nodes nodes = {&f, work, move, envelope, sent, arrived};
+    cfg.moves_at_once = moves_at_once;
+    assert_true(topo_hypercube(&topo, NODES, 3));
+    f.protocol = protocol_new(&cfg, &topo, f.q, &nodes);
+    for (uint32_t i = 0; i < 2; i++)
+        protocol_send(f.protocol, protocol_message(f.protocol, i, 1 - i, 5, 0, data, 1000), 0);
+    run(&f);
+    assert_int_equal(f.arrived_count, 2);
+    vtime last = vt_max(f.complete[0], f.complete[1]);
+    end(&f);
+    return last;
+}
+
+static void a_processor_that_moves_one_message_at_once_takes_the_directions_in_turn(void **state)
+{
+    (void)state;
+    vtime data = 10 * US + 1000 * 390000ull; /* of a message on its way */
+    assert_int_equal(exchange(0), exchange(2));
+    assert_int_equal(exchange(1), exchange(0) + data);
+}
+
 static vtime from_to_with_host(uint32_t from, uint32_t to, size_t bytes)
 {
     static char data[10000];
@@ -401,6 +430,7 @@ int main(void)
         cmocka_unit_test(a_message_to_all_takes_as_many_steps_as_the_cube_has_dimensions),
         cmocka_unit_test(a_later_message_does_not_overtake_one_to_all),
         cmocka_unit_test(nothing_reaches_a_node_before_its_horizon),
+        cmocka_unit_test(a_processor_that_moves_one_message_at_once_takes_the_directions_in_turn),
         cmocka_unit_test(a_trip_to_or_from_the_host_crosses_its_link_and_then_the_cube_from_node_0),
         cmocka_unit_test(what_the_host_sends_to_all_goes_to_node_0_and_on_from_there),
         cmocka_unit_test(a_later_message_of_the_host_does_not_overtake_its_message_to_all),

@@ -318,6 +318,11 @@ static void choose_numbers(struct chooser *c)
         set_number(p, "node.fast_every", 2), set_number(p, "node.fast_clock_mhz", 50);
     if (random_chance(r, 0.15))
         set_number(p, "node.program_share", random_chance(r, 0.3) ? 0 : (double)spread(r, 900) / 1000);
+    if (random_chance(r, 0.15))
+        set_number(p, "system.moves_at_once", (double)(1 + random_below(r, 2)));
+    if (random_chance(r, 0.1) && strcmp(p->machine, "cluster2026"))
+        set_number(p, "cfs.client_us", (double)spread(r, 10000)),
+            set_number(p, "cfs.client_us_per_byte", 0.05);
     bool small = !strcmp(p->machine, "delta") || !strcmp(p->machine, "ipsc860");
     if (small && random_chance(r, 0.15))
         set_number(p, "node.system_kb", (double)(14700 + random_below(r, 500))), p->little_memory = true;
