@@ -1,8 +1,9 @@
 /* Two nodes that send each other long messages at the same time take no longer than one that sends alone: a
- * channel has both directions, and a sending node answers the other node's request to send meanwhile.
+ * channel has both directions, and a sending node answers the other node's request to send meanwhile. (On the
+ * Paragon of early 1994 they take turns: tests/net/test_protocol.c.)
  * run: -m ipsc860 -n 2
  * run: -m delta -n 2
- * run: -m paragon -n 2
+ * run: -m paragon95 -n 2
  */
 #include <nx.h>
 #include <stdio.h>
