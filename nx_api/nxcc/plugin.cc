@@ -102,6 +102,21 @@ void note_costs(const char *path)
     costs_record = std::string(mark) + " " + lbasename(path);
 }
 
+/* GCC's options that a compiler of the time had nothing of, unless the user asks for them. */
+void inline_declared_only()
+{
+#define LEAVE_OUT(option)                                                                                    \
+    if (!global_options_set.x_##option)                                                                      \
+    option = 0
+    LEAVE_OUT(flag_inline_small_functions);
+    LEAVE_OUT(flag_inline_functions);
+    LEAVE_OUT(flag_inline_functions_called_once);
+    LEAVE_OUT(flag_partial_inlining);
+    LEAVE_OUT(flag_ipa_sra);
+    LEAVE_OUT(flag_ipa_cp);
+#undef LEAVE_OUT
+}
+
 void read_files(const arguments &a)
 {
     cost_table table;
@@ -111,6 +126,8 @@ void read_files(const arguments &a)
         stop_if(table_read_factors(a.factors, factors));
     costs_use(table, factors);
     cache_use(table.cache);
+    if (table.inlines_declared_only)
+        inline_declared_only();
     note_costs(a.costs);
 }
 

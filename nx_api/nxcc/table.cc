@@ -227,9 +227,22 @@ bool read_tlb(reader &r, const config_setting_t *group, cache_costs &cache)
            read_level(r, group, entries, NXC_TLB_SETS, cache.tlb);
 }
 
+/* Reads inlines = "declared", or "all", which is the default. */
+bool read_inlines(reader &r, const config_setting_t *root, cost_table &table)
+{
+    const config_setting_t *inlines = config_setting_get_member(root, "inlines");
+    std::string what = "all";
+    if (inlines && !text(r, inlines, what))
+        return false;
+    table.inlines_declared_only = what == "declared";
+    return what == "declared" || what == "all" || r.fail(inlines, "inlines: must be \"declared\" or \"all\"");
+}
+
 bool read_costs(reader &r, const config_setting_t *root, cost_table &table)
 {
-    if (!only_keys(r, root, {"name", "clock_mhz", "clocks", "calls", "cache", "tlb"}))
+    if (!only_keys(r, root, {"name", "clock_mhz", "inlines", "clocks", "calls", "cache", "tlb"}))
+        return false;
+    if (!read_inlines(r, root, table))
         return false;
     const config_setting_t *cache = config_setting_get_member(root, "cache");
     const config_setting_t *tlb = config_setting_get_member(root, "tlb");

@@ -60,6 +60,8 @@ struct cache_costs {
 struct cost_table {
     class_costs clocks;
     cache_costs cache;
+    bool inlines_declared_only =
+        false; /* compilers of the time inline what is declared so, and nothing else */
     std::map<std::string, call_cost> calls; /* by the name of a function, or a pattern of names */
 };
 

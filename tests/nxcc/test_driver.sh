@@ -185,6 +185,17 @@ check "a negative cost is an error" bad "integer = -1;" "must be from 0"
 check "a cost that is no number is an error" bad 'integer = "one";' "must be a number"
 check "a syntax error is an error" bad "integer = ;" "bad.cfg:"
 
+inlines() { # VALUE OPTIONS... - what is left of the calls of a small function, by a cpu file that says inlines = VALUE
+    cp "$TEST/../../node/cpu/i860-calls.cfg" .
+    sed "s/^inlines .*/inlines = \"$1\";/" "$TEST/../../node/cpu/i860xp.cfg" >inlines.cfg
+    echo 'static int half(int x) { return x / 3 + 1; } int four(int x) { return half(x) + half(x + 5); }' >inlines.c
+    "$NXCC" -O2 "${@:2}" --costs inlines.cfg -S -o inlines.s inlines.c && grep -c 'call.*half' inlines.s
+}
+check "a processor's compilers inline what is declared so, and nothing else" [ "$(inlines declared)" = 2 ]
+check "unless the user's options say so" [ "$(inlines declared -finline-small-functions -finline-functions)" = 0 ]
+check "or all that GCC inlines" [ "$(inlines all)" = 0 ]
+check "inlines is all or declared" says 'inlines: must be "declared" or "all"' inlines none
+
 price() { # ENTRY TEXT FILE - a price that does not fit the function is an error, with its line
     { sed '/^@include/d' "$TEST/../../node/cpu/i860xr.cfg" && printf 'calls = (\n%s\n);\n' "$1"; } >bad.cfg
     says "bad.cfg:$(($(wc -l <bad.cfg) - 1)): calls: $2" "$NXCC" --costs bad.cfg -c "$3"
