@@ -382,6 +382,43 @@ static void add_later_families(struct program *p, double end)
         add_some(&c, FAMILY_fortran, 40, end);
 }
 
+/* A program of MPI: what all ranks do together, and what each computes between. Chosen by random numbers of
+ * its own, too. */
+static bool choose_mpi(struct program *p)
+{
+    struct chooser c = {.p = p, .random = p->seed ^ UINT64_C(0x3141592653589793)};
+    p->mpi = !p->host && !p->flushes && !p->profile && !p->little_memory && random_chance(&c.random, 0.25);
+    if (!p->mpi)
+        return false;
+    if (random_chance(&c.random, 0.3))
+        set_number(p, "mpi_eager_limit",
+                   random_chance(&c.random, 0.5) ? 0 : (double)spread(&c.random, 20000));
+    for (uint64_t phase = 1 + random_below(&c.random, 8); phase > 0; phase--) {
+        for (int node = 0; node < (int)p->nodes; node++)
+            for (uint64_t i = random_below(&c.random, 4); i > 0; i--)
+                add_chosen(&c, node, choose_in(&c, FAMILY_computing),
+                           (double)phase + fraction(&c.random) * 0.9);
+        add_chosen(&c, 0, kind_named("mpi_together"), (double)phase + 0.95);
+        for (int node = 1; node < (int)p->nodes; node++)
+            *add(&p->script[node], kind_named("mpi_together"), 0) = p->script[0].ops[p->script[0].count - 1];
+    }
+    return true;
+}
+
+static void add_families(struct chooser *c)
+{
+    int phases = 1 + (int)random_below(&c->random, 3);
+    for (int i = 0; i < phases; i++)
+        add_phase(c, i);
+    if (c->ends)
+        add_some(c, FAMILY_ending, 3, phases);
+    if (c->p->flushes)
+        add_some(c, FAMILY_flushing, 5, phases);
+    if (c->p->host)
+        add_host(c, phases);
+    add_later_families(c->p, phases);
+}
+
 struct program *program_new(uint64_t seed)
 {
     struct chooser c = {.p = calloc(1, sizeof *c.p), .random = seed * 2654435761u + 1};
@@ -392,16 +429,8 @@ struct program *program_new(uint64_t seed)
     choose_machine(&c);
     choose_numbers(&c);
     choose_timing(c.p);
-    int phases = 1 + (int)random_below(&c.random, 3);
-    for (int i = 0; i < phases; i++)
-        add_phase(&c, i);
-    if (c.ends)
-        add_some(&c, FAMILY_ending, 3, phases);
-    if (c.p->flushes)
-        add_some(&c, FAMILY_flushing, 5, phases);
-    if (c.p->host)
-        add_host(&c, phases);
-    add_later_families(c.p, phases);
+    if (!choose_mpi(c.p))
+        add_families(&c);
     for (int i = 0; i < SCRIPTS; i++)
         if (c.p->script[i].count)
             qsort(c.p->script[i].ops, c.p->script[i].count, sizeof(struct op), by_key);
@@ -512,6 +541,8 @@ void program_print(const struct program *p, const char *parts, FILE *f)
         putc(c, f);
     if (from)
         fclose(from);
+    if (p->mpi)
+        fprintf(f, "\n#define MPI(code) code\n#include \"tests/prove/parts_mpi.h\" /* nxcc -I. -lmpi */\n");
     fprintf(f, "\nint main(int argc, char **argv)\n{\n    argument_count = argc, arguments = argv;\n"
                "    switch (mynode()) {\n");
     for (int node = 0; node < (int)p->nodes; node++) {

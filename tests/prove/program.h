@@ -25,6 +25,7 @@ struct program {
     uint32_t nodes;
     bool flushes, host, cube; /* host: there is a host program; cube: it calls getcube itself */
     bool profile, fortran;    /* fortran: with parts.f90 */
+    bool mpi;                 /* with parts_mpi.h */
     bool little_memory;       /* too little for Fortran's library */
     bool traced, recorded;
     double most_virtual_s;

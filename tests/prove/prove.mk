@@ -1,11 +1,12 @@
 # prove.mk - the prover, and the node programs that it runs: tests/prove/prove.c.
 PROVE := $B/tests/prove
-PROVE_PLAYERS := $(addprefix $(PROVE)/,player player-flushes player-profile player-host player-fortran)
+PROVE_PLAYERS := $(addprefix $(PROVE)/,player player-flushes player-profile player-host player-fortran player-mpi)
 PROVE_PARTS := $(wildcard tests/prove/*.h) tests/prove/ops.def
 
 $(PROVE)/player-flushes: PLAYER = -DPLAYER_FLUSHES
 $(PROVE)/player-profile: PLAYER = --profile -DPLAYER_PROFILED
 $(PROVE)/player-host: PLAYER = -host
+$(PROVE)/player-mpi: PLAYER = -lmpi -DPLAYER_MPI
 $(PROVE)/player-fortran: PLAYER = -DPLAYER_FORTRAN
 $(PROVE)/player-fortran: FORTRAN = tests/prove/parts.f90
 $(PROVE)/player-fortran: tests/prove/parts.f90 $B/nxf77

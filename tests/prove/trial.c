@@ -76,6 +76,7 @@ static void add_program(struct arguments *a, const struct program *p, const char
     add(a, "%splayer%s", folder,
         p->flushes   ? "-flushes"
         : p->profile ? "-profile"
+        : p->mpi     ? "-mpi"
         : p->fortran ? "-fortran"
                      : "");
     if (p->host)
