@@ -7,7 +7,8 @@
 
 struct cache {
     struct cache_block *blocks;
-    struct cache_block *oldest, *newest; /* idle */
+    uint64_t fresh, count;               /* the first that was never taken, and of all */
+    struct cache_block *oldest, *newest; /* idle, and taken before */
     uint64_t idle;
     struct cache_block **table;
     uint64_t mask;
@@ -46,11 +47,10 @@ struct cache *cache_new(uint64_t blocks)
     uint64_t size = 1;
     while (size < 2 * blocks)
         size *= 2;
-    c->blocks = xcalloc(blocks, sizeof *c->blocks);
+    c->blocks = xmalloc(blocks * sizeof *c->blocks); /* not touched before they are used */
+    c->count = blocks;
     c->table = xcalloc(size, sizeof *c->table);
     c->mask = size - 1;
-    for (uint64_t i = 0; i < blocks; i++)
-        put_idle(c, &c->blocks[i]);
     return c;
 }
 
@@ -87,13 +87,12 @@ static void forget(struct cache *c, struct cache_block *b)
 
 struct cache_block *cache_take(struct cache *c, uint32_t file, uint64_t number)
 {
-    struct cache_block *b = c->oldest;
+    struct cache_block *b = c->fresh < c->count ? &c->blocks[c->fresh++] : c->oldest;
     assert(!cache_find(c, file, number));
     if (!b)
         return NULL;
-    take_idle(c, b);
-    if (b->state != CACHE_UNUSED)
-        forget(c, b);
+    if (b == c->oldest)
+        take_idle(c, b), forget(c, b);
     struct cache_block **link = slot(c, file, number);
     *b = (struct cache_block){.file = file, .number = number, .state = CACHE_RESERVED, .chain = *link};
     b->waiting_end = &b->waiting;
@@ -111,5 +110,5 @@ void cache_touch(struct cache *c, struct cache_block *b)
 
 uint64_t cache_idle(const struct cache *c)
 {
-    return c->idle;
+    return c->idle + c->count - c->fresh;
 }

@@ -14,7 +14,7 @@
 struct cache;
 struct io_request;
 
-enum cache_state { CACHE_UNUSED, CACHE_RESERVED, CACHE_READING, CACHE_CLEAN, CACHE_DIRTY, CACHE_WRITING };
+enum cache_state { CACHE_RESERVED, CACHE_READING, CACHE_CLEAN, CACHE_DIRTY, CACHE_WRITING };
 
 struct cache_block {
     uint32_t file;
