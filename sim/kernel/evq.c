@@ -77,11 +77,20 @@ struct evq {
     struct arena chunks;
 };
 
+/* For more in the heap than now, and for FEW at least. */
+static void make_room(struct evq *q)
+{
+    q->heap_room = 2 * q->heap_room + 64;
+    q->heap = xreallocarray(q->heap, q->heap_room, sizeof *q->heap);
+}
+
 struct evq *evq_new(void)
 {
     struct evq *q = calloc(1, sizeof(struct evq));
-    if (q)
-        q->chunks.bytes = sizeof(struct chunk);
+    if (!q)
+        return NULL;
+    q->chunks.bytes = sizeof(struct chunk);
+    make_room(q);
     return q;
 }
 
@@ -153,31 +162,36 @@ static inline struct event *following(const struct list *l, struct event *e)
 
 /* --- the heap --- */
 
-static struct event *add_heap(struct evq *q, struct key k)
+/* There is room. */
+static inline struct event *add_few(struct evq *q, struct key k)
 {
-    if (q->heap_length == q->heap_room) {
-        q->heap_room = 2 * q->heap_room + 64;
-        q->heap = xreallocarray(q->heap, q->heap_room, sizeof *q->heap);
-    }
     size_t i = q->heap_length++;
     for (; i > 0 && before(k, q->heap[(i - 1) / 2].key); i = (i - 1) / 2)
         q->heap[i] = q->heap[(i - 1) / 2];
     return &q->heap[i];
 }
 
+static struct event *add_heap(struct evq *q, struct key k)
+{
+    if (q->heap_length == q->heap_room)
+        make_room(q);
+    return add_few(q, k);
+}
+
 static struct action take_heap(struct evq *q)
 {
     struct action what = q->heap[0].what;
-    struct event last = q->heap[--q->heap_length];
+    const struct event *last = &q->heap[--q->heap_length];
     size_t i = 0;
     for (size_t child; (child = 2 * i + 1) < q->heap_length; i = child) {
         if (child + 1 < q->heap_length && before(q->heap[child + 1].key, q->heap[child].key))
             child++;
-        if (!before(q->heap[child].key, last.key))
+        if (!before(q->heap[child].key, last->key))
             break;
         q->heap[i] = q->heap[child];
     }
-    q->heap[i] = last;
+    if (q->heap_length)
+        q->heap[i] = *last;
     return what;
 }
 
@@ -236,14 +250,24 @@ static __attribute__((noinline)) struct event *add_unordered(struct evq *q, stru
     return e;
 }
 
+/* Where a time that is not the present lies. */
+struct place {
+    unsigned level, digit;
+};
+
+static inline struct place place_of(const struct evq *q, vtime time)
+{
+    unsigned level = (63 - (unsigned)__builtin_clzll(time ^ q->present)) / DIGIT_BITS;
+    return (struct place){level, time >> DIGIT_BITS * level & (DIGITS - 1)};
+}
+
 static struct event *add_future(struct evq *q, struct key k)
 {
-    unsigned level = (63 - (unsigned)__builtin_clzll(k.time ^ q->present)) / DIGIT_BITS;
-    unsigned digit = k.time >> DIGIT_BITS * level & (DIGITS - 1);
-    struct slot *s = &q->slots[level][digit];
-    if (!(q->filled[level] >> digit & 1)) {
-        q->filled[level] |= UINT64_C(1) << digit;
-        q->levels |= UINT32_C(1) << level;
+    struct place p = place_of(q, k.time);
+    struct slot *s = &q->slots[p.level][p.digit];
+    if (!(q->filled[p.level] >> p.digit & 1)) {
+        q->filled[p.level] |= UINT64_C(1) << p.digit;
+        q->levels |= UINT32_C(1) << p.level;
         s->least = NULL;
         return begin(q, &s->list);
     }
@@ -308,11 +332,34 @@ static inline bool advance(struct evq *q)
 
 /* --- what evq.h offers --- */
 
+/* Room for an event that comes last in its list, if there is any without a new chunk. */
+static inline struct event *add_last(struct evq *q, struct key k)
+{
+    struct list *l = &q->run;
+    if (k.time != q->present) {
+        struct place p = place_of(q, k.time);
+        l = q->filled[p.level] >> p.digit & 1 ? &q->slots[p.level][p.digit].list : NULL;
+    } else if (!q->next) {
+        l = NULL;
+    }
+    return l && l->end != l->last->events + CHUNK && !before(k, l->end[-1].key) ? l->end++ : NULL;
+}
+
+static __attribute__((noinline)) void put_slowly(struct evq *q, struct key k, evq_fire *fire, void *ctx,
+                                                 void *arg)
+{
+    *add(q, k) = (struct event){k, {fire, ctx, arg}};
+}
+
+/* (What calls nothing comes first: then it saves no registers.) */
 static inline __attribute__((always_inline)) void put(struct evq *q, struct key k, struct action what)
 {
     assert(k.time >= q->now);
-    struct event *e = q->heap_length < FEW ? add_heap(q, k) : add(q, k);
-    *e = (struct event){k, what};
+    struct event *e = q->heap_length < FEW ? add_few(q, k) : add_last(q, k);
+    if (e)
+        *e = (struct event){k, what};
+    else
+        put_slowly(q, k, what.fire, what.ctx, what.arg);
 }
 
 void evq_put(struct evq *q, vtime time, uint32_t address, evq_fire *fire, void *ctx, void *arg)
