@@ -31,7 +31,7 @@ void cfs_free(struct cfs *c);
 uint32_t cfs_services(const struct cfg_machine *cfg);
 const struct node_fs *cfs_fs(struct cfs *c);
 
-/* As protocol_nodes.work, for the addresses of I/O nodes and directory. */
+/* As endpoint_work, for the addresses of I/O nodes and directory. */
 vtime cfs_work(struct cfs *c, uint32_t address, vtime at, vtime t);
 
 struct cfs_stats {

@@ -32,7 +32,7 @@ vtime directory_ask_time(const struct directory *d);
 void directory_ask(struct directory *d, struct dir_request *r, vtime at);
 void directory_answer(struct directory *d, struct dir_request *r, vtime now);
 
-/* As protocol_nodes.work, for the directory's processor. */
+/* As endpoint_work, for the directory's processor. */
 vtime directory_work(struct directory *d, vtime at, vtime t);
 uint64_t directory_served(const struct directory *d);
 #endif

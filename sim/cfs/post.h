@@ -27,7 +27,7 @@ vtime post_send_time(const struct protocol *p, enum post_kind kind, size_t bytes
 void post_send(struct protocol *p, uint32_t from, uint32_t to, enum post_kind kind, size_t bytes,
                struct parcel *parcel, vtime at);
 
-/* As protocol_nodes.envelope and arrived, for messages whose `service` is set. post_arrived frees m. */
+/* As endpoint_envelope and endpoint_arrived, for messages whose `service` is set. post_arrived frees m. */
 bool post_envelope(struct message *m, vtime now);
 void post_arrived(struct message *m, vtime now);
 #endif

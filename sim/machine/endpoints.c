@@ -1,6 +1,7 @@
-/* endpoints.c - see endpoints.h. An address is a node's, a service's, or the host's (topo.h). m->serves
- * tells the messages between a node and a service, in both directions. */
-#include "machine/endpoints.h"
+/* endpoints.c - who lives at which address of the network: the answers to net/endpoint.h, whose `ends` is the
+ * node_system. An address is a node's, a service's, or the host's (topo.h). m->serves tells the messages
+ * between a node and a service, in both directions. */
+#include "net/endpoint.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"
 #include "machine/history.h"
@@ -12,38 +13,38 @@ static bool is_service(const struct node_system *sys, uint32_t address)
     return address >= sys->topo.positions && !topo_is_host(&sys->topo, address);
 }
 
-static vtime work(void *ctx, uint32_t address, enum protocol_task task, vtime at, vtime t)
+vtime endpoint_work(void *ends, uint32_t address, enum protocol_task task, vtime at, vtime t)
 {
-    struct node_system *sys = ctx;
+    struct node_system *sys = ends;
     return is_service(sys, address) ? cfs_work(sys->cfs, address, at, t)
-                                    : node_work(ctx, address, task, at, t);
+                                    : node_work(sys, address, task, at, t);
 }
 
 /* No program runs on a service's processor, so moving bytes is work like any other. */
-static void move(void *ctx, uint32_t address, enum protocol_task task, vtime at, vtime t)
+void endpoint_pio(void *ends, uint32_t address, enum protocol_task task, vtime at, vtime t)
 {
-    struct node_system *sys = ctx;
+    struct node_system *sys = ends;
     if (is_service(sys, address))
         cfs_work(sys->cfs, address, at, t);
     else
-        node_move(ctx, address, task, at, t);
+        node_move(sys, address, task, at, t);
 }
 
-static bool envelope(void *ctx, struct message *m, vtime now)
+bool endpoint_envelope(void *ends, struct message *m, vtime now)
 {
-    return m->serves ? post_envelope(m, now) : match_envelope(ctx, m, now);
+    return m->serves ? post_envelope(m, now) : match_envelope(ends, m, now);
 }
 
-static void arrived(void *ctx, struct message *m, vtime now)
+void endpoint_sent(void *ends, struct message *m, vtime now)
 {
-    history_add(ctx, m, now);
+    match_sent(ends, m, now);
+}
+
+void endpoint_arrived(void *ends, struct message *m, vtime now)
+{
+    history_add(ends, m, now);
     if (m->serves)
         post_arrived(m, now);
     else
-        match_arrived(ctx, m);
-}
-
-struct protocol_nodes endpoints_calls(struct node_system *sys)
-{
-    return (struct protocol_nodes){sys, work, move, envelope, match_sent, arrived};
+        match_arrived(ends, m);
 }

@@ -13,7 +13,6 @@
 #include "lp/engine.h"
 #include "machine/assemble.h"
 #include "machine/cube.h"
-#include "machine/endpoints.h"
 #include "net/protocol_record.h"
 #include "replay/numbering.h"
 #include "replay/orders.h"
@@ -186,8 +185,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->schedule.q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error) || !make_timing(m, error))
         goto fail;
-    struct protocol_nodes up = endpoints_calls(s);
-    s->schedule.protocol = protocol_new(s->cfg, &s->topo, s->schedule.q, &up);
+    s->schedule.protocol = protocol_new(s->cfg, &s->topo, s->schedule.q, s);
     make_numbering(m);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;

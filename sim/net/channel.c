@@ -86,27 +86,17 @@ static struct channel_transit *end_wait(struct channels *net, struct channel *c,
 static void give_links_early(void *ctx, void *arg, vtime now);
 static void finish(void *ctx, void *arg, vtime now);
 
-/* Appends a channel to those of the transit. */
-static struct channel *append(struct channels *net, struct channel_transit *t, uint32_t channel,
-                              bool is_first)
-{
-    struct channel *c = &net->channels[channel];
-    if (is_first)
-        t->first = channel;
-    else
-        net->channels[t->last].next = channel;
-    t->last = channel;
-    return c;
-}
-
 /* Takes channels from there on until the route is complete, or a channel is another's. */
-static void advance(struct channels *net, struct channel_transit *t, struct topo_walk walk, vtime now)
+static void advance(struct channels *net, struct channel_transit *t, struct topo_walk *walk, vtime now)
 {
-    bool is_first = !walk.entered;
-    for (uint32_t channel; topo_step(&net->topo, &walk, &channel); is_first = false) {
-        struct channel *c = append(net, t, channel, is_first);
+    struct channel *channels = net->channels;
+    uint32_t *link = walk->entered ? &channels[t->last].next : &t->first;
+    for (uint32_t channel; topo_step(&net->topo, walk, &channel);) {
+        struct channel *c = &channels[channel];
+        *link = t->last = channel;
+        link = &c->next;
         if (c->held) {
-            t->walk = walk;
+            t->walk = *walk;
             begin_wait(net, c, t, now);
             return;
         }
@@ -119,25 +109,28 @@ static void advance(struct channels *net, struct channel_transit *t, struct topo
 }
 
 /* Gives a channel to the first transit that waits for it, which goes on along its route. */
-static void give(struct channels *net, struct channel *c, vtime now)
+static __attribute__((noinline)) void pass_on(struct channels *net, struct channel *c, vtime now)
+{
+    struct channel_transit *next = end_wait(net, c, now);
+    advance(net, next, &next->walk, now);
+}
+
+static inline void give(struct channels *net, struct channel *c, vtime now)
 {
     assert(c->held);
-    c->held = false;
-    if (!c->last)
-        return;
-    struct channel_transit *next = end_wait(net, c, now);
-    c->held = true;
-    advance(net, next, next->walk, now);
+    c->held = c->last;
+    if (c->last)
+        pass_on(net, c, now);
 }
 
 /* Gives back the channels between nodes, in order, from the one after the port in. */
 static void give_links(struct channels *net, const struct channel_transit *t, uint32_t from, vtime now)
 {
-    const struct channel *end = &net->channels[t->last];
-    for (struct channel *c = &net->channels[from]; c != end;) {
-        uint32_t next = c->next;
+    struct channel *channels = net->channels;
+    for (uint32_t i = from, end = t->last; i != end;) {
+        struct channel *c = &channels[i];
+        i = c->next;
         give(net, c, now);
-        c = &net->channels[next];
     }
 }
 
@@ -164,7 +157,7 @@ void channel_send(struct channels *net, struct channel_transit *t, vtime now)
 {
     struct topo_walk walk;
     topo_begin(&net->topo, &walk, t->from, t->to);
-    advance(net, t, walk, now);
+    advance(net, t, &walk, now);
 }
 
 vtime channel_waited(const struct channels *net)

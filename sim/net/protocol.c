@@ -6,10 +6,10 @@
 #include "net/protocol_parts.h"
 
 struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
-                              const struct protocol_nodes *nodes)
+                              void *ends)
 {
     struct protocol *p = xcalloc(1, sizeof *p);
-    p->cfg = cfg, p->topo = *topo, p->q = q, p->nodes = *nodes;
+    p->cfg = cfg, p->topo = *topo, p->q = q, p->ends = ends;
     p->least_milli = cfg->fast_every && cfg_fast_system_milli(cfg) < 1000 ? cfg_fast_system_milli(cfg) : 1000;
     for (unsigned i = 0; i < PROTOCOL_SIZES; i++)
         p->messages[i].bytes = sizeof(struct message) + PROTOCOL_IN_MESSAGE[i];
@@ -88,14 +88,16 @@ void protocol_send_late(struct protocol *p, struct message *m, vtime at, vtime l
     t->followed = m->followed;
     protocol_note(p, t, MESSAGE_TIMES, at);
     if (!t->link_in)
-        protocol_link(p, t);
+        protocol_link_in(p, t);
+    if (t->kind != TRIP_SHORT || t->followed)
+        protocol_link_out(p, t);
     if (m->is_long) {
         vtime latency = protocol_latency(p, m);
         t->at_sender = protocol_at(when + 2 * latency);
         t->at_receiver = protocol_at(when + latency);
         evq_put_sent(p->q, when + latency, m->to, sender, request_arrives, p, m);
     } else {
-        t->at_sender = t->pio || t->followed ? protocol_at(when) : PROTOCOL_NOTHING;
+        t->at_sender = t->kind != TRIP_SHORT || t->followed ? protocol_at(when) : PROTOCOL_NOTHING;
         t->at_receiver = protocol_at(when);
         evq_put_sent(p->q, when, m->from, sender, protocol_inject, p, t);
     }
@@ -113,8 +115,7 @@ static vtime forward(struct protocol *p, struct message *m, vtime when)
 {
     for (struct message *o = m->trip->forward, *next; o; o = next) {
         next = o->next;
-        when = p->nodes.work(p->nodes.ctx, o->from, PROTOCOL_SEND, when,
-                             protocol_send_time(p, o->type, o->bytes));
+        when = endpoint_work(p->ends, o->from, PROTOCOL_SEND, when, protocol_send_time(p, o->type, o->bytes));
         protocol_send(p, o, when);
     }
     m->trip->forward = NULL;
@@ -128,22 +129,28 @@ static void handle_envelope(struct protocol *p, struct message *m, vtime now);
 /* Is a message under way between the same programs that was sent earlier, and whose envelope has not come? */
 static bool must_wait(const struct protocol *p, const struct message *m)
 {
-    return protocol_first_coming(p, m->trip->source, m->to) != m->trip;
+    return p->endpoints[m->to].coming > 1 && protocol_first_coming(p, m->trip->source, m->to) != m->trip;
 }
 
 /* The message next in order, if its envelope has come and waited for the one just handled. NULL: none. */
 static struct message *released(const struct protocol *p, uint32_t source, uint32_t to)
 {
-    const struct trip *first = protocol_first_coming(p, source, to);
-    return first && first->waits ? first->m : NULL;
+    struct protocol_endpoint *at = &p->endpoints[to];
+    const struct trip *first = at->waiting ? protocol_first_coming(p, source, to) : NULL;
+    if (!first || first->envelope != TRIP_WAITS)
+        return NULL;
+    at->waiting--;
+    return first->m;
 }
 
 /* An envelope has come: the receiver handles it unless an earlier one is still to come, and then those that
  * waited for it. */
-static void envelope_comes(struct protocol *p, struct message *m, vtime now)
+static inline __attribute__((always_inline)) void envelope_comes(struct protocol *p, struct message *m,
+                                                                 vtime now)
 {
     if (must_wait(p, m)) {
-        m->trip->waits = true;
+        m->trip->envelope = TRIP_WAITS;
+        p->endpoints[m->to].waiting++;
         m->trip->at_receiver = protocol_after(0);
         return;
     }
@@ -163,9 +170,9 @@ static void handle_envelope(struct protocol *p, struct message *m, vtime now)
         whole_message(p, m, now);
         return;
     }
-    vtime answered = p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, p->cfg->ask_receive_ps);
+    vtime answered = endpoint_work(p->ends, m->to, PROTOCOL_RECEIVE, now, p->cfg->ask_receive_ps);
     m->trip->at_receiver = m->trip->at_sender = protocol_after(protocol_latency(p, m));
-    if (p->nodes.envelope(p->nodes.ctx, m, now))
+    if (endpoint_envelope(p->ends, m, now))
         protocol_clear_to_send(p, m, answered);
 }
 
@@ -184,7 +191,7 @@ static void clear_to_send_arrives(void *ctx, void *arg, vtime now)
 {
     struct protocol *p = ctx;
     struct message *m = arg;
-    vtime ready = p->nodes.work(p->nodes.ctx, m->from, PROTOCOL_SEND, now, p->cfg->grant_receive_ps);
+    vtime ready = endpoint_work(p->ends, m->from, PROTOCOL_SEND, now, p->cfg->grant_receive_ps);
     m->trip->at_sender = protocol_at(ready);
     m->trip->at_receiver = protocol_at(ready + protocol_latency(p, m));
     evq_put(p->q, ready, m->from, protocol_inject, p, m->trip);
@@ -203,23 +210,24 @@ void protocol_clear_to_send(struct protocol *p, struct message *m, vtime when)
 
 /* --- arrival --- */
 
-static void complete(struct protocol *p, struct message *m, vtime now, vtime system)
+static inline __attribute__((always_inline)) void complete(struct protocol *p, struct message *m, vtime now,
+                                                           vtime system)
 {
-    m->complete = forward(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, system));
+    m->complete = forward(p, m, endpoint_work(p->ends, m->to, PROTOCOL_RECEIVE, now, system));
     m->arrived = true;
     protocol_note(p, m->trip, MESSAGE_COMPLETE, m->complete);
     protocol_end_trip(p, m);
-    p->nodes.arrived(p->nodes.ctx, m, now);
+    endpoint_arrived(p->ends, m, now);
 }
 
 static void whole_message(struct protocol *p, struct message *m, vtime now)
 {
     vtime system = m->bytes <= p->cfg->short_limit ? p->cfg->short_receive_ps : p->cfg->forced_receive_ps;
-    if (p->nodes.envelope(p->nodes.ctx, m, now)) {
+    if (endpoint_envelope(p->ends, m, now)) {
         complete(p, m, now, system);
     } else {
         assert(m->forced);
-        forward(p, m, p->nodes.work(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, system));
+        forward(p, m, endpoint_work(p->ends, m->to, PROTOCOL_RECEIVE, now, system));
         protocol_message_free(m);
     }
 }

@@ -29,7 +29,7 @@
  * the program has asked for the message or not. It is known that NX takes log2 N steps; where in the kernel
  * it forwards, and in which order, is open.
  *
- * The protocol knows nodes only through struct protocol_nodes. Addresses are those of topo.h.
+ * The protocol knows nodes only through endpoint.h. Addresses are those of topo.h.
  */
 #ifndef NET_PROTOCOL_H
 #define NET_PROTOCOL_H
@@ -90,29 +90,9 @@ struct message {
     char few[];
 };
 
-/* At which end of a message a processor works. */
-enum protocol_task { PROTOCOL_SEND, PROTOCOL_RECEIVE };
-
-/* What the protocol asks of those who live at the addresses. */
-struct protocol_nodes {
-    void *ctx;
-    /* The operating system at an address works for t, from `at` on or from when it is free; returns when it
-     * has finished. */
-    vtime (*work)(void *ctx, uint32_t address, enum protocol_task task, vtime at, vtime t);
-    /* The processor at an address moves bytes by programmed I/O for t in all, from `at` on. The work above
-     * interrupts programmed I/O and is not held up by it: both directions of an exchange go on at once. */
-    void (*pio)(void *ctx, uint32_t address, enum protocol_task task, vtime at, vtime t);
-    /* An envelope has arrived: match it with a receive, or find a buffer. Returns false if there is no room
-     * yet; call protocol_clear_to_send() later. Returns false for a forced message without a posted receive,
-     * too: the protocol drops and frees the message. */
-    bool (*envelope)(void *ctx, struct message *m, vtime now);
-    /* The sender's buffer of a message that is `followed` may be used again. */
-    void (*sent)(void *ctx, struct message *m, vtime now);
-    void (*arrived)(void *ctx, struct message *m, vtime now); /* m->complete is set */
-};
-
+/* The protocol between the addresses of a network. `ends` is what endpoint.h's functions are given. */
 struct protocol *protocol_new(const struct cfg_machine *cfg, const struct topo *topo, struct evq *q,
-                              const struct protocol_nodes *nodes);
+                              void *ends);
 void protocol_free(struct protocol *p);
 
 /* Is a message of that type and length sent without a request? Then its buffer is free when it has left. */
@@ -139,8 +119,8 @@ struct message *protocol_to_all(struct protocol *p, uint32_t from, int32_t type,
 void protocol_carry(struct message *first, struct protocol_cargo *cargo);
 /* From now on "all nodes" are the first n of the cube, at most as many as the protocol was made for. */
 void protocol_set_nodes(struct protocol *p, uint32_t n);
-/* The messages on their way to an address, and those being sent from there: the first, and the one after m.
- * NULL: no more. */
+/* The messages on their way to an address; and those being sent from there that are followed, or moved by
+ * programmed I/O: the first, and the one after m. NULL: no more. */
 struct message *protocol_to(const struct protocol *p, uint32_t address);
 struct message *protocol_next_to(const struct message *m);
 struct message *protocol_from(const struct protocol *p, uint32_t address);

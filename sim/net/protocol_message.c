@@ -48,8 +48,8 @@ void protocol_begin_trip(struct protocol *p, struct message *m)
     t->m = m;
     t->link_in = t->link_out = NULL;
     t->order = m->order, t->source = m->source;
-    t->waits = t->envelope = t->taken_back = false;
-    t->is_long = m->is_long, t->pio = !small;
+    t->envelope = TRIP_COMING, t->taken_back = t->followed = false;
+    t->kind = small ? TRIP_SHORT : m->is_long ? TRIP_LONG : TRIP_FORCED;
     t->forward = NULL;
     if (p->recorder)
         protocol_note_begin(t);
@@ -65,20 +65,26 @@ static void begin_flows(struct protocol_endpoint *to)
 {
     to->flows = queues_new();
     for (struct trip *t = to->in; t; t = t->next_in)
-        if (!t->envelope)
+        if (t->envelope != TRIP_SEEN)
             queues_add(to->flows, t->source, (int64_t)t->order, t);
 }
 
-void protocol_link(struct protocol *p, struct trip *t)
+void protocol_link_out(struct protocol *p, struct trip *t)
 {
-    struct protocol_endpoint *to = &p->endpoints[t->transit.to], *from = &p->endpoints[t->transit.from];
-    t->next_in = to->in, t->link_in = &to->in;
+    struct protocol_endpoint *from = &p->endpoints[t->transit.from];
     t->next_out = from->out, t->link_out = &from->out;
-    if (t->next_in)
-        t->next_in->link_in = &t->next_in;
     if (t->next_out)
         t->next_out->link_out = &t->next_out;
-    *t->link_in = t, *t->link_out = t;
+    from->out = t;
+}
+
+void protocol_link_in(struct protocol *p, struct trip *t)
+{
+    struct protocol_endpoint *to = &p->endpoints[t->transit.to];
+    t->next_in = to->in, t->link_in = &to->in;
+    if (t->next_in)
+        t->next_in->link_in = &t->next_in;
+    to->in = t;
     p->under_way++;
     if (++to->coming > FEW_COMING && !to->flows)
         begin_flows(to);
@@ -89,9 +95,9 @@ void protocol_link(struct protocol *p, struct trip *t)
 void protocol_envelope_seen(struct protocol *p, struct trip *t)
 {
     struct protocol_endpoint *to = &p->endpoints[t->transit.to];
-    if (to->flows && !t->envelope)
+    if (to->flows && t->envelope != TRIP_SEEN)
         queues_remove(to->flows, t->source, t);
-    t->envelope = true;
+    t->envelope = TRIP_SEEN;
 }
 
 struct trip *protocol_first_coming(const struct protocol *p, uint32_t source, uint32_t to)
@@ -101,7 +107,7 @@ struct trip *protocol_first_coming(const struct protocol *p, uint32_t source, ui
         return queues_at(at->flows, source, 0);
     struct trip *first = NULL;
     for (struct trip *t = at->in; t; t = t->next_in)
-        if (t->source == source && !t->envelope && (!first || t->order < first->order))
+        if (t->source == source && t->envelope != TRIP_SEEN && (!first || t->order < first->order))
             first = t;
     return first;
 }
@@ -192,10 +198,10 @@ void *protocol_payload(const void *data, size_t bytes)
     return p->bytes;
 }
 
-/* The message has no further use for its data. */
+/* The message has no further use for its data, which are not in itself. */
 static void release_data(struct message *m)
 {
-    if (!m->data || m->data == m->few)
+    if (!m->data)
         return;
     struct payload *p = payload_of(m->data);
     assert(p->users > 0);
@@ -272,14 +278,22 @@ static void release_cargo(struct message *m)
     m->carries = false;
 }
 
-void protocol_message_free(struct message *m)
+/* What the message has beside itself. */
+static __attribute__((noinline)) void release_parts(struct message *m)
 {
-    assert(m->protocol); /* not freed yet */
     if (m->trip)
         protocol_end_trip(m->protocol, m);
     if (m->carries)
         release_cargo(m);
-    release_data(m);
+    if (m->data != m->few)
+        release_data(m);
+}
+
+void protocol_message_free(struct message *m)
+{
+    assert(m->protocol); /* not freed yet */
+    if (m->trip || m->carries || m->data != m->few)
+        release_parts(m);
     struct arena *pool = protocol_pool_of(m);
     m->protocol = NULL;
     arena_give(pool, m);

@@ -5,8 +5,8 @@
 #define NET_PROTOCOL_PARTS_H
 #include <stddef.h>
 #include "kernel/arena.h"
+#include "net/endpoint.h"
 #include "net/movers.h"
-#include "net/protocol.h"
 #include "trace/trace_format.h"
 
 /* A lower bound on when a message next affects a node: not before `at`, nor before the machine's next event
@@ -15,20 +15,31 @@ struct protocol_bound {
     vtime at, after;
 };
 
+enum trip_kind {
+    TRIP_SHORT,  /* the others: programmed I/O at both ends, where the machine has no DMA */
+    TRIP_FORCED, /* longer, and eager all the same */
+    TRIP_LONG    /* rendezvous */
+};
+
+/* Of a message's envelope. */
+enum trip_envelope {
+    TRIP_COMING,
+    TRIP_WAITS, /* it has come before an earlier one's */
+    TRIP_SEEN   /* the receiver has handled it, or nobody waits for it */
+};
+
 /* The part of a message that exists only under way. The messages of a tree are under way from their making,
  * others from when they are sent; all until they have arrived. */
 struct trip {
     struct message *m;
     struct trip *next_in, **link_in;   /* to the receiver */
-    struct trip *next_out, **link_out; /* being sent by the sender */
+    struct trip *next_out, **link_out; /* being sent by the sender, which may yet hear of it */
     uint64_t order;                    /* the message's, as source */
     uint32_t source;
-    bool waits : 1;          /* its envelope has come before an earlier one's */
-    bool envelope : 1;       /* the receiver has handled the envelope, or nobody waits for it */
-    bool taken_back : 1;     /* the sender has ended before the message left */
-    bool is_long : 1;        /* the message is */
-    bool pio : 1;            /* programmed I/O at both ends, where the machine has no DMA */
-    bool followed : 1;       /* the message was so when it was sent */
+    enum trip_envelope envelope : 8;
+    enum trip_kind kind : 8;
+    bool taken_back;         /* the sender has ended before the message left */
+    bool followed;           /* the message was so when it was sent */
     struct message *forward; /* the messages that the receiver is to send on */
 
     struct protocol_bound at_sender, at_receiver;
@@ -49,6 +60,7 @@ struct protocol_endpoint {
     struct trip *in, *out;
     uint64_t made;        /* messages, by the endpoint */
     uint32_t coming;      /* the length of `in` */
+    uint32_t waiting;     /* of them: those that wait, because an envelope sent earlier has not come */
     struct queues *flows; /* those of `in` whose envelope has not come, by source; NULL: there are few */
 };
 
@@ -61,7 +73,7 @@ struct protocol {
     struct evq *q;
     struct channels *channels;
     struct movers *movers; /* NULL: a processor moves any number of messages at once */
-    struct protocol_nodes nodes;
+    void *ends; /* endpoint.h */
     struct protocol_endpoint *endpoints;
     struct arena messages[PROTOCOL_SIZES], trips;
     uint64_t under_way;
@@ -104,10 +116,10 @@ struct message *protocol_message_sharing(struct protocol *p, uint32_t from, uint
                                          int32_t pid, void *payload, size_t bytes);
 /* Where a message's memory is from. */
 struct arena *protocol_pool_of(const struct message *m);
-/* The message's trip begins; once linked, the trip is on its way to the receiver and being sent by the
- * sender. */
+/* The message's trip begins; is on its way to the receiver; the sender may yet hear of it. */
 void protocol_begin_trip(struct protocol *p, struct message *m);
-void protocol_link(struct protocol *p, struct trip *t);
+void protocol_link_in(struct protocol *p, struct trip *t);
+void protocol_link_out(struct protocol *p, struct trip *t);
 /* The receiver has handled the envelope, or nobody waits for it. */
 void protocol_envelope_seen(struct protocol *p, struct trip *t);
 /* Of the messages on their way from the program at source, the first whose envelope has not come. NULL: there

@@ -34,7 +34,7 @@ static struct message *tree_messages(const struct tree *t, uint32_t i, uint32_t 
         if (i > 0 || t->source != t->root) {
             m->trip->at_sender = PROTOCOL_NOTHING;
             m->trip->at_receiver = protocol_after(protocol_least_send_time(t->p));
-            protocol_link(t->p, m->trip);
+            protocol_link_in(t->p, m->trip);
         }
         m->trip->forward = tree_messages(t, i + half, count - half);
         *link = m;

@@ -12,27 +12,27 @@ static void sent(struct protocol *p, struct trip *t, vtime now)
 {
     protocol_unlink_out(t);
     if (t->followed && t->m->followed)
-        p->nodes.sent(p->nodes.ctx, t->m, now);
+        endpoint_sent(p->ends, t->m, now);
 }
 
 /* The sender's processor moves the message into the channel. */
 static void pio_send(struct protocol *p, const struct trip *t, vtime now)
 {
     vtime takes = t->m->bytes * p->cfg->send_ps_per_byte;
-    p->nodes.pio(p->nodes.ctx, t->transit.from, PROTOCOL_SEND, now, takes);
+    endpoint_pio(p->ends, t->transit.from, PROTOCOL_SEND, now, takes);
 }
 
 /* The message, or its data, enter the network, and the sender's processor is free to move them. */
 static void enter(struct protocol *p, struct trip *t, vtime now)
 {
-    if (t->pio)
+    if (t->kind != TRIP_SHORT)
         pio_send(p, t, now);
     vtime duration = t->transit.duration;
     /* Once the message has left, a handler of the sender may be due. The message may have to wait for
      * channels first. */
     t->at_sender = (struct protocol_bound){.at = now + duration, .after = duration};
-    t->at_receiver = protocol_after(t->pio ? protocol_latency(p, t->m) : duration);
-    if (!t->is_long)
+    t->at_receiver = protocol_after(t->kind != TRIP_SHORT ? protocol_latency(p, t->m) : duration);
+    if (t->kind != TRIP_LONG)
         sent(p, t, now); /* the operating system has a copy: the caller's buffer is free */
     channel_send(p->channels, &t->transit, now);
 }
@@ -52,7 +52,7 @@ void protocol_inject(void *ctx, void *arg, vtime now)
         return;
     }
     protocol_note(p, t, MESSAGE_ENTERED, now);
-    if (t->pio && p->movers) {
+    if (t->kind != TRIP_SHORT && p->movers) {
         t->at_sender = protocol_after(0); /* the sender's processor begins to move bytes at some event */
         t->at_receiver = protocol_after(protocol_latency(p, t->m));
         movers_ask(p->movers, &t->transit, now);
@@ -66,7 +66,7 @@ static void pio_receive(void *ctx, void *arg, vtime now)
 {
     struct protocol *p = ctx;
     struct message *m = arg;
-    p->nodes.pio(p->nodes.ctx, m->to, PROTOCOL_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
+    endpoint_pio(p->ends, m->to, PROTOCOL_RECEIVE, now, m->bytes * p->cfg->receive_ps_per_byte);
     m->trip->at_receiver = protocol_at(now + m->bytes * p->cfg->long_ps_per_byte);
 }
 
@@ -85,7 +85,7 @@ void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now
     if (channel_gives_early(transit))
         protocol_note(p, t, MESSAGE_FREED, now + transit->holds);
     t->at_sender = protocol_at(now + transit->duration);
-    if (!t->pio) {
+    if (t->kind == TRIP_SHORT) {
         t->at_receiver = protocol_at(now + transit->duration);
         return;
     }
@@ -100,9 +100,9 @@ void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
     struct protocol *p = ctx;
     struct trip *t = trip_of(transit);
     protocol_note(p, t, MESSAGE_LEFT, now);
-    if (t->is_long)
+    if (t->kind == TRIP_LONG)
         sent(p, t, now);
-    if (t->pio && p->movers)
+    if (t->kind != TRIP_SHORT && p->movers)
         movers_done(p->movers, transit, now);
     protocol_trip_ends(p, t->m, now);
 }

@@ -2,6 +2,7 @@
  * then what each service has. */
 #include "net/topo.h"
 #include <assert.h>
+#include <stdlib.h>
 
 enum { EAST, WEST, SOUTH, NORTH, MESH_LINKS };
 enum { CUBE_SERVICE = 2, MESH_SERVICE = MESH_LINKS + 2 }; /* channels of a service; the last two: in, out */
@@ -96,7 +97,7 @@ static uint32_t cube_node(const struct topo *t, uint32_t address)
 
 static uint32_t distance(uint32_t a, uint32_t b)
 {
-    return a > b ? a - b : b - a;
+    return (uint32_t)abs((int)(a - b)); /* both are less than 2^20 */
 }
 
 uint32_t topo_hops(const struct topo *t, uint32_t from, uint32_t to)
@@ -169,47 +170,50 @@ struct topo_channel topo_channel(const struct topo *t, uint32_t channel)
     return (struct topo_channel){which == first_port ? TOPO_IN : TOPO_OUT, address, address};
 }
 
-static uint32_t step_hypercube(const struct topo *t, struct topo_walk *w, uint32_t to)
+static void turn_in_hypercube(const struct topo *t, struct topo_walk *w)
 {
-    uint32_t bit = (uint32_t)__builtin_ctz(w->at ^ to);
-    uint32_t channel = bit * t->positions + w->at;
+    uint32_t bit = (uint32_t)__builtin_ctz(w->at ^ cube_node(t, w->to));
+    w->next = bit * t->positions + w->at;
     w->at ^= UINT32_C(1) << bit;
-    return channel;
 }
 
-static uint32_t step_mesh(const struct topo *t, struct topo_walk *w)
+/* Within the rectangle the links of a row, or column, are one run; outside each is a run of its own. */
+static void turn_in_mesh(const struct topo *t, struct topo_walk *w)
 {
-    uint32_t from = w->at, way;
-    if (w->x != w->to_x) {
-        bool east = w->x < w->to_x;
-        way = east ? EAST : WEST;
-        w->x += east ? 1 : -1;
-        w->at += east ? 1 : -1;
-    } else {
-        bool south = w->y < w->to_y;
-        way = south ? SOUTH : NORTH;
-        w->y += south ? 1 : -1;
-        w->at += south ? t->columns : -t->columns;
-    }
-    if (from >= t->positions || w->x >= t->columns) /* not within the rectangle */
-        w->at = address_of(t, (struct spot){w->x, w->y});
-    return mesh_link(t, from, way);
+    bool inside = w->at < t->positions, along_row = w->x != w->to_x;
+    bool up = along_row ? w->x < w->to_x : w->y < w->to_y;
+    if (along_row && inside)
+        w->left = distance(w->x, up && w->to_x > t->columns ? t->columns : w->to_x);
+    else if (inside)
+        w->left = distance(w->y, w->to_y);
+    w->next = mesh_link(t, w->at, along_row ? (up ? EAST : WEST) : (up ? SOUTH : NORTH));
+    w->stride = along_row ? 1 : t->columns;
+    uint32_t by = w->left;
+    if (!up)
+        w->stride = -w->stride, by = -by;
+    if (along_row)
+        w->x += by;
+    else
+        w->y += by;
+    w->at = address_of(t, (struct spot){w->x, w->y});
 }
 
-bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel)
+bool topo_turn(const struct topo *t, struct topo_walk *w)
 {
-    uint32_t to = t->rows ? w->to : cube_node(t, w->to);
+    if (w->ended)
+        return false;
+    w->left = 1;
     if (!w->entered) {
         w->entered = true;
-        *channel = port(t, w->at, 0);
+        w->next = port(t, w->at, 0);
         w->at = t->rows ? w->at : cube_node(t, w->at);
-    } else if (w->at != to) {
-        *channel = t->rows ? step_mesh(t, w) : step_hypercube(t, w, to);
-    } else if (!w->left) {
-        w->left = true;
-        *channel = port(t, w->to, 1);
+    } else if (w->at == (t->rows ? w->to : cube_node(t, w->to))) {
+        w->ended = true;
+        w->next = port(t, w->to, 1);
+    } else if (t->rows) {
+        turn_in_mesh(t, w);
     } else {
-        return false;
+        turn_in_hypercube(t, w);
     }
     return true;
 }

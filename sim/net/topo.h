@@ -69,13 +69,25 @@ struct topo_channel {
 };
 struct topo_channel topo_channel(const struct topo *t, uint32_t channel);
 
-/* A route under way: the channels from one address to another, one at a time. */
+/* A route under way: the channels from one address to another, one at a time. They come in runs, whose
+ * channels are at equal distances: the part of a row of a mesh is one, and that of a column. */
 struct topo_walk {
-    uint32_t at, to;
-    uint32_t x, y, to_x, to_y; /* in a mesh */
-    bool entered, left;
+    uint32_t at, to;             /* at: where the run ends */
+    uint32_t x, y, to_x, to_y;   /* the same in a mesh */
+    uint32_t next, stride, left; /* of the run: the next channel, the distance, and how many are left */
+    bool entered, ended;         /* the runs of the ports have begun */
 };
 void topo_begin(const struct topo *t, struct topo_walk *w, uint32_t from, uint32_t to);
+/* Begins the route's next run; returns false when the route is complete. */
+bool topo_turn(const struct topo *t, struct topo_walk *w);
 /* Sets *channel to the next channel of the route; returns false when the route is complete. */
-bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel);
+static inline bool topo_step(const struct topo *t, struct topo_walk *w, uint32_t *channel)
+{
+    if (!w->left && !topo_turn(t, w))
+        return false;
+    *channel = w->next;
+    w->next += w->stride;
+    w->left--;
+    return true;
+}
 #endif

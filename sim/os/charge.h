@@ -1,7 +1,7 @@
 /* charge.h - where a node's time goes: to its operating system, and to waiting. */
 #ifndef OS_CHARGE_H
 #define OS_CHARGE_H
-#include "net/protocol.h"
+#include "net/endpoint.h"
 #include "node/node.h"
 
 /* The time that this node's system takes for what takes an ordinary node's t. Charges a time to a task. */
@@ -24,7 +24,7 @@ vtime charge_sum(const struct node *n);
 /* Do the sums of struct node_times and node_stats agree, for a node that has ended? */
 bool charge_adds_up(const struct node *n);
 
-/* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
+/* --- for net/endpoint.h, with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 #endif

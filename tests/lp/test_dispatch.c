@@ -16,6 +16,7 @@
 #include "lp/lookahead.h"
 #include "lp/offload.h"
 #include "lp/upcalls.h"
+#include "net/endpoint.h"
 
 enum { NODES = 8, MOST_LOG = 4096, STACK = 1 << 17 };
 #define US VT_MICROSECOND
@@ -212,7 +213,7 @@ void up_prefetch_program(const struct lp *lp)
 /* --- messages --- */
 
 /* A message reaches the node: so much of its processor's time, and what its program waits for. */
-static void arrived(void *ctx, struct message *message, vtime now)
+void endpoint_arrived(void *ctx, struct message *message, vtime now)
 {
     struct fake_machine *m = ctx;
     struct fake_node *n = m->node[message->to];
@@ -225,7 +226,7 @@ static void arrived(void *ctx, struct message *message, vtime now)
     lp_notify(&n->lp, now + m->system);
 }
 
-static bool envelope(void *ctx, struct message *message, vtime now)
+bool endpoint_envelope(void *ctx, struct message *message, vtime now)
 {
     (void)ctx, (void)message, (void)now;
     return true;
@@ -376,18 +377,18 @@ static void look(void *ctx)
     (void)ctx;
 }
 
-static vtime no_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
+vtime endpoint_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     (void)ctx, (void)node, (void)task;
     return at + t;
 }
 
-static void no_pio(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
+void endpoint_pio(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     (void)ctx, (void)node, (void)task, (void)at, (void)t;
 }
 
-static void sent(void *ctx, struct message *m, vtime now)
+void endpoint_sent(void *ctx, struct message *m, vtime now)
 {
     (void)ctx, (void)m, (void)now;
 }
@@ -396,10 +397,9 @@ static struct fake_machine *machine(void)
 {
     struct fake_machine *m = calloc(1, sizeof *m);
     struct topo topo;
-    struct protocol_nodes nodes = {m, no_work, no_pio, envelope, sent, arrived};
     m->s = (struct schedule){.q = evq_new(), .max_time = VT_NEVER, .look = look};
     assert_true(topo_hypercube(&topo, NODES, 3));
-    m->s.protocol = protocol_new(&CFG, &topo, m->s.q, &nodes);
+    m->s.protocol = protocol_new(&CFG, &topo, m->s.q, m);
     return m;
 }
 

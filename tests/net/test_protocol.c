@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "net/protocol.h"
+#include "net/endpoint.h"
 #include "tests/child.h"
 
 enum { NODES = 8, HOST = NODES, US = 1000000 };
@@ -21,19 +21,19 @@ struct fake {
     vtime complete[16];
 };
 
-static vtime work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
+vtime endpoint_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     struct fake *f = ctx;
     (void)task;
     return f->free_at[node] = vt_max(f->free_at[node], at) + t;
 }
 
-static void move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
+void endpoint_pio(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
     (void)ctx, (void)node, (void)task, (void)at, (void)t;
 }
 
-static bool envelope(void *ctx, struct message *m, vtime now)
+bool endpoint_envelope(void *ctx, struct message *m, vtime now)
 {
     struct fake *f = ctx;
     (void)now;
@@ -41,12 +41,12 @@ static bool envelope(void *ctx, struct message *m, vtime now)
     return f->room;
 }
 
-static void sent(void *ctx, struct message *m, vtime now)
+void endpoint_sent(void *ctx, struct message *m, vtime now)
 {
     (void)ctx, (void)m, (void)now;
 }
 
-static void arrived(void *ctx, struct message *m, vtime now)
+void endpoint_arrived(void *ctx, struct message *m, vtime now)
 {
     struct fake *f = ctx;
     (void)now;
@@ -72,9 +72,8 @@ static void begin(struct fake *f, bool room)
 {
     struct topo topo;
     *f = (struct fake){.q = evq_new(), .room = room};
-    struct protocol_nodes nodes = {f, work, move, envelope, sent, arrived};
     assert_true(topo_hypercube(&topo, NODES, 3));
-    f->protocol = protocol_new(&IPSC, &topo, f->q, &nodes);
+    f->protocol = protocol_new(&IPSC, &topo, f->q, f);
 }
 
 static void run(struct fake *f)
@@ -99,11 +98,10 @@ static void begin_with_host(struct fake *f)
     cfg = IPSC;
     cfg.host.link_ps = 500 * US, cfg.host.link_ps_per_byte = US;
     *f = (struct fake){.q = evq_new(), .room = true};
-    struct protocol_nodes nodes = {f, work, move, envelope, sent, arrived};
     assert_true(topo_hypercube(&topo, NODES, 3));
     topo_add_host(&topo);
     assert_int_equal(topo_host(&topo), HOST);
-    f->protocol = protocol_new(&cfg, &topo, f->q, &nodes);
+    f->protocol = protocol_new(&cfg, &topo, f->q, f);
 }
 
 /* Sends from node 0 as a call at time 0 would; returns the message. */
@@ -383,6 +381,7 @@ static void messages_under_way_are_found_from_both_ends(void **state)
     begin_with_host(&f);
     struct message *m = protocol_message(f.protocol, HOST, 1, 5, 0, "x", 1);
     assert_null(protocol_to(f.protocol, 1));
+    m->followed = true;
     protocol_send(f.protocol, m, 0);
     assert_ptr_equal(protocol_to(f.protocol, 1), m);
     assert_ptr_equal(protocol_from(f.protocol, HOST), m);

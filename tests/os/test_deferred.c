@@ -11,7 +11,6 @@
 #include "lp/dispatch.h"
 #include "lp/engine.h"
 #include "machine/assemble.h"
-#include "machine/endpoints.h"
 #include "node/system.h"
 #include "os/charge.h"
 #include "os/deferred.h"
@@ -53,8 +52,7 @@ static void begin(struct fake *f)
     *f = (struct fake){.cfg = CFG, .sys = {.cfg = &f->cfg, .nodes = f->nodes, .count = NODES}};
     f->sys.schedule = (struct schedule){.q = evq_new(), .max_time = VT_NEVER};
     assert_true(topo_hypercube(&f->sys.topo, NODES, 1));
-    struct protocol_nodes up = endpoints_calls(&f->sys);
-    f->sys.schedule.protocol = protocol_new(&f->cfg, &f->sys.topo, f->sys.schedule.q, &up);
+    f->sys.schedule.protocol = protocol_new(&f->cfg, &f->sys.topo, f->sys.schedule.q, &f->sys);
     for (uint32_t i = 0; i < NODES; i++)
         f->nodes[i] = node_new_empty(&f->sys, i);
     f->n = f->nodes[0];
@@ -161,7 +159,7 @@ static void run_until(struct fake *f, vtime t)
 static void run_to_the_end(struct fake *f)
 {
     run_until(f, VT_SECOND);
-    deferred_commit(f->n, (struct instant){VT_SECOND, 0});
+    deferred_commit_until(f->n, (struct instant){VT_SECOND, 0});
 }
 
 /* One that arrived before its program computed. */
@@ -300,9 +298,9 @@ static void a_receive_is_posted_when_the_machine_has_come_to_its_commit_time(voi
     compute(&f, 100);
     struct receive *r = post(&f, 1);
     assert_int_equal(evq_next(f.sys.schedule.q), VT_NEVER);
-    deferred_commit(f.n, (struct instant){100 * US, 0});
+    deferred_commit_until(f.n, (struct instant){100 * US, 0});
     assert_null(f.n->mailbox.posted.first);
-    deferred_commit(f.n, (struct instant){100 * US, 1});
+    deferred_commit_until(f.n, (struct instant){100 * US, 1});
     assert_ptr_equal(f.n->mailbox.posted.first, r);
     assert_int_equal(clock_sync(&f.n->lp), (100 + CALL) * US);
     match_withdraw(f.n, r);
@@ -389,7 +387,7 @@ static void a_buffer_is_free_when_the_receive_is_committed(void **state)
     assert_int_equal(f.n->buffered, BYTES);
     assert_int_equal(f.n->taken, BYTES);
     assert_int_equal(f.n->times.tasks[NODE_COPYING], BYTES * US / 10);
-    deferred_commit(f.n, (struct instant){VT_SECOND, 0});
+    deferred_commit_until(f.n, (struct instant){VT_SECOND, 0});
     assert_int_equal(f.n->buffered, 0);
     assert_int_equal(f.n->taken, 0);
     end(&f);
