@@ -97,11 +97,11 @@ struct send *mailbox_id_send(struct node *n, long id)
 
 bool mailbox_id_is_complete(struct node *n, long id)
 {
-    for (; id >= 0; id = mailbox_id_next(n, id)) {
-        const struct receive *r = mailbox_id_receive(n, id);
-        const struct send *s = mailbox_id_send(n, id);
-        if ((r && !mailbox_complete(n, r)) || (s && !s->done))
+    while (id >= 0) {
+        const struct id *i = of(n, id);
+        if ((i->use & ID_RECEIVES && !mailbox_complete(n, &i->receive)) || (i->send && !i->send->done))
             return false;
+        id = i->next;
     }
     return true;
 }

@@ -22,9 +22,7 @@ vtime clock_of_units_exactly(const struct lp *lp, uint64_t units)
 
 void clock_count(struct lp *lp)
 {
-    struct lp_clock *c = &lp->clock;
-    clock_set_units(lp, c->units + (uint64_t)(c->granted - *lp->budget));
-    c->granted = *lp->budget;
+    clock_count_here(lp);
 }
 
 uint64_t clock_units_in(const struct lp *lp, vtime t)

@@ -23,11 +23,20 @@ static inline vtime clock_of_units(const struct lp *lp, uint64_t units)
 static inline void clock_set_units(struct lp *lp, uint64_t units)
 {
     struct lp_clock *c = &lp->clock;
-    c->now += clock_of_units(lp, units) - clock_of_units(lp, c->units);
+    c->now += c->unit_ps ? (units - c->units) * c->unit_ps
+                         : clock_of_units_exactly(lp, units) - clock_of_units_exactly(lp, c->units);
     c->units = units;
 }
 
-/* The clock runs: adds what the program has spent. */
+/* The clock runs: adds what the program has spent. (Out of line for most callers: they are in calls, where
+ * the clock stands still.) */
+static inline void clock_count_here(struct lp *lp)
+{
+    struct lp_clock *c = &lp->clock;
+    uint64_t spent = (uint64_t)(c->granted - *lp->budget);
+    c->granted = *lp->budget;
+    clock_set_units(lp, c->units + spent);
+}
 __attribute__((noinline)) void clock_count(struct lp *lp);
 /* Synchronises the clock with what the program has spent; returns the time. */
 static inline vtime clock_sync(struct lp *lp)
@@ -40,7 +49,8 @@ static inline vtime clock_sync(struct lp *lp)
 /* The program is in a call: it spends nothing until clock_allow. */
 static inline vtime clock_stop(struct lp *lp)
 {
-    clock_sync(lp);
+    if (lp->clock.runs)
+        clock_count_here(lp);
     lp->clock.runs = false;
     return lp->clock.now;
 }

@@ -64,9 +64,13 @@ static bool commit_or_help(struct schedule *s)
 /* Flattened: after a switch to a program and back no processor foresees where a function returns to. */
 __attribute__((flatten)) static void commit_events(struct schedule *s)
 {
-    for (uint64_t i = 0; !s->stop && commit_or_help(s); i++)
-        if (i % LOOK_EVERY == 0 || s->unseen >= LOOK_EVERY)
-            s->look(s->look_ctx);
+    uint32_t left = 1;
+    while (!s->stop && commit_or_help(s)) {
+        if (--left && s->unseen < LOOK_EVERY)
+            continue;
+        s->look(s->look_ctx);
+        left = LOOK_EVERY;
+    }
 }
 
 /* The machine has been stopped: programs paused at polls come as far as the others. */

@@ -20,10 +20,11 @@ static void load_page(const struct lp *lp)
         __builtin_prefetch(fiber_innermost(&lp->fiber), 1);
 }
 
-void prefetch_coming(const struct schedule *s)
+void prefetch_coming(struct schedule *s)
 {
     enum { FIRST = 10, TOGETHER = 4, PAGES = 4, SECOND = 4, THIRD = 2 };
     const struct lp *lp = coming(s, FIRST);
+    s->switches++;
     if (lp)
         up_prefetch_node(lp);
     for (unsigned i = 0; s->switches % TOGETHER == 0 && i < TOGETHER; i++)

@@ -4,5 +4,9 @@
 #define LP_PREFETCH_COMING_H
 #include "lp/schedule.h"
 
-void prefetch_coming(const struct schedule *s);
+/* From so many nodes on loading ahead pays: the caches hold fewer. */
+enum { PREFETCH_NODES = 400 };
+
+/* A program is about to run. */
+void prefetch_coming(struct schedule *s);
 #endif

@@ -36,7 +36,7 @@ void lp_run_here(struct lp *lp)
 
 void lp_run_on(struct lp *lp)
 {
-    lp->schedule->switches++;
-    prefetch_coming(lp->schedule);
+    if (lp->schedule->loads_ahead)
+        prefetch_coming(lp->schedule);
     lp_run_here(lp);
 }

@@ -24,10 +24,11 @@ struct schedule {
     struct protocol *protocol; /* machine */
     struct workers *workers;   /* NULL: one thread */
     evq_fire *resumes[2];      /* events upon which a program may run, for loading ahead */
+    bool loads_ahead;          /* machine: the caches do not hold all nodes: prefetch_coming.h */
 
     enum stop stop;
     struct instant stop_at; /* STOP_FAILED: the failed program's moment; STOP_VIRTUAL_TIME: the limit */
-    uint32_t switches;      /* to programs, modulo 2^32 */
+    uint32_t switches;      /* to programs, modulo 2^32, where anything is loaded ahead */
     uint32_t unseen;        /* calls since look() was called last */
 
     /* Threads read what follows all the time: apart from what the coordinator writes. */

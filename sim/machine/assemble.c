@@ -158,6 +158,8 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
 {
     n->envp = envp;
     if (make_parts(n, img, argc, argv, error)) {
+        /* (Where programs come and go, few messages are worth deferring calls.) */
+        n->in_order |= n->is_host || n->asan || n->sys->cube || n->sys->flushes;
         taken_begin(n);
         livelock_begin(n);
         path_times_begin(n);

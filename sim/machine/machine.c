@@ -11,6 +11,7 @@
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"
+#include "lp/prefetch_coming.h"
 #include "machine/assemble.h"
 #include "machine/cube.h"
 #include "net/protocol_record.h"
@@ -186,6 +187,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     if (!has_host(m, error) || !make_shape(m, error) || !make_timing(m, error))
         goto fail;
     s->schedule.protocol = protocol_new(s->cfg, &s->topo, s->schedule.q, s);
+    s->schedule.loads_ahead = s->topo.addresses >= PREFETCH_NODES;
     make_numbering(m);
     if (!make_file_system(m, error) || !make_nodes(m, error))
         goto fail;

@@ -99,8 +99,6 @@ struct deferred_call {
     uint64_t commits : DEFERRED_TIME_BITS; /* commit time, less deferred.shift at its beginning */
     bool has_type : 1;                     /* deferred_cold.type */
     bool has_memory : 1;                   /* deferred_cold.memory */
-    bool needs_event : 1;                  /* is to be made at its commit time */
-    bool posts : 1;                        /* receive, when it is made */
     bool selected : 1;    /* receive has had its message from the unexpected, before its commit time */
     bool has_message : 1; /* to be sent, and not begun */
     bool sends : 1;       /* message has been sent before its commit time */
@@ -111,7 +109,7 @@ struct deferred_call {
     bool cold : 1;             /* message is in deferred_cold, for the call has a receive, too */
     vtime spent;
     union {
-        struct receive *receive;  /* if it posts or selected */
+        struct receive *receive;  /* if it posts (deferred.posts) or selected */
         struct message *consumed; /* if it consumes; linked by next */
         struct message *message;  /* if it has any, not cold */
     };
@@ -120,9 +118,10 @@ struct deferred_call {
 
 /* All of them: node.calls. */
 struct deferred {
-    uint16_t first, count;
-    bool selects;  /* one of them is a receive that may select a message at its commit time */
-    bool open;     /* the program is in the last of them */
+    uint8_t first, count;
+    bool open;            /* the program is in the last of them */
+    uint16_t posts;       /* sets of places in the ring: the call posts its receive when it is made; */
+    uint16_t needs_event; /* is to be made at its commit time: sends, or may select a message then */
     vtime commits; /* of the first, or when its caller resumes; later by what has been stolen since then */
     vtime begun;   /* when the first began, if its caller is to resume; VT_NEVER: it has not begun */
     vtime shift;   /* all are so much later than noted, and by what has been stolen since then */
@@ -160,7 +159,7 @@ struct node {
     uint32_t
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     bool is_host;
-    bool in_order;              /* os: an observer wants no call deferred */
+    bool in_order;              /* os, machine: no call is deferred, for an observer or handlers, or ever */
     bool armed;                 /* os: posted a handler at any time */
     bool call_has_type, awaits; /* os: see call */
     bool hands_over;            /* os: the call was entered by node_enter_early, and has not waited */

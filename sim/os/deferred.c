@@ -20,6 +20,17 @@ static uint32_t index_of(const struct node *n, uint32_t i)
     return (n->deferred.first + i) % DEFERRED_MOST;
 }
 
+static struct deferred_call *first(struct node *n)
+{
+    return &n->calls[n->deferred.first];
+}
+
+/* The set of the last alone. */
+static uint16_t only_last(const struct node *n)
+{
+    return (uint16_t)(1u << index_of(n, n->deferred.count - 1));
+}
+
 static struct deferred_call *nth(const struct node *n, uint32_t i)
 {
     return (struct deferred_call *)&n->calls[index_of(n, i)];
@@ -124,38 +135,39 @@ static void put_cold(struct node *n, struct message *m)
 
 void deferred_post(struct node *n, struct receive *r)
 {
+    struct deferred *p = &n->deferred;
     struct deferred_call *c = open_call(n);
-    assert(!c->posts && !c->selected && !c->resumes_caller);
+    const uint16_t this = only_last(n);
+    assert(!(p->posts & this) && !c->selected && !c->resumes_caller);
     if (c->has_message)
         put_cold(n, c->message);
     c->receive = r;
-    c->posts = true;
-    const struct message *m = unexpected_first(n, &r->select);
-    if (n->deferred.selects || (m && !m->arrived)) {
+    struct message *m = unexpected_first(n, &r->select);
+    bool selects = m && m->arrived && !(p->posts & p->needs_event);
+    if (selects)
+        match_select(n, r, m, 0), c->selected = true;
+    else
+        p->posts |= this;
+    if (m && !selects)
         deferred_may_select(n); /* a receive before may select it, or another message be the first then */
-    } else if (m) {
-        match_post(n, r, 0);
-        c->posts = false, c->selected = true;
-    }
 }
 
 void deferred_may_select(struct node *n)
 {
-    for (uint32_t i = 0; i < n->deferred.count; i++) {
-        struct deferred_call *c = nth(n, i);
-        c->needs_event |= c->posts;
-        n->deferred.selects |= c->posts;
-    }
+    struct deferred *p = &n->deferred;
+    if (!(p->posts & ~p->needs_event))
+        return;
+    p->needs_event |= p->posts;
     lp_schedule_deferred(&n->lp);
 }
 
 void deferred_send(struct node *n, struct message *m)
 {
+    struct deferred *p = &n->deferred;
     struct deferred_call *c = open_call(n);
     assert(!c->has_message && !m->next && !c->resumes_caller);
     c->sends = !n->lp.scheduled_at &&
                lp_is_alone(&n->lp, time_of(n, c->commits)); /* an event of the node's own would come before */
-    c->needs_event = !c->sends;
     vtime sending = match_send_time(n, m);
     clock_advance(&n->lp, sending);
     if (c->sends) {
@@ -163,12 +175,14 @@ void deferred_send(struct node *n, struct message *m)
         protocol_send_late(n->sys->schedule.protocol, m, node_now(n), match_send_late(n));
     }
     c->has_message = true;
-    if (c->posts || c->selected)
+    if (p->posts & only_last(n) || c->selected)
         put_cold(n, m);
     else
         c->message = m;
-    if (c->needs_event)
+    if (!c->sends) {
+        p->needs_event |= only_last(n);
         lp_schedule_deferred(&n->lp);
+    }
 }
 
 static size_t buffered(const struct message *m)
@@ -179,7 +193,7 @@ static size_t buffered(const struct message *m)
 void deferred_received(struct node *n, struct message *m)
 {
     struct deferred_call *c = open_call(n);
-    assert(c->resumes_caller && !c->posts && (!c->has_message || c->cold));
+    assert(c->resumes_caller && !(n->deferred.posts & only_last(n)) && (!c->has_message || c->cold));
     c->inline_message = !c->consumes_message && !m->buffered && protocol_message_is_plain(m);
     m->next = c->consumes_message ? c->consumed : NULL;
     c->consumed = m;
@@ -191,14 +205,14 @@ void deferred_received(struct node *n, struct message *m)
 
 vtime deferred_next(const struct node *n, struct message **sends)
 {
-    for (uint32_t i = 0; i < n->deferred.count; i++) {
-        const struct deferred_call *c = nth(n, i);
-        if (!c->needs_event)
-            continue;
-        *sends = c->has_message ? message_of(n, i) : NULL;
-        return time_of(n, c->commits);
-    }
-    return VT_NEVER;
+    const struct deferred *p = &n->deferred;
+    if (!p->needs_event)
+        return VT_NEVER;
+    uint32_t from_first = p->needs_event >> p->first | (uint32_t)p->needs_event << (DEFERRED_MOST - p->first);
+    uint32_t i = (uint32_t)__builtin_ctz(from_first);
+    const struct deferred_call *c = nth(n, i);
+    *sends = c->has_message ? message_of(n, i) : NULL;
+    return time_of(n, c->commits);
 }
 
 vtime deferred_last(const struct node *n)
@@ -248,7 +262,7 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
     n->deferred.begun = now;
     if (c->has_memory)
         node_memory_was(n, n->cold->calls.memory[index_of(n, 0)]);
-    if (c->posts)
+    if (n->deferred.posts >> n->deferred.first & 1)
         match_post(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends) {
         ANNOUNCE(n, charges_deferred, 0);
@@ -257,16 +271,21 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
     }
 }
 
+/* The first has handed over what it had to. */
+static void done_with(struct node *n)
+{
+    const uint16_t others = (uint16_t) ~(1u << n->deferred.first);
+    n->deferred.posts &= others, n->deferred.needs_event &= others;
+}
+
 static void pop(struct node *n)
 {
     struct deferred *p = &n->deferred;
-    p->first = (uint16_t)index_of(n, 1);
+    p->first = (uint8_t)index_of(n, 1);
     p->count--;
     p->begun = VT_NEVER;
     if (p->count)
-        p->commits = nth(n, 0)->commits + p->shift;
-    else
-        p->selects = false;
+        p->commits = first(n)->commits + p->shift;
 }
 
 static void make(struct node *n, struct deferred_call *c, vtime now)
@@ -276,10 +295,11 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
         vtime done = c->resumes_caller ? handed_over(n, 0) : 0;
         ANNOUNCE(n, committed, now);
         begin(n, c, now);
+        done_with(n);
         if (c->resumes_caller) {
             p->commits = done + p->shift;
             c->commits = done & TIME_MASK, c->spent = 0;
-            c->posts = c->selected = c->needs_event = c->has_message = c->sends = false;
+            c->selected = c->has_message = c->sends = false;
             return;
         }
     } else {
@@ -292,16 +312,14 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
     pop(n);
 }
 
-void deferred_commit(struct node *n, struct instant at)
+void deferred_commit(struct node *n, struct instant before)
 {
-    while (n->deferred.count) {
+    do {
         vtime now = n->deferred.commits + n->lp.clock.stolen;
-        if (!instant_before(now, n->lp.address, at))
-            return;
         if (n->lp.clock.stolen)
             put_off(n, now);
-        make(n, nth(n, 0), now);
-    }
+        make(n, first(n), now);
+    } while (deferred_is_due(n, before));
 }
 
 /* --- rolling back --- */
@@ -350,7 +368,7 @@ void deferred_undo(struct node *n)
     ANNOUNCE(n, rolled_back);
     for (; p->count; p->count--)
         unmake(n);
-    p->selects = false;
+    p->posts = p->needs_event = 0;
     p->begun = VT_NEVER;
     assert(n->taken == 0); /* what the calls had received is unexpected again */
 }
@@ -361,7 +379,7 @@ void deferred_roll_back(struct node *n)
     assert(!p->open);
     if (p->count == 0)
         return;
-    const struct deferred_call *c = nth(n, 0);
+    const struct deferred_call *c = first(n);
     clock_return_to(&n->lp, c->units, p->commits);
     n->at_poll = false;
     uint32_t i = index_of(n, 0);

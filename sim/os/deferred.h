@@ -56,12 +56,17 @@ vtime deferred_next(const struct node *n, struct message **sends);
 vtime deferred_last(const struct node *n);
 /* A message has come that the receives may select. */
 void deferred_may_select(struct node *n);
-/* Commits those whose commit time comes before; there may be none. (Most often there is none at all:
- * deferred_commit_until is inlined, and the rest is not.) */
+/* Does the commit time of one come before? */
+static inline bool deferred_is_due(const struct node *n, struct instant before)
+{
+    return n->deferred.count &&
+           instant_before(n->deferred.commits + n->lp.clock.stolen, n->lp.address, before);
+}
+/* Commits those. (Most often there is none: deferred_commit_until is inlined, and the rest is not.) */
 __attribute__((noinline)) void deferred_commit(struct node *n, struct instant before);
 static inline void deferred_commit_until(struct node *n, struct instant before)
 {
-    if (n->deferred.count)
+    if (deferred_is_due(n, before))
         deferred_commit(n, before);
 }
 /* The others have not happened, nor has what came after. */

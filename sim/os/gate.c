@@ -46,8 +46,8 @@ static void begin_call(struct node *n, const char *call, bool early)
         fail_lookahead(n);
 }
 
-/* Waits for the call's commit time. */
-static void await_commit(struct node *n)
+/* Waits for the call's commit time. (Out of line: what most calls need has few registers then.) */
+static __attribute__((noinline)) void await_commit(struct node *n)
 {
     n->call_since = VT_NEVER; /* the program has not come to the call */
     node_order(n);
@@ -65,28 +65,38 @@ void node_enter(struct node *n, const char *call)
 }
 
 /* Can the call that the program is in be deferred, while the program goes on? A program worth a thread of its
- * own gets it when its call is committed. (Where programs come and go, few messages are worth it.) */
+ * own gets it when its call is committed. */
 static bool may_defer(const struct node *n)
 {
-    const struct node_system *s = n->sys;
-    return !n->lp.offloaded && !n->armed && !n->in_order && !n->asan && !n->is_host && !s->schedule.stop &&
-           n->call_since <= s->schedule.max_time && !n->lp.clock.stolen && !s->cube && !s->flushes &&
-           deferred_has_room(n) && !match_ignores(n) && !offload_is_long_next(&n->lp) &&
-           !lp_is_passed(&n->lp, n->call_since);
+    const struct schedule *s = n->lp.schedule;
+    return !n->in_order && !n->lp.offloaded && !n->lp.clock.stolen && !s->stop &&
+           n->call_since <= s->max_time && deferred_has_room(n) && !match_ignores(n) &&
+           !offload_is_long_next(&n->lp) && !lp_is_passed(&n->lp, n->call_since);
+}
+
+/* The call, which may be deferred, is the next in the total order. */
+static void commit_at_once(struct node *n)
+{
+    lp_commit(&n->lp, n->call_since);
+    ANNOUNCE(n, call_begins);
+    node_memory_settle(n);
 }
 
 void node_enter_early(struct node *n, const char *call)
 {
     begin_call(n, call, true);
-    if (may_defer(n) && (n->deferred.count || !lp_is_next(&n->lp, n->call_since)))
-        deferred_begin(n);
-    else
+    if (!may_defer(n))
         await_commit(n);
+    else if (n->deferred.count || !lp_is_next(&n->lp, n->call_since))
+        deferred_begin(n);
+    else if (schedule_has_not_looked(n->lp.schedule, 1))
+        await_commit(n);
+    else
+        commit_at_once(n);
 }
 
 void node_leave(struct node *n)
 {
-    clock_sync(&n->lp);
     ANNOUNCE(n, call_ends);
     n->call = NULL;
     if (!n->deferred.open) {

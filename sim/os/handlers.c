@@ -21,7 +21,7 @@ void mailbox_post_handler(struct node *n, const struct receive *what)
     struct receive *r = xmalloc(sizeof *r);
     *r = *what;
     n->mailbox.handlers++;
-    n->armed = true;
+    n->armed = n->in_order = true;
     mailbox_post(n, r);
 }
 
@@ -30,7 +30,7 @@ struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long
     struct send *s = xcalloc(1, sizeof *s);
     s->handler = handler, s->param = param;
     n->mailbox.handlers++;
-    n->armed = true;
+    n->armed = n->in_order = true;
     return s;
 }
 
@@ -114,9 +114,9 @@ static void interrupt(struct node *n)
     share_give(n, stood);
 }
 
-bool handlers_run(struct node *n, bool waits)
+bool handlers_run_due(struct node *n, bool waits)
 {
-    if (!due_first(&n->mailbox) || !due_now(n, node_now(n)))
+    if (!due_now(n, node_now(n)))
         return false;
     if (waits)
         run_within(n);

@@ -3,12 +3,16 @@
  * between two of them the program has its share (share.h). */
 #ifndef OS_HANDLERS_H
 #define OS_HANDLERS_H
-#include "node/node.h"
+#include "os/due.h"
 
 /* On the node's stack, at a committed moment: runs the first that is due, if it may interrupt the program;
  * one that waits for something that is not there may be interrupted at any time. False: none. When one has
  * run, the program's time is later, and what comes before is to be committed before the next (node_order). */
-bool handlers_run(struct node *n, bool waits);
+__attribute__((noinline)) bool handlers_run_due(struct node *n, bool waits);
+static inline bool handlers_run(struct node *n, bool waits)
+{
+    return due_first(&n->mailbox) && handlers_run_due(n, waits);
+}
 /* Runs the first if it was due at time t, until which it was held back. */
 bool handlers_run_held(struct node *n, vtime t);
 /* Masks them, or lets them run; were they masked before? */

@@ -24,7 +24,7 @@ struct mailbox_ids *mailbox_ids(const struct node *n)
 void mailbox_post(struct node *n, struct receive *r)
 {
     ANNOUNCE(n, posts, r);
-    if (r->select.type < 0 || r->select.node >= 0 || r->handler)
+    if (IS_HEARD(n, posts_special) && (r->select.type < 0 || r->select.node >= 0 || r->handler))
         ANNOUNCE(n, posts_special, r);
     front_post(n, r);
 }

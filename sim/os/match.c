@@ -196,14 +196,8 @@ vtime match_send(struct node *n, struct message *first, vtime now)
 
 /* --- receiving --- */
 
-void match_post(struct node *n, struct receive *r, vtime now)
+void match_select(struct node *n, struct receive *r, struct message *m, vtime now)
 {
-    const struct order_policy *orders = order_policy_of(n);
-    struct message *m = orders ? orders->unexpected(n, r) : unexpected_first(n, &r->select);
-    if (!m) {
-        posted_append(&n->mailbox.posted, r);
-        return;
-    }
     unexpected_take(n, m);
     give(n, r, m);
     if (m->is_long && !m->cleared) {
@@ -212,6 +206,16 @@ void match_post(struct node *n, struct receive *r, vtime now)
     }
     if (m->arrived && r->handler)
         due_add(n, vt_max(m->complete, now), r, NULL);
+}
+
+void match_post(struct node *n, struct receive *r, vtime now)
+{
+    const struct order_policy *orders = order_policy_of(n);
+    struct message *m = orders ? orders->unexpected(n, r) : unexpected_first(n, &r->select);
+    if (m)
+        match_select(n, r, m, now);
+    else
+        posted_append(&n->mailbox.posted, r);
 }
 
 void match_put_back(struct node *n, struct message *m)

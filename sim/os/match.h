@@ -27,9 +27,10 @@ void match_abandon(struct node *n);
 void match_empty(struct node *n, vtime now);
 void match_inherit(struct node *n, struct node *before);
 
-/* Posts r at time now, or gives it the unexpected message that it selects. Withdraws it, with a message that
- * it may have selected. */
+/* Posts r at time now, or gives it the unexpected message that it selects. Gives it that one. Withdraws it,
+ * with a message that it may have selected. */
 void match_post(struct node *n, struct receive *r, vtime now);
+__attribute__((noinline)) void match_select(struct node *n, struct receive *r, struct message *m, vtime now);
 void match_withdraw(struct node *n, struct receive *r);
 /* Sends messages, linked by next, from time now on; returns when the last has left the program. One takes the
  * processor so long. */
@@ -53,7 +54,7 @@ void match_unfollow(struct send *s);
 /* Has the node ids that the program has told it to look after? */
 bool match_ignores(const struct node *n);
 
-/* --- for the protocol: struct protocol_nodes with ctx = the node_system --- */
+/* --- for net/endpoint.h, with ctx = the node_system --- */
 bool match_envelope(void *ctx, struct message *m, vtime now);
 void match_sent(void *ctx, struct message *m, vtime now);
 void match_arrived(void *ctx, struct message *m);
