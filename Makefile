@@ -18,6 +18,8 @@ SAN    ?=
 # The simulator itself is optimised as a whole (but with sanitizers), and more is inlined than GCC would: an event runs through
 # many small functions, of which each is called from a few places. Its objects are good for linking tests without that, too.
 LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
+# Still more where each event and each call of NX runs through.
+INLINE ?= --param max-inline-insns-auto=200 --param max-inline-insns-single=400 --param early-inlining-insns=40 --param inline-min-speedup=5
 # Files get the same names wherever they are built: make reproducible.
 PREFIX_MAP = -ffile-prefix-map=$(CURDIR)=.
 AS_MAP     = -Wa,--debug-prefix-map=$(CURDIR)=. # GCC does not tell the assembler so if it is to optimise the whole
@@ -58,7 +60,7 @@ endif
 all: $B/touchstone $B/touchstone-reference $B/touchstone-lab $B/nxcc $B/app/model $(NODES)/node/libkmath.a $(NODES)/node/commit ## Build everything into build/
 
 # Objects depend on this file, not on the Makefile: it is written when another compiler or other options are used.
-FLAGS := $(CC) $(CFLAGS) $(LTO) $(AS_MAP)
+FLAGS := $(CC) $(CFLAGS) $(LTO) $(INLINE) $(AS_MAP)
 $B/obj/flags: FORCE
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' >$@
@@ -70,6 +72,9 @@ $B/obj/%.o: %.c $B/obj/flags
 
 # No event runs through these, and they are more than half of the code.
 $B/obj/sim/lab/%.o $B/obj/sim/cli/%.o $B/obj/sim/srm/%.o $B/obj/nx_api/driver/%.o $B/nxcc: LTO =
+
+# Each event, and each call of NX, runs through these.
+$(addprefix $B/obj/,$(addsuffix /%.o,sim/kernel sim/lp sim/net sim/os nx_api/calls nx_api/sim nx_api/contract) sim/machine/endpoints.o sim/machine/history.o): LTO := $(LTO) $(if $(LTO),$(INLINE))
 
 # Events run through these only in runs that ask for it: inlined, they would take registers where all messages pass.
 $(addprefix $B/obj/sim/,net/protocol_record.o net/protocol_number.o lp/roll_back.o os/end.o os/fail.o notes/%.o profile/%.o replay/%.o): LTO =
