@@ -275,10 +275,9 @@ static vtime exchange(uint64_t moves_at_once)
     struct cfg_machine cfg = IPSC;
     struct topo topo;
     static char data[1000];
-    struct protocol_nodes nodes = {&f, work, move, envelope, sent, arrived};
     cfg.moves_at_once = moves_at_once;
     assert_true(topo_hypercube(&topo, NODES, 3));
-    f.protocol = protocol_new(&cfg, &topo, f.q, &nodes);
+    f.protocol = protocol_new(&cfg, &topo, f.q, &f);
     for (uint32_t i = 0; i < 2; i++)
         protocol_send(f.protocol, protocol_message(f.protocol, i, 1 - i, 5, 0, data, 1000), 0);
     run(&f);
