@@ -73,7 +73,7 @@ struct protocol {
     struct evq *q;
     struct channels *channels;
     struct movers *movers; /* NULL: a processor moves any number of messages at once */
-    void *ends; /* endpoint.h */
+    void *ends;            /* endpoint.h */
     struct protocol_endpoint *endpoints;
     struct arena messages[PROTOCOL_SIZES], trips;
     uint64_t under_way;
