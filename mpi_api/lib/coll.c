@@ -151,17 +151,6 @@ static int too_long(const struct coll *o, const struct nxm_status *s, size_t roo
                 group_rank_of(o->group, s->node), s->bytes, room);
 }
 
-/* The receive of a call of the program, when no task waits; else one with an id. */
-static void receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
-{
-    if (!tasks_under_way) {
-        nxm_recv(e, at, (long)room, s);
-        return;
-    }
-    int id = (int)nxm_irecv(e, at, (long)room);
-    tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
-}
-
 int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int from)
 {
     size_t room;
@@ -169,7 +158,7 @@ int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int
     const struct nxm_envelope e = envelope(o, from);
     void *at = type_together(buf, count, t, &room);
     char *packed = at || !room ? NULL : get_memory(room);
-    receive(&e, at ? at : packed, room, &s);
+    tasks_receive(&e, at ? at : packed, room, &s);
     if (packed && !s.truncated)
         type_unpack(packed, (size_t)s.bytes, buf, count, t);
     free(packed);

@@ -86,7 +86,7 @@ static bool is_held(enum mode mode, size_t bytes)
     return mode == SYNCHRONOUS || (mode == STANDARD && bytes > (size_t)mpi_eager_limit);
 }
 
-/* While collectives are under way: with an id, so that they go on. */
+/* While collectives are under way: with an id, so that they go on. (tasks_receive does so, too.) */
 static void send(const struct nxm_envelope *e, const void *at, size_t bytes, bool held)
 {
     if (!tasks_under_way) {
@@ -96,16 +96,6 @@ static void send(const struct nxm_envelope *e, const void *at, size_t bytes, boo
     int id = (int)nxm_isend(e, at, (long)bytes, held);
     if (id)
         tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
-}
-
-static void receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
-{
-    if (!tasks_under_way) {
-        nxm_recv(e, at, (long)room, s);
-        return;
-    }
-    int id = (int)nxm_irecv(e, at, (long)room);
-    tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
 }
 
 int transfer_send(struct transfer *t)
@@ -144,7 +134,7 @@ int transfer_receive(struct transfer *t, MPI_Status *status)
     const struct nxm_envelope e = envelope_of(t);
     void *at = type_together(t->buf, t->count, t->type, &room);
     char *packed = at ? NULL : get_memory(room);
-    receive(&e, at ? at : packed, room, &s);
+    tasks_receive(&e, at ? at : packed, room, &s);
     if (!s.truncated && packed)
         type_unpack(packed, (size_t)s.bytes, (void *)(uintptr_t)t->buf, t->count, t->type);
     free(packed);

@@ -172,6 +172,16 @@ bool tasks_complete(const struct nxm_completion *c)
     }
 }
 
+void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
+{
+    if (!tasks_under_way) {
+        nxm_recv(e, at, (long)room, s);
+        return;
+    }
+    int id = (int)nxm_irecv(e, at, (long)room);
+    tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
+}
+
 void tasks_wait(int call, const struct task *t)
 {
     while (tasks_go_on(call), !t->done)

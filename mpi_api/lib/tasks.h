@@ -14,7 +14,9 @@ int task_end(struct task *t);
 
 /* nxm_complete for calls of the program, and of tasks: tasks go on meanwhile. */
 bool tasks_complete(const struct nxm_completion *c);
-/* Waits until the task is done, and until one of the list is; runs those that can go on. */
+/* Receives; while tasks are under way, they go on. */
+void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s);
+/* Waits until the task is done. Runs all that can go on. */
 void tasks_wait(int call, const struct task *t);
 void tasks_go_on(int call);
 /* Waits until something comes that a task or one of these ids waits for. */
