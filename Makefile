@@ -74,7 +74,7 @@ $B/obj/%.o: %.c $B/obj/flags
 $B/obj/sim/lab/%.o $B/obj/sim/cli/%.o $B/obj/sim/srm/%.o $B/obj/nx_api/driver/%.o $B/nxcc: LTO =
 
 # Each event, and each call of NX, runs through these.
-$(addprefix $B/obj/,$(addsuffix /%.o,sim/kernel sim/lp sim/net sim/os nx_api/calls nx_api/sim nx_api/contract) sim/machine/endpoints.o sim/machine/history.o): LTO := $(LTO) $(if $(LTO),$(INLINE))
+$(addprefix $B/obj/,$(addsuffix /%.o,sim/kernel sim/lp sim/net sim/os nx_api/calls nx_api/sim nx_api/contract) sim/machine/endpoints.o sim/machine/history.o): LTO := $(if $(LTO),$(LTO) $(INLINE))
 
 # Events run through these only in runs that ask for it: inlined, they would take registers where all messages pass.
 $(addprefix $B/obj/sim/,net/protocol_record.o net/protocol_number.o lp/roll_back.o os/end.o os/fail.o notes/%.o profile/%.o replay/%.o): LTO =
