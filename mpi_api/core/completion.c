@@ -108,7 +108,7 @@ bool completion_run(struct node *n, const struct nxm_completion *c)
         if (a.receive)
             nx_found_nothing(n, &a.receive->select);
         for (int i = 0; i < c->count; i++)
-            c->status[i].done = 0;
+            c->status[i] = (struct nxm_status){.arrived = c->ids[i] && mailbox_id_is_complete(n, c->ids[i])};
         return false;
     }
     if (!(c->how & NXM_LEAVE))

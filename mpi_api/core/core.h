@@ -28,6 +28,7 @@ struct nxm_envelope {
 /* What is known of a receive or send that is done. */
 struct nxm_status {
     int done;
+    int arrived;   /* of one that a test has left: could be done */
     int truncated; /* the message was longer than the buffer, and is lost */
     int tag, node;
     long bytes;

@@ -111,7 +111,7 @@ static int gather(struct many *m, int call, int count, const MPI_Request request
             return fail(NULL, call, MPI_ERR_REQUEST, "request %d is none, or has been freed", i);
         m->request[i] = r && r->active ? r : NULL;
         m->ids[i] = m->request[i] ? r->id : 0;
-        m->status[i].done = 0;
+        m->status[i] = (struct nxm_status){0};
         m->active += m->request[i] != NULL;
         m->done += m->request[i] && is_done(r);
         m->messages += m->ids[i] != 0;
@@ -142,7 +142,7 @@ static void wait_for_one(const struct many *m, int how)
         return;
     }
     while (!complete(m, how) && !any_collective_done(m)) {
-        tasks_wait_for_any(m->call, m->count, m->ids);
+        tasks_wait_for_any(m->call, m->count, m->ids, m->status);
         tasks_go_on(m->call);
     }
 }
@@ -241,11 +241,16 @@ CALL(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
     return finish_all(&m, requests, statuses);
 }
 
+/* The message that the core has just handed over must be told of now, before collectives that are done. */
 static int first_ended(const struct many *m)
 {
     int i = 0;
-    while (i < m->count && !ended(m, i))
+    while (i < m->count && !m->status[i].done)
         i++;
+    if (i < m->count)
+        return i;
+    for (i = 0; i < m->count && !ended(m, i); i++)
+        continue;
     return i;
 }
 

@@ -121,18 +121,25 @@ void tasks_go_on(int call)
     }
 }
 
-void tasks_wait_for_any(int call, int count, const int ids[])
+/* Adds those ids that have not arrived. */
+static int add_ids(int *list, int n, int count, const int ids[], const struct nxm_status status[])
 {
-    int all = count, n = 0;
+    for (int i = 0; i < count; i++)
+        if (ids[i] && !status[i].arrived)
+            list[n++] = ids[i];
+    return n;
+}
+
+void tasks_wait_for_any(int call, int count, const int ids[], const struct nxm_status own[])
+{
+    int all = count, n;
     for (const struct task *t = tasks; t; t = t->next)
         all += t->awaits->count;
     int *list = get_memory((size_t)all * sizeof *list);
     struct nxm_status *status = get_memory((size_t)all * sizeof *status);
-    for (int i = 0; i < count; i++)
-        list[n++] = ids[i];
+    n = add_ids(list, 0, count, ids, own);
     for (const struct task *t = tasks; t; t = t->next)
-        for (int i = 0; i < t->awaits->count; i++)
-            list[n++] = t->awaits->ids[i];
+        n = add_ids(list, n, t->awaits->count, t->awaits->ids, t->awaits->status);
     nxm_complete(&(struct nxm_completion){call, NXM_WAIT | NXM_ANY | NXM_LEAVE, n, list, status});
     free(list);
     free(status);
@@ -166,7 +173,7 @@ bool tasks_complete(const struct nxm_completion *c)
         if (!(c->how & NXM_WAIT))
             return false;
         if (tasks_under_way)
-            tasks_wait_for_any(c->call, c->count, c->ids);
+            tasks_wait_for_any(c->call, c->count, c->ids, c->status);
         else
             return nxm_complete(c);
     }
@@ -185,5 +192,5 @@ void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct n
 void tasks_wait(int call, const struct task *t)
 {
     while (tasks_go_on(call), !t->done)
-        tasks_wait_for_any(call, 0, NULL);
+        tasks_wait_for_any(call, 0, NULL, NULL);
 }

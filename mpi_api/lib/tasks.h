@@ -19,7 +19,8 @@ void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct n
 /* Waits until the task is done. Runs all that can go on. */
 void tasks_wait(int call, const struct task *t);
 void tasks_go_on(int call);
-/* Waits until something comes that a task or one of these ids waits for. */
-void tasks_wait_for_any(int call, int count, const int ids[]);
+/* Waits until something more comes that a task or one of these ids waits for, after tests have set the
+ * statuses. */
+void tasks_wait_for_any(int call, int count, const int ids[], const struct nxm_status status[]);
 extern int tasks_under_way;
 #endif
