@@ -53,17 +53,6 @@ static int agree_between(const struct coll *o)
     return context;
 }
 
-static struct group *keep(struct group *g)
-{
-    if (g->object.handle) {
-        g->object.users++;
-        return g;
-    }
-    struct group *copy = object_new(GROUP, sizeof *copy);
-    copy->size = g->size, copy->rank = g->rank, copy->first = g->first;
-    return copy;
-}
-
 void comm_leave(struct comm *c)
 {
     if (!object_leave(&c->object))
@@ -101,19 +90,11 @@ CALL(Comm_remote_size, (MPI_Comm comm, int *size))
     return MPI_SUCCESS;
 }
 
-static int compare(const struct group *a, const struct group *b)
+/* Of two communicators, which are not the same. */
+static int alike(const struct group *a, const struct group *b)
 {
-    MPI_Group x = HANDLE(MPI_Group, a), y = HANDLE(MPI_Group, b);
-    int same = a->size == b->size;
-    (void)x, (void)y;
-    for (int i = 0; i < a->size && same; i++)
-        same = group_node(a, i) == group_node(b, i);
-    if (same)
-        return MPI_CONGRUENT;
-    for (int i = 0; i < a->size; i++)
-        if (a->size != b->size || group_rank_of(b, group_node(a, i)) == MPI_UNDEFINED)
-            return MPI_UNEQUAL;
-    return a->size == b->size ? MPI_SIMILAR : MPI_UNEQUAL;
+    int groups = group_compare(a, b);
+    return groups == MPI_IDENT ? MPI_CONGRUENT : groups;
 }
 
 CALL(Comm_compare, (MPI_Comm a, MPI_Comm b, int *result))
@@ -126,9 +107,9 @@ CALL(Comm_compare, (MPI_Comm a, MPI_Comm b, int *result))
     else if (!x->remote != !y->remote)
         *result = MPI_UNEQUAL;
     else
-        *result = compare(x->local, y->local);
+        *result = alike(x->local, y->local);
     if (x != y && x->remote && y->remote) {
-        int other = compare(x->remote, y->remote);
+        int other = alike(x->remote, y->remote);
         *result = other > *result ? other : *result;
     }
     return MPI_SUCCESS;
@@ -201,7 +182,8 @@ static int duplicate(int call, MPI_Comm comm, MPI_Comm *to, MPI_Request *request
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(call);
-    struct comm *copy = inherit(comm_new(keep(c->local), c->remote ? keep(c->remote) : NULL, 0), c);
+    struct comm *copy =
+        inherit(comm_new(group_keep(c->local), c->remote ? group_keep(c->remote) : NULL, 0), c);
     struct args a = {.into = copy};
     copy->topology = topology_copy(c->topology);
     int code = comm_copy_attributes(c, copy);
@@ -280,7 +262,7 @@ CALL(Comm_create, (MPI_Comm comm, MPI_Group group, MPI_Comm *to))
     *to = MPI_COMM_NULL;
     if (g->rank < 0 || (remote && !remote->size))
         return group_leave(remote), MPI_SUCCESS;
-    *to = HANDLE(MPI_Comm, inherit(comm_new(keep(g), remote, context), c));
+    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(g), remote, context), c));
     return MPI_SUCCESS;
 }
 
@@ -298,7 +280,7 @@ CALL(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
     if (g->rank < 0)
         return MPI_SUCCESS;
     const struct coll o = {c, CALL_Comm_create_group, FIRST_TAG + tag % TAGS, g, g->size, g->rank};
-    *to = HANDLE(MPI_Comm, inherit(comm_new(keep(g), NULL, comm_agree_context(&o)), c));
+    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(g), NULL, comm_agree_context(&o)), c));
     return MPI_SUCCESS;
 }
 
@@ -448,7 +430,7 @@ CALL(Intercomm_create,
         free(nodes);
     }
     coll_bcast(&o, remote->nodes, theirs.size, MPI_INT, leader);
-    *to = HANDLE(MPI_Comm, inherit(comm_new(keep(c->local), group_done(remote), theirs.context), c));
+    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(c->local), group_done(remote), theirs.context), c));
     return MPI_SUCCESS;
 }
 

@@ -34,10 +34,9 @@ const struct basic basic_types[BASICS] = {
     AT(0x2eb) = {32, COMPLEX, 0},
 };
 
-/* Where a pair's int lies. */
-static int pair_int_at(uintptr_t handle, const struct basic *b)
+/* Where the second member of a pair lies. */
+static int pair_second_at(const struct basic *b)
 {
-    (void)handle;
     return b->value < 4 ? 4 : b->value;
 }
 
@@ -69,7 +68,7 @@ static struct type *make_basic(uintptr_t handle)
         t->runs = 2;
         t->run = get_memory(2 * sizeof *t->run);
         t->run[0] = (struct run){0, b->value, b->value};
-        t->run[1] = (struct run){pair_int_at(handle, b), (size_t)second, second};
+        t->run[1] = (struct run){pair_second_at(b), (size_t)second, second};
         t->size = b->value + (size_t)second;
         t->true_ub = t->run[1].at + second;
     }

@@ -101,7 +101,7 @@ CALL(Group_translate_ranks, (MPI_Group from, int count, const int ranks[], MPI_G
     return MPI_SUCCESS;
 }
 
-static int compare(const struct group *a, const struct group *b)
+int group_compare(const struct group *a, const struct group *b)
 {
     bool same = a->size == b->size;
     if (a->size != b->size)
@@ -118,7 +118,7 @@ CALL(Group_compare, (MPI_Group a, MPI_Group b, int *result))
 {
     if (!group_of(a) || !group_of(b))
         return no_group("MPI_Group_compare");
-    *result = compare(group_of(a), group_of(b));
+    *result = group_compare(group_of(a), group_of(b));
     return MPI_SUCCESS;
 }
 
@@ -263,15 +263,15 @@ CALL(Group_free, (MPI_Group * group))
 
 /* --- of communicators --- */
 
-static MPI_Group shared(struct group *g)
+struct group *group_keep(struct group *g)
 {
-    if (!g->object.handle) { /* that of MPI_COMM_WORLD or MPI_COMM_SELF */
-        struct group *copy = object_new(GROUP, sizeof *copy);
-        copy->size = g->size, copy->rank = g->rank, copy->first = g->first;
-        return HANDLE(MPI_Group, copy);
+    if (g->object.handle) {
+        g->object.users++;
+        return g;
     }
-    g->object.users++;
-    return HANDLE(MPI_Group, g);
+    struct group *copy = object_new(GROUP, sizeof *copy); /* of MPI_COMM_WORLD's or MPI_COMM_SELF's */
+    copy->size = g->size, copy->rank = g->rank, copy->first = g->first;
+    return copy;
 }
 
 CALL(Comm_group, (MPI_Comm comm, MPI_Group *group))
@@ -279,7 +279,7 @@ CALL(Comm_group, (MPI_Comm comm, MPI_Group *group))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Other);
-    *group = shared(c->local);
+    *group = HANDLE(MPI_Group, group_keep(c->local));
     return MPI_SUCCESS;
 }
 
@@ -291,6 +291,6 @@ CALL(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
     if (!c->remote)
         return fail(c, CALL_Other, MPI_ERR_COMM,
                     "MPI_Comm_remote_group: the communicator has one group only");
-    *group = shared(c->remote);
+    *group = HANDLE(MPI_Group, group_keep(c->remote));
     return MPI_SUCCESS;
 }

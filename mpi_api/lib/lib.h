@@ -55,7 +55,9 @@ static inline int group_node(const struct group *g, int rank)
 int group_rank_of(const struct group *g, int node); /* MPI_UNDEFINED: none */
 struct group *group_new(int size);                  /* with nodes to be filled in */
 struct group *group_done(struct group *g);          /* filled in */
+struct group *group_keep(struct group *g);          /* for one user more */
 void group_leave(struct group *g);
+int group_compare(const struct group *a, const struct group *b); /* MPI_IDENT, MPI_SIMILAR, MPI_UNEQUAL */
 struct group *group_of(MPI_Group handle);
 
 struct topology;
@@ -154,7 +156,7 @@ enum mode { STANDARD, BUFFERED, SYNCHRONOUS, READY };
 struct request {
     struct object object;
     enum { SENDS, RECEIVES, GENERAL, COLLECTS } what;
-    bool persistent, active, cancelled;
+    bool persistent, active;
     enum mode mode;
     int id;   /* the core's; 0: done */
     int peer; /* the other's rank */
@@ -207,7 +209,7 @@ void status_of(const struct comm *c, const struct nxm_status *s, MPI_Status *sta
 struct op {
     struct object object;
     MPI_User_function *function;
-    bool commutes, fortran;
+    bool commutes;
 };
 /* inout = in op inout */
 void op_apply(MPI_Op op, void *in, void *inout, int count, MPI_Datatype t);

@@ -186,7 +186,7 @@ static void start_receive(struct request *r)
 
 void request_start(struct request *r)
 {
-    r->active = true, r->cancelled = false;
+    r->active = true;
     r->id = 0;
     status_empty(&r->status);
     if (r->peer == MPI_PROC_NULL) {
