@@ -149,7 +149,7 @@ void fit_prepare(struct fit_system *s, const double widths[3])
 }
 
 /* Adding a number whose last bit counts 1 rounds to whole numbers. */
-static double nearest(double x)
+static inline double nearest(double x)
 {
     return (x + 0x1.8p52) - 0x1.8p52;
 }

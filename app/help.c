@@ -58,7 +58,7 @@ const char options_help[] =
     "  -preload               read each group's first slices before the clock starts\n"
     "Handing out\n"
     "  -k K                   first chunks of a layer are 1/(K nodes) of it; then what is left / nodes\n"
-    "                         [1.6]\n"
+    "                         [2]\n"
     "  -minrows R             least rows of subcubes in a chunk  [1]\n"
     "  -keep C                subcubes of a layer that the host leaves to its slaves  [1]\n"
     "  -gran C                subcubes that the host takes at a time when it helps  [1]\n"

@@ -237,7 +237,7 @@ static void set_defaults(struct options *o)
                                         .min_rows = 1,
                                         .buffer = 32768,
                                         .buffers = 2,
-                                        .k = 1.6,
+                                        .k = 2,
                                         .half = 0.5};
 
     memset(o, 0, sizeof *o);

@@ -9,7 +9,7 @@ static void centre(const struct grid *g, double c[3])
     c[2] = (g->slices - 1) / 2.0 * g->dz;
 }
 
-static double distance(const double p[3], const double q[3])
+static inline double distance(const double p[3], const double q[3])
 {
     double sum = 0;
     int i;

@@ -24,7 +24,7 @@ struct lattice {
     double edge[3][POINTS_MAX][4]; /* F along the edge, as a Bernstein-Bezier cubic */
 };
 
-static double mix(double a, double b, double t)
+static inline double mix(double a, double b, double t)
 {
     return a + (b - a) * t;
 }
@@ -85,7 +85,7 @@ void tricubic_gradient(const double b[64], const double at[3], double gradient[3
 }
 
 /* De Casteljau's algorithm on a univariate cubic: its value if r = s = t, its blossom otherwise. */
-static double blossom(const double q[4], double r, double s, double t)
+static inline double blossom(const double q[4], double r, double s, double t)
 {
     double a = mix(q[0], q[1], r), b = mix(q[1], q[2], r), c = mix(q[2], q[3], r);
 

@@ -6,7 +6,7 @@
  */
 #include "subcube.h"
 
-static double mix(double a, double b, double t)
+static inline double mix(double a, double b, double t)
 {
     return a * (1.0 - t) + b * t;
 }

@@ -9,7 +9,7 @@ MPI_HEADERS := $(addprefix $(NODE)/mpi_include/,mpi.h mpi_calls.h mpif.h mpi.mod
 $(MPI_LIB_OBJ): $(NODE)/obj/mpi_api/%.o: mpi_api/%.c $(MPI_LIB_HDR) $(NODE_TOOLS)
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
-	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -I. -Impi_api/include -c -o $@ $<
+	$(NODES)/nxcc -std=gnu17 -O2 $(NODE_CODE_FLAGS) $(PREFIX_MAP) $(WARN) -I. -Impi_api/include -c -o $@ $<
 	objcopy -R .nxc_costs $@
 
 $(NODE)/libmpi.a: $(MPI_LIB_OBJ)

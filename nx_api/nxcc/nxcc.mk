@@ -97,19 +97,23 @@ $(STAND_INS): | $(NODE)/libnode.so
 # (Programs that define optarg, and getopt with it, keep both: names of nx_api/libc are weak.)
 # Node code of our own is counted like the user's: the global operations, the C library's functions that keep state where
 # programs see it, and NX's faces to Fortran. It does not tell by which costs, as the user's files do (costs_mark.h).
+# GCC inlines in it what it likes, whatever the processor's compilers do (`inlines` of a cpu file): host time is saved. A function that the
+# program calls keeps its frame, so that reports and traces name it.
+NODE_CODE_FLAGS := -finline-small-functions -finline-functions -finline-functions-called-once -fpartial-inlining -fipa-sra -fipa-cp \
+    -fno-optimize-sibling-calls
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NODE_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXCC,$$@)
-	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) $(2) -c -o $$@ $$<
+	$(NODES)/nxcc -std=gnu17 -O2 $(NODE_CODE_FLAGS) $(PREFIX_MAP) $(WARN) $(2) -c -o $$@ $$<
 	objcopy -R .nxc_costs $$@
 	$$(if $$(findstring /libc/,$$@),nm -gj --defined-only $$@ >$$@.names && objcopy --weaken-symbols=$$@.names $$@)
 
 $(NODE)/obj/$(1)%.o: nx_api/%.f90 $(NODE_TOOLS)
 	@mkdir -p $$(@D)
 	$$(call say,NXF77,$$@)
-	$(NODES)/nxf77 -O2 $(PREFIX_MAP) -Wall $(2) -c -o $$@ $$<
+	$(NODES)/nxf77 -O2 $(NODE_CODE_FLAGS) $(PREFIX_MAP) -Wall $(2) -c -o $$@ $$<
 	objcopy -R .nxc_costs $$@
 endef
 $(eval $(call NODE_CODE,,))

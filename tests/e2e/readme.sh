@@ -15,7 +15,7 @@ python3 -c 'import sys; sys.stdout.buffer.write(bytes(
     int(250 - 6 * ((x - 32) ** 2 + (y - 32) ** 2 + 4 * (z - 16) ** 2) ** 0.5) % 251
     for z in range(32) for y in range(64) for x in range(64)))' >scan.raw
 awk '/^## /{ on = /an old program|your own volume/ } on' "$root/README.md" >sections
-python3 "$tests/console.py" sections
+python3 "$tests/console.py" sections "$tests/../../README.md"
 check "the picture is one" python3 -c 'import sys; sys.exit(open("scan.png", "rb").read(8) != b"\x89PNG\r\n\x1a\n")'
 
 # Each part is in the list of contents, and each link to a part or a file leads somewhere.

@@ -7,4 +7,4 @@ PATH=$BUILD:$PATH python3 "$tests/console.py" "$tests/../../doc/when-it-hangs.md
 check "the wait-for graph is a picture" xmllint --noout why.svg
 
 awk '/^## /{ on = /When it hangs/ } on' "$tests/../../README.md" >section
-python3 "$tests/console.py" section
+python3 "$tests/console.py" section "$tests/../../README.md"

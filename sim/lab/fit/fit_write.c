@@ -51,7 +51,7 @@ static void write_date(FILE *out)
     write_member("date", text, out);
 }
 
-/* The parameter with a value, malloc'd: "system.interrupt_us=210", "-k 1.6". */
+/* The parameter with a value, malloc'd: "system.interrupt_us=195", "-k 2". */
 static char *as_given(const struct fit_parameter *p, const char *value)
 {
     if (p->factor)
