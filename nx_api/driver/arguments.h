@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define DEFAULT_COSTS "i860xr.cfg"
+#define DEFAULT_COSTS "i860.cfg"
 
 enum kind { OPTION, FORTRAN_OPTION, OUTPUT, C_FILE, FORTRAN_FILE, OTHER_FILE };
 

@@ -12,7 +12,7 @@
 struct places {
     char *lib;         /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
     char *include;     /* nx.h */
-    char *cpu;         /* i860xr.cfg */
+    char *cpu;         /* i860.cfg */
     char *mpi_include; /* mpi.h */
 };
 

@@ -240,7 +240,7 @@ bool read_inlines(reader &r, const config_setting_t *root, cost_table &table)
 
 bool read_costs(reader &r, const config_setting_t *root, cost_table &table)
 {
-    if (!only_keys(r, root, {"name", "clock_mhz", "inlines", "clocks", "calls", "cache", "tlb"}))
+    if (!only_keys(r, root, {"name", "inlines", "clocks", "calls", "cache", "tlb"}))
         return false;
     if (!read_inlines(r, root, table))
         return false;

@@ -77,7 +77,7 @@ struct cfg_machine {
     uint32_t dimension;     /* hypercube: at most 2^dimension nodes */
     uint32_t rows, columns; /* mesh: the whole machine; a user gets a rectangle of it */
 
-    /* node = { cpu = "cpu/i860xr.cfg"; clock_mhz = 40.0; memory_mb = 16; system_kb = 1536; stack_kb = 512;
+    /* node = { cpu = "cpu/i860.cfg"; clock_mhz = 40.0; memory_mb = 16; system_kb = 1536; stack_kb = 512;
      *          hwclock_mhz = 10.0; } */
     char *cpu; /* class costs the node programs are to be built with, as a path */
     uint64_t clock_hz;

@@ -100,7 +100,7 @@ static void delta_is_a_mesh_of_528(void **state)
     assert_int_equal(m->short_hop_ps, 100000);
     assert_int_equal(m->long_ps_per_byte, 125000);
     assert_int_equal(m->short_send_ps + m->short_receive_ps, 75 * US);
-    assert_non_null(strstr(m->cpu, "machines/cpu/i860xr.cfg"));
+    assert_non_null(strstr(m->cpu, "machines/cpu/i860.cfg"));
     cfg_free(m);
 }
 

@@ -74,7 +74,7 @@ check "--verbose: threads" said '^threads  .*workers ran [0-9]+ tasks'
 
 # A machine file of one's own, gone wrong: file, line and key.
 bad() { # NAME SED-EXPRESSION PATTERN
-    sed "$2" "$tests/../../machines/delta.cfg" | sed "s#cpu/i860xr.cfg#$tests/../../machines/cpu/i860xr.cfg#" >bad.cfg
+    sed "$2" "$tests/../../machines/delta.cfg" | sed "s#cpu/i860.cfg#$tests/../../machines/cpu/i860.cfg#" >bad.cfg
     wrong "$1" 65 "$3" run -m ./bad.cfg ring
 }
 bad "machine file: a key misspelt" 's/rows =/row =/' 'bad.cfg:[0-9]+: row: unknown key; known here: kind, rows, columns'

@@ -16,7 +16,7 @@
 # `touchstone explore` shall find that, and the two delays.
 # without: touchstone-lab
 . "$(dirname "$0")/common.bash"
-two_groups="-group 1 -sphere 16 16 3 -shares layers -preload -nooverlap -half 0.01 -digest"
+two_groups="-group 1 -sphere 20 20 3 -shares layers -preload -nooverlap -half 0.01 -digest"
 
 cp -r "$tests/../../app" app && mkdir ruled && cp app/* ruled
 check "the rule can be taken out" patch -s -p1 -i "$tests/discard.patch"

@@ -117,6 +117,6 @@ check "Fortran builds" "$BUILD/nxf77" -O2 --profile -o fortran "$tests/flame.f"
 run -n 2 --profile f.json --json j.json fortran
 profile -f folded f.json
 cp out folded
-check "Fortran's subroutines are frames" has 'main;flame;relax;crecv_;crecv;\(waiting\)'
+check "Fortran's subroutines are frames" has 'main;flame;relax;exchange;crecv_;crecv;\(waiting\)'
 profile --lines f.json
 check "and have lines" grep -qE 'flame.f:[0-9]+ +relax_? +s = s \+ 1d0 / i' out

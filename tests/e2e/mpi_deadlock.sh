@@ -18,7 +18,7 @@ without_times() { # FILE
 same_report() { # NAME NODES SOURCE [OPTIONS]
     local name=$1 nodes=$2 source=$3
     "$BUILD/nxcc" -O2 -g "${@:4}" -o "$name" "$source" 2>compile.err
-    "$BUILD/nxcc" --mpi -O2 -g "${@:4}" -o "$name-mpi" "$source" 2>compile.err
+    "$BUILD/nxcc" --mpi -O2 -g -fno-inline-functions-called-once -fno-inline-small-functions "${@:4}" -o "$name-mpi" "$source" 2>compile.err
     run -q -m ipsc860 -n "$nodes" "$name"
     without_times err >simulated
     on_mpi "$nodes" "./$name-mpi"

@@ -10,7 +10,7 @@ calls=$cpu/i860-calls.cfg
 # clocks PATTERN - a cpu file, clocks.cfg, with a clock for each unit of a line with this pattern
 clocks() {
     sed -E "s/(base|per) = [0-9.]*/\1 = 0/g; /$1/s/per = 0/per = 1/g" "$calls" >i860-calls.cfg
-    sed '/^clocks = {/,/^};/s/= *[0-9.]*;/= 0;/' "$cpu/i860xr.cfg" >clocks.cfg
+    sed '/^clocks = {/,/^};/s/= *[0-9.]*;/= 0;/' "$cpu/i860.cfg" >clocks.cfg
 }
 
 # measured PROGRAM ROWS - the program says the clocks of each row with n = 40 and with n = 80: they are the row's
@@ -200,7 +200,7 @@ bcmp: 40: kept = p + bcmp(p, q, n)
 calloc: 120: kept = calloc(n, 3)
 calloc: 0: kept = calloc(-n, 1000)
 calloc: 0: kept = calloc(n << 40, n << 30)
-qsort: 40: qsort(p, n, 4, compare)
+qsort: 160: qsort(p, n, 4, compare)
 strftime: 40: strftime(p, 1000, text, &day)
 xdr_opaque: 40: xdr_opaque(&xdr, p, n)
 xdr_vector: 40: xdr_vector(&xdr, p, n, 4, (xdrproc_t)xdr_int)

@@ -34,7 +34,7 @@ traced "the model program" -m delta -n 8 "$BUILD/app/model" -sphere 32 32 9 -gro
 # A part of it.
 "$BUILD/touchstone" run -q -m ipsc860 -n 8 --trace part.trace --trace-from 10ms --trace-to 20ms --trace-nodes 2-3,5 ring >/dev/null 2>&1
 "$BUILD/touchstone" trace info part.trace >info
-check "--trace-from, --trace-to" grep -q '^time  *10 ms to 20 ms of 39\.3' info
+check "--trace-from, --trace-to" grep -q '^time  *10 ms to 20 ms of 39\.4' info
 "$BUILD/touchstone" run -q -m ipsc860 -n 8 --trace all.trace ring >/dev/null 2>&1
 "$BUILD/touchstone" trace info --from 10ms --to 20ms --nodes 2-3,5 all.trace | sed 1d >selected
 check "a part that was traced is the part of a whole trace" cmp selected <(sed 1d info)

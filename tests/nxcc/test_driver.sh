@@ -175,11 +175,11 @@ check "a function of the program's with a library's name is counted, with a warn
 
 bad() { # LINE-OF-CFG TEXT
     cp "$TEST/../../node/cpu/i860-calls.cfg" .
-    sed "s/^    integer .*/$1/" "$TEST/../../node/cpu/i860xr.cfg" >bad.cfg
+    sed "s/^    integer .*/$1/" "$TEST/../../node/cpu/i860.cfg" >bad.cfg
     says "$2" "$NXCC" --costs bad.cfg -c p.c
 }
 check "an unknown class is an error with file and line" bad "integers = 1; integer = 1;" "unknown key 'integers'"
-check "the line is named" bad "integers = 1; integer = 1;" "bad.cfg:$(grep -n '^    integer ' "$TEST/../../node/cpu/i860xr.cfg" | cut -d: -f1):"
+check "the line is named" bad "integers = 1; integer = 1;" "bad.cfg:$(grep -n '^    integer ' "$TEST/../../node/cpu/i860.cfg" | cut -d: -f1):"
 check "a missing class is an error" bad "" "'integer' is missing"
 check "a negative cost is an error" bad "integer = -1;" "must be from 0"
 check "a cost that is no number is an error" bad 'integer = "one";' "must be a number"
@@ -187,7 +187,7 @@ check "a syntax error is an error" bad "integer = ;" "bad.cfg:"
 
 inlines() { # VALUE OPTIONS... - what is left of the calls of a small function, by a cpu file that says inlines = VALUE
     cp "$TEST/../../node/cpu/i860-calls.cfg" .
-    sed "s/^inlines .*/inlines = \"$1\";/" "$TEST/../../node/cpu/i860xp.cfg" >inlines.cfg
+    sed "s/^inlines .*/inlines = \"$1\";/" "$TEST/../../node/cpu/i860.cfg" >inlines.cfg
     echo 'static int half(int x) { return x / 3 + 1; } int four(int x) { return half(x) + half(x + 5); }' >inlines.c
     "$NXCC" -O2 "${@:2}" --costs inlines.cfg -S -o inlines.s inlines.c && grep -c 'call.*half' inlines.s
 }
@@ -197,7 +197,7 @@ check "or all that GCC inlines" [ "$(inlines all)" = 0 ]
 check "inlines is all or declared" says 'inlines: must be "declared" or "all"' inlines none
 
 price() { # ENTRY TEXT FILE - a price that does not fit the function is an error, with its line
-    { sed '/^@include/d' "$TEST/../../node/cpu/i860xr.cfg" && printf 'calls = (\n%s\n);\n' "$1"; } >bad.cfg
+    { sed '/^@include/d' "$TEST/../../node/cpu/i860.cfg" && printf 'calls = (\n%s\n);\n' "$1"; } >bad.cfg
     says "bad.cfg:$(($(wc -l <bad.cfg) - 1)): calls: $2" "$NXCC" --costs bad.cfg -c "$3"
 }
 echo 'double square(double x) { return x * x; }' >none.c
@@ -229,7 +229,7 @@ installed() {
     mkdir -p top/bin top/lib/touchstone top/share/touchstone
     cp "$NXCC" top/bin && cp -L "$TEST"/../../node/*.so "$TEST"/../../node/*.[oa] top/lib/touchstone &&
         cp -rL "$TEST"/../../node/include "$TEST"/../../node/cpu top/share/touchstone &&
-        top/bin/nxcc -o hello2 hello.c other.c -lm && top/bin/nxcc --dry-run p.c | grep -q "share/touchstone/cpu/i860xr.cfg"
+        top/bin/nxcc -o hello2 hello.c other.c -lm && top/bin/nxcc --dry-run p.c | grep -q "share/touchstone/cpu/i860.cfg"
 }
 check "it works from an installed prefix" installed
 

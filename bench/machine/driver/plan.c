@@ -54,7 +54,7 @@ static void read_run(struct run *r, config_setting_t *in)
         !cfg_text(&reader, in, "program", &r->program) || !cfg_text(&reader, in, "machine", &r->machine))
         return;
     r->arguments = text_or(in, "arguments", "");
-    r->costs = text_or(in, "costs", "i860xr.cfg");
+    r->costs = text_or(in, "costs", "i860.cfg");
     r->sizes = nodes ? (size_t)config_setting_length(nodes) : 0;
     if (r->sizes == 0 || r->sizes > MAX_SIZES)
         cfg_fail(&reader, in, "nodes", "must be a list of 1 to %d numbers: nodes = [2, 4];", MAX_SIZES);
