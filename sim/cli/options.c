@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/describe.h"
+#include "cli/nearest.h"
 #include "cli/version.h"
 #include "files/virtual_time.h"
 
@@ -22,6 +23,9 @@ static const struct argp_option HELP_OPTIONS[] = {
 static error_t parse_help(int key, char *arg, struct argp_state *state)
 {
     switch (key) {
+    case ARGP_KEY_INIT:
+        cli_check_options(state);
+        return 0;
     case 'h':
         argp_state_help(state, state->out_stream, ARGP_HELP_STD_HELP);
         return 0;

@@ -38,6 +38,11 @@ wrong() { # NAME STATUS PATTERN ARGS...
 }
 wrong "no program" 64 'which program' run
 wrong "an unknown option" 64 "unrecognized option '--colour'" run --colour ring
+wrong "the nearest option" 64 "unrecognized option '--verbsoe'; did you mean '--verbose'" run --verbsoe ring
+wrong "an option by a word of its help" 64 "unrecognized option '--threads'; see .*--workers" run --threads 4 ring
+wrong "the nearest command" 64 "no command 'redner'; did you mean 'render'" redner
+wrong "the nearest command of trace" 64 "no command 'trace shwo'; did you mean 'trace show'" trace shwo
+wrong "a value that looks like an option is one" 65 'no machine "--threads"' run -m --threads ring
 wrong "no nodes" 64 "not '0'" run -n 0 ring
 wrong "words for a number" 64 "not 'many'" run -n many ring
 wrong "a program that is not there" 65 'nowhere' run nowhere

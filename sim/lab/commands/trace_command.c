@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lab/commands/lab_commands.h"
+#include "cli/nearest.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/virtual_time.h"
@@ -116,7 +117,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (!strcmp(c->name, arg))
             r->command = c;
     if (!r->command)
-        argp_error(state, "there is no command 'trace %s'", arg);
+        cli_no_such_command(state, "trace ", arg);
     r->at = state->next - 1;
     state->next = state->argc; /* the rest is the command's */
     return 0;
