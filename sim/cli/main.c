@@ -8,6 +8,7 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/installation.h"
+#include "cli/nearest.h"
 #include "cli/options.h"
 #include "cli/other_binary.h"
 #include "config/config.h"
@@ -29,6 +30,7 @@ static const struct command {
                 {"tables", NULL, "Reproduce Tables 1-5 of Bajaj & Lin"},
                 {"trace", NULL, "Look into a run: timelines, pictures, what it waited for"},
                 {"profile", NULL, "Show where the time of a run went: flame graphs, lines of source"},
+                {"machines", NULL, "Show the machines, their numbers with sources, and differences"},
                 {"srm", cli_srm, "Share out a machine's nodes among users"}};
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS, MOST_LINES = COMMAND_COUNT + 17 };
 
@@ -75,7 +77,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if (!strcmp(arg, "help"))
         argp_state_help(state, state->out_stream, ARGP_HELP_STD_HELP);
     if (!find(arg, r))
-        argp_error(state, "there is no command '%s'", arg);
+        cli_no_such_command(state, "", arg);
     r->at = state->next - 1;
     state->next = state->argc; /* the rest is the command's */
     return 0;

@@ -48,6 +48,11 @@ head_of permute.trace >head2.json
 valid trace-head head2.json
 valid trace-head head.json . network
 
+"$BUILD/touchstone" machines --json machines.json
+"$BUILD/touchstone" machines diff paragon paragon95 --json pair.json
+valid machines machines.json . machines.0
+valid machines pair.json machines.0.numbers.0 differences.0
+
 # --- a host; nodes that stand still; a function that is not there ---
 cat >polls.c <<'END'
 #include <nx.h>

@@ -7,6 +7,7 @@ int cli_check(int argc, char **argv);
 int cli_deadlock(int argc, char **argv);
 int cli_explore(int argc, char **argv);
 int cli_fit(int argc, char **argv);
+int cli_machines(int argc, char **argv);
 int cli_page(int argc, char **argv);
 int cli_plot(int argc, char **argv);
 int cli_profile(int argc, char **argv);

@@ -12,7 +12,8 @@ static const struct {
 } COMMANDS[] = {{"study", cli_study},       {"explore", cli_explore}, {"plot", cli_plot},
                 {"render", cli_render},     {"page", cli_page},       {"serve", cli_serve},
                 {"deadlock", cli_deadlock}, {"check", cli_check},     {"fit", cli_fit},
-                {"tables", cli_tables},     {"trace", cli_trace},     {"profile", cli_profile}};
+                {"tables", cli_tables},     {"trace", cli_trace},     {"profile", cli_profile},
+                {"machines", cli_machines}};
 
 int main(int argc, char **argv)
 {
