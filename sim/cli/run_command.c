@@ -96,7 +96,8 @@ static const struct argp_option OPTIONS[] = {
 static const char DOC[] =
     "Runs PROGRAM, built by nxcc, on every node of a simulated machine, by default delta. The nodes' "
     "output comes on standard output, in the order of virtual time; a summary follows on standard "
-    "error. A PROGRAM that is not here is looked for among those that come with touchstone, such as "
+    "error. Where a result's FILE is '-', it has standard output for itself, and the nodes' output comes on "
+    "standard error. A PROGRAM that is not here is looked for among those that come with touchstone, such as "
     "app/model.\n\n"
     "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
@@ -116,8 +117,21 @@ static const char DOC[] =
     "Example:\n"
     "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
 
+/* How many of the files that a run may write, or of these, with only_dash, standard output. */
+static int written_files(const struct arguments *a, bool only_dash)
+{
+    const char *const files[] = {a->json,    a->deadlock,   a->races,        a->profile,
+                                 a->history, a->trace.path, a->timing.record};
+    int count = 0;
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        count += files[i] && (!only_dash || !strcmp(files[i], "-"));
+    return count;
+}
+
 static void check(struct argp_state *state, struct arguments *a)
 {
+    if (written_files(a, true) > 1)
+        argp_error(state, "standard output ('-') has room for one file");
     if (a->engine && strcmp(a->engine, "fast") && strcmp(a->engine, "reference"))
         argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
     if (a->what.host && a->profile)
@@ -317,7 +331,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .progress = !a->quiet && isatty(STDERR_FILENO),
                                 .debugged = debugger_is_attached(),
                                 .stop = a->stop,
-                                .out = stdout,
+                                .out = written_files(a, true) ? stderr : stdout,
                                 .err = stderr};
     if (a->what
             .host) { /* the arguments are the host program's, with its name in place of the node program's */
@@ -396,7 +410,7 @@ static void keep_questions(void)
  * programs, unless the run also has files to write. */
 static void outlive_reader(const struct arguments *a)
 {
-    if (a->json || a->deadlock || a->races || a->profile || a->history || a->trace.path || a->timing.record)
+    if (written_files(a, false))
         signal(SIGPIPE, SIG_IGN);
 }
 

@@ -71,6 +71,14 @@ check "options after the program's name are the program's" test "$(tr '\n' ' ' <
 run -q -- words -q
 check "-- ends the options" test "$(cat out)" = -q
 
+# A result on standard output has it for itself.
+run -n 2 --json - words said
+check "--json -: JSON alone" jq -e '.nodes == 2' out
+check "the program's output is on standard error" said '^said$'
+run -n 2 --history - ring
+check "--history -: its lines alone" test "$(grep -vcE '^[0-9]+ [0-9]+ [0-9]+ [0-9]+ [0-9]+$' out)" = 0 -a -s out
+wrong "two results on standard output" 64 "room for one file" run --json - --races - ring
+
 # Figures of the simulator itself: in the summary only if they are asked for.
 run -w 2 -n 4 ring
 check "no threads in the summary" test "$(grep -c '^threads' err)" = 0

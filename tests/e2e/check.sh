@@ -51,6 +51,20 @@ check "by how much is said" shows '^  worse   total_s +[0-9.]+ -> [0-9.]+ \(\+[0
 check "and where" shows '^    others    system: all tasks \+[0-9.]+ s'
 check "JUnit has both points" grep -q '<testsuite name="halves" tests="2" failures="2" errors="0"' j.xml
 check "JUnit is XML" xmllint --noout j.xml
+gate b.json --only total_s halves.cfg
+check "of one figure, a line a point" shows '^WORSE   halves: nodes [24], share 0.5, call_us 50: total_s [0-9.]+ -> [0-9.]+ \(\+[0-9.]+ %, \+[0-9.e-]+\)$'
+sed -n 's/^WORSE.*(+\([0-9.]*\) %.*/\1/p' out >changes
+check "the worst first" test "$(wc -l <changes)" = 2 -a "$(cat changes)" = "$(sort -rn changes)"
+check "and no more" test "$(wc -l <out)" = 4
+gate b.json --only messages halves.cfg
+check "what else is worse does not count then" ended_with 0
+gate b.json --only total halves.cfg
+check "a figure that no point has is an error" ended_with 2
+check "which is named" said '--only total: no point has a figure'
+gate b.json --json - --github halves.cfg
+check "JSON alone is on standard output" jq -e '.points | length == 2 and all(.verdict == "worse" and (.figures[0] | .verdict == "worse" and .change > 0))' out
+check "the text is on standard error" said '^2 points: 2 worse$'
+check "annotations of GitHub" said '^::error title=halves%3A nodes 4%2C share 0\.5%2C call_us 50::WORSE   halves: nodes 4, share 0\.5, call_us 50: [a-z_]+ .*\([+-][0-9.]+ %25'
 sed -i 's/"GCC [0-9.]*"/"GCC 4.1.0"/' b.json
 gate b.json halves.cfg
 check "but may be, if another version was the baseline's" shows '^halves: the program of the baseline was compiled by GCC 4\.1\.0, this one by GCC [0-9]'

@@ -43,4 +43,5 @@ for ci in github gitlab; do
     check "$ci: JUnit's file is there" xmllint --noout $ci/touchstone.xml
     check "$ci: with the failures" grep -q 'tests="2" failures="2" errors="0"' $ci/touchstone.xml
 done
+check "GitHub shows annotations" grep -q '^::error title=study%3A send_us 40::WORSE ' github/touchstone.txt
 check "GitHub's page shows the first run" grep -q '^2 points: 2 the same$' summary

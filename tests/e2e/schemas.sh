@@ -167,6 +167,9 @@ printf 'program = "served";\nmachine = "ipsc860";\nprofile = true;\naxes = ( { n
 valid baseline served.json
 valid baseline baseline.json . 'studies.plain.nodes 2, share 1' 'studies.plain.nodes 2, share 1.where.others'
 mkdir old.out && cp halves.out/results.json old.out # as of an earlier touchstone, which wrote no study.json
+sed -i 's/, 1 )/, 1, 3 )/; s/ipsc860/delta/' plain.cfg
+"$BUILD/touchstone" check baseline.json --json check.json -o plain.out plain.cfg >out 2>err
+valid check check.json . points.0 points.0.figures.0
 "$BUILD/touchstone" serve halves.out polls.out old.out >address 2>err </dev/null &
 server=$!
 awaited test -s address

@@ -95,7 +95,7 @@ static void add_figure(struct compare_point *p, const char *name, double longer,
 {
     const json_t *before = json_object_get(json_object_get(p->before, "figures"), name);
     const json_t *after = json_object_get(json_object_get(p->after, "figures"), name);
-    if (before && after && json_equal(before, after))
+    if ((before && after && json_equal(before, after)) || (rules->only && strcmp(rules->only, name) != 0))
         return;
     struct compare_figure f = figure_of_both(name, before, after);
     f.verdict = judge(&f, longer, rules);

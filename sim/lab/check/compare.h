@@ -54,6 +54,7 @@ struct compare_point {
     size_t figure_count;
     struct compare_move *moves; /* by kind, each the largest move first */
     size_t move_count;
+    size_t order;           /* for the caller: its place among the points */
     double time_s;          /* the point's virtual time; 0 if there is none */
     bool one_profiled;      /* only one of the two has a profile: there are no moves */
     json_t *before, *after; /* what figures and moves point into; NULL if the verdict is COMPARE_SAME */

@@ -5,10 +5,12 @@
 #include "kernel/xalloc.h"
 #include "lab/check/baseline.h"
 #include "lab/check/baseline_point.h"
+#include "lab/check/compare_export.h"
 #include "lab/check/compare_print.h"
 #include "lab/check/compiler.h"
 #include "lab/check/junit.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -38,6 +40,7 @@ struct visit {
 static void keep(struct gate *g, struct compare_point *p)
 {
     g->points = xrealloc(g->points, (g->count + 1) * sizeof *g->points);
+    p->order = g->count;
     g->points[g->count++] = p;
 }
 
@@ -146,17 +149,34 @@ static bool run_all(struct gate *g, char **error)
 
 /* --- telling -------------------------------------------------------------------------------------------- */
 
+/* By how much the point's gravest figure changed. */
+static double change_of(const struct compare_point *p)
+{
+    return p->figure_count && !isnan(p->figures[0].change_pct) ? fabs(p->figures[0].change_pct) : 0;
+}
+
+/* Sorts the worst first: by verdict, then by the change. */
+static int worst_first(const void *a, const void *b)
+{
+    const struct compare_point *const *x = a, *const *y = b;
+    double p = change_of(*x), q = change_of(*y);
+    if ((*x)->verdict != (*y)->verdict)
+        return (*x)->verdict < (*y)->verdict ? 1 : -1;
+    return p != q ? (p < q ? 1 : -1) : (*x)->order < (*y)->order ? -1 : 1;
+}
+
+/* In full; of one figure, or of many points, in a line each. */
 static void print_all(const struct gate *g, FILE *out)
 {
-    size_t told = 0;
-    for (size_t i = 0; i < g->count; i++) {
-        if (g->points[i]->verdict == COMPARE_SAME)
-            continue;
-        if (told++ < MOST_TOLD)
-            compare_print(g->points[i], out);
+    struct compare_point **sorted = xcalloc(g->count + 1, sizeof *sorted);
+    memcpy(sorted, g->points, g->count * sizeof *sorted);
+    qsort(sorted, g->count, sizeof *sorted, worst_first);
+    for (size_t i = 0; i < g->count && sorted[i]->verdict != COMPARE_SAME; i++)
+        if (i < MOST_TOLD && !g->rules.only)
+            compare_print(sorted[i], out);
         else
-            compare_print_short(g->points[i], out);
-    }
+            compare_print_short(sorted[i], out);
+    free(sorted);
 }
 
 static bool all_same(const struct gate *g, const char *study)
@@ -200,14 +220,17 @@ static void print_counts(const struct gate *g, FILE *out)
         fputs("to make this the baseline, give the same command with --update\n", out);
 }
 
-static bool write_junit(const struct gate *g, char **error)
+/* Writes the points into a file, if there is to be one. */
+static bool write_file(const struct gate *g, const char *path,
+                       void (*write)(struct compare_point *const points[], size_t count, FILE *out),
+                       char **error)
 {
     struct atomic_file d;
-    if (!g->options->junit)
+    if (!path)
         return true;
-    if (!atomic_file_begin(&d, g->options->junit, error))
+    if (!atomic_file_begin(&d, path, error))
         return false;
-    junit_write(g->points, g->count, d.out);
+    write(g->points, g->count, d.out);
     return atomic_file_end(&d, error);
 }
 
@@ -235,12 +258,13 @@ static size_t failures(const struct gate *g, enum compare_verdict from)
     return count;
 }
 
-/* A tolerance for a figure that no point has is a mistake. */
+/* A figure that no point has is a mistake. */
 static bool check_rules(const struct gate *g, char **error)
 {
     const char *unused = compare_rules_unused(&g->rules);
     if (unused)
-        *error = xasprintf("--tolerance %s: no point has a figure of that name", unused);
+        *error = xasprintf("%s %s: no point has a figure of that name",
+                           unused == g->rules.only ? "--only" : "--tolerance", unused);
     return !unused;
 }
 
@@ -252,8 +276,11 @@ static enum gate_end finish(struct gate *g, char **error)
     print_all(g, out);
     print_compilers(g, out);
     print_counts(g, out);
+    if (g->options->github)
+        compare_write_github(g->points, g->count, out);
     fflush(out);
-    if (!write_junit(g, error))
+    if (!write_file(g, g->options->junit, junit_write, error) ||
+        !write_file(g, g->options->json, compare_write_json, error))
         return GATE_ERROR;
     if (!g->update)
         return failures(g, COMPARE_WORSE) ? GATE_WORSE : GATE_PASSED;

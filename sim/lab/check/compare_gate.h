@@ -13,7 +13,8 @@ struct gate_options {
     const char *baseline;     /* the file */
     const char *const *files; /* of studies; ended by NULL */
     struct compare_rules rules;
-    const char *junit;          /* a file to write, or NULL */
+    const char *junit, *json;   /* files to write, or NULL */
+    bool github;                /* write annotations of GitHub Actions, too (compare_export.h) */
     const char *dir;            /* the results of each study go to DIR/STUDY */
     bool update;                /* write the baseline */
     struct study_options study; /* for each study; gate_run() sets file and dir */

@@ -133,6 +133,12 @@ static void print_moves(const struct compare_point *p, FILE *out)
 static void print_head(const struct compare_point *p, FILE *out)
 {
     fprintf(out, "%-8s%s: %s", verdict_word(p->verdict), p->study, p->name);
+    if (p->failure)
+        fprintf(out, ": %s", p->failure);
+    else if (p->verdict == COMPARE_MISSING)
+        fputs(": in the baseline, but not in the study", out);
+    else if (p->verdict == COMPARE_NEW)
+        fputs(": not in the baseline", out);
 }
 
 void compare_print(const struct compare_point *p, FILE *out)
@@ -140,12 +146,6 @@ void compare_print(const struct compare_point *p, FILE *out)
     if (p->verdict == COMPARE_SAME)
         return;
     print_head(p, out);
-    if (p->failure)
-        fprintf(out, ": %s", p->failure);
-    else if (!p->after)
-        fputs(": in the baseline, but not in the study", out);
-    else if (!p->before)
-        fputs(": not in the baseline", out);
     fputc('\n', out);
     print_figures(p, out);
     if (p->one_profiled)

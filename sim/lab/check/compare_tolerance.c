@@ -60,6 +60,7 @@ void compare_rules_clear(struct compare_rules *rules)
 void compare_rules_see(struct compare_rules *rules, const json_t *point)
 {
     const json_t *figures = json_object_get(point, "figures");
+    rules->only_seen |= rules->only && json_object_get(figures, rules->only);
     for (size_t i = 0; i < rules->count; i++) {
         struct compare_tolerance *t = &rules->tolerances[i];
         t->used |= !t->figure || json_object_get(figures, t->figure);
@@ -68,6 +69,8 @@ void compare_rules_see(struct compare_rules *rules, const json_t *point)
 
 const char *compare_rules_unused(const struct compare_rules *rules)
 {
+    if (rules->only && !rules->only_seen)
+        return rules->only;
     for (size_t i = 0; i < rules->count; i++)
         if (!rules->tolerances[i].used)
             return rules->tolerances[i].figure;

@@ -1,4 +1,5 @@
-/* compare_tolerance.h - how much figures may differ from a baseline's (touchstone check --tolerance). */
+/* compare_tolerance.h - which figures are compared with a baseline's (touchstone check --only), and how much
+ * they may differ (--tolerance). */
 #ifndef LAB_CHECK_COMPARE_TOLERANCE_H
 #define LAB_CHECK_COMPARE_TOLERANCE_H
 #include <jansson.h>
@@ -15,15 +16,17 @@ struct compare_tolerance {
 struct compare_rules {
     struct compare_tolerance *tolerances;
     size_t count;
-    bool exact; /* any difference is worse, in any figure */
+    bool exact;       /* any difference is worse, in any figure */
+    const char *only; /* the one figure that is compared; NULL: all */
+    bool only_seen;   /* a point has it */
 };
 
 /* Adds tolerances: "0.5%", "total_s=1%", "messages=10", or a list of such texts with commas. False with *why
  * malloc'd. */
 bool compare_rules_add(struct compare_rules *rules, const char *text, char **why);
 void compare_rules_clear(struct compare_rules *rules);
-/* Notes which tolerances a point (baseline.h) has figures for. */
+/* Notes which of these figures a point (baseline.h) has. */
 void compare_rules_see(struct compare_rules *rules, const json_t *point);
-/* After all points: the first figure with a tolerance that no point has; NULL if there is none. */
+/* After all points: the first figure that rules name and no point has; NULL if there is none. */
 const char *compare_rules_unused(const struct compare_rules *rules);
 #endif

@@ -1,6 +1,7 @@
 /* check_command.c - touchstone check: studies against a baseline. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "lab/commands/lab_commands.h"
 #include "cli/say.h"
 #include "lab/commands/study_session.h"
@@ -24,12 +25,19 @@ static const struct argp_option OPTIONS[] = {
      "Any difference of any figure fails, also for the better, also of the digest", 1},
     {"junit", CLI_TEXT(arguments, gate.junit), "FILE", 0,
      "Write the results as JUnit XML, too, a test case a point", 1},
+    {"json", CLI_TEXT(arguments, gate.json), "FILE", 0,
+     "Write verdict and figures of each point as JSON, too; '-' is standard output, which has no text then",
+     1},
+    {"github", CLI_FLAG(arguments, gate.github), NULL, 0,
+     "Write a line for each point that is worse, which GitHub Actions shows as an annotation", 1},
+    {"only", CLI_TEXT(arguments, gate.rules.only), "FIGURE", 0,
+     "Compare this figure only, and show a line a point, the worst first", 1},
     {"output", 'o', "DIR", 0, "Folder for the results of the runs, in DIR/STUDY; default out", 1},
     {0}};
 
 static const char DOC[] =
     "Runs studies (see touchstone study --help) and compares each point with a baseline. Reports which "
-    "points are worse, by how much, and where the time of their nodes moved: by function, if the program "
+    "points are worse, the worst first, by how much, and where the time of their nodes moved: by function, if the program "
     "was built with nxcc --profile and the study file says profile = true.\v"
     "More is worse of total_s, time_s, virtual_time_s, messages, bytes and memory_peak_bytes; less is "
     "worse of speedup and speed_per_node. Other figures are shown, but fail only if --tolerance names "
@@ -86,6 +94,8 @@ static int check(struct arguments *a)
     if (!cli_session_begin(&s, "check", &a->session, &a->gate.study))
         return EXIT_UNKNOWN;
     a->gate.study.retry_failed = true;
+    if (a->gate.json && !strcmp(a->gate.json, "-"))
+        a->gate.study.out = stderr;
     enum gate_end end = gate_run(&a->gate, &error);
     if (end == GATE_ERROR)
         cli_say_error("check", "%s", error);
