@@ -22,13 +22,13 @@ cp profile.json other.json
 valid profile-frames frames . children.0
 valid profile-frames frames2
 valid profile-lines lines 0
-"$BUILD/touchstone" trace why --json --path -o why.json run.trace
-"$BUILD/touchstone" trace why --json --than run.trace --set net.short_hop_us=0 --set system.no=0 -o why2.json run.trace 2>err
+"$BUILD/touchstone" trace why --json why.json --path run.trace >out
+"$BUILD/touchstone" trace why --json why2.json --than run.trace --set net.short_hop_us=0 --set system.no=0 run.trace >out 2>err
 valid why why.json . critical_path critical_path.steps.0 waits.groups.0 waits.by_cause_ps
 valid why why2.json than reruns.0
 "$BUILD/nxcc" -O2 -g -o permute "$tests/../../share/examples/exercises/permute.c"
 run -q -m ipsc860 -n 64 --trace permute.trace --trace-nodes 0-63 --trace-to 1s permute transpose
-"$BUILD/touchstone" trace why --json --path -o why3.json permute.trace
+"$BUILD/touchstone" trace why --json - --path permute.trace >why3.json
 valid why why3.json
 "$BUILD/touchstone" profile --lines -f json -o lines2 --diff other.json profile.json
 valid profile-lines lines2
@@ -45,6 +45,8 @@ sys.stdout.buffer.write(data[at + 1 : at + 1 + size])'
 }
 head_of run.trace >head.json
 head_of permute.trace >head2.json
+"$BUILD/touchstone" trace info --json - run.trace >info.json
+valid trace-info info.json . states_ps
 valid trace-head head2.json
 valid trace-head head.json . network
 
@@ -191,6 +193,19 @@ line halves.out/added/journal ' d ' >added-line.json
 line halves.out/added/journal ' f ' >refused-line.json
 valid journal added-line.json
 valid journal refused-line.json
+
+# --- a fit ---
+cat >fit.cfg <<'END'
+program = "halves";
+machine = "ipsc860";
+axes = ( { name = "nodes"; values = ( 2 ); }, { name = "share"; values = ( 0.5 ); arguments = "{}"; } );
+fit = {
+    parameters = ( { name = "call"; set = "system.call_us={}"; from = 1.0; to = 200.0; start = 50.0; } );
+    measurements = ( { nodes = 2; share = 0.5; total_s = "0.001"; } );
+};
+END
+"$BUILD/touchstone" fit fit.cfg --most 4 --json fit.json -o fitted >out 2>err
+valid fit fit.json . parameters.0 measurements.0
 
 # --- the tables ---
 "$BUILD/touchstone" tables -t 1 -o tables >out 2>err &

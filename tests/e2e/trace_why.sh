@@ -22,7 +22,7 @@ tiles() {
     tail -n +2 out | sed 's/\.//g' | awk -v end="$(end_of_run)" \
         '$1 + 0 != at || $2 + 0 <= at { print "line", NR, at; bad = 1; exit } { at = $2 + 0 } END { exit bad || at != end }'
 }
-same_idle() { why --json t.trace && [ "$(ps idle_ps out)" = "$(added idle_s)" ] && [ "$(ps idle_ps out)" -gt 0 ]; }
+same_idle() { why --json - t.trace && [ "$(ps idle_ps out)" = "$(added idle_s)" ] && [ "$(ps idle_ps out)" -gt 0 ]; }
 causes() { awk '/"by_cause_ps"/ { on = 1; next } on && /}/ { exit } on { sub(/,$/, ""); sum += $2 } END { printf "%.0f\n", sum }' out; }
 promises() { # NAME ARGS...
     traced "${@:2}"
@@ -39,9 +39,9 @@ why t.trace
 check "ring: the sentences come first" eval "head -1 out | grep -q '^ring took [0-9.]* ms on 16 nodes of ipsc860\.'"
 check "ring: its cause is the network" prints 'largest cause is this: the network'
 check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
-why --json t.trace
+why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
-why --json --path t.trace
+why --json - --path t.trace
 check "ring: JSON has each step" eval '[ "$(grep -c "\"begin_ps\"" out)" -ge "$(ps step_count out)" ]'
 why --rerun t.trace
 check "ring: long messages cross a network that takes no time" prints 'would take [0-9.]+ ms instead of [0-9.]+ ms \([0-9.]+ times faster\) if the network took no time'

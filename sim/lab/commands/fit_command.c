@@ -2,6 +2,7 @@
  * measurements. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 #include "lab/commands/lab_commands.h"
 #include "cli/say.h"
@@ -14,13 +15,15 @@ enum { MOST = CLI_KEY };
 
 struct arguments {
     struct cli_study_arguments study;
-    const char *constants;
+    const char *constants, *json;
     unsigned most;
 };
 
 static const struct argp_option OPTIONS[] = {
     {"constants", CLI_TEXT(arguments, constants), "FILE", 0,
      "Write the fitted numbers, with their provenance, to FILE; default DIR/fitted.cfg", 1},
+    {"json", CLI_TEXT(arguments, json), "FILE", 0,
+     "Write the result as JSON, too; '-' is standard output, which has no text then", 1},
     {"most", MOST, "N", 0, "Most evaluations of all points that the search may make; default 200", 1},
     {"output", 'o', "DIR", 0, "Folder for the results of runs; default out/ and STUDY's name and -fit", 1},
     {0}};
@@ -92,7 +95,10 @@ int cli_fit(int argc, char **argv)
     struct arguments a = {.most = 200};
     struct cli_session s;
     cli_parse(&ARGP, "touchstone fit", 0, argc, argv, &a);
-    struct fit_options o = {.most = a.most, .out = stdout, .progress = stderr};
+    struct fit_options o = {.most = a.most,
+                            .json = a.json,
+                            .out = a.json && !strcmp(a.json, "-") ? stderr : stdout,
+                            .progress = stderr};
     if (!cli_session_begin(&s, "fit", &a.study.session, &o.study))
         return CLI_EXIT_INPUT;
     int status = fit(&a, &o);

@@ -8,7 +8,7 @@
 #include "files/atomic_file.h"
 #include "lab/flame/flame.h"
 
-enum { EXIT_UNWRITTEN = 74, FORMAT = CLI_KEY, NODES };
+enum { EXIT_UNWRITTEN = 74, NODES = CLI_KEY, JSON };
 
 typedef void writer(const struct flame *f, FILE *out);
 
@@ -36,6 +36,7 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"output", 'o', "OUT", 0,
      "Write to the file OUT; the end of its name is the format, unless -f says another", 0},
+    {"json", JSON, "FILE", 0, "The same as -f json -o FILE; '-' is standard output", 0},
     {"lines", CLI_FLAG(arguments, lines), NULL, 0,
      "Lines of source instead of paths of calls; with -f text or json", 0},
     {"diff", CLI_TEXT(arguments, before), "OTHER", 0,
@@ -74,6 +75,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         argp_error(state, "-f takes text, folded, svg or json, not '%s'", arg);
     else if (key == 'o')
         a->out = arg;
+    else if (key == JSON)
+        a->format = find_format("json"), a->out = arg;
     else if (key == NODES)
         cli_node_list(state, "--nodes", arg, &a->nodes, &a->node_count);
     else if (key == ARGP_KEY_ARG)

@@ -7,7 +7,10 @@
 #include "cli/nearest.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
+#include "files/json_set.h"
 #include "files/virtual_time.h"
+#include "kernel/xalloc.h"
+#include "observe/json_file.h"
 
 static const struct trace_command {
     const char *name;
@@ -23,9 +26,14 @@ enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 /* --- touchstone trace info --- */
 
 struct info_arguments {
-    const char *path;
+    const char *path, *json;
     struct trace_selection select;
 };
+
+static const struct argp_option INFO_OPTIONS[] = {
+    {"json", CLI_TEXT(info_arguments, json), "FILE", 0,
+     "Write JSON, too; '-' is standard output, which has no text then", 0},
+    {0}};
 
 static error_t parse_info(int key, char *arg, struct argp_state *state)
 {
@@ -37,7 +45,7 @@ static error_t parse_info(int key, char *arg, struct argp_state *state)
     else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which trace? (written by touchstone run --trace FILE)");
     else
-        return ARGP_ERR_UNKNOWN;
+        return cli_store(key, arg, state);
     return 0;
 }
 
@@ -47,13 +55,13 @@ static const char INFO_DOC[] =
     "Exit status:\n"
     "  0   done\n"
     "  64  wrong arguments\n"
-    "  65  the trace cannot be used\n\n"
+    "  65  the trace cannot be used, or FILE not written\n\n"
     "Example:\n"
     "  touchstone trace info --nodes 0-7 --from 1ms --to 2ms ring.trace";
 
-static void print_info(const struct trace *t, FILE *f)
+/* Adds up how long the nodes were in each state. */
+static void add_states(const struct trace *t, vtime states[TRACE_STATES])
 {
-    vtime states[TRACE_STATES] = {0}, all = 0;
     for (int32_t i = 0; i < t->node_count; i++) {
         struct trace_pieces p = {0};
         trace_pieces(t, i, &p);
@@ -61,6 +69,11 @@ static void print_info(const struct trace *t, FILE *f)
             states[p.list[k].state] += p.list[k].end - p.list[k].begin;
         free(p.list);
     }
+}
+
+static void print_info(const struct trace *t, const vtime states[TRACE_STATES], FILE *f)
+{
+    vtime all = 0;
     fprintf(f, "%s\n", t->command);
     fprintf(f, "machine          %s, %" PRId32 " nodes\n", t->machine, t->node_count);
     fprintf(f, "time             %s to %s of %s%s\n", virtual_time_moment(t->from).text,
@@ -79,10 +92,38 @@ static void print_info(const struct trace *t, FILE *f)
     fprintf(f, "digest           %016" PRIx64 "\n", t->digest);
 }
 
+static json_t *info_json(const struct trace *t, const vtime states[TRACE_STATES])
+{
+    static const char *const KEYS[TRACE_ENDED] = {"computing", "calls", "waiting", "system"};
+    json_t *times = xchecked(json_object());
+    for (int s = 0; s < TRACE_ENDED; s++)
+        json_set(times, KEYS[s], json_integer((json_int_t)states[s]));
+    char digest[17];
+    snprintf(digest, sizeof digest, "%016" PRIx64, t->digest);
+    return xchecked(
+        json_pack("{s:s, s:o, s:s, s:i, s:I, s:I, s:I, s:b, s:i, s:i, s:i, s:i, s:i, s:i, s:o, s:s}",
+                  "format", "touchstone trace-info 1", "command", json_text(t->command), "machine",
+                  t->machine, "nodes", (int)t->node_count, "from_ps", (json_int_t)t->from, "to_ps",
+                  (json_int_t)t->to, "end_ps", (json_int_t)t->end, "complete", (int)t->complete, "calls",
+                  (int)t->call_count, "waits", (int)t->wait_count, "handlers", (int)t->handler_count,
+                  "system_intervals", (int)t->system_count, "messages", (int)t->message_count,
+                  "waits_for_channels", (int)t->block_count, "states_ps", times, "digest", digest));
+}
+
+static int write_info(const struct trace *t, const char *json)
+{
+    vtime states[TRACE_STATES] = {0};
+    add_states(t, states);
+    if (!json || strcmp(json, "-") != 0)
+        print_info(t, states, stdout);
+    char *error = json ? json_file_write(info_json(t, states), json) : NULL;
+    return error ? cli_failed("trace info", error, CLI_EXIT_INPUT) : 0;
+}
+
 int cli_trace_info(int argc, char **argv)
 {
     static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 0}, {0}};
-    static const struct argp ARGP = {NULL, parse_info, "TRACE", INFO_DOC, CHILDREN, NULL, NULL};
+    static const struct argp ARGP = {INFO_OPTIONS, parse_info, "TRACE", INFO_DOC, CHILDREN, NULL, NULL};
     struct info_arguments a = {0};
     char *error = NULL;
     cli_parse(&ARGP, "touchstone trace info", 0, argc, argv, &a);
@@ -93,9 +134,9 @@ int cli_trace_info(int argc, char **argv)
         free(error);
         return CLI_EXIT_INPUT;
     }
-    print_info(t, stdout);
+    int status = write_info(t, a.json);
     trace_free(t);
-    return 0;
+    return status;
 }
 
 /* --- touchstone trace --- */

@@ -13,18 +13,19 @@
 #include "lab/why/why_json.h"
 #include "lab/why/why_path_lines.h"
 #include "lab/why/why_report.h"
+#include "observe/json_file.h"
 
 enum { TOP = CLI_KEY, SET, CPU, USUAL_TOP = 10 };
 
 struct arguments {
-    const char *path, *than, *output;
+    const char *path, *than, *output, *json;
     struct trace_selection select;
     uint32_t top;
     unsigned jobs;
     const char **set; /* ended by NULL */
     size_t set_count;
     double cpu;
-    bool json, path_lines, rerun;
+    bool path_lines, rerun;
 };
 
 static const struct argp_option OPTIONS[] = {
@@ -34,9 +35,11 @@ static const struct argp_option OPTIONS[] = {
      "Instead, show the critical path: a line for each of its steps", 0},
     {"than", CLI_TEXT(arguments, than), "OTHER", 0,
      "Compare with the critical path of another trace: the same program on fewer nodes, say", 0},
-    {"json", CLI_FLAG(arguments, json), NULL, 0,
-     "Write JSON: all rows, times in picoseconds; with --path each step, too", 0},
-    {"output", 'o', "FILE", 0, "Write into FILE; default standard output", 0},
+    {"json", CLI_TEXT(arguments, json), "FILE", 0,
+     "Write JSON, too: all rows, times in picoseconds, with --path each step; '-' is standard output, which "
+     "has no text then",
+     0},
+    {"output", 'o', "FILE", 0, "Write the text into FILE; default standard output", 0},
     {NULL, 0, NULL, 0, "What if (runs the program again; it writes its own files again, too):", 2},
     {"rerun", CLI_FLAG(arguments, rerun), NULL, 0,
      "Run again with interrupts, messages, calls, network, contention, disks or computing made free", 0},
@@ -137,29 +140,29 @@ static int run_again(const struct arguments *a, const struct trace *t, struct re
     return ok ? 0 : failed(error, CLI_EXIT_INPUT);
 }
 
-static void show(const struct arguments *a, struct why *w, const struct why_report_options *o, FILE *f)
+static bool write_text(const struct arguments *a, struct why *w, const struct why_report_options *o,
+                       char **error)
 {
-    if (a->json) {
-        json_t *root = why_json(w, o, a->path_lines);
-        json_dumpf(root, f, JSON_INDENT(2));
-        fputc('\n', f);
-        json_decref(root);
-    } else if (a->path_lines) {
-        why_path_lines(w, f);
-    } else {
-        why_report(w, o, f);
-    }
+    struct atomic_file f;
+    if (!atomic_file_begin(&f, a->output, error))
+        return false;
+    if (a->path_lines)
+        why_path_lines(w, f.out);
+    else
+        why_report(w, o, f.out);
+    return atomic_file_end(&f, error);
 }
 
 static int write_all(const struct arguments *a, struct why *w, const struct why_report_options *o)
 {
     enum { OUTPUT = 74 };
-    struct atomic_file f;
+    bool text = !a->json || strcmp(a->json, "-") != 0 || strcmp(a->output, "-") != 0;
     char *error = NULL;
-    if (!atomic_file_begin(&f, a->output, &error))
+    if (text && !write_text(a, w, o, &error))
         return failed(error, OUTPUT);
-    show(a, w, o, f.out);
-    return atomic_file_end(&f, &error) ? 0 : failed(error, OUTPUT);
+    if (a->json)
+        error = json_file_write(why_json(w, o, a->path_lines), a->json);
+    return error ? failed(error, OUTPUT) : 0;
 }
 
 static int explain(const struct arguments *a)

@@ -172,7 +172,7 @@ static enum fit_end conduct(struct fit *f, struct fit_result *r, char **error)
         return FIT_ERROR;
     }
     fit_print(f, r, f->options->out);
-    if (!fit_write(f, r, error))
+    if (!fit_write(f, r, error) || !fit_write_json(f, r, error))
         return FIT_ERROR;
     return determined(f, r) ? FIT_DONE : FIT_UNDETERMINED;
 }

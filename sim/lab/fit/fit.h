@@ -28,6 +28,7 @@
 struct fit_options {
     struct study_options study; /* for each evaluation; the fit sets `set` and `arguments` */
     const char *constants;      /* the file to write */
+    const char *json;           /* a file for the result as JSON, or NULL */
     unsigned most;              /* evaluations at most */
     FILE *out;                  /* for the result */
     FILE *progress;             /* for a line about each evaluation */

@@ -76,7 +76,7 @@ char *fit_filled(const char *text, const char *hole, const char *with);
  * fit. Sets f->computed. */
 bool fit_try(void *arg, const double x[], double residuals[]);
 
-/* --- the result: fit_print.c, fit_write.c --- */
+/* --- the result: fit_print.c, fit_write.c, fit_json.c --- */
 
 struct fit_result {
     double *before, *after; /* the computed figure for each measurement */
@@ -94,4 +94,5 @@ void fit_print(const struct fit *f, const struct fit_result *r, FILE *out);
 /* What the data leave open about a parameter, malloc'd; "" if nothing. */
 char *fit_note(const struct fit *f, const struct fit_result *r, size_t parameter);
 bool fit_write(const struct fit *f, const struct fit_result *r, char **error);
+bool fit_write_json(const struct fit *f, const struct fit_result *r, char **error);
 #endif
