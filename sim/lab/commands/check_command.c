@@ -37,8 +37,8 @@ static const struct argp_option OPTIONS[] = {
 
 static const char DOC[] =
     "Runs studies (see touchstone study --help) and compares each point with a baseline. Reports which "
-    "points are worse, the worst first, by how much, and where the time of their nodes moved: by function, if the program "
-    "was built with nxcc --profile and the study file says profile = true.\v"
+    "points are worse, the worst first, by how much, and where the time of their nodes moved: by function, "
+    "if the program was built with nxcc --profile and the study file says profile = true.\v"
     "More is worse of total_s, time_s, virtual_time_s, messages, bytes and memory_peak_bytes; less is "
     "worse of speedup and speed_per_node. Other figures are shown, but fail only if --tolerance names "
     "them: then by any difference beyond it. Results are exact: they need no tolerance to be repeated.\n\n"

@@ -31,8 +31,8 @@ static const struct argp_option OPTIONS[] = {
 static const char DOC[] =
     "Shows the machines that touchstone run -m takes, and their numbers. MACHINE is the NAME of "
     "machines/NAME.cfg, or the path of a machine file.\v"
-    "The standing of a number says where it comes from: read (in the source named), known (widely quoted from "
-    "it), derived (arithmetic on others), fitted, or open (a choice). Each key is one that --set of "
+    "The standing of a number says where it comes from: read (in the source named), known (widely quoted "
+    "from it), derived (arithmetic on others), fitted, or open (a choice). Each key is one that --set of "
     "touchstone run takes; but those that begin with 'cpu.' are of the file that node.cpu names, which nxcc "
     "--costs reads.\n\n"
     "Exit status:\n"
