@@ -7,8 +7,8 @@
  * that may have been meant: of the words that the help shows (OPTION_DOC). */
 void cli_no_such_command(struct argp_state *state, const char *prefix, const char *name);
 
-/* The first long option in the arguments, as getopt reads them, that the command has not: ends the process, as
- * argp_error() does, and names the option that is like it, else those whose help has its word. Returns if
+/* The first long option in the arguments, as getopt reads them, that the command has not: ends the process,
+ * as argp_error() does, and names the option that is like it, else those whose help has its word. Returns if
  * there is none. Call at ARGP_KEY_INIT, before getopt refuses it without a hint. */
 void cli_check_options(struct argp_state *state);
 #endif

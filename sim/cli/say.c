@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "files/ink.h"
 #include "kernel/xalloc.h"
 
@@ -59,6 +60,18 @@ void cli_say_warning(const char *command, const char *format, ...)
     va_start(list, format);
     say(command, format, list, ink.yellow, &ink);
     va_end(list);
+}
+
+void cli_say_doing(const char *what, const char *object)
+{
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r%s %s ...\033[K", what, object);
+}
+
+void cli_say_done(void)
+{
+    if (isatty(STDERR_FILENO))
+        fputs("\r\033[K", stderr);
 }
 
 int cli_failed(const char *command, char *error, int status)

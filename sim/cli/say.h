@@ -7,6 +7,10 @@
  * first line and the cycle stand out. */
 void cli_say_error(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void cli_say_warning(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* What a command does that may take a while, on a terminal only: the line is erased by what comes next, or by
+ * cli_say_done(). */
+void cli_say_doing(const char *what, const char *object);
+void cli_say_done(void);
 /* Says the error, frees it, and returns the status. */
 int cli_failed(const char *command, char *error, int status);
 #endif

@@ -62,6 +62,9 @@ export_trace -f json ring.trace
 check "standard output" cmp out ring.json
 export_trace -f json -o - ring.trace
 check "-o -" cmp out ring.json
+check "no progress is shown where there is no terminal" test ! -s err
+script -qec "$BUILD/touchstone trace export -o again.json ring.trace" /dev/null </dev/null >terminal
+check "on a terminal: what is read" grep -qF $'\rreading ring.trace ...' terminal
 for table in pieces calls waits handlers systems messages blocks; do
     export_trace -f csv --table $table ring.trace
     cp out $table.csv

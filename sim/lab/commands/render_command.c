@@ -277,7 +277,9 @@ static int make(const struct output_request *r)
 {
     struct output_file file[OUTPUT_MOST_FILES];
     char *error = NULL;
+    cli_say_doing("reading", r->file[0]);
     enum output_status status = output_make(r, file, &error);
+    cli_say_done();
     if (status == OUTPUT_DONE) {
         say(r, file);
         return 0;

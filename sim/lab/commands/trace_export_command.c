@@ -124,7 +124,11 @@ static bool is_trace(const char *trace, char *const files[])
 static int write_trace(const struct arguments *a)
 {
     char *error = NULL;
+    if (a->request.progress)
+        cli_say_doing("reading", a->trace);
     struct trace *t = trace_load(a->trace, &a->select, &error);
+    if (a->request.progress)
+        cli_say_done();
     if (!t)
         return failed(CLI_EXIT_INPUT, error);
     if (!t->complete)
