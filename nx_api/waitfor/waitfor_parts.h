@@ -36,8 +36,8 @@ struct waitfor_set {
 /* The nodes i of which is(w, i, arg) is true. */
 typedef bool waitfor_choice(const struct waitfor *w, uint32_t i, const void *arg);
 struct waitfor_set waitfor_choose(const struct waitfor *w, waitfor_choice *is, const void *arg);
-/* "node 3", "nodes 1-5, 7", "the host", and "none" of no node: the set without `but`, which is in it
- * (WAITFOR_ANY: all of it). In time proportional to the runs. */
+/* "node 3", "nodes 1-5, 7", "nodes 0, 2, ..., 510", "the host", and "none" of no node: the set without `but`,
+ * which is in it (WAITFOR_ANY: all of it). In time proportional to the runs. */
 void waitfor_print_set(FILE *f, const struct waitfor_set *s, long but);
 void waitfor_print_nodes(FILE *f, const struct waitfor *w, waitfor_choice *is, const void *arg);
 

@@ -100,30 +100,62 @@ struct waitfor_set waitfor_choose(const struct waitfor *w, waitfor_choice *is, c
     return s;
 }
 
-/* Prints a run, if it has nodes, behind what stands between runs. Returns what stands before the next. */
-static const char *print_run(FILE *f, const char *between, uint32_t first, uint32_t end)
+static bool is_one(struct waitfor_run r)
 {
-    if (first == end)
-        return between;
-    fprintf(f, "%s%u", between, first);
-    if (end - first > 1)
-        fprintf(f, "%s%u", end - first > 2 ? "-" : ", ", end - 1);
-    return ", ";
+    return r.end - r.first == 1;
+}
+
+/* How many runs from the first on are single nodes at equal distances. */
+static uint32_t in_step(const struct waitfor_run *r, uint32_t count)
+{
+    uint32_t n = 1;
+    while (n < count && is_one(r[0]) && is_one(r[n]) &&
+           r[n].first - r[n - 1].first == r[1].first - r[0].first)
+        n++;
+    return n;
+}
+
+/* "1-5, 7", "2, 4, ..., 510"; at most MOST_RUNS of these. */
+static void print_runs(FILE *f, const struct waitfor_run *r, uint32_t count)
+{
+    enum { MOST_RUNS = 12, STEPS = 5 };
+    uint32_t shown = 0, k = 0, left = 0;
+    while (k < count && shown++ < MOST_RUNS) {
+        uint32_t steps = in_step(r + k, count - k);
+        fprintf(f, "%s%u", k ? ", " : "", r[k].first);
+        if (steps >= STEPS) {
+            fprintf(f, ", %u, ..., %u", r[k + 1].first, r[k + steps - 1].first);
+            k += steps;
+        } else {
+            if (!is_one(r[k]))
+                fprintf(f, "%s%u", r[k].end - r[k].first > 2 ? "-" : ", ", r[k].end - 1);
+            k++;
+        }
+    }
+    for (; k < count; k++)
+        left += r[k].end - r[k].first;
+    if (left)
+        fprintf(f, " and %u more", left);
 }
 
 void waitfor_print_set(FILE *f, const struct waitfor_set *s, long but)
 {
     bool host = s->host != WAITFOR_ANY && s->host != but;
-    uint32_t nodes = s->nodes - (but != WAITFOR_ANY && but != s->host);
-    const char *between = "";
-    if (nodes)
-        fputs(nodes > 1 ? "nodes " : "node ", f);
+    uint32_t nodes = s->nodes - (but != WAITFOR_ANY && but != s->host), count = 0;
+    struct waitfor_run *runs = waitfor_alloc(s->run_count + 1, sizeof *runs);
     for (uint32_t k = 0; k < s->run_count; k++) {
         struct waitfor_run r = s->runs[k];
         bool parted = r.first <= but && but < r.end;
-        between = print_run(f, between, r.first, parted ? (uint32_t)but : r.end);
-        between = print_run(f, between, parted ? (uint32_t)but + 1 : r.end, r.end);
+        struct waitfor_run parts[] = {{r.first, parted ? (uint32_t)but : r.end},
+                                      {parted ? (uint32_t)but + 1 : r.end, r.end}};
+        for (int i = 0; i < 2; i++)
+            if (parts[i].first < parts[i].end)
+                runs[count++] = parts[i];
     }
+    if (nodes)
+        fputs(nodes > 1 ? "nodes " : "node ", f);
+    print_runs(f, runs, count);
+    free(runs);
     if (host)
         fprintf(f, "%sthe host", nodes ? " and " : "");
     else if (!nodes)

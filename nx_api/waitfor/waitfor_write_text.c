@@ -4,11 +4,12 @@
 #include <string.h>
 #include "nx_api/waitfor/waitfor_parts.h"
 
-enum { MOST_IN_CYCLE = 24, MOST_GROUPS = 64, MOST_FRAMES = 8 };
+enum { MOST_IN_CYCLE = 24, MOST_GROUPS = 12, MOST_FRAMES = 8 };
 
 /* Nodes in the same state, of the same cause. */
 struct group {
     const struct waitfor_node *first;
+    long least, most; /* of the types that they wait for */
     uint64_t earliest, latest;
     bool same_why;
     bool told; /* its remedy */
@@ -45,8 +46,8 @@ static const char *name_of_call(const struct waitfor_node *n)
     return n->operation ? n->operation : n->call;
 }
 
-/* 0: in the same state, of the same cause. */
-static int compare_states(const struct waitfor_node *a, const struct waitfor_node *b)
+/* 0: in the same state, of the same cause; but for the type that they wait for, if that is all the same. */
+static int compare_states(const struct waitfor_node *a, const struct waitfor_node *b, bool any_type)
 {
     int order = compare_numbers(a->state, b->state);
     order = order ? order : compare_numbers(a->exit_status, b->exit_status);
@@ -54,18 +55,18 @@ static int compare_states(const struct waitfor_node *a, const struct waitfor_nod
     order = order ? order : compare_texts(name_of_call(a), name_of_call(b));
     if (!a->operation && !b->operation) {
         order = order ? order : compare_numbers(a->has_type, b->has_type);
-        order = order ? order : compare_numbers(a->type, b->type);
+        order = order || any_type ? order : compare_numbers(a->type, b->type);
     }
     order = order ? order : compare_texts(a->line, b->line);
     order = order ? order : compare_numbers(a->cause, b->cause);
     return order ? order : compare_stacks(a, b);
 }
 
-static int compare(const void *a, const void *b)
+static int compare(const void *a, const void *b, void *any_type)
 {
     const struct waitfor_node *one = *(const struct waitfor_node *const *)a,
                               *other = *(const struct waitfor_node *const *)b;
-    int order = compare_states(one, other);
+    int order = compare_states(one, other, *(const bool *)any_type);
     return order ? order : compare_numbers(one->number, other->number);
 }
 
@@ -78,11 +79,13 @@ static void join(struct group *g, const struct waitfor_node *n)
 {
     g->earliest = n->since_ps < g->earliest ? n->since_ps : g->earliest;
     g->latest = n->since_ps > g->latest ? n->since_ps : g->latest;
+    g->least = n->type < g->least ? n->type : g->least;
+    g->most = n->type > g->most ? n->type : g->most;
     g->same_why = g->same_why && same_text(g->first->why, n->why);
 }
 
 /* The order of groups is that of their first nodes. */
-static struct groups group(const struct waitfor *w)
+static struct groups group(const struct waitfor *w, bool any_type)
 {
     struct groups g = {.all = waitfor_alloc(w->count, sizeof *g.all),
                        .of = waitfor_alloc(w->count, sizeof *g.of)};
@@ -90,21 +93,27 @@ static struct groups group(const struct waitfor *w)
     uint32_t *first = waitfor_alloc(w->count, sizeof *first); /* of the nodes in the same state */
     for (uint32_t i = 0; i < w->count; i++)
         sorted[i] = &w->nodes[i];
-    qsort(sorted, w->count, sizeof *sorted, compare);
+    qsort_r(sorted, w->count, sizeof *sorted, compare, &any_type);
     for (uint32_t i = 0; i < w->count; i++) {
-        bool same = i && compare_states(sorted[i - 1], sorted[i]) == 0;
+        bool same = i && compare_states(sorted[i - 1], sorted[i], any_type) == 0;
         first[sorted[i]->number] = same ? first[sorted[i - 1]->number] : (uint32_t)sorted[i]->number;
     }
     for (uint32_t i = 0; i < w->count; i++) {
         const struct waitfor_node *n = &w->nodes[i];
         if (first[i] == i)
-            g.all[g.count] = (struct group){n, n->since_ps, n->since_ps, true, false};
+            g.all[g.count] = (struct group){n, n->type, n->type, n->since_ps, n->since_ps, true, false};
         g.of[i] = first[i] == i ? g.count++ : g.of[first[i]];
         join(&g.all[g.of[i]], n);
     }
     free(first);
     free(sorted);
     return g;
+}
+
+static void free_groups(const struct groups *g)
+{
+    free(g->all);
+    free(g->of);
 }
 
 /* --- lines --- */
@@ -121,14 +130,17 @@ static bool is_member(const struct waitfor *w, uint32_t i, const void *arg)
     return m->of[i] == m->group;
 }
 
-static void print_state(FILE *f, const struct waitfor_node *n)
+static void print_state(FILE *f, const struct group *g)
 {
+    const struct waitfor_node *n = g->first;
     if (n->state == WAITFOR_NO_PROGRAM)
         fputs("no program", f);
     else if (n->state == WAITFOR_ENDED)
         waitfor_print_ended(f, n);
     else if (n->state == WAITFOR_COMPUTES)
         fputs("computing", f);
+    else if (n->has_type && !n->operation && g->least < g->most)
+        fprintf(f, "%s of types %ld to %ld", n->call, g->least, g->most);
     else if (n->has_type && !n->operation)
         fprintf(f, "%s(%ld)", n->call, n->type);
     else
@@ -197,7 +209,7 @@ static void print_group(FILE *f, const struct waitfor *w, struct groups *g, uint
     else
         waitfor_print_nodes(f, w, is_member, &(struct member){g->of, k});
     fputs(": ", f);
-    print_state(f, one->first);
+    print_state(f, one);
     print_times(f, one);
     if (one->first->line)
         fprintf(f, " (%s)", one->first->line);
@@ -253,14 +265,18 @@ static void print_groups(FILE *f, const struct waitfor *w, struct groups *g)
         print_group(f, w, g, k);
     }
     if (g->count - host > MOST_GROUPS)
-        fprintf(f, "\n  and %u more states of nodes", g->count - host - MOST_GROUPS);
+        fprintf(f, "\n  and %u more states of nodes, which the report as JSON has",
+                g->count - host - MOST_GROUPS);
 }
 
 void waitfor_write_text(const struct waitfor *w, FILE *f)
 {
-    struct groups g = group(w);
+    struct groups g = group(w, false);
+    if (g.count > MOST_GROUPS) { /* nodes that each wait for a type of their own are one line */
+        free_groups(&g);
+        g = group(w, true);
+    }
     print_head(f, w);
     print_groups(f, w, &g);
-    free(g.all);
-    free(g.of);
+    free_groups(&g);
 }

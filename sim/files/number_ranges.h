@@ -4,7 +4,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Prints "3", or "1-5, 7": count numbers, in ascending order. */
+/* Prints "3", "1-5, 7", or "2, 4, ..., 510": count numbers, in ascending order; of many ranges the first
+ * ones. */
 void number_ranges_print(FILE *f, const uint32_t *numbers, uint32_t count);
 /* Prints "node 3", or "nodes 1-5, 7". */
 void number_ranges_print_nodes(FILE *f, const uint32_t *nodes, uint32_t count);

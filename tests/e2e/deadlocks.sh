@@ -36,6 +36,7 @@ done <<'END'
 4 operations.c
 512 knot.c
 8 orphan.c
+512 own_types.c
 3 wrong_type.c
 3 wrong_node.c
 2 taken.c

@@ -418,14 +418,30 @@ static void the_host_waits_for_ends(void **state)
            "  node 1: ended at 2 us");
 }
 
-static void more_states_than_are_told(void **state)
+static void many_types_are_one_line(void **state)
 {
     (void)state;
     struct waitfor *w = waitfor_new(100);
     for (uint32_t i = 0; i < w->count; i++)
-        receives(w, i, i, WAITFOR_ANY);
+        receives(w, i, i + 5, WAITFOR_ANY);
     char *text = text_of(w);
-    assert_non_null(strstr(text, "\n  and 36 more states of nodes"));
+    assert_non_null(
+        strstr(text, "\n  nodes 0-99: crecv of types 5 to 104 since 0 s\n    knot: for example node 0: "));
+    free(text);
+    waitfor_free(w);
+}
+
+static void more_states_than_are_told(void **state)
+{
+    (void)state;
+    char lines[100][16];
+    struct waitfor *w = waitfor_new(100);
+    for (uint32_t i = 0; i < w->count; i++) {
+        snprintf(lines[i], sizeof lines[i], "a.c:%u", i);
+        receives(w, i, 7, WAITFOR_ANY)->line = lines[i];
+    }
+    char *text = text_of(w);
+    assert_non_null(strstr(text, "\n  and 88 more states of nodes"));
     free(text);
     waitfor_free(w);
 }
@@ -686,6 +702,7 @@ int main(void)
         cmocka_unit_test(a_probe_of_a_message_without_room),
         cmocka_unit_test(a_node_has_ended_before_an_operation),
         cmocka_unit_test(the_host_waits_for_ends),
+        cmocka_unit_test(many_types_are_one_line),
         cmocka_unit_test(more_states_than_are_told),
         cmocka_unit_test(random_graphs),
         cmocka_unit_test(many_nodes),
