@@ -194,6 +194,7 @@ struct trace_frame {
     const char *function; /* "relax"; "" if the program has no symbols */
     const char *file;     /* as the compiler was given it, "relax.c"; NULL: no line is known */
     int line;             /* from 1 on; 0: not known */
+    int64_t returns_to;   /* the address in the program that the frame's call returns to */
     bool library;         /* a function of NX's library, such as gsync, which the linker added */
     bool layer;           /* of the message layer that the run was given */
 };
@@ -204,6 +205,18 @@ const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int 
 /* The innermost frame that is not the library's, and that reports name (guest/layer.h); NULL: none is
  * known. */
 const struct trace_frame *trace_place(const struct trace *t, int32_t stack);
+/* What a program may have worked in between two places, stacks of one node: `in`, the innermost function in
+ * which it was at both (NULL: not known), and functions of its own that this one's code calls in between, be
+ * that in a loop. These functions made no call of NX, else there would be a stack of it. before: TRACE_NONE: the beginning of the
+ * program, or of the handler. */
+enum { TRACE_MOST_CALLED = 3 };
+struct trace_between {
+    const struct trace_frame *in;
+    const char *called[TRACE_MOST_CALLED];
+    int count;
+    bool more; /* it calls others, too */
+};
+struct trace_between trace_between(const struct trace *t, int32_t before, int32_t after);
 /* What the program called: "csend", or the library's function that did it for the program: "gsync". */
 const char *trace_called_name(const struct trace *t, const struct trace_call *c);
 

@@ -39,4 +39,8 @@ void trace_stacks_program(struct trace_stacks *s, const char *folder, const char
 int trace_stacks_programs(const struct trace_stacks *s);
 void trace_stacks_add(struct trace_stacks *s, int program, const int64_t *offsets, int depth);
 int trace_stacks_count(const struct trace_stacks *s);
+/* The program of a stack, which trace_stack() has opened; a frame of this program whose call returns to the
+ * offset. */
+const struct elf_file *trace_stack_file(const struct trace *t, int32_t stack);
+struct trace_frame trace_frame_at(const struct trace *t, int32_t stack, int64_t offset);
 #endif

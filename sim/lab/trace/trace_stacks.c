@@ -149,7 +149,9 @@ static struct trace_frame frame_at(struct program *p, const struct elf_file *f, 
     struct place *place = p->places[at] = xmalloc(sizeof *place);
     place->offset = offset;
     place->at = layer_place(f, layer, (uint64_t)offset - 1);
-    return place->frame = frame_of(&place->at);
+    place->frame = frame_of(&place->at);
+    place->frame.returns_to = offset;
+    return place->frame;
 }
 
 const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int *count)
@@ -169,6 +171,17 @@ const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int 
     }
     *count = k->depth;
     return k->frames;
+}
+
+const struct elf_file *trace_stack_file(const struct trace *t, int32_t stack)
+{
+    return opened(&t->stacks->programs[t->stacks->stacks[stack].program]);
+}
+
+struct trace_frame trace_frame_at(const struct trace *t, int32_t stack, int64_t offset)
+{
+    struct program *p = &t->stacks->programs[t->stacks->stacks[stack].program];
+    return frame_at(p, opened(p), t->layer, offset);
 }
 
 const struct trace_frame *trace_place(const struct trace *t, int32_t stack)

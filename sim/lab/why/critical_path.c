@@ -47,7 +47,9 @@ static struct path_step step_of(enum why_class class, int32_t node)
                               .handler = TRACE_NONE,
                               .message = TRACE_NONE,
                               .block = TRACE_NONE,
-                              .stack = TRACE_NONE};
+                              .stack = TRACE_NONE,
+                              .before = TRACE_NONE,
+                              .seen = TRACE_NONE};
 }
 
 static enum why_class class_of(const struct trace_piece *p)
@@ -73,6 +75,34 @@ static int32_t stack_before(struct walk *w, const struct trace_piece *p)
     for (const struct trace_piece *q = p; q > first && q[-1].in_handler && q[-1].handler == p->handler; q--)
         if (q[-1].call != TRACE_NONE)
             return w->t->calls[q[-1].call].stack;
+    return TRACE_NONE;
+}
+
+/* A handler that ran just before, or behind, a piece of the program: where it interrupted it. */
+static int32_t interrupted_at(struct walk *w, const struct trace_piece *p)
+{
+    const struct trace_piece *first = piece_map_of(w->map, w->node)->list,
+                             *end = piece_map_end(w->map, w->node);
+    for (int side = -1; side <= 1; side += 2) {
+        const struct trace_piece *q = p + side;
+        while (q > first && q < end && q->state == TRACE_IN_SYSTEM && !q->in_handler && q->call == TRACE_NONE)
+            q += side;
+        if (q >= first && q < end && q->in_handler && (!p->in_handler || q->handler != p->handler) &&
+            w->t->handlers[q->handler].stack != TRACE_NONE)
+            return w->t->handlers[q->handler].stack;
+    }
+    return TRACE_NONE;
+}
+
+/* The stack of the call that the program, or the handler, made last before a piece; TRACE_NONE. */
+static int32_t call_before(struct walk *w, const struct trace_piece *p)
+{
+    const struct trace_piece *first = piece_map_of(w->map, w->node)->list;
+    for (const struct trace_piece *q = p - 1; q >= first; q--) {
+        bool same = q->in_handler == p->in_handler && (!p->in_handler || q->handler == p->handler);
+        if (same && q->call != TRACE_NONE)
+            return w->t->calls[q->call].stack;
+    }
     return TRACE_NONE;
 }
 
@@ -105,6 +135,8 @@ static void over_piece(struct walk *w, vtime least)
     s.handler = p->in_handler ? p->handler : TRACE_NONE;
     s.enters_handler = piece_enters_handler(p);
     s.stack = stack_after(w, p);
+    if (p->state == TRACE_COMPUTING)
+        s.before = call_before(w, p), s.seen = interrupted_at(w, p);
     add(w, vt_max(p->begin, least), s);
 }
 

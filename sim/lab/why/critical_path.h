@@ -29,6 +29,8 @@ struct path_step {
     bool enters_handler; /* WHY_HANDLERS: the system enters the handler, or leaves it */
     int32_t block;       /* WHY_CHANNEL */
     int32_t stack;       /* where the program was at the step's end; computing: where it came to */
+    int32_t before;      /* computing: where the program was before: its call, or TRACE_NONE: it begins */
+    int32_t seen;        /* computing: where a handler interrupted it; TRACE_NONE: none did */
 };
 
 struct path {

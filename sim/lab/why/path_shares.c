@@ -7,7 +7,7 @@ static const struct {
     const char *key, *title;
 } SHARES[WHY_SHARES] = {
     [WHY_BY_NODE] = {"by_node", "node"},
-    [WHY_BY_FUNCTION] = {"by_function", "function of next call"},
+    [WHY_BY_FUNCTION] = {"by_function", "function"},
     [WHY_BY_CALL] = {"by_call", "call"},
     [WHY_BY_MESSAGE] = {"by_message", "message"},
 };
@@ -31,12 +31,19 @@ static int32_t message_of(const struct trace *t, const struct path_step *s)
     return c->sent != TRACE_NONE ? c->sent : c->taken;
 }
 
+const char *why_function(struct why *w, const struct path_step *s)
+{
+    bool computes = s->call == TRACE_NONE && !s->enters_handler && s->stack != TRACE_NONE;
+    return computes ? places_worker(w->places, s->before, s->seen, s->stack)
+                    : places_function(w->places, s->stack);
+}
+
 /* The program's function that has the step: of steps in which the program works. */
 static const char *function_of(struct why *w, const struct path_step *s)
 {
     bool program = s->class == WHY_COMPUTING || s->class == WHY_CALLS || s->class == WHY_HANDLERS ||
                    s->class == WHY_FILES;
-    const char *name = program ? places_function(w->places, s->stack) : "";
+    const char *name = program ? why_function(w, s) : "";
     return *name ? name : program ? "(not known)" : "(not in the program)";
 }
 

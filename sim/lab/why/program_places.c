@@ -103,6 +103,36 @@ const char *places_function(struct places *p, int32_t stack)
     return known(p, stack)->function;
 }
 
+/* Were both calls made in one function? If that is called in between by another one, as a timer is, it takes
+ * little of the work. */
+static bool is_on_both_sides(struct places *p, int32_t before, int32_t after)
+{
+    return before != TRACE_NONE && places_function(p, before) == places_function(p, after);
+}
+
+static const char *join(struct places *p, const char *list, const char *name)
+{
+    return *list ? places_text(p, "%s or %s", list, name) : name;
+}
+
+const char *places_worker(struct places *p, int32_t before, int32_t seen, int32_t after)
+{
+    if (seen != TRACE_NONE)
+        return places_function(p, seen);
+    struct trace_between x = trace_between(p->t, before, after);
+    const char *innermost = places_function(p, after), *in = x.in ? function_of(p, x.in) : "", *list = "";
+    if (x.more) /* too many to tell: all of them are called by this one */
+        return in;
+    for (int i = 0; i < x.count; i++)
+        list = join(p, list, places_text(p, "%.*s", (int)strcspn(x.called[i], "."), x.called[i]));
+    if (*in && innermost != in && is_on_both_sides(p, before, after))
+        return x.count ? list : in;
+    if (list == innermost)
+        return innermost;
+    list = join(p, list, innermost);
+    return x.count || !*in || innermost == in ? list : join(p, list, in);
+}
+
 const char *places_call(struct places *p, int32_t call)
 {
     const struct trace_call *c = &p->t->calls[call];

@@ -12,12 +12,22 @@
 
 enum { WIDTH = 100 };
 
+/* The length of the text's first word; with its unit, if it is a number: "74.7 %)". */
+static size_t word_at(const char *text)
+{
+    size_t word = strcspn(text, " "), unit = text[word] ? strspn(text + word + 1, "%munps") : 0;
+    bool is_unit = unit && strchr(" ),.;:", text[word + 1 + unit]);
+    if (word && text[word - 1] >= '0' && text[word - 1] <= '9' && is_unit)
+        word += 1 + strcspn(text + word + 1, " ");
+    return word;
+}
+
 /* Writes a paragraph with line breaks between words. */
 static void paragraph(const char *text, FILE *f)
 {
     size_t column = 0;
     while (*text) {
-        size_t word = strcspn(text, " ");
+        size_t word = word_at(text);
         if (column && column + 1 + word > WIDTH) {
             fputc('\n', f);
             column = 0;

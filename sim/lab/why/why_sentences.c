@@ -60,10 +60,10 @@ static void about(struct why *w, FILE *f)
     where(t, f);
     fputc('.', f);
     if (t->from || t->to < t->end)
-        fprintf(f, " This is about the part from %s to %s.", why_time(u, t->from).text,
+        fprintf(f, " Only the part from %s to %s counts here.", why_time(u, t->from).text,
                 why_time(u, t->to).text);
     if (!t->complete)
-        fprintf(f, " The trace ends early: the run was killed, and what it would have done is not known.");
+        fprintf(f, " The trace ends early: the run was killed.");
     int32_t stuck = 0, untraced = 0;
     for (int32_t i = 0; i < t->node_count; i++)
         untraced += !t->nodes[i].traced;
@@ -74,8 +74,8 @@ static void about(struct why *w, FILE *f)
     for (int32_t i = 0; i < t->call_count; i++)
         stuck += t->calls[i].unfinished;
     if (t->complete && stuck && t->to == t->end)
-        fprintf(f, " %" PRId32 " node%s had not ended: in a call whose end did not come.", stuck,
-                stuck == 1 ? "" : "s");
+        fprintf(f, " %" PRId32 " node%s still in a call when it ended.", stuck,
+                stuck == 1 ? " was" : "s were");
 }
 
 /* --- the critical path --- */
@@ -102,7 +102,7 @@ static void name_functions(struct why *w, const struct part *p, enum why_class c
     struct tally functions = {0};
     for (size_t i = 0; i < w->path.count; i++) {
         const struct path_step *s = &w->path.steps[i];
-        const char *name = places_function(w->places, s->stack);
+        const char *name = why_function(w, s);
         if (s->class == class && (p->node == TRACE_NONE || s->node == p->node) && *name)
             tally_add(&functions, name, s->end - s->begin);
     }
@@ -144,11 +144,10 @@ static vtime entering_on(const struct why *w, int32_t node)
 static void say_handlers(struct why *w, const struct part *p, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
-    fprintf(f, " %s handlers took %s (%s): %s of that to enter and leave them",
-            why_count(handlers_on(w, p->node)).text, why_time(u, p->of[WHY_HANDLERS]).text,
-            why_percent(p->of[WHY_HANDLERS], p->time).text, why_time(u, entering_on(w, p->node)).text);
-    name_functions(w, p, WHY_HANDLERS, "; most of it is for ", f);
-    fputc('.', f);
+    fprintf(f, " %s handlers took %s (%s)", why_count(handlers_on(w, p->node)).text,
+            why_time(u, p->of[WHY_HANDLERS]).text, why_percent(p->of[WHY_HANDLERS], p->time).text);
+    name_functions(w, p, WHY_HANDLERS, ", mostly for ", f);
+    fprintf(f, "; entering and leaving them took %s of it.", why_time(u, entering_on(w, p->node)).text);
 }
 
 static void say_class(struct why *w, const struct part *p, enum why_class class, FILE *f)
@@ -172,7 +171,7 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
     fprintf(f, " For %s (%s) %s", why_time(why_unit_for(w->length), p->of[class]).text,
             why_percent(p->of[class], p->time).text, WORDS[class]);
     if (class == WHY_COMPUTING)
-        name_functions(w, p, class, ", most of that up to calls and interrupts in ", f);
+        name_functions(w, p, class, ", mostly in ", f);
     fputc('.', f);
 }
 
@@ -209,15 +208,16 @@ static void path(struct why *w, FILE *f)
     if (one) {
         fprintf(
             f,
-            "%s decides how long that is. The critical path, which leads from the end of the run back to its "
-            "start along what had to happen first, is %s's time for %s, %s of it.",
+            "%s decides how long the run takes. The critical path, traced from the end of the run back to "
+            "its start along what had to happen first, is on %s for %s, %s of it.",
             capital(node_words(w, node)).text, node_words(w, node), why_time(u, time).text,
             why_percent(time, w->length).text);
     } else if (w->t->node_count > 1) {
-        fprintf(f,
-                "The critical path, which leads from the end of the run back to its start along what had to "
-                "happen first, goes %s times from one node to another; the largest part of it, %s, is %s's.",
-                why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
+        fprintf(
+            f,
+            "The critical path, traced from the end of the run back to its start along what had to happen "
+            "first, goes %s times from one node to another; its largest part, %s, is on %s.",
+            why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
     }
     say_classes(w, &p, f);
 }
@@ -238,20 +238,19 @@ static void cause(struct why *w, FILE *f)
     for (int i = WHY_CALLS; i < WHY_CLASSES; i++)
         most = p.of[i] > p.of[most] ? i : most;
     if (p.time - p.of[WHY_COMPUTING] < p.time / 20) {
-        fprintf(
-            f,
-            "So computing is the cause, and nothing else: the run becomes shorter only with less of it%s%s, "
-            "or with a faster processor.",
-            one ? " on " : " on the path", one ? node_words(w, node) : "");
+        fprintf(f,
+                "So computing is the only cause: only less of it on %s, or a faster processor, makes the run "
+                "shorter.",
+                one ? node_words(w, node) : "the path");
     } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
         fprintf(
             f,
-            "So what keeps %s from its own work is serving the others: their messages take %s from it, %s of "
-            "its time, and %s are the larger part of that.",
+            "So serving the others keeps %s from its own work: their messages take %s, %s of its time, the "
+            "larger part of it in %s.",
             node_words(w, node), why_time(u, served).text, why_percent(served, p.time).text,
-            p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "its handlers" : "the interrupts of its system");
+            p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "handlers" : "interrupts of its system");
     } else {
-        fprintf(f, "So, besides computing, the largest cause is this: %s, with %s of the path.",
+        fprintf(f, "Besides computing, the largest cause is %s: %s of the path.",
                 why_class_subject((enum why_class)most), why_percent(p.of[most], w->length).text);
     }
 }
@@ -284,7 +283,7 @@ static int32_t awaited(const struct why *w, vtime *time)
 static const char *cause_words(enum wait_cause cause, enum trace_state doing)
 {
     static const char *const WORDS[WAIT_CAUSES] = {
-        [WAIT_LATE_SENDER] = "the sender had not come to sending",
+        [WAIT_LATE_SENDER] = "the sender was not there yet",
         [WAIT_LATE_RECEIVER] = "the receiver of a long message was late",
         [WAIT_HANDLER] = "the partner was in a handler",
         [WAIT_STOLEN] = "a processor was busy with other messages",
@@ -298,7 +297,7 @@ static const char *cause_words(enum wait_cause cause, enum trace_state doing)
     if (cause == WAIT_LATE_SENDER && doing == TRACE_COMPUTING)
         return "the sender still computed";
     if (cause == WAIT_LATE_SENDER && doing == TRACE_WAITING)
-        return "the sender waited itself (for what, the critical path tells)";
+        return "the sender waited, too (the critical path shows for what)";
     return WORDS[cause];
 }
 
@@ -317,7 +316,7 @@ static int by_idle(const void *a, const void *b)
 }
 
 /* Why nodes waited for the partner (TRACE_NONE: for anybody), the longest first. */
-static void say_reasons(const struct why *w, int32_t partner, vtime all, const char *of, FILE *f)
+static void say_reasons(const struct why *w, int32_t partner, vtime all, FILE *f)
 {
     struct reason reasons[WAIT_CAUSES * TRACE_STATES];
     for (int i = 0; i < WAIT_CAUSES * TRACE_STATES; i++)
@@ -330,7 +329,7 @@ static void say_reasons(const struct why *w, int32_t partner, vtime all, const c
     }
     qsort(reasons, WAIT_CAUSES * TRACE_STATES, sizeof *reasons, by_idle);
     for (int i = 0; i < 4 && worth_a_word(reasons[i].idle, all); i++)
-        fprintf(f, "%s%s%s because %s", i ? ", " : "", why_percent(reasons[i].idle, all).text, of,
+        fprintf(f, "%s%s because %s", i ? ", " : "", why_percent(reasons[i].idle, all).text,
                 cause_words(reasons[i].cause, reasons[i].doing));
 }
 
@@ -370,12 +369,11 @@ static void waiting(struct why *w, FILE *f)
                 why_time(u, idle).text);
     bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
     if (mainly)
-        fprintf(f, " They waited for %s: %s of all waiting, ", node_words(w, partner),
-                why_percent(for_one, w->causes.idle).text);
+        fprintf(f, " Of all waiting, %s was for %s: ", why_percent(for_one, w->causes.idle).text,
+                node_words(w, partner));
     else
         fputs(" Of that, ", f);
-    say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle,
-                mainly ? " of it" : "", f);
+    say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle, f);
     fputc('.', f);
 }
 
@@ -395,7 +393,7 @@ static void what_if(struct why *w, FILE *f)
             return;
         said[most] = true;
         vtime left = w->length - w->by_class[most];
-        fprintf(f, "%s%s took no time, the run would take at least %s: it would be at most %s times faster.",
+        fprintf(f, "%s%s took no time, the run would take at least %s, and be at most %s times faster.",
                 n ? " If " : "If ", why_class_subject((enum why_class)most), why_time(u, left).text,
                 why_faster(w->length, left).text);
     }
