@@ -129,6 +129,18 @@ static bool lay_out(struct node_image *img, char **error)
     return true;
 }
 
+/* Does the program call an MPI library of this computer's? */
+static bool is_of_mpi(const struct elf_file *f)
+{
+    for (size_t i = 1; i < f->dynamic.count; i++) {
+        const char *name = elf_name(&f->dynamic, &f->dynamic.sym[i]);
+        if (f->dynamic.sym[i].st_shndx == SHN_UNDEF &&
+            (!strncmp(name, "MPI_", 4) || !strncmp(name, "PMPI_", 5)))
+            return true;
+    }
+    return false;
+}
+
 /* Finds nxc_image, and checks that the file was built to the version of the contract that this loader
  * knows. */
 static bool find_object(struct node_image *img, char **error)
@@ -137,6 +149,12 @@ static bool find_object(struct node_image *img, char **error)
     const Elf64_Sym *s = elf_defined(&f->dynamic, "nxc_image");
     struct nxc_image object;
     const void *bytes = s == NULL ? NULL : elf_at(f, s->st_value, sizeof object);
+    if (bytes == NULL && is_of_mpi(f))
+        return elf_fail(
+            error,
+            "%s: linked with this computer's MPI, by nxcc --mpi or mpicc: start it with mpirun; for "
+            "simulated nodes, link it with nxcc without --mpi",
+            f->path);
     if (bytes == NULL)
         return elf_fail(error, "%s: %s", f->path, ELF_NOT_NXCC);
     memcpy(&object, bytes, sizeof object);

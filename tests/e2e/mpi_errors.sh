@@ -51,3 +51,6 @@ check "a message too long for its handler's buffer: where that came" said \
     "^  called from wait_for_handler\(\) \(crashes.c:$(line 'while (forever)')\)"
 on_mpi 2 env PATH=/nowhere ./crashes plain
 check "without addr2line the first line is told" said '^nx: node 1: crashed \(segmentation fault\) computing: a null pointer$'
+
+run -n 2 crashes
+check "touchstone run says what such a program is for" said 'crashes: linked with .*MPI.*: start it with mpirun'
