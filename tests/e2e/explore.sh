@@ -27,6 +27,28 @@ build() { # SOURCE PROGRAM OPTIONS...
     "$BUILD/$compiler" -g -O2 "$@" -o "$program" "$source" 2>compile.err || cat compile.err
 }
 
+# --- a program that prints its time: another one in each run, of one order ---
+cat >clock.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    long x = mynode();
+    csend(1, &x, sizeof x, (mynode() + 1) % numnodes(), 0);
+    crecv(1, &x, sizeof x);
+    printf("node %ld: %.9f s\n", mynode(), dclock());
+    return 0;
+}
+END
+build clock.c clock
+explore of/clock -n 2 --runs 30 --json clock.json clock
+check "a program that prints times: outcomes differ" test "$(figure clock.json "d['orders'], len(d['outcomes']) > 5, d['times_differ']")" = "1 True True"
+check "the hint comes at once" said 'choose the lines that must be$'
+check "and first in the report" eval 'sed -n 3p out | grep -q "^  Runs of one order have different outputs"'
+check "the first is shown" test "$(grep -c 'another output:' out)" = 1
+check "and the others are counted" grep -qE '^  and [0-9]+ more outcomes whose runs had an order that another outcome had' out
+check "none is reduced" eval '! grep -q "delays that show it" out'
+
 # --- ten programs ---
 grep -v '^#' "$programs/programs.txt" | while read -r source nodes depth bad _ good; do
     name=${source%.*}

@@ -8,6 +8,10 @@
 #include "kernel/xalloc.h"
 #include "lab/jobs/words.h"
 
+const char EXPLORE_TIMES_HINT[] =
+    "Runs of one order have different outputs. If the program prints times, choose the lines that must be\n"
+    "  equal with --same; else it looks at clocks, polls, or has a race of handlers.";
+
 /* A run that takes so many times the base's virtual time, and so many seconds more, stands still. */
 enum { TIMES_BASE = 10, SECONDS_MORE = 1 };
 
@@ -100,6 +104,14 @@ static bool take_base(struct explore *x, const struct planned_run *base, char **
     return true;
 }
 
+/* Says so at once: the user may want to stop, and to choose the lines that must be equal. */
+static void hint(struct explore *x)
+{
+    if (!x->hinted && x->search.times_differ)
+        fprintf(x->options.notes, "  %s\n", EXPLORE_TIMES_HINT);
+    x->hinted = x->search.times_differ;
+}
+
 /* Plans, runs and takes a round. False: it was the last one. */
 static bool do_round(struct explore *x, char **error)
 {
@@ -111,6 +123,7 @@ static bool do_round(struct explore *x, char **error)
         good = take_base(x, runs, error);
     if (good)
         search_take(&x->search, runs, count);
+    hint(x);
     for (size_t i = 0; i < count; i++)
         x->out_of_time |= !runs[i].record && !runs[i].failure;
     free_runs(runs, count);
@@ -203,13 +216,23 @@ static bool explain(struct explore *x, size_t outcome, char **error)
     return write_schedule(x, e, error);
 }
 
+/* Many outcomes of one order are most often times that the program prints: the delays tell nothing then. A
+ * single one may be a race of a handler. */
+static bool is_worth(const struct explore *x, size_t outcome)
+{
+    size_t alike = 0;
+    for (size_t i = 1; i < x->search.outcome_count; i++)
+        alike += x->search.outcomes[i].same_order;
+    return alike < 2 || !x->search.outcomes[outcome].same_order;
+}
+
 static bool explain_all(struct explore *x, char **error)
 {
     size_t count = x->search.outcome_count;
     x->explained = xcalloc(count + 1, sizeof *x->explained);
     x->place.deadline_s = 0; /* the tests are limited by their number */
     for (size_t i = 1; i < count && i <= x->options.explained; i++)
-        if (!explain(x, i, error))
+        if (is_worth(x, i) && !explain(x, i, error))
             return false;
     return true;
 }

@@ -45,13 +45,16 @@ struct explore {
     struct explained *explained; /* by search.outcomes; the base's is empty */
     size_t made, before;         /* of the search's runs: made here, in the journal before */
     double wall_s;
-    bool out_of_time;
+    bool out_of_time, hinted; /* hinted: EXPLORE_TIMES_HINT has been said while the runs went on */
 };
 
 struct explore *explore_open(const struct explore_options *o, char **error); /* NULL with *error */
 /* False with *error; or, without, if a signal has stopped it (place.signal). */
 bool explore_run(struct explore *x, char **error);
 void explore_close(struct explore *x);
+
+/* What to do where runs of one order have different outputs. */
+extern const char EXPLORE_TIMES_HINT[];
 
 /* After explore_run(): did the program end well with the usual timing? */
 bool explore_usual_ended(const struct explore *x);

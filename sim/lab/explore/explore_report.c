@@ -185,24 +185,38 @@ static void print_warnings(const struct explore *x, FILE *out)
         fprintf(out, "  %zu run%s came to no end in %s of this computer, and count%s for nothing\n",
                 s->failed, plural(s->failed), duration_text(x->options.limit_s).text,
                 s->failed == 1 ? "s" : "");
-    if (s->times_differ)
-        fprintf(
-            out,
-            "  Runs of one order have different outputs. If the program prints times, choose the lines\n"
-            "  that must be equal with --same; else it looks at clocks, polls, or has a race of handlers.\n");
     if (x->out_of_time)
         fprintf(out, "  The time is over: not all runs were made.\n");
+}
+
+/* Of outcomes that differ in output only, of one order, the first is shown. */
+static void print_outcomes(const struct explore *x, FILE *out)
+{
+    size_t alike = 0;
+    for (size_t i = 1; i < x->search.outcome_count; i++) {
+        bool same = x->search.outcomes[i].same_order;
+        alike += same;
+        if (!same || alike == 1)
+            print_outcome(x, i, out);
+    }
+    if (alike > 1)
+        fprintf(
+            out,
+            "\n  and %zu more outcomes whose runs had an order that another outcome had, too: they differ in "
+            "output only\n",
+            alike - 1);
 }
 
 void explore_print(const struct explore *x, FILE *out)
 {
     print_summary(x, out);
+    if (x->search.times_differ)
+        fprintf(out, "  %s\n", EXPLORE_TIMES_HINT);
     print_kinds(&x->search, out);
     print_bounds(x, out);
     print_guarantee(x, out);
     print_warnings(x, out);
-    for (size_t i = 1; i < x->search.outcome_count; i++)
-        print_outcome(x, i, out);
+    print_outcomes(x, out);
     fprintf(out, "\n  %zu runs made in %s, %.1f a second, %u at a time; %zu were in %s/journal\n", x->made,
             duration_text(x->wall_s).text, x->wall_s > 0 ? (double)x->made / x->wall_s : 0,
             x->options.at_once, x->before, x->options.dir);

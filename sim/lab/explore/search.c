@@ -237,6 +237,8 @@ static void take_order(struct search *s, const json_t *record, size_t run)
     bool new_order = digest_set_add(&s->orders, order);
     bool new_pair = digest_set_add(&s->tried, order_and_outcome(order, e->outcome));
     s->times_differ |= !new_order && new_pair;
+    struct outcome_group *g = &s->outcomes[e->outcome];
+    g->same_order = !new_order && e->outcome && (g->runs == 1 || g->same_order);
     e->recorded = new_pair;
     if (new_order)
         look_at(s, record, run);
