@@ -97,7 +97,7 @@ static const char DOC[] =
     "Runs PROGRAM, built by nxcc, on every node of a simulated machine, by default delta. The nodes' "
     "output comes on standard output, in the order of virtual time; a summary follows on standard "
     "error. Where a result's FILE is '-', it has standard output for itself, and the nodes' output comes on "
-    "standard error. A PROGRAM that is not here is looked for among those that come with touchstone, such as "
+    "standard error. If PROGRAM is not here, touchstone looks among the programs that come with it, such as "
     "app/model.\n\n"
     "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "

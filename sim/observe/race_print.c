@@ -74,7 +74,7 @@ static char *why_buffer(const struct race_report *r)
     bool blocks = strncmp(a->call + (*a->call == '_'), "c", 1) == 0;
     const char *until = blocks                 ? "that call has returned"
                         : strchr(a->call, 'h') ? "its handler runs"
-                                               : "msgwait, or msgdone with 1, has told the end";
+                                               : "msgwait returns, or msgdone returns 1";
     if (r->what == RACE_ON_SEND)
         return xasprintf(
             "the bytes may leave at any time until %s; what is written before may be sent, or not", until);

@@ -80,7 +80,7 @@ static bool read_format(struct reader *r)
 {
     if (r->begun || r->words != 2 || strcmp(r->word[0], "touchstone-schedule"))
         return fail(r, "%s",
-                    r->begun ? "the format's name has been told before"
+                    r->begun ? "the format's name stands twice"
                              : "this is no schedule: its first line is 'touchstone-schedule 1'");
     if (strcmp(r->word[1], "1"))
         return fail(r, "this touchstone reads schedules of format 1, not %s", r->word[1]);
@@ -92,7 +92,7 @@ static bool read_nodes(struct reader *r)
     struct plan *p = r->plan;
     uint64_t n;
     if (p->node)
-        return fail(r, "nodes: told before");
+        return fail(r, "nodes: stands twice");
     if (!number_at(r, 1, "the number of nodes", MOST_NODES, &n))
         return false;
     if (n == 0)

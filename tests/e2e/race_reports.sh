@@ -35,7 +35,7 @@ race on block[0]: main program writes at jobs.c:43 the buffer of isend at jobs.c
                 called from main (jobs.c:57)
   main program  serve (jobs.c:43), after TIME
                 called from main (jobs.c:57)
-  why           the bytes may leave at any time until msgwait, or msgdone with 1, has told the end; what is written before may be sent, or not.
+  why           the bytes may leave at any time until msgwait returns, or msgdone returns 1; what is written before may be sent, or not.
   found         1 time on node 0; the above on node 0, where the call came first
 EOF
 check "the text of the reports" diff expected <(sed -E 's/[0-9.]+ [mun]?s$/TIME/; s/found( +)[0-9]+ times/found\1COUNT times/' found)

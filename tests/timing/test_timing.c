@@ -256,7 +256,7 @@ static void errors_name_file_and_line(void **state)
         {"touchstone-schedule 1\nspeed 0 1\n", ":2: speed: a line 'nodes COUNT' must come before"},
         {"touchstone-schedule 1\nnodes 0\n", ":2: nodes: a run has at least 1"},
         {"touchstone-schedule 1\nnodes x\n", ":2: nodes: the number of nodes is a whole number, not 'x'"},
-        {"touchstone-schedule 1\nnodes 2\nnodes 2\n", ":3: nodes: told before"},
+        {"touchstone-schedule 1\nnodes 2\nnodes 2\n", ":3: nodes: stands twice"},
         {"touchstone-schedule 1\nnodes 2\nspeed 2 1\n",
          ":3: speed: there is no node 2: nodes are 0 to 1, or host"},
         {"touchstone-schedule 1\nnodes 2\nspeed 1 -1\n",

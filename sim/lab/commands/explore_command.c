@@ -44,7 +44,7 @@ static const struct argp_option OPTIONS[] = {
     {"same-file", CLI_TEXT(arguments, same_file), "FILE", 0,
      "The bytes of a file that the program writes, also in /cfs; standard output only with --same", 0},
     {"ordered", CLI_FLAG(arguments, ordered), NULL, 0,
-     "Lines must come in one order; by default lines of several nodes may mix otherwise", 0},
+     "Lines must come in the same order; by default lines of different nodes may mix", 0},
     {NULL, 0, NULL, 0, "Results:", 5},
     {"output", 'o', "DIR", 0,
      "Folder for journal, recordings and schedules; default out/ and PROGRAM.explore", 0},
@@ -66,7 +66,7 @@ static const char DOC[] =
     "processes that see the same folder DIR.\n\n"
     "A run that passes the limit of virtual time fails: by default 10 times the time of the usual timing, "
     "and 1 s. A run that passes the limit of real time, by default 600 s, counts for nothing.\n\n"
-    "A PROGRAM that is not here is looked for among those that come with touchstone, as by touchstone run. "
+    "If PROGRAM is not here, touchstone looks among the programs that come with it, as touchstone run does. "
     "A run works in a folder of its own with links to the files of the current folder: name other files by "
     "absolute paths. Each run has a copy of standard input, which is read to its end first, unless it is a "
     "terminal.\n\n"

@@ -24,7 +24,7 @@ static const struct argp_option OPTIONS[] = {
      "Write the fitted numbers, with their provenance, to FILE; default DIR/fitted.cfg", 1},
     {"json", CLI_TEXT(arguments, json), "FILE", 0,
      "Write the result as JSON, too; '-' is standard output, which has no text then", 1},
-    {"most", MOST, "N", 0, "Most evaluations of all points that the search may make; default 200", 1},
+    {"most", MOST, "N", 0, "Evaluate all points at most N times in the search; default 200", 1},
     {"output", 'o', "DIR", 0, "Folder for the results of runs; default out/ and STUDY's name and -fit", 1},
     {0}};
 

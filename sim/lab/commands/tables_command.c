@@ -24,7 +24,8 @@ static const struct argp_option OPTIONS[] = {
     {"report", CLI_TEXT(arguments, report), "FILE", 0,
      "Write a report in Markdown: errors, the paper's rounding, what was fitted, where time goes", 1},
     {"choices", CLI_TEXT(arguments, choices), "FILE", 0,
-     "Write in Markdown what each choice made with the paper's tables in view changes; half a minute each",
+     "Write in Markdown what changes with each choice that was made with the paper's tables in view; half a "
+     "minute each",
      1},
     {"explain", CLI_TEXT(arguments, explain), "ROW", 0,
      "Only show where the time of a row, such as 1:128, goes: by activity, processor and layer", 1},

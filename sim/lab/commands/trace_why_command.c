@@ -1,4 +1,4 @@
-/* trace_why_command.c - touchstone trace why: what a run's time was needed for. */
+/* trace_why_command.c - touchstone trace why: what a run spent its time on. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,8 +50,8 @@ static const struct argp_option OPTIONS[] = {
     {0}};
 
 static const char DOC[] =
-    "Says why a run took its time, from the trace that touchstone run --trace FILE wrote: in sentences, then "
-    "in tables.\n\n"
+    "Says why a run took its time, in sentences and tables, from the trace that touchstone run --trace FILE "
+    "wrote.\n\n"
     "The critical path leads from the end of the run back to its start: along a node's time, and where the "
     "node waited, along the message that ended the wait, to its sender. Its steps fill the time of the run. "
     "Only what is on the path can make the run shorter: its share is what a class of work can save at "

@@ -207,8 +207,8 @@ const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int 
 const struct trace_frame *trace_place(const struct trace *t, int32_t stack);
 /* What a program may have worked in between two places, stacks of one node: `in`, the innermost function in
  * which it was at both (NULL: not known), and functions of its own that this one's code calls in between, be
- * that in a loop. These functions made no call of NX, else there would be a stack of it. before: TRACE_NONE: the beginning of the
- * program, or of the handler. */
+ * that in a loop. These functions made no call of NX, else there would be a stack of it. before: TRACE_NONE:
+ * the beginning of the program, or of the handler. */
 enum { TRACE_MOST_CALLED = 3 };
 struct trace_between {
     const struct trace_frame *in;

@@ -50,7 +50,7 @@ class Timeline {
         this.plot = element('div', {class: 'plot'}, this.canvas);
         this.readout = element('div',
             {class: 'readout', id: this.section.id + '-readout', role: 'status', 'aria-live': 'polite'},
-            element('p', {}, 'A click on a piece, or the keys , and . tell what it is.'));
+            element('p', {}, 'Click a piece, or press , or . to see what it is.'));
         this.painter = new TimelinePainter(this.trace, this.canvas);
         this.canvas.timeline = this; /* for whoever drives the page */
         this.canvas.addEventListener('keydown', e => this.key(e));
