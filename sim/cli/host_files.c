@@ -13,8 +13,8 @@ static const char VARIABLE[] = "TOUCHSTONE_HOST_FILES"; /* PATH[:ro]:PATH[:ro]..
 static const struct argp_option OPTIONS[] = {
     {"host-files", HOST_FILES, "PATH[:ro]", 0,
      "Let programs use this file of this computer, or all files in this folder; with :ro, only read them. "
-     "May be repeated. They may always use files below the current folder, and read files that their arguments "
-     "name",
+     "May be repeated. They may always use files below the current folder, and read files that their "
+     "arguments name",
      0},
     {0}};
 

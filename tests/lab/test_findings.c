@@ -95,7 +95,7 @@ static void table_and_least(void **state)
     says(text, "- scheme a: 8.000 to 6.000 from nodes 1 to 8, 25 % less; least, 3.900, at nodes 4; within "
                "a tenth of it from 2 to 4.");
     says(text, "- scheme b: 8.000 to 3.000 from nodes 1 to 4, 2.67 times faster; least, 3.000, at nodes 4.");
-    says(text, "- Of all lines least at nodes 2: a; least at nodes 4: b.");
+    says(text, "- The lowest line: scheme a at nodes 2; scheme b at nodes 4.");
     free(text);
 }
 

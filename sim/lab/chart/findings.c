@@ -255,11 +255,14 @@ static void say_winners(const struct page *p, size_t panel)
         while (end < d->x.count && winner(p, panel, end) == line)
             end++;
         if (line < d->lines.count) {
-            fprintf(p->out, "%s %s at %s %s", any ? ";" : "- Of all lines", best_word(p), d->x.name,
-                    d->x.label[x]);
+            if (any)
+                fputs("; ", p->out);
+            else
+                fprintf(p->out, "- The %s line: ", strcmp(best_word(p), "most") ? "lowest" : "highest");
+            fprintf(p->out, "%s%s%s at %s %s", d->lines.name, *d->lines.name ? " " : "", line_name(p, line),
+                    d->x.name, d->x.label[x]);
             if (end - x > 1)
                 fprintf(p->out, " to %s", d->x.label[end - 1]);
-            fprintf(p->out, ": %s", line_name(p, line));
             any = true;
         }
         x = end;
