@@ -105,7 +105,7 @@ static void speeds_are_best_when_high(void **state)
     char *text = page("speedup", "");
     says(text, "- scheme b: 1.000 to 2.700 from nodes 1 to 4, 2.70 times higher; most, 2.700, at nodes 4.");
     says(text, "In the table: speedup; baseline: nodes 1, scheme a.");
-    says(text, "most at nodes 2: a; most at nodes 4: b.");
+    says(text, "- The highest line: scheme a at nodes 2; scheme b at nodes 4.");
     free(text);
 }
 
