@@ -33,6 +33,20 @@ started() {
 shows() { grep -qE -- "$1" out; }
 results() { sed 's/^(gdb) //' out | grep -E '^(virtual time|messages|nodes  |memory|digest|node [0-9])' | sort; }
 
+# --- an editor: what share/editor/launch.json has it give gdb ---
+launch=$tests/../../share/editor/launch.json
+setting() { jq -r ".configurations[0]$1" "$launch"; }
+check "launch.json is for gdb" test "$(setting .MIMode)" = gdb
+{
+    setting '.setupCommands[] | "-interpreter-exec console \"\(.text)\""'
+    echo "-break-insert -f gdb.c:$(line 'change = relax')"
+    printf '%s\n' -exec-run
+    awaited grep -q '^\*stopped' out
+    printf '%s\n' '-data-evaluate-expression me' -gdb-exit
+} | limited gdb -nx -q --interpreter=mi2 --args "$BUILD/touchstone" $(setting '.args[:-1][]') gdbO0 >out 2>&1
+check "a breakpoint in a line, set before the run" shows '^\*stopped,.*reason="breakpoint-hit".*func="main".*file="[^"]*gdb\.c"'
+check "and a variable" shows '^\^done,value="[0-3]"$'
+
 # --- plain gdb ---
 run -n 4 gdbO0
 cat err >>out
