@@ -25,6 +25,7 @@
 #include "machine/machine.h"
 #include "observe/race_json.h"
 #include "observe/run_trace.h"
+#include "observe/sarif.h"
 #include "observe/summary.h"
 #include "observe/time_profile.h"
 #include "observe/race_print.h"
@@ -37,7 +38,7 @@ enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAY
 
 struct arguments {
     struct cli_program what;
-    const char *json, *deadlock, *races, *suppress, *profile, *history, *cfs, *engine;
+    const char *json, *deadlock, *races, *sarif, *suppress, *profile, *history, *cfs, *engine;
     uint32_t workers, shuffle;
     double slice_s;
     bool quiet, verbose, isolate;
@@ -60,6 +61,8 @@ static const struct argp_option OPTIONS[] = {
      "Write why the programs wait, in a deadlock, as JSON; 'null' if there is none", 0},
     {"races", CLI_TEXT(arguments, races), "FILE", 0,
      "Write the races found as JSON; for programs built with nxcc --races", 0},
+    {"sarif", CLI_TEXT(arguments, sarif), "FILE", 0,
+     "Write races, a deadlock, an error of --asan or a crash as SARIF, which editors and code hosts show", 0},
     {"suppress", CLI_TEXT(arguments, suppress), "FILE", 0,
      "Report no races that FILE names: lines 'file NAME:LINE', 'variable NAME', 'function NAME'", 0},
     {"layer", LAYER, "PATTERN", 0,
@@ -120,8 +123,8 @@ static const char DOC[] =
 /* How many of the files that a run may write, or of these, with only_dash, standard output. */
 static int written_files(const struct arguments *a, bool only_dash)
 {
-    const char *const files[] = {a->json,    a->deadlock,   a->races,        a->profile,
-                                 a->history, a->trace.path, a->timing.record};
+    const char *const files[] = {a->json,    a->deadlock,   a->races,         a->profile,
+                                 a->history, a->trace.path, a->timing.record, a->sarif};
     int count = 0;
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         count += files[i] && (!only_dash || !strcmp(files[i], "-"));
@@ -286,6 +289,8 @@ static int report(const struct machine *m, const struct race_reports *races, con
         error = write_deadlock(m->waits, a->deadlock);
     if (!error && a->races)
         error = race_json_write(races, a->races);
+    if (!error && a->sarif)
+        error = sarif_write(m, races, CLI_VERSION, a->sarif);
     if (!error && a->profile)
         error = report_profile(m, a);
     int result = lost ? output_error(lost) : 0;

@@ -1,6 +1,6 @@
 #!/bin/bash
 # ci_files.sh - runs the commands of the ready files for GitHub Actions and GitLab, in new folders, with touchstone installed.
-# The commands that install Debian's packages, or clone and build touchstone, are left out: this build is installed instead.
+# The commands that install packages are left out: this build is installed instead.
 . "$(dirname "$0")/common.bash"
 root=$(cd "$tests/../.." && pwd)
 prefix=$work/prefix

@@ -1,0 +1,148 @@
+/* sarif.c - see sarif.h. Lines of source are known by their file's name: it stands for the path. */
+#include "observe/sarif.h"
+#include <stdlib.h>
+#include <string.h>
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
+#include "observe/json_file.h"
+#include "observe/race_print.h"
+
+/* --- parts of a result ---------------------------------------------------------------------------------- */
+
+/* A place; text: what happened there, NULL: nothing to say. */
+static json_t *location(const char *file, size_t length, int line, const char *text)
+{
+    char *name = xstrndup(file, length);
+    json_t *o = xchecked(json_pack("{s:{s:{s:o}, s:{s:i}}}", "physicalLocation", "artifactLocation", "uri",
+                                   json_text(name), "region", "startLine", line));
+    if (text)
+        json_set(o, "message", xchecked(json_pack("{s:o}", "text", json_text(text))));
+    free(name);
+    return o;
+}
+
+/* The place that a text names at its beginning, "ring.c:17"; NULL: none. */
+static json_t *named(const char *text, const char *what)
+{
+    size_t length = strcspn(text, ":( )\n");
+    int line = text[length] == ':' ? atoi(text + length + 1) : 0;
+    return length && line > 0 ? location(text, length, line, what) : NULL;
+}
+
+/* The first place in parentheses that a report names. */
+static json_t *first_named(const char *text)
+{
+    json_t *found = NULL;
+    for (const char *at = text; !found && (at = strchr(at, '(')); at++)
+        found = named(at + 1, NULL);
+    return found;
+}
+
+/* Takes over first and others; first NULL: no place is known. */
+static json_t *result(const char *rule, const char *level, const char *text, json_t *first, json_t *others)
+{
+    json_t *o = xchecked(json_pack("{s:s, s:s, s:{s:o}, s:o}", "ruleId", rule, "level", level, "message",
+                                   "text", json_text(text), "locations", json_array()));
+    if (first)
+        json_append(json_object_get(o, "locations"), first);
+    if (others && json_array_size(others))
+        json_set(o, "relatedLocations", others);
+    else
+        json_decref(others);
+    return o;
+}
+
+/* --- findings ------------------------------------------------------------------------------------------- */
+
+static json_t *side_location(const struct race_report_side *s)
+{
+    const struct race_frame *f = &s->frames[0];
+    char *text = xasprintf("the %s %s here", s->in_handler ? "handler" : "main program",
+                           s->call     ? s->call
+                           : s->writes ? "writes"
+                                       : "reads");
+    json_t *o = *f->file && f->line > 0 ? location(f->file, strlen(f->file), f->line, text) : NULL;
+    free(text);
+    return o;
+}
+
+static json_t *race_result(const struct race_report *r)
+{
+    char *head = race_print_head(r), *why = race_print_why(r), *text = xasprintf("%s: %s", head, why);
+    json_t *first = side_location(&r->side[0]), *second = side_location(&r->side[1]), *others = json_array();
+    if (second)
+        json_append(others, second);
+    json_t *o = result("race", "warning", text, first, others);
+    free(text);
+    free(why);
+    free(head);
+    return o;
+}
+
+static bool has_line(const json_t *list, const json_t *place)
+{
+    size_t i;
+    json_t *other;
+    json_array_foreach(list, i,
+                       other) if (json_equal(json_object_get(other, "physicalLocation"),
+                                             json_object_get(place, "physicalLocation"))) return true;
+    return false;
+}
+
+/* Each line at which nodes wait is told once. */
+static json_t *deadlock_result(const struct machine *m)
+{
+    json_t *first = NULL, *lines = xchecked(json_array());
+    for (uint32_t i = 0; i < m->waits->count; i++) {
+        const struct waitfor_node *n = &m->waits->nodes[i];
+        json_t *place = n->line && n->state == WAITFOR_WAITS ? named(n->line, n->why) : NULL;
+        if (!place || has_line(lines, place))
+            json_decref(place);
+        else
+            json_append(lines, place);
+    }
+    if (json_array_size(lines)) {
+        first = json_incref(json_array_get(lines, 0));
+        json_array_remove(lines, 0);
+    }
+    return result("deadlock", "error", m->message ? m->message : "deadlock", first, lines);
+}
+
+/* "heap-buffer-overflow" of a report of --asan; else "crash". */
+static char *rule_of(const char *message)
+{
+    const char *at = strstr(message, ": ");
+    size_t length = at ? strspn(at + 2, "abcdefghijklmnopqrstuvwxyz-") : 0;
+    return length && at[2 + length] == ':' && memchr(at + 2, '-', length) ? xstrndup(at + 2, length)
+                                                                          : xstrdup("crash");
+}
+
+static json_t *error_result(const char *message)
+{
+    char *rule = rule_of(message);
+    json_t *o = result(rule, "error", message, first_named(message), NULL);
+    free(rule);
+    return o;
+}
+
+static json_t *results(const struct machine *m, const struct race_reports *races)
+{
+    json_t *list = xchecked(json_array());
+    for (size_t i = 0; i < races->count; i++)
+        json_append(list, race_result(&races->list[i]));
+    if (m->waits)
+        json_append(list, deadlock_result(m));
+    else if (m->outcome == MACHINE_FAILED && m->message)
+        json_append(list, error_result(m->message));
+    return list;
+}
+
+char *sarif_write(const struct machine *m, const struct race_reports *races, const char *version,
+                  const char *path)
+{
+    json_t *root = xchecked(json_pack("{s:s, s:s, s:[{s:{s:{s:s, s:s}}, s:o}]}", "$schema",
+                                      "https://json.schemastore.org/sarif-2.1.0.json", "version", "2.1.0",
+                                      "runs", "tool", "driver", "name", "touchstone", "version", version,
+                                      "results", results(m, races)));
+    return json_file_write(root, path);
+}

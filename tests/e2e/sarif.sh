@@ -1,0 +1,47 @@
+#!/bin/bash
+# sarif.sh - touchstone run --sarif: what a run finds, as SARIF: the rule, the line, the other lines.
+# without: touchstone-lab app
+. "$(dirname "$0")/common.bash"
+examples=$tests/../../share/examples
+
+# sarif ARGS...: runs; each result as "rule level file:line,file:line", into found
+sarif() {
+    run -q --sarif found.sarif "$@"
+    jq -r '.runs[0].results[] | "\(.ruleId) \(.level) " + ([.locations[], (.relatedLocations // [])[]] | map(.physicalLocation |
+        "\(.artifactLocation.uri):\(.region.startLine)") | join(","))' found.sarif >found
+}
+line() { grep -nF -- "$2" "$1" | head -1 | cut -d: -f1; } # FILE TEXT
+
+"$BUILD/nxcc" -g -O2 -o deadlock "$examples/deadlock.c"
+sarif -n 4 deadlock
+check "a deadlock: the line of the call" test "$(cat found)" = "deadlock error deadlock.c:$(sed -n 's/^.*(deadlock\.c:\([0-9]*\)).*/\1/p' err | head -1)"
+check "with the report" test "$(jq -r '.runs[0].results[0].message.text | split("\n")[0]' found.sarif)" = "deadlock: every program waits, and no message is under way"
+
+"$BUILD/nxcc" -g -O2 --races -o race "$examples/race.c"
+run -q -n 4 --races races.json race
+sarif -n 4 race
+jq -r '.races[] | "race warning \(.accesses[0].stack[0] | "\(.file):\(.line)"),\(.accesses[1].stack[0] | "\(.file):\(.line)")"' races.json >races
+check "races: both lines of each" cmp found races
+check "there are some" test -s races
+
+cat >over.c <<'END'
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    volatile char *p = malloc(8);
+    p[8 + argc] = argv != NULL;
+    return 0;
+}
+END
+"$BUILD/nxcc" -g --asan -o over over.c
+sarif -n 1 over
+check "--asan: its kind and its line" test "$(cat found)" = "heap-buffer-overflow error over.c:$(line over.c 'p[8')"
+
+printf '#include <stddef.h>\nint main(void)\n{\n    *(volatile int *)NULL = 1;\n    return 0;\n}\n' >null.c
+"$BUILD/nxcc" -g -o null null.c
+sarif -n 1 null
+check "a crash" test "$(cat found)" = "crash error null.c:4"
+
+compile ring
+sarif -n 2 ring
+check "nothing found: an empty list" test "$(jq -c '[.version, .runs[0].tool.driver.name, .runs[0].results]' found.sarif)" = '["2.1.0","touchstone",[]]'
