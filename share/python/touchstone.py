@@ -1,0 +1,197 @@
+"""touchstone.py - touchstone's runs and results in Python and notebooks: tables of what its commands write.
+
+    import touchstone
+    r = touchstone.run("ring", machine="ipsc860", nodes=16)   # compiled by nxcc -O2 -o ring ring.c
+    r.time_s, r.nodes                                          # a table: a row a node
+    touchstone.results("out/study")                            # a row a point
+    touchstone.trace("ring.trace", "messages")                 # a row a message
+    touchstone.why("ring.trace")                               # why the run took its time
+    touchstone.profile("ring.json")                            # a row a function; lines=True: a line of source
+    touchstone.machines(), touchstone.numbers("delta")         # machines; a machine's numbers with their sources
+
+A table is a pandas.DataFrame if pandas is installed, else a Table: a list of dicts that notebooks show as a table. Times are in seconds
+where the name ends in _s, in picoseconds where it ends in _ps. What a command reports as an error is raised as touchstone.Error.
+
+The module has no compiled part, and calls the command touchstone: the one that $TOUCHSTONE names, else that of the installation
+that the module belongs to, else that of $PATH."""
+import csv
+import html
+import io
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+
+__all__ = ["Error", "Run", "Table", "Why", "machines", "numbers", "profile", "results", "run", "trace", "why"]
+
+
+class Error(Exception):
+    """What a command of touchstone said on standard error. status: its exit status."""
+
+    def __init__(self, text, status):
+        super().__init__(text.strip())
+        self.status = status
+
+
+# --- tables ---------------------------------------------------------------------------------------------------------
+
+
+class Table(list):
+    """Rows, each a dict, as a notebook shows them; what pandas.DataFrame(table) takes."""
+
+    @property
+    def columns(self):
+        return list(dict.fromkeys(key for row in self for key in row))
+
+    def column(self, name):
+        return [row.get(name) for row in self]
+
+    def _repr_html_(self):
+        def line(tag, values):
+            return "<tr>" + "".join(f"<{tag}>{html.escape(str(v))}</{tag}>" for v in values) + "</tr>"
+
+        rows = [line("td", (row.get(c, "") for c in self.columns)) for row in self]
+        return "<table>" + line("th", self.columns) + "".join(rows) + "</table>"
+
+
+def _table(rows):
+    try:
+        from pandas import DataFrame
+    except ImportError:
+        return Table(rows)
+    return DataFrame(rows)
+
+
+def _flat(row, before=""):
+    """{"tasks": {"calls_s": 1}} as {"tasks.calls_s": 1}; lists are left out."""
+    flat = {}
+    for key, value in row.items():
+        if isinstance(value, dict):
+            flat.update(_flat(value, f"{before}{key}."))
+        elif not isinstance(value, list):
+            flat[before + key] = value
+    return flat
+
+
+def _value(text):
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+def _of_csv(text):
+    return _table([{key: _value(value) for key, value in row.items()} for row in csv.DictReader(io.StringIO(text))])
+
+
+# --- the command ----------------------------------------------------------------------------------------------------
+
+
+def _binary():
+    here = pathlib.Path(__file__).resolve()
+    beside = [here.parents[3] / "bin" / "touchstone", here.parents[2] / "build" / "touchstone"]
+    found = [str(path) for path in beside if os.access(path, os.X_OK)]
+    return os.environ.get("TOUCHSTONE") or (found + [shutil.which("touchstone") or "touchstone"])[0]
+
+
+def _call(*words, good=(0,)):
+    done = subprocess.run([_binary(), *map(str, words)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, check=False)
+    if done.returncode not in good:
+        raise Error(done.stderr, done.returncode)
+    return done
+
+
+# --- runs -----------------------------------------------------------------------------------------------------------
+
+
+class Run:
+    """A run that has ended.
+
+    output    what the programs wrote on standard output and standard error
+    status    its exit status: 0; 1 a failure, 2 a deadlock, 3 races
+    figures   all that touchstone run --json writes
+    nodes     a row a node
+    time_s    its virtual time"""
+
+    def __init__(self, figures, output, status):
+        self.figures, self.output, self.status = figures, output, status
+        self.time_s = figures["virtual_time_s"]
+        self.nodes = _table([{"node": i, **_flat(node)} for i, node in enumerate(figures["node"])])
+
+    def _repr_html_(self):
+        head = f"{self.figures['program']} on {self.figures['nodes']} nodes of {self.figures['machine']}: {self.time_s:.6g} s"
+        return f"<p>{html.escape(head)}</p>" + self.nodes._repr_html_()
+
+
+def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # noqa: A002 (as the option is called)
+    """Runs a program built by nxcc. set: settings such as ("system.interrupt_us=0",); options: others of touchstone run,
+    such as ("--trace", "ring.trace")."""
+    words = ["run", "-q", "--json", "-", *options]
+    words += ["-m", machine] if machine else []
+    words += ["-n", nodes] if nodes else []
+    for setting in set:
+        words += ["--set", setting]
+    done = _call(*words, program, *arguments, good=(0, 1, 2, 3))
+    if not done.stdout:
+        raise Error(done.stderr, done.returncode)
+    return Run(json.loads(done.stdout), done.stderr, done.returncode)
+
+
+# --- what runs have left --------------------------------------------------------------------------------------------
+
+
+def results(folder):
+    """A study's points, of its folder."""
+    return _of_csv((pathlib.Path(folder) / "results.csv").read_text())
+
+
+def trace(path, table="pieces"):
+    """A table of a trace: pieces, calls, waits, handlers, systems, messages or blocks."""
+    return _of_csv(_call("trace", "export", "-f", "csv", "--table", table, path).stdout)
+
+
+class Why:
+    """Why a run took its time: text, and tables of the critical path by class, node, function, call and message."""
+
+    def __init__(self, found):
+        self.found = found
+        self.text = "\n\n".join(found["sentences"])
+        for key, rows in found["critical_path"].items():
+            if key.startswith("by_"):
+                setattr(self, key, _table(rows))
+
+    def __str__(self):
+        return self.text
+
+    def _repr_html_(self):
+        said = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.found["sentences"])
+        return said + self.by_class._repr_html_() + self.by_function._repr_html_()
+
+
+def why(path, than=None):
+    """What touchstone trace why says of a trace. than: another trace, to compare with."""
+    return Why(json.loads(_call("trace", "why", "--json", "-", *(["--than", than] if than else []), path).stdout))
+
+
+def profile(path, lines=False):
+    """Where the time of touchstone run --profile went, by function, or by line of source."""
+    if lines:
+        return _table(json.loads(_call("profile", "--lines", "--json", "-", path).stdout))
+    return _table([_flat(row) for row in json.loads(pathlib.Path(path).read_text())["functions"]])
+
+
+# --- machines -------------------------------------------------------------------------------------------------------
+
+
+def machines():
+    """The machines."""
+    return _table(json.loads(_call("machines", "--json", "-").stdout)["machines"])
+
+
+def numbers(machine):
+    """A machine's numbers: key, value, standing, source."""
+    return _table(json.loads(_call("machines", "show", "--json", "-", machine).stdout)["machines"][0]["numbers"])

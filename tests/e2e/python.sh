@@ -1,0 +1,54 @@
+#!/bin/bash
+# python.sh - the Python module: tables of runs, studies, traces, reasons, profiles and machines are what the commands write; with
+# pandas they are its frames; errors are raised.
+# without: app
+. "$(dirname "$0")/common.bash"
+export PYTHONPATH=$tests/../../share/python TOUCHSTONE=$BUILD/touchstone
+compile ring
+compile halves
+"$BUILD/nxcc" -O2 -g --profile -o profiled "$tests/halves.c"
+run -q -m ipsc860 -n 4 --trace t.trace --json run.json ring
+run -q -n 2 --profile profile.json profiled 0.5
+printf 'program = "halves";\nmachine = "ipsc860";\naxes = ( { name = "nodes"; values = ( 2, 4 ); }, { name = "share"; values = ( 0.5 ); arguments = "{}"; } );\n' >study.cfg
+"$BUILD/touchstone" study study.cfg -o study --no-cache >out 2>err
+
+says() { # NAME EXPECTED EXPRESSION: of the module t
+    /usr/bin/python3 -c "import touchstone as t; print($3)" >out 2>err
+    check "$1" test "$(cat out)" = "$2"
+}
+time_of() { jq .virtual_time_s run.json; }
+says "a run: its time" True "t.run('ring', machine='ipsc860', nodes=4).time_s == $(time_of)"
+says "a row a node" "[0, 1, 2, 3] True" "(lambda r: f\"{r.column('node')} {sum(r.column('messages_sent')) == $(jq .messages run.json)}\")(t.run('ring', machine='ipsc860', nodes=4).nodes)"
+says "a setting" True "t.run('ring', machine='ipsc860', nodes=4, set=['system.short_send_us=500']).time_s > $(time_of)"
+says "a notebook's table" "True 4" "(lambda h: f\"{'on 4 nodes of ipsc860' in h} {h.count('<tr><td>')}\")(t.run('ring', machine='ipsc860', nodes=4)._repr_html_())"
+says "a study: a row a point" "[2, 4]" "t.results('study').column('nodes')"
+says "a trace: a row a message" "$(jq .messages run.json)" "len(t.trace('t.trace', 'messages'))"
+says "why: its sentences" True "str(t.why('t.trace')).startswith('ring took ')"
+says "why: the path's classes fill the run" True "abs(sum(t.why('t.trace').by_class.column('time_ps')) - 1e12 * $(time_of)) < 1"
+says "a profile: its functions" True "'main' in t.profile('profile.json').column('function')"
+says "a profile: its lines" True "any(line['file'].endswith('halves.c') for line in t.profile('profile.json', lines=True))"
+says "the machines" True "'paragon95' in t.machines().column('name')"
+says "a machine's numbers" "['30']" "[n['value'] for n in t.numbers('delta') if n['key'] == 'cfs.open_ms']"
+
+page=$tests/../../doc/python.md
+mkdir page && cd page || exit 1
+block "$page" python >example.py
+ln -s "$tests/../../share" share
+example "$page" ring.c
+cd .. || exit 1
+
+cat >wrong.py <<'END'
+import touchstone
+for call in (lambda: touchstone.run("nowhere"), lambda: touchstone.numbers("detla"), lambda: touchstone.why("no.trace")):
+    try:
+        call()
+    except touchstone.Error as e:
+        print(e.status, "detla" in str(e) or "no" in str(e))
+END
+/usr/bin/python3 wrong.py >out 2>err
+check "errors are raised, with the command's words" test "$(cat out)" = "$(printf '65 True\n65 True\n65 True')"
+
+# pandas, by a part of it that takes what a DataFrame takes.
+mkdir pandas
+printf 'class DataFrame:\n    def __init__(self, rows):\n        self.rows = rows\n' >pandas/__init__.py
+PYTHONPATH=$PYTHONPATH:. says "with pandas: its frames" "DataFrame True" "(lambda f: f\"{type(f).__name__} {len(f.rows) > 3}\")(t.machines())"
