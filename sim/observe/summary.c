@@ -132,7 +132,7 @@ static void print_guards(enum node_guards guards, FILE *f)
     static const char *const LEFT[] = {"nothing: one that overruns its stack, data or heap is not stopped",
                                        "their stacks: one that overruns its data or heap is not stopped"};
     if (guards < NODE_GUARDS_ALL)
-        fprintf(f, "guards         of so many nodes the host can guard only %s (vm.max_map_count)\n",
+        fprintf(f, "guards         of that many nodes this computer can guard only %s (vm.max_map_count)\n",
                 LEFT[guards]);
 }
 

@@ -47,6 +47,9 @@ check "the hint comes at once" said 'choose the lines that must be$'
 check "and first in the report" eval 'sed -n 3p out | grep -q "^  Runs of one order have different outputs"'
 check "the first is shown" test "$(grep -c 'another output:' out)" = 1
 check "and the others are counted" grep -qE '^  and [0-9]+ more outcomes whose runs had an order that another outcome had' out
+explore of/clock -n 2 --runs 30 --json - clock
+check "--json -: JSON alone" jq -e '.format == "touchstone explore 1"' out
+explore of/clock -n 2 --runs 30 clock
 check "none is reduced" eval '! grep -q "delays that show it" out'
 
 # --- ten programs ---
@@ -174,7 +177,7 @@ check "with the same result" grep -qx 'read 7' again
 check "another input, other runs; what has been read before is not" test "$(figure reads.json "d['outcomes'][0]['shown']")" = "read 9"
 input </dev/null
 check "a program that fails with the usual timing, too: exit status 1" ended_with 1
-check "that is told first" grep -qE '^reads: 5 runs, 1 order: all fail, that with the usual timing, too$' out
+check "that is told first" grep -qE '^reads: 5 runs, 1 order: all fail, with the usual timing, too$' out
 check "with its error, before other runs are made" said 'usual timing.* fails: node 0 .*exit\(1\)'
 if command -v mpirun >/dev/null; then
     echo 7 | mpirun --allow-run-as-root --oversubscribe -np 2 "$BUILD/touchstone" explore -o of/two -n 2 --runs 5 reads >out 2>err
@@ -210,7 +213,7 @@ if command -v mpirun >/dev/null; then
     check "and no run is made twice" test "$(cut -d' ' -f2 shared/journal | sort | uniq -d)" = ""
 fi
 explore timed -n 4 --seconds 1 --bounds messages=500us two
-check "--seconds ends it" grep -q 'The time is over' out
+check "--seconds ends it" grep -q 'Time is up' out
 
 # --- the model without its discard rule (discard.sh) ---
 cp -r "$tests/../../app" app && patch -s -p1 -i "$tests/discard.patch"

@@ -48,7 +48,8 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Results:", 5},
     {"output", 'o', "DIR", 0,
      "Folder for journal, recordings and schedules; default out/ and PROGRAM.explore", 0},
-    {"json", CLI_TEXT(arguments, json), "FILE", 0, "Write what was found as JSON", 0},
+    {"json", CLI_TEXT(arguments, json), "FILE", 0,
+     "Write what was found as JSON, too; '-' is standard output, which has no text then", 0},
     {"tests", TESTS, "N", 0,
      "At most N runs to find the fewest delays that show an outcome; default 200; of 8 outcomes", 0},
     {0}};
@@ -151,7 +152,7 @@ static bool read_input(struct arguments *a, const struct session *t, char **erro
 static int report(struct explore *x, const struct arguments *a)
 {
     char *error = NULL;
-    explore_print(x, stdout);
+    explore_print(x, a->json && !strcmp(a->json, "-") ? stderr : stdout);
     if (fflush(stdout) || ferror(stdout))
         return failed(xasprintf("standard output cannot be written: %m"), EXIT_OUTPUT);
     if (a->json && !explore_json(x, a->json, &error))

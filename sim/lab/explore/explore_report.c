@@ -158,8 +158,8 @@ static void print_outcome(const struct explore *x, size_t outcome, FILE *out)
 static void print_usual(const struct search *s, FILE *out)
 {
     const struct outcome_group *base = &s->outcomes[0];
-    fprintf(out, "  usual      %s; so %s %zu of %zu runs\n", text_of(base->record, "end"),
-            base->runs == 1 ? "is" : "are", base->runs, s->run_count);
+    fprintf(out, "  usual      %s; the same in %zu of %zu runs\n", text_of(base->record, "end"), base->runs,
+            s->run_count);
     print_indented(text_of(base->record, "message"), MOST_LINES, out);
 }
 
@@ -171,7 +171,7 @@ static void print_summary(const struct explore *x, FILE *out)
             plural(s->run_count), s->orders.count, plural(s->orders.count));
     bool fails = !explore_usual_ended(x);
     if (s->outcome_count == 1)
-        fprintf(out, "%s\n", fails ? "all fail, that with the usual timing, too" : "all the same");
+        fprintf(out, "%s\n", fails ? "all fail, with the usual timing, too" : "all the same");
     else
         fprintf(out, "%zu outcome%s differ%s from that of the usual timing%s\n", s->outcome_count - 1,
                 plural(s->outcome_count - 1), s->outcome_count == 2 ? "s" : "", fails ? ", which fails" : "");
@@ -182,11 +182,10 @@ static void print_warnings(const struct explore *x, FILE *out)
 {
     const struct search *s = &x->search;
     if (s->failed)
-        fprintf(out, "  %zu run%s came to no end in %s of this computer, and count%s for nothing\n",
-                s->failed, plural(s->failed), duration_text(x->options.limit_s).text,
-                s->failed == 1 ? "s" : "");
+        fprintf(out, "  %zu run%s did not end within %s of real time, and do%s not count\n", s->failed,
+                plural(s->failed), duration_text(x->options.limit_s).text, s->failed == 1 ? "es" : "");
     if (x->out_of_time)
-        fprintf(out, "  The time is over: not all runs were made.\n");
+        fprintf(out, "  Time is up: not all runs were made.\n");
 }
 
 /* Of outcomes that differ in output only, of one order, the first is shown. */
