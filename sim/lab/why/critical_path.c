@@ -19,6 +19,7 @@ struct walk {
         vtime at;        /* when the message made the handler due that the walk has come through */
     } due;
     int32_t jumps_here; /* since `at` has changed */
+    int32_t **calls;    /* by node: program_calls(); NULL: not found yet */
 };
 
 /* --- steps --- */
@@ -94,16 +95,29 @@ static int32_t interrupted_at(struct walk *w, const struct trace_piece *p)
     return TRACE_NONE;
 }
 
+/* By piece of a node: the stack of the last call before it that the program made outside of handlers. Found
+ * once a node: many handlers may lie between a call and a piece. */
+static const int32_t *program_calls(struct walk *w, int32_t node)
+{
+    const struct trace_pieces *p = piece_map_of(w->map, node);
+    int32_t *stacks = w->calls[node], last = TRACE_NONE;
+    if (stacks)
+        return stacks;
+    stacks = w->calls[node] = xcalloc(p->count + 1, sizeof *stacks);
+    for (size_t i = 0; i < p->count; i++) {
+        stacks[i] = last;
+        if (!p->list[i].in_handler && p->list[i].call != TRACE_NONE)
+            last = w->t->calls[p->list[i].call].stack;
+    }
+    return stacks;
+}
+
 /* The stack of the call that the program, or the handler, made last before a piece; TRACE_NONE. */
 static int32_t call_before(struct walk *w, const struct trace_piece *p)
 {
-    const struct trace_piece *first = piece_map_of(w->map, w->node)->list;
-    for (const struct trace_piece *q = p - 1; q >= first; q--) {
-        bool same = q->in_handler == p->in_handler && (!p->in_handler || q->handler == p->handler);
-        if (same && q->call != TRACE_NONE)
-            return w->t->calls[q->call].stack;
-    }
-    return TRACE_NONE;
+    if (p->in_handler)
+        return stack_before(w, p);
+    return program_calls(w, w->node)[p - piece_map_of(w->map, w->node)->list];
 }
 
 /* Where the program came to at the end of a piece: the next call's place, or that where the next handler
@@ -283,11 +297,15 @@ struct path path_find(const struct trace *t, struct piece_map *map, const struct
                      .node = last_node(t),
                      .at = t->to,
                      .inside = TRACE_NONE,
-                     .due = {TRACE_NONE, 0}};
+                     .due = {TRACE_NONE, 0},
+                     .calls = xcalloc((size_t)t->node_count, sizeof *w.calls)};
     while (w.at > t->from)
         go_back(&w);
     reverse(&w.path);
     check(t, &w.path);
+    for (int32_t i = 0; i < t->node_count; i++)
+        free(w.calls[i]);
+    free(w.calls);
     free(w.way.legs);
     return w.path;
 }

@@ -11,9 +11,15 @@ struct known {
     const char *line, *function;
 };
 
+/* What was found between two stacks, so that the program's code is read once. */
+struct worked {
+    int32_t before, after;
+    const char *text;
+};
+
 struct places {
     const struct trace *t;
-    void *texts; /* of tsearch */
+    void *texts, *worked; /* of tsearch */
     struct known *of;
     int32_t count; /* of `of`, by stack */
 };
@@ -30,6 +36,7 @@ void places_free(struct places *p)
     if (!p)
         return;
     tdestroy(p->texts, free);
+    tdestroy(p->worked, free);
     free(p->of);
     free(p);
 }
@@ -115,10 +122,8 @@ static const char *join(struct places *p, const char *list, const char *name)
     return *list ? places_text(p, "%s or %s", list, name) : name;
 }
 
-const char *places_worker(struct places *p, int32_t before, int32_t seen, int32_t after)
+static const char *worker_between(struct places *p, int32_t before, int32_t after)
 {
-    if (seen != TRACE_NONE)
-        return places_function(p, seen);
     struct trace_between x = trace_between(p->t, before, after);
     const char *innermost = places_function(p, after), *in = x.in ? function_of(p, x.in) : "", *list = "";
     if (x.more) /* too many to tell: all of them are called by this one */
@@ -131,6 +136,28 @@ const char *places_worker(struct places *p, int32_t before, int32_t seen, int32_
         return innermost;
     list = join(p, list, innermost);
     return x.count || !*in || innermost == in ? list : join(p, list, in);
+}
+
+static int compare_worked(const void *a, const void *b)
+{
+    const struct worked *x = a, *y = b;
+    return x->before != y->before ? (x->before < y->before ? -1 : 1)
+                                  : (x->after > y->after) - (x->after < y->after);
+}
+
+const char *places_worker(struct places *p, int32_t before, int32_t seen, int32_t after)
+{
+    if (seen != TRACE_NONE)
+        return places_function(p, seen);
+    struct worked key = {before, after, NULL};
+    struct worked **found = tfind(&key, &p->worked, compare_worked);
+    if (found)
+        return (*found)->text;
+    struct worked *w = xmalloc(sizeof *w);
+    *w = key;
+    w->text = worker_between(p, before, after);
+    xchecked(tsearch(w, &p->worked, compare_worked));
+    return w->text;
 }
 
 const char *places_call(struct places *p, int32_t call)
