@@ -128,6 +128,16 @@ static void refuse_cplusplus(const char *s)
         fail("%s: C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran", s);
 }
 
+/* gcc would not know which option of nxcc's was meant. Returns false: it is gcc's. */
+static bool refuse_misspelt(const char *option)
+{
+    static const char *const of_gcc[] = {"--param", "--coverage", "--sysroot", "--std", NULL};
+    const char *nearest = strncmp(option, "--", 2) || is_one_of(option, of_gcc) ? NULL : help_nearest(option);
+    if (nearest)
+        fail("%s: there is no such option; did you mean %s?", option, nearest);
+    return false;
+}
+
 /* Takes an option of nxcc's own, or of Intel's compilers. False: argv[*i] is none. */
 static bool take_own(struct arguments *a, int argc, char **argv, int *i)
 {
@@ -167,7 +177,7 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
     else
-        return is_one_of(option, dropped) || intel_take(a, option);
+        return is_one_of(option, dropped) || intel_take(a, option) || refuse_misspelt(option);
     return true;
 }
 

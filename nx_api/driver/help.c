@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "nx_api/contract/edit_distance.h"
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
@@ -59,6 +60,16 @@ static const struct own_option {
                {"--help", NULL, "this text"},
                {"--version", NULL, "nxcc's version and commit, and gcc's version"}};
 enum { OPTION_COUNT = sizeof OPTIONS / sizeof *OPTIONS };
+
+const char *help_nearest(const char *option)
+{
+    const char *best = NULL;
+    size_t least = EDIT_LONGEST, d;
+    for (const struct own_option *o = OPTIONS; o < OPTIONS + OPTION_COUNT; o++)
+        if (!strncmp(o->names, "--", 2) && edit_alike(option + 2, o->names + 2, &d) && d < least)
+            best = o->names, least = d;
+    return best;
+}
 
 static const char MORE[] =
     "\n"

@@ -2,6 +2,9 @@
 #ifndef DRIVER_HELP_H
 #define DRIVER_HELP_H
 
+/* Of nxcc's own options with two dashes the one that is most like a misspelt one; NULL: none is like it. */
+const char *help_nearest(const char *option);
+
 /* All end the program. */
 _Noreturn void help_show(void);
 /* The options as lines for programs, as touchstone --describe writes them (sim/cli/describe.h). */

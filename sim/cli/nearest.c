@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
+#include "nx_api/contract/edit_distance.h"
 
 /* --- words ---------------------------------------------------------------------------------------------- */
-
-enum { LONGEST = 40 };
 
 /* The word that is most like `meant`, of those seen. */
 struct nearest {
@@ -15,40 +14,10 @@ struct nearest {
     size_t distance;          /* of best */
 };
 
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
-/* Edits from a to b: rows of the usual table (Damerau 1964, without edits within an exchange). Both are at
- * most LONGEST long. */
-static size_t distance(const char *a, const char *b)
-{
-    size_t rows[3][LONGEST + 1], m = strlen(a), n = strlen(b);
-    size_t *before = rows[0], *last = rows[1], *now = rows[2];
-    for (size_t j = 0; j <= n; j++)
-        last[j] = j;
-    for (size_t i = 1; i <= m; i++) {
-        now[0] = i;
-        for (size_t j = 1; j <= n; j++) {
-            now[j] = least(last[j - 1] + (a[i - 1] != b[j - 1]), least(last[j], now[j - 1]) + 1);
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                now[j] = least(now[j], before[j - 2] + 1);
-        }
-        size_t *free_row = before;
-        before = last, last = now, now = free_row;
-    }
-    return last[n];
-}
-
-/* Words that differ in more than a third of their letters are not alike. */
 static void see(struct nearest *n, const char *word)
 {
-    size_t meant = strlen(n->meant), length = strlen(word);
-    if (meant > LONGEST || length > LONGEST)
-        return;
-    size_t d = distance(n->meant, word);
-    if (3 * d <= least(meant, length) + 1 && (!n->best || d < n->distance))
+    size_t d;
+    if (edit_alike(n->meant, word, &d) && (!n->best || d < n->distance))
         n->best = word, n->distance = d;
 }
 

@@ -42,6 +42,10 @@ wrong "the nearest option" 64 "unrecognized option '--verbsoe'; did you mean '--
 wrong "an option by a word of its help" 64 "unrecognized option '--threads'; see .*--workers" run --threads 4 ring
 wrong "the nearest command" 64 "no command 'redner'; did you mean 'render'" redner
 wrong "the nearest command of trace" 64 "no command 'trace shwo'; did you mean 'trace show'" trace shwo
+"$BUILD/nxcc" --race -o misspelt "$tests/ring.c" 2>err
+check "nxcc: the nearest option of its own" said '^nxcc: --race: there is no such option; did you mean --races'
+"$BUILD/nxcc" --param max-inline-insns-auto=9 --std=gnu11 -o param "$tests/ring.c" 2>err
+check "nxcc: gcc's are gcc's" test -x param
 wrong "a value that looks like an option is one" 65 'no machine "--threads"' run -m --threads ring
 wrong "no nodes" 64 "not '0'" run -n 0 ring
 wrong "words for a number" 64 "not 'many'" run -n many ring
