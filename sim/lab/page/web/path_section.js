@@ -2,14 +2,18 @@
  * picoseconds: BigInt() takes them as numbers, and as texts where a number of JavaScript would not hold
  * them. */
 
-const WAIT_CAUSE_TEXTS = {
-    late_sender: 'late sender',
-    late_receiver: 'late receiver',
+/* Classes of the path, and causes of waits, as touchstone trace why prints them; a class and a cause that are the
+ * same have one name. Other keys are names. */
+const CLASS_TEXTS = {
+    calls: 'system: the program\'s calls',
+    stolen: 'system: other messages',
+    processor_stolen: 'system: other messages',
+    message: 'system: the message itself',
+    message_handled: 'system: the message itself',
     channel: 'channel busy',
-    handler: 'handler busy',
-    stolen: 'processor stolen',
-    files: 'disk',
-    message: 'the message itself',
+    absent: 'no program',
+    waiting: 'services, or unknown',
+    unknown: 'services, or unknown',
 };
 
 function pathSummary(data) {
@@ -19,7 +23,7 @@ function pathSummary(data) {
     return {
         kind: 'Critical path',
         big: `${percent(most.time_ps, length)} ${causeText(most.class)}`,
-        small: `${baseName(data.program)}: ${moment(length)}, along ${
+        small: `${baseName(data.program)}: ${roughly(Number(length))}, along ${
             plural(data.critical_path.step_count, 'step')}`
     };
 }
@@ -29,11 +33,11 @@ function percent(part, whole) {
     return value.toFixed(value < 10 ? 2 : 1) + ' %';
 }
 
-function causeText(key) { return WAIT_CAUSE_TEXTS[key] || key.replace(/_/g, ' '); }
+function causeText(key) { return CLASS_TEXTS[key] || key.replace(/_/g, ' '); }
 
 function pathSection(data, name) {
     const length = BigInt(data.critical_path.length_ps), path = data.critical_path;
-    const section = addSection(`Why ${baseName(data.program)} took ${moment(length)}`,
+    const section = addSection(`Why ${baseName(data.program)} took ${roughly(Number(length))}`,
         'Why: ' + baseName(name),
         `The critical path of ${data.trace}, on ${plural(data.nodes, 'node')} of ${data.machine} (${name}).`);
     section.append(...data.sentences.map(text => element('p', {class: 'prose'}, text)));
@@ -50,7 +54,7 @@ function pathSection(data, name) {
 
 function timeColumns(whole, most) {
     return [
-        {name: 'time', get: r => BigInt(r.time_ps), show: moment},
+        {name: 'time', get: r => BigInt(r.time_ps)},
         {name: 'share', get: r => r.time_ps, show: v => percent(v, whole)},
         {name: '', text: true, get: r => Number(BigInt(r.time_ps)), show: v => shareBar(v, most)},
     ];
@@ -64,7 +68,7 @@ function classTable(rows, length) {
         [
             {name: 'Class', text: true, get: r => r.class, show: causeText},
             ...timeColumns(length, mostOf(some)),
-            {name: 'the run without it, at least', get: r => BigInt(r.at_least_without_ps), show: moment}
+            {name: 'the run without it, at least', get: r => BigInt(r.at_least_without_ps)}
         ],
         some);
 }
@@ -94,7 +98,7 @@ function waitParts(waits) {
             () => figureTable('Waits that are alike',
                 [
                     {name: 'Cause', text: true, get: g => g.cause, show: causeText},
-                    {name: 'waited', get: g => BigInt(g.idle_ps), show: moment},
+                    {name: 'waited', get: g => BigInt(g.idle_ps)},
                     {name: 'waits', get: g => g.waits}, {name: 'nodes', get: g => g.nodes},
                     {name: 'in', text: true, get: g => g.in},
                     {name: 'type', get: g => g.type, show: v => v === undefined ? '' : String(v)},
@@ -111,8 +115,7 @@ function rerunTable(reruns, length) {
             {name: 'Change', text: true, get: r => r.what || r.change},
             {name: 'settings', text: true, get: r => r.settings.join(', ')}, {
                 name: 'the run would take',
-                get: r => r,
-                show: r => r.error ? r.error : moment(BigInt(r.end_ps))
+                get: r => r.error || BigInt(r.end_ps)
             },
             {
                 name: 'times faster',

@@ -52,7 +52,6 @@ function studyFailures(data) {
             failed));
 }
 
-/* The numbers as a file of results has them: all digits. */
 function studyTable(data, axes) {
     const keys = new Set(axes);
     for (const p of data.points)
@@ -60,8 +59,7 @@ function studyTable(data, axes) {
     return figureTable('All points', [...keys].map(k => ({
         name: k,
         text: typeof data.points[0]?.[k] === 'string',
-        get: p => p[k],
-        show: v => (v === null || v === undefined ? '' : String(v))
+        get: p => p[k]
     })),
         data.points, 100);
 }

@@ -301,10 +301,10 @@ class TimelinePainter {
         for (let r = first; r < last; r++) {
             const y = this.y(r, view) + view.rowHeight / 2,
                   hidden = chosen >= 0 && Math.abs(r - chosen) < near;
-            if (y <= axis + 4 || (r !== chosen && (r % every || hidden)))
+            if (y < axis || (r !== chosen && (r % every || hidden)))
                 continue;
             g.fillStyle = r === chosen ? this.ink : this.soft;
-            g.fillText(this.rowName(r), left - 10, y);
+            g.fillText(this.rowName(r), left - 10, Math.max(y, axis + 6)); /* whole, of the first row, too */
         }
         g.textAlign = 'left';
         g.fillStyle = this.ground;

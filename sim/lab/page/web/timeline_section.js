@@ -5,7 +5,8 @@ function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)}`, 'Timeline: ' + baseName(name),
         `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${moment(trace.end)}.`);
+                'interval')}, ${plural(trace.messageCount, 'message')} in ${
+            roughly(Number(trace.end))}.`);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));
         return section;
@@ -163,8 +164,10 @@ class Timeline {
         this.draw();
     }
     showRange() {
-        this.fromInput.value = timeText(this.viewFrom());
-        this.toInput.value = timeText(this.viewTo());
+        this.shown = [[this.fromInput, this.viewFrom()], [this.toInput, this.viewTo()]].map(([input, time]) => {
+            input.value = shortTime(time, this.view.to - this.view.from);
+            return {text: input.value, time};
+        });
         for (const f of this.onrange)
             f();
     }
@@ -173,7 +176,8 @@ class Timeline {
     }
     viewTo() { return this.view.to >= this.trace.stop ? this.trace.to : BigInt(Math.ceil(this.view.to)); }
     readRange() {
-        const from = parseTime(this.fromInput.value), to = parseTime(this.toInput.value);
+        const [from, to] = [this.fromInput, this.toInput].map(
+            ({value}, i) => value === this.shown[i].text ? this.shown[i].time : parseTime(value));
         for (const [input, time] of [[this.fromInput, from], [this.toInput, to]])
             input.setCustomValidity(time === null ? 'A time such as 1.5 s, 12 ms or 3 us' : '');
         if (from === null || to === null || to <= from)
@@ -392,24 +396,24 @@ class Timeline {
         const from = this.viewFrom(), to = this.viewTo();
         const rows = this.trace.rows.map(row => ({name: row.name, sums: this.sums(row, from, to)}));
         return [
-            element('p', {class: 'note'}, `From ${moment(from)} to ${moment(to)}.`),
+            element('p', {class: 'note'}, 'From ', timeFigure(from), ' to ', timeFigure(to), '.'),
             ...figureTable('Each node\'s time',
                 [
                     {name: 'Node', text: true, get: r => r.name},
-                    ...STATE_NAMES.map((name, k) => ({name, get: r => r.sums[k], show: moment}))
+                    ...PIECE_NAMES.map((name, k) => ({name, get: r => r.sums[k]}))
                 ],
                 rows, 1024)
         ];
     }
-    /* The node's exact time in each state, within the interval. */
+    /* The node's exact time in each activity, within the interval. */
     sums(row, from, to) {
-        const c = this.trace.columns, ends = c['piece.end'], sums = STATE_NAMES.map(() => 0n);
+        const c = this.trace.columns, ends = c['piece.end'], sums = PIECE_NAMES.map(() => 0n);
         const first = this.trace.pieceAt(row, Number(from) - 1), most = (a, b) => (a > b ? a : b);
         for (let i = first, begin = this.trace.pieceFrom(row, first);
              i < row.first + row.pieces && begin < to; i++) {
             const end = ends.at(i), part = (end < to ? end : to) - most(begin, from);
             if (part > 0n)
-                sums[c['piece.state'][i] & 7] += part;
+                sums[this.trace.drawn[i]] += part;
             begin = end;
         }
         return sums;

@@ -1,13 +1,10 @@
 /* trace_data.js - a trace as page_trace.c wrote it, and what is said of its parts. */
 
-/* What a piece of a node's time is drawn as; the order is that of the legend. */
-const PIECE_COLOURS = ['computing', 'handler', 'call', 'system', 'waiting', 'ended'];
-const PIECE_NAMES = [
-    'computing', 'computing in a handler', 'system, for a call of the program',
-    'system, for messages and handlers', 'waiting', 'ended'
-];
-const STATE_DRAWN = [0, 2, 4, 3, 5]; /* of enum trace_state */
-const STATE_NAMES = ['computing', 'in call', 'waiting', 'in system', 'ended'];
+/* What a piece of a node's time is drawn as: names, order and colours as in touchstone trace show. */
+const PIECE_COLOURS = ['computing', 'handler', 'system', 'call', 'waiting', 'ended'];
+const PIECE_NAMES =
+    ['computing', 'handler computing', 'system (message)', 'system (call)', 'waiting', 'ended'];
+const STATE_DRAWN = [0, 3, 4, 2, 5]; /* of enum trace_state */
 const TASK_NAMES =
     ['sending a message', 'receiving a message', 'feeding the network', 'emptying the network'];
 const PIECE_BLOCK = 64; /* pieces whose times are summed, so that drawing can pass over them */
@@ -110,8 +107,8 @@ class Trace {
               wait = c['piece.wait'][i];
         const from = this.pieceFrom(row, i), to = c['piece.end'].at(i), handler = c['piece.handler'][i],
               system = c['piece.system'][i];
-        const lines = [`${row.name}: ${STATE_NAMES[state & 7]}${state & 8 ? ' in a handler' : ''} for ${
-            duration(to - from)}, from ${moment(from)} to ${moment(to)}`];
+        const lines = [`${row.name}: ${PIECE_NAMES[this.drawn[i]]} for ${duration(to - from)}, from ${
+            moment(from)} to ${moment(to)}`];
         if (system >= 0)
             lines.push(`The operating system is ${TASK_NAMES[c['system.task'][system]] || 'busy'}.`);
         else if ((state & 7) === 3 && handler >= 0)
@@ -183,7 +180,7 @@ class Trace {
 function traceSummary(trace) {
     return {
         kind: 'Trace',
-        big: moment(trace.end),
+        big: roughly(Number(trace.end)),
         small: `${baseName(trace.program)} on ${plural(trace.nodes.length, 'node')} of ${trace.machine}; ${
             plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${
             trace.complete ? '' : '; the trace ends early'}`
