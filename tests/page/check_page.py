@@ -140,6 +140,8 @@ def check_timeline(b):
     rule("timeline: and goes to one", interval() != whole and "crecv" in s.find_element(By.CSS_SELECTOR, ".readout").text)
     canvas.send_keys("0")
     check_first_row(b, canvas)
+    check_under_mouse(b, s, canvas)
+    check_orders(b, s, canvas)
     check_arrows(b, s, canvas)
     check_shares(b, s, last)
 
@@ -156,6 +158,58 @@ def check_first_row(b, canvas):
         t.paint();
         return tones.size""", canvas)
     rule("timeline: the first row has its label", tones > 5, tones)
+
+
+def check_under_mouse(b, s, canvas):
+    ActionChains(b.driver).move_to_element(canvas).perform()
+    tip = lambda: s.find_element(By.CSS_SELECTOR, ".plot .tip").text
+    rule("timeline: the mouse shows what a node does", tip().startswith("node ") and ", " in tip(), tip())
+    ActionChains(b.driver).key_down(Keys.SHIFT).move_to_element(canvas).click_and_hold().move_by_offset(200, 0) \
+        .release().key_up(Keys.SHIFT).perform()
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    shares = [float(part.split()[-1]) for part in told.split(": ", 1)[1].split(" %.")[0].replace(" %", "").split(", ")]
+    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.1, told)
+    before = b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas)
+    b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".readout button"))
+    rule("timeline: and can be looked into",
+         b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas) < before / 2)
+    canvas.send_keys("0")
+
+
+def check_orders(b, s, canvas):
+    choose = lambda text, value: b.run("""const label = [...arguments[0].querySelectorAll('.controls label')]
+        .find(l => l.textContent.startsWith(arguments[1])), c = label.querySelector('select');
+        c.value = arguments[2];
+        c.dispatchEvent(new Event('change'))""", s, text, value)
+    idle = {f"node {i}": n["idle_s"] for i, n in enumerate(load("run.json")["node"])}
+    names = lambda: b.run("return arguments[0].timeline.trace.rows.map(r => r.name)", canvas)
+    choose("order", "idle")
+    rule("timeline: the longest waiting are first", [idle[n] for n in names()] == sorted(idle.values(), reverse=True), names())
+    choose("order", "number")
+    rule("timeline: or in order of their numbers", names() == list(idle))
+    legend = lambda: [e.text for e in s.find_elements(By.CSS_SELECTOR, ".legend .key")]
+    activities = legend()
+    choose("colour by", "call")
+    rule("timeline: colours by call", "crecv" in legend() and "csend" in legend(), legend())
+    choose("colour by", "function")
+    rule("timeline: colours by function", "main" in legend(), legend())
+    choose("colour by", "activity")
+    rule("timeline: and by activity again", legend() == activities == ["computing", "handler computing", "system (message)",
+                                                                       "system (call)", "waiting", "ended"], legend())
+    places = b.run("""const t = arguments[0].timeline, {trace, painter, view} = t;
+        trace.rows[5].host = true;
+        trace.hosts = 1;
+        t.orderBy({hostsFirst: true});
+        view.rowHeight = 200;
+        t.scrollRows(3);
+        const found = [trace.rows[0].name, painter.y(0, view), painter.rowAt(painter.layout.axis + 5, view), view.top,
+            painter.rowAt(painter.layout.axis + 205, view)];
+        view.rowHeight = 22;
+        trace.rows[0].host = false;
+        t.orderBy({hostsFirst: false});
+        return [...found, painter.layout.axis]""", canvas)
+    rule("timeline: hosts stay on top", places[0] == "node 5" and places[1] == places[5] and places[2] == 0 and places[3] > 0
+         and places[4] == 1 + int(places[3]), places)
 
 
 def check_arrows(b, s, canvas):

@@ -9,7 +9,6 @@ const CLASS_TEXTS = {
     stolen: 'system: other messages',
     processor_stolen: 'system: other messages',
     message: 'system: the message itself',
-    message_handled: 'system: the message itself',
     channel: 'channel busy',
     absent: 'no program',
     waiting: 'services, or unknown',

@@ -23,13 +23,81 @@ class Trace {
         this.pieceEnd = columns['piece.end'].numbers();
         this.pieceCount = this.pieceEnd.length;
         this.rows = this.nodes.map((n, i) => ({...n, index: i})).filter(n => n.traced && n.pieces);
-        this.drawn = this.columns['piece.state'].map(s => ((s & 7) === 0 && s & 8 ? 1 : STATE_DRAWN[s & 7]));
-        this.sumBlocks();
+        this.activity =
+            this.columns['piece.state'].map(s => ((s & 7) === 0 && s & 8 ? 1 : STATE_DRAWN[s & 7]));
+        this.colourBy('activity');
         this.sortMessages();
+        this.findHosts();
+        this.orderBy('number', false);
+    }
+    /* What pieces are drawn as, this.drawn[i], is one of this.kinds. By call or function: the eight that take most
+     * of the time have colours. As in touchstone trace why, computing is for the function of the next call. */
+    colourBy(what) {
+        this.kinds = PIECE_NAMES.map((name, i) => ({name, tone: PIECE_COLOURS[i]}));
+        this.drawn = this.activity;
+        if (what !== 'activity')
+            this.drawNamed(what === 'call' ? i => this.callOf(i) : (i, row) => this.functionOf(i, row), what);
+        this.sumBlocks();
+    }
+    callOf(i) {
+        const call = this.columns['piece.call'][i];
+        return call >= 0 ? this.callName(call) : null;
+    }
+    functionOf(i, row) {
+        const c = this.columns, computes = this.activity[i] === 0, end = row.first + row.pieces;
+        while (computes && i < end && c['piece.call'][i] < 0)
+            i++;
+        const call = i < end ? c['piece.call'][i] : -1;
+        const place = call >= 0 ? this.text(c['call.place'][call]) : null;
+        return place === null ? null : place.split(',')[0].replace(/\.(part|isra|constprop)\..*/, '') || 'unknown';
+    }
+    drawNamed(nameOf, what) {
+        const times = new Map(), names = new Array(this.pieceCount);
+        for (const row of this.rows)
+            for (let i = row.first, from = this.start; i < row.first + row.pieces; from = this.pieceEnd[i++]) {
+                names[i] = nameOf(i, row);
+                if (names[i] !== null)
+                    times.set(names[i], (times.get(names[i]) || 0) + this.pieceEnd[i] - from);
+            }
+        const most = [...times].sort((a, b) => b[1] - a[1]).slice(0, 8).map(([name]) => name);
+        const kindOf = new Map(most.map((name, i) => [name, i + 2]));
+        this.kinds = [
+            {name: `no ${what}`, tone: 'waiting'}, {name: 'ended', tone: 'ended'},
+            ...most.map((name, i) => ({name, tone: 'c' + i})), {name: `other ${what}s`, tone: 'soft'}
+        ];
+        const none = i => (this.activity[i] === 5 ? 1 : 0), other = this.kinds.length - 1;
+        this.drawn =
+            Uint8Array.from(names, (n, i) => (typeof n !== 'string' ? none(i) : kindOf.get(n) ?? other));
+    }
+    /* Hosts serve the others: they send and receive more than twice as many messages as the mean. */
+    findHosts() {
+        const counts = new Map(this.rows.map(row => [row.index, 0])), c = this.columns;
+        for (let i = 0; i < this.messageCount; i++)
+            for (const end of [c['message.from'][i], c['message.to'][i]])
+                if (counts.has(end))
+                    counts.set(end, counts.get(end) + 1);
+        const mean = [...counts.values()].reduce((a, b) => a + b, 0) / (counts.size || 1);
+        for (const row of this.rows)
+            row.host = row.name === 'host' || (mean > 0 && counts.get(row.index) > 2 * mean);
+        this.hosts = this.rows.filter(row => row.host).length;
+    }
+    /* The order of the rows: by number, or by waiting, the longest first; with hosts before all others. */
+    orderBy(what, hostsFirst) {
+        const waits = new Map(this.rows.map(row => [row, what === 'idle' ? this.waiting(row) : 0]));
+        this.rows.sort((a, b) => (hostsFirst ? b.host - a.host : 0) || waits.get(b) - waits.get(a) ||
+                                 a.index - b.index);
+        this.pinned = hostsFirst ? this.hosts : 0;
+        this.placeMessages();
+    }
+    waiting(row) {
+        let sum = 0;
+        for (let i = row.first, from = this.start; i < row.first + row.pieces; from = this.pieceEnd[i++])
+            sum += this.activity[i] === 4 ? this.pieceEnd[i] - from : 0;
+        return sum;
     }
     /* For each block of pieces of one node: the time of each kind. */
     sumBlocks() {
-        const kinds = PIECE_COLOURS.length;
+        const kinds = this.kinds.length;
         this.blockSums = new Float64Array((Math.floor(this.pieceCount / PIECE_BLOCK) + 1) * kinds);
         for (const row of this.rows)
             for (let i = row.first, from = this.start; i < row.first + row.pieces; i++) {
@@ -45,14 +113,17 @@ class Trace {
         this.sentAt = c['message.sent'].numbers();
         this.overAt = new Float64Array(count);
         this.latest = new Float64Array(count);
-        const rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: of a service, number -1 */
-        this.rows.forEach((row, i) => { rowOf[row.index] = i; });
-        this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
-        this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
         for (let i = 0, latest = 0; i < count; i++) {
             this.overAt[i] = this.messageOver(i);
             this.latest[i] = latest = Math.max(latest, this.overAt[i]);
         }
+    }
+    /* The rows of its ends, -1 of those that have none. */
+    placeMessages() {
+        const c = this.columns, rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: services */
+        this.rows.forEach((row, i) => { rowOf[row.index] = i; });
+        this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
+        this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
     }
     /* When the message is there: where its arrow ends. */
     messageOver(i) {
@@ -107,7 +178,7 @@ class Trace {
               wait = c['piece.wait'][i];
         const from = this.pieceFrom(row, i), to = c['piece.end'].at(i), handler = c['piece.handler'][i],
               system = c['piece.system'][i];
-        const lines = [`${row.name}: ${PIECE_NAMES[this.drawn[i]]} for ${duration(to - from)}, from ${
+        const lines = [`${row.name}: ${PIECE_NAMES[this.activity[i]]} for ${duration(to - from)}, from ${
             moment(from)} to ${moment(to)}`];
         if (system >= 0)
             lines.push(`The operating system is ${TASK_NAMES[c['system.task'][system]] || 'busy'}.`);
@@ -123,6 +194,12 @@ class Trace {
         for (const message of this.pieceMessages(i))
             lines.push(this.messageText(message));
         return lines;
+    }
+    /* The same in short, for the tip under the mouse. */
+    pieceTip(row, i) {
+        const call = this.columns['piece.call'][i], from = i === row.first ? this.start : this.pieceEnd[i - 1];
+        return `${row.name}: ${PIECE_NAMES[this.activity[i]]}, ${roughly(this.pieceEnd[i] - from)}` +
+               (call >= 0 ? '\n' + this.callText(call) : '');
     }
     waitText(wait) {
         const c = this.columns, flags = c['wait.flags'][wait], from = c['wait.from'][wait];
