@@ -140,6 +140,31 @@ static struct trace two_nodes(void)
     return t;
 }
 
+/* Node 1 has an end of all messages; the others one of each. */
+static void rows_of_hosts_are_higher(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(8, VT_SECOND);
+    for (int32_t n = 0; n < 8; n++)
+        if (n != 1) {
+            int32_t send = made_call(&t, n, "csend", TRACE_SENDS, 1, 0, 10);
+            made_message(&t, send, TRACE_NONE, 1, 1, 10, 10, 20, 30);
+        }
+    struct node_rows r = node_rows_make(&t);
+    assert_true(node_rows_edge(&r, 1) == 1 / 8.0);
+    assert_true(node_rows_heighten(&r, &t, 4) == 11);
+    assert_true(fabs(node_rows_edge(&r, 1) - 1 / 11.0) < 1e-12);
+    assert_true(fabs(node_rows_edge(&r, 2) - 5 / 11.0) < 1e-12);
+    assert_true(fabs(node_rows_edge(&r, 8) - 1) < 1e-12);
+    node_rows_free(&r);
+    t.message_count = 0; /* then nobody serves */
+    r = node_rows_make(&t);
+    assert_true(node_rows_heighten(&r, &t, 4) == 8);
+    assert_null(r.edge);
+    node_rows_free(&r);
+    drop(&t);
+}
+
 static void activities_by_hand(void **state)
 {
     (void)state;
@@ -711,6 +736,7 @@ int main(void)
         cmocka_unit_test(bins_of_days_do_not_overflow),
         cmocka_unit_test(few_nodes_have_a_row_each_many_share),
         cmocka_unit_test(classes_are_powers_of_two_and_the_host_is_apart),
+        cmocka_unit_test(rows_of_hosts_are_higher),
         cmocka_unit_test(activities_by_hand),
         cmocka_unit_test(a_handler_s_computing_is_told_apart),
         cmocka_unit_test(activities_by_brute_force),

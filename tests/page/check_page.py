@@ -168,7 +168,7 @@ def check_under_mouse(b, s, canvas):
         .release().key_up(Keys.SHIFT).perform()
     told = s.find_element(By.CSS_SELECTOR, ".readout").text
     shares = [float(part.split()[-1]) for part in told.split(": ", 1)[1].split(" %.")[0].replace(" %", "").split(", ")]
-    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.1, told)
+    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.5, told)
     before = b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas)
     b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".readout button"))
     rule("timeline: and can be looked into",
