@@ -66,6 +66,9 @@ def check_study(b):
     ticks = lambda: b.run("return [...arguments[0].querySelectorAll('svg text')].map(t => t.textContent).join()", s)
     logarithmic = ticks()
     b.run("arguments[0].click()", s.find_elements(By.CSS_SELECTOR, ".controls input[type=checkbox]")[1])
+    held = b.run("""return fullestHold({axes: {n: [1, 2], kind: ['none', 'some', 'all']}, points: [{n: 1, kind: 'none', t: 1, failure: 'x'},
+        {n: 1, kind: 'some', t: 1}, {n: 1, kind: 'all', t: 1}, {n: 2, kind: 'all', t: 1}]}, {x: 'n', y: 't', lines: ''})""")
+    rule("study: other axes are held where most points are", held == {"kind": 2}, held)
     rule("study: linear or logarithmic", ticks() != logarithmic)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
