@@ -198,7 +198,7 @@ bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
 	bench/speed/run $B
 
-include doc/man/man.mk doc/manual/manual.mk share/completion/completion.mk package/package.mk
+include doc/man/man.mk doc/manual/manual.mk doc/pictures/pictures.mk share/completion/completion.mk package/package.mk
 
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] mpi_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
