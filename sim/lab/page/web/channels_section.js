@@ -127,8 +127,8 @@ function shareColour(share) {
     return d3.interpolateRgbBasis([colour('line'), colour('c1'), colour('mark')])(Math.min(1, share));
 }
 
-/* The busiest channel's share of the whole run is the end of the scale, or 10 %, so that a network that is hardly
- * used looks like that; of a part of it, all of the time. */
+/* The busiest channel's share of the whole run is the end of the scale, or 10 %, so that a network that
+ * is hardly used looks like that; of a part of it, all of the time. */
 function channelScale(map) {
     map.most = Math.max(0.1, ...map.trace.channels.map((c, i) => channelShare({...map, bin: -1}, i)));
     const ramp = element('span', {class: 'ramp'});
@@ -161,7 +161,8 @@ function drawChannels(map) {
     numberEdges(g, map);
 }
 
-/* Where circles have no room for numbers, the nodes of the first row and of the first column have them outside. */
+/* Where circles have no room for numbers, the nodes of the first row and of the first column have them
+ * outside. */
 function numberEdges(g, map) {
     const {cell} = map, every = [1, 2, 4, 8, 16, 32].find(n => n * cell >= 22) || 64;
     if (nodeRadius(map) >= NUMBERED)

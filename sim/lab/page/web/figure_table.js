@@ -32,7 +32,7 @@ function showAlike(values) {
     const number = v => (typeof v === 'bigint' ? Number(v) / 1e12 : v);
     const parts = values.map(number).filter(v => typeof v === 'number' && !Number.isInteger(v));
     const decimals = decimalsFor(parts.length ? values.map(number).filter(v => typeof v === 'number') : []);
-    return v => (typeof v === 'bigint'   ? rounded(`${fixed(number(v), decimals)}\u00a0s`, moment(v))
+    return v => (typeof v === 'bigint' ? rounded(`${fixed(number(v), decimals)}\u00a0s`, moment(v))
                  : typeof v !== 'number' ? figure(v)
                  : parts.length          ? rounded(fixed(v, decimals), String(v))
                                          : grouped(String(v)));

@@ -214,7 +214,8 @@ function drawSeries(s, points, x, y) {
                 'stroke-width': 1.5
             }));
         if (p.marked)
-            g.append(svgElement('circle', {class: 'marked', cx: x(p.x), cy: y(p.y), r: 9, stroke, fill: 'none'}));
+            g.append(
+                svgElement('circle', {class: 'marked', cx: x(p.x), cy: y(p.y), r: 9, stroke, fill: 'none'}));
         g.append(svgElement('path', {
             d: symbolPath(markerOf(i), s.hollow ? 60 : 46),
             transform: `translate(${x(p.x)} ${y(p.y)})`,

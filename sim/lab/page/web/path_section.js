@@ -2,8 +2,8 @@
  * picoseconds: BigInt() takes them as numbers, and as texts where a number of JavaScript would not hold
  * them. */
 
-/* Classes of the path, and causes of waits, as touchstone trace why prints them; a class and a cause that are the
- * same have one name. Other keys are names. */
+/* Classes of the path, and causes of waits, as touchstone trace why prints them; a class and a cause that
+ * are the same have one name. Other keys are names. */
 const CLASS_TEXTS = {
     calls: 'system: the program\'s calls',
     stolen: 'system: other messages',
@@ -51,10 +51,11 @@ function pathSection(data, name) {
     return section;
 }
 
-function timeColumns(whole, most) {
+/* of: what the shares are of. */
+function timeColumns(whole, most, of) {
     return [
         {name: 'time', get: r => BigInt(r.time_ps)},
-        {name: 'share', get: r => r.time_ps, show: v => percent(v, whole)},
+        {name: `% of ${of}`, get: r => r.time_ps, show: v => percent(v, whole)},
         {name: '', text: true, get: r => Number(BigInt(r.time_ps)), show: v => shareBar(v, most)},
     ];
 }
@@ -66,7 +67,7 @@ function classTable(rows, length) {
     return figureTable('The critical path by class',
         [
             {name: 'Class', text: true, get: r => r.class, show: causeText},
-            ...timeColumns(length, mostOf(some)),
+            ...timeColumns(length, mostOf(some), 'the run'),
             {name: 'the run without it, at least', get: r => BigInt(r.at_least_without_ps)}
         ],
         some);
@@ -76,7 +77,7 @@ function shareTable(rows, title, length) {
     return figureTable(`The path by ${title}`,
         [
             {name: title[0].toUpperCase() + title.slice(1), text: true, get: r => r.what},
-            ...timeColumns(length, mostOf(rows)), {name: 'steps', get: r => r.steps}
+            ...timeColumns(length, mostOf(rows), 'the run'), {name: 'steps', get: r => r.steps}
         ],
         rows);
 }
@@ -90,16 +91,15 @@ function waitParts(waits) {
         ...figureTable('Waits by cause',
             [
                 {name: 'Cause', text: true, get: r => r.cause, show: causeText},
-                ...timeColumns(waits.idle_ps, mostOf(some))
+                ...timeColumns(waits.idle_ps, mostOf(some), 'all waiting')
             ],
             some),
         later('Waits that are alike',
             () => figureTable('Waits that are alike',
                 [
                     {name: 'Cause', text: true, get: g => g.cause, show: causeText},
-                    {name: 'waited', get: g => BigInt(g.idle_ps)},
-                    {name: 'waits', get: g => g.waits}, {name: 'nodes', get: g => g.nodes},
-                    {name: 'in', text: true, get: g => g.in},
+                    {name: 'waited', get: g => BigInt(g.idle_ps)}, {name: 'waits', get: g => g.waits},
+                    {name: 'nodes', get: g => g.nodes}, {name: 'in', text: true, get: g => g.in},
                     {name: 'type', get: g => g.type, show: v => v === undefined ? '' : String(v)},
                     {name: 'partner', text: true, get: g => g.partner},
                     {name: 'sent by', text: true, get: g => g.sent_by}
@@ -112,11 +112,8 @@ function rerunTable(reruns, length) {
     return figureTable('Other runs',
         [
             {name: 'Change', text: true, get: r => r.what || r.change},
-            {name: 'settings', text: true, get: r => r.settings.join(', ')}, {
-                name: 'the run would take',
-                get: r => r.error || BigInt(r.end_ps)
-            },
-            {
+            {name: 'settings', text: true, get: r => r.settings.join(', ')},
+            {name: 'the run would take', get: r => r.error || BigInt(r.end_ps)}, {
                 name: 'times faster',
                 get: r => r.error ? '' : Number(length) / Math.max(1, Number(BigInt(r.end_ps))),
                 show: v => v === '' ? '' : v.toFixed(3)

@@ -44,8 +44,8 @@ function nodeTable(nodes) {
         [
             {name: 'Node', text: true, get: n => n.name},
             ...NODE_PARTS.map(([key, text]) => ({name: text + ', s', get: n => n[key]})),
-            {name: 'ended at, s', get: n => n.ended_s},
-            {name: 'handlers', get: n => n.handlers}, {name: 'messages sent', get: n => n.messages_sent},
+            {name: 'ended at, s', get: n => n.ended_s}, {name: 'handlers', get: n => n.handlers},
+            {name: 'messages sent', get: n => n.messages_sent},
             {name: 'memory, bytes', get: n => n.memory_peak_bytes}
         ],
         nodes);

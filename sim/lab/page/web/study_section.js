@@ -56,11 +56,8 @@ function studyTable(data, axes) {
     const keys = new Set(axes);
     for (const p of data.points)
         Object.keys(p).filter(k => typeof p[k] !== 'object').forEach(k => keys.add(k));
-    return figureTable('All points', [...keys].map(k => ({
-        name: k,
-        text: typeof data.points[0]?.[k] === 'string',
-        get: p => p[k]
-    })),
+    return figureTable('All points',
+        [...keys].map(k => ({name: k, text: typeof data.points[0]?.[k] === 'string', get: p => p[k]})),
         data.points, 100);
 }
 
@@ -102,7 +99,8 @@ function studyCurves(data, axes, figures, numeric, section) {
             state.hold[a] = data.axes[a].indexOf(point[a]);
         update();
     };
-    const added = data.points.some(p => p.added) ? 'A ring marks a point that was added to the study\'s own.' : '';
+    const added =
+        data.points.some(p => p.added) ? 'A ring marks a point that was added to the study\'s own.' : '';
     return [controls, chart.figure, element('p', {class: 'note'}, added)];
 }
 

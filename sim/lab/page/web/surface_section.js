@@ -242,17 +242,18 @@ class SurfaceView {
         this.draw();
         this.untouched = true;
     }
-    /* From how far in that direction the whole box is seen: no corner leaves the picture, whatever its shape. */
+    /* From how far in that direction the whole box is seen: no corner leaves the picture, whatever its
+     * shape. */
     distanceFor(box, middle, towards) {
-        const right = new THREE.Vector3(0, 0, 1).cross(towards).normalize(), up = towards.clone().cross(right);
+        const right = new THREE.Vector3(0, 0, 1).cross(towards).normalize(),
+              up = towards.clone().cross(right);
         const high = Math.tan(this.camera.fov / 2 * Math.PI / 180), wide = high * this.camera.aspect;
         let least = 1e-6;
         for (let k = 0; k < 8; k++) {
-            const corner = new THREE.Vector3(...['x', 'y', 'z'].map(
-                (axis, i) => (k >> i & 1 ? box.max : box.min)[axis] - middle[axis]));
-            least = Math.max(least,
-                corner.dot(towards) +
-                    Math.max(Math.abs(corner.dot(right)) / wide, Math.abs(corner.dot(up)) / high));
+            const corner = new THREE.Vector3(
+                ...['x', 'y', 'z'].map((axis, i) => (k >> i & 1 ? box.max : box.min)[axis] - middle[axis]));
+            least = Math.max(least, corner.dot(towards) + Math.max(Math.abs(corner.dot(right)) / wide,
+                                                              Math.abs(corner.dot(up)) / high));
         }
         return least;
     }

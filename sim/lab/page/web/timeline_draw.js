@@ -2,10 +2,9 @@
  * pixel's colour is the mix of theirs, by their time; so nothing is left out, and drawing takes a time
  * that hardly grows with the trace. */
 
-/* view: { from, to (ps), top (rows above, may be a fraction, without those that are pinned), rowHeight (CSS
- * pixels) }. layout: { width,
- * height, left, axis, scale (device pixels for one) } in CSS pixels: left: room for the names, axis: for
- * the times. */
+/* view: { from, to (ps), top (rows above, may be a fraction, without those that are pinned), rowHeight
+ * (CSS pixels) }. layout: { width, height, left, axis, scale (device pixels for one) } in CSS pixels:
+ * left: room for the names, axis: for the times. */
 class TimelinePainter {
     constructor(trace, canvas) {
         this.trace = trace;
@@ -174,7 +173,7 @@ class TimelinePainter {
         }
     }
     paintName(g, from, to, y, piece, call) {
-        const text = call >= 0                            ? this.trace.callName(call)
+        const text = call >= 0                          ? this.trace.callName(call)
                      : this.trace.activity[piece] === 1 ? 'handler'
                                                         : '';
         if (!text || g.measureText(text).width + 8 > to - from)
@@ -335,7 +334,8 @@ class TimelinePainter {
         for (const r of rows) {
             const y = this.y(r, view) + view.rowHeight / 2,
                   hidden = chosen >= 0 && Math.abs(r - chosen) < near;
-            if (y < axis || (r >= pinned && y < axis + pinned * view.rowHeight) || (r !== chosen && (r % every || hidden)))
+            if (y < axis || (r >= pinned && y < axis + pinned * view.rowHeight) ||
+                (r !== chosen && (r % every || hidden)))
                 continue;
             g.fillStyle = r === chosen ? this.ink : this.soft;
             g.fillText(this.rowName(r), left - 10, Math.max(y, axis + 6)); /* whole, of the first row, too */

@@ -5,8 +5,7 @@ function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)}`, 'Timeline: ' + baseName(name),
         `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${
-            roughly(Number(trace.end))}.`);
+                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));
         return section;
@@ -164,19 +163,20 @@ class Timeline {
                 button('◀', () => this.move(-0.5), {'aria-label': 'Earlier'}),
                 button('▶', () => this.move(0.5), {'aria-label': 'Later'})),
             labelled('from', this.fromInput), labelled('to', this.toInput),
-            choice('rows', rowSizes, this.view.rowHeight, v => {
-                this.view.rowHeight = Number(v);
-                this.clampTop();
-                this.resize(this.plot.clientWidth);
-            }),
+            choice('rows', rowSizes, this.view.rowHeight,
+                v => {
+                    this.view.rowHeight = Number(v);
+                    this.clampTop();
+                    this.resize(this.plot.clientWidth);
+                }),
             choice('order', [['number', 'by number'], ['idle', 'the longest waiting first']], 'number',
                 by => this.orderBy({by})),
             this.trace.hosts > 0 && this.trace.hosts <= this.trace.rows.length / 4
                 ? checkbox('hosts on top', false, on => this.orderBy({hostsFirst: on}))
                 : null,
             choice('colour by',
-                [['activity', 'activity'], ['call', 'call'], ['function', 'function of the call']], 'activity',
-                what => this.colourBy(what)),
+                [['activity', 'activity'], ['call', 'call'], ['function', 'function of the call']],
+                'activity', what => this.colourBy(what)),
             checkbox('messages', this.messages, on => {
                 this.messages = on;
                 this.draw();
@@ -210,10 +210,11 @@ class Timeline {
         this.draw();
     }
     showRange() {
-        this.shown = [[this.fromInput, this.viewFrom()], [this.toInput, this.viewTo()]].map(([input, time]) => {
-            input.value = shortTime(time, this.view.to - this.view.from);
-            return {text: input.value, time};
-        });
+        this.shown =
+            [[this.fromInput, this.viewFrom()], [this.toInput, this.viewTo()]].map(([input, time]) => {
+                input.value = shortTime(time, this.view.to - this.view.from);
+                return {text: input.value, time};
+            });
         for (const f of this.onrange)
             f();
     }
@@ -240,7 +241,8 @@ class Timeline {
     }
     clampTop() {
         const rows = (this.painter.layout.height - this.painter.layout.axis) / this.view.rowHeight;
-        this.view.top = Math.max(0, Math.min(this.view.top, this.trace.rows.length - rows)); /* pinned in both */
+        this.view.top =
+            Math.max(0, Math.min(this.view.top, this.trace.rows.length - rows)); /* pinned in both */
     }
     scrollRows(by) {
         this.view.top += by;
@@ -338,14 +340,16 @@ class Timeline {
     }
     /* What all nodes did in it, by activity. */
     showSpan() {
-        const [from, to] = [this.span.from, this.span.to].sort((a, b) => a - b).map(t => BigInt(Math.round(t)));
+        const [from, to] =
+            [this.span.from, this.span.to].sort((a, b) => a - b).map(t => BigInt(Math.round(t)));
         const all = PIECE_NAMES.map(() => 0n);
         for (const row of this.trace.rows)
             this.sums(row, from, to).forEach((sum, k) => { all[k] += sum; });
         const whole = all.reduce((a, b) => a + b, 0n);
         this.readout.replaceChildren(
-            element('p', {}, `From ${moment(from)} to ${moment(to)}, ${roughly(Number(to - from))}, of ${
-                plural(this.trace.rows.length, 'node')}: `,
+            element('p', {},
+                `From ${moment(from)} to ${moment(to)}, ${roughly(Number(to - from))}, of ${
+                    plural(this.trace.rows.length, 'node')}: `,
                 all.map((sum, k) => `${PIECE_NAMES[k]} ${percent(sum, whole)}`).join(', '), '.'),
             button('Zoom in on it', () => {
                 this.setRange(Number(from), Number(to));

@@ -30,35 +30,36 @@ class Trace {
         this.findHosts();
         this.orderBy('number', false);
     }
-    /* What pieces are drawn as, this.drawn[i], is one of this.kinds. By call or function: the eight that take most
-     * of the time have colours. As in touchstone trace why, computing is for the function of the next call. */
+    /* What pieces are drawn as, this.drawn[i], is one of this.kinds. By call or function: the eight that
+     * take most of the time have colours. As in touchstone trace why, computing is for the function of
+     * the next call. */
     colourBy(what) {
         this.kinds = PIECE_NAMES.map((name, i) => ({name, tone: PIECE_COLOURS[i]}));
         this.drawn = this.activity;
         if (what !== 'activity')
-            this.drawNamed(what === 'call' ? i => this.callOf(i) : (i, row) => this.functionOf(i, row), what);
+            this.drawNamed(what);
         this.sumBlocks();
     }
-    callOf(i) {
-        const call = this.columns['piece.call'][i];
-        return call >= 0 ? this.callName(call) : null;
+    callFunction(call) {
+        const place = this.text(this.columns['call.place'][call]).split(',')[0];
+        return place.replace(/\.(part|isra|constprop)\..*/, '') || 'unknown';
     }
-    functionOf(i, row) {
-        const c = this.columns, computes = this.activity[i] === 0, end = row.first + row.pieces;
-        while (computes && i < end && c['piece.call'][i] < 0)
-            i++;
-        const call = i < end ? c['piece.call'][i] : -1;
-        const place = call >= 0 ? this.text(c['call.place'][call]) : null;
-        return place === null ? null : place.split(',')[0].replace(/\.(part|isra|constprop)\..*/, '') || 'unknown';
-    }
-    drawNamed(nameOf, what) {
-        const times = new Map(), names = new Array(this.pieceCount);
+    drawNamed(what) {
+        const times = new Map(), names = new Array(this.pieceCount).fill(null),
+              calls = this.columns['piece.call'];
+        const byFunction = what === 'function';
         for (const row of this.rows)
-            for (let i = row.first, from = this.start; i < row.first + row.pieces; from = this.pieceEnd[i++]) {
-                names[i] = nameOf(i, row);
-                if (names[i] !== null)
-                    times.set(names[i], (times.get(names[i]) || 0) + this.pieceEnd[i] - from);
+            for (let i = row.first + row.pieces - 1, next = null; i >= row.first; i--) {
+                const named = calls[i] >= 0;
+                if (named)
+                    next = byFunction ? this.callFunction(calls[i]) : this.callName(calls[i]);
+                if (!named && !(byFunction && this.activity[i] === 0))
+                    continue;
+                names[i] = next;
+                const from = i === row.first ? this.start : this.pieceEnd[i - 1];
+                times.set(next, (times.get(next) || 0) + this.pieceEnd[i] - from);
             }
+        times.delete(null); /* computing behind the last call */
         const most = [...times].sort((a, b) => b[1] - a[1]).slice(0, 8).map(([name]) => name);
         const kindOf = new Map(most.map((name, i) => [name, i + 2]));
         this.kinds = [
@@ -66,8 +67,7 @@ class Trace {
             ...most.map((name, i) => ({name, tone: 'c' + i})), {name: `other ${what}s`, tone: 'soft'}
         ];
         const none = i => (this.activity[i] === 5 ? 1 : 0), other = this.kinds.length - 1;
-        this.drawn =
-            Uint8Array.from(names, (n, i) => (typeof n !== 'string' ? none(i) : kindOf.get(n) ?? other));
+        this.drawn = Uint8Array.from(names, (n, i) => (n === null ? none(i) : kindOf.get(n) ?? other));
     }
     /* Hosts serve the others: they send and receive more than twice as many messages as the mean. */
     findHosts() {
@@ -84,8 +84,8 @@ class Trace {
     /* The order of the rows: by number, or by waiting, the longest first; with hosts before all others. */
     orderBy(what, hostsFirst) {
         const waits = new Map(this.rows.map(row => [row, what === 'idle' ? this.waiting(row) : 0]));
-        this.rows.sort((a, b) => (hostsFirst ? b.host - a.host : 0) || waits.get(b) - waits.get(a) ||
-                                 a.index - b.index);
+        this.rows.sort(
+            (a, b) => (hostsFirst ? b.host - a.host : 0) || waits.get(b) - waits.get(a) || a.index - b.index);
         this.pinned = hostsFirst ? this.hosts : 0;
         this.placeMessages();
     }
@@ -120,7 +120,8 @@ class Trace {
     }
     /* The rows of its ends, -1 of those that have none. */
     placeMessages() {
-        const c = this.columns, rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: services */
+        const c = this.columns,
+              rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: services */
         this.rows.forEach((row, i) => { rowOf[row.index] = i; });
         this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
         this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
@@ -197,7 +198,8 @@ class Trace {
     }
     /* The same in short, for the tip under the mouse. */
     pieceTip(row, i) {
-        const call = this.columns['piece.call'][i], from = i === row.first ? this.start : this.pieceEnd[i - 1];
+        const call = this.columns['piece.call'][i],
+              from = i === row.first ? this.start : this.pieceEnd[i - 1];
         return `${row.name}: ${PIECE_NAMES[this.activity[i]]}, ${roughly(this.pieceEnd[i] - from)}` +
                (call >= 0 ? '\n' + this.callText(call) : '');
     }
