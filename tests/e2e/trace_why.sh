@@ -53,7 +53,7 @@ why many.trace
 check "served: node 0 decides" prints 'Node 0 decides how long that is'
 check "served: handlers are the cause" prints 'serving the others: their messages take [0-9.]+ s from it, 7[0-9.]+ % of its time, and its handlers are the larger part'
 check "served: each request is one" prints '620 handlers took [0-9.]+ s \([0-9.]+ %\): 0.062 s of that to enter and leave them; most of it is for serve \('
-check "served: others wait for the handler" prints 'handler busy +in crecv at served.c:29 \(main\), for type 1 of node 0, from csend at served.c:21 \(serve\)'
+check "served: others wait for the handler" prints 'handler busy +in crecv at served.c:29 \(ask\), for type 1 of node 0, from csend at served.c:21 \(serve\)'
 check "served: the file is waited for" prints 'disk +in cwrite at served.c:42 \(main\)'
 traced -m ipsc860 -n 2 served
 why --than t.trace many.trace
