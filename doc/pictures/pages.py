@@ -35,7 +35,9 @@ browser = Browser()
 try:
     if kind == "flame":
         browser.driver.get("file://" + file)
-        shoot(browser, "profile-flame", 1200, 270, scale=2)
+        high = browser.run("return Math.ceil(document.documentElement.viewBox.baseVal.height || "
+                           "document.documentElement.getBoundingClientRect().height)")
+        shoot(browser, "profile-flame", 1200, high, scale=2)
     elif kind == "surfaces":
         browser.open(file)
         browser.run("document.querySelector('.legend input').click()")
