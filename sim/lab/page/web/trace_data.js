@@ -9,6 +9,15 @@ const TASK_NAMES =
     ['sending a message', 'receiving a message', 'feeding the network', 'emptying the network'];
 const PIECE_BLOCK = 64; /* pieces whose times are summed, so that drawing can pass over them */
 
+/* "type 5"; of MPI's messages "tag 5 in MPI_COMM_WORLD", as nx_api/waitfor/waitfor_mpi.c has it. */
+function typeText(type, pid) {
+    const FIRST_CONTEXT = 1 << 24, number = (pid - FIRST_CONTEXT) >> 1;
+    if (pid < FIRST_CONTEXT)
+        return `type ${type}`;
+    return `${pid & 1 ? 'collective' : 'tag'} ${type} in ${
+        ['MPI_COMM_WORLD', 'MPI_COMM_SELF'][number] || `communicator ${number}`}`;
+}
+
 async function readTrace(script) { return new Trace(readColumns(await takeBytes(script))); }
 
 class Trace {
@@ -166,7 +175,8 @@ class Trace {
               part = (name, text) =>
                   (c['message.' + name].isNever(i) ? '' : `${text} ${moment(c['message.' + name].at(i))}`);
         return `message ${i}: ${this.nodeName(c['message.from'][i])} to ${
-                   this.nodeName(c['message.to'][i])}, type ${c['message.type'][i]}, ` +
+                   this.nodeName(c['message.to'][i])}, ${
+                   typeText(c['message.type'][i], c['message.pid'][i])}, ` +
                `${grouped(String(c['message.bytes'].at(i)))} bytes; ` + [
                    part('sent', 'sent'), part('asked', 'asked'), part('granted', 'granted'),
                    part('moved', 'has its path'), part('left', 'left the network'),
