@@ -146,6 +146,23 @@ for e in events:
 assert around > 20 and "MPI_COMM_WORLD" in communicators, (around, communicators)'
 check "the page is made of it" "$BUILD/touchstone" page t.html t.trace
 
+# --- other orders, and a debugger ---
+build first_come -O0
+"$BUILD/touchstone" explore -j 1 -n 5 --runs 40 -o found ./first_come >explored 2>err
+check "explore: another order of messages to MPI_ANY_SOURCE" grep -q 'outcomes\? differs\? from' explored
+check "explore: the receive that got another message" grep -q "of node 0 (MPI_Recv, $(line first_come.c 'MPI_Recv('))" explored
+schedule=$(echo found/*-1.schedule)
+run -q -n 5 --replay "$schedule" first_come
+other_order() { [ "$status" = 0 ] && [ "$(tr ' ' '\n' <out | sort | xargs)" = "1 2 3 4" ] && [ "$(cat out)" != "1 2 3 4 " ]; }
+check "replay: that order again" other_order
+if command -v gdb >gdb.path; then
+    TMPDIR=$work gdb -nx -batch -ex 'set breakpoint pending on' -ex 'set debuginfod enabled off' -ex 'set confirm off' -ex 'break MPI_Allreduce' \
+        -ex run -ex bt --args "$BUILD/touchstone" run -q -n 1 first_come >bt 2>err </dev/null
+    check "gdb: a breakpoint at a call of MPI, called from the program's line" grep -qE "main .* at .*$(line first_come.c 'MPI_Allreduce(')" bt
+else
+    echo "skip gdb: it is not installed"
+fi
+
 # --- calls that there are not ---
 cat >spawns.c <<'END'
 #include <mpi.h>
