@@ -154,14 +154,18 @@ static char *communicator(int context)
     return text;
 }
 
-static void compare_types(const struct fits *f, const struct sent *s, const struct expected *p)
+/* The receive of a message, with the message. */
+static void compare(const struct fits *f, const struct sent *s, const struct expected *p, size_t room)
 {
-    if (!p->place.call || !classes_differ(s->class, p->class))
+    bool too_long = s->bytes > room;
+    if (!p->place.call || (!too_long && !classes_differ(s->class, p->class)))
         return;
     char *in = communicator(s->context);
-    char *text = xasprintf("node %u sends %s, node %u receives %s, with tag %d in %s", s->from,
-                           classes[s->class], s->to, classes[p->class], s->tag, in);
-    mpi_findings_add(f->all, OTHER_TYPES, s->from, &s->place, &p->place, text);
+    char *text = too_long ? xasprintf("node %u sends %zu bytes, node %u has room for %zu, with tag %d in %s",
+                                      s->from, s->bytes, s->to, room, s->tag, in)
+                          : xasprintf("node %u sends %s, node %u receives %s, with tag %d in %s", s->from,
+                                      classes[s->class], s->to, classes[p->class], s->tag, in);
+    mpi_findings_add(f->all, too_long ? TOO_LONG : OTHER_TYPES, s->from, &s->place, &p->place, text);
     free(text);
     free(in);
 }
@@ -180,7 +184,7 @@ void fits_gives(struct fits_node *k, struct fits *f, struct node *n, const struc
     if (!s)
         return;
     *link = s->next;
-    compare_types(f, s, &p);
+    compare(f, s, &p, r->room);
     free(s);
 }
 

@@ -114,6 +114,7 @@ static const char *const texts[MPI_FINDINGS] = {
     [PENDING_REQUESTS] = "request never completed",
     [KEPT_REQUESTS] = "persistent request not freed",
     [UNRECEIVED] = "message never received",
+    [TOO_LONG] = "message longer than its receive",
     [KEPT_COMMS] = "communicator not freed",
     [KEPT_TYPES] = "datatype not freed",
     [KEPT_GROUPS] = "group not freed",

@@ -22,6 +22,7 @@ enum mpi_finding {
     PENDING_REQUESTS,
     KEPT_REQUESTS,
     UNRECEIVED,
+    TOO_LONG,
     KEPT_COMMS,
     KEPT_TYPES,
     KEPT_GROUPS,

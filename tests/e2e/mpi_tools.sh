@@ -113,11 +113,13 @@ END
 run -q -n 3 --mpi-checks unfit count
 check "count: what differs" told "MPI: counts or datatypes differ: MPI_Bcast at" "16 bytes on node 0, 32 on node 1"
 
+bin/mpicc -O2 -g -o mpi_nodes "$tests/mpi_nodes.c"
+run -q -n 4 --mpi-checks mpi_nodes long
+check "a message too long: both calls" grep -qE 'MPI: message longer than its receive: MPI_[A-Z][a-z]+ at mpi_nodes\.c:[0-9]+ and MPI_Recv at mpi_nodes\.c:[0-9]+: node 0 sends 9 bytes, node 1 has room for 2, with tag 9 in MPI_COMM_WORLD' err
 run -q -n 2 unfit wait
 check "a deadlock: who has come to MPI_Finalize is said to be there" said "node 0: MPI_Finalize\(1\) since .* \($(line unfit.c 'MPI_Finalize')\)"
 
 # --- errors ---
-bin/mpicc -O2 -g -o mpi_nodes "$tests/mpi_nodes.c"
 run -q -n 4 mpi_nodes long
 check "an error's first line is the program's, not the library's" [ "$(grep -m1 -o 'called from .*' err | grep -c '(mpi_nodes\.c:')" = 1 ]
 
