@@ -184,7 +184,7 @@ void fits_gives(struct fits_node *k, struct fits *f, struct node *n, const struc
     if (!s)
         return;
     *link = s->next;
-    compare(f, s, &p, r->room);
+    compare(f, s, &p, r->buf ? r->room : m->bytes); /* MPI_Mprobe has no buffer yet */
     free(s);
 }
 
