@@ -45,7 +45,7 @@ LAB_SRC     := sim/lab/commands/tables_command.c $(wildcard sim/lab/tables/*.c s
     $(addprefix sim/lab/study/,expr.c inputs.c points.c spec.c)
 LIBS         = $(SIM_LIBS)
 endif
-SIM_SRC := $(filter-out $(MAINS) $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c mpi_api/core/*.c))
+SIM_SRC := $(filter-out $(MAINS) $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c mpi_api/core/*.c mpi_api/checks/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 LAB_OBJ := $(LAB_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))
@@ -147,7 +147,7 @@ HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/h
 # Not with sanitizers, too: programs of the compiler's plugin, which have none; what compiles, waits, or asks for the same again.
 UNIT_ONCE = $(addprefix $(ASAN)/tests/nxcc/test_,random races)
 E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_files mpi_long mpi_record mpi_errors mpi_summary mpi_kinds mpi_hosts \
-    full_disk races_cost order_dependent manual install installed version completion readme schemas tutorial exercises faults killed \
+    full_disk races_cost order_dependent manual pages pictures install installed version completion readme schemas tutorial exercises faults killed \
     ci_files analyse missing_packages many_nodes run_changed,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan
@@ -198,7 +198,7 @@ bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
 	bench/speed/run $B
 
-include doc/man/man.mk doc/manual/manual.mk share/completion/completion.mk package/package.mk
+include doc/man/man.mk doc/manual/manual.mk doc/pictures/pictures.mk share/completion/completion.mk package/package.mk
 
 FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] mpi_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 

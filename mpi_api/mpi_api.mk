@@ -3,6 +3,7 @@
 #   $(NODE)/mpi_include/       mpi.h, mpif.h, and Fortran's module mpi
 MPI_LIB_SRC := $(wildcard mpi_api/lib/*.c mpi_api/fortran/*.c)
 MPI_LIB_OBJ := $(MPI_LIB_SRC:%.c=$(NODE)/obj/%.o)
+MPI_TELL    := $(NODE)/obj/mpi_api/lib/tell.o
 MPI_LIB_HDR := $(wildcard mpi_api/*/*.h mpi_api/core/*.def)
 MPI_HEADERS := $(addprefix $(NODE)/mpi_include/,mpi.h mpi_calls.h mpif.h mpi.mod)
 
@@ -12,7 +13,12 @@ $(MPI_LIB_OBJ): $(NODE)/obj/mpi_api/%.o: mpi_api/%.c $(MPI_LIB_HDR) $(NODE_TOOLS
 	$(NODES)/nxcc -std=gnu17 -O2 $(NODE_CODE_FLAGS) $(PREFIX_MAP) $(WARN) -I. -Impi_api/include -c -o $@ $<
 	objcopy -R .nxc_costs $@
 
-$(NODE)/libmpi.a: $(MPI_LIB_OBJ)
+$(MPI_TELL): mpi_api/lib/tell.S
+	@mkdir -p $(@D)
+	$(call say,AS,$@)
+	$(NODE_CC) -g $(PREFIX_MAP) -c -o $@ $<
+
+$(NODE)/libmpi.a: $(MPI_LIB_OBJ) $(MPI_TELL)
 	$(call say,AR,$@)
 	@rm -f $@
 	ar rcs $@ $^

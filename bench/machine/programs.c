@@ -9,8 +9,8 @@ enum { RECORDS = 19531, PUTS = 1000, MODES = 2000, SIDE = 100, VECTOR = 1503, TI
 
 static volatile double sink;
 
-/* --- a quicksort of records by a comparison function; keys of two words. C libraries of 1990 swapped byte by byte,
- * as 4.3BSD's qsort does; later ones by words where records lie so. --- */
+/* --- a quicksort of records by a comparison function; keys of two words. C libraries of 1990 swapped bytes,
+ * as 4.3BSD's qsort does; later ones words, where records lie so. --- */
 
 struct record {
     unsigned key[2];

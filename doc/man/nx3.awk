@@ -39,7 +39,10 @@ function comment(c,    head) {
         sub(/[:\n].*/, "", head)
         title(head)
         if (index(c, ":")) {
-            add_said(substr(c, index(c, ":") + 1))
+            c = substr(c, index(c, ":") + 1)
+            sub(/ ---\n/, ".\n", c)
+            sub(/^[ \n]+/, "", c)
+            add_said(toupper(substr(c, 1, 1)) substr(c, 2))
             flush_group()
         }
     } else if (first) { # the header's own
@@ -105,6 +108,7 @@ in_comment {
 }
 /^#|^extern "C"|^}$/ { next }
 /^ *$/ { flush_group(); next }
+/^struct [a-z]+;/ { next }
 {
     line = $0
     if (match(line, / *\/\*.*/)) {
@@ -115,10 +119,11 @@ in_comment {
         name = line
         sub(/\(.*/, "", name)
         sub(/.*[ *]/, "", name)
+        sub(/[[;].*/, "", name)
         if (said != "") add_said(".br")
         add_said(name ": " words)
     }
-    if (line != "" && line !~ /^struct [a-z]+;$/) add_declaration(line)
+    if (line != "") add_declaration(line)
 }
 END {
     flush_group()

@@ -10,14 +10,14 @@ f_int mpi_fortran_status_ignore_[8], mpi_fortran_statuses_ignore_[8];
 #define SEND(name, c_name)                                                                                   \
     FORTRAN(name, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *comm, f_int *ierr)) \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(f_buffer(buf), *count, F_TYPE(type), *dest, *tag, F_COMM(comm));               \
+        *ierr = MPI_##c_name(f_buffer(buf), *count, F_TYPE(type), *dest, *tag, F_COMM(comm));                \
     }
 #define SEND_WITH(name, c_name)                                                                              \
     FORTRAN(name, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *comm,               \
                    f_int *request, f_int *ierr))                                                             \
     {                                                                                                        \
         WITH(MPI_Request, request,                                                                           \
-             PMPI_##c_name(f_buffer(buf), *count, F_TYPE(type), *dest, *tag, F_COMM(comm), &handle));        \
+             MPI_##c_name(f_buffer(buf), *count, F_TYPE(type), *dest, *tag, F_COMM(comm), &handle));         \
     }
 SEND(send, Send)
 SEND(bsend, Bsend)
@@ -37,58 +37,58 @@ SEND_WITH(recv_init, Recv_init)
 FORTRAN(recv, (void *buf, f_int *count, f_int *type, f_int *source, f_int *tag, f_int *comm, f_int *status,
                f_int *ierr))
 {
-    *ierr = PMPI_Recv(buf, *count, F_TYPE(type), *source, *tag, F_COMM(comm), f_status(status));
+    *ierr = MPI_Recv(buf, *count, F_TYPE(type), *source, *tag, F_COMM(comm), f_status(status));
 }
 
 FORTRAN(sendrecv, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, void *into, f_int *room,
                    f_int *as, f_int *source, f_int *select, f_int *comm, f_int *status, f_int *ierr))
 {
-    *ierr = PMPI_Sendrecv(buf, *count, F_TYPE(type), *dest, *tag, into, *room, F_TYPE(as), *source, *select,
-                          F_COMM(comm), f_status(status));
+    *ierr = MPI_Sendrecv(buf, *count, F_TYPE(type), *dest, *tag, into, *room, F_TYPE(as), *source, *select,
+                         F_COMM(comm), f_status(status));
 }
 
 FORTRAN(sendrecv_replace, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *source,
                            f_int *select, f_int *comm, f_int *status, f_int *ierr))
 {
-    *ierr = PMPI_Sendrecv_replace(buf, *count, F_TYPE(type), *dest, *tag, *source, *select, F_COMM(comm),
-                                  f_status(status));
+    *ierr = MPI_Sendrecv_replace(buf, *count, F_TYPE(type), *dest, *tag, *source, *select, F_COMM(comm),
+                                 f_status(status));
 }
 
 FORTRAN(buffer_attach, (void *buf, f_int *size, f_int *ierr))
 {
-    *ierr = PMPI_Buffer_attach(buf, *size);
+    *ierr = MPI_Buffer_attach(buf, *size);
 }
 
 FORTRAN(buffer_detach, (void *buf, f_int *size, f_int *ierr))
 {
     void *attached;
     (void)buf;
-    *ierr = PMPI_Buffer_detach(&attached, size);
+    *ierr = MPI_Buffer_detach(&attached, size);
 }
 
 FORTRAN(probe, (f_int * source, f_int *tag, f_int *comm, f_int *status, f_int *ierr))
 {
-    *ierr = PMPI_Probe(*source, *tag, F_COMM(comm), f_status(status));
+    *ierr = MPI_Probe(*source, *tag, F_COMM(comm), f_status(status));
 }
 
 FORTRAN(iprobe, (f_int * source, f_int *tag, f_int *comm, f_int *flag, f_int *status, f_int *ierr))
 {
-    *ierr = PMPI_Iprobe(*source, *tag, F_COMM(comm), flag, f_status(status));
+    *ierr = MPI_Iprobe(*source, *tag, F_COMM(comm), flag, f_status(status));
 }
 
 FORTRAN(get_count, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 {
-    *ierr = PMPI_Get_count((MPI_Status *)status, F_TYPE(type), count);
+    *ierr = MPI_Get_count((MPI_Status *)status, F_TYPE(type), count);
 }
 
 FORTRAN(get_elements, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 {
-    *ierr = PMPI_Get_elements((MPI_Status *)status, F_TYPE(type), count);
+    *ierr = MPI_Get_elements((MPI_Status *)status, F_TYPE(type), count);
 }
 
 FORTRAN(test_cancelled, (f_int * status, f_int *flag, f_int *ierr))
 {
-    *ierr = PMPI_Test_cancelled((MPI_Status *)status, flag);
+    *ierr = MPI_Test_cancelled((MPI_Status *)status, flag);
 }
 
 /* --- requests --- */
@@ -117,32 +117,32 @@ static void count_from_one(f_int *index)
 
 FORTRAN(wait, (f_int * request, f_int *status, f_int *ierr))
 {
-    WITH(MPI_Request, request, PMPI_Wait(&handle, f_status(status)));
+    WITH(MPI_Request, request, MPI_Wait(&handle, f_status(status)));
 }
 
 FORTRAN(test, (f_int * request, f_int *flag, f_int *status, f_int *ierr))
 {
-    WITH(MPI_Request, request, PMPI_Test(&handle, flag, f_status(status)));
+    WITH(MPI_Request, request, MPI_Test(&handle, flag, f_status(status)));
 }
 
 FORTRAN(waitall, (f_int * count, f_int *list, f_int *statuses, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = PMPI_Waitall(*count, r, f_status(statuses));
+    *ierr = MPI_Waitall(*count, r, f_status(statuses));
     give_requests(r, list, *count);
 }
 
 FORTRAN(testall, (f_int * count, f_int *list, f_int *flag, f_int *statuses, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = PMPI_Testall(*count, r, flag, f_status(statuses));
+    *ierr = MPI_Testall(*count, r, flag, f_status(statuses));
     give_requests(r, list, *count);
 }
 
 FORTRAN(waitany, (f_int * count, f_int *list, f_int *index, f_int *status, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = PMPI_Waitany(*count, r, index, f_status(status));
+    *ierr = MPI_Waitany(*count, r, index, f_status(status));
     give_requests(r, list, *count);
     count_from_one(index);
 }
@@ -150,7 +150,7 @@ FORTRAN(waitany, (f_int * count, f_int *list, f_int *index, f_int *status, f_int
 FORTRAN(testany, (f_int * count, f_int *list, f_int *index, f_int *flag, f_int *status, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = PMPI_Testany(*count, r, index, flag, f_status(status));
+    *ierr = MPI_Testany(*count, r, index, flag, f_status(status));
     give_requests(r, list, *count);
     count_from_one(index);
 }
@@ -160,7 +160,7 @@ FORTRAN(testany, (f_int * count, f_int *list, f_int *index, f_int *flag, f_int *
             (f_int * count, f_int * list, f_int * done, f_int * indices, f_int * statuses, f_int * ierr))    \
     {                                                                                                        \
         MPI_Request *r = requests_of(list, *count);                                                          \
-        *ierr = PMPI_##c_name(*count, r, done, indices, f_status(statuses));                                 \
+        *ierr = MPI_##c_name(*count, r, done, indices, f_status(statuses));                                  \
         give_requests(r, list, *count);                                                                      \
         for (f_int i = 0; i < *done; i++)                                                                    \
             indices[i]++;                                                                                    \
@@ -170,24 +170,24 @@ SOME(testsome, Testsome)
 
 FORTRAN(start, (f_int * request, f_int *ierr))
 {
-    WITH(MPI_Request, request, PMPI_Start(&handle));
+    WITH(MPI_Request, request, MPI_Start(&handle));
 }
 
 FORTRAN(startall, (f_int * count, f_int *list, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = PMPI_Startall(*count, r);
+    *ierr = MPI_Startall(*count, r);
     give_requests(r, list, *count);
 }
 
 FORTRAN(request_free, (f_int * request, f_int *ierr))
 {
-    WITH(MPI_Request, request, PMPI_Request_free(&handle));
+    WITH(MPI_Request, request, MPI_Request_free(&handle));
 }
 
 FORTRAN(cancel, (f_int * request, f_int *ierr))
 {
-    WITH(MPI_Request, request, PMPI_Cancel(&handle));
+    WITH(MPI_Request, request, MPI_Cancel(&handle));
 }
 
 /* --- collectives: each, and the one with a request --- */
@@ -195,11 +195,11 @@ FORTRAN(cancel, (f_int * request, f_int *ierr))
 #define COLL(name, c_name, parameters, arguments)                                                            \
     FORTRAN(name, (LIST parameters, f_int * comm, f_int * ierr))                                             \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(LIST arguments, F_COMM(comm));                                                 \
+        *ierr = MPI_##c_name(LIST arguments, F_COMM(comm));                                                  \
     }                                                                                                        \
     FORTRAN(i##name, (LIST parameters, f_int * comm, f_int * request, f_int * ierr))                         \
     {                                                                                                        \
-        WITH(MPI_Request, request, PMPI_I##name(LIST arguments, F_COMM(comm), &handle));                     \
+        WITH(MPI_Request, request, MPI_I##name(LIST arguments, F_COMM(comm), &handle));                      \
     }
 #define LIST(...) __VA_ARGS__
 #define FROM void *buf, f_int *count, f_int *type
@@ -213,12 +213,12 @@ FORTRAN(cancel, (f_int * request, f_int *ierr))
 
 FORTRAN(barrier, (f_int * comm, f_int *ierr))
 {
-    *ierr = PMPI_Barrier(F_COMM(comm));
+    *ierr = MPI_Barrier(F_COMM(comm));
 }
 
 FORTRAN(ibarrier, (f_int * comm, f_int *request, f_int *ierr))
 {
-    WITH(MPI_Request, request, PMPI_Ibarrier(F_COMM(comm), &handle));
+    WITH(MPI_Request, request, MPI_Ibarrier(F_COMM(comm), &handle));
 }
 
 COLL(bcast, Bcast, (FROM, f_int *root), (buf, *count, F_TYPE(type), *root))
@@ -245,22 +245,22 @@ FORTRAN(alltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *int
                     f_int *places, f_int *as, f_int *comm, f_int *ierr))
 {
     int size;
-    *ierr = PMPI_Comm_size(F_COMM(comm), &size);
+    *ierr = MPI_Comm_size(F_COMM(comm), &size);
     if (*ierr)
         return;
     MPI_Datatype *lists = get_memory(2 * (size_t)size * sizeof *lists);
     for (int i = 0; i < size; i++)
         lists[i] = F_TYPE(&types[i]), lists[size + i] = F_TYPE(&as[i]);
-    *ierr = PMPI_Alltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm));
+    *ierr = MPI_Alltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm));
     free(lists);
 }
 
 FORTRAN(op_create, (MPI_User_function * function, f_int *commutes, f_int *op, f_int *ierr))
 {
-    WITH(MPI_Op, op, PMPI_Op_create(function, *commutes, &handle));
+    WITH(MPI_Op, op, MPI_Op_create(function, *commutes, &handle));
 }
 
 FORTRAN(op_free, (f_int * op, f_int *ierr))
 {
-    WITH(MPI_Op, op, PMPI_Op_free(&handle));
+    WITH(MPI_Op, op, MPI_Op_free(&handle));
 }

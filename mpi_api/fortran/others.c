@@ -7,44 +7,44 @@
 
 FORTRAN(init, (f_int * ierr))
 {
-    *ierr = PMPI_Init(NULL, NULL);
+    *ierr = MPI_Init(NULL, NULL);
 }
 
 FORTRAN(init_thread, (f_int * required, f_int *provided, f_int *ierr))
 {
-    *ierr = PMPI_Init_thread(NULL, NULL, *required, provided);
+    *ierr = MPI_Init_thread(NULL, NULL, *required, provided);
 }
 
 FORTRAN(finalize, (f_int * ierr))
 {
-    *ierr = PMPI_Finalize();
+    *ierr = MPI_Finalize();
 }
 
 FORTRAN(initialized, (f_int * flag, f_int *ierr))
 {
-    *ierr = PMPI_Initialized(flag);
+    *ierr = MPI_Initialized(flag);
 }
 
 FORTRAN(finalized, (f_int * flag, f_int *ierr))
 {
-    *ierr = PMPI_Finalized(flag);
+    *ierr = MPI_Finalized(flag);
 }
 
 FORTRAN(abort, (f_int * comm, f_int *code, f_int *ierr))
 {
-    *ierr = PMPI_Abort(F_COMM(comm), *code);
+    *ierr = MPI_Abort(F_COMM(comm), *code);
 }
 
 FORTRAN(get_processor_name, (char *name, f_int *length, f_int *ierr, size_t room))
 {
     char text[MPI_MAX_PROCESSOR_NAME];
-    *ierr = PMPI_Get_processor_name(text, length);
+    *ierr = MPI_Get_processor_name(text, length);
     f_give_text(name, room, text);
 }
 
 FORTRAN(get_version, (f_int * version, f_int *subversion, f_int *ierr))
 {
-    *ierr = PMPI_Get_version(version, subversion);
+    *ierr = MPI_Get_version(version, subversion);
 }
 
 FORTRAN(pcontrol, (f_int * level))
@@ -55,12 +55,12 @@ FORTRAN(pcontrol, (f_int * level))
 double mpi_wtime_(void), mpi_wtick_(void);
 double mpi_wtime_(void)
 {
-    return PMPI_Wtime();
+    return MPI_Wtime();
 }
 
 double mpi_wtick_(void)
 {
-    return PMPI_Wtick();
+    return MPI_Wtick();
 }
 
 /* --- datatypes --- */
@@ -91,54 +91,54 @@ static MPI_Datatype *types_of(const f_int *list, f_int count)
 
 FORTRAN(type_contiguous, (f_int * count, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_contiguous(*count, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_contiguous(*count, F_TYPE(old), &made));
 }
 
 FORTRAN(type_vector, (f_int * count, f_int *length, f_int *stride, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_vector(*count, *length, *stride, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_vector(*count, *length, *stride, F_TYPE(old), &made));
 }
 
 FORTRAN(type_hvector, (f_int * count, f_int *length, f_int *stride, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_hvector(*count, *length, *stride, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_create_hvector(*count, *length, *stride, F_TYPE(old), &made));
 }
 
 FORTRAN(type_create_hvector,
         (f_int * count, f_int *length, MPI_Aint *stride, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_hvector(*count, *length, *stride, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_create_hvector(*count, *length, *stride, F_TYPE(old), &made));
 }
 
 FORTRAN(type_indexed, (f_int * count, f_int *lengths, f_int *at, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_indexed(*count, lengths, at, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_indexed(*count, lengths, at, F_TYPE(old), &made));
 }
 
 FORTRAN(type_hindexed, (f_int * count, f_int *lengths, f_int *at, f_int *old, f_int *type, f_int *ierr))
 {
     MPI_Aint *bytes = addresses_of(at, *count);
-    NEW_TYPE(PMPI_Type_create_hindexed(*count, lengths, bytes, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_create_hindexed(*count, lengths, bytes, F_TYPE(old), &made));
     free(bytes);
 }
 
 FORTRAN(type_create_hindexed,
         (f_int * count, f_int *lengths, MPI_Aint *at, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_hindexed(*count, lengths, at, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_create_hindexed(*count, lengths, at, F_TYPE(old), &made));
 }
 
 FORTRAN(type_create_indexed_block,
         (f_int * count, f_int *length, f_int *at, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_indexed_block(*count, *length, at, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_create_indexed_block(*count, *length, at, F_TYPE(old), &made));
 }
 
 FORTRAN(type_struct, (f_int * count, f_int *lengths, f_int *at, f_int *types, f_int *type, f_int *ierr))
 {
     MPI_Aint *bytes = addresses_of(at, *count);
     MPI_Datatype *list = types_of(types, *count);
-    NEW_TYPE(PMPI_Type_create_struct(*count, lengths, bytes, list, &made));
+    NEW_TYPE(MPI_Type_create_struct(*count, lengths, bytes, list, &made));
     free(bytes);
     free(list);
 }
@@ -147,46 +147,46 @@ FORTRAN(type_create_struct,
         (f_int * count, f_int *lengths, MPI_Aint *at, f_int *types, f_int *type, f_int *ierr))
 {
     MPI_Datatype *list = types_of(types, *count);
-    NEW_TYPE(PMPI_Type_create_struct(*count, lengths, at, list, &made));
+    NEW_TYPE(MPI_Type_create_struct(*count, lengths, at, list, &made));
     free(list);
 }
 
 FORTRAN(type_create_subarray, (f_int * dims, f_int *sizes, f_int *subsizes, f_int *starts, f_int *order,
                                f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_subarray(*dims, sizes, subsizes, starts, *order, F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_create_subarray(*dims, sizes, subsizes, starts, *order, F_TYPE(old), &made));
 }
 
 FORTRAN(type_create_resized, (f_int * old, MPI_Aint *lb, MPI_Aint *extent, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_resized(F_TYPE(old), *lb, *extent, &made));
+    NEW_TYPE(MPI_Type_create_resized(F_TYPE(old), *lb, *extent, &made));
 }
 
 FORTRAN(type_dup, (f_int * old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_dup(F_TYPE(old), &made));
+    NEW_TYPE(MPI_Type_dup(F_TYPE(old), &made));
 }
 
 FORTRAN(type_commit, (f_int * type, f_int *ierr))
 {
-    WITH(MPI_Datatype, type, PMPI_Type_commit(&handle));
+    WITH(MPI_Datatype, type, MPI_Type_commit(&handle));
 }
 
 FORTRAN(type_free, (f_int * type, f_int *ierr))
 {
-    WITH(MPI_Datatype, type, PMPI_Type_free(&handle));
+    WITH(MPI_Datatype, type, MPI_Type_free(&handle));
 }
 
 FORTRAN(type_size, (f_int * type, f_int *size, f_int *ierr))
 {
-    *ierr = PMPI_Type_size(F_TYPE(type), size);
+    *ierr = MPI_Type_size(F_TYPE(type), size);
 }
 
 #define SHORT_EXTENT(name, c_name)                                                                           \
     FORTRAN(name, (f_int * type, f_int * bytes, f_int * ierr))                                               \
     {                                                                                                        \
         MPI_Aint whole = 0;                                                                                  \
-        *ierr = PMPI_##c_name(F_TYPE(type), &whole);                                                         \
+        *ierr = MPI_##c_name(F_TYPE(type), &whole);                                                          \
         *bytes = (f_int)whole;                                                                               \
     }
 SHORT_EXTENT(type_extent, Type_extent)
@@ -195,12 +195,12 @@ SHORT_EXTENT(type_ub, Type_ub)
 
 FORTRAN(type_get_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
 {
-    *ierr = PMPI_Type_get_extent(F_TYPE(type), lb, extent);
+    *ierr = MPI_Type_get_extent(F_TYPE(type), lb, extent);
 }
 
 FORTRAN(type_get_true_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
 {
-    *ierr = PMPI_Type_get_true_extent(F_TYPE(type), lb, extent);
+    *ierr = MPI_Type_get_true_extent(F_TYPE(type), lb, extent);
 }
 
 FORTRAN(address, (void *at, f_int *address, f_int *ierr))
@@ -218,18 +218,18 @@ FORTRAN(get_address, (void *at, MPI_Aint *address, f_int *ierr))
 FORTRAN(pack, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *position, f_int *comm,
                f_int *ierr))
 {
-    *ierr = PMPI_Pack(buf, *count, F_TYPE(type), into, *room, position, F_COMM(comm));
+    *ierr = MPI_Pack(buf, *count, F_TYPE(type), into, *room, position, F_COMM(comm));
 }
 
 FORTRAN(unpack, (void *from, f_int *size, f_int *position, void *buf, f_int *count, f_int *type, f_int *comm,
                  f_int *ierr))
 {
-    *ierr = PMPI_Unpack(from, *size, position, buf, *count, F_TYPE(type), F_COMM(comm));
+    *ierr = MPI_Unpack(from, *size, position, buf, *count, F_TYPE(type), F_COMM(comm));
 }
 
 FORTRAN(pack_size, (f_int * count, f_int *type, f_int *comm, f_int *size, f_int *ierr))
 {
-    *ierr = PMPI_Pack_size(*count, F_TYPE(type), F_COMM(comm), size);
+    *ierr = MPI_Pack_size(*count, F_TYPE(type), F_COMM(comm), size);
 }
 
 /* --- groups --- */
@@ -245,29 +245,29 @@ FORTRAN(pack_size, (f_int * count, f_int *type, f_int *comm, f_int *size, f_int 
 
 FORTRAN(group_size, (f_int * group, f_int *size, f_int *ierr))
 {
-    *ierr = PMPI_Group_size(GROUP_OF(group), size);
+    *ierr = MPI_Group_size(GROUP_OF(group), size);
 }
 
 FORTRAN(group_rank, (f_int * group, f_int *rank, f_int *ierr))
 {
-    *ierr = PMPI_Group_rank(GROUP_OF(group), rank);
+    *ierr = MPI_Group_rank(GROUP_OF(group), rank);
 }
 
 FORTRAN(group_translate_ranks,
         (f_int * from, f_int *count, f_int *ranks, f_int *to, f_int *translated, f_int *ierr))
 {
-    *ierr = PMPI_Group_translate_ranks(GROUP_OF(from), *count, ranks, GROUP_OF(to), translated);
+    *ierr = MPI_Group_translate_ranks(GROUP_OF(from), *count, ranks, GROUP_OF(to), translated);
 }
 
 FORTRAN(group_compare, (f_int * a, f_int *b, f_int *result, f_int *ierr))
 {
-    *ierr = PMPI_Group_compare(GROUP_OF(a), GROUP_OF(b), result);
+    *ierr = MPI_Group_compare(GROUP_OF(a), GROUP_OF(b), result);
 }
 
 #define OF_TWO(name, c_name)                                                                                 \
     FORTRAN(name, (f_int * a, f_int * b, f_int * group, f_int * ierr))                                       \
     {                                                                                                        \
-        NEW_GROUP(PMPI_##c_name(GROUP_OF(a), GROUP_OF(b), &made));                                           \
+        NEW_GROUP(MPI_##c_name(GROUP_OF(a), GROUP_OF(b), &made));                                            \
     }
 OF_TWO(group_union, Group_union)
 OF_TWO(group_intersection, Group_intersection)
@@ -275,27 +275,27 @@ OF_TWO(group_difference, Group_difference)
 
 FORTRAN(group_incl, (f_int * from, f_int *count, f_int *ranks, f_int *group, f_int *ierr))
 {
-    NEW_GROUP(PMPI_Group_incl(GROUP_OF(from), *count, ranks, &made));
+    NEW_GROUP(MPI_Group_incl(GROUP_OF(from), *count, ranks, &made));
 }
 
 FORTRAN(group_excl, (f_int * from, f_int *count, f_int *ranks, f_int *group, f_int *ierr))
 {
-    NEW_GROUP(PMPI_Group_excl(GROUP_OF(from), *count, ranks, &made));
+    NEW_GROUP(MPI_Group_excl(GROUP_OF(from), *count, ranks, &made));
 }
 
 FORTRAN(group_range_incl, (f_int * from, f_int *count, f_int ranges[][3], f_int *group, f_int *ierr))
 {
-    NEW_GROUP(PMPI_Group_range_incl(GROUP_OF(from), *count, ranges, &made));
+    NEW_GROUP(MPI_Group_range_incl(GROUP_OF(from), *count, ranges, &made));
 }
 
 FORTRAN(group_range_excl, (f_int * from, f_int *count, f_int ranges[][3], f_int *group, f_int *ierr))
 {
-    NEW_GROUP(PMPI_Group_range_excl(GROUP_OF(from), *count, ranges, &made));
+    NEW_GROUP(MPI_Group_range_excl(GROUP_OF(from), *count, ranges, &made));
 }
 
 FORTRAN(group_free, (f_int * group, f_int *ierr))
 {
-    WITH(MPI_Group, group, PMPI_Group_free(&handle));
+    WITH(MPI_Group, group, MPI_Group_free(&handle));
 }
 
 /* --- communicators --- */
@@ -311,7 +311,7 @@ FORTRAN(group_free, (f_int * group, f_int *ierr))
 #define ASK_COMM(name, c_name)                                                                               \
     FORTRAN(name, (f_int * comm, f_int * value, f_int * ierr))                                               \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_COMM(comm), value);                                                          \
+        *ierr = MPI_##c_name(F_COMM(comm), value);                                                           \
     }
 ASK_COMM(comm_size, Comm_size)
 ASK_COMM(comm_rank, Comm_rank)
@@ -322,66 +322,66 @@ ASK_COMM(cartdim_get, Cartdim_get)
 
 FORTRAN(comm_compare, (f_int * a, f_int *b, f_int *result, f_int *ierr))
 {
-    *ierr = PMPI_Comm_compare(F_COMM(a), F_COMM(b), result);
+    *ierr = MPI_Comm_compare(F_COMM(a), F_COMM(b), result);
 }
 
 FORTRAN(comm_group, (f_int * comm, f_int *group, f_int *ierr))
 {
-    NEW_GROUP(PMPI_Comm_group(F_COMM(comm), &made));
+    NEW_GROUP(MPI_Comm_group(F_COMM(comm), &made));
 }
 
 FORTRAN(comm_remote_group, (f_int * comm, f_int *group, f_int *ierr))
 {
-    NEW_GROUP(PMPI_Comm_remote_group(F_COMM(comm), &made));
+    NEW_GROUP(MPI_Comm_remote_group(F_COMM(comm), &made));
 }
 
 FORTRAN(comm_dup, (f_int * comm, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Comm_dup(F_COMM(comm), &made));
+    NEW_COMM(MPI_Comm_dup(F_COMM(comm), &made));
 }
 
 FORTRAN(comm_create, (f_int * comm, f_int *group, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Comm_create(F_COMM(comm), GROUP_OF(group), &made));
+    NEW_COMM(MPI_Comm_create(F_COMM(comm), GROUP_OF(group), &made));
 }
 
 FORTRAN(comm_split, (f_int * comm, f_int *color, f_int *key, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Comm_split(F_COMM(comm), *color, *key, &made));
+    NEW_COMM(MPI_Comm_split(F_COMM(comm), *color, *key, &made));
 }
 
 FORTRAN(comm_split_type, (f_int * comm, f_int *kind, f_int *key, f_int *info, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Comm_split_type(F_COMM(comm), *kind, *key, F_HANDLE(MPI_Info, *info), &made));
+    NEW_COMM(MPI_Comm_split_type(F_COMM(comm), *kind, *key, F_HANDLE(MPI_Info, *info), &made));
 }
 
 FORTRAN(comm_free, (f_int * comm, f_int *ierr))
 {
-    WITH(MPI_Comm, comm, PMPI_Comm_free(&handle));
+    WITH(MPI_Comm, comm, MPI_Comm_free(&handle));
 }
 
 FORTRAN(intercomm_create,
         (f_int * local, f_int *leader, f_int *bridge, f_int *remote, f_int *tag, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Intercomm_create(F_COMM(local), *leader, F_COMM(bridge), *remote, *tag, &made));
+    NEW_COMM(MPI_Intercomm_create(F_COMM(local), *leader, F_COMM(bridge), *remote, *tag, &made));
 }
 
 FORTRAN(intercomm_merge, (f_int * comm, f_int *high, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Intercomm_merge(F_COMM(comm), *high, &made));
+    NEW_COMM(MPI_Intercomm_merge(F_COMM(comm), *high, &made));
 }
 
 FORTRAN(comm_set_name, (f_int * comm, const char *name, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    *ierr = PMPI_Comm_set_name(F_COMM(comm), text);
+    *ierr = MPI_Comm_set_name(F_COMM(comm), text);
     free(text);
 }
 
 FORTRAN(comm_get_name, (f_int * comm, char *name, f_int *length, f_int *ierr, size_t room))
 {
     char text[MPI_MAX_OBJECT_NAME];
-    *ierr = PMPI_Comm_get_name(F_COMM(comm), text, length);
+    *ierr = MPI_Comm_get_name(F_COMM(comm), text, length);
     if (!*ierr)
         f_give_text(name, room, text);
 }
@@ -390,75 +390,75 @@ FORTRAN(comm_get_name, (f_int * comm, char *name, f_int *length, f_int *ierr, si
 
 FORTRAN(dims_create, (f_int * nodes, f_int *dims, f_int *sides, f_int *ierr))
 {
-    *ierr = PMPI_Dims_create(*nodes, *dims, sides);
+    *ierr = MPI_Dims_create(*nodes, *dims, sides);
 }
 
 FORTRAN(cart_create,
         (f_int * comm, f_int *dims, f_int *sides, f_int *periods, f_int *reorder, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Cart_create(F_COMM(comm), *dims, sides, periods, *reorder, &made));
+    NEW_COMM(MPI_Cart_create(F_COMM(comm), *dims, sides, periods, *reorder, &made));
 }
 
 FORTRAN(cart_coords, (f_int * comm, f_int *rank, f_int *most, f_int *coords, f_int *ierr))
 {
-    *ierr = PMPI_Cart_coords(F_COMM(comm), *rank, *most, coords);
+    *ierr = MPI_Cart_coords(F_COMM(comm), *rank, *most, coords);
 }
 
 FORTRAN(cart_rank, (f_int * comm, f_int *coords, f_int *rank, f_int *ierr))
 {
-    *ierr = PMPI_Cart_rank(F_COMM(comm), coords, rank);
+    *ierr = MPI_Cart_rank(F_COMM(comm), coords, rank);
 }
 
 FORTRAN(cart_shift, (f_int * comm, f_int *direction, f_int *by, f_int *source, f_int *dest, f_int *ierr))
 {
-    *ierr = PMPI_Cart_shift(F_COMM(comm), *direction, *by, source, dest);
+    *ierr = MPI_Cart_shift(F_COMM(comm), *direction, *by, source, dest);
 }
 
 FORTRAN(cart_sub, (f_int * comm, f_int *keep, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Cart_sub(F_COMM(comm), keep, &made));
+    NEW_COMM(MPI_Cart_sub(F_COMM(comm), keep, &made));
 }
 
 FORTRAN(cart_get, (f_int * comm, f_int *most, f_int *sides, f_int *periods, f_int *coords, f_int *ierr))
 {
-    *ierr = PMPI_Cart_get(F_COMM(comm), *most, sides, periods, coords);
+    *ierr = MPI_Cart_get(F_COMM(comm), *most, sides, periods, coords);
 }
 
 FORTRAN(cart_map, (f_int * comm, f_int *dims, f_int *sides, f_int *periods, f_int *rank, f_int *ierr))
 {
-    *ierr = PMPI_Cart_map(F_COMM(comm), *dims, sides, periods, rank);
+    *ierr = MPI_Cart_map(F_COMM(comm), *dims, sides, periods, rank);
 }
 
 FORTRAN(graph_create,
         (f_int * comm, f_int *nodes, f_int *ends, f_int *edges, f_int *reorder, f_int *to, f_int *ierr))
 {
-    NEW_COMM(PMPI_Graph_create(F_COMM(comm), *nodes, ends, edges, *reorder, &made));
+    NEW_COMM(MPI_Graph_create(F_COMM(comm), *nodes, ends, edges, *reorder, &made));
 }
 
 FORTRAN(graph_get,
         (f_int * comm, f_int *most_nodes, f_int *most_edges, f_int *ends, f_int *edges, f_int *ierr))
 {
-    *ierr = PMPI_Graph_get(F_COMM(comm), *most_nodes, *most_edges, ends, edges);
+    *ierr = MPI_Graph_get(F_COMM(comm), *most_nodes, *most_edges, ends, edges);
 }
 
 FORTRAN(graphdims_get, (f_int * comm, f_int *nodes, f_int *edges, f_int *ierr))
 {
-    *ierr = PMPI_Graphdims_get(F_COMM(comm), nodes, edges);
+    *ierr = MPI_Graphdims_get(F_COMM(comm), nodes, edges);
 }
 
 FORTRAN(graph_neighbors_count, (f_int * comm, f_int *rank, f_int *count, f_int *ierr))
 {
-    *ierr = PMPI_Graph_neighbors_count(F_COMM(comm), *rank, count);
+    *ierr = MPI_Graph_neighbors_count(F_COMM(comm), *rank, count);
 }
 
 FORTRAN(graph_neighbors, (f_int * comm, f_int *rank, f_int *most, f_int *neighbors, f_int *ierr))
 {
-    *ierr = PMPI_Graph_neighbors(F_COMM(comm), *rank, *most, neighbors);
+    *ierr = MPI_Graph_neighbors(F_COMM(comm), *rank, *most, neighbors);
 }
 
 FORTRAN(graph_map, (f_int * comm, f_int *nodes, f_int *ends, f_int *edges, f_int *rank, f_int *ierr))
 {
-    *ierr = PMPI_Graph_map(F_COMM(comm), *nodes, ends, edges, rank);
+    *ierr = MPI_Graph_map(F_COMM(comm), *nodes, ends, edges, rank);
 }
 
 /* --- attributes: INTEGERs; the functions of a key are Fortran's --- */
@@ -512,43 +512,43 @@ FORTRAN(keyval_create, (f_copy * copy, f_delete *drop, f_int *key, f_int *extra,
 {
     struct f_key *k = get_memory(sizeof *k); /* as long as the key */
     *k = (struct f_key){copy, drop, extra};
-    *ierr = PMPI_Comm_create_keyval(call_copy, call_delete, key, k);
+    *ierr = MPI_Comm_create_keyval(call_copy, call_delete, key, k);
 }
 
 FORTRAN(keyval_free, (f_int * key, f_int *ierr))
 {
-    *ierr = PMPI_Comm_free_keyval(key);
+    *ierr = MPI_Comm_free_keyval(key);
 }
 
 FORTRAN(attr_put, (f_int * comm, f_int *key, f_int *value, f_int *ierr))
 {
-    *ierr = PMPI_Comm_set_attr(F_COMM(comm), *key, (void *)(intptr_t)*value);
+    *ierr = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)(intptr_t)*value);
 }
 
 FORTRAN(attr_get, (f_int * comm, f_int *key, f_int *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = PMPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
+    *ierr = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
     if (!*ierr && *flag) /* those of MPI's own are pointers to numbers */
         *value = *key <= MPI_LASTUSEDCODE ? *(int *)found : (f_int)(intptr_t)found;
 }
 
 FORTRAN(attr_delete, (f_int * comm, f_int *key, f_int *ierr))
 {
-    *ierr = PMPI_Comm_delete_attr(F_COMM(comm), *key);
+    *ierr = MPI_Comm_delete_attr(F_COMM(comm), *key);
 }
 
 FORTRAN(comm_get_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = PMPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
+    *ierr = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
     if (!*ierr && *flag)
         *value = *key <= MPI_LASTUSEDCODE ? *(int *)found : (MPI_Aint)found;
 }
 
 FORTRAN(comm_set_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *ierr))
 {
-    *ierr = PMPI_Comm_set_attr(F_COMM(comm), *key, (void *)*value);
+    *ierr = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)*value);
 }
 
 /* --- errors --- */
@@ -564,32 +564,32 @@ FORTRAN(comm_set_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *ierr))
 #define HANDLERS(create, set, get)                                                                           \
     FORTRAN(create, (MPI_Comm_errhandler_function * function, f_int * handler, f_int * ierr))                \
     {                                                                                                        \
-        NEW_HANDLER(PMPI_Comm_create_errhandler(function, &made));                                           \
+        NEW_HANDLER(MPI_Comm_create_errhandler(function, &made));                                            \
     }                                                                                                        \
     FORTRAN(set, (f_int * comm, f_int * handler, f_int * ierr))                                              \
     {                                                                                                        \
-        *ierr = PMPI_Comm_set_errhandler(F_COMM(comm), F_HANDLE(MPI_Errhandler, *handler));                  \
+        *ierr = MPI_Comm_set_errhandler(F_COMM(comm), F_HANDLE(MPI_Errhandler, *handler));                   \
     }                                                                                                        \
     FORTRAN(get, (f_int * comm, f_int * handler, f_int * ierr))                                              \
     {                                                                                                        \
-        NEW_HANDLER(PMPI_Comm_get_errhandler(F_COMM(comm), &made));                                          \
+        NEW_HANDLER(MPI_Comm_get_errhandler(F_COMM(comm), &made));                                           \
     }
 HANDLERS(errhandler_create, errhandler_set, errhandler_get)
 HANDLERS(comm_create_errhandler, comm_set_errhandler, comm_get_errhandler)
 
 FORTRAN(errhandler_free, (f_int * handler, f_int *ierr))
 {
-    WITH(MPI_Errhandler, handler, PMPI_Errhandler_free(&handle));
+    WITH(MPI_Errhandler, handler, MPI_Errhandler_free(&handle));
 }
 
 FORTRAN(error_string, (f_int * code, char *text, f_int *length, f_int *ierr, size_t room))
 {
     char whole[MPI_MAX_ERROR_STRING];
-    *ierr = PMPI_Error_string(*code, whole, length);
+    *ierr = MPI_Error_string(*code, whole, length);
     f_give_text(text, room, whole);
 }
 
 FORTRAN(error_class, (f_int * code, f_int *kind, f_int *ierr))
 {
-    *ierr = PMPI_Error_class(*code, kind);
+    *ierr = MPI_Error_class(*code, kind);
 }

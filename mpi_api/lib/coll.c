@@ -28,6 +28,25 @@ struct prepared {
     coll_run *run;
 };
 
+void args_keep(const struct args *a)
+{
+    op_keep(a->op);
+    type_keep(a->type);
+    type_keep(a->as);
+}
+
+void args_leave(const struct args *a)
+{
+    op_leave(a->op);
+    type_leave(a->type);
+    type_leave(a->as);
+}
+
+void coll_forget(const struct prepared *p)
+{
+    args_leave(&p->args);
+}
+
 int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request)
 {
     struct comm *c = comm_of(comm);
@@ -40,6 +59,7 @@ int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, 
     struct request *r = object_new(REQUEST, sizeof *r);
     struct prepared *p = get_memory(sizeof *p);
     *p = (struct prepared){*a, run};
+    args_keep(a);
     r->what = COLLECTS, r->persistent = true, r->comm = c, r->prepared = p;
     c->object.users++;
     *request = HANDLE(MPI_Request, r);

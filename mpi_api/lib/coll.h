@@ -33,12 +33,16 @@ struct args {
     bool same;                                    /* each gets the same part */
     MPI_Op op;
 };
+/* The program may free an operation and datatypes while a collective that it has begun uses them. */
+void args_keep(const struct args *a);
+void args_leave(const struct args *a);
 typedef int coll_run(struct args *a);
 /* Checks and runs a collective; or begins one, whose request is `request`. */
 int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
 /* The request of a persistent one, which MPI_Start begins. */
 int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
 void coll_restart(struct request *r);
+void coll_forget(const struct prepared *p); /* it is about to be freed */
 
 /* The three forms of a call. The parameters, in parentheses; the values of struct args. */
 #define COLLECTIVE(name, iname, function, parameters, ...)                                                   \

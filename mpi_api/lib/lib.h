@@ -14,20 +14,30 @@
 #include <stdint.h>
 #include "mpi.h"
 #include "mpi_api/core/core.h"
+#include "mpi_api/core/library.h"
 
-/* A call, which programs reach by both of its names. */
+/* A call, which programs reach by both of its names. By MPI_NAME it goes straight to PMPI_NAME, or by tell.S:
+ * in code that nxcc does not compile, so that it takes no virtual time. */
 #define CALL(name, parameters)                                                                               \
-    int MPI_##name parameters __attribute__((weak, alias("PMPI_" #name)));                                   \
+    __asm__(".pushsection .text\n"                                                                           \
+            ".weak MPI_" #name "\n"                                                                          \
+            ".type MPI_" #name ", @function\n"                                                               \
+            ".p2align 4\n"                                                                                   \
+            "MPI_" #name ":\n"                                                                               \
+            "    cmpb $0, nxm_library(%rip)\n"                                                               \
+            "    je PMPI_" #name "\n"                                                                        \
+            "    leaq 1f(%rip), %rax\n"                                                                      \
+            "    leaq PMPI_" #name "(%rip), %r11\n"                                                          \
+            "    jmp nxm_tell\n"                                                                             \
+            ".size MPI_" #name ", .-MPI_" #name "\n"                                                         \
+            ".section .rodata.str1.1, \"aMS\", @progbits, 1\n"                                               \
+            "1:  .string \"MPI_" #name "\"\n"                                                                \
+            ".popsection");                                                                                  \
     int PMPI_##name parameters
 
-/* --- objects --- */
+/* --- objects: mpi_api/core/library.h --- */
 
-enum kind { COMM = 1, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE };
-
-struct object {
-    enum kind kind;
-    int users, handle;
-};
+extern struct nxm_library nxm_library __attribute__((visibility("hidden")));
 
 /* A new object, all 0, with one user, as the first member of a struct of so many bytes. */
 void *object_new(enum kind kind, size_t bytes);
@@ -41,13 +51,6 @@ void *get_memory(size_t bytes); /* malloc, or the end of the run; NULL for none 
 
 /* --- communicators --- */
 
-struct group {
-    struct object object;
-    int size, rank; /* rank -1: the process is none of them */
-    int first;      /* nodes NULL: rank r is node first + r */
-    int *nodes;
-};
-
 static inline int group_node(const struct group *g, int rank)
 {
     return g->nodes ? g->nodes[rank] : g->first + rank;
@@ -59,21 +62,6 @@ struct group *group_keep(struct group *g);          /* for one user more */
 void group_leave(struct group *g);
 int group_compare(const struct group *a, const struct group *b); /* MPI_IDENT, MPI_SIMILAR, MPI_UNEQUAL */
 struct group *group_of(MPI_Group handle);
-
-struct topology;
-struct attribute;
-
-struct comm {
-    struct object object;
-    struct group *local, *remote; /* remote NULL: of one group */
-    struct group *peers;          /* whom ranks of point to point name */
-    int context;                  /* point to point; collectives: the next */
-    MPI_Errhandler handler;
-    int collectives; /* so many have begun: coll.h */
-    struct attribute *attributes;
-    struct topology *topology;
-    char *name;
-};
 
 extern struct comm comm_world, comm_self;
 struct comm *comm_of(MPI_Comm handle); /* NULL: none */
@@ -93,35 +81,6 @@ int fail_comm(int call); /* the communicator is none */
 
 /* --- datatypes --- */
 
-/* Bytes that lie together; elements of `unit` bytes. */
-struct run {
-    MPI_Aint at;
-    size_t bytes;
-    int unit;
-};
-
-struct type {
-    struct object object;
-    size_t size;
-    MPI_Aint lb, ub, true_lb, true_ub;
-    int align; /* of its members, as a C compiler does */
-    int runs;
-    struct run one, *run; /* run: &one, if there is one only */
-    bool committed, has_lb, has_ub;
-    int combiner, ints, addresses, types; /* of what it was made: Type_get_contents */
-    int *int_list;
-    MPI_Aint *address_list;
-    MPI_Datatype *type_list;
-    struct attribute *attributes;
-    char *name;
-};
-
-enum basic_class { NO_TYPE, WHOLE, NATURAL, REAL, COMPLEX, LOGICAL, BITS, PAIR };
-struct basic {
-    uint8_t bytes, class; /* PAIR: a value and an int behind it, in so many bytes */
-    uint8_t value;        /* PAIR: bytes of the value */
-};
-enum { FIRST_BASIC = 0x200, BASICS = 0xf2 };
 extern const struct basic basic_types[BASICS];
 static inline const struct basic *type_basic(MPI_Datatype t)
 {
@@ -150,30 +109,6 @@ void *type_together(const void *buf, int count, MPI_Datatype t, size_t *bytes);
 void type_copy(const void *from, int count, MPI_Datatype t, void *to, int room, MPI_Datatype as);
 
 /* --- point to point --- */
-
-enum mode { STANDARD, BUFFERED, SYNCHRONOUS, READY };
-
-struct request {
-    struct object object;
-    enum { SENDS, RECEIVES, GENERAL, COLLECTS } what;
-    bool persistent, active;
-    enum mode mode;
-    int id;   /* the core's; 0: done */
-    int peer; /* the other's rank */
-    struct nxm_envelope envelope;
-    struct comm *comm;
-    void *buf, *packed; /* packed: instead of buf, while it is under way */
-    int count;
-    MPI_Datatype type;
-    size_t room;
-    MPI_Status status; /* if no message belongs to it */
-    MPI_Grequest_query_function *query;
-    MPI_Grequest_free_function *release;
-    MPI_Grequest_cancel_function *cancel;
-    void *extra;
-    struct task *task; /* of a collective */
-    struct prepared *prepared;
-};
 
 /* Sends and receives that have been checked. Of a rank's other half of the context: collectives'. */
 struct transfer {
@@ -214,6 +149,8 @@ struct op {
 /* inout = in op inout */
 void op_apply(MPI_Op op, void *in, void *inout, int count, MPI_Datatype t);
 bool op_commutes(MPI_Op op);
+void op_keep(MPI_Op op); /* one user more: of those that are under way */
+void op_leave(MPI_Op op);
 bool op_is_own(MPI_Op op); /* one of MPI's, element by element */
 /* NULL: the operation may be applied to the type; else why not. */
 const char *op_refuses(MPI_Op op, MPI_Datatype t);

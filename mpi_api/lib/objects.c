@@ -3,13 +3,12 @@
 #include <stdlib.h>
 #include "lib.h"
 
-/* Handles below are constants of mpi.h. */
-enum { FIRST_HANDLE = 0x1000 };
-
 static struct object **table;
 static int used, size;
 static int first_free = -1; /* of those that are free: the next is in `next` */
 static int *next;
+
+struct nxm_library nxm_library = {true, &table, &used, &comm_world, &comm_self, basic_types};
 
 void *get_memory(size_t bytes)
 {

@@ -224,6 +224,20 @@ bool op_commutes(MPI_Op op)
     return own ? own->commutes : op != MPI_REPLACE && op != MPI_NO_OP;
 }
 
+void op_keep(MPI_Op op)
+{
+    struct op *own = object_of(op, OP);
+    if (own)
+        own->object.users++;
+}
+
+void op_leave(MPI_Op op)
+{
+    struct op *own = object_of(op, OP);
+    if (own && object_leave(&own->object))
+        free(own);
+}
+
 /* --- the calls --- */
 
 CALL(Op_create, (MPI_User_function * function, int commutes, MPI_Op *op))
@@ -236,11 +250,9 @@ CALL(Op_create, (MPI_User_function * function, int commutes, MPI_Op *op))
 
 CALL(Op_free, (MPI_Op * op))
 {
-    struct op *o = object_of(*op, OP);
-    if (!o)
+    if (!object_of(*op, OP))
         return fail(NULL, CALL_Other, MPI_ERR_OP, "MPI_Op_free: the operation is null, freed, or MPI's own");
-    if (object_leave(&o->object))
-        free(o);
+    op_leave(*op);
     *op = MPI_OP_NULL;
     return MPI_SUCCESS;
 }

@@ -397,6 +397,8 @@ CALL(Request_free, (MPI_Request * request))
         r->packed = NULL; /* the message may be on its way from or to it */
     }
     int code = r->what == GENERAL && r->count && r->release ? r->release(r->extra) : MPI_SUCCESS;
+    if (r->prepared)
+        coll_forget(r->prepared);
     request_drop(r);
     *request = MPI_REQUEST_NULL;
     return code;

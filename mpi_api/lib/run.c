@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lib.h"
+#include "coll.h"
 #include "nx.h"
 
 bool mpi_runs;
@@ -58,7 +58,8 @@ CALL(Finalize, (void))
     if (!mpi_runs)
         return fail_comm(CALL_Finalize);
     comm_delete_attributes(&comm_self);
-    PMPI_Barrier(MPI_COMM_WORLD);
+    const struct coll all = coll_of(&comm_world, CALL_Finalize);
+    coll_barrier(&all);
     mpi_runs = false, has_run = true;
     return MPI_SUCCESS;
 }

@@ -82,6 +82,7 @@ struct task *task_start(coll_run *function, const struct args *a)
 {
     struct task *t = get_memory(sizeof *t), **last = &tasks;
     t->next = NULL, t->run = function, t->args = *a, t->done = false;
+    args_keep(a);
     /* Six registers, of no meaning, and where the first switch returns to; the stack as a call leaves it. */
     void **top = (void **)(t->stack + STACK_BYTES) - 1;
     *--top = (void *)body;
@@ -104,6 +105,7 @@ bool task_is_done(const struct task *t)
 int task_end(struct task *t)
 {
     int result = t->result;
+    args_leave(&t->args);
     free(t);
     return result;
 }

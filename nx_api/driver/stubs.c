@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include "nx_api/driver/elf_file.h"
@@ -225,6 +226,15 @@ static int link_stubs(const char **gcc, const struct names *n, const char *value
     return status;
 }
 
+/* (Fortran's names are in small letters.) */
+static bool any_of_mpi(const struct names *n)
+{
+    for (size_t i = 0; i < n->count; i++)
+        if (strncasecmp(n->name[i], "MPI_", 4) == 0)
+            return true;
+    return false;
+}
+
 int stubs_link(const char **gcc, const struct arguments *user, const char *program)
 {
     int status;
@@ -243,8 +253,10 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
         fprintf(stderr, "nxcc: %s do not have ", who);
         print_names(&n);
         fprintf(stderr,
-                ": is the spelling right? nx.h declares all calls. If the program can do without %s, --stubs "
+                ": is the spelling right? %s. If the program can do without %s, --stubs "
                 "links stand-ins, which fail with ENOSYS when they are called; the report names them\n",
+                any_of_mpi(&n) ? "doc/mpi-programs.md says which calls of MPI there are"
+                               : "nx.h declares all calls",
                 n.count > 1 ? "them" : "it");
     }
     return status;

@@ -1,6 +1,5 @@
-/* waitfor_mpi.c - MPI's words for what programs of MPI wait for: tags and communicators. A communicator's
- * context is the process type of its messages (mpi_api/core/core.h); odd ones are collectives', whose tag is
- * the collective's number on the communicator. */
+/* waitfor_mpi.c - see waitfor_mpi.h; and MPI's words for what its programs wait for. */
+#include "nx_api/waitfor/waitfor_mpi.h"
 #include "nx_api/waitfor/waitfor_parts.h"
 
 enum { FIRST_CONTEXT = 1 << 24 };
@@ -10,7 +9,17 @@ bool waitfor_is_mpi(long pid)
     return pid >= FIRST_CONTEXT;
 }
 
-static void print_communicator(FILE *f, long context)
+static bool is_collective(long pid)
+{
+    return (pid - FIRST_CONTEXT) & 1;
+}
+
+const char *waitfor_mpi_type(long pid)
+{
+    return is_collective(pid) ? "collective" : "tag";
+}
+
+void waitfor_print_communicator(FILE *f, long context)
 {
     long number = (context - FIRST_CONTEXT) / 2;
     if (number < 2)
@@ -21,7 +30,7 @@ static void print_communicator(FILE *f, long context)
 
 void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, long pid)
 {
-    bool collective = (pid - FIRST_CONTEXT) & 1;
+    bool collective = is_collective(pid);
     if (collective)
         fprintf(f, "a message of collective %ld", tag);
     else if (tag < 0)
@@ -29,15 +38,14 @@ void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, lo
     else
         fprintf(f, "tag %ld", tag);
     fputs(collective ? " of " : " in ", f);
-    print_communicator(f, pid);
+    waitfor_print_communicator(f, pid);
     fputs(" from ", f);
     waitfor_print_node(f, w, node);
 }
 
 const char *waitfor_mpi_remedy(const struct waitfor_node *n)
 {
-    bool collective = (n->select.pid - FIRST_CONTEXT) & 1;
-    if (collective)
+    if (is_collective(n->select.pid))
         return "All ranks of a communicator have to call its collectives, in the same order.";
     switch (n->cause) {
     case WAITFOR_WRONG_TYPE:

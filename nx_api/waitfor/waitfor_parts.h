@@ -17,7 +17,6 @@ bool waitfor_selects(const struct waitfor_select *s, long type, long from, long 
 void waitfor_print_typesel(FILE *f, long typesel);
 /* Of MPI's: is this process type a communicator's? A message's tag, communicator and sender; what to do about
  * the wait, NULL: nothing of MPI's own. */
-bool waitfor_is_mpi(long pid);
 void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, long pid);
 const char *waitfor_mpi_remedy(const struct waitfor_node *n);
 void waitfor_print_node(FILE *f, const struct waitfor *w, long node);

@@ -1,6 +1,7 @@
 /* waitfor_reason.c - the cause of each wait in sentences, and what to do about it. */
 #include <inttypes.h>
 #include <stdlib.h>
+#include "nx_api/waitfor/waitfor_mpi.h"
 #include "nx_api/waitfor/waitfor_parts.h"
 
 enum { MOST_TOLD = 4 }; /* messages of one node */

@@ -217,7 +217,14 @@ void asan_told(struct node *n, const void *at, size_t bytes, const struct nxc_ra
 
 void asan_in_call(struct node *n, bool write, const void *at, size_t bytes, const void *frame)
 {
-    check(n, &(struct asan_access){.at = (uintptr_t)at, .bytes = bytes, .write = write, .frame = frame});
+    asan_in_library(n, n->call, write, at, bytes, frame);
+}
+
+void asan_in_library(struct node *n, const char *call, bool write, const void *at, size_t bytes,
+                     const void *frame)
+{
+    check(n, &(struct asan_access){
+                 .at = (uintptr_t)at, .bytes = bytes, .write = write, .call = call, .frame = frame});
 }
 
 void asan_jumped(struct node *n)

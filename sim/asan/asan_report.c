@@ -46,7 +46,7 @@ static void print_stack(FILE *f, const struct node *n, const struct asan_stack *
 {
     bool any = false;
     for (uint32_t i = 0; s && i < s->depth; i++) {
-        if (asan_is_of_nxcc(n, s->returns[i]))
+        if (asan_is_of_nxcc(n, s->returns[i]) || node_image_in_mpi(n->file, s->returns[i] - 1))
             continue;
         print_call(f, n, any ? "called from" : "in", s->returns[i] - 1);
         any = true;
@@ -206,13 +206,12 @@ static void print_block(FILE *f, const struct node *n, const struct asan_block *
 }
 
 /* Whose buffer NX has written to, or read. */
-static const char *buffer_of(const struct node *n)
+static const char *buffer_of(const struct asan_access *a)
 {
-    return !n->call ? "hrecv" : strncmp(n->call, "msg", 3) == 0 ? "irecv" : n->call;
+    return !a->call ? "hrecv" : strncmp(a->call, "msg", 3) == 0 ? "irecv" : a->call;
 }
 
-static void print_advice(FILE *f, const struct node *n, const struct asan_access *a, uint8_t why,
-                         const struct object *o)
+static void print_advice(FILE *f, const struct asan_access *a, uint8_t why, const struct object *o)
 {
     fputs("\n  to do: ", f);
     if (why == NXC_ASAN_FREED)
@@ -220,7 +219,7 @@ static void print_advice(FILE *f, const struct node *n, const struct asan_access
     else if (why == NXC_ASAN_RETURNED)
         fputs("let no pointer to a function's variables live on after its return", f);
     else if (!a->site)
-        fprintf(f, "give %s a buffer of at least %s, or a smaller length", buffer_of(n),
+        fprintf(f, "give %s a buffer of at least %s, or a smaller length", buffer_of(a),
                 bytes_text(a->bytes).text);
     else if (o->name)
         fprintf(f, "make %s larger, or keep within it", o->name);
@@ -229,10 +228,10 @@ static void print_advice(FILE *f, const struct node *n, const struct asan_access
 }
 
 /* What the source calls what is accessed; or the call. */
-static void print_accessor(FILE *f, const struct node *n, const struct asan_access *a)
+static void print_accessor(FILE *f, const struct asan_access *a)
 {
     const char *text = a->site   ? nxc_race_text(a->site, a->site->variable)
-                       : n->call ? n->call
+                       : a->call ? a->call
                                  : "the message of an hrecv, which has interrupted the program";
     if (*text)
         fprintf(f, "\n  %s", text);
@@ -247,11 +246,11 @@ _Noreturn void asan_report(struct node *n, const struct asan_access *a)
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s: %s of %s, ", kind_of(why), a->write ? "write" : "read", bytes_text(a->bytes).text);
     print_position(f, a, why, &o);
-    print_accessor(f, n, a);
+    print_accessor(f, a);
     print_access(f, n, a);
     if (why == NXC_ASAN_HEAP || why == NXC_ASAN_FREED)
         print_block(f, n, asan_block_near(n, a->bad));
-    print_advice(f, n, a, why, &o);
+    print_advice(f, a, why, &o);
     fclose(f);
     node_fail_in(n, NULL, "%s", text);
 }

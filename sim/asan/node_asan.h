@@ -52,7 +52,8 @@ struct asan_access {
     uintptr_t at, bad; /* where it begins; its first byte that is not the program's */
     size_t bytes;
     bool write;
-    const struct nxc_race_site *site; /* NULL: a call of NX */
+    const struct nxc_race_site *site; /* NULL: a call of NX, or of MPI */
+    const char *call;                 /* its name; NULL: none, a message has come */
     const void *frame;
 };
 

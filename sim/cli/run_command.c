@@ -28,11 +28,12 @@
 #include "observe/sarif.h"
 #include "observe/summary.h"
 #include "observe/time_profile.h"
+#include "mpi_api/checks/mpi_checks.h"
 #include "observe/race_print.h"
 #include "observe/race_suppress.h"
 #include "timing/plan_read.h"
 
-enum { EXIT_RACES = 3, EXIT_OUTPUT = 74 };
+enum { EXIT_FINDINGS = 3, EXIT_OUTPUT = 74 };
 
 enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER };
 
@@ -41,7 +42,7 @@ struct arguments {
     const char *json, *deadlock, *races, *sarif, *suppress, *profile, *history, *cfs, *engine;
     uint32_t workers, shuffle;
     double slice_s;
-    bool quiet, verbose, isolate;
+    bool quiet, verbose, isolate, mpi_checks;
     struct run_trace_options trace; /* path NULL: no trace */
     bool *traced_nodes;
     struct debug_stop_options stop;
@@ -65,6 +66,8 @@ static const struct argp_option OPTIONS[] = {
      "Write races, a deadlock, an error of --asan or a crash as SARIF, which editors and code hosts show", 0},
     {"suppress", CLI_TEXT(arguments, suppress), "FILE", 0,
      "Report no races that FILE names: lines 'file NAME:LINE', 'variable NAME', 'function NAME'", 0},
+    {"mpi-checks", CLI_FLAG(arguments, mpi_checks), NULL, 0,
+     "Tell what MPI programs leave over at MPI_Finalize, and where ranks' calls do not fit together", 0},
     {"layer", LAYER, "PATTERN", 0,
      "Functions such as 'MPI*', or with a '.' source files such as 'mpi*.c', with a '/' their whole paths "
      "such as '*/mpich/*', or all of a library, lib/libmpi.a, are a message layer: where they wait, poll, "
@@ -113,7 +116,8 @@ static const char DOC[] =
     "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"
     "      was reached\n"
     "  2   deadlock: every program waits, and no message is under way\n"
-    "  3   all programs ended, but races were found (programs built with nxcc --races)\n"
+    "  3   all programs ended, but races were found (programs built with nxcc --races),\n"
+    "      or --mpi-checks has found something\n"
     "  64  wrong arguments\n"
     "  65  the machine or the program cannot be used\n"
     "  74  standard output or a result cannot be written\n\n"
@@ -271,7 +275,7 @@ static char *write_deadlock(const struct waitfor *w, const char *path)
 static int status_of(const struct machine *m, const struct race_reports *races)
 {
     if (m->outcome == MACHINE_ENDED || m->outcome == MACHINE_STOPPED)
-        return races->count ? EXIT_RACES : 0;
+        return races->count ? EXIT_FINDINGS : 0;
     return m->outcome == MACHINE_DEADLOCK ? 2 : 1;
 }
 
@@ -284,6 +288,8 @@ static int report(const struct machine *m, const struct race_reports *races, con
     if (!a->quiet)
         summary_print(m, races, a->verbose, stderr);
     race_print(races, stderr);
+    if (mpi_checks_print(m->sys.mpi_checks, "touchstone run: ", stderr) && !status)
+        status = EXIT_FINDINGS;
     char *error = a->json ? summary_json(m, races, a->json) : NULL;
     if (!error && a->deadlock)
         error = write_deadlock(m->waits, a->deadlock);
@@ -330,6 +336,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .cfs_dir = a->cfs,
                                 .layer = a->layer,
                                 .isolate = a->isolate,
+                                .mpi_checks = a->mpi_checks,
                                 .until = a->timing.until,
                                 .draw = a->timing.drawn ? &a->timing.draw : NULL,
                                 .plan = a->plan,

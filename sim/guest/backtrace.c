@@ -48,11 +48,19 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t a
                 node_image_where(n->file, address - (uintptr_t)n->program, where, sizeof where));
 }
 
+/* (How MPI's library is made is no concern of the program's.) */
+static bool is_of_mpi(const struct node *n, uintptr_t address)
+{
+    return !backtrace_in_program(n, address) || node_image_in_mpi(n->file, address - (uintptr_t)n->program);
+}
+
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
-    int depth = backtrace_walk(n, frame, returns, MOST_CALLS);
-    for (int i = 0; i < depth; i++)
+    int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
+    while (first < depth && is_of_mpi(n, returns[first] - 1))
+        first++;
+    for (int i = first < depth ? first : 0; i < depth; i++)
         backtrace_print(f, n, "called from", returns[i] - 1);
 }
 

@@ -454,6 +454,17 @@ static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t 
     return true;
 }
 
+bool node_image_in_mpi(const struct node_image *img, size_t offset)
+{
+    int line;
+    char *path = offset < img->bytes && img->elf->debug
+                     ? source_line(img->elf->bytes, img->elf->size, offset, &line)
+                     : NULL;
+    bool yes = path && layer_is_mpi(path);
+    free(path);
+    return yes;
+}
+
 void node_image_set_layer(struct node_image *img, char *const *layer)
 {
     img->layer = layer;

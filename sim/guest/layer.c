@@ -8,10 +8,22 @@
 #include "guest/source_line.h"
 #include "kernel/xalloc.h"
 
+bool layer_is_mpi(const char *path)
+{
+    return strncmp(path, "mpi_api/", 8) == 0 || strstr(path, "/mpi_api/");
+}
+
 bool layer_is_library(const char *path)
 {
-    return strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/") ||
-           strncmp(path, "mpi_api/", 8) == 0 || strstr(path, "/mpi_api/");
+    return strncmp(path, "nx_api/", 7) == 0 || strstr(path, "/nx_api/") || layer_is_mpi(path);
+}
+
+const char *layer_called(const char *function)
+{
+    if (strncmp(function, "PMPI_", 5) == 0)
+        return function + 1;
+    bool fortran = strncmp(function, "mpi_", 4) == 0 || strncmp(function, "pmpi_", 5) == 0;
+    return fortran || strcmp(function, "nxm_tell") == 0 ? "" : function;
 }
 
 /* (GCC names parts and copies of a function NAME.part.0, NAME.constprop.0.) */

@@ -10,6 +10,11 @@ struct elf_file;
 
 /* Is a source file, named from the root of touchstone's source or by its whole path, NX's library's? */
 bool layer_is_library(const char *path);
+/* Is it MPI's? */
+bool layer_is_mpi(const char *path);
+/* What a program calls a function of the library: "MPI_Send" of PMPI_Send. "": nothing; the function lies
+ * between such a call and the library. */
+const char *layer_called(const char *function);
 /* Does one of the patterns, ended by NULL, match? Patterns have * and ?, as file names in a shell. One with a
  * '/' is about whole paths of source files, one with a '.' about source files without their folders
  * ("mpi*.c"), any other about functions ("MPI*"). layer may be NULL: no patterns; function and path, too: not

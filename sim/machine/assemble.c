@@ -25,6 +25,7 @@
 #include "os/observer.h"
 #include "record/node_record.h"
 #include "profile/path_times.h"
+#include "mpi_api/checks/mpi_checks.h"
 #include "races/race_check.h"
 #include "replay/numbering.h"
 #include "asan/asan_check.h"
@@ -164,6 +165,7 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
         livelock_begin(n);
         path_times_begin(n);
         races_begin(n->sys->races, n);
+        mpi_checks_begin(n->sys->mpi_checks, n);
         if (n->sys->recorder)
             node_record(n);
         return n;
@@ -223,6 +225,7 @@ static void strip(struct node *n)
     path_times_end(n);
     livelock_end(n);
     races_end(n);
+    mpi_checks_end(n->sys->mpi_checks, n);
     if (n->asan)
         asan_end(n), n->asan = NULL;
     free(n->crash);

@@ -17,6 +17,7 @@
 #include "net/protocol_record.h"
 #include "replay/numbering.h"
 #include "replay/orders.h"
+#include "mpi_api/checks/mpi_checks.h"
 #include "races/race_check.h"
 #include "asan/asan_check.h"
 
@@ -182,6 +183,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->debugger = options->debugged ? debugger_new() : NULL;
     s->races = races_new();
     s->asan = asan_new();
+    s->mpi_checks = options->mpi_checks ? mpi_checks_new() : NULL;
     s->out[0] = options->out, s->out[1] = options->err;
     s->schedule.q = evq_new();
     if (!has_host(m, error) || !make_shape(m, error) || !make_timing(m, error))
@@ -229,6 +231,7 @@ void machine_free(struct machine *m)
     protocol_free(m->sys.schedule.protocol);
     races_free(m->sys.races);
     asan_free(m->sys.asan);
+    mpi_checks_free(m->sys.mpi_checks);
     evq_free(m->sys.schedule.q);
     mintree_free(&m->sys.schedule.polls);
     timing_free(m->sys.timing);

@@ -30,6 +30,7 @@ struct machine_options {
     const struct plan *plan;
     FILE *schedule;      /* gets the run's schedule; NULL: none */
     bool isolate;        /* a node that writes to another's memory crashes; the run uses one thread */
+    bool mpi_checks;     /* calls of MPI are checked: mpi_api/checks/mpi_checks.h */
     FILE *out, *err;     /* the programs' output */
     FILE *history;       /* gets a line for each message received; NULL: no history */
     struct fence *fence; /* files of this computer that programs may use: guest/fence.h. NULL: all */

@@ -67,6 +67,7 @@ static void tell(const struct protocol *p, struct recorded_trip *r)
                                     .from = m->from,
                                     .to = m->to,
                                     .type = m->type,
+                                    .pid = m->pid,
                                     .bytes = m->bytes,
                                     .is_long = m->is_long,
                                     .sent = r->sent,

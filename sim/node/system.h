@@ -16,6 +16,7 @@ struct numbering; /* replay/numbering.h */
 struct order_policy;
 struct asan;
 struct races;
+struct mpi_checks;
 
 enum { NODE_HOST_FILES = 64, NODE_TYPE_HASHES = 1024 };
 
@@ -65,6 +66,7 @@ struct node_system {
     const struct order_policy *orders; /* os/order_policy.h. NULL: the run keeps none */
     struct recorder *recorder;         /* of the run's trace: record/node_record.h. NULL: none */
     struct asan *asan;                 /* of the programs built with --asan: asan/asan_check.h */
+    struct mpi_checks *mpi_checks;     /* mpi_api/checks/mpi_checks.h. NULL: nothing is checked */
     struct races *races; /* of the programs built with --races: races/race_check.h. NULL: there are none */
     /* guest: names of host files that programs have used, each once; ended by NULL, or NULL */
     char **host_files;

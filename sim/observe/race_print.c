@@ -72,7 +72,9 @@ static char *why_buffer(const struct race_report *r)
 {
     const struct race_report_side *a = &r->side[0];
     bool blocks = strncmp(a->call + (*a->call == '_'), "c", 1) == 0;
-    const char *until = blocks                 ? "that call has returned"
+    const char *until = strncmp(a->call, "MPI_", 4) == 0
+                            ? "MPI_Wait, or a call like it, has completed its request"
+                        : blocks               ? "that call has returned"
                         : strchr(a->call, 'h') ? "its handler runs"
                                                : "msgwait returns, or msgdone returns 1";
     if (r->what == RACE_ON_SEND)

@@ -8,6 +8,8 @@
 
 struct due;
 struct observer;
+struct nxm_told;
+struct nxm_library;
 
 /* Messages that a call sends, linked by next (first NULL: none). The send s, if any, reports when they have
  * left. Among all that the node has sent, they have so many numbers from `order` on. */
@@ -91,6 +93,12 @@ struct announcements {
     /* What is charged from now on belongs to the i-th deferred call; to the call that the program is in. */
     void (*charges_deferred)(struct observer *o, struct node *n, uint32_t i);
     void (*charges_program)(struct observer *o, struct node *n);
+    /* The program calls MPI's library, which is a part of it; its call has ended (mpi_api/core/library.h).
+     * Told on any thread. */
+    void (*library_begins)(struct observer *o, struct node *n, const struct nxm_told *c,
+                           const struct nxm_library *l);
+    void (*library_ends)(struct observer *o, struct node *n, const struct nxm_told *c,
+                         const struct nxm_library *l);
     /* The system works for t until `end` because of a message. */
     void (*system)(struct observer *o, struct node *n, enum node_task task, vtime end, vtime t);
 };

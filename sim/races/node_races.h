@@ -63,6 +63,7 @@ struct race_moment {
 
 struct node_races {
     struct observer observer; /* first */
+    struct observer library;  /* of MPI's calls: race_mpi.h */
     struct races *all;
     struct node_races *next;
     const struct node_image *file;
@@ -95,7 +96,8 @@ struct node_races {
         const char *call; /* "hrecv" */
         uintptr_t frame;  /* of the system, where it has interrupted the program */
     } handlers;
-    uintptr_t stack_low; /* handlers have accessed no memory of the program's stack below */
+    const struct nxm_told *in_library; /* the call of MPI that the program is in; NULL: none */
+    uintptr_t stack_low;               /* handlers have accessed no memory of the program's stack below */
     struct race_moment main_moments[RACE_MOMENTS], runs[RACE_MOMENTS]; /* by epoch, the last ones */
     uint64_t older_knows; /* the most that runs knew that are no longer in `runs` */
     struct race_shadow *shadow;
@@ -131,6 +133,11 @@ static inline struct node_races *races_of(const struct node *n)
 {
     return (struct node_races *)observer_of(n, &race_observer);
 }
+
+/* A buffer is under way from now on: *f has its key, place, call, bounds and direction. */
+void race_take_off(struct node *n, struct race_flight *f);
+/* Accesses are told only while they matter. */
+void race_set_on(struct node *n);
 
 /* The main program's epoch for what it does now. */
 uint64_t race_main_epoch(struct node_races *r);

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "races/node_races.h"
+#include "races/race_mpi.h"
 #include "nx_api/contract/program_image.h"
 
 struct races *races_new(void)
@@ -49,7 +50,7 @@ void races_begin(struct races *all, struct node *n)
     if (!n->image->races || n->asan)
         return;
     struct node_races *r = xcalloc(1, sizeof *r);
-    r->observer.hears = &race_observer;
+    r->observer.hears = &race_observer, r->library.hears = &race_mpi_observer;
     r->all = all;
     r->file = n->file;
     r->number = n->is_host ? 0 : n->id + 1;
@@ -64,6 +65,7 @@ void races_begin(struct races *all, struct node *n)
     *all->last = r;
     all->last = &r->next;
     observer_add(n, &r->observer);
+    observer_add(n, &r->library);
 }
 
 void races_over(struct races *all)
@@ -78,6 +80,7 @@ void races_end(struct node *n)
     if (!r)
         return;
     observer_remove(n, &r->observer);
+    observer_remove(n, &r->library);
     free_parts(r);
     r->gone = true;
 }

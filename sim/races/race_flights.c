@@ -39,6 +39,20 @@ bool race_flights_remove(struct race_flights *f, const void *key, struct race_fl
     return false;
 }
 
+void race_flights_keep(struct race_flights *f, bool (*lives)(const void *ctx, const struct race_flight *),
+                       const void *ctx)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < f->count; i++) {
+        if (lives(ctx, &f->list[i]))
+            f->list[kept++] = f->list[i];
+        else
+            race_clock_free(f->list[i].heard);
+    }
+    f->count = kept;
+    forget_gap(f);
+}
+
 static bool overlaps(const struct race_flight *a, uintptr_t begin, uintptr_t end)
 {
     return a->begin < a->end && a->begin < end && begin < a->end;

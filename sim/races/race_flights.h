@@ -18,6 +18,7 @@ struct race_flight {
     bool by_handler;       /* a handler has begun it */
     uint32_t place;        /* where it began */
     const char *call;      /* "irecv" */
+    int request;           /* of MPI: the handle; 0: of NX */
     uint64_t began;        /* virtual time, ps */
     struct race_known now; /* what the strand that began it was, and knew of the other */
     struct race_clock *heard;
@@ -34,6 +35,9 @@ void race_flights_end(struct race_flights *f);
 void race_flights_add(struct race_flights *f, const struct race_flight *flight);
 /* Takes out the flight of a key into *flight, whose `heard` is the caller's. False: there is none. */
 bool race_flights_remove(struct race_flights *f, const void *key, struct race_flight *flight);
+/* Keeps those of which `lives` says so. */
+void race_flights_keep(struct race_flights *f, bool (*lives)(const void *ctx, const struct race_flight *),
+                       const void *ctx);
 /* The first whose buffer has any byte of [begin, end), from *from on; NULL: none. write: also sends. Sets
  * *from behind it. */
 const struct race_flight *race_flights_next(const struct race_flights *f, uintptr_t begin, uintptr_t end,

@@ -55,7 +55,7 @@ static struct node_races *checker(struct observer *o)
 
 /* --- are accesses to be told? --- */
 
-static void set_on(struct node *n)
+void race_set_on(struct node *n)
 {
     struct node_races *r = races_of(n);
     bool tracks = n->mailbox.handlers || r->handlers.runs || r->main.knows < r->handlers.run;
@@ -70,7 +70,7 @@ static void set_on(struct node *n)
 static void hear_call_ends(struct observer *by, struct node *n)
 {
     checker(by)->since = node_now(n);
-    set_on(n);
+    race_set_on(n);
 }
 
 /* --- hearing --- */
@@ -163,23 +163,28 @@ static bool knows_something(const struct node_races *r)
     return r->tracks || r->handlers.run || r->main.heard;
 }
 
-/* A buffer is under way from now on. */
+void race_take_off(struct node *n, struct race_flight *f)
+{
+    struct node_races *r = races_of(n);
+    f->by_handler = r->handlers.runs;
+    f->began = n->call ? node_now(n) : r->since;
+    f->now = now(r);
+    f->heard = heard(r);
+    race_flights_add(&r->flights, f);
+    race_set_on(n);
+}
+
+/* Of a call of NX. */
 static void take_off(struct node *n, const void *key, const void *buf, size_t bytes, bool receives,
                      uint32_t place)
 {
-    struct node_races *r = races_of(n);
     uintptr_t begin = (uintptr_t)buf;
-    race_flights_add(&r->flights, &(struct race_flight){.key = key,
-                                                        .begin = begin,
-                                                        .end = begin + bytes,
-                                                        .receives = receives,
-                                                        .by_handler = r->handlers.runs,
-                                                        .place = place,
-                                                        .call = n->call,
-                                                        .began = node_now(n),
-                                                        .now = now(r),
-                                                        .heard = heard(r)});
-    set_on(n);
+    race_take_off(n, &(struct race_flight){.key = key,
+                                           .begin = begin,
+                                           .end = begin + bytes,
+                                           .receives = receives,
+                                           .place = place,
+                                           .call = n->call});
 }
 
 static void land(struct node *n, const void *key)
@@ -188,7 +193,7 @@ static void land(struct node *n, const void *key)
     if (!race_flights_remove(&races_of(n)->flights, key, &f))
         return;
     race_clock_free(f.heard);
-    set_on(n);
+    race_set_on(n);
 }
 
 static void hear_sends(struct observer *by, struct node *n, const struct observed_send *what)
@@ -197,12 +202,14 @@ static void hear_sends(struct observer *by, struct node *n, const struct observe
     const struct send *s = what->s;
     uintptr_t buf = (uintptr_t)what->buf;
     bool lasts = s && s != &n->cold->own.send[0] && s != &n->cold->own.send[1];
-    set_on(n);
+    race_set_on(n);
+    if (what->first && knows_something(r))
+        protocol_carry(what->first, &new_stamp(r)->cargo);
+    if (r->in_library)
+        return;
     uint32_t place = *r->on || lasts ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
     race_buffer_in_call(n, buf, what->bytes, false, place);
     race_access_in_call(n, buf, what->bytes, false, place);
-    if (what->first && knows_something(r))
-        protocol_carry(what->first, &new_stamp(r)->cargo);
     if (lasts)
         take_off(n, s, what->buf, what->bytes, false, place);
 }
@@ -217,7 +224,8 @@ static void hear_sent(struct observer *by, struct node *n, const struct send *s)
 
 static void hear_posts(struct observer *by, struct node *n, struct receive *r)
 {
-    (void)by;
+    if (checker(by)->in_library)
+        return;
     uint32_t place = race_place_in_call(n, n->call, __builtin_frame_address(0));
     race_buffer_in_call(n, (uintptr_t)r->buf, r->room, true, place);
     take_off(n, r, r->buf, r->room, true, place);
@@ -239,7 +247,7 @@ static void hear_takes(struct observer *by, struct node *n, struct receive *r)
         race_hear(c, s->node, s->known, s->heard);
     }
     land(n, r);
-    if (!c->tracks || m->bytes > r->room)
+    if (c->in_library || !c->tracks || m->bytes > r->room)
         return;
     if (r->handler)
         place = race_places_of_handler(c->places, c->handlers.call, c->handlers.posted);
@@ -264,7 +272,7 @@ static void hear_handler_begins(struct observer *by, struct node *n, const struc
     begin_run(c, node_now(n));
     race_clock_join(&c->handlers.heard, f.heard);
     race_clock_free(f.heard);
-    set_on(n);
+    race_set_on(n);
 }
 
 static void hear_handler_ends(struct observer *by, struct node *n)
@@ -274,7 +282,7 @@ static void hear_handler_ends(struct observer *by, struct node *n)
     r->handlers.runs = false;
     r->main.released = true;
     r->since = node_now(n);
-    set_on(n);
+    race_set_on(n);
 }
 
 static void hear_masks(struct observer *by, struct node *n, bool masked)

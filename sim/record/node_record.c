@@ -36,6 +36,8 @@ enum { DEEPEST = 4 };
 struct node_record {
     struct observer observer; /* first */
     uint32_t program;
+    const struct nxm_told *library; /* the call of MPI that the program is in; NULL: none */
+    bool continues;                 /* a call of the system was made in it */
     int depth;
     struct open open[DEEPEST];
     struct open deferred[DEFERRED_MOST]; /* as node.calls */
@@ -112,13 +114,22 @@ static uint32_t stack_now(const struct node_record *r, struct node *n, const voi
 
 /* --- calls --- */
 
+/* Is the call that begins a part of the call of MPI that the one before was a part of? */
+static bool continues(struct node_record *r, const struct node *n)
+{
+    bool yes = r->library && !n->in_handler && r->continues;
+    r->continues = r->library && !n->in_handler;
+    return yes;
+}
+
 static void begin_call(struct node_record *r, struct node *n, struct open *o, const void *innermost_frame)
 {
-    o->call = (struct recorded_call){.address = n->lp.address,
-                                     .name = recorder_name(recorder_of(n), n->call),
-                                     .stack = stack_now(r, n, innermost_frame),
-                                     .flags = n->in_handler ? CALL_IN_HANDLER : 0,
-                                     .begin = node_now(n)};
+    o->call = (struct recorded_call){
+        .address = n->lp.address,
+        .name = recorder_name(recorder_of(n), n->call),
+        .stack = stack_now(r, n, innermost_frame),
+        .flags = (uint8_t)((n->in_handler ? CALL_IN_HANDLER : 0) | (continues(r, n) ? CALL_CONTINUES : 0)),
+        .begin = node_now(n)};
     o->is_handler = o->sends = o->begun = o->left = false, o->from = -1;
 }
 
@@ -339,7 +350,30 @@ static void hear_ends(struct observer *by, struct node *n, vtime t)
 
 /* --- the beginning --- */
 
+/* (Told on any thread: of the program's order alone.) */
+static void hear_library_begins(struct observer *by, struct node *n, const struct nxm_told *c,
+                                const struct nxm_library *l)
+{
+    struct node_record *r = record_of(by);
+    (void)n, (void)l;
+    if (r->library && c < r->library) /* by a function that MPI's library has called */
+        return;
+    r->library = c;
+    r->continues = false;
+}
+
+static void hear_library_ends(struct observer *by, struct node *n, const struct nxm_told *c,
+                              const struct nxm_library *l)
+{
+    struct node_record *r = record_of(by);
+    (void)n, (void)l;
+    if (r->library == c)
+        r->library = NULL;
+}
+
 static const struct announcements heard = {
+    .library_begins = hear_library_begins,
+    .library_ends = hear_library_ends,
     .no_program = hear_no_program,
     .ends = hear_ends,
     .call_begins = hear_call_begins,

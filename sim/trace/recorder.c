@@ -206,7 +206,7 @@ static void pack_blocks(struct packer *p, const struct recorded_message *m)
 void recorder_message(struct recorder *r, const struct recorded_message *m)
 {
     struct packer *p = r->packer;
-    uint64_t flags = m->is_long ? MESSAGE_LONG : 0;
+    uint64_t flags = (m->is_long ? MESSAGE_LONG : 0) | (m->pid ? MESSAGE_HAS_PID : 0);
     if (!overlaps(r, m->sent, m->times[MESSAGE_COMPLETE]) ||
         (!recorder_wants(r, m->from) && !recorder_wants(r, m->to)))
         return;
@@ -221,6 +221,8 @@ void recorder_message(struct recorder *r, const struct recorded_message *m)
     pack(p, flags);
     pack_signed(p, m->type);
     pack(p, m->bytes);
+    if (m->pid)
+        pack_signed(p, m->pid);
     pack_time(p, &r->last_sent, m->sent);
     vtime last = m->sent;
     for (int i = 0; i < MESSAGE_TIMES; i++)

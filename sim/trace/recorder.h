@@ -69,7 +69,7 @@ struct recorded_message {
     uint32_t source; /* source and order together name a message */
     uint64_t order;
     uint32_t from, to;
-    int32_t type;
+    int32_t type, pid;
     uint64_t bytes;
     bool is_long;
     vtime sent, times[MESSAGE_TIMES]; /* VT_NEVER: it has not come so far */

@@ -40,12 +40,20 @@ enum record_kind {
     RECORD_KINDS
 };
 
-enum { CALL_HAS_TYPE = 1, CALL_UNFINISHED = 2, CALL_IN_HANDLER = 4, CALL_SENT = 8, CALL_TOOK = 16 };
+enum {
+    CALL_HAS_TYPE = 1,
+    CALL_UNFINISHED = 2,
+    CALL_IN_HANDLER = 4,
+    CALL_SENT = 8,
+    CALL_TOOK = 16,
+    CALL_CONTINUES = 32
+};
 enum { WAIT_HAS_TYPE = 1, WAIT_SENDS = 2, WAIT_HAS_FROM = 4 };
 enum { HANDLER_UNFINISHED = 1, HANDLER_HAS_MESSAGE = 2 };
 enum {
     MESSAGE_LONG = 1,
-    MESSAGE_FIRST_TIME = 2
+    MESSAGE_FIRST_TIME = 2,
+    MESSAGE_HAS_PID = 256
 }; /* MESSAGE_FIRST_TIME << i: the time i of enum message_time is there */
 enum message_time {
     MESSAGE_ASKED,

@@ -98,6 +98,10 @@ plot first/results.json -o own --x clock --y virtual_time_s --lines nodes --loga
 check "a picture of one's own" test -s own/virtual_time_s.png -a -s own/virtual_time_s.svg
 plot first --x nodes --y virtual_time_s -o own --file other
 check "an axis without a place is at its first value, and said" grep -q 'clock 40' own/other.svg
+plot first --x nodes --y virtual_time_s --ratio clock --y-label "80 MHz / 40 MHz" -o own --file ratio
+check "a ratio" grep -q '>clock 80 / 40<' own/ratio.svg
+plot first --x clock --y virtual_time_s --ratio nodes
+check "an axis of more than two values has no ratio" said 'no picture virtual_time_s: a ratio needs an axis of two values; nodes has 3'
 plot first --x knots --y virtual_time_s
 check "no such axis" said 'no picture virtual_time_s: there is no axis knots'
 plot first --x nodes --y nothing
@@ -121,6 +125,9 @@ sed 's/^cost/baseline = ( "clock=50" ); cost/' pictures.cfg >wrong_baseline.cfg
 sed 's/x = "nodes"/x = "knots"/' pictures.cfg >wrong.cfg
 plot none
 check "no such results" ended_with 65
+sed 's/^title = "Axes"; //' axes.cfg >untitled.cfg
+study untitled.cfg -o untitled
+check "a study without a title is called by its program and machine" grep -qx '# counted on delta' untitled/findings.md
 # refused STATUS SAID ARGUMENTS...: and no picture is drawn.
 refused() {
     plot "${@:3}" -o not
@@ -130,6 +137,7 @@ refused() {
 refused 64 'which results\? \(a folder that touchstone study wrote'
 refused 64 'a picture of your own needs both --x and --y' first --x nodes
 refused 64 'a picture of your own needs both --x and --y' first --lines clock
+refused 64 '--ratio cannot be drawn of the --best' first --x nodes --y virtual_time_s --ratio clock --best clock
 refused 64 "--logarithmic takes x, y or xy, not 'xz'" first --x nodes --y virtual_time_s --logarithmic xz
 refused 64 "--file takes letters, digits, _ - and ., not 'a/b'" first --x nodes --y virtual_time_s --file a/b
 refused 65 'wrong.cfg:[0-9]+: .*knots' first --study wrong.cfg

@@ -16,4 +16,5 @@ calls=$(sed -n 's/^NX_[A-Z]*(\([a-z_0-9]*\).*/\1/p; s/^REDUCTION(\([a-z]*\).*/\1
 missing() { for call in $calls gcol gcolx gopf gsync nxperror gopen; do grep -qw -- "$call" build/man/nx.3 || echo "$call"; done; }
 check "nx(3) has every call" test -z "$(missing)"
 check "there are many" test "$(wc -w <<<"$calls")" -ge 90
+check "nx(3) names members and arrays alone" bash -c '! grep -nE "^[a-z0-9_]+(\[[0-9]*\])?;:" build/man/nx.3'
 check "nx(3) has the errors" grep -q EQMSGLONG build/man/nx.3

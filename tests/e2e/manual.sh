@@ -24,8 +24,14 @@ refuses() { ! contents 'no-such-page' 2>err && said 'there is no page no-such-pa
 check "a page that is not there is an error" refuses
 
 if sphinx-build --version >/dev/null 2>&1 && "$(sed -n '1s/^#! *//p' "$(command -v sphinx-build)")" -c 'import furo, myst_parser' 2>/dev/null; then
-    sphinx() { TOUCHSTONE_VERSION=0 limited sphinx-build -q -W --keep-going -c "$root/doc/manual/sphinx" -d trees -b dummy source out; }
+    sphinx() { TOUCHSTONE_VERSION=0 limited sphinx-build -q -W --keep-going -c "$root/doc/manual/sphinx" -d trees -b html source html; }
     check "Sphinx has no warning" sphinx
+    if command -v chromium >/dev/null && command -v chromedriver >/dev/null && /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
+        HOME=$work limited /usr/bin/python3 "$tests/../page/check_manual.py" "$work/html" 2>browser.err
+        [ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }
+    else
+        echo "skip the manual in a browser: chromium, chromium-driver and python3-selenium are not installed (make setup)"
+    fi
 else
     echo "skip Sphinx has no warning: Sphinx, MyST or furo is not installed (make manual installs them)"
 fi

@@ -50,3 +50,10 @@ PATH=$PWD/bin:$PATH
 check "the trace says what the ranks waited for" bash -e -c "$(block "$page" sh 2)"
 bash -c "$(block "$page" sh 3)" >out 2>err
 check "with mpi_eager_limit 0 the unsafe program is found, as the page says" cmp err <(block "$page" err)
+
+# What the tools say.
+block "$page" c 3 >hasty.c
+bash -c "$(block "$page" sh 4)" >out 2>err
+check "--mpi-checks says what the page says" cmp err <(block "$page" err 2)
+bash -c "$(block "$page" sh 5)" >out 2>err
+check "so does --races" cmp out <(block "$page" out 2)

@@ -60,6 +60,14 @@ check "a page of seven kinds is written" ended_with 0
 check "it is told what to do with it" said '^all.html: open it in a browser$'
 page many.html many.trace
 check "a page of a large trace is written" ended_with 0
+for activity in computing handler system call waiting; do
+    key=ACTIVITY_${activity^^}
+    check "$activity has one colour in pictures and on pages" grep -q -- \
+        "--$activity: #$(grep -oP "\[$key\] = 0x\K[0-9a-f]+" "$tests/../../sim/lab/show/palette.c");" "$tests/../../sim/lab/page/web/page.css"
+done
+for tone in $(sed -n '/ORDER\[\]/,/;/p' "$tests/../../sim/lab/render/colours.c" | grep -oP '0x\K[0-9a-f]{6}'); do
+    check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_section.js"
+done
 page - run.json
 check "- is standard output" grep -q '^<!doctype html>' out
 check "the name that is markup stands nowhere as such" bash -c '! grep -q "<img\|<script>document" all.html'

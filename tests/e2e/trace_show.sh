@@ -59,6 +59,10 @@ show gantt -o some.png --from 1ms --to 2ms --nodes 0-2,5 ring.trace
 check "of an interval, of some nodes" is_png some.png
 check "the picture is another" test "$(cmp -s some.png png/gantt.png && echo same)" = ""
 
+show matrix channels --scale 5% --scale 100 -o scaled ring.trace
+check "scales that compare are given" bash -c '! cmp -s scaled/matrix.png png/matrix.png && ! cmp -s scaled/channels.png png/channels.png'
+show matrix --scale much ring.trace
+check "a scale is a share or a number" bash -c '[ "$1" = 64 ] && grep -q "scale takes a share such as 5%, or a number such as 1000, not .much" err' - $status
 run -q -m delta -n 200 --trace ring200.trace ring
 show all --svg --frames 2 -o many ring200.trace
 check "200 nodes on a mesh: all are drawn, and the SVGs are small" all_drawn many svg

@@ -38,6 +38,9 @@ static const struct picture TIME = {.file = "pic",
                                     .lines = "line",
                                     .panels = "panel",
                                     .best = "",
+                                    .ratio = "",
+                                    .lines_label = "",
+                                    .panels_label = "",
                                     .log_x = true,
                                     .log_y = true};
 
@@ -205,6 +208,48 @@ static void speeds_have_their_ideal(void **state)
     free(script);
 }
 
+/* The legend of one line had the line's name, and was cut off at the right. */
+static void one_line_needs_no_name(void **state)
+{
+    (void)state;
+    struct picture p = TIME;
+    unsigned without[2], with[2];
+    p.lines = "";
+    p.panels = "";
+    char *script = script_of(p);
+    assert_int_equal(
+        sscanf(strstr(script, "svg noenhanced size"), "svg noenhanced size %u,%u", &without[0], &without[1]),
+        2);
+    assert_null(strstr(script, "linespoints"));
+    free(script);
+    p.figure = "speedup";
+    script = script_of(p);
+    assert_int_equal(
+        sscanf(strstr(script, "svg noenhanced size"), "svg noenhanced size %u,%u", &with[0], &with[1]), 2);
+    assert_null(strstr(script, "linespoints"));
+    says(script, "title 'ideal'");
+    assert_true(with[0] >= without[0] + 74 + scale_text_width("ideal")); /* its sample, and its text */
+    free(script);
+}
+
+/* Of lines a and b there is no point in panel 2; line c takes 30 s of 1000 there, and 20 of 300. */
+static void a_ratio_is_the_second_values_figure_by_the_firsts(void **state)
+{
+    (void)state;
+    struct picture p = TIME;
+    p.panels = "";
+    p.ratio = "panel";
+    char *script = script_of(p);
+    double nodes, ratio;
+    assert_int_equal(sscanf(row(script, "l0_2", 0), "%lf %lf", &nodes, &ratio), 2);
+    assert_true(nodes == 1 && fabs(ratio - 0.03) < 1e-12);
+    assert_int_equal(sscanf(row(script, "l0_2", 1), "%lf %lf", &nodes, &ratio), 2);
+    assert_true(nodes == 10 && fabs(ratio - 2 / 30.0) < 1e-9);
+    assert_int_equal(strncmp(row(script, "l0_0", 0), "END", 3), 0);
+    says(script, "notes = 'group 2, panel 2 / 1'");
+    free(script);
+}
+
 /* Line b hid line a. */
 static void equal_lines_are_both_seen(void **state)
 {
@@ -265,6 +310,13 @@ static void the_legend_has_a_title_and_labels_beside_their_samples(void **state)
     assert_int_equal(count(script, "title 'line' left\n"), 2);
     says(script, "heading = 'It''s: time'");
     free(script);
+    struct picture p = TIME;
+    p.lines_label = "what it is of";
+    p.panels_label = "case";
+    script = script_of(p);
+    assert_int_equal(count(script, "title 'what it is of' left\n"), 2);
+    says(script, "set title 'case = 1'");
+    free(script);
 }
 
 static void a_png_has_twice_the_pixels(void **state)
@@ -289,6 +341,8 @@ int main(void)
         cmocka_unit_test(ranges_of_their_own_have_one_scale),
         cmocka_unit_test(choices_are_points_side_by_side),
         cmocka_unit_test(speeds_have_their_ideal),
+        cmocka_unit_test(one_line_needs_no_name),
+        cmocka_unit_test(a_ratio_is_the_second_values_figure_by_the_firsts),
         cmocka_unit_test(equal_lines_are_both_seen),
         cmocka_unit_test(lines_differ_in_marker_dashes_and_colour_only),
         cmocka_unit_test(ordered_lines_go_from_dark_to_light),

@@ -52,7 +52,10 @@ static char *page_of_results(const char *results, const char *figure, const char
                               .x = x,
                               .lines = *best ? "" : lines,
                               .panels = "",
-                              .best = best};
+                              .best = best,
+                              .ratio = "",
+                              .lines_label = "",
+                              .panels_label = ""};
     assert_true(findings_write(&points, &picture, 1, dir, &error));
     record_free(&points);
     unlink(path);

@@ -140,6 +140,31 @@ static struct trace two_nodes(void)
     return t;
 }
 
+/* Node 1 has an end of all messages; the others one of each. */
+static void rows_of_hosts_are_higher(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(8, VT_SECOND);
+    for (int32_t n = 0; n < 8; n++)
+        if (n != 1) {
+            int32_t send = made_call(&t, n, "csend", TRACE_SENDS, 1, 0, 10);
+            made_message(&t, send, TRACE_NONE, 1, 1, 10, 10, 20, 30);
+        }
+    struct node_rows r = node_rows_make(&t);
+    assert_true(node_rows_edge(&r, 1) == 1 / 8.0);
+    assert_true(node_rows_heighten(&r, &t, 4) == 11);
+    assert_true(fabs(node_rows_edge(&r, 1) - 1 / 11.0) < 1e-12);
+    assert_true(fabs(node_rows_edge(&r, 2) - 5 / 11.0) < 1e-12);
+    assert_true(fabs(node_rows_edge(&r, 8) - 1) < 1e-12);
+    node_rows_free(&r);
+    t.message_count = 0; /* then nobody serves */
+    r = node_rows_make(&t);
+    assert_true(node_rows_heighten(&r, &t, 4) == 8);
+    assert_null(r.edge);
+    node_rows_free(&r);
+    drop(&t);
+}
+
 static void activities_by_hand(void **state)
 {
     (void)state;
@@ -487,6 +512,10 @@ static void scales_are_round(void **state)
     assert_int_equal(heat_level(&h, 49.9), PALETTE_LEVELS / 2 - 1);
     assert_int_equal(heat_level(&far, 1), 0);
     assert_int_equal(heat_level(&far, 1000), PALETTE_LEVELS - 1);
+    struct heat given = heat_given(0.1, false), counts = heat_given(1000, true);
+    assert_int_equal(heat_level(&given, 0.049), PALETTE_LEVELS / 2 - 1);
+    assert_int_equal(heat_level(&counts, 1), 0);
+    assert_int_equal(heat_level(&counts, 5000), PALETTE_LEVELS - 1);
 }
 
 static void texts_are_for_people(void **state)
@@ -543,23 +572,101 @@ static void draw(void *ctx, const struct canvas *c)
     d->display->draw(d->show, c);
 }
 
-/* How many pixels of a picture, above its legend, have the colour. */
-static double pixels_of(const char *path, struct colour c)
+/* How many pixels of a picture, above its legend or in it, have the colour. */
+static double pixels_in(const char *path, struct colour c, bool legend)
 {
     cairo_surface_t *png = cairo_image_surface_create_from_png(path);
     assert_int_equal(cairo_surface_status(png), CAIRO_STATUS_SUCCESS);
     uint32_t wanted =
         (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
-    int width = cairo_image_surface_get_width(png), height = cairo_image_surface_get_height(png) - 80;
+    int width = cairo_image_surface_get_width(png), height = cairo_image_surface_get_height(png);
     const unsigned char *data = cairo_image_surface_get_data(png);
     double count = 0;
-    for (int y = 0; y < height; y++) {
+    for (int y = legend ? height - 80 : 0; y < (legend ? height : height - 80); y++) {
         const uint32_t *row = (const void *)(data + (size_t)y * (size_t)cairo_image_surface_get_stride(png));
         for (int x = 0; x < width; x++)
             count += (row[x] & 0xffffff) == wanted;
     }
     cairo_surface_destroy(png);
     return count;
+}
+
+static double pixels_of(const char *path, struct colour c)
+{
+    return pixels_in(path, c, false);
+}
+
+/* In an interval, or on so many nodes, that their share was nothing, handlers were not in the legend. */
+static void handlers_are_in_every_legend(void **state)
+{
+    (void)state;
+    struct trace t = two_nodes();
+    struct show s = {.trace = &t, .rows = node_rows_make(&t)};
+    struct drawing d = {display_find("gantt"), &s};
+    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
+    close(mkstemp(path));
+    assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
+    assert_true(pixels_in(path, palette_activity(ACTIVITY_HANDLER), true) > 100);
+    assert_true(pixels_of(path, palette_activity(ACTIVITY_HANDLER)) == 0);
+    unlink(path);
+    node_rows_free(&s.rows);
+    drop(&t);
+}
+
+/* A network of which a channel was held 1 % of the time is pale, unless the scale is to end there; a matrix's
+ * scale, too, can be given. */
+static void scales_can_be_given(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(2, VT_SECOND);
+    int32_t send = made_call(&t, 0, "csend", TRACE_SENDS, 1, 0, 10);
+    int32_t receive = made_call(&t, 1, "crecv", TRACE_RECEIVES, 1, 0, VT_SECOND);
+    made_message(&t, send, receive, 1, 1, 10, 10, VT_SECOND / 100, VT_SECOND / 100);
+    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
+    close(mkstemp(path));
+    static const char *const NAMES[] = {"channels", "matrix"};
+    for (size_t i = 0; i < 2; i++) {
+        double dark[2];
+        for (int k = 0; k < 2; k++) {
+            struct show s = {.trace = &t, .rows = node_rows_make(&t)};
+            s.most_share = k ? 0.01 : 0;   /* the channel's share */
+            s.most_amount = k ? 0 : 10000; /* of one message */
+            struct drawing d = {display_find(NAMES[i]), &s};
+            assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
+            dark[k] = pixels_of(path, palette_level(PALETTE_LEVELS - 1));
+            node_rows_free(&s.rows);
+        }
+        assert_true(dark[1] > 1.2 * dark[0]); /* both have the scale's bar */
+    }
+    unlink(path);
+    drop(&t);
+}
+
+/* 300 messages within 1 ms of a second's 600 were one line. */
+static void space_time_opens_where_messages_are_dense(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(2, VT_SECOND);
+    double black[2];
+    for (int i = 0; i < 450; i++) {
+        vtime sent =
+            i < 40 ? (vtime)i * VT_SECOND / 50 : VT_SECOND * 9 / 10 + (vtime)(i - 40) * VT_MICROSECOND;
+        int32_t send = made_call(&t, 0, "csend", TRACE_SENDS, 1, sent, sent + 10);
+        int32_t receive = made_call(&t, 1, "crecv", TRACE_RECEIVES, 1, sent, sent + VT_MICROSECOND);
+        made_message(&t, send, receive, 1, 1, sent, sent, sent + 100, sent + VT_MICROSECOND);
+    }
+    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
+    close(mkstemp(path));
+    for (int densest = 0; densest < 2; densest++) {
+        struct show s = {.trace = &t, .rows = node_rows_make(&t), .densest = densest};
+        struct drawing d = {display_find("space-time"), &s};
+        assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
+        black[densest] = pixels_of(path, COLOUR(0x222222));
+        node_rows_free(&s.rows);
+    }
+    assert_true(black[1] > 2 * black[0]);
+    unlink(path);
+    drop(&t);
 }
 
 static void a_long_message_crosses_a_short_interval(void **state)
@@ -629,6 +736,7 @@ int main(void)
         cmocka_unit_test(bins_of_days_do_not_overflow),
         cmocka_unit_test(few_nodes_have_a_row_each_many_share),
         cmocka_unit_test(classes_are_powers_of_two_and_the_host_is_apart),
+        cmocka_unit_test(rows_of_hosts_are_higher),
         cmocka_unit_test(activities_by_hand),
         cmocka_unit_test(a_handler_s_computing_is_told_apart),
         cmocka_unit_test(activities_by_brute_force),
@@ -643,6 +751,9 @@ int main(void)
         cmocka_unit_test(channels_over_the_edge_are_none),
         cmocka_unit_test(scales_are_round),
         cmocka_unit_test(texts_are_for_people),
+        cmocka_unit_test(handlers_are_in_every_legend),
+        cmocka_unit_test(scales_can_be_given),
+        cmocka_unit_test(space_time_opens_where_messages_are_dense),
         cmocka_unit_test(colours_survive_grey_print),
         cmocka_unit_test(areas_are_shares_of_time),
         cmocka_unit_test(a_long_message_crosses_a_short_interval),

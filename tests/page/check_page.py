@@ -9,6 +9,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from browser import Browser
+import vision
 
 page, many, folder = sys.argv[1:]
 
@@ -65,6 +66,9 @@ def check_study(b):
     ticks = lambda: b.run("return [...arguments[0].querySelectorAll('svg text')].map(t => t.textContent).join()", s)
     logarithmic = ticks()
     b.run("arguments[0].click()", s.find_elements(By.CSS_SELECTOR, ".controls input[type=checkbox]")[1])
+    held = b.run("""return fullestHold({axes: {n: [1, 2], kind: ['none', 'some', 'all']}, points: [{n: 1, kind: 'none', t: 1, failure: 'x'},
+        {n: 1, kind: 'some', t: 1}, {n: 1, kind: 'all', t: 1}, {n: 2, kind: 'all', t: 1}]}, {x: 'n', y: 't', lines: ''})""")
+    rule("study: other axes are held where most points are", held == {"kind": 2}, held)
     rule("study: linear or logarithmic", ticks() != logarithmic)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
@@ -75,13 +79,25 @@ def check_study(b):
     b.run("arguments[0].open = true", details)
     b.until("return document.querySelector('details[open] table')")
     text = b.run("return arguments[0].textContent", details)
-    rule("study: the table behind has each figure", all(str(p["total_s"]) in text for p in points))
+    columns = b.run("""return [...arguments[0].querySelectorAll('tbody tr')].map(r => [...r.cells].map(c =>
+        [c.textContent, c.querySelector('.rounded')?.title ?? c.textContent]))""", details)
+    exact = {e for row in columns for _, e in row}
+    rule("study: the table behind has each figure, exactly", all(str(p["total_s"]) in exact for p in points), sorted(exact)[:20])
+    decimals = [{len(shown.split(".")[1]) for shown, e in column if shown != e and "." in shown} for column in zip(*columns)]
+    rule("study: a column's numbers have equal decimals", any(decimals) and all(len(d) < 2 for d in decimals), decimals)
 
 
 def check_run(b):
     data = load("run.json")
     text = section(b, "Run of").text.replace("\u202f", "").replace("\u00a0", " ")
-    rule("run: its virtual time, all digits", f"{data['virtual_time_s']!r} s" in text, text[:300])
+    rule("run: its virtual time for people", f"{data['virtual_time_s'] * 1e3:.4g} ms" in text, text[:300])
+    exact = f"{data['virtual_time_s']!r} s"
+    time = section(b, "Run of").find_element(By.CSS_SELECTOR, ".rounded")
+    plain = lambda text: text.replace("\u202f", "").replace("\u00a0", " ")
+    rule("run: all digits under the mouse", plain(time.get_attribute("title")) == exact, time.get_attribute("title"))
+    b.run("arguments[0].click()", time)
+    rule("run: and after a click", plain(time.text) == exact, time.text)
+    b.run("arguments[0].click()", time)
     rule("run: its digest", data["digest"] in text)
 
 
@@ -97,7 +113,8 @@ def check_timeline(b):
     exact = str(round(load("run.json")["virtual_time_s"] * 1e12))
     rule("timeline: pieces reach the end, to the picosecond", set(pieces) == {last} and last == exact, (last, exact, pieces))
     whole = interval()
-    rule("timeline: it begins with the whole run", whole[0] == "0 s" and float(whole[1][:-2]) * 1e12 == int(last), whole)
+    rule("timeline: it begins with the whole run", whole[0] == "0 s" and abs(float(whole[1][:-2]) * 1e12 - int(last)) < 1e-4 * int(last)
+         and b.run("const t = arguments[0].timeline; return String(t.viewTo()) === String(t.trace.end)", canvas), whole)
     b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, "[aria-label='Zoom in']"))
     rule("timeline: a button zooms", interval()[0] != "0 s", interval())
     zoomed = interval()
@@ -125,8 +142,77 @@ def check_timeline(b):
     search.send_keys(Keys.ENTER)
     rule("timeline: and goes to one", interval() != whole and "crecv" in s.find_element(By.CSS_SELECTOR, ".readout").text)
     canvas.send_keys("0")
+    check_first_row(b, canvas)
+    check_under_mouse(b, s, canvas)
+    check_orders(b, s, canvas)
     check_arrows(b, s, canvas)
     check_shares(b, s, last)
+
+
+def check_first_row(b, canvas):
+    """The label of node 0 was hidden below the axis of time where rows are low."""
+    tones = b.run("""const t = arguments[0].timeline, {left, axis, scale} = t.painter.layout, tones = new Set();
+        const height = t.view.rowHeight;
+        t.view.rowHeight = 6;
+        t.paint();
+        const d = arguments[0].getContext('2d').getImageData(0, axis * scale, (left - 6) * scale, 11 * scale).data;
+        for (let i = 0; i < d.length; i += 4) tones.add(d[i]);
+        t.view.rowHeight = height;
+        t.paint();
+        return tones.size""", canvas)
+    rule("timeline: the first row has its label", tones > 5, tones)
+
+
+def check_under_mouse(b, s, canvas):
+    ActionChains(b.driver).move_to_element(canvas).perform()
+    tip = lambda: s.find_element(By.CSS_SELECTOR, ".plot .tip").text
+    rule("timeline: the mouse shows what a node does", tip().startswith("node ") and ", " in tip(), tip())
+    ActionChains(b.driver).key_down(Keys.SHIFT).move_to_element(canvas).click_and_hold().move_by_offset(200, 0) \
+        .release().key_up(Keys.SHIFT).perform()
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    shares = [float(part.split()[-1]) for part in told.split(": ", 1)[1].split(" %.")[0].replace(" %", "").split(", ")]
+    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.5, told)
+    before = b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas)
+    b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".readout button"))
+    rule("timeline: and can be looked into",
+         b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas) < before / 2)
+    canvas.send_keys("0")
+
+
+def check_orders(b, s, canvas):
+    choose = lambda text, value: b.run("""const label = [...arguments[0].querySelectorAll('.controls label')]
+        .find(l => l.textContent.startsWith(arguments[1])), c = label.querySelector('select');
+        c.value = arguments[2];
+        c.dispatchEvent(new Event('change'))""", s, text, value)
+    idle = {f"node {i}": n["idle_s"] for i, n in enumerate(load("run.json")["node"])}
+    names = lambda: b.run("return arguments[0].timeline.trace.rows.map(r => r.name)", canvas)
+    choose("order", "idle")
+    rule("timeline: the longest waiting are first", [idle[n] for n in names()] == sorted(idle.values(), reverse=True), names())
+    choose("order", "number")
+    rule("timeline: or in order of their numbers", names() == list(idle))
+    legend = lambda: [e.text for e in s.find_elements(By.CSS_SELECTOR, ".legend .key")]
+    activities = legend()
+    choose("colour by", "call")
+    rule("timeline: colours by call", "crecv" in legend() and "csend" in legend(), legend())
+    choose("colour by", "function")
+    rule("timeline: colours by function", "main" in legend(), legend())
+    choose("colour by", "activity")
+    rule("timeline: and by activity again", legend() == activities == ["computing", "handler computing", "system (message)",
+                                                                       "system (call)", "waiting", "ended"], legend())
+    places = b.run("""const t = arguments[0].timeline, {trace, painter, view} = t;
+        trace.rows[5].host = true;
+        trace.hosts = 1;
+        t.orderBy({hostsFirst: true});
+        view.rowHeight = 200;
+        t.scrollRows(3);
+        const found = [trace.rows[0].name, painter.y(0, view), painter.rowAt(painter.layout.axis + 5, view), view.top,
+            painter.rowAt(painter.layout.axis + 205, view)];
+        view.rowHeight = 22;
+        trace.rows[0].host = false;
+        t.orderBy({hostsFirst: false});
+        return [...found, painter.layout.axis]""", canvas)
+    rule("timeline: hosts stay on top", places[0] == "node 5" and places[1] == places[5] and places[2] == 0 and places[3] > 0
+         and places[4] == 1 + int(places[3]), places)
 
 
 def check_arrows(b, s, canvas):
@@ -140,7 +226,7 @@ def check_shares(b, s, last):
     details = [d for d in s.find_elements(By.TAG_NAME, "details") if "table behind" in d.text][0]
     b.run("arguments[0].open = true", details)
     cells = b.until("""const rows = [...arguments[0].querySelectorAll('tbody tr')];
-        return rows.length && rows.map(r => [...r.cells].slice(1).map(c => c.textContent))""".replace("arguments[0]",
+        return rows.length && rows.map(r => [...r.cells].slice(1).map(c => c.querySelector('.rounded')?.title ?? c.textContent))""".replace("arguments[0]",
                     "[...document.querySelectorAll('details[open]')].at(-1)"))
     number = lambda text: int(round(float(text.replace("\u202f", "").replace("\u00a0", "").rstrip("s")) * 1e12))
     sums = {sum(number(c) for c in row) for row in cells}
@@ -185,6 +271,14 @@ def check_surfaces(b):
     tones = lambda p: len({tuple(p[i:i + 3]) for i in range(0, len(p), 3)})
     first = picture()
     rule("surfaces: WebGL draws them", tones(first) > 50, tones(first))
+    outside = b.run("""const {view} = arguments[0], box = new THREE.Box3(), out = [];
+        view.meshes.forEach(m => box.expandByObject(m));
+        for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
+            const p = new THREE.Vector3(x, y, z).project(view.camera);
+            out.push(Math.abs(p.x), Math.abs(p.y));
+        }
+        return Math.max(...out)""", canvas)
+    rule("surfaces: the first view shows them whole, and large", 0.8 < outside <= 1, outside)
     canvas.send_keys(Keys.ARROW_LEFT * 4)
     turned = picture()
     rule("surfaces: keys turn them", turned != first)
@@ -232,6 +326,17 @@ def check_markup(b):
          and b.run("return window.struck === undefined && !document.querySelector('main script, main img, header img')"))
 
 
+def check_colours(b):
+    """Activities are far apart on light and dark ground, for all kinds of colour vision."""
+    for dark in (False, True):
+        b.resize(1280, 900, dark)
+        tones = b.run("return ['computing', 'handler', 'system', 'call', 'waiting'].map(colour)")
+        least = min((vision.distance(a, c, kind), a, c, kind) for kind in vision.KINDS
+                    for a in tones for c in tones if a != c)
+        rule(f"colours of activities are apart, {'dark' if dark else 'light'}", least[0] > 35, least)
+    b.resize(1280)
+
+
 def check_speed(b):
     b.open(many)
     canvas = b.driver.find_element(By.CSS_SELECTOR, ".plot canvas")
@@ -251,7 +356,7 @@ browser = Browser()
 try:
     browser.open(page)
     for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
-                  check_widths, check_markup, check_speed):
+                  check_widths, check_markup, check_colours, check_speed):
         try:
             check(browser)
         except Exception as problem:  # what is not there is a rule that does not hold

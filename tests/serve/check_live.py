@@ -51,6 +51,15 @@ def main(b, nodes):
     rule("the form is open as before", field(b, "nodes").is_displayed() and field(b, "nodes").get_attribute("value") == str(nodes))
     rule("the keyboard is where it was", b.run("return document.activeElement.name") == "axis nodes",
          b.run("return document.activeElement.outerHTML.slice(0, 80)"))
+    rings = "document.querySelectorAll('main svg g[data-series] circle.marked').length"
+    rule("with a ring around it", b.run("return " + rings) > 0)
+    b.run("document.querySelector('.live [name=set]').value = 'node.clock_mhz=20'")
+    field(b, "nodes").send_keys(Keys.ENTER)
+    b.until("return document.querySelectorAll('.runs [data-state=done]').length === 2")
+    held = """[...document.querySelectorAll('main .controls select')].find(s => s.parentElement.textContent.startsWith('set'))
+        ?.selectedOptions[0].text"""
+    rule("a point that was run is seen, whatever axes were held at", b.until(f"return ({held}) === 'node.clock_mhz=20' && {rings} === 1"))
+    b.run("document.querySelector('.live [name=set]').value = ''")
     fill(b, nodes="many")
     field(b, "nodes").send_keys(Keys.ENTER)
     rule("a mistake is said", "nodes: a number is needed" in

@@ -2,7 +2,7 @@
 long pages of doc, reports of bench, and the pages that are made from machine files, headers, --help of BUILD's programs, and schemas.
 
 All pages lie in one folder. A link to another page of the manual leads there; one to a file that is not part of the manual becomes
-the file's name. A line "<!-- include: README.md ## Limits -->" stands for that section of that file."""
+the file's name. A line "<!-- include: bench/paper/REPORT.md ## How exact -->" stands for that section of that file."""
 import pathlib
 import re
 import shutil

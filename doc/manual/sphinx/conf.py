@@ -9,7 +9,7 @@ project = "touchstone"
 author = "the authors of touchstone"
 version = release = os.environ.get("TOUCHSTONE_VERSION", "")
 html_title = f"touchstone {release}".strip()
-extensions = ["myst_parser", "book"]
+extensions = ["myst_parser", "book", "offline"]
 root_doc = "index"
 myst_enable_extensions = ["deflist"]
 myst_heading_anchors = 4

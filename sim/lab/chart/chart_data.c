@@ -2,7 +2,8 @@
  *
  * The value at a position (panel, line, x) is the figure of the point there. If the picture has an axis
  * `best`, several points share the position, and the value is that axis's value at the point with the least
- * figure.
+ * figure. If it has an axis `ratio`, two points share the position, and the value is the second's figure
+ * divided by the first's.
  */
 #include "lab/chart/chart_data.h"
 #include "files/json_set.h"
@@ -17,7 +18,7 @@
 struct taker {
     const struct picture *picture;
     struct chart_data *data;
-    double *least; /* the least figure so far at each position */
+    double *least; /* the least figure so far at each position; of a ratio, the figure to divide by */
     json_t *fixed; /* axes that the picture does not use: their first values */
 };
 
@@ -77,13 +78,15 @@ static bool take_point(void *arg, const json_t *point, char **error)
     struct chart_data *d = t->data;
     double figure = figure_of(point, t->picture->figure);
     size_t panel = index_on(&d->panels, point), line = index_on(&d->lines, point), x = index_on(&d->x, point),
-           best = index_on(&d->best, point);
+           best = index_on(&d->best, point), ratio = index_on(&d->ratio, point);
     (void)error;
     if (isnan(figure) || panel == d->panels.count || line == d->lines.count || x == d->x.count ||
-        best == d->best.count || is_beside(t, point))
+        best == d->best.count || ratio == d->ratio.count || is_beside(t, point))
         return true;
     size_t cell = (panel * d->lines.count + line) * d->x.count + x;
-    if (!(figure >= t->least[cell])) {
+    if (*d->ratio.name)
+        (ratio ? d->drawn : t->least)[cell] = figure;
+    else if (!(figure >= t->least[cell])) {
         t->least[cell] = figure;
         d->drawn[cell] = *d->best.name ? d->best.position[best] : figure;
     }
@@ -94,15 +97,20 @@ static bool take_axes(const struct record_points *points, const struct picture *
                       char **error)
 {
     json_t *axes = json_object_get(points->header, "axes");
-    const char *const names[] = {p->x, p->lines, p->panels, p->best};
-    struct chart_axis *const axes_of[] = {&d->x, &d->lines, &d->panels, &d->best};
-    for (int i = 0; i < 4; i++)
+    const char *const names[] = {p->x, p->lines, p->panels, p->best, p->ratio};
+    struct chart_axis *const axes_of[] = {&d->x, &d->lines, &d->panels, &d->best, &d->ratio};
+    enum { PLACES = sizeof names / sizeof *names };
+    for (int i = 0; i < PLACES; i++)
         if (*names[i] && json_array_size(json_object_get(axes, names[i])) == 0) {
             *error = xasprintf("there is no axis %s", names[i]);
             return false;
         }
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < PLACES; i++)
         take_axis(json_object_get(axes, names[i]), names[i], axes_of[i]);
+    if (*p->ratio && d->ratio.count != 2) {
+        *error = xasprintf("a ratio needs an axis of two values; %s has %zu", p->ratio, d->ratio.count);
+        return false;
+    }
     if (d->panels.count <= CHART_MAX_PANELS && d->lines.count <= CHART_MAX_LINES &&
         d->panels.count * d->lines.count * d->x.count <= CHART_MAX_CELLS)
         return true;
@@ -121,13 +129,16 @@ static json_t *fix_rest(const struct record_points *points, const struct picture
     json_object_foreach(json_object_get(points->header, "axes"), name, values)
     {
         if (json_array_size(values) < 2 || !strcmp(name, p->x) || !strcmp(name, p->lines) ||
-            !strcmp(name, p->panels) || !strcmp(name, p->best))
+            !strcmp(name, p->panels) || !strcmp(name, p->best) || !strcmp(name, p->ratio))
             continue;
         json_set(fixed, name, json_incref(json_array_get(values, 0)));
         char *label = chart_label(json_array_get(values, 0));
         words_append(&d->fixed, "%s%s %s", *d->fixed ? ", " : "", name, label);
         free(label);
     }
+    if (*p->ratio)
+        words_append(&d->fixed, "%s%s %s / %s", *d->fixed ? ", " : "", p->ratio, d->ratio.label[1],
+                     d->ratio.label[0]);
     return fixed;
 }
 
@@ -143,6 +154,8 @@ bool chart_data_take(const struct record_points *points, const struct picture *p
     for (size_t i = 0; i < cells; i++)
         t.least[i] = d->drawn[i] = NAN;
     bool ok = points->each(points->arg, take_point, &t, error);
+    for (size_t i = 0; *p->ratio && i < cells; i++)
+        d->drawn[i] /= t.least[i];
     json_decref(t.fixed);
     free(t.least);
     return ok;
@@ -163,6 +176,7 @@ void chart_data_free(struct chart_data *d)
     free_axis(&d->lines);
     free_axis(&d->panels);
     free_axis(&d->best);
+    free_axis(&d->ratio);
     free(d->drawn);
     free(d->fixed);
 }

@@ -18,9 +18,9 @@ struct chart_axis {
 };
 
 struct chart_data {
-    struct chart_axis x, lines, panels, best;
+    struct chart_axis x, lines, panels, best, ratio;
     double *drawn; /* for each panel, line and x; NAN where there is no point */
-    char *fixed;   /* "disks 2, clock 40": the axes held at their first values; "" if none */
+    char *fixed; /* "disks 2, clock 40": the axes held at their first values; "host b / a": a ratio; or "" */
 };
 
 enum { CHART_MAX_PANELS = 64, CHART_MAX_LINES = 64, CHART_MAX_CELLS = 10000000 };

@@ -14,6 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char IDEAL[] = "ideal";
+
 struct script {
     const struct picture *picture;
     const struct chart_data *data;
@@ -181,6 +183,11 @@ static char *heading_of(const json_t *header, const struct picture *p)
     return xasprintf("%s%s%s", study ? study : "", study && *study && *p->title ? ": " : "", p->title);
 }
 
+static const char *or_else(const char *text, const char *otherwise)
+{
+    return *text ? text : otherwise;
+}
+
 /* --- layout --------------------------------------------------------------------------------------------- */
 
 /* Of the widest label of an axis of names; numbers need little. */
@@ -228,17 +235,19 @@ static struct layout lay_out(const struct script *s)
                                  .x_labels = 24,
                                  .heading_width = (heading > notes ? heading : notes) + 40};
     add_names(s, &needs);
-    needs.entry_width = scale_text_width(d->lines.name);
-    for (size_t line = 0; line < d->lines.count; line++) {
+    needs.entry_width = scale_text_width(or_else(s->picture->lines_label, d->lines.name));
+    for (size_t line = 0; *d->lines.name && line < d->lines.count; line++) {
         char *entry = entry_of(d, line);
         unsigned width = scale_text_width(entry);
         needs.entry_width = width > needs.entry_width ? width : needs.entry_width;
         needs.entries += in_any_panel(d, line);
         free(entry);
     }
-    needs.entries += s->ideal != NULL;
     if (needs.entries == 1)
         needs.entries = 0;
+    needs.entries += s->ideal != NULL;
+    if (needs.entry_width < scale_text_width(IDEAL))
+        needs.entry_width = scale_text_width(IDEAL);
     return layout_of(&needs);
 }
 
@@ -257,12 +266,8 @@ static void write_axes(const struct script *s, size_t panel)
 {
     const struct picture *p = s->picture;
     const struct chart_data *d = s->data;
-    const char *y_label = *p->y_label ? p->y_label : *p->best ? p->best : p->figure;
-    write_words("set xlabel ",
-                !layout_is_lowest(&s->layout, panel) ? ""
-                : *p->x_label                        ? p->x_label
-                                                     : p->x,
-                s->out);
+    const char *y_label = or_else(p->y_label, or_else(p->best, p->figure));
+    write_words("set xlabel ", layout_is_lowest(&s->layout, panel) ? or_else(p->x_label, p->x) : "", s->out);
     write_words("set ylabel ", layout_is_left(&s->layout, panel) ? y_label : "", s->out);
     scale_write_axis(&s->x, 'x', &d->x, s->layout.first.width, s->out);
     if (are_turned(s))
@@ -292,8 +297,9 @@ static void write_panel(const struct script *s, size_t panel)
     struct box box = layout_panel(&s->layout, panel);
     const char *before = "plot ";
     write_box(&s->layout, &box, s->out);
-    char *title =
-        *d->panels.name ? xasprintf("%s = %s", d->panels.name, d->panels.label[panel]) : xstrdup("");
+    char *title = *d->panels.name ? xasprintf("%s = %s", or_else(s->picture->panels_label, d->panels.name),
+                                              d->panels.label[panel])
+                                  : xstrdup("");
     write_words("set title ", title, s->out);
     free(title);
     write_axes(s, panel);
@@ -334,10 +340,11 @@ static void write_legend(const struct script *s)
             "set key at graph 0, graph 1 left top vertical Left reverse samplen %d spacing 1.25 maxrows %u "
             "title ",
             s->choices ? 1 : 4, s->layout.legend_rows);
-    scale_write_quoted(d->lines.name, s->out);
+    scale_write_quoted(or_else(s->picture->lines_label, d->lines.name), s->out);
     fputs(" left\nplot ", s->out);
+    bool lines = s->layout.needs.entries > (s->ideal != NULL);
     for (size_t line = 0; line < d->lines.count; line++) {
-        if (!in_any_panel(d, line))
+        if (!lines || !in_any_panel(d, line))
             continue;
         struct line_style style = style_in(s, line);
         char *entry = entry_of(d, line);
@@ -347,11 +354,14 @@ static void write_legend(const struct script *s)
         else
             fprintf(s->out, "linespoints dt %s ", style.dash);
         fprintf(s->out, CHART_WIDTH " pt %d ps 0.9 lc rgb '%s' title ", style.marker, style.colour);
-        scale_write_quoted(*entry ? entry : s->picture->figure, s->out);
+        scale_write_quoted(entry, s->out);
         fputs(", \\\n     ", s->out);
         free(entry);
     }
-    fputs(s->ideal ? "NaN " CHART_IDEAL " title 'ideal'\n" : "NaN notitle\n", s->out);
+    if (s->ideal)
+        fprintf(s->out, "NaN " CHART_IDEAL " title '%s'\n", IDEAL);
+    else
+        fputs("NaN notitle\n", s->out);
 }
 
 /* --- the whole ------------------------------------------------------------------------------------------ */

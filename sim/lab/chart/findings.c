@@ -276,7 +276,7 @@ static void write_panel(const struct page *p, size_t panel)
     if (*d->panels.name)
         fprintf(p->out, "### %s %s\n\n", d->panels.name, d->panels.label[panel]);
     write_table(p, panel);
-    if (*d->best.name || d->x.count < 2)
+    if (*d->best.name || *d->ratio.name || d->x.count < 2)
         return;
     for (size_t line = 0; line < d->lines.count; line++)
         say_best(p, panel, line);

@@ -176,14 +176,20 @@ static char *name_of(const struct speedup *s, const json_t *point)
     return text;
 }
 
-char *speedup_baseline(const struct speedup *s)
+/* Has a baseline several nodes? Then its speed-up, which is its nodes, is an assumption. */
+static bool is_assumed(const struct speedup *s)
+{
+    const char *key;
+    json_t *base;
+    json_object_foreach(s->bases, key, base) if (figure_of(base, "nodes") > 1) return true;
+    return false;
+}
+
+/* "the fewest nodes of each image and machine, group 8": several baselines. */
+static char *names_of(const struct speedup *s)
 {
     const char *name, *before = "the fewest nodes of each ";
     json_t *value;
-    if (json_object_size(s->bases) == 0)
-        return xstrdup("");
-    if (json_object_size(s->each) == 0)
-        return name_of(s, json_object_iter_value(json_object_iter(s->bases)));
     char *text = xstrdup("");
     json_object_foreach(s->each, name, value)
     {
@@ -191,6 +197,18 @@ char *speedup_baseline(const struct speedup *s)
         before = " and ";
     }
     json_object_foreach(s->only, name, value) words_append(&text, ", %s %s", name, json_string_value(value));
+    return text;
+}
+
+char *speedup_baseline(const struct speedup *s)
+{
+    if (json_object_size(s->bases) == 0)
+        return xstrdup("");
+    char *text = json_object_size(s->each) == 0
+                     ? name_of(s, json_object_iter_value(json_object_iter(s->bases)))
+                     : names_of(s);
+    if (is_assumed(s))
+        words_append(&text, ", assumed ideal");
     return text;
 }
 

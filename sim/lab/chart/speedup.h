@@ -26,7 +26,8 @@ void speedup_free(struct speedup *s);
  * that the point has already stays, unless anew. */
 void speedup_add(const struct speedup *s, json_t *point, bool anew);
 
-/* Names the baseline, malloc'd: "nodes 4, group 8", "the fewest nodes of each image"; "" without baseline. */
+/* Names the baseline, malloc'd: "nodes 1, group 8", "the fewest nodes of each image"; "nodes 4, assumed
+ * ideal" if it is no point of one node; "" without baseline. */
 char *speedup_baseline(const struct speedup *s);
 
 /* Sets the speeds of all points of a results.json that record_read() has read, and `baseline` in its header.

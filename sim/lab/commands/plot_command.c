@@ -38,12 +38,17 @@ static const struct argp_option OPTIONS[] = {
     {"panels", CLI_TEXT(arguments, picture.panels), "AXIS", 0, "One panel for each value of that axis", 0},
     {"best", CLI_TEXT(arguments, picture.best), "AXIS", 0,
      "Draw the value of that axis at which the figure is least", 0},
+    {"ratio", CLI_TEXT(arguments, picture.ratio), "AXIS", 0,
+     "Draw the figure at the second value of that axis divided by the figure at its first", 0},
     {"logarithmic", LOGARITHMIC, "x|y|xy", 0, "Logarithmic scale on x, y or xy", 0},
     {"own-ranges", CLI_FLAG(arguments, picture.own_ranges), NULL, 0,
      "A range of y for each panel; default the same for all", 0},
     {"title", CLI_TEXT(arguments, picture.title), "TEXT", 0, "Title of the picture", 0},
     {"x-label", CLI_TEXT(arguments, picture.x_label), "TEXT", 0, "Label of the horizontal axis", 0},
     {"y-label", CLI_TEXT(arguments, picture.y_label), "TEXT", 0, "Label of the vertical axis", 0},
+    {"lines-label", CLI_TEXT(arguments, picture.lines_label), "TEXT", 0, "Title of the legend", 0},
+    {"panels-label", CLI_TEXT(arguments, picture.panels_label), "TEXT", 0,
+     "What the panels' titles begin with; default the axis's name", 0},
     {"file", CLI_TEXT(arguments, picture.file), "NAME", 0,
      "Write NAME.png and NAME.svg; default the figure's name", 0},
     {0}};
@@ -65,8 +70,10 @@ static const char DOC[] =
 
 static void check(struct argp_state *state, const struct picture *p)
 {
-    if (*p->x ? !*p->figure : *p->figure || *p->lines || *p->panels || *p->best)
+    if (*p->x ? !*p->figure : *p->figure || *p->lines || *p->panels || *p->best || *p->ratio)
         argp_error(state, "a picture of your own needs both --x and --y");
+    if (*p->best && *p->ratio)
+        argp_error(state, "--ratio cannot be drawn of the --best");
     if (*p->file && !spec_is_name(p->file))
         argp_error(state, "--file takes letters, digits, _ - and ., not '%s'", p->file);
 }
@@ -177,7 +184,7 @@ static int plot(struct arguments *a, struct record_points *points, const char *d
 int cli_plot(int argc, char **argv)
 {
     static const struct argp ARGP = {OPTIONS, parse, "DIR|results.json", DOC, NULL, NULL, NULL};
-    struct arguments a = {.picture = {"", "", "", "", "", "", "", "", "", false, false, false}};
+    struct arguments a = {.picture = {PICTURE_NO_TEXTS}};
     struct record_points points;
     char *error = NULL, *beside;
     cli_parse(&ARGP, "touchstone plot", 0, argc, argv, &a);

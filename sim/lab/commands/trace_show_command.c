@@ -13,7 +13,7 @@
 #include "lab/show/displays.h"
 #include "lab/show/picture_file.h"
 
-enum { BY = CLI_KEY, MESSAGES, FRAMES, SVG };
+enum { BY = CLI_KEY, MESSAGES, SCALE, FRAMES, SVG };
 enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
 
 struct arguments {
@@ -36,7 +36,13 @@ static const struct argp_option OPTIONS[] = {
     {"svg", SVG, NULL, 0, "Write SVG where the name does not say it", 1},
     {"by", BY, "messages|bytes", 0, "Count messages or bytes, in matrix and queues; default messages", 1},
     {"messages", MESSAGES, "N", 0,
-     "Draw at most N messages in space-time; default as many as leave it readable", 1},
+     "Draw at most N messages of the whole interval in space-time; default as many as leave it readable, and "
+     "of a whole run where they are the densest",
+     1},
+    {"scale", SCALE, "END", 0,
+     "The colours' scale ends there, so that pictures of two runs compare: 5% of the time for channels and "
+     "film, 1000 messages or bytes for matrix. May be given for both",
+     1},
     {"frames", FRAMES, "N", 0, "Pictures of a film; default 60", 1},
     {0}};
 
@@ -106,6 +112,17 @@ static void understand(struct argp_state *state, struct arguments *a)
     check_output(state, a);
 }
 
+/* "5%" ends the scale of shares, "1000" that of amounts. */
+static void set_scale(struct argp_state *state, struct show *s, const char *arg)
+{
+    char *end;
+    double value = strtod(arg, &end);
+    bool share = strcmp(end, "%") == 0;
+    if (end == arg || (*end && !share) || !(value > 0) || value > (share ? 100 : 1e18))
+        argp_error(state, "--scale takes a share such as 5%%, or a number such as 1000, not '%s'", arg);
+    *(share ? &s->most_share : &s->most_amount) = share ? value / 100 : value;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
@@ -124,6 +141,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->show.by_bytes = !strcmp(arg, "bytes");
     } else if (key == MESSAGES) {
         a->show.most_lines = cli_whole(state, "--messages", "a number of messages", MOST_LINES, arg);
+    } else if (key == SCALE) {
+        set_scale(state, &a->show, arg);
     } else if (key == FRAMES) {
         a->show.frames = cli_whole(state, "--frames", "a number of pictures", MOST_FRAMES, arg);
     } else if (key == ARGP_KEY_END) {
@@ -236,6 +255,7 @@ static int show(struct arguments *a)
     if (!t)
         return input_error(error);
     a->show.trace = t;
+    a->show.densest = !a->select.from && !a->select.to && !a->show.most_lines;
     a->show.rows = node_rows_make(t);
     bool folder = a->output && strcmp(a->output, "-") && !picture_kind_of(a->output);
     int status;

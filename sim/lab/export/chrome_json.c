@@ -109,7 +109,11 @@ static void place_arguments(struct writing *w, int32_t stack)
 static void message_arguments(struct writing *w, int32_t message)
 {
     const struct trace_message *m = &w->l->trace->messages[message];
+    char *communicator = trace_communicator(m->pid);
     number_argument(w, "message", message);
+    if (communicator)
+        text_argument(w, "communicator", communicator);
+    free(communicator);
     number_argument(w, "bytes", (int64_t)m->bytes);
 }
 
@@ -182,6 +186,8 @@ static void slice_arguments(struct writing *w, const struct timeline_slice *s)
         call_arguments(w, s->index);
     else if (s->kind == TIMELINE_HANDLER)
         handler_arguments(w, s->index);
+    else if (s->kind == TIMELINE_LIBRARY)
+        place_arguments(w, w->l->trace->calls[s->index].stack);
     else if (s->kind == TIMELINE_WAITING)
         wait_arguments(w, s->index);
 }
@@ -190,7 +196,7 @@ static void slice_arguments(struct writing *w, const struct timeline_slice *s)
 
 static void enter(void *ctx, const struct timeline_slice *s)
 {
-    static const char *const CATEGORIES[] = {"computing", "waiting", "system", "call", "handler"};
+    static const char *const CATEGORIES[] = {"computing", "waiting", "system", "call", "handler", "MPI"};
     struct writing *w = ctx;
     begin_event_at(w, "B", s->begin);
     fprintf(w->out, ",\"cat\":\"%s\",\"name\":", CATEGORIES[s->kind]);

@@ -71,6 +71,7 @@ static OTF2_RegionRef region_of(const struct writing *w, const struct timeline_s
     OTF2_RegionRef others = (OTF2_RegionRef)t->name_count;
     switch (s->kind) {
     case TIMELINE_CALL:
+    case TIMELINE_LIBRARY:
         return (OTF2_RegionRef)t->calls[s->index].name;
     case TIMELINE_COMPUTING:
         return others + COMPUTING;

@@ -95,7 +95,7 @@ static void destroy_containers(const struct trace *t, FILE *out)
 static void enter(void *ctx, const struct timeline_slice *s)
 {
     struct writing *w = ctx;
-    if (s->kind == TIMELINE_CALL)
+    if (s->kind == TIMELINE_CALL || s->kind == TIMELINE_LIBRARY)
         in_order_line(w->lines, s->begin, "%d %" PRI_SECONDS " n%d Call c%d\n", PUSH_STATE, SECONDS(s->begin),
                       w->node, w->l->trace->calls[s->index].name);
     else if (s->kind == TIMELINE_HANDLER)
@@ -106,7 +106,7 @@ static void enter(void *ctx, const struct timeline_slice *s)
 static void leave(void *ctx, const struct timeline_slice *s)
 {
     struct writing *w = ctx;
-    if (s->kind == TIMELINE_CALL || s->kind == TIMELINE_HANDLER)
+    if (s->kind == TIMELINE_CALL || s->kind == TIMELINE_LIBRARY || s->kind == TIMELINE_HANDLER)
         in_order_line(w->lines, s->end, "%d %" PRI_SECONDS " n%d Call\n", POP_STATE, SECONDS(s->end),
                       w->node);
 }

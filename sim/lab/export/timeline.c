@@ -105,6 +105,7 @@ const char *timeline_name(const struct trace *t, const struct timeline_slice *s)
     case TIMELINE_SYSTEM:
         return s->index == TRACE_NONE ? "system" : SYSTEM[t->systems[s->index].task];
     case TIMELINE_CALL:
+    case TIMELINE_LIBRARY:
         return t->names[t->calls[s->index].name];
     case TIMELINE_HANDLER:
         break;
@@ -127,6 +128,7 @@ struct walk {
     const struct trace_node *node;
     struct trace_pieces pieces;
     int32_t call, handler; /* the next of the node's */
+    int32_t library;       /* the call before which a slice of MPI's was entered last */
     size_t piece;
     struct open stack[DEEPEST];
     int depth;
@@ -241,6 +243,29 @@ static struct timeline_slice next_call(const struct walk *w)
                                    w->call};
 }
 
+/* A call of MPI that goes around the next call and others behind it. False: there is none. */
+static bool next_library(const struct walk *w, const struct timeline_slice *call,
+                         struct timeline_slice *library)
+{
+    const struct trace *t = w->l->trace;
+    int32_t last = w->call, end = w->node->first_call + w->node->calls, shown = TRACE_NONE;
+    if (w->library == w->call || t->calls[w->call].continues)
+        return false;
+    for (int32_t i = w->call; i < end; i++) {
+        if (i > w->call && !t->calls[i].continues && !t->calls[i].in_handler)
+            break;
+        last = t->calls[i].continues ? i : last;
+        if (shown == TRACE_NONE && trace_place(t, t->calls[i].stack))
+            shown = i;
+    }
+    const struct trace_call *c = &t->calls[last];
+    *library = *call;
+    library->kind = TIMELINE_LIBRARY;
+    library->index = shown == TRACE_NONE ? w->call : shown;
+    library->end = end_of(t, w->node, call->begin, c->end, c->unfinished);
+    return last > w->call;
+}
+
 static struct timeline_slice next_handler(const struct walk *w)
 {
     const struct trace *t = w->l->trace;
@@ -296,6 +321,12 @@ static bool step(struct walk *w)
         enter(w, piece);
     } else if (handler.begin == VT_NEVER ||
                (call.begin != VT_NEVER && call_first(w->l->trace, &call, &handler))) {
+        struct timeline_slice library;
+        if (next_library(w, &call, &library)) {
+            w->library = w->call;
+            enter(w, library);
+            return true;
+        }
         w->call++;
         enter(w, call);
     } else {
@@ -308,8 +339,13 @@ static bool step(struct walk *w)
 void timeline_walk(const struct timeline *l, int32_t node, const struct timeline_visitor *visit, void *ctx)
 {
     const struct trace_node *n = &l->trace->nodes[node];
-    struct walk w = {
-        .l = l, .visit = visit, .ctx = ctx, .node = n, .call = n->first_call, .handler = n->first_handler};
+    struct walk w = {.l = l,
+                     .visit = visit,
+                     .ctx = ctx,
+                     .node = n,
+                     .call = n->first_call,
+                     .handler = n->first_handler,
+                     .library = TRACE_NONE};
     if (!n->traced)
         return;
     trace_pieces(l->trace, node, &w.pieces);

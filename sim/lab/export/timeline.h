@@ -21,7 +21,14 @@ struct timeline {
     int32_t *handler; /* of a message: that was run for it, if no call took the message; else TRACE_NONE */
 };
 
-enum timeline_kind { TIMELINE_COMPUTING, TIMELINE_WAITING, TIMELINE_SYSTEM, TIMELINE_CALL, TIMELINE_HANDLER };
+enum timeline_kind {
+    TIMELINE_COMPUTING,
+    TIMELINE_WAITING,
+    TIMELINE_SYSTEM,
+    TIMELINE_CALL,
+    TIMELINE_HANDLER,
+    TIMELINE_LIBRARY /* a call of MPI that made several calls of the system; its index is one of these */
+};
 
 struct timeline_slice {
     enum timeline_kind kind;

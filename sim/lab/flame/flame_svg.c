@@ -76,12 +76,14 @@ static double shade(const char *name)
 
 static void write_colour(const struct svg *s, const struct flame_frame *f)
 {
+    /* As in pictures of traces (lab/show/palette.c) computing is blue, calls are yellow, other system time
+     * is red, waiting grey; all lighter, since text stands on them. */
     static const struct {
         int hue, saturation, light, span;
-    } KINDS[FLAME_KINDS] = {[FLAME_ROOT] = {0, 0, 88, 0},      [FLAME_FUNCTION] = {12, 88, 68, 22},
-                            [FLAME_INLINED] = {48, 90, 72, 8}, [FLAME_LIBRARY] = {95, 45, 68, 20},
-                            [FLAME_CALL] = {212, 60, 72, 10},  [FLAME_WAITING] = {212, 12, 84, 6},
-                            [FLAME_OTHER] = {275, 35, 80, 14}};
+    } KINDS[FLAME_KINDS] = {[FLAME_ROOT] = {0, 0, 85, 0},       [FLAME_FUNCTION] = {206, 60, 72, 16},
+                            [FLAME_INLINED] = {196, 60, 85, 8}, [FLAME_LIBRARY] = {160, 35, 72, 16},
+                            [FLAME_CALL] = {42, 76, 62, 5},     [FLAME_WAITING] = {0, 0, 91, 0},
+                            [FLAME_OTHER] = {344, 48, 76, 12}};
     double change = s->largest > 0 ? change_of(f) / s->largest : 0;
     if (!flame_is_diff(s->flame))
         fprintf(s->out, "hsl(%.0f,%d%%,%d%%)", KINDS[f->kind].hue + shade(f->name) * KINDS[f->kind].span,

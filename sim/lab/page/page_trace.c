@@ -74,6 +74,7 @@ MESSAGE(to, x->to)
 MESSAGE(from_address, x->from_address)
 MESSAGE(to_address, x->to_address)
 MESSAGE(type, x->type)
+MESSAGE(pid, x->pid)
 MESSAGE(bytes, x->bytes)
 MESSAGE(flags, x->is_long)
 MESSAGE(sent, x->sent)
@@ -144,6 +145,7 @@ static void add_messages(struct traced *d)
     add(d, "message.from_address", COLUMN_I32, n, message_from_address, "message.from");
     add(d, "message.to_address", COLUMN_I32, n, message_to_address, "message.to");
     add(d, "message.type", COLUMN_I32, n, message_type, NULL);
+    add(d, "message.pid", COLUMN_I32, n, message_pid, NULL);
     add(d, "message.bytes", COLUMN_U64, n, message_bytes, NULL);
     add(d, "message.flags", COLUMN_U8, n, message_flags, NULL);
     add(d, "message.sent", COLUMN_U64, n, message_sent, "");

@@ -184,7 +184,7 @@ void axes_rows(const struct canvas *c, struct plot p, const struct node_rows *r,
         if (!host && (i % step || (r->host && (r->count - 1 - i) * height < LABELS_APART)))
             continue;
         char *text = node_rows_label(r, t, i);
-        double y = p.y + (i + 0.5) * height;
+        double y = p.y + p.h * (node_rows_edge(r, i) + node_rows_edge(r, i + 1)) / 2;
         canvas_line(c, p.x - 4, y, p.x, y, 1, INK);
         canvas_text(c, p.x - 7, y + 3.5, label, text);
         wide = fmax(wide, canvas_text_width(c, label, text));

@@ -5,6 +5,9 @@
 #include "kernel/xalloc.h"
 #include "lab/show/axes.h"
 
+/* The scale ends no earlier: a network that is hardly used looks like that. */
+static const double LEAST_END = 0.1;
+
 bool *channel_map_shown(const struct show *s)
 {
     const struct trace *t = s->trace;
@@ -25,7 +28,7 @@ struct channel_map channel_map_make(const struct show *s, struct time_bins bins)
     for (uint32_t bin = 0; bin < bins.count; bin++)
         for (uint32_t c = 0; c < m.use.channels; c++)
             most = fmax(most, channel_use_share(&m.use, bin, c));
-    m.heat = heat_linear(most);
+    m.heat = s->most_share > 0 ? heat_given(s->most_share, false) : heat_linear(fmax(most, LEAST_END));
     return m;
 }
 

@@ -21,6 +21,11 @@ struct heat heat_scale(double least, double most)
     return (struct heat){pow(10, floor(log10(least))), axis_end(most), true};
 }
 
+struct heat heat_given(double end, bool logarithmic)
+{
+    return (struct heat){logarithmic ? 1 : 0, end, logarithmic};
+}
+
 int heat_level(const struct heat *h, double amount)
 {
     if (!(amount > 0))

@@ -16,6 +16,8 @@ struct heat {
 struct heat heat_linear(double most);
 /* The scale from the least amount above 0 to the most: logarithmic if they are far apart. */
 struct heat heat_scale(double least, double most);
+/* The scale from 0 to a given end, or logarithmic from 1: the same for pictures of several runs. */
+struct heat heat_given(double end, bool logarithmic);
 int heat_level(const struct heat *h, double amount);
 
 /* The amount of a cell. */

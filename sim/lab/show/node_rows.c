@@ -63,8 +63,52 @@ struct node_rows node_rows_make(const struct trace *t)
     return rows_of(t, per);
 }
 
+/* How many messages a row's nodes sent and received. malloc'd. */
+static double *messages_of(const struct node_rows *r, const struct trace *t)
+{
+    double *counts = xcalloc((size_t)r->count, sizeof *counts);
+    for (const struct trace_message *m = t->messages; m < t->messages + t->message_count; m++) {
+        const int32_t ends[] = {m->from, m->to};
+        for (int i = 0; i < 2; i++)
+            if (ends[i] != TRACE_NONE && r->row[ends[i]] != TRACE_NONE)
+                counts[r->row[ends[i]]]++;
+    }
+    return counts;
+}
+
+/* Which rows are hosts' (node_rows_heighten()). malloc'd; *count: how many. */
+static bool *find_hosts(const struct node_rows *r, const struct trace *t, int32_t *count)
+{
+    bool *hosts = xcalloc((size_t)r->count, sizeof *hosts);
+    double *messages = messages_of(r, t), sum = 0;
+    for (int32_t i = 0; i < r->count; i++)
+        sum += messages[i];
+    *count = 0;
+    for (int32_t i = 0; i < r->count; i++) {
+        hosts[i] = is_host(t, r->classes[i].first) || (r->per == 1 && messages[i] > 2 * sum / r->count);
+        *count += hosts[i];
+    }
+    free(messages);
+    return hosts;
+}
+
+double node_rows_heighten(struct node_rows *r, const struct trace *t, double times)
+{
+    int32_t count;
+    bool *hosts = find_hosts(r, t, &count);
+    double all = r->count + count * (times - 1), sum = 0;
+    if (count > 0 && count <= r->count / 4) {
+        r->edge = xcalloc((size_t)r->count + 1, sizeof *r->edge);
+        for (int32_t i = 0; i < r->count; i++)
+            r->edge[i + 1] = (sum += hosts[i] ? times : 1) / all;
+    }
+    free(hosts);
+    return r->edge ? all : r->count;
+}
+
 void node_rows_free(struct node_rows *r)
 {
+    free(r->edge);
     free(r->row);
     free(r->classes);
 }

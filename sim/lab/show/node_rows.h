@@ -18,6 +18,7 @@ struct node_rows {
     struct node_class {
         int32_t first, last, size; /* indexes into trace.nodes; last is in the class */
     } * classes;                   /* one a row */
+    double *edge; /* where each row begins, and the last one ends, of a height of 1; NULL: all are as high */
 };
 
 /* The rows of the nodes that are traced (and selected: trace_load()), and that a program used. Freed by
@@ -25,6 +26,14 @@ struct node_rows {
 struct node_rows node_rows_make(const struct trace *t);
 /* As many rows as nodes. */
 struct node_rows node_rows_single(const struct trace *t);
+/* Makes the rows of hosts so many times as high as the others. Hosts serve the other nodes: the machine's
+ * host, and nodes with a row each that send and receive more than twice as many messages as the mean; not if
+ * they are more than a quarter. Returns how high all rows are together, in rows. */
+double node_rows_heighten(struct node_rows *r, const struct trace *t, double times);
+static inline double node_rows_edge(const struct node_rows *r, int32_t row)
+{
+    return r->edge ? r->edge[row] : (double)row / r->count;
+}
 void node_rows_free(struct node_rows *r);
 /* "3", "8-15", "host": a malloc'd text. */
 char *node_rows_label(const struct node_rows *r, const struct trace *t, int32_t row);

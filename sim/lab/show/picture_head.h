@@ -10,6 +10,9 @@ struct show {
     struct node_rows rows;     /* at least one */
     bool by_bytes;             /* count bytes of messages, instead of messages */
     size_t most_lines;         /* messages of a space-time diagram; 0: as many as leave it readable */
+    bool densest;              /* a space-time diagram of the interval with the most messages */
+    double most_amount;        /* at which a matrix's scale ends; 0: at the most that a cell has */
+    double most_share;         /* at which a channel map's scale ends; 0: at the busiest channel's, or 10 % */
     uint32_t frames;           /* of a film */
 };
 

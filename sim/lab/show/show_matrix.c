@@ -7,6 +7,7 @@
 #include "lab/show/heat.h"
 #include "lab/show/message_matrix.h"
 
+enum { FAR_APART = 50 }; /* a given scale up to more is logarithmic */
 enum { SIDE = 520, BARS = 70, GAP = 10, MOST_NUMBERS = 16, MOST_BYTES = 12 };
 
 struct matrix_picture {
@@ -110,7 +111,8 @@ static void draw_others(const struct canvas *c, struct plot p, int32_t size)
 void matrix_draw(const struct show *s, const struct canvas *c)
 {
     struct matrix_picture x = measure(s);
-    struct heat h = heat_scale(x.least, x.most);
+    struct heat h = s->most_amount > 0 ? heat_given(s->most_amount, s->most_amount >= FAR_APART)
+                                       : heat_scale(x.least, x.most);
     struct plot p = {LEFT, HEAD_HEIGHT + 8, SIDE, SIDE}, nodes = p;
     nodes.w = nodes.h = SIDE * (double)s->rows.count / x.m.size;
     show_head(s, c, s->by_bytes ? "Communication matrix: bytes" : "Communication matrix: messages",

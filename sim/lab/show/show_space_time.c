@@ -6,7 +6,7 @@
 #include "lab/show/message_sample.h"
 #include "lab/show/stacked.h"
 
-enum { MOST_ARROWS = 400, MOST_UNASKED = 10000 };
+enum { SCREENFUL = 400, MOST_ARROWS = 1000, MOST_UNASKED = 10000 };
 
 /* What the message's end at its receiver was. */
 enum end { AWAITED, EARLY, OTHERWISE, ENDS };
@@ -102,10 +102,10 @@ static struct line line_of(const struct space_time *d, const struct trace_messag
 
 static void arrow_head(const struct canvas *c, struct line l)
 {
-    double angle = atan2(l.y2 - l.y1, l.x2 - l.x1);
+    double angle = atan2(l.y2 - l.y1, l.x2 - l.x1), size = fmin(6, hypot(l.x2 - l.x1, l.y2 - l.y1) / 2);
     for (int side = -1; side <= 1; side += 2) {
         cairo_move_to(c->cr, l.x2, l.y2);
-        cairo_line_to(c->cr, l.x2 - 6 * cos(angle + side * 0.4), l.y2 - 6 * sin(angle + side * 0.4));
+        cairo_line_to(c->cr, l.x2 - size * cos(angle + side * 0.4), l.y2 - size * sin(angle + side * 0.4));
     }
 }
 
@@ -150,6 +150,13 @@ static void draw_all_messages(const struct canvas *c, const struct space_time *d
 
 static char *notes(const struct space_time *d)
 {
+    if (d->show->densest) {
+        char *all = axis_count_text((uint64_t)d->show->trace->message_count);
+        char *text = xasprintf("Where messages are the densest: %zu of %s; --messages N draws the whole run",
+                               d->sample.count, all);
+        free(all);
+        return text;
+    }
     char *lines = d->apart < 4 ? xasprintf("%d lines, too close to be drawn; ", d->lines.count) : xstrdup("");
     char *count = axis_count_text(d->sample.count), *of = axis_count_text(d->sample.of);
     char *text = d->sample.count < d->sample.of
@@ -185,11 +192,54 @@ static void choose_messages(struct space_time *d)
     d->sample = message_sample_make(s->trace, &d->lines, room);
 }
 
-void space_time_draw(const struct show *s, const struct canvas *c)
+static int by_time(const void *a, const void *b)
 {
+    vtime x = *(const vtime *)a, y = *(const vtime *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* Narrows the trace's interval to the shortest one in which so many of the sampled messages are sent. */
+static void narrow(const struct message_sample *all, size_t most, struct trace *t)
+{
+    vtime *sent = xcalloc(all->count, sizeof *sent);
+    size_t best = 0;
+    for (size_t i = 0; i < all->count; i++)
+        sent[i] = t->messages[all->list[i]].sent;
+    qsort(sent, all->count, sizeof *sent, by_time);
+    for (size_t i = 1; i + most <= all->count; i++)
+        if (sent[i + most - 1] - sent[i] < sent[best + most - 1] - sent[best])
+            best = i;
+    vtime length = sent[best + most - 1] - sent[best], room = length / 20 + 1;
+    vtime from = sent[best] > room ? sent[best] - room : 0, to = sent[best + most - 1] + room;
+    t->from = from > t->from ? from : t->from;
+    t->to = vt_min(to, t->to);
+    free(sent);
+}
+
+/* Chooses the interval in which messages are the densest, if there are more of them than have room. Returns
+ * whether that is a part of the run. */
+static bool choose_interval(struct space_time *d, struct trace *t)
+{
+    struct message_sample all = message_sample_make(t, &d->lines, SIZE_MAX);
+    d->sample = message_sample_make(t, &d->lines, MOST_UNASKED);
+    size_t room = room_for_messages(d), most = room < SCREENFUL ? room : SCREENFUL;
+    bool part = all.count > most && most > 1;
+    if (part)
+        narrow(&all, most, t);
+    message_sample_free(&d->sample);
+    message_sample_free(&all);
+    return part;
+}
+
+void space_time_draw(const struct show *asked, const struct canvas *c)
+{
+    struct show part = *asked, *s = &part;
+    struct trace narrowed = *asked->trace;
     struct space_time d = {.show = s, .lines = node_rows_single(s->trace)};
     d.apart = lines_apart(d.lines.count);
     d.plot = (struct plot){LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - 24, d.lines.count * d.apart};
+    part.densest = asked->densest && choose_interval(&d, &narrowed);
+    part.trace = &narrowed;
     choose_messages(&d);
     show_head(s, c, "Space-time diagram", notes(&d));
     draw_lines(c, &d);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 
-static const double SEEN = 0.0005; /* a smaller share needs no entry in the legend */
+static const double SEEN = 0.0005; /* if less of the time has no program, the legend does not say so */
 enum { MOST_CORNERS = 45000 };     /* in an SVG: of about 35 bytes */
 
 /* How many corners the areas have together: how often the sum of the first activities changes, by what is
@@ -109,8 +109,7 @@ void stacked_legend(const struct canvas *c, double x, double y, const struct sta
     for (size_t i = 0; i < (size_t)s->rows * s->bins.count * ACTIVITIES; i++)
         sums[i % ACTIVITIES] += s->sums[i], sums[ACTIVITIES] -= s->sums[i];
     for (enum activity a = 0; a <= ACTIVITIES; a++) {
-        bool always = a != ACTIVITY_HANDLER && a != ACTIVITIES;
-        if ((a >= activities && a < ACTIVITIES) || !(always || sums[a] > SEEN * all))
+        if ((a >= activities && a < ACTIVITIES) || (a == ACTIVITIES && sums[a] <= SEEN * all))
             continue;
         char *percent = axis_percent_text(sums[a] / all);
         list[count++] =

@@ -15,7 +15,8 @@
  *     baseline = ( "group=8" );          # of speed-ups (lab/chart/speedup.h)
  *     max_wall_s = 60.0;  max_virtual_s = 100.0;
  *     pictures = ( { file = "time"; x = "group"; y = "total_s"; lines = "output"; panels = "nodes";
- *                    ranges = "own"; } );
+ *                    ranges = "own"; },
+ *                  { file = "gain"; x = "group"; y = "total_s"; ratio = "output"; panels = "nodes"; } );
  *
  * A point has one value on each axis and is run once. The value's text replaces {} in the axis's settings and
  * arguments; axes named nodes and machine need neither. A case has settings and arguments of its own. An axis

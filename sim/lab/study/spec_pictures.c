@@ -19,27 +19,31 @@ static bool read_axis_of(struct cfg_reader *r, config_setting_t *g, const char *
 static bool check_picture(struct cfg_reader *r, config_setting_t *g, const struct spec *s,
                           const struct picture *p)
 {
-    const char *const places[] = {p->x, p->lines, p->panels, p->best};
+    const char *const places[] = {p->x, p->lines, p->panels, p->best, p->ratio};
     for (size_t i = 0; i < s->axis_count; i++) {
         const struct spec_axis *axis = &s->axes[i];
         int used = 0;
-        for (int k = 0; k < 4; k++)
+        for (size_t k = 0; k < sizeof places / sizeof *places; k++)
             used += strcmp(places[k], axis->name) == 0;
         if (used > 1)
             return cfg_fail(r, g, p->file,
-                            "axis %s is given %d times as x, lines, panels or best; once is allowed",
+                            "axis %s is given %d times as x, lines, panels, best or ratio; once is allowed",
                             axis->name, used);
         if (used == 0 && axis->count > 1)
-            return cfg_fail(r, g, p->file, "axis %s must be x, lines, panels or best", axis->name);
+            return cfg_fail(r, g, p->file, "axis %s must be x, lines, panels, best or ratio", axis->name);
+        if (strcmp(p->ratio, axis->name) == 0 && axis->count != 2)
+            return cfg_fail(r, g, "ratio", "axis %s has %zu values; a ratio needs two", axis->name,
+                            axis->count);
     }
     return true;
 }
 
 static bool read_picture(struct cfg_reader *r, config_setting_t *g, const struct spec *s, struct picture *p)
 {
-    static const char *const keys[] = {"file",        "title",  "x",     "y",       "lines",
-                                       "panels",      "best",   "least", "x_label", "y_label",
-                                       "logarithmic", "ranges", NULL};
+    static const char *const keys[] = {"file",        "title",   "x",           "y",
+                                       "lines",       "panels",  "best",        "least",
+                                       "x_label",     "y_label", "lines_label", "panels_label",
+                                       "logarithmic", "ranges",  "ratio",       NULL};
     const char *log, *ranges;
     if (!config_setting_is_group(g))
         return cfg_fail(r, g, "pictures", "must hold groups: { file = \"...\"; x = \"...\"; y = \"...\"; }");
@@ -47,12 +51,17 @@ static bool read_picture(struct cfg_reader *r, config_setting_t *g, const struct
     if (!cfg_only(r, g, keys) || !cfg_text(r, g, "file", &p->file) ||
         !spec_optional(r, g, "title", &p->title) || !read_axis_of(r, g, "x", s, &p->x) ||
         !read_axis_of(r, g, "lines", s, &p->lines) || !read_axis_of(r, g, "panels", s, &p->panels) ||
-        !read_axis_of(r, g, "best", s, &p->best) || !cfg_text(r, g, best ? "least" : "y", &p->figure) ||
-        !spec_optional(r, g, "x_label", &p->x_label) || !spec_optional(r, g, "y_label", &p->y_label) ||
-        !spec_optional(r, g, "logarithmic", &log) || !spec_optional(r, g, "ranges", &ranges))
+        !read_axis_of(r, g, "best", s, &p->best) || !read_axis_of(r, g, "ratio", s, &p->ratio) ||
+        !cfg_text(r, g, best ? "least" : "y", &p->figure) || !spec_optional(r, g, "x_label", &p->x_label) ||
+        !spec_optional(r, g, "y_label", &p->y_label) ||
+        !spec_optional(r, g, "lines_label", &p->lines_label) ||
+        !spec_optional(r, g, "panels_label", &p->panels_label) || !spec_optional(r, g, "logarithmic", &log) ||
+        !spec_optional(r, g, "ranges", &ranges))
         return false;
     if (!*p->x)
         return cfg_fail(r, g, "x", "missing");
+    if (*p->best && *p->ratio)
+        return cfg_fail(r, g, "ratio", "cannot be drawn of the best: give only one of the two");
     if (!spec_is_name(p->file))
         return cfg_fail(r, g, "file", "\"%s\" is no name: letters, digits, _ - . are allowed", p->file);
     if (log[strspn(log, "xy")])

@@ -111,12 +111,24 @@ static json_t *axis_values(const struct spec_axis *axis)
     return values;
 }
 
+/* The study's title, malloc'd. One without is called by its program and machine: "jacobi on delta". */
+static char *title_of(const struct spec *s)
+{
+    const char *slash = strrchr(s->program, '/'), *program = slash ? slash + 1 : s->program;
+    return *s->title     ? xstrdup(s->title)
+           : *s->machine ? xasprintf("%s on %s", program, s->machine)
+                         : xstrdup(program);
+}
+
 json_t *study_header(const struct study *s)
 {
+    char *title = title_of(s->spec);
     json_t *axes = json_object();
     for (size_t i = 0; i < s->spec->axis_count; i++)
         if (s->spec->axes[i].kind != SPEC_DERIVED)
             json_set(axes, s->spec->axes[i].name, axis_values(&s->spec->axes[i]));
-    return json_pack("{s:s, s:s, s:s, s:o}", "title", s->spec->title, "about", s->spec->about, "program",
-                     s->spec->program, "axes", axes);
+    json_t *header = json_pack("{s:s, s:s, s:s, s:o}", "title", title, "about", s->spec->about, "program",
+                               s->spec->program, "axes", axes);
+    free(title);
+    return header;
 }

@@ -220,7 +220,7 @@ static void read_call(struct loading *l)
     c.node = node_of_record(l, unpack(in));
     uint8_t flags = unpack_byte(in);
     c.has_type = flags & CALL_HAS_TYPE, c.unfinished = flags & CALL_UNFINISHED,
-    c.in_handler = flags & CALL_IN_HANDLER;
+    c.in_handler = flags & CALL_IN_HANDLER, c.continues = flags & CALL_CONTINUES;
     c.name = read_index(l, l->t->name_count);
     c.stack = read_stack_index(l);
     if (c.has_type)
@@ -321,6 +321,7 @@ static void read_message(struct loading *l)
     m.is_long = flags & MESSAGE_LONG;
     m.type = (int32_t)unpack_signed(in);
     m.bytes = unpack(in);
+    m.pid = flags & MESSAGE_HAS_PID ? (int32_t)unpack_signed(in) : 0;
     vtime at = m.sent = since(&l->last_sent, unpack_signed(in));
     for (int i = 0; i < MESSAGE_TIMES; i++)
         times[i] = flags & (uint64_t)MESSAGE_FIRST_TIME << i ? (at += (vtime)unpack_signed(in)) : VT_NEVER;

@@ -43,6 +43,7 @@ struct trace_call {
     bool has_type;
     bool unfinished; /* the run, or the trace, ended in the call */
     bool in_handler;
+    bool continues; /* a part of the same call of MPI as the node's call before */
     /* Messages, indexes into trace.messages: the first that the call sent (of a message to all nodes there
      * are more, with the same call as their `sending`), and the last that the call put into the program's
      * memory. */
@@ -83,6 +84,7 @@ struct trace_message {
     int32_t from, to; /* into trace.nodes; TRACE_NONE: a service (an I/O node), or the host's service */
     uint32_t from_address, to_address; /* in the network: topo.h */
     int32_t type;
+    int32_t pid; /* process type: of MPI, the communicator (nx_api/waitfor/waitfor_mpi.c) */
     uint64_t bytes;
     bool is_long;  /* it asks first: request to send, clear to send, data */
     vtime sent;    /* the sender's system is done with the call's part */
@@ -202,6 +204,8 @@ struct trace_frame {
 /* The frames of a stack, innermost first, found when first asked for; *count of them. The program's file must
  * still be there: otherwise no frames. */
 const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int *count);
+/* The communicator of MPI's messages of a process type, "MPI_COMM_WORLD", malloc'd; NULL: they are none. */
+char *trace_communicator(int32_t pid);
 /* The innermost frame that is not the library's, and that reports name (guest/layer.h); NULL: none is
  * known. */
 const struct trace_frame *trace_place(const struct trace *t, int32_t stack);

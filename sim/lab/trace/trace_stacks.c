@@ -5,6 +5,7 @@
 #include "guest/elffile.h"
 #include "guest/layer.h"
 #include "kernel/xalloc.h"
+#include "nx_api/waitfor/waitfor_mpi.h"
 #include "lab/trace/trace_parts.h"
 
 struct place {
@@ -116,6 +117,8 @@ static struct trace_frame frame_of(const struct layer_place *at)
         return frame;
     const char *slash = strrchr(at->path, '/');
     frame.library = frame.library || layer_is_library(at->path);
+    if (frame.library)
+        frame.function = layer_called(at->function);
     frame.file = slash ? slash + 1 : at->path;
     return frame;
 }
@@ -203,9 +206,23 @@ const char *trace_called_name(const struct trace *t, const struct trace_call *c)
 {
     int count;
     const struct trace_frame *frames = trace_stack(t, c->stack, &count);
-    const char *name = t->names[c->name];
+    const char *own = t->names[c->name], *name = own;
     for (int i = 0; i < count && frames[i].library; i++)
         if (*frames[i].function)
             name = frames[i].function;
-    return name;
+    /* (MPI's collectives that go on in another call have stacks of their own.) */
+    bool inside = strncmp(own, "MPI_", 4) == 0 && strncmp(name, "MPI_", 4) != 0;
+    return inside ? own : name;
+}
+
+char *trace_communicator(int32_t pid)
+{
+    char *text = NULL;
+    size_t size;
+    if (!waitfor_is_mpi(pid))
+        return NULL;
+    FILE *f = xchecked(open_memstream(&text, &size));
+    waitfor_print_communicator(f, pid);
+    fclose(f);
+    return text;
 }

@@ -2,6 +2,7 @@
 #include "lab/why/path_shares.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"
+#include "nx_api/waitfor/waitfor_mpi.h"
 
 static const struct {
     const char *key, *title;
@@ -55,6 +56,16 @@ static const char *call_of(struct why *w, const struct path_step *s)
     return is_call && s->call != TRACE_NONE ? places_call(w->places, s->call) : NULL;
 }
 
+/* "type 5", "tag 5 in MPI_COMM_WORLD", "collective 2 in communicator 3" */
+static const char *label_of(const struct why *w, const struct trace_message *m)
+{
+    char *in = trace_communicator(m->pid);
+    const char *text = in ? places_text(w->places, "%s %d in %s", waitfor_mpi_type(m->pid), m->type, in)
+                          : places_text(w->places, "type %d", m->type);
+    free(in);
+    return text;
+}
+
 static void share(struct why *w, const struct path_step *s)
 {
     vtime time = s->end - s->begin;
@@ -67,8 +78,7 @@ static void share(struct why *w, const struct path_step *s)
     if (call)
         tally_add(&w->shares[WHY_BY_CALL], call, time);
     if (message != TRACE_NONE)
-        tally_add(&w->shares[WHY_BY_MESSAGE], places_text(w->places, "type %d", w->t->messages[message].type),
-                  time);
+        tally_add(&w->shares[WHY_BY_MESSAGE], label_of(w, &w->t->messages[message]), time);
 }
 
 void path_shares_find(struct why *w)

@@ -11,7 +11,7 @@ static const struct {
     [WAIT_LATE_SENDER] = {"late sender", "late_sender"},
     [WAIT_LATE_RECEIVER] = {"late receiver", "late_receiver"},
     [WAIT_HANDLER] = {"handler busy", "handler_busy"},
-    [WAIT_STOLEN] = {"processor stolen", "processor_stolen"},
+    [WAIT_STOLEN] = {"system: other messages", "processor_stolen"},
     [WAIT_CHANNEL] = {"channel busy", "channel_busy"},
     [WAIT_NETWORK] = {"network", "network"},
     [WAIT_MESSAGE] = {"message handled", "message_handled"},

@@ -39,7 +39,7 @@ static struct wait_group group_of(struct why *w, const struct wait_part *p)
     g.leaves = m->from == p->node && m->to != p->node;
     if (g.leaves)
         return g;
-    g.type = g.last_type = m->type, g.has_type = true;
+    g.type = g.last_type = m->type, g.has_type = true, g.pid = m->pid;
     if (m->sending != TRACE_NONE)
         g.sent = places_call(w->places, m->sending);
     return g;
@@ -53,6 +53,8 @@ static void add(struct wait_group *g, const struct wait_part *p, const struct wa
         g->nodes++;
     g->last_node = p->node;
     g->partners = g->partners || p->partner != g->partner;
+    if (like->pid != g->pid)
+        g->pid = 0;
     if (like->type < g->type)
         g->type = like->type;
     if (like->type > g->last_type)

@@ -27,6 +27,7 @@ struct wait_group {
     bool leaves;            /* they waited until messages had left */
     bool has_type;          /* of the messages: from type to last_type */
     int32_t type, last_type;
+    int32_t pid;     /* of all of them; 0: of NX, or several */
     int32_t partner; /* into trace.nodes; TRACE_NONE: nobody, or a service */
     bool partners;   /* there are others, too */
     vtime idle, longest_idle;

@@ -9,6 +9,7 @@
 #include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
 #include "lab/why/why_unit.h"
+#include "nx_api/waitfor/waitfor_mpi.h"
 
 enum { WIDTH = 100 };
 
@@ -115,6 +116,11 @@ static void causes(struct why *w, FILE *f)
             w->causes.idle ? 100.0 : 0);
 }
 
+static const char *type_of(const struct wait_group *g)
+{
+    return waitfor_is_mpi(g->pid) ? waitfor_mpi_type(g->pid) : "type";
+}
+
 /* What a group's waits were for: "type 6 of node 0, from isend at a.c:3 (f)". */
 static void group_partner(struct why *w, const struct wait_group *g, FILE *f)
 {
@@ -126,9 +132,9 @@ static void group_partner(struct why *w, const struct wait_group *g, FILE *f)
     if (g->leaves)
         fprintf(f, ", for messages to %s to leave", partner);
     else if (g->has_type && g->type == g->last_type)
-        fprintf(f, ", for type %" PRId32 " of %s", g->type, partner);
+        fprintf(f, ", for %s %" PRId32 " of %s", type_of(g), g->type, partner);
     else if (g->has_type)
-        fprintf(f, ", for types %" PRId32 " to %" PRId32 " of %s", g->type, g->last_type, partner);
+        fprintf(f, ", for %ss %" PRId32 " to %" PRId32 " of %s", type_of(g), g->type, g->last_type, partner);
     if (*g->sent)
         fprintf(f, ", from %s", g->sent);
 }

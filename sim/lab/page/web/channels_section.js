@@ -127,9 +127,10 @@ function shareColour(share) {
     return d3.interpolateRgbBasis([colour('line'), colour('c1'), colour('mark')])(Math.min(1, share));
 }
 
-/* The busiest channel's share of the whole run is the end of the scale; of a part of it, all of the time. */
+/* The busiest channel's share of the whole run is the end of the scale, or 10 %, so that a network that
+ * is hardly used looks like that; of a part of it, all of the time. */
 function channelScale(map) {
-    map.most = Math.max(1e-9, ...map.trace.channels.map((c, i) => channelShare({...map, bin: -1}, i)));
+    map.most = Math.max(0.1, ...map.trace.channels.map((c, i) => channelShare({...map, bin: -1}, i)));
     const ramp = element('span', {class: 'ramp'});
     ramp.style.background =
         `linear-gradient(to right, ${d3.range(9).map(i => shareColour(i / 8)).join(', ')})`;
@@ -141,8 +142,8 @@ function drawChannels(map) {
     if (!map.width)
         return;
     const scale = devicePixelRatio || 1, g = map.canvas.getContext('2d'), most = map.bin < 0 ? map.most : 1;
-    const cell = Math.min(90, (map.width - 30) / map.columns, Math.max(16, 560 / map.rows)),
-          height = cell * map.rows + 24;
+    const cell = Math.min(90, (map.width - 70) / map.columns, Math.max(16, 560 / map.rows)),
+          height = cell * map.rows + 28;
     Object.assign(map, {cell, height, space: (map.width - cell * map.columns) / 2});
     map.canvas.width = map.width * scale;
     map.canvas.height = height * scale;
@@ -157,11 +158,38 @@ function drawChannels(map) {
         drawLink(g, map, link, tone(channelShare(map, link.index)),
             0.6 + 3.4 * Math.min(1, channelShare(map, link.index) / most) * Math.min(1, cell / 40));
     drawNodes(g, map, tone);
+    numberEdges(g, map);
 }
+
+/* Where circles have no room for numbers, the nodes of the first row and of the first column have them
+ * outside. */
+function numberEdges(g, map) {
+    const {cell} = map, every = [1, 2, 4, 8, 16, 32].find(n => n * cell >= 22) || 64;
+    if (nodeRadius(map) >= NUMBERED)
+        return;
+    g.font = '11px system-ui, sans-serif';
+    g.fillStyle = colour('soft');
+    g.textBaseline = 'middle';
+    map.places.forEach((place, address) => {
+        const at = centre(map, address);
+        if (address >= map.trace.topology.positions)
+            return;
+        g.textAlign = 'center';
+        if (place.y === 0 && place.x % every === 0)
+            g.fillText(String(address), at.x, 8);
+        g.textAlign = 'right';
+        if (place.x === 0 && place.y > 0 && (cell >= 11 || place.y % every === 0))
+            g.fillText(String(address), at.x - cell / 2 - 2, at.y);
+    });
+}
+
+const NUMBERED = 9; /* pixels: so large circles have numbers of up to three digits */
+
+function nodeRadius(map) { return Math.min(11, map.cell * 0.22); }
 
 function centre(map, address) {
     const p = map.places[address];
-    return {x: map.space + (p.x + 0.5) * map.cell, y: 12 + (p.y + 0.5) * map.cell};
+    return {x: map.space + (p.x + 0.5) * map.cell, y: 16 + (p.y + 0.5) * map.cell};
 }
 
 /* The two ends of a link and the point to which it is bent: a straight line between neighbours, moved to
@@ -190,7 +218,7 @@ function drawLink(g, map, link, tone, width) {
 }
 
 function drawNodes(g, map, tone) {
-    const radius = Math.min(11, map.cell * 0.22), shares = new Map();
+    const radius = nodeRadius(map), shares = new Map();
     for (const port of map.ports)
         shares.set(port.from, Math.max(shares.get(port.from) || 0, channelShare(map, port.index)));
     g.textAlign = 'center';
@@ -210,7 +238,7 @@ function drawNodes(g, map, tone) {
         g.strokeStyle = node || service ? tone(shares.get(address) || 0) : colour('line');
         g.stroke();
         g.fillStyle = colour(node ? 'ink' : 'soft');
-        if (!service && g.measureText(String(address)).width < radius * 1.75)
+        if (!service && radius >= NUMBERED && g.measureText(String(address)).width < radius * 1.75)
             g.fillText(String(address), at.x, at.y + 0.5);
     });
 }
@@ -247,12 +275,12 @@ function channelTable(trace) {
         [
             {name: 'Channel', text: true, get: r => r.name},
             {name: 'messages', get: r => c['channel.uses'][r.i]},
-            {name: 'in use', get: r => c['channel.busy'].at(r.i), show: moment}, {
+            {name: 'in use', get: r => c['channel.busy'].at(r.i)}, {
                 name: 'share',
                 get: r => c['channel.busy'].number(r.i) / (trace.stop - trace.start),
                 show: v => `${(v * 100).toFixed(2)} %`
             },
-            {name: 'waited for', get: r => c['channel.blocked'].at(r.i), show: moment}
+            {name: 'waited for', get: r => c['channel.blocked'].at(r.i)}
         ],
         rows);
 }

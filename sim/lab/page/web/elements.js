@@ -105,6 +105,35 @@ function figure(value, digits = 4) {
     return String(Number(value.toPrecision(Math.max(digits, Math.ceil(Math.log10(size + 1)) + 1))));
 }
 
+/* A text for people; the exact form is shown under the mouse, and after a click in its place. */
+function rounded(shown, exact) {
+    return shown === exact ? shown : element('span', {class: 'rounded', title: exact}, shown);
+}
+
+document.addEventListener('click', e => {
+    const text = e.target.closest('.rounded');
+    if (text)
+        [text.textContent, text.title] = [text.title, text.textContent];
+});
+
+/* So many decimals leave the greatest of the numbers five figures. */
+function decimalsFor(numbers) {
+    const most = numbers.reduce((m, v) => Math.max(m, Math.abs(v)), 0);
+    return most > 0 ? Math.min(12, Math.max(0, 4 - Math.floor(Math.log10(most)))) : 0;
+}
+
+/* With so many decimals, and its thousands apart. */
+function fixed(value, decimals) {
+    const [whole, rest] = Math.abs(value).toFixed(decimals).split('.');
+    return (value < 0 ? '\u2212' : '') + grouped(whole) + (rest ? '.' + rest : '');
+}
+
+/* A time in seconds, given as a number of seconds or as a BigInt of picoseconds. */
+function timeFigure(value) {
+    return typeof value === 'bigint' ? rounded(roughly(Number(value)), moment(value))
+                                     : rounded(roughly(value * 1e12), seconds(value));
+}
+
 function plural(count, one, many) {
     return grouped(String(count)) + ' ' + (count === 1 ? one : many || one + 's');
 }

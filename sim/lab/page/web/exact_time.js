@@ -1,5 +1,5 @@
-/* exact_time.js - virtual times as people read them. Times are BigInts of picoseconds; no digit is rounded
- * away. */
+/* exact_time.js - virtual times as people read them. Times are BigInts of picoseconds. Where one is
+ * rounded, its exact form can be had (elements.js, rounded()). */
 const PICOSECONDS = {
     s: 1000000000000n,
     ms: 1000000000n,
@@ -61,8 +61,12 @@ function parseTime(text) {
     return BigInt(found[1]) * PICOSECONDS[unit] + BigInt(decimals || 0);
 }
 
-/* The same as text that parseTime reads. */
-function timeText(time) { return moment(time).replace(/[\u202f]/g, '').replace('\u00a0', ' '); }
+/* A text that parseTime reads, with as many digits as tell moments apart on a screen that shows so long a
+ * span. */
+function shortTime(time, span) {
+    const decimals = Math.min(12, Math.max(0, 16 - Math.floor(Math.log10(span))));
+    return `${Number((Number(time) / 1e12).toFixed(decimals))} s`;
+}
 
 /* Seconds as a file of results has them, all digits. */
 function seconds(value) {

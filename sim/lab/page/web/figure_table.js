@@ -1,8 +1,10 @@
 /* figure_table.js - tables of figures: they scroll in a region of their own, and show many rows only when
  * asked. */
 
-/* columns: [ { name, text, get(row), show(value) } ]; text: true for texts. */
+/* columns: [ { name, text, get(row), show(value) } ]; text: true for texts. Numbers without show() have equal
+ * decimals in a column, and picoseconds, which are BigInts, are shown in seconds. */
 function figureTable(label, columns, rows, most = 200) {
+    columns = columns.map(c => (c.text || c.show ? c : {...c, show: showAlike(rows.map(c.get))}));
     const body = element('tbody');
     const table = element('table', {},
         element('thead', {},
@@ -23,6 +25,17 @@ function figureTable(label, columns, rows, most = 200) {
     }
     addRows(most);
     return [region, more];
+}
+
+/* How to show each of the values. */
+function showAlike(values) {
+    const number = v => (typeof v === 'bigint' ? Number(v) / 1e12 : v);
+    const parts = values.map(number).filter(v => typeof v === 'number' && !Number.isInteger(v));
+    const decimals = decimalsFor(parts.length ? values.map(number).filter(v => typeof v === 'number') : []);
+    return v => (typeof v === 'bigint' ? rounded(`${fixed(number(v), decimals)}\u00a0s`, moment(v))
+                 : typeof v !== 'number' ? figure(v)
+                 : parts.length          ? rounded(fixed(v, decimals), String(v))
+                                         : grouped(String(v)));
 }
 
 function cell(column, row) {

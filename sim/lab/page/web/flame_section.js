@@ -65,7 +65,7 @@ function flameColour(name) {
     let hash = 0;
     for (const ch of name)
         hash = (hash * 31 + ch.codePointAt(0)) >>> 0;
-    return d3.interpolateRgb(colour('system'), colour('c1'))(hash % 97 / 96);
+    return d3.interpolateRgb('#7fb0dc', '#bcdcf5')(hash % 97 / 96); /* blue, as computing is elsewhere */
 }
 
 function drawFlame(flame, width) {
@@ -119,7 +119,7 @@ function flameBox(flame, {node, x, w}, y, height) {
             width: Math.max(0.5, w - 0.7),
             height: height - 1,
             rx: 2,
-            fill: marked ? 'var(--handler)' : flameColour(node.name)
+            fill: marked ? 'var(--call)' : flameColour(node.name)
         }));
     const most = Math.floor((w - 8) / 6.6);
     if (most >= 3) {

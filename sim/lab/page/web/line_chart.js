@@ -11,9 +11,10 @@ const DASHES = ['', '7 3', '2 3', '9 3 2 3', '4 2', '12 4', '1 3', '6 2 1 2'];
 
 /* Draws into a new figure element, which is returned with a method update(options).
  * options: { title, xLabel, yLabel, logX, logY, ticksX, zero, height,
- *            series: [ { name, points: [ { x, y, tip, spread } ], line, hollow } ] }
+ *            series: [ { name, points: [ { x, y, tip, spread, marked } ], line, hollow } ] }
  * ticksX: values of the horizontal axis that get a label; zero: a line at 0; spread: half the length of
- * a point's error bar; line: false: markers only; hollow: rings instead of dots. */
+ * a point's error bar; marked: with a ring around it; line: false: markers only; hollow: rings instead of
+ * dots. */
 function lineChart(options) {
     const chart = {hidden: new Set(), near: null};
     const holder = element('div'), tip = element('div', {class: 'tip', role: 'status'});
@@ -212,6 +213,9 @@ function drawSeries(s, points, x, y) {
                 stroke,
                 'stroke-width': 1.5
             }));
+        if (p.marked)
+            g.append(
+                svgElement('circle', {class: 'marked', cx: x(p.x), cy: y(p.y), r: 9, stroke, fill: 'none'}));
         g.append(svgElement('path', {
             d: symbolPath(markerOf(i), s.hollow ? 60 : 46),
             transform: `translate(${x(p.x)} ${y(p.y)})`,

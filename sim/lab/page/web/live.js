@@ -133,6 +133,16 @@ function restoreChoices(section, {controls, hidden, open}) {
                 summary.parentElement.open = true;
 }
 
+/* Shows the last of the points that were added since the section was made before. */
+function showAdded(study, data) {
+    const added = data.points.filter(p => p.added), keys = added.map(p => JSON.stringify(Object.keys(data.axes).map(
+        a => p[a] ?? ''))), before = study.added;
+    study.added = new Set(keys);
+    const last = before ? keys.findLastIndex(key => !before.has(key)) : -1;
+    if (last >= 0)
+        study.section.showPoint?.(added[last]);
+}
+
 /* Puts a study's new section, which addSection() has put last, where the old one is. */
 function replaceSection(study, section) {
     const links = document.getElementById('sections'), link = links.lastElementChild;
@@ -169,6 +179,7 @@ async function refreshStudy(study) {
         try {
             const version = study.wanted, data = await askServer(`/data?study=${study.number}`);
             replaceSection(study, studySection(data, study.name));
+            showAdded(study, data);
             fillForm(study, data);
             showCard(study, data);
             followSections();

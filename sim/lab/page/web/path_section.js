@@ -2,14 +2,17 @@
  * picoseconds: BigInt() takes them as numbers, and as texts where a number of JavaScript would not hold
  * them. */
 
-const WAIT_CAUSE_TEXTS = {
-    late_sender: 'late sender',
-    late_receiver: 'late receiver',
+/* Classes of the path, and causes of waits, as touchstone trace why prints them; a class and a cause that
+ * are the same have one name. Other keys are names. */
+const CLASS_TEXTS = {
+    calls: 'system: the program\'s calls',
+    stolen: 'system: other messages',
+    processor_stolen: 'system: other messages',
+    message: 'system: the message itself',
     channel: 'channel busy',
-    handler: 'handler busy',
-    stolen: 'processor stolen',
-    files: 'disk',
-    message: 'the message itself',
+    absent: 'no program',
+    waiting: 'services, or unknown',
+    unknown: 'services, or unknown',
 };
 
 function pathSummary(data) {
@@ -19,7 +22,7 @@ function pathSummary(data) {
     return {
         kind: 'Critical path',
         big: `${percent(most.time_ps, length)} ${causeText(most.class)}`,
-        small: `${baseName(data.program)}: ${moment(length)}, along ${
+        small: `${baseName(data.program)}: ${roughly(Number(length))}, along ${
             plural(data.critical_path.step_count, 'step')}`
     };
 }
@@ -29,11 +32,11 @@ function percent(part, whole) {
     return value.toFixed(value < 10 ? 2 : 1) + ' %';
 }
 
-function causeText(key) { return WAIT_CAUSE_TEXTS[key] || key.replace(/_/g, ' '); }
+function causeText(key) { return CLASS_TEXTS[key] || key.replace(/_/g, ' '); }
 
 function pathSection(data, name) {
     const length = BigInt(data.critical_path.length_ps), path = data.critical_path;
-    const section = addSection(`Why ${baseName(data.program)} took ${moment(length)}`,
+    const section = addSection(`Why ${baseName(data.program)} took ${roughly(Number(length))}`,
         'Why: ' + baseName(name),
         `The critical path of ${data.trace}, on ${plural(data.nodes, 'node')} of ${data.machine} (${name}).`);
     section.append(...data.sentences.map(text => element('p', {class: 'prose'}, text)));
@@ -48,10 +51,11 @@ function pathSection(data, name) {
     return section;
 }
 
-function timeColumns(whole, most) {
+/* of: what the shares are of. */
+function timeColumns(whole, most, of) {
     return [
-        {name: 'time', get: r => BigInt(r.time_ps), show: moment},
-        {name: 'share', get: r => r.time_ps, show: v => percent(v, whole)},
+        {name: 'time', get: r => BigInt(r.time_ps)},
+        {name: `% of ${of}`, get: r => r.time_ps, show: v => percent(v, whole)},
         {name: '', text: true, get: r => Number(BigInt(r.time_ps)), show: v => shareBar(v, most)},
     ];
 }
@@ -63,8 +67,8 @@ function classTable(rows, length) {
     return figureTable('The critical path by class',
         [
             {name: 'Class', text: true, get: r => r.class, show: causeText},
-            ...timeColumns(length, mostOf(some)),
-            {name: 'the run without it, at least', get: r => BigInt(r.at_least_without_ps), show: moment}
+            ...timeColumns(length, mostOf(some), 'the run'),
+            {name: 'the run without it, at least', get: r => BigInt(r.at_least_without_ps)}
         ],
         some);
 }
@@ -73,7 +77,7 @@ function shareTable(rows, title, length) {
     return figureTable(`The path by ${title}`,
         [
             {name: title[0].toUpperCase() + title.slice(1), text: true, get: r => r.what},
-            ...timeColumns(length, mostOf(rows)), {name: 'steps', get: r => r.steps}
+            ...timeColumns(length, mostOf(rows), 'the run'), {name: 'steps', get: r => r.steps}
         ],
         rows);
 }
@@ -87,16 +91,15 @@ function waitParts(waits) {
         ...figureTable('Waits by cause',
             [
                 {name: 'Cause', text: true, get: r => r.cause, show: causeText},
-                ...timeColumns(waits.idle_ps, mostOf(some))
+                ...timeColumns(waits.idle_ps, mostOf(some), 'all waiting')
             ],
             some),
         later('Waits that are alike',
             () => figureTable('Waits that are alike',
                 [
                     {name: 'Cause', text: true, get: g => g.cause, show: causeText},
-                    {name: 'waited', get: g => BigInt(g.idle_ps), show: moment},
-                    {name: 'waits', get: g => g.waits}, {name: 'nodes', get: g => g.nodes},
-                    {name: 'in', text: true, get: g => g.in},
+                    {name: 'waited', get: g => BigInt(g.idle_ps)}, {name: 'waits', get: g => g.waits},
+                    {name: 'nodes', get: g => g.nodes}, {name: 'in', text: true, get: g => g.in},
                     {name: 'type', get: g => g.type, show: v => v === undefined ? '' : String(v)},
                     {name: 'partner', text: true, get: g => g.partner},
                     {name: 'sent by', text: true, get: g => g.sent_by}
@@ -109,12 +112,8 @@ function rerunTable(reruns, length) {
     return figureTable('Other runs',
         [
             {name: 'Change', text: true, get: r => r.what || r.change},
-            {name: 'settings', text: true, get: r => r.settings.join(', ')}, {
-                name: 'the run would take',
-                get: r => r,
-                show: r => r.error ? r.error : moment(BigInt(r.end_ps))
-            },
-            {
+            {name: 'settings', text: true, get: r => r.settings.join(', ')},
+            {name: 'the run would take', get: r => r.error || BigInt(r.end_ps)}, {
                 name: 'times faster',
                 get: r => r.error ? '' : Number(length) / Math.max(1, Number(BigInt(r.end_ps))),
                 show: v => v === '' ? '' : v.toFixed(3)

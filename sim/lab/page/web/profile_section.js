@@ -5,7 +5,7 @@ function profileSummary(data) {
         kind: 'Profile',
         big: top ? `${(top.share * 100).toFixed(1)} % in ${top.function}` : 'no function',
         small: `${baseName(data.program)} on ${plural(data.nodes, 'node')} of ${data.machine}; ${
-            seconds(data.virtual_time_s)}`
+            roughly(data.virtual_time_s * 1e12)}`
     };
 }
 

@@ -1,13 +1,13 @@
 /* run_section.js - results of a run: where each node's time went. */
 const NODE_PARTS = [
-    ['busy_s', 'computing', 'computing'], ['system_s', 'system', 'system'], ['idle_s', 'idle', 'waiting'],
-    ['away_s', 'without a program', 'ended']
+    ['busy_s', 'computing', 'computing'], ['system_s', 'system', 'system'],
+    ['idle_s', 'waiting (idle)', 'waiting'], ['away_s', 'ended, or no program yet', 'ended']
 ];
 
 function runSummary(data) {
     return {
         kind: 'Run',
-        big: seconds(data.virtual_time_s),
+        big: roughly(data.virtual_time_s * 1e12),
         small: `${baseName(data.program)} on ${plural(data.nodes, 'node')} of ${data.machine}; ${
             data.outcome}; ${plural(data.messages, 'message')}`
     };
@@ -17,7 +17,7 @@ function runSection(data, name) {
     const section = addSection(`Run of ${baseName(data.program)}`, 'Run: ' + baseName(name),
         `${[data.program, ...data.arguments].join(' ')} (${name})`);
     section.append(facts([
-        ['Virtual time', seconds(data.virtual_time_s)],
+        ['Virtual time', timeFigure(data.virtual_time_s)],
         ['Outcome', data.outcome + (data.message ? ': ' + data.message : '')],
         [
             'Machine', `${plural(data.nodes, 'node')} of ${data.machine}${
@@ -43,9 +43,9 @@ function nodeTable(nodes) {
     return figureTable('Each node',
         [
             {name: 'Node', text: true, get: n => n.name},
-            ...NODE_PARTS.map(([key, text]) => ({name: text + ', s', get: n => n[key], show: String})),
-            {name: 'ended at, s', get: n => n.ended_s, show: String},
-            {name: 'handlers', get: n => n.handlers}, {name: 'messages sent', get: n => n.messages_sent},
+            ...NODE_PARTS.map(([key, text]) => ({name: text + ', s', get: n => n[key]})),
+            {name: 'ended at, s', get: n => n.ended_s}, {name: 'handlers', get: n => n.handlers},
+            {name: 'messages sent', get: n => n.messages_sent},
             {name: 'memory, bytes', get: n => n.memory_peak_bytes}
         ],
         nodes);

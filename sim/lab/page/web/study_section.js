@@ -34,7 +34,7 @@ function studySection(data, name) {
     if (!numeric.length || !figures.length)
         section.append(element('p', {}, 'No axis has several numbers, so there are no curves.'));
     else
-        section.append(...studyCurves(data, axes, figures, numeric));
+        section.append(...studyCurves(data, axes, figures, numeric, section));
     section.append(later('The table behind', () => studyTable(data, axes)));
     return section;
 }
@@ -52,24 +52,35 @@ function studyFailures(data) {
             failed));
 }
 
-/* The numbers as a file of results has them: all digits. */
 function studyTable(data, axes) {
     const keys = new Set(axes);
     for (const p of data.points)
         Object.keys(p).filter(k => typeof p[k] !== 'object').forEach(k => keys.add(k));
-    return figureTable('All points', [...keys].map(k => ({
-        name: k,
-        text: typeof data.points[0]?.[k] === 'string',
-        get: p => p[k],
-        show: v => (v === null || v === undefined ? '' : String(v))
-    })),
+    return figureTable('All points',
+        [...keys].map(k => ({name: k, text: typeof data.points[0]?.[k] === 'string', get: p => p[k]})),
         data.points, 100);
 }
 
-function studyCurves(data, axes, figures, numeric) {
+/* The values at which the other axes are held so that the most points are on the curves. */
+function fullestHold(data, state) {
+    const held = Object.keys(data.axes).filter(a => a !== state.x && a !== state.lines), counts = new Map();
+    for (const p of data.points.filter(p => isOnCurves(p, state))) {
+        const key = JSON.stringify(held.map(a => data.axes[a].indexOf(p[a])));
+        counts.set(key, (counts.get(key) || 0) + 1);
+    }
+    const most = Math.max(0, ...counts.values());
+    const best = [...counts.keys()].find(key => counts.get(key) === most);
+    return best ? Object.fromEntries(JSON.parse(best).map((index, i) => [held[i], index])) : {};
+}
+
+function isOnCurves(point, state) { return typeof point[state.y] === 'number' && !point.failure; }
+
+/* section.showPoint(point) then shows that point, whatever the axes are held at now. */
+function studyCurves(data, axes, figures, numeric, section) {
     const several = axes.filter(a => data.axes[a].length > 1);
-    const state = {x: numeric.includes('nodes') ? 'nodes' : numeric[0], y: figures[0], hold: {}};
+    const state = {x: numeric.includes('nodes') ? 'nodes' : numeric[0], y: figures[0]};
     state.lines = several.find(a => a !== state.x) || '';
+    state.hold = fullestHold(data, state);
     const powers = data.axes[state.x].every(
         (v, i, all) => v > 0 && (i < 2 || Math.abs(v / all[i - 1] - all[1] / all[0]) < 0.6));
     const chart = lineChart({logX: powers, logY: powers, height: 400, ...studyOptions(data, axes, state)});
@@ -81,7 +92,16 @@ function studyCurves(data, axes, figures, numeric) {
         chart.update(studyOptions(data, axes, state));
     };
     update();
-    return [controls, chart.figure];
+    section.showPoint = point => {
+        if (!isOnCurves(point, state))
+            return;
+        for (const a of axes.filter(a => a !== state.x && a !== state.lines))
+            state.hold[a] = data.axes[a].indexOf(point[a]);
+        update();
+    };
+    const added =
+        data.points.some(p => p.added) ? 'A ring marks a point that was added to the study\'s own.' : '';
+    return [controls, chart.figure, element('p', {class: 'note'}, added)];
 }
 
 function studyControls(data, axes, several, figures, numeric, state, chart, update, powers) {
@@ -121,7 +141,7 @@ function studyControls(data, axes, several, figures, numeric, state, chart, upda
 function studyOptions(data, axes, state) {
     const held = axes.filter(a => a !== state.x && a !== state.lines);
     const points = data.points.filter(
-        p => typeof p[state.y] === 'number' && !p.failure &&
+        p => isOnCurves(p, state) &&
              held.every(a => p[a] === data.axes[a][state.hold[a] || 0] || data.axes[a].length < 2));
     const series = (state.lines ? data.axes[state.lines] : [null]).map(value => ({
         name:
@@ -131,6 +151,7 @@ function studyOptions(data, axes, state) {
         points: points.filter(p => value === null || p[state.lines] === value).map(p => ({
             x: p[state.x],
             y: p[state.y],
+            marked: p.added,
             tip: `${axes.map(a => `${a} ${p[a]}`).join(', ')}\n${state.y} ${p[state.y]}`
         }))
     }));

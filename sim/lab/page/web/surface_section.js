@@ -11,13 +11,28 @@ function surfaceSummary(data) {
 
 const SLOW_PICTURE = 120; /* ms */
 const COARSE_CELLS = 48;  /* along the longest side */
+/* Colours of surfaces and of nodes are those of touchstone render (lab/render/colours.c). */
 const SURFACE_TONES =
-    ['#d9b48f', '#7fb3d9', '#8fc7a0', '#d98fb0', '#c9c27a', '#a79be0', '#e0946c', '#9aa7b3'];
+    ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#d55e00', '#f0e442', '#0072b2', '#999999'];
 
-/* A colour for each node: neighbouring numbers differ. */
+/* Hues at steps of the golden angle; lightness takes turns. From Oklab to sRGB. */
 function nodeTone(node) {
-    return d3.hsl(
-        node < 0 ? 0 : node * 137.508 % 360, node < 0 ? 0 : 0.5 + node % 3 * 0.08, 0.5 + node % 5 * 0.05);
+    if (node < 0)
+        return d3.rgb('#999999');
+    const lightness = [0.72, 0.58, 0.82, 0.65][node % 4], hue = 0.6 + node * 2.399963229728653;
+    const a = 0.125 * Math.cos(hue), b = 0.125 * Math.sin(hue);
+    const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+    const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+    const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+    const linear = [
+        4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s
+    ];
+    return d3.rgb(...linear.map(v => {
+        const part = Math.min(1, Math.max(0.01, v));
+        return Math.round(255 * (part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055));
+    }));
 }
 
 function surfaceSection(surfaces) {
@@ -163,6 +178,8 @@ class SurfaceView {
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
+        if (this.untouched)
+            this.showAll();
         this.draw();
     }
     /* Draws before the browser shows the next picture. Where pictures of all triangles take long, for
@@ -170,6 +187,7 @@ class SurfaceView {
      * while the surfaces move, and all of them when they stand still. */
     draw(moving) {
         clearTimeout(this.still);
+        this.untouched = this.untouched && !moving;
         if (moving && this.late > 1)
             this.still = setTimeout(() => this.draw(), 500);
         this.coarse = Boolean(moving && this.late > 1);
@@ -214,7 +232,7 @@ class SurfaceView {
         this.meshes.forEach(m => box.expandByObject(m));
         const middle = box.getCenter(new THREE.Vector3()),
               size = box.getSize(new THREE.Vector3()).length() || 1;
-        const distance = size / 2 / Math.sin(this.camera.fov / 2 * Math.PI / 180) * 0.82;
+        const distance = 1.03 * this.distanceFor(box, middle, viewerDirection(60, 20));
         this.camera.near = size / 200;
         this.camera.far = size * 20;
         this.camera.position.copy(middle).add(viewerDirection(60, 20).multiplyScalar(distance));
@@ -222,6 +240,22 @@ class SurfaceView {
         this.controls.target.copy(middle);
         this.controls.update();
         this.draw();
+        this.untouched = true;
+    }
+    /* From how far in that direction the whole box is seen: no corner leaves the picture, whatever its
+     * shape. */
+    distanceFor(box, middle, towards) {
+        const right = new THREE.Vector3(0, 0, 1).cross(towards).normalize(),
+              up = towards.clone().cross(right);
+        const high = Math.tan(this.camera.fov / 2 * Math.PI / 180), wide = high * this.camera.aspect;
+        let least = 1e-6;
+        for (let k = 0; k < 8; k++) {
+            const corner = new THREE.Vector3(
+                ...['x', 'y', 'z'].map((axis, i) => (k >> i & 1 ? box.max : box.min)[axis] - middle[axis]));
+            least = Math.max(least, corner.dot(towards) + Math.max(Math.abs(corner.dot(right)) / wide,
+                                                              Math.abs(corner.dot(up)) / high));
+        }
+        return least;
     }
     /* Turns around the middle: angles in radians, to the right and down. */
     turn(right, down) {

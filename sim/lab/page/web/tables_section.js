@@ -50,12 +50,12 @@ function errorSummary(s) {
     return facts(rows.filter(([, e]) => e && e.rows).map(([what, e]) => [`${what} (${e.rows})`, line(e)]));
 }
 
-/* Columns in pairs: ours and the paper's. */
+/* Columns in pairs: ours, with so many decimals, and the paper's, whose times are as they were printed. */
 const PAPER_PAIRS = [
-    ['Total time, s', 'total_s', 'paper_total_s', v => Number(v.toPrecision(5))],
-    ['Host idle, %', 'host_idle_pct', 'paper_host_idle_pct', v => v.toFixed(1)],
-    ['Others idle, %', 'slave_idle_pct', 'paper_slave_idle_pct', v => v.toFixed(1)],
-    ['Speed / node', 'speed_per_node', 'paper_speed_per_node', v => v.toFixed(3)]
+    ['Total time, s', 'total_s', 'paper_total_s', 3],
+    ['Host idle, %', 'host_idle_pct', 'paper_host_idle_pct', 1],
+    ['Others idle, %', 'slave_idle_pct', 'paper_slave_idle_pct', 1],
+    ['Speed / node', 'speed_per_node', 'paper_speed_per_node', 3]
 ];
 
 function oneTable(table, rows) {
@@ -87,10 +87,11 @@ function comparedTable(rows) {
 
 function comparedRow(row) {
     const tr = element('tr', {}, element('th', {scope: 'row'}, row.nodes + (row.fitted ? '\u2009†' : '')));
-    PAPER_PAIRS.forEach(([, ours, paper, show], i) => {
+    PAPER_PAIRS.forEach(([, ours, paper, decimals], i) => {
+        const show = v => rounded(v.toFixed(decimals), String(v));
         for (const key of [ours, paper])
             tr.append(element('td', {class: key === ours ? 'first' : null},
-                typeof row[key] === 'number'  ? String(show(row[key]))
+                typeof row[key] === 'number'  ? (key === 'paper_total_s' ? String(row[key]) : show(row[key]))
                 : row.failure && key === ours ? 'failed'
                                               : ''));
         if (i === 0) {

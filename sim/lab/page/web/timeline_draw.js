@@ -2,9 +2,9 @@
  * pixel's colour is the mix of theirs, by their time; so nothing is left out, and drawing takes a time
  * that hardly grows with the trace. */
 
-/* view: { from, to (ps), top (rows above, may be a fraction), rowHeight (CSS pixels) }. layout: { width,
- * height, left, axis, scale (device pixels for one) } in CSS pixels: left: room for the names, axis: for
- * the times. */
+/* view: { from, to (ps), top (rows above, may be a fraction, without those that are pinned), rowHeight
+ * (CSS pixels) }. layout: { width, height, left, axis, scale (device pixels for one) } in CSS pixels:
+ * left: room for the names, axis: for the times. */
 class TimelinePainter {
     constructor(trace, canvas) {
         this.trace = trace;
@@ -13,7 +13,7 @@ class TimelinePainter {
         this.readColours();
     }
     readColours() {
-        this.colours = PIECE_COLOURS.map(name => rgb(colour(name)));
+        this.colours = this.trace.kinds.map(({tone}) => rgb(colour(tone)));
         this.tones = Float64Array.from(this.colours.flat());
         this.ink = colour('ink');
         this.soft = colour('soft');
@@ -31,47 +31,63 @@ class TimelinePainter {
         const {left, width} = this.layout;
         return left + (time - view.from) / (view.to - view.from) * (width - left);
     }
-    y(rowIndex, view) { return this.layout.axis + (rowIndex - view.top) * view.rowHeight; }
+    /* Pinned rows stay below the axis. */
+    y(row, view) {
+        return this.layout.axis + (row < this.trace.pinned ? row : row - view.top) * view.rowHeight;
+    }
     timeAt(x, view) {
         const {left, width} = this.layout;
         return view.from + (x - left) / (width - left) * (view.to - view.from);
     }
-    rowAt(y, view) { return Math.floor((y - this.layout.axis) / view.rowHeight + view.top); }
+    rowAt(y, view) {
+        const row = (y - this.layout.axis) / view.rowHeight;
+        return Math.floor(row < this.trace.pinned ? row : row + view.top);
+    }
+    /* Besides those that are pinned. */
     visibleRows(view) {
-        const first = Math.max(0, Math.floor(view.top));
+        const first = this.trace.pinned + Math.max(0, Math.floor(view.top));
         const last = Math.min(this.trace.rows.length,
             Math.ceil(view.top + (this.layout.height - this.layout.axis) / view.rowHeight));
         return {first, last};
     }
     /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows;
-     * message: the one to be marked; path: steps of the critical path. Returns how many arrows were
-     * drawn, of how many. */
-    paint(view, {selected, marks, messages, message, path}) {
+     * message: the one to be marked; path: steps of the critical path; span: { from, to } that is chosen.
+     * Returns how many arrows were drawn, of how many. */
+    paint(view, {selected, marks, messages, message, path, span}) {
         const g = this.canvas.getContext('2d', {alpha: false}),
               {width, height, scale, axis, left} = this.layout;
         g.setTransform(scale, 0, 0, scale, 0, 0);
         g.fillStyle = this.ground;
         g.fillRect(0, 0, width, height);
-        this.paintRows(g, view);
+        const {first, last} = this.visibleRows(view), {pinned} = this.trace;
+        this.paintRows(g, view, first, last);
         g.save();
         g.beginPath();
         g.rect(left, axis, width - left, height - axis);
         g.clip();
-        this.paintNames(g, view);
+        this.paintNames(g, view, first, last);
+        g.restore();
+        this.paintRows(g, view, 0, pinned);
+        g.save();
+        g.beginPath();
+        g.rect(left, axis, width - left, height - axis);
+        g.clip();
+        this.paintNames(g, view, 0, pinned);
         const arrows = messages ? this.paintMessages(g, view) : {drawn: 0, count: 0};
         if (path)
             this.paintPath(g, view, path);
         if (message >= 0)
             this.paintArrows(g, view, [message], this.mark, 2);
         this.paintSelected(g, view, selected);
+        this.paintSpan(g, view, span);
         g.restore();
         this.paintAxis(g, view);
         this.paintMarks(g, view, marks);
         this.paintNodes(g, view, selected);
         return arrows;
     }
-    paintRows(g, view) {
-        const {left, width, axis, scale} = this.layout, {first, last} = this.visibleRows(view);
+    paintRows(g, view, first, last) {
+        const {left, width, scale} = this.layout;
         const columns = Math.max(1, Math.round((width - left) * scale)), rows = last - first;
         if (rows <= 0)
             return;
@@ -95,7 +111,7 @@ class TimelinePainter {
     }
     /* Fills the pixels of a row from its pieces: the heart of the drawing. */
     fillRow(row, view, at, columns) {
-        const {trace, pixels} = this, {pieceEnd, drawn, blockSums} = trace, kinds = PIECE_COLOURS.length;
+        const {trace, pixels} = this, {pieceEnd, drawn, blockSums} = trace, kinds = this.colours.length;
         const last = row.first + row.pieces - 1, step = (view.to - view.from) / columns,
               sums = new Float64Array(kinds);
         const plain = this.colours.map(c => 0xff000000 | c[2] << 16 | c[1] << 8 | c[0]);
@@ -138,10 +154,10 @@ class TimelinePainter {
         return (0xff000000 | Math.min(255, b) << 16 | Math.min(255, g) << 8 | Math.min(255, r)) >>> 0;
     }
     /* Names of calls, in pieces that are wide enough. */
-    paintNames(g, view) {
+    paintNames(g, view, first, last) {
         if (view.rowHeight < 12)
             return;
-        const {first, last} = this.visibleRows(view), c = this.trace.columns, least = 34;
+        const c = this.trace.columns, least = 34;
         g.font = '11px system-ui, sans-serif';
         g.textBaseline = 'middle';
         for (let r = first; r < last; r++) {
@@ -157,12 +173,12 @@ class TimelinePainter {
         }
     }
     paintName(g, from, to, y, piece, call) {
-        const kind = this.trace.drawn[piece], text = call >= 0    ? this.trace.callName(call)
-                                                     : kind === 1 ? 'handler'
-                                                                  : '';
+        const text = call >= 0                          ? this.trace.callName(call)
+                     : this.trace.activity[piece] === 1 ? 'handler'
+                                                        : '';
         if (!text || g.measureText(text).width + 8 > to - from)
             return;
-        const [red, green, blue] = this.colours[kind];
+        const [red, green, blue] = this.colours[this.trace.drawn[piece]];
         g.fillStyle = red * 0.3 + green * 0.59 + blue * 0.11 > 128 ? '#14181c' : '#ffffff';
         g.fillText(text, from + 4, y + 0.5);
     }
@@ -257,6 +273,22 @@ class TimelinePainter {
         g.lineWidth = 2;
         g.strokeRect(x, this.y(selected.row, view) + 1, Math.max(2, to - x), Math.max(2, view.rowHeight - 2));
     }
+    /* An interval that was chosen: what is beside it fades. */
+    paintSpan(g, view, span) {
+        if (!span)
+            return;
+        const {left, width, axis, height} = this.layout;
+        const from = Math.max(left, this.x(Math.min(span.from, span.to), view)),
+              to = Math.min(width, this.x(Math.max(span.from, span.to), view));
+        g.globalAlpha = 0.55;
+        g.fillStyle = this.ground;
+        g.fillRect(left, axis, Math.max(0, from - left), height - axis);
+        g.fillRect(to, axis, Math.max(0, width - to), height - axis);
+        g.globalAlpha = 1;
+        g.fillStyle = this.ink;
+        g.fillRect(from - 0.5, axis, 1, height - axis);
+        g.fillRect(to - 0.5, axis, 1, height - axis);
+    }
     /* The time axis. Far into a run, a label is what is to be added to the moment at the left. */
     paintAxis(g, view) {
         const {left, width, axis} = this.layout, span = view.to - view.from,
@@ -297,14 +329,16 @@ class TimelinePainter {
         g.textAlign = 'right';
         g.textBaseline = 'middle';
         const every = [1, 2, 4, 8, 16, 32, 64].find(n => n * view.rowHeight >= 12) || 128;
-        const chosen = selected ? selected.row : -1, near = 11 / view.rowHeight;
-        for (let r = first; r < last; r++) {
+        const chosen = selected ? selected.row : -1, near = 11 / view.rowHeight, {pinned} = this.trace;
+        const rows = [...d3.range(Math.min(pinned, first)), ...d3.range(first, last)];
+        for (const r of rows) {
             const y = this.y(r, view) + view.rowHeight / 2,
                   hidden = chosen >= 0 && Math.abs(r - chosen) < near;
-            if (y <= axis + 4 || (r !== chosen && (r % every || hidden)))
+            if (y < axis || (r >= pinned && y < axis + pinned * view.rowHeight) ||
+                (r !== chosen && (r % every || hidden)))
                 continue;
             g.fillStyle = r === chosen ? this.ink : this.soft;
-            g.fillText(this.rowName(r), left - 10, y);
+            g.fillText(this.rowName(r), left - 10, Math.max(y, axis + 6)); /* whole, of the first row, too */
         }
         g.textAlign = 'left';
         g.fillStyle = this.ground;

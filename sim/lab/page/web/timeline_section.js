@@ -5,7 +5,7 @@ function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)}`, 'Timeline: ' + baseName(name),
         `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${moment(trace.end)}.`);
+                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));
         return section;
@@ -18,7 +18,17 @@ function traceSections(trace, name) {
 
 class Timeline {
     constructor(trace, section, name) {
-        Object.assign(this, {trace, section, name, selected: null, found: [], message: -1, onrange: []});
+        Object.assign(this, {
+            trace,
+            section,
+            name,
+            selected: null,
+            span: null,
+            found: [],
+            message: -1,
+            onrange: [],
+            order: {by: 'number', hostsFirst: false}
+        });
         const shown = trace.rows.length;
         this.view = {
             from: trace.start,
@@ -29,13 +39,13 @@ class Timeline {
         this.messages = trace.messageCount > 0 && trace.messageCount <= 400;
         this.makeCanvas();
         this.makeControls();
-        section.append(this.controls, this.plot, this.legend(), this.readout, this.makeSearch(),
+        section.append(this.controls, this.plot, this.legend, this.readout, this.makeSearch(),
             later('The table behind: each node in the interval shown', () => this.makeShares()),
             element('p', {class: 'note hint'},
                 'Click the timeline; then the wheel or two fingers zoom, and dragging moves. Keys: ',
                 keys('← →'), ' move, ', keys('+ −'), ' zoom, ', keys('0'), ' everything, ', keys('↑ ↓'),
                 ' another node, ', keys(', .'), ' the piece before and after, ', keys('Esc'),
-                ' gives the wheel back to the page. ',
+                ' gives the wheel back to the page. Shift and dragging choose an interval, and show its sums. ',
                 'Where intervals are narrower than a pixel, its colour is the mix of theirs.'));
         onWidth(this.plot, width => this.resize(width));
         this.showRange();
@@ -47,7 +57,10 @@ class Timeline {
             'aria-label': 'Timeline of the nodes',
             'aria-describedby': this.section.id + '-readout'
         });
-        this.plot = element('div', {class: 'plot'}, this.canvas);
+        this.tip = element('div', {class: 'tip', 'aria-hidden': 'true'});
+        this.plot = element('div', {class: 'plot'}, this.canvas, this.tip);
+        this.legend = element('ul', {class: 'legend'});
+        this.fillLegend();
         this.readout = element('div',
             {class: 'readout', id: this.section.id + '-readout', role: 'status', 'aria-live': 'polite'},
             element('p', {}, 'Click a piece, or press , or . to see what it is.'));
@@ -57,6 +70,8 @@ class Timeline {
         this.canvas.addEventListener('focus', () => this.canvas.classList.add('active'));
         this.canvas.addEventListener('blur', () => this.canvas.classList.remove('active'));
         this.canvas.addEventListener('click', e => this.click(e));
+        this.canvas.addEventListener('pointermove', e => this.hover(e));
+        this.canvas.addEventListener('pointerleave', () => { this.tip.textContent = ''; });
         this.canvas.addEventListener('wheel', e => this.wheel(e), {passive: false});
         this.followPointers();
     }
@@ -81,7 +96,8 @@ class Timeline {
             marks: this.found,
             messages: this.messages,
             message: this.message,
-            path: this.pathShown ? this.path : null
+            path: this.pathShown ? this.path : null,
+            span: this.span
         });
         this.arrowNote.textContent =
             this.messages && arrows.drawn < arrows.count
@@ -91,17 +107,34 @@ class Timeline {
     /* Which rows are seen, unless all are. */
     noteRows() {
         const {first, last} = this.painter.visibleRows(this.view), rows = this.trace.rows;
-        this.rowNote.textContent = last - first >= rows.length
+        this.rowNote.textContent = last - first >= rows.length - this.trace.pinned
                                        ? ''
                                        : `${rows[first].name} to ${rows[last - 1].name} of ${
                                              rows.length}: drag, or Page Up and Page Down`;
     }
-    legend() {
-        return element('ul', {class: 'legend'}, PIECE_NAMES.map((name, i) => {
+    fillLegend() {
+        this.legend.replaceChildren(...this.trace.kinds.map(({name, tone}) => {
             const box = element('span', {class: 'swatch'});
-            box.style.backgroundColor = `var(--${PIECE_COLOURS[i]})`;
+            box.style.backgroundColor = `var(--${tone})`;
             return element('li', {class: 'key'}, box, name);
         }));
+    }
+    colourBy(what) {
+        this.trace.colourBy(what);
+        this.painter.readColours();
+        this.fillLegend();
+        this.draw();
+    }
+    /* Orders the rows; what is selected stays so, wherever its row is now. */
+    orderBy(order) {
+        const row = this.selected && this.trace.rows[this.selected.row];
+        Object.assign(this.order, order);
+        this.trace.orderBy(this.order.by, this.order.hostsFirst);
+        if (row)
+            this.selected.row = this.trace.rows.indexOf(row);
+        this.placePath();
+        this.clampTop();
+        this.draw();
     }
     makeControls() {
         const range = text => element('input', {
@@ -130,27 +163,41 @@ class Timeline {
                 button('◀', () => this.move(-0.5), {'aria-label': 'Earlier'}),
                 button('▶', () => this.move(0.5), {'aria-label': 'Later'})),
             labelled('from', this.fromInput), labelled('to', this.toInput),
-            choice('rows', rowSizes, this.view.rowHeight, v => {
-                this.view.rowHeight = Number(v);
-                this.clampTop();
-                this.resize(this.plot.clientWidth);
-            }), checkbox('messages', this.messages, on => {
+            choice('rows', rowSizes, this.view.rowHeight,
+                v => {
+                    this.view.rowHeight = Number(v);
+                    this.clampTop();
+                    this.resize(this.plot.clientWidth);
+                }),
+            choice('order', [['number', 'by number'], ['idle', 'the longest waiting first']], 'number',
+                by => this.orderBy({by})),
+            this.trace.hosts > 0 && this.trace.hosts <= this.trace.rows.length / 4
+                ? checkbox('hosts on top', false, on => this.orderBy({hostsFirst: on}))
+                : null,
+            choice('colour by',
+                [['activity', 'activity'], ['call', 'call'], ['function', 'function of the call']],
+                'activity', what => this.colourBy(what)),
+            checkbox('messages', this.messages, on => {
                 this.messages = on;
                 this.draw();
             }), this.arrowNote, this.rowNote);
     }
     /* steps: of the critical path, as touchstone trace why --json --path has them. */
     showPath(steps, name) {
-        const rows = new Map(this.trace.rows.map((row, i) => [row.index, i]));
-        this.path =
-            steps.map(s => ({from: Number(s.begin_ps), to: Number(s.end_ps), row: rows.get(s.node) ?? -1}));
+        this.path = steps.map(s => ({from: Number(s.begin_ps), to: Number(s.end_ps), node: s.node}));
         this.path.sort((a, b) => a.from - b.from);
+        this.placePath();
         this.pathShown = true;
         this.controls.append(checkbox(`critical path (${name})`, true, on => {
             this.pathShown = on;
             this.draw();
         }));
         this.draw();
+    }
+    placePath() {
+        const rows = new Map(this.trace.rows.map((row, i) => [row.index, i]));
+        for (const step of this.path || [])
+            step.row = rows.get(step.node) ?? -1;
     }
     /* --- what is shown --- */
     setRange(from, to) {
@@ -163,8 +210,11 @@ class Timeline {
         this.draw();
     }
     showRange() {
-        this.fromInput.value = timeText(this.viewFrom());
-        this.toInput.value = timeText(this.viewTo());
+        this.shown =
+            [[this.fromInput, this.viewFrom()], [this.toInput, this.viewTo()]].map(([input, time]) => {
+                input.value = shortTime(time, this.view.to - this.view.from);
+                return {text: input.value, time};
+            });
         for (const f of this.onrange)
             f();
     }
@@ -173,7 +223,8 @@ class Timeline {
     }
     viewTo() { return this.view.to >= this.trace.stop ? this.trace.to : BigInt(Math.ceil(this.view.to)); }
     readRange() {
-        const from = parseTime(this.fromInput.value), to = parseTime(this.toInput.value);
+        const [from, to] = [this.fromInput, this.toInput].map(
+            ({value}, i) => value === this.shown[i].text ? this.shown[i].time : parseTime(value));
         for (const [input, time] of [[this.fromInput, from], [this.toInput, to]])
             input.setCustomValidity(time === null ? 'A time such as 1.5 s, 12 ms or 3 us' : '');
         if (from === null || to === null || to <= from)
@@ -190,7 +241,8 @@ class Timeline {
     }
     clampTop() {
         const rows = (this.painter.layout.height - this.painter.layout.axis) / this.view.rowHeight;
-        this.view.top = Math.max(0, Math.min(this.view.top, this.trace.rows.length - rows));
+        this.view.top =
+            Math.max(0, Math.min(this.view.top, this.trace.rows.length - rows)); /* pinned in both */
     }
     scrollRows(by) {
         this.view.top += by;
@@ -218,6 +270,9 @@ class Timeline {
                 return;
             down.set(e.pointerId, {x: e.offsetX, y: e.offsetY});
             this.dragged = 0;
+            this.chooses = e.shiftKey;
+            if (this.chooses)
+                this.span = {from: this.timeAt(e.offsetX), to: this.timeAt(e.offsetX)};
             this.canvas.setPointerCapture(e.pointerId);
         });
         this.canvas.addEventListener('pointermove', e => {
@@ -227,7 +282,9 @@ class Timeline {
             const now = {x: e.offsetX, y: e.offsetY}, other = [...down].find(([id]) => id !== e.pointerId);
             down.set(e.pointerId, now);
             this.dragged += Math.abs(now.x - was.x) + Math.abs(now.y - was.y);
-            if (other)
+            if (this.chooses)
+                this.chooseTo(this.timeAt(now.x));
+            else if (other)
                 this.pinch(was, now, other[1]);
             else
                 this.drag(now.x - was.x, now.y - was.y);
@@ -248,10 +305,57 @@ class Timeline {
     click(e) {
         this.canvas.focus();
         const row = this.painter.rowAt(e.offsetY, this.view);
+        if (this.chooses)
+            return this.dragged > 6 ? this.showSpan() : this.dropSpan();
         if (this.dragged > 6 || row < 0 || row >= this.trace.rows.length ||
             e.offsetY < this.painter.layout.axis)
             return;
         this.select(row, this.trace.pieceAt(this.trace.rows[row], this.painter.timeAt(e.offsetX, this.view)));
+    }
+    timeAt(x) {
+        return Math.min(this.trace.stop, Math.max(this.trace.start, this.painter.timeAt(x, this.view)));
+    }
+    /* Tells what is under the mouse. */
+    hover(e) {
+        const {axis, left, width} = this.painter.layout, row = this.painter.rowAt(e.offsetY, this.view);
+        if (e.buttons || e.offsetY < axis || e.offsetX < left || !this.trace.rows[row]) {
+            this.tip.textContent = '';
+            return;
+        }
+        const piece = this.trace.pieceAt(this.trace.rows[row], this.painter.timeAt(e.offsetX, this.view));
+        this.tip.textContent = this.trace.pieceTip(this.trace.rows[row], piece);
+        this.tip.style.left = Math.max(0, Math.min(e.offsetX + 14, width - this.tip.offsetWidth - 4)) + 'px';
+        const below = e.offsetY + 18, {height} = this.painter.layout;
+        this.tip.style.top =
+            (below + this.tip.offsetHeight < height ? below : e.offsetY - this.tip.offsetHeight - 8) + 'px';
+    }
+    /* --- an interval that is chosen --- */
+    chooseTo(time) {
+        this.span.to = time;
+        this.draw();
+    }
+    dropSpan() {
+        this.span = null;
+        this.draw();
+    }
+    /* What all nodes did in it, by activity. */
+    showSpan() {
+        const [from, to] =
+            [this.span.from, this.span.to].sort((a, b) => a - b).map(t => BigInt(Math.round(t)));
+        const all = PIECE_NAMES.map(() => 0n);
+        for (const row of this.trace.rows)
+            this.sums(row, from, to).forEach((sum, k) => { all[k] += sum; });
+        const whole = all.reduce((a, b) => a + b, 0n);
+        this.readout.replaceChildren(
+            element('p', {},
+                `From ${moment(from)} to ${moment(to)}, ${roughly(Number(to - from))}, of ${
+                    plural(this.trace.rows.length, 'node')}: `,
+                all.map((sum, k) => `${PIECE_NAMES[k]} ${percent(sum, whole)}`).join(', '), '.'),
+            button('Zoom in on it', () => {
+                this.setRange(Number(from), Number(to));
+                this.dropSpan();
+            }));
+        this.draw();
     }
     /* --- keys --- */
     key(e) {
@@ -313,7 +417,8 @@ class Timeline {
               rows = (height - axis) / this.view.rowHeight;
         if (to < this.view.from || from > this.view.to)
             this.setRange((from + to) / 2 - span / 2, (from + to) / 2 + span / 2);
-        if (row < this.view.top || row >= this.view.top + rows - 1)
+        const {pinned} = this.trace;
+        if (row >= pinned && (row < this.view.top + pinned || row >= this.view.top + rows - 1))
             this.view.top = row - rows / 2;
         this.clampTop();
     }
@@ -392,24 +497,24 @@ class Timeline {
         const from = this.viewFrom(), to = this.viewTo();
         const rows = this.trace.rows.map(row => ({name: row.name, sums: this.sums(row, from, to)}));
         return [
-            element('p', {class: 'note'}, `From ${moment(from)} to ${moment(to)}.`),
+            element('p', {class: 'note'}, 'From ', timeFigure(from), ' to ', timeFigure(to), '.'),
             ...figureTable('Each node\'s time',
                 [
                     {name: 'Node', text: true, get: r => r.name},
-                    ...STATE_NAMES.map((name, k) => ({name, get: r => r.sums[k], show: moment}))
+                    ...PIECE_NAMES.map((name, k) => ({name, get: r => r.sums[k]}))
                 ],
                 rows, 1024)
         ];
     }
-    /* The node's exact time in each state, within the interval. */
+    /* The node's exact time in each activity, within the interval. */
     sums(row, from, to) {
-        const c = this.trace.columns, ends = c['piece.end'], sums = STATE_NAMES.map(() => 0n);
+        const c = this.trace.columns, ends = c['piece.end'], sums = PIECE_NAMES.map(() => 0n);
         const first = this.trace.pieceAt(row, Number(from) - 1), most = (a, b) => (a > b ? a : b);
         for (let i = first, begin = this.trace.pieceFrom(row, first);
              i < row.first + row.pieces && begin < to; i++) {
             const end = ends.at(i), part = (end < to ? end : to) - most(begin, from);
             if (part > 0n)
-                sums[c['piece.state'][i] & 7] += part;
+                sums[this.trace.activity[i]] += part;
             begin = end;
         }
         return sums;

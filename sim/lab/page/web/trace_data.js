@@ -1,16 +1,22 @@
 /* trace_data.js - a trace as page_trace.c wrote it, and what is said of its parts. */
 
-/* What a piece of a node's time is drawn as; the order is that of the legend. */
-const PIECE_COLOURS = ['computing', 'handler', 'call', 'system', 'waiting', 'ended'];
-const PIECE_NAMES = [
-    'computing', 'computing in a handler', 'system, for a call of the program',
-    'system, for messages and handlers', 'waiting', 'ended'
-];
-const STATE_DRAWN = [0, 2, 4, 3, 5]; /* of enum trace_state */
-const STATE_NAMES = ['computing', 'in call', 'waiting', 'in system', 'ended'];
+/* What a piece of a node's time is drawn as: names, order and colours as in touchstone trace show. */
+const PIECE_COLOURS = ['computing', 'handler', 'system', 'call', 'waiting', 'ended'];
+const PIECE_NAMES =
+    ['computing', 'handler computing', 'system (message)', 'system (call)', 'waiting', 'ended'];
+const STATE_DRAWN = [0, 3, 4, 2, 5]; /* of enum trace_state */
 const TASK_NAMES =
     ['sending a message', 'receiving a message', 'feeding the network', 'emptying the network'];
 const PIECE_BLOCK = 64; /* pieces whose times are summed, so that drawing can pass over them */
+
+/* "type 5"; of MPI's messages "tag 5 in MPI_COMM_WORLD", as nx_api/waitfor/waitfor_mpi.c has it. */
+function typeText(type, pid) {
+    const FIRST_CONTEXT = 1 << 24, number = (pid - FIRST_CONTEXT) >> 1;
+    if (pid < FIRST_CONTEXT)
+        return `type ${type}`;
+    return `${pid & 1 ? 'collective' : 'tag'} ${type} in ${
+        ['MPI_COMM_WORLD', 'MPI_COMM_SELF'][number] || `communicator ${number}`}`;
+}
 
 async function readTrace(script) { return new Trace(readColumns(await takeBytes(script))); }
 
@@ -26,13 +32,81 @@ class Trace {
         this.pieceEnd = columns['piece.end'].numbers();
         this.pieceCount = this.pieceEnd.length;
         this.rows = this.nodes.map((n, i) => ({...n, index: i})).filter(n => n.traced && n.pieces);
-        this.drawn = this.columns['piece.state'].map(s => ((s & 7) === 0 && s & 8 ? 1 : STATE_DRAWN[s & 7]));
-        this.sumBlocks();
+        this.activity =
+            this.columns['piece.state'].map(s => ((s & 7) === 0 && s & 8 ? 1 : STATE_DRAWN[s & 7]));
+        this.colourBy('activity');
         this.sortMessages();
+        this.findHosts();
+        this.orderBy('number', false);
+    }
+    /* What pieces are drawn as, this.drawn[i], is one of this.kinds. By call or function: the eight that
+     * take most of the time have colours. As in touchstone trace why, computing is for the function of
+     * the next call. */
+    colourBy(what) {
+        this.kinds = PIECE_NAMES.map((name, i) => ({name, tone: PIECE_COLOURS[i]}));
+        this.drawn = this.activity;
+        if (what !== 'activity')
+            this.drawNamed(what);
+        this.sumBlocks();
+    }
+    callFunction(call) {
+        const place = this.text(this.columns['call.place'][call]).split(',')[0];
+        return place.replace(/\.(part|isra|constprop)\..*/, '') || 'unknown';
+    }
+    drawNamed(what) {
+        const times = new Map(), names = new Array(this.pieceCount).fill(null),
+              calls = this.columns['piece.call'];
+        const byFunction = what === 'function';
+        for (const row of this.rows)
+            for (let i = row.first + row.pieces - 1, next = null; i >= row.first; i--) {
+                const named = calls[i] >= 0;
+                if (named)
+                    next = byFunction ? this.callFunction(calls[i]) : this.callName(calls[i]);
+                if (!named && !(byFunction && this.activity[i] === 0))
+                    continue;
+                names[i] = next;
+                const from = i === row.first ? this.start : this.pieceEnd[i - 1];
+                times.set(next, (times.get(next) || 0) + this.pieceEnd[i] - from);
+            }
+        times.delete(null); /* computing behind the last call */
+        const most = [...times].sort((a, b) => b[1] - a[1]).slice(0, 8).map(([name]) => name);
+        const kindOf = new Map(most.map((name, i) => [name, i + 2]));
+        this.kinds = [
+            {name: `no ${what}`, tone: 'waiting'}, {name: 'ended', tone: 'ended'},
+            ...most.map((name, i) => ({name, tone: 'c' + i})), {name: `other ${what}s`, tone: 'soft'}
+        ];
+        const none = i => (this.activity[i] === 5 ? 1 : 0), other = this.kinds.length - 1;
+        this.drawn = Uint8Array.from(names, (n, i) => (n === null ? none(i) : kindOf.get(n) ?? other));
+    }
+    /* Hosts serve the others: they send and receive more than twice as many messages as the mean. */
+    findHosts() {
+        const counts = new Map(this.rows.map(row => [row.index, 0])), c = this.columns;
+        for (let i = 0; i < this.messageCount; i++)
+            for (const end of [c['message.from'][i], c['message.to'][i]])
+                if (counts.has(end))
+                    counts.set(end, counts.get(end) + 1);
+        const mean = [...counts.values()].reduce((a, b) => a + b, 0) / (counts.size || 1);
+        for (const row of this.rows)
+            row.host = row.name === 'host' || (mean > 0 && counts.get(row.index) > 2 * mean);
+        this.hosts = this.rows.filter(row => row.host).length;
+    }
+    /* The order of the rows: by number, or by waiting, the longest first; with hosts before all others. */
+    orderBy(what, hostsFirst) {
+        const waits = new Map(this.rows.map(row => [row, what === 'idle' ? this.waiting(row) : 0]));
+        this.rows.sort(
+            (a, b) => (hostsFirst ? b.host - a.host : 0) || waits.get(b) - waits.get(a) || a.index - b.index);
+        this.pinned = hostsFirst ? this.hosts : 0;
+        this.placeMessages();
+    }
+    waiting(row) {
+        let sum = 0;
+        for (let i = row.first, from = this.start; i < row.first + row.pieces; from = this.pieceEnd[i++])
+            sum += this.activity[i] === 4 ? this.pieceEnd[i] - from : 0;
+        return sum;
     }
     /* For each block of pieces of one node: the time of each kind. */
     sumBlocks() {
-        const kinds = PIECE_COLOURS.length;
+        const kinds = this.kinds.length;
         this.blockSums = new Float64Array((Math.floor(this.pieceCount / PIECE_BLOCK) + 1) * kinds);
         for (const row of this.rows)
             for (let i = row.first, from = this.start; i < row.first + row.pieces; i++) {
@@ -48,14 +122,18 @@ class Trace {
         this.sentAt = c['message.sent'].numbers();
         this.overAt = new Float64Array(count);
         this.latest = new Float64Array(count);
-        const rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: of a service, number -1 */
-        this.rows.forEach((row, i) => { rowOf[row.index] = i; });
-        this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
-        this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
         for (let i = 0, latest = 0; i < count; i++) {
             this.overAt[i] = this.messageOver(i);
             this.latest[i] = latest = Math.max(latest, this.overAt[i]);
         }
+    }
+    /* The rows of its ends, -1 of those that have none. */
+    placeMessages() {
+        const c = this.columns,
+              rowOf = new Int32Array(this.nodes.length + 1).fill(-1); /* the last: services */
+        this.rows.forEach((row, i) => { rowOf[row.index] = i; });
+        this.fromRow = c['message.from'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
+        this.toRow = c['message.to'].map(n => rowOf[n < 0 ? this.nodes.length : n]);
     }
     /* When the message is there: where its arrow ends. */
     messageOver(i) {
@@ -97,7 +175,8 @@ class Trace {
               part = (name, text) =>
                   (c['message.' + name].isNever(i) ? '' : `${text} ${moment(c['message.' + name].at(i))}`);
         return `message ${i}: ${this.nodeName(c['message.from'][i])} to ${
-                   this.nodeName(c['message.to'][i])}, type ${c['message.type'][i]}, ` +
+                   this.nodeName(c['message.to'][i])}, ${
+                   typeText(c['message.type'][i], c['message.pid'][i])}, ` +
                `${grouped(String(c['message.bytes'].at(i)))} bytes; ` + [
                    part('sent', 'sent'), part('asked', 'asked'), part('granted', 'granted'),
                    part('moved', 'has its path'), part('left', 'left the network'),
@@ -110,8 +189,8 @@ class Trace {
               wait = c['piece.wait'][i];
         const from = this.pieceFrom(row, i), to = c['piece.end'].at(i), handler = c['piece.handler'][i],
               system = c['piece.system'][i];
-        const lines = [`${row.name}: ${STATE_NAMES[state & 7]}${state & 8 ? ' in a handler' : ''} for ${
-            duration(to - from)}, from ${moment(from)} to ${moment(to)}`];
+        const lines = [`${row.name}: ${PIECE_NAMES[this.activity[i]]} for ${duration(to - from)}, from ${
+            moment(from)} to ${moment(to)}`];
         if (system >= 0)
             lines.push(`The operating system is ${TASK_NAMES[c['system.task'][system]] || 'busy'}.`);
         else if ((state & 7) === 3 && handler >= 0)
@@ -126,6 +205,13 @@ class Trace {
         for (const message of this.pieceMessages(i))
             lines.push(this.messageText(message));
         return lines;
+    }
+    /* The same in short, for the tip under the mouse. */
+    pieceTip(row, i) {
+        const call = this.columns['piece.call'][i],
+              from = i === row.first ? this.start : this.pieceEnd[i - 1];
+        return `${row.name}: ${PIECE_NAMES[this.activity[i]]}, ${roughly(this.pieceEnd[i] - from)}` +
+               (call >= 0 ? '\n' + this.callText(call) : '');
     }
     waitText(wait) {
         const c = this.columns, flags = c['wait.flags'][wait], from = c['wait.from'][wait];
@@ -183,7 +269,7 @@ class Trace {
 function traceSummary(trace) {
     return {
         kind: 'Trace',
-        big: moment(trace.end),
+        big: roughly(Number(trace.end)),
         small: `${baseName(trace.program)} on ${plural(trace.nodes.length, 'node')} of ${trace.machine}; ${
             plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${
             trace.complete ? '' : '; the trace ends early'}`

@@ -1,0 +1,24 @@
+/* leftovers.h - what a rank makes, and has not freed or completed when it calls MPI_Finalize: requests,
+ * communicators, datatypes, groups, operations. */
+#ifndef MPI_LEFTOVERS_H
+#define MPI_LEFTOVERS_H
+#include "mpi_api/checks/mpi_findings.h"
+
+struct made {
+    struct mpi_place place;
+    uintptr_t handle;
+    enum kind kind;
+};
+
+/* Of one node; all 0 at first. */
+struct leftovers {
+    const struct nxm_library *library;
+    struct made *list;
+    size_t count, room;
+};
+
+/* A call begins, which may be MPI_Finalize; has ended. */
+void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node *n, const struct nxm_told *c);
+void leftovers_end(struct leftovers *k, struct node *n, const struct nxm_told *c);
+void leftovers_free(struct leftovers *k);
+#endif

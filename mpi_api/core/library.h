@@ -1,0 +1,124 @@
+/* library.h - what MPI's library (mpi_api/lib) keeps of a rank in the program's memory: its objects. The
+ * library is their owner; those who check programs read them there. */
+#ifndef MPI_LIBRARY_H
+#define MPI_LIBRARY_H
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "mpi_api/core/core.h"
+#include "mpi_api/include/mpi.h"
+
+enum kind { COMM = 1, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE };
+
+struct object {
+    enum kind kind;
+    int users, handle;
+};
+
+/* --- communicators --- */
+
+struct group {
+    struct object object;
+    int size, rank; /* rank -1: the process is none of them */
+    int first;      /* nodes NULL: rank r is node first + r */
+    int *nodes;
+};
+
+struct topology;
+struct attribute;
+
+struct comm {
+    struct object object;
+    struct group *local, *remote; /* remote NULL: of one group */
+    struct group *peers;          /* whom ranks of point to point name */
+    int context;                  /* point to point; collectives: the next */
+    MPI_Errhandler handler;
+    int collectives; /* so many have begun: coll.h */
+    struct attribute *attributes;
+    struct topology *topology;
+    char *name;
+};
+
+/* --- datatypes --- */
+
+/* Bytes that lie together; elements of `unit` bytes. */
+struct run {
+    MPI_Aint at;
+    size_t bytes;
+    int unit;
+};
+
+struct type {
+    struct object object;
+    size_t size;
+    MPI_Aint lb, ub, true_lb, true_ub;
+    int align; /* of its members, as a C compiler does */
+    int runs;
+    struct run one, *run; /* run: &one, if there is one only */
+    bool committed, has_lb, has_ub;
+    int combiner, ints, addresses, types; /* of what it was made: Type_get_contents */
+    int *int_list;
+    MPI_Aint *address_list;
+    MPI_Datatype *type_list;
+    struct attribute *attributes;
+    char *name;
+};
+
+enum basic_class { NO_TYPE, WHOLE, NATURAL, REAL, COMPLEX, LOGICAL, BITS, PAIR };
+struct basic {
+    uint8_t bytes, class; /* PAIR: a value and an int behind it, in so many bytes */
+    uint8_t value;        /* PAIR: bytes of the value */
+};
+enum { FIRST_BASIC = 0x200, BASICS = 0xf2 };
+
+/* --- requests --- */
+
+enum mode { STANDARD, BUFFERED, SYNCHRONOUS, READY };
+
+struct request {
+    struct object object;
+    enum { SENDS, RECEIVES, GENERAL, COLLECTS } what;
+    bool persistent, active;
+    enum mode mode;
+    int id;   /* the core's; 0: done */
+    int peer; /* the other's rank */
+    struct nxm_envelope envelope;
+    struct comm *comm;
+    void *buf, *packed; /* packed: instead of buf, while it is under way */
+    int count;
+    MPI_Datatype type;
+    size_t room;
+    MPI_Status status; /* if no message belongs to it */
+    MPI_Grequest_query_function *query;
+    MPI_Grequest_free_function *release;
+    MPI_Grequest_cancel_function *cancel;
+    void *extra;
+    struct task *task; /* of a collective */
+    struct prepared *prepared;
+};
+
+/* --- all of it --- */
+
+/* Handles below are constants of mpi.h. */
+enum { FIRST_HANDLE = 0x1000 };
+
+/* Through this the simulator finds the objects. `told` comes first, for the stubs of CALL (lib.h). */
+struct nxm_library {
+    uint8_t told;           /* calls go by nxm_begins and nxm_ends; the simulator says so in the first */
+    struct object ***table; /* *table has *used places, by handle - FIRST_HANDLE */
+    const int *used;
+    struct comm *world, *self;
+    const struct basic *basics; /* BASICS of them, by handle - FIRST_BASIC */
+};
+
+/* A call of the program, before it begins or after it has ended: as tell.S leaves it on the stack. */
+struct nxm_told {
+    uintptr_t args[6]; /* the first arguments */
+    const char *name;  /* "MPI_Send" */
+    intptr_t result;
+    const void *frame, *returns; /* the caller's, and where in the program */
+    uintptr_t more[8];           /* the other arguments */
+};
+void nxm_begins(const struct nxm_told *c, struct nxm_library *library);
+void nxm_ends(const struct nxm_told *c, const struct nxm_library *library);
+#endif

@@ -1,0 +1,25 @@
+/* told_accesses.h - the memory that a call of MPI reads or writes. */
+#ifndef MPI_TOLD_ACCESSES_H
+#define MPI_TOLD_ACCESSES_H
+#include "mpi_api/core/told.h"
+
+/* The bytes of `count` elements of a type, as they are handed to the system. */
+size_t told_bytes(const struct nxm_library *l, int count, uintptr_t type);
+/* What kind of numbers a type has, of enum basic_class; NO_TYPE: several kinds, none that is known, or just
+ * bytes. */
+int told_class(const struct nxm_library *l, uintptr_t type);
+
+/* Memory that a call reads or writes, or may until its request is done. `exact`: all of it; else as much as a
+ * message has that comes. */
+struct told_access {
+    uintptr_t at;
+    size_t bytes;
+    bool write, exact;
+};
+typedef void told_access_fn(void *ctx, const struct told_access *a);
+/* Tells of each stretch; of datatypes of many pieces, of the first 1,000. */
+void told_accesses(const struct nxm_library *l, const struct nxm_told *c, told_access_fn *f, void *ctx);
+/* The same of a send or receive that is under way. */
+void told_request_accesses(const struct nxm_library *l, const struct request *r, told_access_fn *f,
+                           void *ctx);
+#endif

@@ -1,0 +1,57 @@
+#!/bin/bash
+# pages.sh - the commands of pages that no other test runs do what the pages say, and print what the pages show, but for numbers:
+# trace-why, profile, races, explore, surfaces, page.
+. "$(dirname "$0")/common.bash"
+root=$(cd "$tests/../.." && pwd)
+export XDG_CACHE_HOME=$work/cache PATH=$BUILD:$PATH
+ln -s "$BUILD" build
+ln -s "$root"/{app,bench,share,tests} .
+
+# commands PAGE - all of its sh and console blocks, and the indented lines that begin with one of our commands
+commands() {
+    awk '/^```(sh|console)$/ { on = $0; next } /^```/ { on = on ? "" : "other"; next }
+         on == "```sh" { print } on == "```console" && sub(/^\$ /, "") { print }
+         !on && !/\[OPTIONS\]/ && /^    (\$ )?(touchstone|nxcc) / { sub(/^    (\$ )?/, ""); print }' "$root/doc/$1.md"
+}
+# follow PAGE [STATUS] - gives the page's commands; all end well, or the last one with that status
+follow() {
+    commands "$1" >commands
+    bash -e commands >said 2>&1 </dev/null
+    status=$?
+    check "$1: the commands work" ended_with "${2:-0}"
+    [ "$status" = "${2:-0}" ] || sed 's/^/# /' said | tail -5
+}
+shows() { python3 "$tests/shown.py" "$root/doc/$1.md" said; }
+
+follow profile
+shows profile
+
+commands trace-why | sed '/ring.trace/d; /--set/d; /^touchstone run -m delta -n 128/,+1d' >why
+bash -e why >said 2>&1 </dev/null
+status=$?
+check "trace-why: the commands work" ended_with 0
+shows trace-why
+
+follow races 3 # races were found
+shows races
+
+nxcc -g -O2 -o two_exchanges tests/explore/two_exchanges.c
+follow explore 1 # outcomes differ
+shows explore
+
+# A volume as large as the scan, which does not come with touchstone: a ball with a denser core.
+python3 -c '
+import gzip
+x = [(i - 128) ** 2 for i in range(256)]
+with gzip.open("engine.raw.gz", "wb", 1) as f:
+    for z in range(128):
+        for y in range(256):
+            d = (2 * z - 128) ** 2 + x[y]
+            f.write(bytes(220 if d + v < 2500 else 120 if d + v < 10000 else 0 for v in x))'
+follow surfaces
+shows surfaces
+for file in engine.vtk engine.obj engine.stl welded.ply; do check "surfaces: $file is written" test -s $file; done
+
+touchstone tables -t 5 -o out >said 2>&1
+follow page
+check "page: the page is written" test -s model.html
