@@ -129,6 +129,16 @@ tree zero_of(tree type)
     return is_gimple_reg_type(type) ? build_zero_cst(type) : build_constructor(type, NULL);
 }
 
+/* Does the variable's address come into the block where paths meet? What follows may use it under another
+ * name. */
+bool met_in(basic_block bb, tree v)
+{
+    for (gphi_iterator i = gsi_start_phis(bb); !gsi_end_p(i); gsi_next(&i))
+        if (mentions(i.phi(), v))
+            return true;
+    return false;
+}
+
 void clear(const local &l)
 {
     basic_block bb = l.first;
@@ -138,13 +148,14 @@ void clear(const local &l)
         bb = split_edge(single_succ_edge(bb));
     gimple *set = gimple_build_assign(l.variable, zero_of(TREE_TYPE(l.variable)));
     gimple_stmt_iterator gsi = gsi_after_labels(bb);
-    while (!gsi_end_p(gsi) && !mentions(gsi_stmt(gsi), l.variable) &&
+    bool met = met_in(bb, l.variable);
+    while (!met && !gsi_end_p(gsi) && !mentions(gsi_stmt(gsi), l.variable) &&
            !(gsi_one_before_end_p(gsi) && stmt_ends_bb_p(gsi_stmt(gsi))))
         gsi_next(&gsi);
     if (gsi_end_p(gsi)) {
         gsi = gsi_last_bb(bb);
         gsi_insert_after(&gsi, set, GSI_NEW_STMT);
-    } else if (!sets_all(gsi_stmt(gsi), l.variable)) {
+    } else if (met || !sets_all(gsi_stmt(gsi), l.variable)) {
         gsi_insert_before(&gsi, set, GSI_SAME_STMT);
     }
 }

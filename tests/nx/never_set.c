@@ -133,6 +133,20 @@ static int round_a_jump(void)
     return rounds[0];
 }
 
+__attribute__((noinline)) static void put_seven(int *at)
+{
+    at[0] = 7;
+}
+
+/* What was set by the one name is there under the other: the address of a local variable, or another's. */
+__attribute__((noinline)) static int by_another_name(int *given)
+{
+    int own[3];
+    int *at = given ? given : own;
+    put_seven(at);
+    return at[0] + at[2];
+}
+
 int main(void)
 {
     FILE *out = mynode() == 0 ? stdout : fopen("/dev/null", "w");
@@ -145,5 +159,8 @@ int main(void)
     gsync();
     fprintf(out, "carried %d %d fresh %u jump %d\n", carried(), carried_within(), fresh_in_each_round(),
             round_a_jump());
+    litter(3);
+    int others[3] = {0, 0, three};
+    fprintf(out, "another name %d %d\n", by_another_name(NULL), by_another_name(others));
     return 0;
 }
