@@ -4,6 +4,8 @@
 #include "mpi_api/core/core.h"
 #include "nx_api/calls/awaited.h"
 
+/* A call by its number, as reports name it. */
+const char *completion_call_name(int call);
 /* What a receive of the message is told. */
 struct nxm_status completion_status(const struct node *n, const struct message *m);
 /* Puts the message of a receive that is complete into its buffer. */

@@ -14,7 +14,7 @@ static const char *const names[] = {
 #undef MPI_NAME
 };
 
-static const char *name_of(int call)
+const char *completion_call_name(int call)
 {
     return call >= 0 && call < MPI_CALLS ? names[call] : "MPI";
 }
@@ -22,7 +22,7 @@ static const char *name_of(int call)
 static struct node *enter(int call)
 {
     struct node *n = node_self();
-    node_enter(n, name_of(call));
+    node_enter(n, completion_call_name(call));
     nx_begins_call(n);
     return n;
 }
@@ -30,7 +30,7 @@ static struct node *enter(int call)
 static struct node *enter_early(int call)
 {
     struct node *n = node_self();
-    node_enter_early(n, name_of(call));
+    node_enter_early(n, completion_call_name(call));
     nx_begins_call(n);
     return n;
 }
@@ -183,7 +183,7 @@ long node_nxm_fail(int call, const char *text);
 long node_nxm_fail(int call, const char *text)
 {
     struct node *n = enter(call);
-    node_fail(n, "%s: %s", name_of(call), text);
+    node_fail(n, "%s: %s", completion_call_name(call), text);
 }
 
 long node_nxm_eager_limit(void);

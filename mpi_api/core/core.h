@@ -64,6 +64,21 @@ long nxm_complete(const struct nxm_completion *c);
 long nxm_probe(const struct nxm_envelope *e, int wait, struct nxm_status *status);
 /* Withdraws a receive, unless it has its message. 1: withdrawn, and the id is given back. */
 long nxm_cancel(int call, int id);
+/* --- files: moves.c of nx_api/sim --- */
+
+/* Bytes between memory and an open file, at an offset, in the time of its file system. */
+struct nxm_move {
+    int call, fd, write;
+    long at, bytes;
+    void *buf;
+};
+/* How many bytes have been moved, fewer at the end of the file; -1 with errno. The second begins, has copied
+ * what is written, and returns an id, 1 or more, for the third, which waits, or answers NXM_UNDER_WAY. */
+enum { NXM_UNDER_WAY = -2 };
+long nxm_move(const struct nxm_move *m);
+long nxm_imove(const struct nxm_move *m);
+long nxm_moved(int call, long id, int wait);
+
 /* Ends the run with this message. */
 long nxm_fail(int call, const char *text);
 /* Standard sends of more bytes wait for their receives. */

@@ -8,7 +8,7 @@
 #include "mpi_api/core/core.h"
 #include "mpi_api/include/mpi.h"
 
-enum kind { COMM = 1, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE };
+enum kind { COMM = 1, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE, FILE_OBJECT };
 
 struct object {
     enum kind kind;
@@ -77,7 +77,7 @@ enum mode { STANDARD, BUFFERED, SYNCHRONOUS, READY };
 
 struct request {
     struct object object;
-    enum { SENDS, RECEIVES, GENERAL, COLLECTS } what;
+    enum { SENDS, RECEIVES, GENERAL, COLLECTS, MOVES } what;
     bool persistent, active;
     enum mode mode;
     int id;   /* the core's; 0: done */
@@ -91,7 +91,12 @@ struct request {
     MPI_Status status; /* if no message belongs to it */
     MPI_Grequest_query_function *query;
     MPI_Grequest_free_function *release;
-    MPI_Grequest_cancel_function *cancel;
+    union {
+        MPI_Grequest_cancel_function *cancel;
+        /* Of a movement of a file under way: ends it, and sets this to NULL; or finds that it goes on, unless
+         * it `waits`. */
+        void (*end)(struct request *r, bool waits);
+    };
     void *extra;
     struct task *task; /* of a collective */
     struct prepared *prepared;

@@ -157,6 +157,13 @@ FORTRAN(type_create_subarray, (f_int * dims, f_int *sizes, f_int *subsizes, f_in
     NEW_TYPE(MPI_Type_create_subarray(*dims, sizes, subsizes, starts, *order, F_TYPE(old), &made));
 }
 
+FORTRAN(type_create_darray, (f_int * ranks, f_int *rank, f_int *dims, f_int *sizes, f_int *kinds,
+                             f_int *blocks, f_int *grid, f_int *order, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW_TYPE(PMPI_Type_create_darray(*ranks, *rank, *dims, sizes, kinds, blocks, grid, *order, F_TYPE(old),
+                                     &made));
+}
+
 FORTRAN(type_create_resized, (f_int * old, MPI_Aint *lb, MPI_Aint *extent, f_int *type, f_int *ierr))
 {
     NEW_TYPE(MPI_Type_create_resized(F_TYPE(old), *lb, *extent, &made));

@@ -157,13 +157,44 @@ enum {
     MPI_ERR_INTERN,
     MPI_ERR_PENDING,
     MPI_ERR_IN_STATUS,
-    MPI_ERR_INFO_KEY = 31,
-    MPI_ERR_INFO_NOKEY = 32,
-    MPI_ERR_INFO_VALUE = 33,
-    MPI_ERR_INFO = 34,
-    MPI_ERR_KEYVAL = 36,
-    MPI_ERR_NO_MEM = 39,
-    MPI_ERR_UNSUPPORTED_OPERATION = 55,
+    MPI_ERR_ACCESS,
+    MPI_ERR_AMODE,
+    MPI_ERR_ASSERT,
+    MPI_ERR_BAD_FILE,
+    MPI_ERR_BASE,
+    MPI_ERR_CONVERSION,
+    MPI_ERR_DISP,
+    MPI_ERR_DUP_DATAREP,
+    MPI_ERR_FILE_EXISTS,
+    MPI_ERR_FILE_IN_USE,
+    MPI_ERR_FILE,
+    MPI_ERR_INFO_KEY,
+    MPI_ERR_INFO_NOKEY,
+    MPI_ERR_INFO_VALUE,
+    MPI_ERR_INFO,
+    MPI_ERR_IO,
+    MPI_ERR_KEYVAL,
+    MPI_ERR_LOCKTYPE,
+    MPI_ERR_NAME,
+    MPI_ERR_NO_MEM,
+    MPI_ERR_NOT_SAME,
+    MPI_ERR_NO_SPACE,
+    MPI_ERR_NO_SUCH_FILE,
+    MPI_ERR_PORT,
+    MPI_ERR_QUOTA,
+    MPI_ERR_READ_ONLY,
+    MPI_ERR_RMA_ATTACH,
+    MPI_ERR_RMA_CONFLICT,
+    MPI_ERR_RMA_RANGE,
+    MPI_ERR_RMA_SHARED,
+    MPI_ERR_RMA_SYNC,
+    MPI_ERR_SERVICE,
+    MPI_ERR_SIZE,
+    MPI_ERR_SPAWN,
+    MPI_ERR_UNSUPPORTED_DATAREP,
+    MPI_ERR_UNSUPPORTED_OPERATION,
+    MPI_ERR_WIN,
+    MPI_ERR_RMA_FLAVOR,
     MPI_ERR_LASTCODE = 0x3fff
 };
 
@@ -176,6 +207,7 @@ enum {
 #define MPI_UNWEIGHTED ((int *)10)
 #define MPI_WEIGHTS_EMPTY ((int *)11)
 
+#define MPI_MAX_DATAREP_STRING 128
 #define MPI_MAX_ERROR_STRING 512
 #define MPI_MAX_INFO_KEY 256
 #define MPI_MAX_INFO_VAL 1024
@@ -220,8 +252,24 @@ enum {
     MPI_CART = 211,
     MPI_GRAPH = 212,
     MPI_DIST_GRAPH = 213,
-    MPI_COMM_TYPE_SHARED = 221
+    MPI_COMM_TYPE_SHARED = 221,
+    MPI_SEEK_SET = 401,
+    MPI_SEEK_CUR = 402,
+    MPI_SEEK_END = 403
 };
+
+enum {
+    MPI_MODE_APPEND = 1,
+    MPI_MODE_CREATE = 2,
+    MPI_MODE_DELETE_ON_CLOSE = 4,
+    MPI_MODE_EXCL = 8,
+    MPI_MODE_RDONLY = 16,
+    MPI_MODE_RDWR = 32,
+    MPI_MODE_SEQUENTIAL = 64,
+    MPI_MODE_UNIQUE_OPEN = 128,
+    MPI_MODE_WRONLY = 256
+};
+#define MPI_DISPLACEMENT_CURRENT ((MPI_Offset)-1)
 
 enum {
     MPI_KEYVAL_INVALID = 0,
@@ -242,7 +290,9 @@ typedef int MPI_Type_copy_attr_function(MPI_Datatype type, int keyval, void *ext
                                         void *value_out, int *flag);
 typedef int MPI_Type_delete_attr_function(MPI_Datatype type, int keyval, void *value, void *extra_state);
 typedef void MPI_Comm_errhandler_function(MPI_Comm *comm, int *error_code, ...);
+typedef void MPI_File_errhandler_function(MPI_File *file, int *error_code, ...);
 typedef MPI_Comm_errhandler_function MPI_Comm_errhandler_fn;
+typedef MPI_File_errhandler_function MPI_File_errhandler_fn;
 typedef int MPI_Grequest_query_function(void *extra_state, MPI_Status *status);
 typedef int MPI_Grequest_free_function(void *extra_state);
 typedef int MPI_Grequest_cancel_function(void *extra_state, int complete);
@@ -282,6 +332,7 @@ MPI_DECLARE(MPI_Op, Op)
 MPI_DECLARE(MPI_Info, Info)
 MPI_DECLARE(MPI_Errhandler, Errhandler)
 MPI_DECLARE(MPI_Message, Message)
+MPI_DECLARE(MPI_File, File)
 #undef MPI_DECLARE
 int MPI_Status_c2f(const MPI_Status *status, MPI_Fint *f);
 int MPI_Status_f2c(const MPI_Fint *f, MPI_Status *status);
@@ -310,4 +361,10 @@ typedef MPI_Comm_errhandler_function MPI_Handler_function;
 #define MPI_Errhandler_create MPI_Comm_create_errhandler
 #define MPI_Errhandler_set MPI_Comm_set_errhandler
 #define MPI_Errhandler_get MPI_Comm_get_errhandler
+
+/* --- ROMIO's requests of before MPI-2.1 --- */
+#define MPIO_USES_MPI_REQUEST
+typedef MPI_Request MPIO_Request;
+#define MPIO_Wait MPI_Wait
+#define MPIO_Test MPI_Test
 #endif

@@ -331,3 +331,60 @@ MPI_DECLARE(Info_get_nthkey, (MPI_Info info, int n, char *key))
 MPI_DECLARE(Info_delete, (MPI_Info info, const char *key))
 MPI_DECLARE(Info_dup, (MPI_Info info, MPI_Info *to))
 MPI_DECLARE(Info_free, (MPI_Info * info))
+
+/* files: places are counted in the etypes of the view */
+MPI_DECLARE(File_open, (MPI_Comm comm, const char *name, int amode, MPI_Info info, MPI_File *file))
+MPI_DECLARE(File_close, (MPI_File * file))
+MPI_DECLARE(File_delete, (const char *name, MPI_Info info))
+MPI_DECLARE(File_set_size, (MPI_File file, MPI_Offset bytes))
+MPI_DECLARE(File_preallocate, (MPI_File file, MPI_Offset bytes))
+MPI_DECLARE(File_get_size, (MPI_File file, MPI_Offset *bytes))
+MPI_DECLARE(File_get_group, (MPI_File file, MPI_Group *group))
+MPI_DECLARE(File_get_amode, (MPI_File file, int *amode))
+MPI_DECLARE(File_set_info, (MPI_File file, MPI_Info info))
+MPI_DECLARE(File_get_info, (MPI_File file, MPI_Info *info))
+MPI_DECLARE(File_set_view, (MPI_File file, MPI_Offset displacement, MPI_Datatype etype, MPI_Datatype filetype,
+                            const char *representation, MPI_Info info))
+MPI_DECLARE(File_get_view, (MPI_File file, MPI_Offset *displacement, MPI_Datatype *etype,
+                            MPI_Datatype *filetype, char *representation))
+MPI_DECLARE(File_get_type_extent, (MPI_File file, MPI_Datatype type, MPI_Aint *extent))
+MPI_DECLARE(File_seek, (MPI_File file, MPI_Offset place, int whence))
+MPI_DECLARE(File_get_position, (MPI_File file, MPI_Offset *place))
+MPI_DECLARE(File_seek_shared, (MPI_File file, MPI_Offset place, int whence))
+MPI_DECLARE(File_get_position_shared, (MPI_File file, MPI_Offset *place))
+MPI_DECLARE(File_get_byte_offset, (MPI_File file, MPI_Offset place, MPI_Offset *bytes))
+MPI_DECLARE(File_set_atomicity, (MPI_File file, int flag))
+MPI_DECLARE(File_get_atomicity, (MPI_File file, int *flag))
+MPI_DECLARE(File_sync, (MPI_File file))
+MPI_DECLARE(File_create_errhandler, (MPI_File_errhandler_function * function, MPI_Errhandler *handler))
+MPI_DECLARE(File_set_errhandler, (MPI_File file, MPI_Errhandler handler))
+MPI_DECLARE(File_get_errhandler, (MPI_File file, MPI_Errhandler *handler))
+MPI_DECLARE(File_call_errhandler, (MPI_File file, int code))
+#define MOVE(name, buffer, ...)                                                                              \
+    MPI_DECLARE(File_##name,                                                                                 \
+                (MPI_File file, __VA_ARGS__ buffer buf, int count, MPI_Datatype type, MPI_Status *status))
+#define MOVE_LATER(name, buffer, ...)                                                                        \
+    MOVE(name, buffer, __VA_ARGS__)                                                                          \
+    MPI_DECLARE(File_i##name,                                                                                \
+                (MPI_File file, __VA_ARGS__ buffer buf, int count, MPI_Datatype type, MPI_Request *request))
+#define MOVE_IN_TWO_CALLS(name, buffer, ...)                                                                 \
+    MPI_DECLARE(File_##name##_begin, (MPI_File file, __VA_ARGS__ buffer buf, int count, MPI_Datatype type))  \
+    MPI_DECLARE(File_##name##_end, (MPI_File file, buffer buf, MPI_Status * status))
+#define PLACE MPI_Offset place,
+#define MOVES(name, buffer)                                                                                  \
+    MOVE_LATER(name, buffer, )                                                                               \
+    MOVE_LATER(name##_all, buffer, )                                                                         \
+    MOVE_LATER(name##_at, buffer, PLACE)                                                                     \
+    MOVE_LATER(name##_at_all, buffer, PLACE)                                                                 \
+    MOVE_LATER(name##_shared, buffer, )                                                                      \
+    MOVE(name##_ordered, buffer, )                                                                           \
+    MOVE_IN_TWO_CALLS(name##_all, buffer, )                                                                  \
+    MOVE_IN_TWO_CALLS(name##_at_all, buffer, PLACE)                                                          \
+    MOVE_IN_TWO_CALLS(name##_ordered, buffer, )
+MOVES(read, void *)
+MOVES(write, const void *)
+#undef MOVE
+#undef MOVE_LATER
+#undef MOVE_IN_TWO_CALLS
+#undef PLACE
+#undef MOVES

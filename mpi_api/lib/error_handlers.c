@@ -31,39 +31,61 @@ static const char *const texts[] = {
     [MPI_ERR_INTERN] = "an error of the library",
     [MPI_ERR_PENDING] = "the request is not done",
     [MPI_ERR_IN_STATUS] = "the error is in the statuses",
+    [MPI_ERR_ACCESS] = "the file may not be used like this",
+    [MPI_ERR_AMODE] = "invalid mode of opening a file",
+    [MPI_ERR_BAD_FILE] = "invalid name of a file",
+    [MPI_ERR_CONVERSION] = "data cannot be converted",
+    [MPI_ERR_DUP_DATAREP] = "there is such a representation of data",
+    [MPI_ERR_FILE_EXISTS] = "the file exists",
+    [MPI_ERR_FILE_IN_USE] = "the file is in use",
+    [MPI_ERR_FILE] = "invalid file",
     [MPI_ERR_INFO_KEY] = "invalid key of an info",
     [MPI_ERR_INFO_NOKEY] = "the info has no such key",
     [MPI_ERR_INFO_VALUE] = "invalid value of an info",
     [MPI_ERR_INFO] = "invalid info",
+    [MPI_ERR_IO] = "an error of the file system",
     [MPI_ERR_KEYVAL] = "invalid attribute key",
     [MPI_ERR_NO_MEM] = "no memory left",
+    [MPI_ERR_NOT_SAME] = "an argument differs between ranks",
+    [MPI_ERR_NO_SPACE] = "no space left",
+    [MPI_ERR_NO_SUCH_FILE] = "no such file",
+    [MPI_ERR_QUOTA] = "the quota is used up",
+    [MPI_ERR_READ_ONLY] = "the file is for reading only",
+    [MPI_ERR_UNSUPPORTED_DATAREP] = "no such representation of data",
     [MPI_ERR_UNSUPPORTED_OPERATION] = "not supported",
 };
 
 /* --- errors of calls --- */
 
-static void call_handler(MPI_Errhandler handler, struct comm *c, int call, int code, const char *text)
+static void call_handler(MPI_Errhandler handler, void *handle, int call, int code, const char *text)
 {
     struct errhandler *own = object_of(handler, ERRHANDLER);
-    if (own) {
-        MPI_Comm comm = c == &comm_world  ? MPI_COMM_WORLD
-                        : c == &comm_self ? MPI_COMM_SELF
-                                          : HANDLE(MPI_Comm, c);
-        own->function(&comm, &code);
-    } else if (handler != MPI_ERRORS_RETURN) {
+    if (own)
+        own->function(handle, &code);
+    else if (handler != MPI_ERRORS_RETURN)
         nxm_fail(call, text);
-    }
+}
+
+int fail_by(MPI_Errhandler handler, void *handle, int call, int code, const char *fmt, va_list ap)
+{
+    char text[200];
+    vsnprintf(text, sizeof text, fmt, ap);
+    call_handler(handler, handle, call, code, text);
+    return code;
+}
+
+static MPI_Comm handle_of(const struct comm *c)
+{
+    return c == &comm_world ? MPI_COMM_WORLD : c == &comm_self ? MPI_COMM_SELF : HANDLE(MPI_Comm, c);
 }
 
 int fail(struct comm *c, int call, int code, const char *fmt, ...)
 {
-    char text[200];
     va_list ap;
     va_start(ap, fmt);
-    vsnprintf(text, sizeof text, fmt, ap);
-    va_end(ap);
     c = c ? c : &comm_world;
-    call_handler(c->handler, c, call, code, text);
+    fail_by(c->handler, &(MPI_Comm){handle_of(c)}, call, code, fmt, ap);
+    va_end(ap);
     return code;
 }
 
@@ -84,17 +106,38 @@ CALL(Comm_create_errhandler, (MPI_Comm_errhandler_function * function, MPI_Errha
     return MPI_SUCCESS;
 }
 
+void handler_set(MPI_Errhandler *of, MPI_Errhandler handler)
+{
+    struct errhandler *h = object_of(handler, ERRHANDLER);
+    if (h)
+        h->object.users++;
+    PMPI_Errhandler_free(of);
+    *of = handler;
+}
+
+MPI_Errhandler handler_get(MPI_Errhandler handler)
+{
+    struct errhandler *h = object_of(handler, ERRHANDLER);
+    if (h)
+        h->object.users++;
+    return handler;
+}
+
+int handler_call(MPI_Errhandler handler, void *handle, int code)
+{
+    char text[MPI_MAX_ERROR_STRING];
+    int length;
+    PMPI_Error_string(code, text, &length);
+    call_handler(handler, handle, CALL_Other, code, text);
+    return MPI_SUCCESS;
+}
+
 CALL(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler))
 {
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Other);
-    struct errhandler *h = object_of(handler, ERRHANDLER), *before = object_of(c->handler, ERRHANDLER);
-    if (h)
-        h->object.users++;
-    if (before && object_leave(&before->object))
-        free(before);
-    c->handler = handler;
+    handler_set(&c->handler, handler);
     return MPI_SUCCESS;
 }
 
@@ -103,23 +146,14 @@ CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Other);
-    struct errhandler *h = object_of(c->handler, ERRHANDLER);
-    if (h)
-        h->object.users++;
-    *handler = c->handler;
+    *handler = handler_get(c->handler);
     return MPI_SUCCESS;
 }
 
 CALL(Comm_call_errhandler, (MPI_Comm comm, int code))
 {
     struct comm *c = comm_of(comm);
-    char text[MPI_MAX_ERROR_STRING];
-    int length;
-    if (!c)
-        return fail_comm(CALL_Other);
-    PMPI_Error_string(code, text, &length);
-    call_handler(c->handler, c, CALL_Other, code, text);
-    return MPI_SUCCESS;
+    return c ? handler_call(c->handler, &comm, code) : fail_comm(CALL_Other);
 }
 
 CALL(Errhandler_free, (MPI_Errhandler * handler))

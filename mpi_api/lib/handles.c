@@ -21,6 +21,7 @@ HANDLES(MPI_Op, Op)
 HANDLES(MPI_Info, Info)
 HANDLES(MPI_Errhandler, Errhandler)
 HANDLES(MPI_Message, Message)
+HANDLES(MPI_File, File)
 
 int MPI_Status_c2f(const MPI_Status *status, MPI_Fint *f)
 {

@@ -9,6 +9,7 @@
  * are C's. */
 #ifndef MPI_LIB_H
 #define MPI_LIB_H
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -78,6 +79,12 @@ void topology_free(struct topology *t);
 /* Tells the communicator's error handler (NULL: that of MPI_COMM_WORLD); what the call returns. */
 int fail(struct comm *c, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_comm(int call); /* the communicator is none */
+/* As fail, by the error handler of another object; handle: where its handle is. */
+int fail_by(MPI_Errhandler handler, void *handle, int call, int code, const char *fmt, va_list ap);
+/* An object's error handler is set; given to the program, which frees it; called by the program. */
+void handler_set(MPI_Errhandler *of, MPI_Errhandler handler);
+MPI_Errhandler handler_get(MPI_Errhandler handler);
+int handler_call(MPI_Errhandler handler, void *handle, int code);
 
 /* --- datatypes --- */
 
@@ -105,6 +112,8 @@ void type_pack(const void *buf, int count, MPI_Datatype t, char *to);
 void type_unpack(const char *from, size_t bytes, void *buf, int count, MPI_Datatype t);
 /* Where the bytes lie, if they lie together; NULL: they do not. */
 void *type_together(const void *buf, int count, MPI_Datatype t, size_t *bytes);
+/* Reverses the bytes of each element of `count` packed ones: external32's order. */
+void type_reverse(MPI_Datatype t, char *packed, size_t count);
 /* Copies elements of one type to those of another. */
 void type_copy(const void *from, int count, MPI_Datatype t, void *to, int room, MPI_Datatype as);
 

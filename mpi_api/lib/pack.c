@@ -123,8 +123,9 @@ CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
 
 /* --- in the order of bytes that all computers agree on: each element's highest first --- */
 
-static void reverse_elements(const struct type *t, char *bytes, size_t count)
+void type_reverse(MPI_Datatype handle, char *bytes, size_t count)
 {
+    const struct type *t = type_of(handle);
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < t->runs; k++)
             for (size_t done = 0; done < t->run[k].bytes;
@@ -162,7 +163,7 @@ CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype
         return fail(NULL, CALL_Other, MPI_ERR_TRUNCATE, "MPI_Pack_external: there is no room for %ld bytes",
                     (long)bytes);
     type_pack(buf, count, type, (char *)into + *position);
-    reverse_elements(type_of(type), (char *)into + *position, (size_t)count);
+    type_reverse(type, (char *)into + *position, (size_t)count);
     *position += bytes;
     return MPI_SUCCESS;
 }
@@ -179,7 +180,7 @@ CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_A
                     (long)bytes);
     char *copy = get_memory((size_t)bytes);
     memcpy(copy, (const char *)from + *position, (size_t)bytes);
-    reverse_elements(type_of(type), copy, (size_t)count);
+    type_reverse(type, copy, (size_t)count);
     type_unpack(copy, (size_t)bytes, buf, count, type);
     free(copy);
     *position += bytes;

@@ -19,13 +19,22 @@ void request_drop(struct request *r)
     free(r);
 }
 
+static int end_move(const struct request *r, MPI_Status *status)
+{
+    if (status)
+        status_set(status, MPI_ANY_SOURCE, MPI_ANY_TAG, status_bytes(&r->status));
+    return r->status.MPI_ERROR;
+}
+
 static int end(struct request *r, MPI_Status *status)
 {
     if (r->what == COLLECTS) {
         status_empty(status);
         return task_end(r->task);
     }
-    if (r->what == GENERAL) {
+    if (r->what >= GENERAL) {
+        if (r->what == MOVES)
+            return end_move(r, status);
         if (status)
             status_empty(status);
         int code = r->query ? r->query(r->extra, status ? status : &r->status) : MPI_SUCCESS;
@@ -77,17 +86,21 @@ struct many {
     struct request **request; /* NULL: of no request */
     int *ids;
     struct nxm_status *status;
-    int active, done;          /* done: those that need not be waited for */
-    int messages, collectives; /* of the active ones that are not done */
+    int active, done;                 /* done: those that need not be waited for */
+    int messages, collectives, files; /* of the active ones that are not done */
 };
 
 static void *scratch;
 static size_t scratch_bytes;
 
-static bool is_done(const struct request *r)
+static bool is_done(struct request *r)
 {
     if (r->what == COLLECTS)
         return task_is_done(r->task);
+    if (r->what == MOVES && r->end)
+        r->end(r, false);
+    if (r->what == MOVES)
+        return !r->end;
     return !r->id && (r->what != GENERAL || r->count);
 }
 
@@ -112,10 +125,16 @@ static int gather(struct many *m, int call, int count, const MPI_Request request
         m->request[i] = r && r->active ? r : NULL;
         m->ids[i] = m->request[i] ? r->id : 0;
         m->status[i] = (struct nxm_status){0};
-        m->active += m->request[i] != NULL;
-        m->done += m->request[i] && is_done(r);
+        if (!m->request[i])
+            continue;
+        if (r->what == MOVES)
+            r->envelope.call = call;
+        bool done = is_done(r);
+        m->active++;
+        m->done += done;
         m->messages += m->ids[i] != 0;
-        m->collectives += m->request[i] && r->what == COLLECTS && !is_done(r);
+        m->collectives += r->what == COLLECTS && !done;
+        m->files += r->what == MOVES && !done;
     }
     return MPI_SUCCESS;
 }
@@ -134,9 +153,24 @@ static bool any_collective_done(const struct many *m)
     return false;
 }
 
+/* Waits for movements of files: all, or the first. They end whatever other ranks do. */
+static void wait_for_files(const struct many *m, bool all)
+{
+    int left = all ? m->files : 1;
+    for (int i = 0; left > 0; i++)
+        if (m->request[i] && m->request[i]->what == MOVES && m->request[i]->end) {
+            m->request[i]->end(m->request[i], true);
+            left--;
+        }
+}
+
 /* Waits until one is done, or more. */
 static void wait_for_one(const struct many *m, int how)
 {
+    if (m->files) {
+        wait_for_files(m, false);
+        return;
+    }
     if (!m->collectives) {
         complete(m, how | NXM_WAIT);
         return;
@@ -153,6 +187,8 @@ static void wait_for_all(const struct many *m)
         if (m->request[i] && m->request[i]->what == COLLECTS)
             tasks_wait(m->call, m->request[i]->task);
     complete(m, NXM_WAIT);
+    if (m->files)
+        wait_for_files(m, true);
 }
 
 /* Request i is done. */
@@ -207,6 +243,13 @@ static int no_end(int call)
                 "a generalized request is waited for that nobody else can complete: a rank has one thread");
 }
 
+static void wait_for_file(int call, struct request *r)
+{
+    r->envelope.call = call;
+    if (r->end)
+        r->end(r, true);
+}
+
 CALL(Wait, (MPI_Request * request, MPI_Status *status))
 {
     struct request *r = object_of(*request, REQUEST);
@@ -221,6 +264,8 @@ CALL(Wait, (MPI_Request * request, MPI_Status *status))
         tasks_complete(&(struct nxm_completion){CALL_Wait, NXM_WAIT, 1, &r->id, &s});
     else if (r->what == COLLECTS)
         tasks_wait(CALL_Wait, r->task);
+    else if (r->what == MOVES)
+        wait_for_file(CALL_Wait, r);
     else if (!is_done(r))
         return no_end(CALL_Wait);
     if (!r->persistent)
@@ -339,7 +384,7 @@ CALL(Testall, (int count, MPI_Request requests[], int *flag, MPI_Status statuses
     int code = gather(&m, CALL_Testall, count, requests);
     if (code)
         return code;
-    *flag = !waits_for_general(&m) && !m.collectives && (!m.messages || complete(&m, NXM_ALL));
+    *flag = !waits_for_general(&m) && !m.collectives && !m.files && (!m.messages || complete(&m, NXM_ALL));
     return *flag ? finish_all(&m, requests, statuses) : MPI_SUCCESS;
 }
 
@@ -396,6 +441,8 @@ CALL(Request_free, (MPI_Request * request))
         orphans[orphan_count++] = r->id;
         r->packed = NULL; /* the message may be on its way from or to it */
     }
+    if (r->what == MOVES)
+        wait_for_file(CALL_Request_free, r);
     int code = r->what == GENERAL && r->count && r->release ? r->release(r->extra) : MPI_SUCCESS;
     if (r->prepared)
         coll_forget(r->prepared);
@@ -417,6 +464,10 @@ CALL(Request_get_status, (MPI_Request request, int *flag, MPI_Status *status))
     }
     if (r->what == COLLECTS)
         return tasks_go_on(CALL_Request_get_status), *flag = is_done(r), status_empty(status), MPI_SUCCESS;
+    if (r->what == MOVES)
+        r->envelope.call = CALL_Request_get_status, *flag = is_done(r);
+    if (!*flag)
+        return MPI_SUCCESS;
     if (r->what == GENERAL)
         return *flag = is_done(r), *flag && status && r->query ? r->query(r->extra, status) : MPI_SUCCESS;
     if (r->id && !nxm_complete(&(struct nxm_completion){CALL_Request_get_status, NXM_ALL, 1, &r->id, &s}))
