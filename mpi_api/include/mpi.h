@@ -253,6 +253,14 @@ enum {
     MPI_GRAPH = 212,
     MPI_DIST_GRAPH = 213,
     MPI_COMM_TYPE_SHARED = 221,
+    MPI_LOCK_EXCLUSIVE = 301,
+    MPI_LOCK_SHARED = 302,
+    MPI_WIN_FLAVOR_CREATE = 311,
+    MPI_WIN_FLAVOR_ALLOCATE = 312,
+    MPI_WIN_FLAVOR_DYNAMIC = 313,
+    MPI_WIN_FLAVOR_SHARED = 314,
+    MPI_WIN_UNIFIED = 321,
+    MPI_WIN_SEPARATE = 322,
     MPI_SEEK_SET = 401,
     MPI_SEEK_CUR = 402,
     MPI_SEEK_END = 403
@@ -267,7 +275,12 @@ enum {
     MPI_MODE_RDWR = 32,
     MPI_MODE_SEQUENTIAL = 64,
     MPI_MODE_UNIQUE_OPEN = 128,
-    MPI_MODE_WRONLY = 256
+    MPI_MODE_WRONLY = 256,
+    MPI_MODE_NOCHECK = 1024,
+    MPI_MODE_NOPRECEDE = 2048,
+    MPI_MODE_NOPUT = 4096,
+    MPI_MODE_NOSTORE = 8192,
+    MPI_MODE_NOSUCCEED = 16384
 };
 #define MPI_DISPLACEMENT_CURRENT ((MPI_Offset)-1)
 
@@ -279,7 +292,12 @@ enum {
     MPI_WTIME_IS_GLOBAL = 504,
     MPI_UNIVERSE_SIZE = 505,
     MPI_APPNUM = 506,
-    MPI_LASTUSEDCODE = 507
+    MPI_LASTUSEDCODE = 507,
+    MPI_WIN_BASE = 601,
+    MPI_WIN_DISP_UNIT = 602,
+    MPI_WIN_SIZE = 603,
+    MPI_WIN_CREATE_FLAVOR = 604,
+    MPI_WIN_MODEL = 605
 };
 
 typedef void MPI_User_function(void *invec, void *inoutvec, int *len, MPI_Datatype *datatype);
@@ -289,9 +307,14 @@ typedef int MPI_Comm_delete_attr_function(MPI_Comm comm, int keyval, void *value
 typedef int MPI_Type_copy_attr_function(MPI_Datatype type, int keyval, void *extra_state, void *value_in,
                                         void *value_out, int *flag);
 typedef int MPI_Type_delete_attr_function(MPI_Datatype type, int keyval, void *value, void *extra_state);
+typedef int MPI_Win_copy_attr_function(MPI_Win win, int keyval, void *extra_state, void *value_in,
+                                       void *value_out, int *flag);
+typedef int MPI_Win_delete_attr_function(MPI_Win win, int keyval, void *value, void *extra_state);
 typedef void MPI_Comm_errhandler_function(MPI_Comm *comm, int *error_code, ...);
 typedef void MPI_File_errhandler_function(MPI_File *file, int *error_code, ...);
+typedef void MPI_Win_errhandler_function(MPI_Win *win, int *error_code, ...);
 typedef MPI_Comm_errhandler_function MPI_Comm_errhandler_fn;
+typedef MPI_Win_errhandler_function MPI_Win_errhandler_fn;
 typedef MPI_File_errhandler_function MPI_File_errhandler_fn;
 typedef int MPI_Grequest_query_function(void *extra_state, MPI_Status *status);
 typedef int MPI_Grequest_free_function(void *extra_state);
@@ -303,6 +326,9 @@ typedef int MPI_Grequest_cancel_function(void *extra_state, int complete);
 #define MPI_TYPE_NULL_COPY_FN ((MPI_Type_copy_attr_function *)0)
 #define MPI_TYPE_DUP_FN ((MPI_Type_copy_attr_function *)1)
 #define MPI_TYPE_NULL_DELETE_FN ((MPI_Type_delete_attr_function *)0)
+#define MPI_WIN_NULL_COPY_FN ((MPI_Win_copy_attr_function *)0)
+#define MPI_WIN_DUP_FN ((MPI_Win_copy_attr_function *)1)
+#define MPI_WIN_NULL_DELETE_FN ((MPI_Win_delete_attr_function *)0)
 
 /* Each call has a second name, PMPI_, for profiling libraries that define the first. */
 #define MPI_DECLARE(name, parameters)                                                                        \
@@ -333,6 +359,7 @@ MPI_DECLARE(MPI_Info, Info)
 MPI_DECLARE(MPI_Errhandler, Errhandler)
 MPI_DECLARE(MPI_Message, Message)
 MPI_DECLARE(MPI_File, File)
+MPI_DECLARE(MPI_Win, Win)
 #undef MPI_DECLARE
 int MPI_Status_c2f(const MPI_Status *status, MPI_Fint *f);
 int MPI_Status_f2c(const MPI_Fint *f, MPI_Status *status);

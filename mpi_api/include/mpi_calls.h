@@ -388,3 +388,62 @@ MOVES(write, const void *)
 #undef MOVE_IN_TWO_CALLS
 #undef PLACE
 #undef MOVES
+
+/* windows: memory that other ranks of a communicator read and write */
+MPI_DECLARE(Win_create, (void *base, MPI_Aint size, int unit, MPI_Info info, MPI_Comm comm, MPI_Win *win))
+MPI_DECLARE(Win_allocate, (MPI_Aint size, int unit, MPI_Info info, MPI_Comm comm, void *base, MPI_Win *win))
+MPI_DECLARE(Win_allocate_shared,
+            (MPI_Aint size, int unit, MPI_Info info, MPI_Comm comm, void *base, MPI_Win *win))
+MPI_DECLARE(Win_shared_query, (MPI_Win win, int rank, MPI_Aint *size, int *unit, void *base))
+MPI_DECLARE(Win_create_dynamic, (MPI_Info info, MPI_Comm comm, MPI_Win *win))
+MPI_DECLARE(Win_attach, (MPI_Win win, void *base, MPI_Aint size))
+MPI_DECLARE(Win_detach, (MPI_Win win, const void *base))
+MPI_DECLARE(Win_free, (MPI_Win * win))
+MPI_DECLARE(Win_get_group, (MPI_Win win, MPI_Group *group))
+MPI_DECLARE(Win_set_name, (MPI_Win win, const char *name))
+MPI_DECLARE(Win_get_name, (MPI_Win win, char *name, int *length))
+MPI_DECLARE(Win_set_info, (MPI_Win win, MPI_Info info))
+MPI_DECLARE(Win_get_info, (MPI_Win win, MPI_Info *info))
+MPI_DECLARE(Win_create_keyval,
+            (MPI_Win_copy_attr_function * copy, MPI_Win_delete_attr_function *drop, int *keyval, void *extra))
+MPI_DECLARE(Win_free_keyval, (int *keyval))
+MPI_DECLARE(Win_set_attr, (MPI_Win win, int keyval, void *value))
+MPI_DECLARE(Win_get_attr, (MPI_Win win, int keyval, void *value, int *flag))
+MPI_DECLARE(Win_delete_attr, (MPI_Win win, int keyval))
+MPI_DECLARE(Win_create_errhandler, (MPI_Win_errhandler_function * function, MPI_Errhandler *handler))
+MPI_DECLARE(Win_set_errhandler, (MPI_Win win, MPI_Errhandler handler))
+MPI_DECLARE(Win_get_errhandler, (MPI_Win win, MPI_Errhandler *handler))
+MPI_DECLARE(Win_call_errhandler, (MPI_Win win, int code))
+MPI_DECLARE(Win_fence, (int assert, MPI_Win win))
+MPI_DECLARE(Win_start, (MPI_Group group, int assert, MPI_Win win))
+MPI_DECLARE(Win_complete, (MPI_Win win))
+MPI_DECLARE(Win_post, (MPI_Group group, int assert, MPI_Win win))
+MPI_DECLARE(Win_wait, (MPI_Win win))
+MPI_DECLARE(Win_test, (MPI_Win win, int *flag))
+MPI_DECLARE(Win_lock, (int kind, int rank, int assert, MPI_Win win))
+MPI_DECLARE(Win_unlock, (int rank, MPI_Win win))
+MPI_DECLARE(Win_lock_all, (int assert, MPI_Win win))
+MPI_DECLARE(Win_unlock_all, (MPI_Win win))
+MPI_DECLARE(Win_flush, (int rank, MPI_Win win))
+MPI_DECLARE(Win_flush_all, (MPI_Win win))
+MPI_DECLARE(Win_flush_local, (int rank, MPI_Win win))
+MPI_DECLARE(Win_flush_local_all, (MPI_Win win))
+MPI_DECLARE(Win_sync, (MPI_Win win))
+#define HERE const void *buf, int count, MPI_Datatype type
+#define INTO void *into, int room, MPI_Datatype as
+#define THERE int rank, MPI_Aint place, int their_count, MPI_Datatype their_type
+MPI_DECLARE(Put, (HERE, THERE, MPI_Win win))
+MPI_DECLARE(Get, (INTO, THERE, MPI_Win win))
+MPI_DECLARE(Accumulate, (HERE, THERE, MPI_Op op, MPI_Win win))
+MPI_DECLARE(Get_accumulate, (HERE, INTO, THERE, MPI_Op op, MPI_Win win))
+MPI_DECLARE(Rput, (HERE, THERE, MPI_Win win, MPI_Request *request))
+MPI_DECLARE(Rget, (INTO, THERE, MPI_Win win, MPI_Request *request))
+MPI_DECLARE(Raccumulate, (HERE, THERE, MPI_Op op, MPI_Win win, MPI_Request *request))
+MPI_DECLARE(Rget_accumulate, (HERE, INTO, THERE, MPI_Op op, MPI_Win win, MPI_Request *request))
+#undef HERE
+#undef INTO
+#undef THERE
+MPI_DECLARE(Fetch_and_op, (const void *buf, void *into, MPI_Datatype type, int rank, MPI_Aint place,
+                           MPI_Op op, MPI_Win win))
+MPI_DECLARE(Compare_and_swap, (const void *buf, const void *compare, void *into, MPI_Datatype type, int rank,
+                               MPI_Aint place, MPI_Win win))

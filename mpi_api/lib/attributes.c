@@ -32,7 +32,7 @@ static struct key *key_of(int key)
     return k && k->users ? k : NULL;
 }
 
-static int key_new(void *copy, void *drop, int *key, void *extra)
+int attribute_key(void *copy, void *drop, int *key, void *extra)
 {
     keys = realloc(keys, (size_t)(key_count + 1) * sizeof *keys);
     keys[key_count] = (struct key){(copy_function *)copy, (delete_function *)drop, extra, 1, false};
@@ -45,7 +45,7 @@ static int no_key(const char *call, int key)
     return fail(NULL, CALL_Other, MPI_ERR_KEYVAL, "%s: %d is no attribute key, or has been freed", call, key);
 }
 
-static int key_free(const char *call, int *key)
+int attribute_key_free(const char *call, int *key)
 {
     struct key *k = key_of(*key);
     if (!k)
@@ -81,7 +81,7 @@ static int delete_one(void *handle, struct attribute **list, int key)
 }
 
 /* The last set goes first. */
-static int delete_all(void *handle, struct attribute **list)
+int attribute_delete_all(void *handle, struct attribute **list)
 {
     while (*list) {
         int code = delete_one(handle, list, (*list)->key);
@@ -91,7 +91,12 @@ static int delete_all(void *handle, struct attribute **list)
     return MPI_SUCCESS;
 }
 
-static int set(const char *call, void *handle, struct attribute **list, int key, void *value)
+int attribute_delete(const char *call, void *handle, struct attribute **list, int key)
+{
+    return key_of(key) ? delete_one(handle, list, key) : no_key(call, key);
+}
+
+int attribute_set(const char *call, void *handle, struct attribute **list, int key, void *value)
 {
     if (!key_of(key))
         return no_key(call, key);
@@ -105,7 +110,7 @@ static int set(const char *call, void *handle, struct attribute **list, int key,
     return MPI_SUCCESS;
 }
 
-static int get(const char *call, struct attribute **list, int key, void *value, int *flag)
+int attribute_get(const char *call, struct attribute **list, int key, void *value, int *flag)
 {
     if (!key_of(key))
         return no_key(call, key);
@@ -127,7 +132,7 @@ static void *handle_of(const struct comm *c)
 
 int comm_delete_attributes(struct comm *c)
 {
-    return delete_all(handle_of(c), &c->attributes);
+    return attribute_delete_all(handle_of(c), &c->attributes);
 }
 
 /* Oldest first, so that the copy has them in the same order. */
@@ -161,18 +166,19 @@ int comm_copy_attributes(struct comm *from, struct comm *to)
 CALL(Comm_create_keyval,
      (MPI_Comm_copy_attr_function * copy, MPI_Comm_delete_attr_function *delete, int *keyval, void *extra))
 {
-    return key_new((void *)copy, (void *)delete, keyval, extra);
+    return attribute_key((void *)copy, (void *)delete, keyval, extra);
 }
 
 CALL(Comm_free_keyval, (int *keyval))
 {
-    return key_free("MPI_Comm_free_keyval", keyval);
+    return attribute_key_free("MPI_Comm_free_keyval", keyval);
 }
 
 CALL(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 {
     struct comm *c = comm_of(comm);
-    return c ? set("MPI_Comm_set_attr", comm, &c->attributes, keyval, value) : fail_comm(CALL_Other);
+    return c ? attribute_set("MPI_Comm_set_attr", comm, &c->attributes, keyval, value)
+             : fail_comm(CALL_Other);
 }
 
 /* Those that are there from the beginning: pointers to numbers. */
@@ -206,7 +212,7 @@ CALL(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
         return fail_comm(CALL_Other);
     if (!own)
         return keyval == MPI_APPNUM ? (*flag = 0, MPI_SUCCESS)
-                                    : get("MPI_Comm_get_attr", &c->attributes, keyval, value, flag);
+                                    : attribute_get("MPI_Comm_get_attr", &c->attributes, keyval, value, flag);
     memcpy(value, &own, sizeof own);
     *flag = true;
     return MPI_SUCCESS;
@@ -217,7 +223,7 @@ CALL(Comm_delete_attr, (MPI_Comm comm, int keyval))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Other);
-    return key_of(keyval) ? delete_one(comm, &c->attributes, keyval) : no_key("MPI_Comm_delete_attr", keyval);
+    return attribute_delete("MPI_Comm_delete_attr", comm, &c->attributes, keyval);
 }
 
 /* --- datatypes --- */
@@ -229,18 +235,18 @@ int type_copy_attributes(struct type *from, struct type *to)
 
 int type_delete_attributes(struct type *t)
 {
-    return delete_all((void *)HANDLE(MPI_Datatype, t), &t->attributes);
+    return attribute_delete_all((void *)HANDLE(MPI_Datatype, t), &t->attributes);
 }
 
 CALL(Type_create_keyval,
      (MPI_Type_copy_attr_function * copy, MPI_Type_delete_attr_function *delete, int *keyval, void *extra))
 {
-    return key_new((void *)copy, (void *)delete, keyval, extra);
+    return attribute_key((void *)copy, (void *)delete, keyval, extra);
 }
 
 CALL(Type_free_keyval, (int *keyval))
 {
-    return key_free("MPI_Type_free_keyval", keyval);
+    return attribute_key_free("MPI_Type_free_keyval", keyval);
 }
 
 CALL(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
@@ -248,7 +254,7 @@ CALL(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
     struct type *t = type_of(type);
     if (!t)
         return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_set_attr: the datatype is null, or freed");
-    return set("MPI_Type_set_attr", type, &t->attributes, keyval, value);
+    return attribute_set("MPI_Type_set_attr", type, &t->attributes, keyval, value);
 }
 
 CALL(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *flag))
@@ -256,7 +262,7 @@ CALL(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *flag))
     struct type *t = type_of(type);
     if (!t)
         return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_get_attr: the datatype is null, or freed");
-    return get("MPI_Type_get_attr", &t->attributes, keyval, value, flag);
+    return attribute_get("MPI_Type_get_attr", &t->attributes, keyval, value, flag);
 }
 
 CALL(Type_delete_attr, (MPI_Datatype type, int keyval))
@@ -264,5 +270,5 @@ CALL(Type_delete_attr, (MPI_Datatype type, int keyval))
     struct type *t = type_of(type);
     if (!t)
         return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_delete_attr: the datatype is null, or freed");
-    return key_of(keyval) ? delete_one(type, &t->attributes, keyval) : no_key("MPI_Type_delete_attr", keyval);
+    return attribute_delete("MPI_Type_delete_attr", type, &t->attributes, keyval);
 }

@@ -95,6 +95,8 @@ int coll_bcast(const struct coll *o, void *buf, int count, MPI_Datatype t, int r
 int coll_reduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op,
                 int root);
 int coll_allreduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op);
+/* Each rank has a number for each; what all have for this one. */
+int coll_sum_for_each(const struct coll *o, const int counts[], int *own);
 int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, void *all);
 int coll_scatterv(const struct coll *o, const void *buf, const int counts[], const int at[], MPI_Datatype t,
                   void *into, int room, MPI_Datatype as, int root);

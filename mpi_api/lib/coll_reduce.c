@@ -321,6 +321,12 @@ static int reduce_scatter_block(struct args *a)
     return code;
 }
 
+int coll_sum_for_each(const struct coll *o, const int counts[], int *own)
+{
+    struct args a = {.o = *o, .buf = counts, .into = own, .count = 1, .type = MPI_INT, .op = MPI_SUM};
+    return reduce_scatter_block(&a);
+}
+
 COLLECTIVE(Reduce_scatter, Ireduce_scatter, reduce_scatter,
            (const void *buf, void *into, const int counts[], MPI_Datatype type, MPI_Op op), .buf = buf,
            .into = into, .counts = counts, .type = type, .op = op)

@@ -1,7 +1,7 @@
 /* files.h - MPI's files: an open file of a communicator, and what a rank sees of it.
  *
  *   calls           files.c          opening, sizes, hints, error handlers
- *                   file_moves.c     reading and writing: at the rank's pointer, at a place, at the shared pointer
+ *                   file_moves.c     reading and writing: at places, at the rank's pointer, at the shared one
  *   view            file_views.c     which bytes of the file the rank sees, in order
  *   shared pointer  file_server.c    rank 0 has it, and the lock of atomic mode
  *   bytes           core.h           movements, in the time of the file system that the name belongs to

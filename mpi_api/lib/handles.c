@@ -22,6 +22,7 @@ HANDLES(MPI_Info, Info)
 HANDLES(MPI_Errhandler, Errhandler)
 HANDLES(MPI_Message, Message)
 HANDLES(MPI_File, File)
+HANDLES(MPI_Win, Win)
 
 int MPI_Status_c2f(const MPI_Status *status, MPI_Fint *f)
 {

@@ -86,6 +86,15 @@ void handler_set(MPI_Errhandler *of, MPI_Errhandler handler);
 MPI_Errhandler handler_get(MPI_Errhandler handler);
 int handler_call(MPI_Errhandler handler, void *handle, int code);
 
+/* --- attributes: of any object, by a list of its own; call: for messages --- */
+
+int attribute_key(void *copy, void *drop, int *key, void *extra); /* a new one */
+int attribute_key_free(const char *call, int *key);
+int attribute_set(const char *call, void *handle, struct attribute **list, int key, void *value);
+int attribute_get(const char *call, struct attribute **list, int key, void *value, int *flag);
+int attribute_delete(const char *call, void *handle, struct attribute **list, int key);
+int attribute_delete_all(void *handle, struct attribute **list);
+
 /* --- datatypes --- */
 
 extern const struct basic basic_types[BASICS];
