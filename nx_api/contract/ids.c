@@ -1,17 +1,22 @@
-/* ids.c - see ids.h. A new id is the first that is free, and most programs use few at a time: the table is a
- * list of blocks, which are made on demand. What is in a block stays where it is. */
+/* ids.c - see ids.h. A new id is the first that is free, and most programs use few at a time: they are in
+ * blocks, which are made on demand. What is in a block stays where it is. */
 #include "nx_api/contract/ids.h"
 #include <stdlib.h>
 #include <string.h>
 
+/* NULL: there is none. */
+static struct id_block *block_of(const struct mailbox_ids *ids, unsigned long i)
+{
+    struct id_block *first = ids->first;
+    return i == 0 || !first ? first : i <= first->count ? first->more[i - 1] : NULL;
+}
+
 /* NULL: there is no block for it. */
 static struct id *at(const struct mailbox_ids *ids, long id)
 {
-    struct id_block *b = ids->first;
-    long i = id - 1;
-    for (; b && i >= IDS_BLOCK; i -= IDS_BLOCK)
-        b = b->next;
-    return b ? &b->ids[i] : NULL;
+    unsigned long i = (unsigned long)id - 1;
+    struct id_block *b = block_of(ids, i / IDS_BLOCK);
+    return b ? &b->ids[i % IDS_BLOCK] : NULL;
 }
 
 static struct id *of(const struct node *n, long id)
@@ -27,6 +32,20 @@ static struct id_block *new_block(void)
     return memset(b, 0, sizeof *b);
 }
 
+/* Makes the next block. The list of those behind the first grows when it has a power of 2. */
+static struct id_block *add_block(struct mailbox_ids *ids)
+{
+    struct id_block *first = ids->first;
+    if (!first)
+        return ids->first = new_block();
+    uint32_t n = first->count;
+    if (!(n & (n - 1)) && !(first->more = realloc(first->more, (2 * (size_t)n + 1) * sizeof *first->more)))
+        abort();
+    block_of(ids, n)->next = first->more[n] = new_block();
+    first->count++;
+    return first->more[n];
+}
+
 static void drop(struct id_block *b)
 {
     for (unsigned i = 0; i < IDS_BLOCK; i++) {
@@ -37,6 +56,8 @@ static void drop(struct id_block *b)
 
 void ids_end(struct mailbox_ids *ids)
 {
+    if (ids->first)
+        free(ids->first->more);
     for (struct id_block *b = ids->first, *next; b; b = next) {
         next = b->next;
         drop(b);
@@ -55,22 +76,23 @@ static struct id *first_free(struct id_block *b)
 long mailbox_id_new(struct node *n, unsigned use, uint32_t count)
 {
     struct mailbox_ids *ids = mailbox_ids(n);
-    struct id_block **b = &ids->first;
-    for (long first = 0; first < count; first += IDS_BLOCK, b = &(*b)->next) {
-        if (!*b)
-            *b = new_block();
-        struct id *id = first_free(*b);
+    for (uint32_t i = ids->first ? ids->first->full : 0;; i++) {
+        long first = (long)i * IDS_BLOCK;
+        if (first >= count)
+            return -1;
+        struct id_block *b = block_of(ids, i);
+        struct id *id = first_free(b ? b : (b = add_block(ids)));
+        ids->first->full = i;
         if (!id)
             continue;
-        if (first + (id - (*b)->ids) >= count)
-            break;
+        if (first + (id - b->ids) >= count)
+            return -1;
         id->use = (uint8_t)use, id->next = -1;
         ids->used++;
         if (use & ID_SENDS && !(id->send = calloc(1, sizeof *id->send)))
             abort();
-        return first + (id - (*b)->ids) + 1;
+        return first + (id - b->ids) + 1;
     }
-    return -1;
 }
 
 bool mailbox_id_is_valid(const struct node *n, long id)
@@ -108,15 +130,18 @@ bool mailbox_id_is_complete(struct node *n, long id)
 
 void mailbox_id_release(struct node *n, long id)
 {
+    struct mailbox_ids *ids = mailbox_ids(n);
     while (id >= 0) {
-        struct id *i = of(n, id);
+        struct id *i = at(ids, id);
+        uint32_t block = (uint32_t)(id - 1) / IDS_BLOCK;
+        ids->first->full = block < ids->first->full ? block : ids->first->full;
         id = i->next;
         if (i->send)
             mailbox_unfollow(i->send);
         free(i->send);
         i->send = NULL, i->receive.m = NULL;
         i->use = 0, i->part = i->ignored = false;
-        mailbox_ids(n)->used--;
+        ids->used--;
     }
 }
 

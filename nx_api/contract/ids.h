@@ -25,6 +25,10 @@ struct id {
 struct id_block {
     struct id ids[IDS_BLOCK];
     struct id_block *next;
+    /* of the first block: */
+    struct id_block **more; /* those behind it, by number */
+    uint32_t count;         /* of them */
+    uint32_t full;          /* so many blocks, from the first on, have no free id */
 };
 
 /* All 0: no id has been given out. */
