@@ -26,31 +26,53 @@ static void add_span(struct layout *l, MPI_Aint at, size_t bytes)
         l->span[l->spans++] = (struct win_span){at, bytes};
 }
 
+/* A pair with a hole is two runs of its type, which begin with its value. */
+static int runs_of_element(const struct access *a)
+{
+    return a->whole ? 2 : 1;
+}
+
 static struct layout layout_of(const struct win *w, const struct access *a)
 {
     const struct type *t = type_of(a->their_type);
     MPI_Aint at = a->place * w->remote[a->rank].unit;
-    bool one = a->whole || (t->runs == 1 && type_extent(t) == (MPI_Aint)t->size);
+    bool one = t->runs == 1 && type_extent(t) == (MPI_Aint)t->size;
     struct layout l = {0};
     l.span = get_memory((one ? 1 : (size_t)a->their_count * (size_t)t->runs) * sizeof *l.span);
     if (one)
         add_span(&l, at + t->run[0].at, (size_t)(a->their_count * type_extent(t)));
-    else
-        for (int i = 0; i < a->their_count; i++)
-            for (int k = 0; k < t->runs; k++)
-                add_span(&l, at + i * type_extent(t) + t->run[k].at, t->run[k].bytes);
+    for (int i = 0; i < a->their_count && !one; i++, at += type_extent(t))
+        for (int k = 0; k < t->runs; k += runs_of_element(a))
+            add_span(&l, at + t->run[k].at, a->whole ? (size_t)extent_of(a->element) : t->run[k].bytes);
     return l;
 }
 
 /* --- what --- */
 
-/* The data, together; *packed: in memory of its own, to be freed. */
-static const char *data_of(const struct access *a, char **packed)
+/* Copies pairs with their holes, to where they lie together, or from there. */
+static void copy_whole(MPI_Datatype element, void *buf, int count, MPI_Datatype type, char *together,
+                       bool out)
+{
+    const struct type *t = type_of(type);
+    size_t bytes = (size_t)extent_of(element);
+    char *at = buf;
+    for (int i = 0; i < count; i++, at += type_extent(t))
+        for (int k = 0; k < t->runs; k += 2, together += bytes)
+            memcpy(out ? together : at + t->run[k].at, out ? at + t->run[k].at : together, bytes);
+}
+
+/* The data of so many bytes, together; *packed: in memory of its own, to be freed. */
+static const char *data_of(const struct access *a, size_t all, char **packed)
 {
     size_t bytes;
     *packed = NULL;
-    if (!a->sends || a->whole)
-        return a->buf;
+    if (!a->sends)
+        return NULL;
+    if (a->whole) {
+        *packed = get_memory(all);
+        copy_whole(a->element, (void *)(uintptr_t)a->buf, a->count, a->type, *packed, true);
+        return *packed;
+    }
     if (a->compare) {
         bytes = size_of(a->type);
         *packed = get_memory(2 * bytes);
@@ -97,17 +119,17 @@ struct part {
     size_t skip; /* of the span */
 };
 
-/* Takes spans, as many as fit; returns the bytes of data. */
+/* Takes spans, as many as fit, with `data` bytes for each of theirs; returns how many those are. */
 static size_t take_spans(const struct layout *l, struct part *p, struct win_span *out, int *spans,
                          size_t room, size_t data, size_t element)
 {
     size_t bytes = 0;
     for (*spans = 0; p->span < l->spans; ++*spans) {
         size_t used = (size_t)(*spans + 1) * sizeof *out + data * bytes;
-        size_t some = l->span[p->span].bytes - p->skip, left = used < room ? room - used : 0;
-        if (data && some > left)
-            some = left / element * element;
-        if (!some || (!data && !left))
+        size_t some = l->span[p->span].bytes - p->skip;
+        if (used <= room && data * some > room - used)
+            some = (room - used) / data / element * element;
+        if (used > room || !some)
             break;
         out[*spans] = (struct win_span){l->span[p->span].at + (MPI_Aint)p->skip, some};
         bytes += some, p->skip += some;
@@ -155,8 +177,12 @@ int access_messages(const struct access *a)
 static void unpack_later(struct win *w, const struct access *a, char *packed)
 {
     type_keep(a->as);
-    add_pending(w, &(struct pending){
-                       .rank = a->rank, .memory = packed, .into = a->into, .room = a->room, .as = a->as});
+    add_pending(w, &(struct pending){.rank = a->rank,
+                                     .memory = packed,
+                                     .into = a->into,
+                                     .room = a->room,
+                                     .as = a->as,
+                                     .whole = a->whole ? a->element : MPI_DATATYPE_NULL});
 }
 
 void access_send(struct win *w, const struct access *a, int tag, size_t most)
@@ -165,24 +191,25 @@ void access_send(struct win *w, const struct access *a, int tag, size_t most)
         return;
     struct layout l = layout_of(w, a);
     struct part p = {0};
-    size_t done = 0, whole, element = a->element ? extent_of(a->element) : 1;
-    size_t room = (most < sizeof(struct win_span) * (size_t)l.spans + 2 * l.bytes
-                       ? most
-                       : sizeof(struct win_span) * (size_t)l.spans + 2 * l.bytes);
+    size_t done = 0, whole, element = a->element ? (size_t)extent_of(a->element) : 1;
+    size_t data_bytes = a->sends ? 1 + (a->compare != NULL) : 0; /* of one of the target's */
+    size_t all = (size_t)l.spans * sizeof(struct win_span) + data_bytes * l.bytes,
+           room = all < most ? all : most;
     char *packed, *fetched = NULL, *into = NULL;
-    const char *data = data_of(a, &packed);
-    if (a->fetches && !(into = a->whole ? a->into : type_together(a->into, a->room, a->as, &whole)))
+    const char *data = data_of(a, l.bytes, &packed);
+    if (a->fetches && (a->whole || !(into = type_together(a->into, a->room, a->as, &whole))))
         into = fetched = get_memory(l.bytes);
     while (done < l.bytes) {
         char *message = get_memory(sizeof(struct win_head) + room);
         struct win_head head = head_of(a);
         struct win_span *span = (struct win_span *)(message + sizeof head);
-        size_t bytes = take_spans(&l, &p, span, &head.spans, room, a->sends ? 1 + !!a->compare : 0, element);
-        size_t sent = !a->sends ? 0 : a->compare ? 2 * bytes : bytes;
+        size_t bytes = take_spans(&l, &p, span, &head.spans, room, data_bytes, element);
+        size_t sent = data_bytes * bytes;
         if (a->fetches)
             head.answer = await_answer(w, a, into + done, bytes);
         memcpy(message, &head, sizeof head);
-        memcpy(span + head.spans, data + done, sent);
+        if (sent)
+            memcpy(span + head.spans, data + done, sent);
         send_message(w, a, tag, message, sizeof head + (size_t)head.spans * sizeof *span + sent);
         done += bytes;
     }
@@ -192,16 +219,17 @@ void access_send(struct win *w, const struct access *a, int tag, size_t most)
     free(l.span);
 }
 
-static void finish(struct win *w, int call, struct pending *p)
+static void finish(int call, struct pending *p)
 {
     struct nxm_status status;
-    (void)w;
     if (p->id)
         tasks_complete(&(struct nxm_completion){call, NXM_WAIT, 1, &p->id, &status});
-    if (p->into) {
+    if (p->into && p->whole != MPI_DATATYPE_NULL)
+        copy_whole(p->whole, p->into, p->room, p->as, p->memory, false);
+    else if (p->into)
         type_unpack(p->memory, (size_t)p->room * size_of(p->as), p->into, p->room, p->as);
+    if (p->into)
         type_leave(p->as);
-    }
     free(p->memory);
     free(p);
 }
@@ -213,7 +241,7 @@ void access_wait(struct win *w, int call, int rank)
     for (; p; p = next) {
         next = p->next;
         if (rank < 0 || p->rank == rank) {
-            finish(w, call, p);
+            finish(call, p);
         } else {
             *w->last_pending = p;
             w->last_pending = &p->next;

@@ -17,7 +17,7 @@ static MPI_Datatype element_of(MPI_Datatype handle)
     return element;
 }
 
-/* Elements that are combined are of one type of MPI's own; of pairs with a hole, they are not in others. */
+/* Elements that are combined are of one type of MPI's own. */
 static const char *why_not(struct access *a)
 {
     if (a->op == MPI_REPLACE || a->op == MPI_NO_OP)
@@ -27,8 +27,6 @@ static const char *why_not(struct access *a)
         return "the elements are not all of one datatype of MPI's own";
     const struct basic *b = type_basic(a->element);
     a->whole = b->class == PAIR && size_of(a->element) < b->bytes;
-    if (a->whole && (a->their_type != a->element || a->type != a->element))
-        return "pairs with a hole may not be parts of other datatypes here";
     return op_is_own(a->op) ? op_refuses(a->op, a->element) : "the operation is not one of MPI's own";
 }
 
@@ -63,7 +61,7 @@ static int check(struct win *w, struct access *a)
     int code = check_elements(w, a);
     if (code)
         return code;
-    const char *why = why_not(a);
+    const char *why = access_messages(a) ? why_not(a) : NULL;
     if (why)
         return fail_win(w, a->call, MPI_ERR_OP, "%s", why);
     if (w->flavor != MPI_WIN_FLAVOR_DYNAMIC && is_outside(w, a))

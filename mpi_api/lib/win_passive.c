@@ -1,5 +1,5 @@
-/* win_passive.c - epochs in which the target does not take part: a rank locks another's window, accesses it, and
- * unlocks it. The target serves locks and accesses by a handler, which interrupts its program. */
+/* win_passive.c - epochs in which the target does not take part: a rank locks another's window, accesses it,
+ * and unlocks it. The target serves locks and accesses by a handler, which interrupts its program. */
 #include <stdlib.h>
 #include <string.h>
 #include "nx.h"

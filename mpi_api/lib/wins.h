@@ -8,8 +8,8 @@
  *                win_passive.c   it does not: locks, served by a handler, which interrupts its program
  *
  * In active epochs accesses are kept until the call that ends the epoch, and sent then; the target carries
- * them out in the call that ends its own. In passive ones they are sent at once. All messages go in the context
- * of the window's communicator. Accesses of one rank to another are carried out in their order. */
+ * them out in the call that ends its own. In passive ones they are sent at once. All messages go in the
+ * context of the window's communicator. Accesses of one rank to another are carried out in their order. */
 #ifndef MPI_WINS_H
 #define MPI_WINS_H
 #include "coll.h"
@@ -44,7 +44,7 @@ struct pending {
     /* With `into`: memory is what an access has fetched, all of it, when this is done. */
     void *into;
     int room;
-    MPI_Datatype as;
+    MPI_Datatype as, whole; /* whole: pairs of this type, with their holes */
 };
 
 struct remote {
@@ -100,8 +100,8 @@ struct win_span {
     size_t bytes;
 };
 
-/* Sends an access as messages of this tag, of at most so many bytes behind the head. They are pending then, and
- * their answers. */
+/* Sends an access as messages of this tag, of at most so many bytes behind the head. They are pending then,
+ * and their answers. */
 void access_send(struct win *w, const struct access *a, int tag, size_t most);
 /* How many messages it would be, if there is no limit. */
 int access_messages(const struct access *a);
