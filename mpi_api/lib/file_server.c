@@ -1,6 +1,6 @@
 /* file_server.c - what the ranks of a file share: the shared pointer, and the lock of atomic mode. Rank 0 has
- * them, and serves the others by a handler, which interrupts its program; it asks in the same way. All are sent
- * as point to point messages in the context of the file's communicator. */
+ * them, and serves all by a handler, which interrupts its program; it asks so, too. All are sent as point to
+ * point messages in the context of the file's communicator. */
 #include <stdlib.h>
 #include "files.h"
 #include "nx.h"

@@ -86,8 +86,8 @@ void view_first(struct file *f)
     view_set(f, 0, MPI_BYTE, MPI_BYTE);
 }
 
-/* A type of a view has no bytes before its beginning, does not go back, and, in a file that is written, has no
- * byte twice. */
+/* A type of a view has no bytes before its beginning, does not go back, and, in a file that is written, has
+ * no byte twice. */
 static bool goes_forward(const struct type *t, bool overlaps)
 {
     MPI_Aint least = 0;

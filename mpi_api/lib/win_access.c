@@ -106,13 +106,6 @@ static struct nxm_envelope envelope(const struct win *w, int call, int tag, int 
     return (struct nxm_envelope){call, tag, node, w->comm->context};
 }
 
-int win_answer_tag(struct win *w)
-{
-    enum { MOST_ANSWERS = 900000000 };
-    w->answers = (w->answers + 1) % MOST_ANSWERS;
-    return FIRST_ANSWER + w->answers;
-}
-
 /* How much of the layout goes into a message: from here on. */
 struct part {
     int span;
@@ -145,17 +138,17 @@ static struct win_head head_of(const struct access *a)
                              .op = (int)(intptr_t)a->op,
                              .element = (int)(intptr_t)(a->element ? a->element : MPI_BYTE),
                              .sends = a->sends,
+                             .fetches = a->fetches,
                              .call = a->call};
 }
 
 /* --- sending --- */
 
-/* The answer will be put there. */
-static int await_answer(struct win *w, const struct access *a, char *into, size_t bytes)
+/* What is fetched will be put there. Answers of a target come in the order in which it was asked. */
+static void await_answer(struct win *w, const struct access *a, char *into, size_t bytes)
 {
-    const struct nxm_envelope e = envelope(w, a->call, win_answer_tag(w), win_node(w, a->rank));
+    const struct nxm_envelope e = envelope(w, a->call, FETCHED, win_node(w, a->rank));
     add_pending(w, &(struct pending){.id = (int)nxm_irecv(&e, into, (long)bytes), .rank = a->rank});
-    return e.tag;
 }
 
 static void send_message(struct win *w, const struct access *a, int tag, char *message, size_t bytes)
@@ -206,7 +199,7 @@ void access_send(struct win *w, const struct access *a, int tag, size_t most)
         size_t bytes = take_spans(&l, &p, span, &head.spans, room, data_bytes, element);
         size_t sent = data_bytes * bytes;
         if (a->fetches)
-            head.answer = await_answer(w, a, into + done, bytes);
+            await_answer(w, a, into + done, bytes);
         memcpy(message, &head, sizeof head);
         if (sent)
             memcpy(span + head.spans, data + done, sent);
@@ -253,18 +246,14 @@ void access_wait(struct win *w, int call, int rank)
 void win_tell(struct win *w, int node, int tag, struct win_head head)
 {
     const struct nxm_envelope e = envelope(w, head.call, tag, node);
-    const struct nxm_envelope answer = envelope(w, head.call, head.answer, node);
-    struct nxm_status status;
     nxm_send(&e, &head, sizeof head, false);
-    if (head.answer)
-        tasks_receive(&answer, NULL, 0, &status);
 }
 
 /* --- at the target --- */
 
 static void answer(const struct win *w, const struct win_head *head, const struct win_span *span, int node)
 {
-    const struct nxm_envelope e = envelope(w, head->call, head->answer, node);
+    const struct nxm_envelope e = envelope(w, head->call, FETCHED, node);
     size_t bytes = 0;
     for (int i = 0; i < head->spans; i++)
         bytes += span[i].bytes;
@@ -293,7 +282,7 @@ void access_carry_out(struct win *w, char *message, int node)
     const struct win_head *head = (const struct win_head *)message;
     const struct win_span *span = (const struct win_span *)(message + sizeof *head);
     char *data = (char *)(uintptr_t)(span + head->spans);
-    if (head->answer)
+    if (head->fetches)
         answer(w, head, span, node);
     if (head->what == COMPARE && memcmp(w->base + span->at, data + span->bytes, span->bytes) != 0)
         return;

@@ -1,5 +1,5 @@
-/* win_active.c - epochs in which the target takes part: from fence to fence; or from start to complete at those
- * that access, and from post to wait at those that are accessed. */
+/* win_active.c - epochs in which the target takes part: from fence to fence; or from start to complete at the
+ * ranks that access, and from post to wait at those that are accessed. */
 #include <stdlib.h>
 #include "tasks.h"
 #include "wins.h"

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "nx.h"
+#include "tasks.h"
 #include "wins.h"
 
 enum { MOST_BYTES = 16384 }; /* of a message for the handler */
@@ -10,7 +11,7 @@ enum { MOST_BYTES = 16384 }; /* of a message for the handler */
 /* --- the target --- */
 
 struct waiting {
-    int node, kind, answer;
+    int node, kind;
 };
 
 struct win_server {
@@ -21,9 +22,9 @@ struct win_server {
     char message[MOST_BYTES];
 };
 
-static void tell(const struct win_server *s, int call, int node, int tag)
+static void answer(const struct win_server *s, int call, int node)
 {
-    const struct nxm_envelope e = {call, tag, node, s->win->comm->context};
+    const struct nxm_envelope e = {call, ANSWER, node, s->win->comm->context};
     nxm_send(&e, NULL, 0, false);
 }
 
@@ -38,7 +39,7 @@ static void hand_over(struct win_server *s, int call)
     int done = 0;
     for (; done < s->waits && may_have(s, s->waiting[done].kind); done++) {
         s->holders++, s->kind = s->waiting[done].kind;
-        tell(s, call, s->waiting[done].node, s->waiting[done].answer);
+        answer(s, call, s->waiting[done].node);
     }
     s->waits -= done;
     memmove(s->waiting, s->waiting + done, (size_t)s->waits * sizeof *s->waiting);
@@ -48,7 +49,7 @@ static void carry_out(struct win_server *s, int node)
 {
     const struct win_head head = *(const struct win_head *)s->message;
     if (head.what == LOCK)
-        s->waiting[s->waits++] = (struct waiting){node, head.kind, head.answer};
+        s->waiting[s->waits++] = (struct waiting){node, head.kind};
     if (head.what == UNLOCK)
         s->holders--;
     if (head.what == LOCK || head.what == UNLOCK)
@@ -56,7 +57,7 @@ static void carry_out(struct win_server *s, int node)
     if (head.what == MOVE || head.what == COMPARE)
         access_carry_out(s->win, s->message, node);
     else if (head.what != LOCK)
-        tell(s, head.call, node, head.answer);
+        answer(s, head.call, node);
 }
 
 static void serve(long type, long count, long node, long context, long server)
@@ -99,8 +100,10 @@ void passive_end(struct win *w)
 
 static void ask(struct win *w, int call, int rank, int what, int kind)
 {
-    win_tell(w, win_node(w, rank), ASK,
-             (struct win_head){.what = what, .call = call, .kind = kind, .answer = win_answer_tag(w)});
+    const struct nxm_envelope e = {call, ANSWER, win_node(w, rank), w->comm->context};
+    struct nxm_status status;
+    win_tell(w, e.node, ASK, (struct win_head){.what = what, .call = call, .kind = kind});
+    tasks_receive(&e, NULL, 0, &status);
 }
 
 static void lock(struct win *w, int call, int rank, int kind, int assert)

@@ -75,7 +75,6 @@ struct win {
     bool all;    /* all ranks: each is locked when it is first accessed */
     struct win_server *server;
     struct pending *pending, **last_pending;
-    int answers; /* so many have been asked for */
 };
 
 struct win *win_of(MPI_Win handle); /* NULL: none */
@@ -84,14 +83,13 @@ int fail_no_win(int call);
 
 /* --- accesses --- */
 
-enum { ASK = 1, ACCESS = 2, TOKEN = 3, FIRST_ANSWER = 16 }; /* tags */
+enum { ASK = 1, ACCESS, TOKEN, FETCHED, ANSWER }; /* tags */
 
 /* What a message says of itself; behind it come the spans of the target's memory, and the data. */
 struct win_head {
     enum { MOVE, COMPARE, DONE, LOCK, UNLOCK, FLUSH, END } what;
     int op, element; /* handles */
-    bool sends;
-    int answer; /* the tag of the answer; 0: none */
+    bool sends, fetches;
     int spans;
     int call, kind; /* kind: of the lock */
 };
@@ -109,10 +107,9 @@ int access_messages(const struct access *a);
 void access_carry_out(struct win *w, char *message, int node);
 /* Waits for what is pending: of one rank, or (-1) of all. */
 void access_wait(struct win *w, int call, int rank);
-/* Sends a message without data at once, and waits for its answer, if there is one. */
+/* Sends a message without data at once. */
 void win_tell(struct win *w, int node, int tag, struct win_head head);
 int win_node(const struct win *w, int rank);
-int win_answer_tag(struct win *w);
 
 /* --- epochs --- */
 

@@ -1,0 +1,143 @@
+/* win_names.c - Fortran's names for the calls on windows. Places and sizes are INTEGERs of
+ * MPI_ADDRESS_KIND. */
+#include "fortran.h"
+
+#define F_WIN(x) F_HANDLE(MPI_Win, *(x))
+#define F_INFO(x) F_HANDLE(MPI_Info, *(x))
+
+FORTRAN(win_create,
+        (void *base, MPI_Aint *size, f_int *unit, f_int *info, f_int *comm, f_int *win, f_int *ierr))
+{
+    WITH(MPI_Win, win, PMPI_Win_create(base, *size, *unit, F_INFO(info), F_COMM(comm), &handle));
+}
+
+/* base: an INTEGER of MPI_ADDRESS_KIND, or a C_PTR, which is as long. */
+FORTRAN(win_allocate,
+        (MPI_Aint * size, f_int *unit, f_int *info, f_int *comm, void *base, f_int *win, f_int *ierr))
+{
+    WITH(MPI_Win, win, PMPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
+}
+
+FORTRAN(win_free, (f_int * win, f_int *ierr))
+{
+    WITH(MPI_Win, win, PMPI_Win_free(&handle));
+}
+
+FORTRAN(win_get_group, (f_int * win, f_int *group, f_int *ierr))
+{
+    WITH(MPI_Group, group, PMPI_Win_get_group(F_WIN(win), &handle));
+}
+
+/* The base is an address; the others are numbers. */
+FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
+{
+    void *found;
+    *ierr = PMPI_Win_get_attr(F_WIN(win), *key, &found, flag);
+    if (*ierr || !*flag)
+        return;
+    *value = *key == MPI_WIN_SIZE                           ? *(MPI_Aint *)found
+             : *key > MPI_WIN_BASE && *key <= MPI_WIN_MODEL ? *(int *)found
+                                                            : (MPI_Aint)found;
+}
+
+FORTRAN(win_create_errhandler, (MPI_Win_errhandler_function * function, f_int *handler, f_int *ierr))
+{
+    WITH(MPI_Errhandler, handler, PMPI_Win_create_errhandler(function, &handle));
+}
+
+FORTRAN(win_set_errhandler, (f_int * win, f_int *handler, f_int *ierr))
+{
+    *ierr = PMPI_Win_set_errhandler(F_WIN(win), F_HANDLE(MPI_Errhandler, *handler));
+}
+
+/* --- epochs --- */
+
+FORTRAN(win_fence, (f_int * assert, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Win_fence(*assert, F_WIN(win));
+}
+
+FORTRAN(win_start, (f_int * group, f_int *assert, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Win_start(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
+}
+
+FORTRAN(win_post, (f_int * group, f_int *assert, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Win_post(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
+}
+
+FORTRAN(win_test, (f_int * win, f_int *flag, f_int *ierr))
+{
+    *ierr = PMPI_Win_test(F_WIN(win), flag);
+}
+
+FORTRAN(win_lock, (f_int * kind, f_int *rank, f_int *assert, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Win_lock(*kind, *rank, *assert, F_WIN(win));
+}
+
+FORTRAN(win_lock_all, (f_int * assert, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Win_lock_all(*assert, F_WIN(win));
+}
+
+#define OF_WIN(name, c_name)                                                                                 \
+    FORTRAN(name, (f_int * win, f_int * ierr))                                                               \
+    {                                                                                                        \
+        *ierr = PMPI_##c_name(F_WIN(win));                                                                   \
+    }
+#define OF_RANK(name, c_name)                                                                                \
+    FORTRAN(name, (f_int * rank, f_int * win, f_int * ierr))                                                 \
+    {                                                                                                        \
+        *ierr = PMPI_##c_name(*rank, F_WIN(win));                                                            \
+    }
+OF_WIN(win_complete, Win_complete)
+OF_WIN(win_wait, Win_wait)
+OF_WIN(win_unlock_all, Win_unlock_all)
+OF_WIN(win_flush_all, Win_flush_all)
+OF_WIN(win_flush_local_all, Win_flush_local_all)
+OF_WIN(win_sync, Win_sync)
+OF_RANK(win_unlock, Win_unlock)
+OF_RANK(win_flush, Win_flush)
+OF_RANK(win_flush_local, Win_flush_local)
+
+/* --- accesses --- */
+
+#define F_OP(x) F_HANDLE(MPI_Op, *(x))
+#define THERE f_int *rank, MPI_Aint *place, f_int *their_count, f_int *their_type
+#define GIVE_THERE *rank, *place, *their_count, F_TYPE(their_type)
+
+FORTRAN(put, (void *buf, f_int *count, f_int *type, THERE, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Put(buf, *count, F_TYPE(type), GIVE_THERE, F_WIN(win));
+}
+
+FORTRAN(get, (void *into, f_int *room, f_int *as, THERE, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Get(into, *room, F_TYPE(as), GIVE_THERE, F_WIN(win));
+}
+
+FORTRAN(accumulate, (void *buf, f_int *count, f_int *type, THERE, f_int *op, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Accumulate(buf, *count, F_TYPE(type), GIVE_THERE, F_OP(op), F_WIN(win));
+}
+
+FORTRAN(get_accumulate, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *as, THERE,
+                         f_int *op, f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Get_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
+                                F_WIN(win));
+}
+
+FORTRAN(fetch_and_op, (void *buf, void *into, f_int *type, f_int *rank, MPI_Aint *place, f_int *op,
+                       f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Fetch_and_op(buf, into, F_TYPE(type), *rank, *place, F_OP(op), F_WIN(win));
+}
+
+FORTRAN(compare_and_swap, (void *buf, void *compare, void *into, f_int *type, f_int *rank, MPI_Aint *place,
+                           f_int *win, f_int *ierr))
+{
+    *ierr = PMPI_Compare_and_swap(buf, compare, into, F_TYPE(type), *rank, *place, F_WIN(win));
+}
