@@ -222,6 +222,32 @@ FORTRAN(get_address, (void *at, MPI_Aint *address, f_int *ierr))
     *ierr = MPI_SUCCESS;
 }
 
+MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
+MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement)
+{
+    return *base + *displacement;
+}
+
+MPI_Aint mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
+{
+    return *a - *b;
+}
+
+FORTRAN(type_set_name, (f_int * type, const char *name, f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    *ierr = PMPI_Type_set_name(F_TYPE(type), text);
+    free(text);
+}
+
+FORTRAN(type_get_name, (f_int * type, char *name, f_int *length, f_int *ierr, size_t room))
+{
+    char text[MPI_MAX_OBJECT_NAME];
+    *ierr = PMPI_Type_get_name(F_TYPE(type), text, length);
+    if (!*ierr)
+        f_give_text(name, room, text);
+}
+
 FORTRAN(pack, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *position, f_int *comm,
                f_int *ierr))
 {
@@ -584,6 +610,11 @@ FORTRAN(comm_set_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *ierr))
 HANDLERS(errhandler_create, errhandler_set, errhandler_get)
 HANDLERS(comm_create_errhandler, comm_set_errhandler, comm_get_errhandler)
 
+FORTRAN(comm_call_errhandler, (f_int * comm, f_int *code, f_int *ierr))
+{
+    *ierr = PMPI_Comm_call_errhandler(F_COMM(comm), *code);
+}
+
 FORTRAN(errhandler_free, (f_int * handler, f_int *ierr))
 {
     WITH(MPI_Errhandler, handler, MPI_Errhandler_free(&handle));
@@ -599,4 +630,21 @@ FORTRAN(error_string, (f_int * code, char *text, f_int *length, f_int *ierr, siz
 FORTRAN(error_class, (f_int * code, f_int *kind, f_int *ierr))
 {
     *ierr = MPI_Error_class(*code, kind);
+}
+
+FORTRAN(add_error_class, (f_int * kind, f_int *ierr))
+{
+    *ierr = PMPI_Add_error_class(kind);
+}
+
+FORTRAN(add_error_code, (f_int * kind, f_int *code, f_int *ierr))
+{
+    *ierr = PMPI_Add_error_code(*kind, code);
+}
+
+FORTRAN(add_error_string, (f_int * code, const char *text, f_int *ierr, size_t length))
+{
+    char *whole = f_text(text, length);
+    *ierr = PMPI_Add_error_string(*code, whole);
+    free(whole);
 }

@@ -1,6 +1,6 @@
 /* win_names.c - Fortran's names for the calls on windows. Places and sizes are INTEGERs of
  * MPI_ADDRESS_KIND. */
-#include "fortran.h"
+#include "keyvals.h"
 
 #define F_WIN(x) F_HANDLE(MPI_Win, *(x))
 #define F_INFO(x) F_HANDLE(MPI_Info, *(x))
@@ -16,6 +16,21 @@ FORTRAN(win_allocate,
         (MPI_Aint * size, f_int *unit, f_int *info, f_int *comm, void *base, f_int *win, f_int *ierr))
 {
     WITH(MPI_Win, win, PMPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
+}
+
+FORTRAN(win_create_dynamic, (f_int * info, f_int *comm, f_int *win, f_int *ierr))
+{
+    WITH(MPI_Win, win, PMPI_Win_create_dynamic(F_INFO(info), F_COMM(comm), &handle));
+}
+
+FORTRAN(win_attach, (f_int * win, void *base, MPI_Aint *size, f_int *ierr))
+{
+    *ierr = PMPI_Win_attach(F_WIN(win), base, *size);
+}
+
+FORTRAN(win_detach, (f_int * win, void *base, f_int *ierr))
+{
+    *ierr = PMPI_Win_detach(F_WIN(win), base);
 }
 
 FORTRAN(win_free, (f_int * win, f_int *ierr))
@@ -40,6 +55,28 @@ FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_
                                                             : (MPI_Aint)found;
 }
 
+FORTRAN(win_set_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *ierr))
+{
+    *ierr = PMPI_Win_set_attr(F_WIN(win), *key, (void *)*value);
+}
+
+KEYS(win, Win, MPI_Win)
+
+FORTRAN(win_set_name, (f_int * win, const char *name, f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    *ierr = PMPI_Win_set_name(F_WIN(win), text);
+    free(text);
+}
+
+FORTRAN(win_get_name, (f_int * win, char *name, f_int *length, f_int *ierr, size_t room))
+{
+    char text[MPI_MAX_OBJECT_NAME];
+    *ierr = PMPI_Win_get_name(F_WIN(win), text, length);
+    if (!*ierr)
+        f_give_text(name, room, text);
+}
+
 FORTRAN(win_create_errhandler, (MPI_Win_errhandler_function * function, f_int *handler, f_int *ierr))
 {
     WITH(MPI_Errhandler, handler, PMPI_Win_create_errhandler(function, &handle));
@@ -48,6 +85,16 @@ FORTRAN(win_create_errhandler, (MPI_Win_errhandler_function * function, f_int *h
 FORTRAN(win_set_errhandler, (f_int * win, f_int *handler, f_int *ierr))
 {
     *ierr = PMPI_Win_set_errhandler(F_WIN(win), F_HANDLE(MPI_Errhandler, *handler));
+}
+
+FORTRAN(win_get_errhandler, (f_int * win, f_int *handler, f_int *ierr))
+{
+    WITH(MPI_Errhandler, handler, PMPI_Win_get_errhandler(F_WIN(win), &handle));
+}
+
+FORTRAN(win_call_errhandler, (f_int * win, f_int *code, f_int *ierr))
+{
+    *ierr = PMPI_Win_call_errhandler(F_WIN(win), *code);
 }
 
 /* --- epochs --- */

@@ -15,7 +15,7 @@ static struct id_block *block_of(const struct mailbox_ids *ids, unsigned long i)
 static struct id *at(const struct mailbox_ids *ids, long id)
 {
     unsigned long i = (unsigned long)id - 1;
-    struct id_block *b = block_of(ids, i / IDS_BLOCK);
+    struct id_block *b = i < IDS_BLOCK ? ids->first : block_of(ids, i / IDS_BLOCK);
     return b ? &b->ids[i % IDS_BLOCK] : NULL;
 }
 
@@ -82,9 +82,10 @@ long mailbox_id_new(struct node *n, unsigned use, uint32_t count)
             return -1;
         struct id_block *b = block_of(ids, i);
         struct id *id = first_free(b ? b : (b = add_block(ids)));
-        ids->first->full = i;
-        if (!id)
+        if (!id) {
+            ids->first->full = i + 1;
             continue;
+        }
         if (first + (id - b->ids) >= count)
             return -1;
         id->use = (uint8_t)use, id->next = -1;
@@ -133,8 +134,8 @@ void mailbox_id_release(struct node *n, long id)
     struct mailbox_ids *ids = mailbox_ids(n);
     while (id >= 0) {
         struct id *i = at(ids, id);
-        uint32_t block = (uint32_t)(id - 1) / IDS_BLOCK;
-        ids->first->full = block < ids->first->full ? block : ids->first->full;
+        if (ids->first->full > (uint32_t)(id - 1) / IDS_BLOCK)
+            ids->first->full = (uint32_t)(id - 1) / IDS_BLOCK;
         id = i->next;
         if (i->send)
             mailbox_unfollow(i->send);

@@ -1,0 +1,18 @@
+/* keyval_names.c - Fortran's names for MPI-2's attributes of communicators and datatypes. */
+#include "keyvals.h"
+
+KEYS(comm, Comm, MPI_Comm)
+KEYS(type, Type, MPI_Datatype)
+
+FORTRAN(type_set_attr, (f_int * type, f_int *key, MPI_Aint *value, f_int *ierr))
+{
+    *ierr = PMPI_Type_set_attr(F_TYPE(type), *key, (void *)*value);
+}
+
+FORTRAN(type_get_attr, (f_int * type, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
+{
+    void *found;
+    *ierr = PMPI_Type_get_attr(F_TYPE(type), *key, &found, flag);
+    if (!*ierr && *flag)
+        *value = (MPI_Aint)found;
+}
