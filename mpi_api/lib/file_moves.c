@@ -169,22 +169,24 @@ static int move(const struct move *m, MPI_Status *status, MPI_Request *request)
 
 /* --- where --- */
 
-static int no_places(const struct move *m)
-{
-    return fail_file(m->f, m->call, MPI_ERR_UNSUPPORTED_OPERATION,
-                     "the file is a sequential one: only the shared pointer leads to its bytes");
-}
-
-static int at_place(struct move *m, MPI_File file, MPI_Offset place, MPI_Status *status, MPI_Request *request)
+/* The file, and checks. places: the call names a place, or uses the rank's pointer. */
+static int begin(struct move *m, MPI_File file, bool places)
 {
     m->f = file_of(file);
     if (!m->f)
         return fail_no_file(m->call);
     int code = check(m);
+    if (!code && places && m->f->amode & MPI_MODE_SEQUENTIAL)
+        code = fail_file(m->f, m->call, MPI_ERR_UNSUPPORTED_OPERATION,
+                         "the file is a sequential one: only the shared pointer leads to its bytes");
+    return code;
+}
+
+static int at_place(struct move *m, MPI_File file, MPI_Offset place, MPI_Status *status, MPI_Request *request)
+{
+    int code = begin(m, file, true);
     if (code)
         return code;
-    if (m->f->amode & MPI_MODE_SEQUENTIAL)
-        return no_places(m);
     if (place < 0)
         return fail_file(m->f, m->call, MPI_ERR_ARG, "the place %ld is negative", (long)place);
     m->at = place;
@@ -200,14 +202,9 @@ static MPI_Offset etypes(const struct file *f, size_t bytes)
 static int at_pointer(struct move *m, MPI_File file, MPI_Status *status, MPI_Request *request)
 {
     MPI_Status own;
-    m->f = file_of(file);
-    if (!m->f)
-        return fail_no_file(m->call);
-    int code = check(m);
+    int code = begin(m, file, true);
     if (code)
         return code;
-    if (m->f->amode & MPI_MODE_SEQUENTIAL)
-        return no_places(m);
     m->at = m->f->pointer;
     status = status ? status : &own;
     code = move(m, status, request);
@@ -217,10 +214,7 @@ static int at_pointer(struct move *m, MPI_File file, MPI_Status *status, MPI_Req
 
 static int at_shared(struct move *m, MPI_File file, MPI_Status *status, MPI_Request *request)
 {
-    m->f = file_of(file);
-    if (!m->f)
-        return fail_no_file(m->call);
-    int code = check(m);
+    int code = begin(m, file, false);
     if (code)
         return code;
     m->at = server_add(m->f, m->call, etypes(m->f, bytes_of(m)));
@@ -230,11 +224,10 @@ static int at_shared(struct move *m, MPI_File file, MPI_Status *status, MPI_Requ
 /* Rank 0 takes the range of all; in it each has its own behind those of the ranks before. */
 static int in_order(struct move *m, MPI_File file, MPI_Status *status)
 {
-    m->f = file_of(file);
+    int code = begin(m, file, false);
     if (!m->f)
-        return fail_no_file(m->call);
+        return code;
     const struct coll o = coll_of(m->f->comm, m->call);
-    int code = check(m);
     MPI_Offset own = code ? 0 : etypes(m->f, bytes_of(m)), all = 0, before = 0, first = 0;
     MPI_Offset *each = get_memory((size_t)o.size * sizeof *each);
     coll_allgather_bytes(&o, &own, sizeof own, each);

@@ -78,6 +78,27 @@ static void the_first_free_id_is_given_out(void **state)
     assert_int_equal(mailbox_id_new(&node, ID_RECEIVES, MOST), 17);
 }
 
+/* Over many blocks: each id has its own receive, and the first free one is found, wherever it is. */
+static void many_ids_are_told_apart(void **state)
+{
+    enum { MANY = 1000 };
+    (void)state;
+    for (long i = 1; i <= MANY; i++) {
+        assert_int_equal(mailbox_id_new(&node, ID_RECEIVES, MANY), i);
+        mailbox_id_receive(&node, i)->room = (size_t)i;
+    }
+    for (long i = 1; i <= MANY; i++)
+        assert_int_equal(mailbox_id_receive(&node, i)->room, i);
+    assert_false(mailbox_id_is_valid(&node, MANY + 1));
+    mailbox_id_release(&node, 998);
+    mailbox_id_release(&node, 500);
+    mailbox_id_release(&node, 2);
+    assert_int_equal(mailbox_id_new(&node, ID_RECEIVES, MANY), 2);
+    assert_int_equal(mailbox_id_new(&node, ID_RECEIVES, MANY), 500);
+    assert_int_equal(mailbox_id_new(&node, ID_RECEIVES, MANY), 998);
+    assert_int_equal(mailbox_id_new(&node, ID_RECEIVES, MANY), -1);
+}
+
 static void other_numbers_are_no_ids(void **state)
 {
     (void)state;
@@ -131,8 +152,11 @@ static void ignored_ids_are_taken_in_one_pass(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_NEW_IDS(ids_begin_at_1_and_are_limited),    ON_NEW_IDS(the_first_free_id_is_given_out),
-        ON_NEW_IDS(other_numbers_are_no_ids),          ON_NEW_IDS(a_merged_id_is_complete_when_all_parts_are),
+        ON_NEW_IDS(ids_begin_at_1_and_are_limited),
+        ON_NEW_IDS(the_first_free_id_is_given_out),
+        ON_NEW_IDS(many_ids_are_told_apart),
+        ON_NEW_IDS(other_numbers_are_no_ids),
+        ON_NEW_IDS(a_merged_id_is_complete_when_all_parts_are),
         ON_NEW_IDS(ignored_ids_are_taken_in_one_pass),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
