@@ -1,6 +1,7 @@
 /* win_names.c - Fortran's names for the calls on windows. Places and sizes are INTEGERs of
  * MPI_ADDRESS_KIND. */
 #include "keyvals.h"
+#include "mpi_api/lib/wins.h"
 
 #define F_WIN(x) F_HANDLE(MPI_Win, *(x))
 #define F_INFO(x) F_HANDLE(MPI_Info, *(x))
@@ -18,9 +19,12 @@ FORTRAN(win_allocate,
     WITH(MPI_Win, win, PMPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
 }
 
+/* Its places are Fortran's addresses, which are counted from MPI_BOTTOM. */
 FORTRAN(win_create_dynamic, (f_int * info, f_int *comm, f_int *win, f_int *ierr))
 {
     WITH(MPI_Win, win, PMPI_Win_create_dynamic(F_INFO(info), F_COMM(comm), &handle));
+    if (!*ierr)
+        win_of(F_WIN(win))->base = (char *)&mpi_fortran_bottom_;
 }
 
 FORTRAN(win_attach, (f_int * win, void *base, MPI_Aint *size, f_int *ierr))

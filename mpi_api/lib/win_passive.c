@@ -19,7 +19,7 @@ struct win_server {
     int holders, kind; /* kind: of their lock */
     int waits;         /* so many wait, the first first */
     struct waiting *waiting;
-    char message[MOST_BYTES];
+    char message[MOST_BYTES] __attribute__((aligned(16)));
 };
 
 static void answer(const struct win_server *s, int call, int node)

@@ -85,9 +85,10 @@ int fail_no_win(int call);
 
 enum { ASK = 1, ACCESS, TOKEN, FETCHED, ANSWER }; /* tags */
 
-/* What a message says of itself; behind it come the spans of the target's memory, and the data. */
+/* What a message says of itself; behind it come the spans of the target's memory, and the data, which lie as
+ * aligned as malloc's memory does: copies of long doubles need that. */
 struct win_head {
-    enum { MOVE, COMPARE, DONE, LOCK, UNLOCK, FLUSH, END } what;
+    _Alignas(16) enum { MOVE, COMPARE, DONE, LOCK, UNLOCK, FLUSH, END } what;
     int op, element; /* handles */
     bool sends, fetches;
     int spans;

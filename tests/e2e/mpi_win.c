@@ -82,6 +82,19 @@ static void datatypes(void)
     MPI_Win_fence(0, of_pairs);
     if (rank == 0)
         holds = holds && pairs[0].index == -1 && pairs[1].index == (size > 2 ? 2 : size - 1);
+    static struct long_pair { /* whose copies want them aligned, wherever a message has them */
+        long double value;
+        int index;
+    } longs[3];
+    struct long_pair one = {1.5L, rank};
+    MPI_Win of_longs;
+    MPI_Win_create(longs, sizeof longs, sizeof longs[0], MPI_INFO_NULL, MPI_COMM_WORLD, &of_longs);
+    MPI_Win_fence(0, of_longs);
+    MPI_Accumulate(&one, 1, MPI_LONG_DOUBLE_INT, 0, 1, 1, MPI_LONG_DOUBLE_INT, MPI_MAXLOC, of_longs);
+    MPI_Win_fence(MPI_MODE_NOSUCCEED, of_longs);
+    if (rank == 0)
+        holds = holds && longs[0].value == 0 && longs[1].value == 1.5L && longs[1].index == 0;
+    MPI_Win_free(&of_longs);
     MPI_Win_free(&win);
     MPI_Win_free(&of_pairs);
     MPI_Type_free(&second);
