@@ -8,19 +8,19 @@ FORTRAN(file_open,
         (f_int * comm, const char *name, f_int *amode, f_int *info, f_int *file, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    WITH(MPI_File, file, PMPI_File_open(F_COMM(comm), text, *amode, F_INFO(info), &handle));
+    WITH(MPI_File, file, MPI_File_open(F_COMM(comm), text, *amode, F_INFO(info), &handle));
     free(text);
 }
 
 FORTRAN(file_close, (f_int * file, f_int *ierr))
 {
-    WITH(MPI_File, file, PMPI_File_close(&handle));
+    WITH(MPI_File, file, MPI_File_close(&handle));
 }
 
 FORTRAN(file_delete, (const char *name, f_int *info, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    *ierr = PMPI_File_delete(text, F_INFO(info));
+    *ierr = MPI_File_delete(text, F_INFO(info));
     free(text);
 }
 
@@ -29,12 +29,12 @@ FORTRAN(file_delete, (const char *name, f_int *info, f_int *ierr, size_t length)
 #define SET(name, c_name, type)                                                                              \
     FORTRAN(name, (f_int * file, type * value, f_int * ierr))                                                \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), *value);                                                         \
+        *ierr = MPI_##c_name(F_FILE(file), *value);                                                          \
     }
 #define GET(name, c_name, type)                                                                              \
     FORTRAN(name, (f_int * file, type * value, f_int * ierr))                                                \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), value);                                                          \
+        *ierr = MPI_##c_name(F_FILE(file), value);                                                           \
     }
 SET(file_set_size, File_set_size, MPI_Offset)
 SET(file_preallocate, File_preallocate, MPI_Offset)
@@ -48,37 +48,37 @@ GET(file_get_amode, File_get_amode, f_int)
 
 FORTRAN(file_get_group, (f_int * file, f_int *group, f_int *ierr))
 {
-    WITH(MPI_Group, group, PMPI_File_get_group(F_FILE(file), &handle));
+    WITH(MPI_Group, group, MPI_File_get_group(F_FILE(file), &handle));
 }
 
 FORTRAN(file_set_info, (f_int * file, f_int *info, f_int *ierr))
 {
-    *ierr = PMPI_File_set_info(F_FILE(file), F_INFO(info));
+    *ierr = MPI_File_set_info(F_FILE(file), F_INFO(info));
 }
 
 FORTRAN(file_get_info, (f_int * file, f_int *info, f_int *ierr))
 {
-    WITH(MPI_Info, info, PMPI_File_get_info(F_FILE(file), &handle));
+    WITH(MPI_Info, info, MPI_File_get_info(F_FILE(file), &handle));
 }
 
 FORTRAN(file_sync, (f_int * file, f_int *ierr))
 {
-    *ierr = PMPI_File_sync(F_FILE(file));
+    *ierr = MPI_File_sync(F_FILE(file));
 }
 
 FORTRAN(file_create_errhandler, (MPI_File_errhandler_function * function, f_int *handler, f_int *ierr))
 {
-    WITH(MPI_Errhandler, handler, PMPI_File_create_errhandler(function, &handle));
+    WITH(MPI_Errhandler, handler, MPI_File_create_errhandler(function, &handle));
 }
 
 FORTRAN(file_set_errhandler, (f_int * file, f_int *handler, f_int *ierr))
 {
-    *ierr = PMPI_File_set_errhandler(F_FILE(file), F_HANDLE(MPI_Errhandler, *handler));
+    *ierr = MPI_File_set_errhandler(F_FILE(file), F_HANDLE(MPI_Errhandler, *handler));
 }
 
 FORTRAN(file_get_errhandler, (f_int * file, f_int *handler, f_int *ierr))
 {
-    WITH(MPI_Errhandler, handler, PMPI_File_get_errhandler(F_FILE(file), &handle));
+    WITH(MPI_Errhandler, handler, MPI_File_get_errhandler(F_FILE(file), &handle));
 }
 
 /* --- views and places --- */
@@ -88,7 +88,7 @@ FORTRAN(file_set_view, (f_int * file, MPI_Offset *displacement, f_int *etype, f_
 {
     char *text = f_text(representation, length);
     *ierr =
-        PMPI_File_set_view(F_FILE(file), *displacement, F_TYPE(etype), F_TYPE(filetype), text, F_INFO(info));
+        MPI_File_set_view(F_FILE(file), *displacement, F_TYPE(etype), F_TYPE(filetype), text, F_INFO(info));
     free(text);
 }
 
@@ -97,7 +97,7 @@ FORTRAN(file_get_view, (f_int * file, MPI_Offset *displacement, f_int *etype, f_
 {
     char text[MPI_MAX_DATAREP_STRING];
     MPI_Datatype types[2];
-    *ierr = PMPI_File_get_view(F_FILE(file), displacement, &types[0], &types[1], text);
+    *ierr = MPI_File_get_view(F_FILE(file), displacement, &types[0], &types[1], text);
     if (*ierr)
         return;
     *etype = F_OF(types[0]), *filetype = F_OF(types[1]);
@@ -106,22 +106,22 @@ FORTRAN(file_get_view, (f_int * file, MPI_Offset *displacement, f_int *etype, f_
 
 FORTRAN(file_get_type_extent, (f_int * file, f_int *type, MPI_Aint *extent, f_int *ierr))
 {
-    *ierr = PMPI_File_get_type_extent(F_FILE(file), F_TYPE(type), extent);
+    *ierr = MPI_File_get_type_extent(F_FILE(file), F_TYPE(type), extent);
 }
 
 FORTRAN(file_seek, (f_int * file, MPI_Offset *place, f_int *whence, f_int *ierr))
 {
-    *ierr = PMPI_File_seek(F_FILE(file), *place, *whence);
+    *ierr = MPI_File_seek(F_FILE(file), *place, *whence);
 }
 
 FORTRAN(file_seek_shared, (f_int * file, MPI_Offset *place, f_int *whence, f_int *ierr))
 {
-    *ierr = PMPI_File_seek_shared(F_FILE(file), *place, *whence);
+    *ierr = MPI_File_seek_shared(F_FILE(file), *place, *whence);
 }
 
 FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *bytes, f_int *ierr))
 {
-    *ierr = PMPI_File_get_byte_offset(F_FILE(file), *place, bytes);
+    *ierr = MPI_File_get_byte_offset(F_FILE(file), *place, bytes);
 }
 
 /* --- reading and writing --- */
@@ -129,41 +129,41 @@ FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *byte
 #define HERE(name, c_name)                                                                                   \
     FORTRAN(name, (f_int * file, void *buf, f_int *count, f_int *type, f_int *status, f_int *ierr))          \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type), f_status(status));          \
+        *ierr = MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type), f_status(status));           \
     }
 #define HERE_LATER(name, c_name)                                                                             \
     FORTRAN(name, (f_int * file, void *buf, f_int *count, f_int *type, f_int *request, f_int *ierr))         \
     {                                                                                                        \
         WITH(MPI_Request, request,                                                                           \
-             PMPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type), &handle));                     \
+             MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type), &handle));                      \
     }
 #define THERE(name, c_name)                                                                                  \
     FORTRAN(name, (f_int * file, MPI_Offset * place, void *buf, f_int *count, f_int *type, f_int *status,    \
                    f_int *ierr))                                                                             \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type), f_status(status));  \
+        *ierr = MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type), f_status(status));   \
     }
 #define THERE_LATER(name, c_name)                                                                            \
     FORTRAN(name, (f_int * file, MPI_Offset * place, void *buf, f_int *count, f_int *type, f_int *request,   \
                    f_int *ierr))                                                                             \
     {                                                                                                        \
         WITH(MPI_Request, request,                                                                           \
-             PMPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type), &handle));             \
+             MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type), &handle));              \
     }
 #define SECOND(name, c_name)                                                                                 \
     FORTRAN(name, (f_int * file, void *buf, f_int *status, f_int *ierr))                                     \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), f_buffer(buf), f_status(status));                                \
+        *ierr = MPI_##c_name(F_FILE(file), f_buffer(buf), f_status(status));                                 \
     }
 #define FIRST(name, c_name)                                                                                  \
     FORTRAN(name, (f_int * file, void *buf, f_int *count, f_int *type, f_int *ierr))                         \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type));                            \
+        *ierr = MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type));                             \
     }
 #define FIRST_THERE(name, c_name)                                                                            \
     FORTRAN(name, (f_int * file, MPI_Offset * place, void *buf, f_int *count, f_int *type, f_int *ierr))     \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type));                    \
+        *ierr = MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type));                     \
     }
 #define CALLS(way)                                                                                           \
     HERE(file_##way, File_##way)                                                                             \

@@ -59,4 +59,20 @@ static inline void f_give_text(char *to, size_t room, const char *text)
     memcpy(to, text, length);
     memset(to + length, ' ', room - length);
 }
+
+/* The calls that name a communicator, a datatype or a window, and answer its name. */
+#define NAMES(lower, Upper, F_HANDLE_OF)                                                                     \
+    FORTRAN(lower##_set_name, (f_int * handle, const char *name, f_int *ierr, size_t length))                \
+    {                                                                                                        \
+        char *text = f_text(name, length);                                                                   \
+        *ierr = MPI_##Upper##_set_name(F_HANDLE_OF(handle), text);                                           \
+        free(text);                                                                                          \
+    }                                                                                                        \
+    FORTRAN(lower##_get_name, (f_int * handle, char *name, f_int *length, f_int *ierr, size_t room))         \
+    {                                                                                                        \
+        char text[MPI_MAX_OBJECT_NAME];                                                                      \
+        *ierr = MPI_##Upper##_get_name(F_HANDLE_OF(handle), text, length);                                   \
+        if (!*ierr)                                                                                          \
+            f_give_text(name, room, text);                                                                   \
+    }
 #endif

@@ -70,6 +70,6 @@ static int make_key(f_copy *copy, f_delete *drop, f_int *key, MPI_Aint extra)
     }                                                                                                        \
     FORTRAN(lower##_delete_attr, (f_int * handle, f_int * key, f_int * ierr))                                \
     {                                                                                                        \
-        *ierr = PMPI_##Upper##_delete_attr(F_HANDLE(type, *handle), *key);                                   \
+        *ierr = MPI_##Upper##_delete_attr(F_HANDLE(type, *handle), *key);                                    \
     }
 #endif

@@ -160,8 +160,8 @@ FORTRAN(type_create_subarray, (f_int * dims, f_int *sizes, f_int *subsizes, f_in
 FORTRAN(type_create_darray, (f_int * ranks, f_int *rank, f_int *dims, f_int *sizes, f_int *kinds,
                              f_int *blocks, f_int *grid, f_int *order, f_int *old, f_int *type, f_int *ierr))
 {
-    NEW_TYPE(PMPI_Type_create_darray(*ranks, *rank, *dims, sizes, kinds, blocks, grid, *order, F_TYPE(old),
-                                     &made));
+    NEW_TYPE(
+        MPI_Type_create_darray(*ranks, *rank, *dims, sizes, kinds, blocks, grid, *order, F_TYPE(old), &made));
 }
 
 FORTRAN(type_create_resized, (f_int * old, MPI_Aint *lb, MPI_Aint *extent, f_int *type, f_int *ierr))
@@ -233,20 +233,7 @@ MPI_Aint mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
     return *a - *b;
 }
 
-FORTRAN(type_set_name, (f_int * type, const char *name, f_int *ierr, size_t length))
-{
-    char *text = f_text(name, length);
-    *ierr = PMPI_Type_set_name(F_TYPE(type), text);
-    free(text);
-}
-
-FORTRAN(type_get_name, (f_int * type, char *name, f_int *length, f_int *ierr, size_t room))
-{
-    char text[MPI_MAX_OBJECT_NAME];
-    *ierr = PMPI_Type_get_name(F_TYPE(type), text, length);
-    if (!*ierr)
-        f_give_text(name, room, text);
-}
+NAMES(type, Type, F_TYPE)
 
 FORTRAN(pack, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *position, f_int *comm,
                f_int *ierr))
@@ -404,20 +391,7 @@ FORTRAN(intercomm_merge, (f_int * comm, f_int *high, f_int *to, f_int *ierr))
     NEW_COMM(MPI_Intercomm_merge(F_COMM(comm), *high, &made));
 }
 
-FORTRAN(comm_set_name, (f_int * comm, const char *name, f_int *ierr, size_t length))
-{
-    char *text = f_text(name, length);
-    *ierr = MPI_Comm_set_name(F_COMM(comm), text);
-    free(text);
-}
-
-FORTRAN(comm_get_name, (f_int * comm, char *name, f_int *length, f_int *ierr, size_t room))
-{
-    char text[MPI_MAX_OBJECT_NAME];
-    *ierr = MPI_Comm_get_name(F_COMM(comm), text, length);
-    if (!*ierr)
-        f_give_text(name, room, text);
-}
+NAMES(comm, Comm, F_COMM)
 
 /* --- topologies --- */
 
@@ -612,7 +586,7 @@ HANDLERS(comm_create_errhandler, comm_set_errhandler, comm_get_errhandler)
 
 FORTRAN(comm_call_errhandler, (f_int * comm, f_int *code, f_int *ierr))
 {
-    *ierr = PMPI_Comm_call_errhandler(F_COMM(comm), *code);
+    *ierr = MPI_Comm_call_errhandler(F_COMM(comm), *code);
 }
 
 FORTRAN(errhandler_free, (f_int * handler, f_int *ierr))
@@ -634,17 +608,17 @@ FORTRAN(error_class, (f_int * code, f_int *kind, f_int *ierr))
 
 FORTRAN(add_error_class, (f_int * kind, f_int *ierr))
 {
-    *ierr = PMPI_Add_error_class(kind);
+    *ierr = MPI_Add_error_class(kind);
 }
 
 FORTRAN(add_error_code, (f_int * kind, f_int *code, f_int *ierr))
 {
-    *ierr = PMPI_Add_error_code(*kind, code);
+    *ierr = MPI_Add_error_code(*kind, code);
 }
 
 FORTRAN(add_error_string, (f_int * code, const char *text, f_int *ierr, size_t length))
 {
     char *whole = f_text(text, length);
-    *ierr = PMPI_Add_error_string(*code, whole);
+    *ierr = MPI_Add_error_string(*code, whole);
     free(whole);
 }

@@ -9,49 +9,49 @@
 FORTRAN(win_create,
         (void *base, MPI_Aint *size, f_int *unit, f_int *info, f_int *comm, f_int *win, f_int *ierr))
 {
-    WITH(MPI_Win, win, PMPI_Win_create(base, *size, *unit, F_INFO(info), F_COMM(comm), &handle));
+    WITH(MPI_Win, win, MPI_Win_create(base, *size, *unit, F_INFO(info), F_COMM(comm), &handle));
 }
 
 /* base: an INTEGER of MPI_ADDRESS_KIND, or a C_PTR, which is as long. */
 FORTRAN(win_allocate,
         (MPI_Aint * size, f_int *unit, f_int *info, f_int *comm, void *base, f_int *win, f_int *ierr))
 {
-    WITH(MPI_Win, win, PMPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
+    WITH(MPI_Win, win, MPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
 }
 
 /* Its places are Fortran's addresses, which are counted from MPI_BOTTOM. */
 FORTRAN(win_create_dynamic, (f_int * info, f_int *comm, f_int *win, f_int *ierr))
 {
-    WITH(MPI_Win, win, PMPI_Win_create_dynamic(F_INFO(info), F_COMM(comm), &handle));
+    WITH(MPI_Win, win, MPI_Win_create_dynamic(F_INFO(info), F_COMM(comm), &handle));
     if (!*ierr)
         win_of(F_WIN(win))->base = (char *)&mpi_fortran_bottom_;
 }
 
 FORTRAN(win_attach, (f_int * win, void *base, MPI_Aint *size, f_int *ierr))
 {
-    *ierr = PMPI_Win_attach(F_WIN(win), base, *size);
+    *ierr = MPI_Win_attach(F_WIN(win), base, *size);
 }
 
 FORTRAN(win_detach, (f_int * win, void *base, f_int *ierr))
 {
-    *ierr = PMPI_Win_detach(F_WIN(win), base);
+    *ierr = MPI_Win_detach(F_WIN(win), base);
 }
 
 FORTRAN(win_free, (f_int * win, f_int *ierr))
 {
-    WITH(MPI_Win, win, PMPI_Win_free(&handle));
+    WITH(MPI_Win, win, MPI_Win_free(&handle));
 }
 
 FORTRAN(win_get_group, (f_int * win, f_int *group, f_int *ierr))
 {
-    WITH(MPI_Group, group, PMPI_Win_get_group(F_WIN(win), &handle));
+    WITH(MPI_Group, group, MPI_Win_get_group(F_WIN(win), &handle));
 }
 
 /* The base is an address; the others are numbers. */
 FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = PMPI_Win_get_attr(F_WIN(win), *key, &found, flag);
+    *ierr = MPI_Win_get_attr(F_WIN(win), *key, &found, flag);
     if (*ierr || !*flag)
         return;
     *value = *key == MPI_WIN_SIZE                           ? *(MPI_Aint *)found
@@ -61,87 +61,74 @@ FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_
 
 FORTRAN(win_set_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *ierr))
 {
-    *ierr = PMPI_Win_set_attr(F_WIN(win), *key, (void *)*value);
+    *ierr = MPI_Win_set_attr(F_WIN(win), *key, (void *)*value);
 }
 
 KEYS(win, Win, MPI_Win)
 
-FORTRAN(win_set_name, (f_int * win, const char *name, f_int *ierr, size_t length))
-{
-    char *text = f_text(name, length);
-    *ierr = PMPI_Win_set_name(F_WIN(win), text);
-    free(text);
-}
-
-FORTRAN(win_get_name, (f_int * win, char *name, f_int *length, f_int *ierr, size_t room))
-{
-    char text[MPI_MAX_OBJECT_NAME];
-    *ierr = PMPI_Win_get_name(F_WIN(win), text, length);
-    if (!*ierr)
-        f_give_text(name, room, text);
-}
+NAMES(win, Win, F_WIN)
 
 FORTRAN(win_create_errhandler, (MPI_Win_errhandler_function * function, f_int *handler, f_int *ierr))
 {
-    WITH(MPI_Errhandler, handler, PMPI_Win_create_errhandler(function, &handle));
+    WITH(MPI_Errhandler, handler, MPI_Win_create_errhandler(function, &handle));
 }
 
 FORTRAN(win_set_errhandler, (f_int * win, f_int *handler, f_int *ierr))
 {
-    *ierr = PMPI_Win_set_errhandler(F_WIN(win), F_HANDLE(MPI_Errhandler, *handler));
+    *ierr = MPI_Win_set_errhandler(F_WIN(win), F_HANDLE(MPI_Errhandler, *handler));
 }
 
 FORTRAN(win_get_errhandler, (f_int * win, f_int *handler, f_int *ierr))
 {
-    WITH(MPI_Errhandler, handler, PMPI_Win_get_errhandler(F_WIN(win), &handle));
+    WITH(MPI_Errhandler, handler, MPI_Win_get_errhandler(F_WIN(win), &handle));
 }
 
 FORTRAN(win_call_errhandler, (f_int * win, f_int *code, f_int *ierr))
 {
-    *ierr = PMPI_Win_call_errhandler(F_WIN(win), *code);
+    *ierr = MPI_Win_call_errhandler(F_WIN(win), *code);
 }
 
 /* --- epochs --- */
 
 FORTRAN(win_fence, (f_int * assert, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Win_fence(*assert, F_WIN(win));
+    *ierr = MPI_Win_fence(*assert, F_WIN(win));
 }
 
 FORTRAN(win_start, (f_int * group, f_int *assert, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Win_start(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
+    *ierr = MPI_Win_start(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
 }
 
 FORTRAN(win_post, (f_int * group, f_int *assert, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Win_post(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
+    *ierr = MPI_Win_post(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
 }
 
 FORTRAN(win_test, (f_int * win, f_int *flag, f_int *ierr))
 {
-    *ierr = PMPI_Win_test(F_WIN(win), flag);
+    *ierr = MPI_Win_test(F_WIN(win), flag);
 }
 
 FORTRAN(win_lock, (f_int * kind, f_int *rank, f_int *assert, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Win_lock(*kind, *rank, *assert, F_WIN(win));
+    *ierr = MPI_Win_lock(*kind, *rank, *assert, F_WIN(win));
 }
 
 FORTRAN(win_lock_all, (f_int * assert, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Win_lock_all(*assert, F_WIN(win));
+    *ierr = MPI_Win_lock_all(*assert, F_WIN(win));
 }
 
 #define OF_WIN(name, c_name)                                                                                 \
     FORTRAN(name, (f_int * win, f_int * ierr))                                                               \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(F_WIN(win));                                                                   \
+        *ierr = MPI_##c_name(F_WIN(win));                                                                    \
     }
 #define OF_RANK(name, c_name)                                                                                \
     FORTRAN(name, (f_int * rank, f_int * win, f_int * ierr))                                                 \
     {                                                                                                        \
-        *ierr = PMPI_##c_name(*rank, F_WIN(win));                                                            \
+        *ierr = MPI_##c_name(*rank, F_WIN(win));                                                             \
     }
 OF_WIN(win_complete, Win_complete)
 OF_WIN(win_wait, Win_wait)
@@ -161,34 +148,34 @@ OF_RANK(win_flush_local, Win_flush_local)
 
 FORTRAN(put, (void *buf, f_int *count, f_int *type, THERE, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Put(buf, *count, F_TYPE(type), GIVE_THERE, F_WIN(win));
+    *ierr = MPI_Put(buf, *count, F_TYPE(type), GIVE_THERE, F_WIN(win));
 }
 
 FORTRAN(get, (void *into, f_int *room, f_int *as, THERE, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Get(into, *room, F_TYPE(as), GIVE_THERE, F_WIN(win));
+    *ierr = MPI_Get(into, *room, F_TYPE(as), GIVE_THERE, F_WIN(win));
 }
 
 FORTRAN(accumulate, (void *buf, f_int *count, f_int *type, THERE, f_int *op, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Accumulate(buf, *count, F_TYPE(type), GIVE_THERE, F_OP(op), F_WIN(win));
+    *ierr = MPI_Accumulate(buf, *count, F_TYPE(type), GIVE_THERE, F_OP(op), F_WIN(win));
 }
 
 FORTRAN(get_accumulate, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *as, THERE,
                          f_int *op, f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Get_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
-                                F_WIN(win));
+    *ierr = MPI_Get_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
+                               F_WIN(win));
 }
 
 FORTRAN(fetch_and_op, (void *buf, void *into, f_int *type, f_int *rank, MPI_Aint *place, f_int *op,
                        f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Fetch_and_op(buf, into, F_TYPE(type), *rank, *place, F_OP(op), F_WIN(win));
+    *ierr = MPI_Fetch_and_op(buf, into, F_TYPE(type), *rank, *place, F_OP(op), F_WIN(win));
 }
 
 FORTRAN(compare_and_swap, (void *buf, void *compare, void *into, f_int *type, f_int *rank, MPI_Aint *place,
                            f_int *win, f_int *ierr))
 {
-    *ierr = PMPI_Compare_and_swap(buf, compare, into, F_TYPE(type), *rank, *place, F_WIN(win));
+    *ierr = MPI_Compare_and_swap(buf, compare, into, F_TYPE(type), *rank, *place, F_WIN(win));
 }

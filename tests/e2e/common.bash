@@ -67,6 +67,17 @@ run_results() { # ARGS...
     echo "status $status" && cat out && sed '/^wall time/d' err && { [ ! -e f.json ] || grep -v wall_time f.json; }
 }
 
+# A run with these arguments gives the same in both engines, and with 1, 2 and 4 workers.
+equal_results() { # NAME ARGS...
+    local name=$1 workers
+    shift
+    run_results --engine reference "$@" >reference
+    for workers in 1 2 4; do
+        run_results -w $workers "$@" >fast
+        check "$name: as the reference engine, $workers workers" cmp fast reference
+    done
+}
+
 # Arguments of the first of the runs that a program of tests/nx names; "all" stands for many (nx.sh).
 first_run() { # SOURCE
     sed -n 's/^ \* run: //p' "$1" | head -1 | sed 's/^all$/-m delta -n 8/'

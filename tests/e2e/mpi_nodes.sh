@@ -10,26 +10,17 @@ check "mpicc compiles" bin/mpicc -O2 -g -Wall -o mpi_nodes "$tests/mpi_nodes.c"
 check "nxcc -lmpi is the same" "$BUILD/nxcc" -O2 -g -Wall -o again "$tests/mpi_nodes.c" -lmpi
 check "and gives the same program" cmp mpi_nodes again
 
-equal() { # NAME ARGS...: both engines, with 1, 2 and 4 workers, and delayed
-    local name=$1
-    shift
-    run_results --engine reference "$@" >reference
-    for workers in 1 2 4; do
-        run_results -w $workers "$@" >fast
-        check "$name: as the reference engine, $workers workers" cmp fast reference
-    done
-}
 for n in 4 9 16; do
     run -q -m delta -n $n mpi_nodes
     check "on $n nodes of the delta all holds" test "$status:$(grep -c ': yes$' out):$(grep -c NO out)" = 0:8:0
-    equal "$n nodes of the delta" -m delta -n $n mpi_nodes
+    equal_results "$n nodes of the delta" -m delta -n $n mpi_nodes
 done
-equal "12 nodes of the paragon" -m paragon -n 12 mpi_nodes
-equal "no send is eager" -m delta -n 8 --set mpi_eager_limit=0 mpi_nodes
+equal_results "12 nodes of the paragon" -m paragon -n 12 mpi_nodes
+equal_results "no send is eager" -m delta -n 8 --set mpi_eager_limit=0 mpi_nodes
 check "mpif90 compiles" bin/mpif90 -O2 -o ring "$tests/mpi_nodes.f90"
 run -q -n 6 ring
 check "Fortran's calls" grep -qx '  4  4  9  15.0  2  1' out
-equal "Fortran" -n 6 ring
+equal_results "Fortran" -n 6 ring
 
 run -q -n 4 mpi_nodes rank
 check "a rank that is none ends the run with the call and the ranks" said 'MPI_Send: there is no rank 4 in the communicator \(ranks are 0 to 3\)'
