@@ -339,16 +339,15 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
 }
 
 /* Stores the counter before a call and loads it again behind the call. Returns the last statement that
- * belongs to the call. A call marked as a tail call may stay one: if GCC makes it a jump, GCC drops the load,
- * and the callee leaves the counter in memory, where this function's caller loads it. */
+ * belongs to the call. A call at the function's end stays a call, as compilers of 1990 had it: its caller keeps
+ * the frame that reports name. */
 gimple *counting::hand_over(gcall *call)
 {
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gimple_seq seq = NULL;
-    if (profile) {
-        gimple_call_set_tail(call, false); /* its path is left after it */
+    gimple_call_set_tail(call, false);
+    if (profile)
         profile->before_call(&seq);
-    }
     if (left)
         store(&seq, left);
     gsi_insert_seq_before(&gsi, seq, GSI_SAME_STMT);

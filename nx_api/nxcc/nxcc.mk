@@ -97,10 +97,8 @@ $(STAND_INS): | $(NODE)/libnode.so
 # (Programs that define optarg, and getopt with it, keep both: names of nx_api/libc are weak.)
 # Node code of our own is counted like the user's: the global operations, the C library's functions that keep state where
 # programs see it, and NX's faces to Fortran. It does not tell by which costs, as the user's files do (costs_mark.h).
-# GCC inlines in it what it likes, whatever the processor's compilers do (`inlines` of a cpu file): host time is saved. A function that the
-# program calls keeps its frame, so that reports and traces name it.
-NODE_CODE_FLAGS := -finline-small-functions -finline-functions -finline-functions-called-once -fpartial-inlining -fipa-sra -fipa-cp \
-    -fno-optimize-sibling-calls
+# GCC inlines in it what it likes, whatever the processor's compilers do (`inlines` of a cpu file): host time is saved.
+NODE_CODE_FLAGS := -finline-small-functions -finline-functions -finline-functions-called-once -fpartial-inlining -fipa-sra -fipa-cp
 COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NODE_TOOLS)

@@ -221,7 +221,6 @@ void telling::list_given(gcall *call)
 
 void telling::tell_call(gcall *call, told_list &told)
 {
-    gimple_call_set_tail(call, false); /* else the stack of a report would lack the caller */
     list_given(call);
     for (const race_argument &a : race_library_arguments(call))
         tell_argument(call, a);
