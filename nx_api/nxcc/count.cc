@@ -339,8 +339,8 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
 }
 
 /* Stores the counter before a call and loads it again behind the call. Returns the last statement that
- * belongs to the call. A call at the function's end stays a call, as compilers of 1990 had it: its caller keeps
- * the frame that reports name. */
+ * belongs to the call. A call at the function's end stays a call, as compilers of 1990 had it: its caller
+ * keeps the frame that reports name. */
 gimple *counting::hand_over(gcall *call)
 {
     gimple_stmt_iterator gsi = gsi_for_stmt(call);

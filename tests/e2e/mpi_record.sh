@@ -26,7 +26,7 @@ check "each handler that ran has its line" [ "$(counts handler 0)" = 30 ]
 
 # --- runs that do not end well ---
 "$BUILD/nxcc" -O2 -g -Wall -o hapless "$tests/mpi/hapless.c" 2>compile.err
-"$BUILD/nxcc" --mpi -O2 -fno-inline-functions-called-once -fno-optimize-sibling-calls -g -Wall -o hapless-mpi "$tests/mpi/hapless.c" 2>compile.err
+"$BUILD/nxcc" --mpi -O2 -fno-inline-functions-called-once -fno-inline-small-functions -fno-optimize-sibling-calls -g -Wall -o hapless-mpi "$tests/mpi/hapless.c" 2>compile.err
 NX_DEADLOCK=0.2 NX_RECORD=order on_mpi 3 ./hapless-mpi waits
 sed -n '/deadlock/,/^---/{/^ /p}' err | sed -E 's/ (since|at) [0-9.]+ [mun]?s( to [0-9.]+ [mun]?s)?//g' >real
 run -q -n 3 --replay order hapless waits

@@ -172,7 +172,7 @@ character(len=30) function f_greeting(name, n)
   implicit none
   character(len=*) :: name
   integer :: n
-  f_greeting = repeat('<', mod(n, 4)) // trim(adjustl(name)) // char(65 + mod(n, 26))
+  f_greeting = repeat('<', mod(n, 4)) // trim(adjustl(name)) // char(97 + mod(n, 26))
 end function
 
 subroutine f_characters(kind, n)

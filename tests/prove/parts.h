@@ -43,15 +43,16 @@ enum { LOOKS = 0 };
 enum { LOOKS = 1 };
 #endif
 
-/* Programs, libraries and stacks of the computer lie from 0x50... to 0x7f... No branch depends on
- * a word, so that time does not. */
+/* Programs, libraries and stacks of the computer lie at 0x55... and 0x56..., 0x7e... and 0x7f... (Linux's
+ * bases, randomised); texts that the operations make have no such sixth letter. No branch depends on a word,
+ * so that time does not. */
 __attribute__((noinline)) static void count_addresses(void)
 {
     const volatile unsigned long *sp = __builtin_frame_address(0);
     long count = 0;
     __asm__("" : "+r"(sp));
     for (long i = LEFT_OUT; i < LEFT_OUT + LOOKS * AFTER_CALLS; i++)
-        count += (sp[-i] >> 40) - 0x50 < 0x30;
+        count += ((sp[-i] >> 40) - 0x55 < 2) | ((sp[-i] >> 40) - 0x7e < 2);
     note(count);
 }
 
