@@ -2,6 +2,7 @@
 # old_programs.sh - what doc/old-programs.md shows: the path from an archive to a run, its example, and the messages about
 # failures.
 . "$(dirname "$0")/common.bash"
+unset MAKEFLAGS MFLAGS # make CC=... test is not meant for the makefiles of old programs
 page=$tests/../../doc/old-programs.md
 
 # --- the archive ---

@@ -2,6 +2,7 @@
 # readme.sh - the README's first examples print what the README shows. (When it hangs: when_it_hangs.sh; runs of the model on
 # 128 nodes: .ci/run.)
 . "$(dirname "$0")/common.bash"
+unset MAKEFLAGS MFLAGS # make CC=... test is not meant for the makefiles of old programs
 root=$(cd "$tests/../.." && pwd)
 
 example "$root/README.md" sum.c
