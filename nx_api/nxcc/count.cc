@@ -329,7 +329,6 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
     }
     if (gimple_call_lhs(call) && !is_gimple_reg(gimple_call_lhs(call)))
         return behind;
-    gimple_call_set_tail(call, false); /* there is something left to do after it */
     gimple_seq seq = NULL;
     charge_call(&seq, call, arg_cost_append(&seq, call, per, *price));
     gimple *last = gimple_seq_last_stmt(seq);
@@ -339,13 +338,11 @@ gimple *counting::charge_result(gcall *call, gimple *behind)
 }
 
 /* Stores the counter before a call and loads it again behind the call. Returns the last statement that
- * belongs to the call. A call at the function's end stays a call, as compilers of 1990 had it: its caller
- * keeps the frame that reports name. */
+ * belongs to the call. */
 gimple *counting::hand_over(gcall *call)
 {
     gimple_stmt_iterator gsi = gsi_for_stmt(call);
     gimple_seq seq = NULL;
-    gimple_call_set_tail(call, false);
     if (profile)
         profile->before_call(&seq);
     if (left)
@@ -432,6 +429,9 @@ void counting::count_block(basic_block bb)
         gcall *call = dyn_cast<gcall *>(stmt);
         if (!call)
             continue;
+        /* Code of our own may follow it. And a call at the function's end stays a call, as compilers of 1990
+         * had it: its caller keeps the frame that reports name. */
+        gimple_call_set_tail(call, false);
         charge_arguments(call);
         gimple *last = call;
         if (is_counted_call(call))
@@ -447,8 +447,6 @@ void counting::count_block(basic_block bb)
             charge_segment(bb, behind, now);
             now = segment();
             behind = last = hand_over(call);
-        } else {
-            gimple_call_set_tail(call, false); /* the store at the function's end must come after it */
         }
         if (!stmt_ends_bb_p(call))
             last = charge_result(call, last);

@@ -195,8 +195,6 @@ void telling::tell_argument(gcall *call, const race_argument &a)
     if (!bytes || integer_zerop(bytes))
         return;
     pointer = force_gimple_operand_gsi(&gsi, unshare_expr(pointer), true, NULL_TREE, true, GSI_SAME_STMT);
-    if (after)
-        gimple_call_set_tail(call, false);
     tree given = gimple_call_arg(call, a.pointer);
     std::string name = a.extent == RACE_ARRAY ? race_name_of_array(call, given) : race_name_behind(given);
     size_t site = race_site(call, name, 0, flags_of(call, a.write));
