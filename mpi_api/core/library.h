@@ -93,8 +93,8 @@ struct request {
     MPI_Grequest_free_function *release;
     union {
         MPI_Grequest_cancel_function *cancel;
-        /* Of a movement of a file under way: ends it, and sets this to NULL; or finds that it goes on, unless
-         * it `waits`. */
+        /* A movement of a file under way has this: the function ends the movement, and sets this to NULL; or
+         * finds that it goes on, unless it `waits`. */
         void (*end)(struct request *r, bool waits);
     };
     void *extra;

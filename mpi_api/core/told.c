@@ -23,7 +23,7 @@ static const struct declared {
 #undef TEXT
 };
 
-/* The same in order of their names. */
+/* Pointers to the elements of `declared`, in order of their names. */
 static const struct declared *sorted[sizeof declared / sizeof *declared];
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 

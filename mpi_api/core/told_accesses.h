@@ -19,7 +19,7 @@ struct told_access {
 typedef void told_access_fn(void *ctx, const struct told_access *a);
 /* Tells of each stretch; of datatypes of many pieces, of the first 1,000. */
 void told_accesses(const struct nxm_library *l, const struct nxm_told *c, told_access_fn *f, void *ctx);
-/* The same of a send or receive that is under way. */
+/* Tells of each stretch of a send or receive that is under way. */
 void told_request_accesses(const struct nxm_library *l, const struct request *r, told_access_fn *f,
                            void *ctx);
 #endif

@@ -19,7 +19,7 @@ FORTRAN(win_allocate,
     WITH(MPI_Win, win, MPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
 }
 
-/* Its places are Fortran's addresses, which are counted from MPI_BOTTOM. */
+/* Places in a dynamic window are Fortran's addresses, which are counted from MPI_BOTTOM. */
 FORTRAN(win_create_dynamic, (f_int * info, f_int *comm, f_int *win, f_int *ierr))
 {
     WITH(MPI_Win, win, MPI_Win_create_dynamic(F_INFO(info), F_COMM(comm), &handle));

@@ -105,8 +105,7 @@ static void file_free(struct file *f)
     if (f->fd >= 0)
         close(f->fd);
     view_leave(f);
-    if (f->info != MPI_INFO_NULL)
-        PMPI_Info_free(&f->info);
+    info_keep(&f->info, MPI_INFO_NULL);
     comm_leave(f->comm);
     PMPI_Errhandler_free(&f->handler);
     object_leave(&f->object);
@@ -237,10 +236,7 @@ CALL(File_set_info, (MPI_File file, MPI_Info info))
     struct file *f = file_of(file);
     if (!f)
         return fail_no_file(CALL_Other);
-    if (f->info != MPI_INFO_NULL)
-        PMPI_Info_free(&f->info);
-    f->info = MPI_INFO_NULL;
-    return info == MPI_INFO_NULL ? MPI_SUCCESS : PMPI_Info_dup(info, &f->info);
+    return info_keep(&f->info, info);
 }
 
 CALL(File_get_info, (MPI_File file, MPI_Info *info))
@@ -248,7 +244,7 @@ CALL(File_get_info, (MPI_File file, MPI_Info *info))
     const struct file *f = file_of(file);
     if (!f)
         return fail_no_file(CALL_Other);
-    return f->info == MPI_INFO_NULL ? PMPI_Info_create(info) : PMPI_Info_dup(f->info, info);
+    return info_give(f->info, info);
 }
 
 CALL(File_set_atomicity, (MPI_File file, int flag))

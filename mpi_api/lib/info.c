@@ -172,3 +172,15 @@ CALL(Info_free, (MPI_Info * info))
     *info = MPI_INFO_NULL;
     return MPI_SUCCESS;
 }
+
+int info_keep(MPI_Info *own, MPI_Info info)
+{
+    if (*own != MPI_INFO_NULL)
+        PMPI_Info_free(own);
+    return info == MPI_INFO_NULL ? MPI_SUCCESS : PMPI_Info_dup(info, own);
+}
+
+int info_give(MPI_Info own, MPI_Info *info)
+{
+    return own == MPI_INFO_NULL ? PMPI_Info_create(info) : PMPI_Info_dup(own, info);
+}

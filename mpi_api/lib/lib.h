@@ -90,6 +90,10 @@ int handler_call(MPI_Errhandler handler, void *handle, int code);
 
 int attribute_key(void *copy, void *drop, int *key, void *extra); /* a new one */
 int attribute_key_free(const char *call, int *key);
+/* The hints of a file or window become a copy of info, or none (MPI_INFO_NULL); the program gets a copy of
+ * them. */
+int info_keep(MPI_Info *own, MPI_Info info);
+int info_give(MPI_Info own, MPI_Info *info);
 int attribute_set(const char *call, void *handle, struct attribute **list, int key, void *value);
 int attribute_get(const char *call, struct attribute **list, int key, void *value, int *flag);
 int attribute_delete(const char *call, void *handle, struct attribute **list, int key);

@@ -144,7 +144,8 @@ static struct win_head head_of(const struct access *a)
 
 /* --- sending --- */
 
-/* What is fetched will be put there. Answers of a target come in the order in which it was asked. */
+/* The answer, what is fetched, will be put `into`. Answers of a target come in the order in which it was
+ * asked. */
 static void await_answer(struct win *w, const struct access *a, char *into, size_t bytes)
 {
     const struct nxm_envelope e = envelope(w, a->call, FETCHED, win_node(w, a->rank));

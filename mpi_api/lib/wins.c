@@ -150,8 +150,7 @@ CALL(Win_free, (MPI_Win * win))
         return fail_win(w, CALL_Win_free, code, "an attribute's delete function says no");
     coll_barrier(&o);
     passive_end(w);
-    if (w->info != MPI_INFO_NULL)
-        PMPI_Info_free(&w->info);
+    info_keep(&w->info, MPI_INFO_NULL);
     if (w->allocated)
         free(w->base);
     comm_leave(w->comm);
@@ -197,10 +196,7 @@ CALL(Win_set_info, (MPI_Win win, MPI_Info info))
     struct win *w = win_of(win);
     if (!w)
         return fail_no_win(CALL_Other);
-    if (w->info != MPI_INFO_NULL)
-        PMPI_Info_free(&w->info);
-    w->info = MPI_INFO_NULL;
-    return info == MPI_INFO_NULL ? MPI_SUCCESS : PMPI_Info_dup(info, &w->info);
+    return info_keep(&w->info, info);
 }
 
 CALL(Win_get_info, (MPI_Win win, MPI_Info *info))
@@ -208,7 +204,7 @@ CALL(Win_get_info, (MPI_Win win, MPI_Info *info))
     const struct win *w = win_of(win);
     if (!w)
         return fail_no_win(CALL_Other);
-    return w->info == MPI_INFO_NULL ? PMPI_Info_create(info) : PMPI_Info_dup(w->info, info);
+    return info_give(w->info, info);
 }
 
 /* --- attributes --- */

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "mpi_all.h"
 
-static int rank, size;
 static const char *folder;
 
 static const char *path(const char *name)
@@ -14,15 +14,6 @@ static const char *path(const char *name)
     static char text[200];
     snprintf(text, sizeof text, "%s/%s", folder, name);
     return text;
-}
-
-/* Whether it holds on all ranks. */
-static void all(const char *what, int holds)
-{
-    int everywhere;
-    MPI_Allreduce(&holds, &everywhere, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
-    if (rank == 0)
-        printf("%s: %s\n", what, everywhere ? "yes" : "NO");
 }
 
 static MPI_File open_file(const char *name, int amode)

@@ -3,17 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int rank, size;
-
-/* Whether it holds on all ranks. */
-static void all(const char *what, int holds)
-{
-    int everywhere;
-    MPI_Allreduce(&holds, &everywhere, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
-    if (rank == 0)
-        printf("%s: %s\n", what, everywhere ? "yes" : "NO");
-}
+#include "mpi_all.h"
 
 /* A long message, and then a short one of another tag: they come in the order sent, whichever is complete
  * first. */

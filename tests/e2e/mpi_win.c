@@ -3,17 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int rank, size;
-
-/* Whether it holds on all ranks. */
-static void all(const char *what, int holds)
-{
-    int everywhere;
-    MPI_Allreduce(&holds, &everywhere, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
-    if (rank == 0)
-        printf("%s: %s\n", what, everywhere ? "yes" : "NO");
-}
+#include "mpi_all.h"
 
 /* Each rank puts into the next, gets from the one before, and adds to rank 0. */
 static void fence(void)

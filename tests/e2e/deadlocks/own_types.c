@@ -1,5 +1,5 @@
-/* own_types.c - of many nodes, each second one waits for a message of a type of its own, which nobody sends; the others
- * wait for these. */
+/* own_types.c - of many nodes, each second one waits for a message of a type of its own, which nobody sends; the
+ * others wait for these. */
 #include "nx.h"
 
 int main(void)

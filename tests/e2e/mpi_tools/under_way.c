@@ -1,4 +1,5 @@
-/* under_way.c - buffers that are touched while MPI's calls have them: one of each kind. With an argument, none. */
+/* under_way.c - buffers that are touched while MPI's calls have them: one of each kind. With an argument,
+ * none. */
 #include <mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
