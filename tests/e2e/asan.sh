@@ -8,7 +8,7 @@ pairs=0
 
 compiled() { # PROGRAM SOURCE OPTIONS...
     local compiler=nxcc program=$1
-    [ "${2##*.}" = f ] && compiler=nxf77
+    [ "${2##*.}" = F ] && compiler=nxf77
     shift
     "$BUILD/$compiler" -g -w -o "$program" "$@"
 }
@@ -31,20 +31,18 @@ results() { # ARGS...
     run_results "$@" | grep -v '^memory\|"memory_peak'
 }
 
-for fault in "$seeds"/*_fault.*; do
-    name=$(basename "$fault")
+for pair in $(grep -l CORRECT "$seeds"/*.[cF]); do
+    name=$(basename "$pair")
     for level in -O0 -O2; do
-        compiled seed "$fault" --asan $level
+        compiled seed "$pair" --asan $level
         # shellcheck disable=SC2046
-        run --max-wall-time "$patience" $(arguments_of "$fault") seed
-        check "$name $level: the fault is reported" reported "$fault"
+        run --max-wall-time "$patience" $(arguments_of "$pair") seed
+        check "$name $level: the fault is reported" reported "$pair"
         check "$name $level: status 1" ended_with 1
     done
-    correct=${fault/_fault./_correct.}
-    name=$(basename "$correct")
-    compiled seed "$correct" -O2 && results $(arguments_of "$correct") seed >plain
-    compiled seed "$correct" -O2 --asan && results $(arguments_of "$correct") seed >checked
-    check "$name: ends well, with the same times and output as without --asan" \
+    compiled seed "$pair" -DCORRECT -O2 && results $(arguments_of "$pair") seed >plain
+    compiled seed "$pair" -DCORRECT -O2 --asan && results $(arguments_of "$pair") seed >checked
+    check "$name -DCORRECT: ends well, with the same times and output as without --asan" \
         eval 'grep -qx "status 0" checked && [ -s out ] && diff plain checked'
     pairs=$((pairs + 1))
 done

@@ -6,14 +6,14 @@
 seeds=$tests/../races
 pairs=0
 
-compiled() { # SOURCE PROGRAM
+compiled() { # SOURCE OPTIONS...
     local compiler=nxcc
-    [ "${1##*.}" = f ] && compiler=nxf77
-    "$BUILD/$compiler" --races -O2 -g -o "$2" "$1"
+    [ "${1##*.}" = F ] && compiler=nxf77
+    "$BUILD/$compiler" --races -O2 -g -o seed "$@"
 }
 
-run_seed() { # SOURCE
-    check "$(basename "$1"): compiles" compiled "$1" seed
+run_seed() { # SOURCE OPTIONS...
+    check "$(basename "$1") ${*:2}: compiles" compiled "$@"
     run -m delta -n "$(sed -n 's/.*run: -n \([0-9]*\).*/\1/p' "$1" | grep . || echo 2)" seed
 }
 
@@ -30,16 +30,16 @@ reported() { # SOURCE
         grep -E "^race on [^:]*\<($variable)\>[^:]*: .*$file:($first\>.*$file:$last|$last\>.*$file:$first)\>"
 }
 
-for fault in "$seeds"/*_fault.*; do
-    correct=${fault/_fault./_correct.}
-    run_seed "$fault"
+for pair in $(grep -l CORRECT "$seeds"/*.[cF]); do
+    name=$(basename "$pair")
+    run_seed "$pair"
     mv out fault.out
-    check "$(basename "$fault"): the fault is reported" reported "$fault"
-    check "$(basename "$fault"): status 3" ended_with 3
-    run_seed "$correct"
-    check "$(basename "$correct"): is checked, and nothing is reported" eval "grep -qx 'races  *0 found' err && ! said '^race on'"
-    check "$(basename "$correct"): status 0" ended_with 0
-    check "$(basename "$fault"): prints what $(basename "$correct") does" eval "[ -s out ] && diff fault.out out"
+    check "$name: the fault is reported" reported "$pair"
+    check "$name: status 3" ended_with 3
+    run_seed "$pair" -DCORRECT
+    check "$name -DCORRECT: is checked, and nothing is reported" eval "grep -qx 'races  *0 found' err && ! said '^race on'"
+    check "$name -DCORRECT: status 0" ended_with 0
+    check "$name: prints the same with -DCORRECT" eval "[ -s out ] && diff fault.out out"
     pairs=$((pairs + 1))
 done
 check "at least thirty pairs" test "$pairs" -ge 30

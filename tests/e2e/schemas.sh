@@ -119,7 +119,7 @@ fi
 run -q -n 4 --races races.json --json race-run.json race
 valid races races.json . races.0 races.0.accesses.0 races.0.accesses.0.stack.0
 valid run race-run.json races.0
-"$BUILD/nxcc" --races -g -O2 -o sent "$tests/../races/hsend_buffer_fault.c"
+"$BUILD/nxcc" --races -g -O2 -o sent "$tests/../races/hsend_buffer.c"
 run -q -n 2 --races sent.json sent
 valid races sent.json
 "$BUILD/nxcc" -g -O2 -o message_race "$tests/../../share/examples/message_race.c"
