@@ -1,5 +1,5 @@
-/* image.h - the program image: the interface between a node program built by nxcc and the simulator that
- * loads it.
+/* program_image.h - the interface between a node program built by nxcc and the simulator that loads it: the
+ * program image.
  *
  * A node program is a position-independent executable (ELF ET_DYN, x86-64) whose undefined symbols are all
  * named in sim/guest/exports.def. It exports one object, nxc_image, through which the simulator finds the

@@ -1,3 +1,4 @@
+/* source_line.c - see source_line.h. */
 #include "guest/source_line.h"
 #include <dwarf.h>
 #include <elfutils/libdw.h>

@@ -1,3 +1,4 @@
+/* hostclock.c - see hostclock.h. */
 #include <time.h>
 #include "kernel/hostclock.h"
 

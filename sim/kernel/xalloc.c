@@ -1,3 +1,4 @@
+/* xalloc.c - see xalloc.h. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,22 +3,19 @@
 # elsewhere: a header (path) declares a function (symbol) that stands in a file of another name (used path).
 #
 # Whoever calls a function that stands in another folder uses the header that declares it, if doc/house.md says that this
-# header's functions stand there (its third column): so one folder can say what it needs, and others above it serve that.
-# An included file of that column counts as the header, too. A .def file lists functions that its macros declare: who includes
-# it uses that list, not the files of its third column.
+# header's functions stand there: so one folder can say what it needs, and others above it serve that. An included file that
+# doc/house.md names so counts as the header, too. A .def file lists functions that its macros declare: who includes it uses that
+# list, not the files in which the functions stand.
 BEGIN { FS = OFS = "\t" }
 FILENAME == "files" && $1 ~ /\.def$/ { lists[++listed] = $1 }
 FILENAME == "files" { folder[$1] = $2; unit[$1] = $3; folder_of[$3] = $2; next }
 FILENAME == "rows" {
-    if ($3 == "")
-        next
-    n = split($3, other, /, */)
+    n = split($2, other, /, */)
     for (i = 1; i <= n; i++) {
-        o = other[i] ~ /\// ? other[i] : $1 "/" other[i]
-        also[$1 "/" $2, o]
-        has_others[$1 "/" $2]
-        headers[o] = headers[o] " " $1 "/" $2
+        also[$1, other[i]]
+        headers[other[i]] = headers[other[i]] " " $1
     }
+    has_others[$1]
     next
 }
 FILENAME == "includes" {

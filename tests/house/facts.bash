@@ -3,13 +3,13 @@
 #   files      path, folder, unit          a unit is a file without its ending: x.c and x.h are the unit FOLDER/x
 #   layers     folder, row, may use        of doc/house.md, from the lowest up; "above": all rows above it
 #   stays      number, units               of doc/house.md: exceptions, files that may stay in a circle, or have one name
-#   rows       folder, name, other, line   of doc/house.md's tables of files; other: where functions of its header stand, too
+#   rows       unit, other, line           of doc/house.md: headers, and the other units where their functions stand, too
 #   includes   path, line, included path
 #   symbols    world, letter of nm, path, symbol      a world is what is linked together
 #   declared   path of the header, line, name         what is followed by "(" outside of all braces
 #
 # Fields are separated by tabs. doc/house.md (or $HOUSE_DOC) has the layers between <!-- layers --> and <!-- layers end -->, the
-# exceptions between <!-- stays --> and <!-- stays end -->, and a table for each folder below a heading "### FOLDER".
+# exceptions between <!-- stays --> and <!-- stays end -->, and the rows between <!-- elsewhere --> and <!-- elsewhere end -->.
 
 FACTS=$(mktemp -d)
 trap 'rm -rf "$FACTS"' EXIT
@@ -34,12 +34,9 @@ read_stays() {
 
 read_rows() {
     awk -F'|' "$CELLS"'
-        /^#/ { folder = $0; sub(/^#+ */, "", folder); gsub(/`/, "", folder); on = $0 ~ /^### / }
-        on && /^\| *`/ {
-            count = split(cell(2), name, /, */)
-            for (i = 1; i <= count; i++)
-                print folder "\t" name[i] "\t" cell(4) "\t" FNR
-        }' "$HOUSE_DOC"
+        /<!-- elsewhere end/ { on = 0 }
+        on && /^\| *`/ { print cell(2) "\t" cell(3) "\t" FNR }
+        /<!-- elsewhere -->/ { on = 1 }' "$HOUSE_DOC"
 }
 
 # A file belongs to the longest folder of the layers that its path begins with; else to the one that it is in.
