@@ -7,6 +7,15 @@ UNIT       += $(FUZZ_NAMES:%=$(FUZZ)/%)
 $(addprefix $(FUZZ)/,volume volume-fuzz): FUZZ_CFLAGS = -Iapp -Inx_api/include -Wno-conversion
 $(addprefix $(FUZZ)/,volume volume-fuzz): $(addprefix app/,volume.c grid.c slice.c)
 
+# The inputs to replay, 554 small files. tests/fuzz/keep adds some, and packs them again.
+FUZZ_CORPUS := tests/fuzz/corpus/unpacked
+$(FUZZ_CORPUS): tests/fuzz/corpus.tar.gz
+	rm -rf $(@D)
+	tar -xf $< -C tests/fuzz
+	touch $@
+
+$(FUZZ_NAMES:%=$(FUZZ)/%) $(FUZZ_NAMES:%=$(FUZZ)/%-fuzz): | $(FUZZ_CORPUS)
+
 $(FUZZ_NAMES:%=$(FUZZ)/%): $(FUZZ)/%: tests/fuzz/%.c tests/fuzz/fuzz.c tests/fuzz/replay.c $(wildcard tests/fuzz/*.h) $B/libtouchstone.a
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
