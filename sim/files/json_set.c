@@ -1,5 +1,6 @@
 /* json_set.c - see json_set.h. */
 #include "files/json_set.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -22,4 +23,14 @@ void json_set(json_t *object, const char *key, json_t *value)
 void json_append(json_t *list, json_t *value)
 {
     check(json_array_append_new(list, value), "a list's element");
+}
+
+json_t *json_real_or_null(double x)
+{
+    return isfinite(x) ? json_real(x) : json_null();
+}
+
+json_t *json_string_or_null(const char *text)
+{
+    return text ? json_string(text) : json_null();
 }

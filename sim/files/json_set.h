@@ -1,5 +1,5 @@
-/* json_set.h - members of JSON objects. Neither function returns if it fails: it writes to standard error
- * which member cannot be set and ends the process with status 1. jansson fails for want of memory, and for a
+/* json_set.h - members of JSON objects. Where one cannot be set, the function does not return: it writes to
+ * standard error which it is and ends the process with status 1. jansson fails for want of memory, and for a
  * text that is not UTF-8. */
 #ifndef FILES_JSON_SET_H
 #define FILES_JSON_SET_H
@@ -9,4 +9,8 @@
 void json_set(json_t *object, const char *key, json_t *value);
 /* Adds value at the list's end and takes it over. */
 void json_append(json_t *list, json_t *value);
+
+/* Null for what JSON has no number for (NAN, infinities); for NULL. */
+json_t *json_real_or_null(double x);
+json_t *json_string_or_null(const char *text);
 #endif

@@ -1,21 +1,14 @@
 /* json_file.c - see json_file.h. */
 #include "observe/json_file.h"
-#include <stdio.h>
 #include <stdlib.h>
-#include "files/atomic_file.h"
 #include "files/json_set.h"
+#include "files/json_write.h"
 #include "kernel/xalloc.h"
 
 char *json_file_write(json_t *root, const char *path)
 {
-    struct atomic_file f;
     char *error = NULL;
-    if (atomic_file_begin(&f, path, &error)) {
-        json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
-        fputc('\n', f.out);
-        atomic_file_end(&f, &error);
-    }
-    json_decref(root);
+    json_write(root, path, JSON_ALL_DIGITS, &error);
     return error;
 }
 

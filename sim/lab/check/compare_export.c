@@ -4,7 +4,6 @@
 #include "kernel/xalloc.h"
 #include "lab/check/compare_print.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,11 +15,6 @@ static const char *word(enum compare_verdict v)
     return WORDS[v];
 }
 
-static json_t *number_or_null(double x)
-{
-    return isnan(x) ? json_null() : json_real(x);
-}
-
 static json_t *value_or_null(const json_t *value)
 {
     return value ? json_deep_copy(value) : json_null();
@@ -30,7 +24,7 @@ static json_t *figure_json(const struct compare_figure *f)
 {
     return xchecked(json_pack("{s:s, s:s, s:o, s:o, s:o, s:o}", "name", f->name, "verdict", word(f->verdict),
                               "before", value_or_null(f->before), "after", value_or_null(f->after), "change",
-                              number_or_null(f->change), "change_pct", number_or_null(f->change_pct)));
+                              json_real_or_null(f->change), "change_pct", json_real_or_null(f->change_pct)));
 }
 
 static json_t *point_json(const struct compare_point *p)
@@ -41,7 +35,7 @@ static json_t *point_json(const struct compare_point *p)
     for (size_t i = 0; i < p->figure_count; i++)
         json_append(figures, figure_json(&p->figures[i]));
     json_set(o, "figures", figures);
-    json_set(o, "failure", p->failure ? json_string(p->failure) : json_null());
+    json_set(o, "failure", json_string_or_null(p->failure));
     return o;
 }
 

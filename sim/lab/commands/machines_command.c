@@ -175,15 +175,10 @@ static json_t *machine_json(const struct machine *m)
     return o;
 }
 
-static json_t *text_or_null(const char *text)
-{
-    return text ? json_string(text) : json_null();
-}
-
 static void add_difference(void *to, const char *key, const char *values[2])
 {
-    json_append(to, xchecked(json_pack("{s:s, s:[o, o]}", "key", key, "values", text_or_null(values[0]),
-                                       text_or_null(values[1]))));
+    json_append(to, xchecked(json_pack("{s:s, s:[o, o]}", "key", key, "values",
+                                       json_string_or_null(values[0]), json_string_or_null(values[1]))));
 }
 
 /* NULL, or an error. */

@@ -1,8 +1,8 @@
 /* explore_json.c - see explore_json.h. */
 #include "lab/explore/explore_json.h"
 #include <stdlib.h>
-#include "files/atomic_file.h"
 #include "files/json_set.h"
+#include "files/json_write.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/explore_report.h"
 #include "lab/explore/guarantee.h"
@@ -14,7 +14,7 @@ static void set_count(json_t *o, const char *key, size_t count)
 
 static void set_text(json_t *o, const char *key, char *text)
 {
-    json_set(o, key, text ? json_string(text) : json_null());
+    json_set(o, key, json_string_or_null(text));
     free(text);
 }
 
@@ -101,12 +101,5 @@ static json_t *all_of(const struct explore *x)
 
 bool explore_json(const struct explore *x, const char *path, char **error)
 {
-    struct atomic_file f;
-    if (!atomic_file_begin(&f, path, error))
-        return false;
-    json_t *all = all_of(x);
-    json_dumpf(all, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
-    fputc('\n', f.out);
-    json_decref(all);
-    return atomic_file_end(&f, error);
+    return json_write(all_of(x), path, JSON_READABLE_DIGITS, error);
 }

@@ -78,7 +78,7 @@ static bool take_digest(struct subject *s, char **error)
     json_set(all, "folder", json_string(s->folder));
     json_set(all, "limit", json_real(o->max_virtual_s));
     json_set(all, "rules", json_string(o->rules));
-    json_set(all, "file", o->compare_file ? json_string(o->compare_file) : json_null());
+    json_set(all, "file", json_string_or_null(o->compare_file));
     if (o->input_bytes)
         json_set(all, "input", digest_json(digest_of(o->input, o->input_bytes)));
     bool good = add_file(all, "touchstone", o->runner, error) &&
@@ -92,8 +92,8 @@ struct digest subject_run_key(const struct subject *s, const struct run_timing *
 {
     json_t *all = json_object();
     json_set(all, "subject", digest_json(s->digest));
-    json_set(all, "timing", t->timing ? json_string(t->timing) : json_null());
-    json_set(all, "schedule", t->schedule ? json_string(t->schedule) : json_null());
+    json_set(all, "timing", json_string_or_null(t->timing));
+    json_set(all, "schedule", json_string_or_null(t->schedule));
     return digest_of_json(all);
 }
 

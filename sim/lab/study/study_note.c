@@ -2,8 +2,8 @@
 #include "lab/study/study_note.h"
 #include <limits.h>
 #include <stdlib.h>
-#include "files/atomic_file.h"
 #include "files/json_set.h"
+#include "files/json_write.h"
 #include "kernel/xalloc.h"
 #include "lab/study/study_parts.h"
 
@@ -39,15 +39,8 @@ static json_t *note_of(const struct study *s)
 
 bool study_note_write(const struct study *s, char **error)
 {
-    struct atomic_file f;
     char *path = xasprintf("%s/%s", s->options.dir, STUDY_NOTE_NAME);
-    bool begun = atomic_file_begin(&f, path, error);
+    bool ok = json_write(note_of(s), path, JSON_READABLE_DIGITS, error);
     free(path);
-    if (!begun)
-        return false;
-    json_t *note = note_of(s);
-    json_dumpf(note, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
-    fputc('\n', f.out);
-    json_decref(note);
-    return atomic_file_end(&f, error);
+    return ok;
 }

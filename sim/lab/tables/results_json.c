@@ -3,20 +3,8 @@
 #include "files/json_set.h"
 #include "lab/tables/results.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* The figure; null if there is none. */
-static json_t *figure(double value)
-{
-    return isnan(value) ? json_null() : json_real(value);
-}
-
-static json_t *text(const char *s)
-{
-    return s ? json_string(s) : json_null();
-}
 
 /* Adds members of `from` that `to` lacks: all, or those named in `only`, ended by NULL. */
 static void add_rest(json_t *to, json_t *from, const char *const only[])
@@ -55,30 +43,30 @@ static json_t *row_json(const struct result_table *t, size_t i)
     json_t *j = json_object();
     json_set(j, "table", json_integer(t->table->number));
     json_set(j, "nodes", json_integer(row->row->nodes));
-    json_set(j, "arguments", text(row->row->arguments));
+    json_set(j, "arguments", json_string_or_null(row->row->arguments));
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
-        json_set(j, keys[k], figure(outcome_figure(o, keys[k])));
-    json_set(j, "speed_per_node", figure(results_speed_per_node(t, i)));
-    json_set(j, "error_pct", figure(results_error_pct(row)));
-    json_set(j, "paper_total_s", figure(paper->total_s));
-    json_set(j, "paper_host_idle_pct", figure(paper->host_idle_pct));
-    json_set(j, "paper_slave_idle_pct", figure(paper->slave_idle_pct));
-    json_set(j, "paper_slave_idle_spread_pct", figure(paper->slave_idle_spread_pct));
-    json_set(j, "paper_speed_per_node", figure(paper->speed_per_node));
+        json_set(j, keys[k], json_real_or_null(outcome_figure(o, keys[k])));
+    json_set(j, "speed_per_node", json_real_or_null(results_speed_per_node(t, i)));
+    json_set(j, "error_pct", json_real_or_null(results_error_pct(row)));
+    json_set(j, "paper_total_s", json_real_or_null(paper->total_s));
+    json_set(j, "paper_host_idle_pct", json_real_or_null(paper->host_idle_pct));
+    json_set(j, "paper_slave_idle_pct", json_real_or_null(paper->slave_idle_pct));
+    json_set(j, "paper_slave_idle_spread_pct", json_real_or_null(paper->slave_idle_spread_pct));
+    json_set(j, "paper_speed_per_node", json_real_or_null(paper->speed_per_node));
     json_set(j, "fitted", json_boolean(row->run->fitted));
-    json_set(j, "paper_rounding_pct", figure(results_rounding_pct(row)));
-    json_set(j, "paper_contradiction_pct", figure(results_contradiction_pct(t, i)));
+    json_set(j, "paper_rounding_pct", json_real_or_null(results_rounding_pct(row)));
+    json_set(j, "paper_contradiction_pct", json_real_or_null(results_contradiction_pct(t, i)));
     if (row->run->tie_runs) {
         json_set(j, "tie_runs", json_integer(row->run->tie_runs));
-        json_set(j, "tie_least_s", figure(row->run->tie_least_s));
-        json_set(j, "tie_most_s", figure(row->run->tie_most_s));
+        json_set(j, "tie_least_s", json_real_or_null(row->run->tie_least_s));
+        json_set(j, "tie_most_s", json_real_or_null(row->run->tie_most_s));
     }
-    json_set(j, "failure", text(o->error));
+    json_set(j, "failure", json_string_or_null(o->error));
     if (!o->error) {
         json_set(j, "wall_time_s", json_real(o->wall_time_s));
         add_rest(j, o->printed, NULL);
         add_rest(j, o->run, of_the_run);
-        json_set(j, "computed_s", figure(computed_s(o->run)));
+        json_set(j, "computed_s", json_real_or_null(computed_s(o->run)));
     }
     return j;
 }
@@ -88,8 +76,8 @@ static json_t *errors_json(const struct result_errors *e)
     json_t *j = json_object();
     json_set(j, "rows", json_integer((json_int_t)e->rows));
     json_set(j, "failed", json_integer((json_int_t)e->failed));
-    json_set(j, "mean_error_pct", figure(e->mean_pct));
-    json_set(j, "worst_error_pct", figure(e->worst_pct));
+    json_set(j, "mean_error_pct", json_real_or_null(e->mean_pct));
+    json_set(j, "worst_error_pct", json_real_or_null(e->worst_pct));
     json_set(j, "worst_table", e->worst ? json_integer(e->worst_table) : json_null());
     json_set(j, "worst_nodes", e->worst ? json_integer(e->worst->row->nodes) : json_null());
     return j;
@@ -101,10 +89,10 @@ static json_t *fitted_json(const struct paper_fitted *fitted)
     for (size_t i = 0; i < fitted->count; i++) {
         const struct paper_factor *f = &fitted->factors[i];
         json_t *j = json_object();
-        json_set(j, "file", text(f->file));
-        json_set(j, "function", text(f->function));
+        json_set(j, "file", json_string_or_null(f->file));
+        json_set(j, "function", json_string_or_null(f->function));
         json_set(j, "factor", json_real(f->factor));
-        json_set(j, "fitted_to", text(f->fitted_to));
+        json_set(j, "fitted_to", json_string_or_null(f->fitted_to));
         json_array_append_new(list, j);
     }
     return list;
@@ -115,9 +103,9 @@ static json_t *choices_json(const struct paper_fitted *fitted)
     json_t *list = json_array();
     for (size_t i = 0; i < fitted->choice_count; i++) {
         json_t *j = json_object();
-        json_set(j, "kind", text(fitted->choices[i].policy ? "policy" : "constant"));
-        json_set(j, "what", text(fitted->choices[i].what));
-        json_set(j, "fitted_to", text(fitted->choices[i].fitted_to));
+        json_set(j, "kind", json_string_or_null(fitted->choices[i].policy ? "policy" : "constant"));
+        json_set(j, "what", json_string_or_null(fitted->choices[i].what));
+        json_set(j, "fitted_to", json_string_or_null(fitted->choices[i].fitted_to));
         json_array_append_new(list, j);
     }
     return list;
@@ -133,7 +121,7 @@ json_t *results_json(const struct results *r)
         struct result_errors e = results_table_errors(table);
         json_t *j = errors_json(&e);
         json_set(j, "table", json_integer(table->table->number));
-        json_set(j, "title", text(table->table->title));
+        json_set(j, "title", json_string_or_null(table->table->title));
         json_array_append_new(tables, j);
     }
     struct result_errors all = results_all_errors(r);

@@ -73,7 +73,7 @@ static struct digest key_of(const struct runs_journal *k, const struct run *run)
         json_array_append_new(settings, json_string(*one));
     json_set(inputs, "nodes", json_integer(run->nodes));
     json_set(inputs, "arguments", json_string(run->arguments));
-    json_set(inputs, "extra", run->extra ? json_string(run->extra) : json_null());
+    json_set(inputs, "extra", json_string_or_null(run->extra));
     json_set(inputs, "settings", settings);
     char *text = xchecked(json_dumps(inputs, JSON_COMPACT | JSON_SORT_KEYS));
     struct digest key = digest_of(text, strlen(text));

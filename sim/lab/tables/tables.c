@@ -1,7 +1,7 @@
 /* tables.c - see tables.h. */
 #include "lab/tables/tables.h"
-#include "files/atomic_file.h"
 #include "files/folder_make.h"
+#include "files/json_write.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart.h"
 #include "lab/jobs/process_pool.h"
@@ -21,15 +21,8 @@
 
 static bool write_json(const struct results *r, const char *dir, char **error)
 {
-    struct atomic_file f;
     char *path = xasprintf("%s/tables.json", dir);
-    json_t *root = results_json(r);
-    bool ok = atomic_file_begin(&f, path, error);
-    if (ok) {
-        json_dumpf(root, f.out, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
-        ok = atomic_file_end(&f, error);
-    }
-    json_decref(root);
+    bool ok = json_write(results_json(r), path, JSON_READABLE_DIGITS, error);
     free(path);
     return ok;
 }
