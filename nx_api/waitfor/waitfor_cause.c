@@ -16,14 +16,15 @@ static bool is_program_s(const struct waitfor_message *m)
     return !waitfor_operation(m->type);
 }
 
-bool waitfor_is_wrong_node(const struct waitfor_node *n, const struct waitfor_message *m)
+/* Is the message selected but for its sender; but for its type? */
+static bool is_wrong_node(const struct waitfor_node *n, const struct waitfor_message *m)
 {
     return is_program_s(m) && waitfor_type_selected(n->select.typesel, m->type) &&
            !waitfor_selects(&n->select, m->type, m->from, m->pid);
 }
 
 /* (What a node has sent to itself is for another of its receives.) */
-bool waitfor_is_wrong_type(const struct waitfor_node *n, const struct waitfor_message *m)
+static bool is_wrong_type(const struct waitfor_node *n, const struct waitfor_message *m)
 {
     return is_program_s(m) && m->from != n->number && !waitfor_type_selected(n->select.typesel, m->type) &&
            (n->select.node == WAITFOR_ANY || n->select.node == m->from);
@@ -88,9 +89,9 @@ static enum waitfor_cause of_mailbox(const struct waitfor_node *n)
         return WAITFOR_BUFFERS_FULL;
     if (waitfor_held_by(n) || waitfor_taken_away(n))
         return WAITFOR_TAKEN;
-    if (any_message(n, waitfor_is_wrong_node))
+    if (any_message(n, is_wrong_node))
         return WAITFOR_WRONG_NODE;
-    return any_message(n, waitfor_is_wrong_type) ? WAITFOR_WRONG_TYPE : WAITFOR_CAUSES;
+    return any_message(n, is_wrong_type) ? WAITFOR_WRONG_TYPE : WAITFOR_CAUSES;
 }
 
 /* --- what ended nodes have left --- */

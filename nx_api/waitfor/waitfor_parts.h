@@ -50,10 +50,8 @@ static inline bool waitfor_lives(const struct waitfor_node *n)
 {
     return n->state == WAITFOR_WAITS || n->state == WAITFOR_COMPUTES;
 }
-/* What of a node's mailbox explains its wait for a message: one that is selected but for its sender, or but
- * for its type; the latest of those it has had; a receive under way that has it. NULL: none. */
-bool waitfor_is_wrong_node(const struct waitfor_node *n, const struct waitfor_message *m);
-bool waitfor_is_wrong_type(const struct waitfor_node *n, const struct waitfor_message *m);
+/* What explains a node's wait for a message: the latest of those it has had; a receive under way that has it.
+ * NULL: none. */
 const struct waitfor_taken *waitfor_taken_away(const struct waitfor_node *n);
 const struct waitfor_receive *waitfor_held_by(const struct waitfor_node *n);
 /* "ended", and with which error. */

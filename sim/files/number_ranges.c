@@ -13,7 +13,7 @@ static uint32_t in_step(const uint32_t *numbers, uint32_t count, uint32_t *step)
     return n;
 }
 
-void number_ranges_print(FILE *f, const uint32_t *numbers, uint32_t count)
+static void print_ranges(FILE *f, const uint32_t *numbers, uint32_t count)
 {
     uint32_t i = 0, step;
     for (uint32_t shown = 0; i < count && shown < MOST; shown++) {
@@ -34,5 +34,5 @@ void number_ranges_print(FILE *f, const uint32_t *numbers, uint32_t count)
 void number_ranges_print_nodes(FILE *f, const uint32_t *nodes, uint32_t count)
 {
     fprintf(f, "node%s ", count > 1 ? "s" : "");
-    number_ranges_print(f, nodes, count);
+    print_ranges(f, nodes, count);
 }

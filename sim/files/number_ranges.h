@@ -1,12 +1,10 @@
-/* number_ranges.h - numbers of nodes and the like as text. */
+/* number_ranges.h - numbers of nodes as text. */
 #ifndef FILES_NUMBER_RANGES_H
 #define FILES_NUMBER_RANGES_H
 #include <stdint.h>
 #include <stdio.h>
 
-/* Prints "3", "1-5, 7", or "2, 4, ..., 510": count numbers, in ascending order; of many ranges the first
- * ones. */
-void number_ranges_print(FILE *f, const uint32_t *numbers, uint32_t count);
-/* Prints "node 3", or "nodes 1-5, 7". */
+/* Prints "node 3", "nodes 1-5, 7", or "nodes 2, 4, ..., 510": count numbers, in ascending order; of many
+ * ranges the first ones. */
 void number_ranges_print_nodes(FILE *f, const uint32_t *nodes, uint32_t count);
 #endif

@@ -107,7 +107,7 @@ int descriptor_close(struct node *n, int fd)
     return file_close(f);
 }
 
-int descriptor_copy(struct node *n, int fd, int to)
+static int copy(struct node *n, int fd, int to)
 {
     struct node_file *f = descriptor_file(n, fd);
     if (!f || fd == to)
@@ -132,7 +132,7 @@ int descriptor_copy_free(struct node *n, int fd, int least)
         return -1;
     }
     int to = lowest_free(n, least);
-    return to < 0 ? -1 : descriptor_copy(n, fd, to);
+    return to < 0 ? -1 : copy(n, fd, to);
 }
 
 void descriptors_close(struct descriptors *d)
@@ -186,7 +186,7 @@ int node_dup(int fd)
 
 int node_dup2(int fd, int to)
 {
-    return descriptor_copy(node_self(), fd, to);
+    return copy(node_self(), fd, to);
 }
 
 /* Reads from standard input what stdio has not taken, at most one line. */

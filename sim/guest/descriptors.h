@@ -41,9 +41,8 @@ int descriptor_reuse(struct node *n, int fd, struct node_file *f, const char *pa
 struct node_file *descriptor_file(struct node *n, int fd);
 /* The name by which a descriptor was opened, for messages; "?" if the descriptor is not open. */
 const char *descriptor_path(const struct node *n, int fd);
-/* As close(), dup2() and fcntl(fd, F_DUPFD, least). */
+/* As close(), and fcntl(fd, F_DUPFD, least). */
 int descriptor_close(struct node *n, int fd);
-int descriptor_copy(struct node *n, int fd, int to);
 int descriptor_copy_free(struct node *n, int fd, int least);
 /* Closes all files without taking virtual time. Called when the program does not run any more. */
 void descriptors_close(struct descriptors *d);

@@ -88,13 +88,6 @@ char *own_memory_text(struct node *n, const char *text)
     return own->texts[own->text_count++] = strcpy(copy, text);
 }
 
-void own_memory_taken(const struct node *n, char **from, char **end)
-{
-    const struct own_memory *own = &n->libc->own;
-    *from = own->next ? own->end - own_memory_bytes(n) : NULL;
-    *end = own->next ? *from + round_up((size_t)(own->next - *from), PAGE) : NULL;
-}
-
 void own_memory_forget(struct own_memory *own)
 {
     free(own->texts);

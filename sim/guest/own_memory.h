@@ -31,7 +31,5 @@ void *own_memory_take(struct node *n, size_t bytes);
 void *own_memory_need(struct node *n, size_t bytes);
 /* The node's copy of a text, the same for equal texts. Ends the program if there is no room. */
 char *own_memory_text(struct node *n, const char *text);
-/* The part that has been taken: *from to *end, page rounded; both NULL: none. */
-void own_memory_taken(const struct node *n, char **from, char **end);
 void own_memory_forget(struct own_memory *own);
 #endif

@@ -258,6 +258,14 @@ static void sort(void *table, size_t count, size_t size, int (*compare)(const vo
         qsort(table, count, size, compare);
 }
 
+/* The message that `from` sent to `to` as its number-th; NULL: there is none. */
+static const struct rec_message *message(const struct recording *r, uint32_t from, uint32_t to,
+                                         uint64_t number)
+{
+    struct rec_message key = {.from = from, .to = to, .number = number};
+    return r->message_count ? bsearch(&key, r->messages, r->message_count, sizeof key, by_sender) : NULL;
+}
+
 static void connect(struct recording *r)
 {
     sort(r->messages, r->message_count, sizeof *r->messages, by_sender);
@@ -265,17 +273,10 @@ static void connect(struct recording *r)
     sort(r->handlers, r->handler_count, sizeof *r->handlers, by_node);
     for (size_t i = 0; i < r->receive_count; i++) {
         struct rec_receive *v = &r->receives[i];
-        const struct rec_message *m = recording_message(r, v->from, v->node, v->from_number);
+        const struct rec_message *m = message(r, v->from, v->node, v->from_number);
         v->message = m - r->messages;
         r->messages[v->message].taken = (int64_t)i;
     }
-}
-
-const struct rec_message *recording_message(const struct recording *r, uint32_t from, uint32_t to,
-                                            uint64_t number)
-{
-    struct rec_message key = {.from = from, .to = to, .number = number};
-    return r->message_count ? bsearch(&key, r->messages, r->message_count, sizeof key, by_sender) : NULL;
 }
 
 const struct rec_receive *recording_receive(const struct recording *r, uint32_t node, uint64_t number)

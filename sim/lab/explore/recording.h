@@ -67,9 +67,6 @@ struct recording *recording_load(const char *path, char **error);
 struct recording *recording_read(FILE *in, const char *path, char **error);
 void recording_free(struct recording *r);
 
-/* The message that `from` sent to `to` as its number-th; NULL: the recording has none. */
-const struct rec_message *recording_message(const struct recording *r, uint32_t from, uint32_t to,
-                                            uint64_t number);
 /* The number-th receive of a node; NULL: it got no message. */
 const struct rec_receive *recording_receive(const struct recording *r, uint32_t node, uint64_t number);
 /* The number-th handler of a node; NULL: it did not run. */

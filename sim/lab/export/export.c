@@ -39,11 +39,6 @@ const char *export_format_name(enum export_format f)
     return FORMATS[f].name;
 }
 
-const char *export_table_name(enum export_table t)
-{
-    return TABLES[t];
-}
-
 enum export_format export_format_named(const char *name)
 {
     enum export_format f = 0;

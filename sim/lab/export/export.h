@@ -33,7 +33,6 @@ enum export_format export_format_named(const char *name);
 enum export_format export_format_of_file(const char *path);
 enum export_table export_table_named(const char *name);
 const char *export_format_name(enum export_format f);
-const char *export_table_name(enum export_table t);
 
 struct export_request {
     enum export_format format;
