@@ -5,7 +5,7 @@
 
 void lp_block(struct lp *lp, vtime now)
 {
-    lp->state = LP_BLOCKED;
+    lp_become(lp, LP_BLOCKED);
     lp->blocked_since = now;
     up_wait_begins(lp);
 }
@@ -18,7 +18,7 @@ bool lp_unblock(struct lp *lp, vtime now)
         return false;
     }
     up_wait_ends(lp, now);
-    lp->state = LP_COMPUTING;
+    lp_become(lp, LP_COMPUTING);
     return true;
 }
 
@@ -30,5 +30,5 @@ bool lp_end_at(struct lp *lp, vtime t)
     else if (commits >= t) /* if it is just there, too: fewer units may take as long */
         clock_roll_back(lp, commits - t);
     clock_drop_stolen(lp);
-    return lp->state == LP_COMPUTING;
+    return lp_computes(lp);
 }

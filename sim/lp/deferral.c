@@ -9,16 +9,16 @@
 bool lp_may_block_lazily(const struct lp *lp, vtime now)
 {
     const struct schedule *s = lp->schedule;
-    return !lp->offloaded && !lp->clock.stolen && !s->stop && now <= s->max_time && !lp_is_passed(lp, now);
+    return lp->state != LP_OFFLOADED && !lp->clock.stolen && !s->stop && now <= s->max_time &&
+           !lp_is_passed(lp, now);
 }
 
 void lp_apply_deferred(struct lp *lp, struct instant before)
 {
     up_commit_deferred(lp, before);
-    if (!lp->lazily_blocked || up_has_deferred(lp) ||
+    if (lp->state != LP_BLOCKS_LAZILY || up_has_deferred(lp) ||
         !instant_before(lp_commit_time(lp), lp->address, before))
         return;
-    lp->lazily_blocked = false;
     clock_add_stolen(lp);
     lp_block(lp, clock_sync(lp));
 }
@@ -35,9 +35,9 @@ static bool will_be_ready(struct lp *lp)
 
 void lp_unblock_lazily(struct lp *lp)
 {
-    if (!lp->lazily_blocked || lp->scheduled_at || !will_be_ready(lp))
+    if (lp->state != LP_BLOCKS_LAZILY || lp->scheduled_at || !will_be_ready(lp))
         return;
-    lp->lazily_blocked = false;
+    lp_become(lp, LP_COMPUTING);
     lp_schedule(lp, lp_commit_time(lp));
 }
 

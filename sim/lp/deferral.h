@@ -9,7 +9,7 @@
 bool lp_may_block_lazily(const struct lp *lp, vtime now);
 static inline void lp_block_lazily(struct lp *lp)
 {
-    lp->lazily_blocked = true;
+    lp_become(lp, LP_BLOCKS_LAZILY);
 }
 /* A lazily blocked program resumes at its commit time if what it waits for is there. Deferred calls that have
  * an event are committed first: messages may delay these, and the commit time with them. */

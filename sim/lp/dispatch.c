@@ -16,14 +16,17 @@ void lp_schedule(struct lp *lp, vtime t)
 /* The program is paused at a poll, and is not gone on with before t. */
 static void pause_at_poll(struct lp *lp, vtime poll_time, vtime t)
 {
-    lp->paused_at_poll = true;
+    if (lp->state != LP_PAUSED)
+        lp_become(lp, LP_PAUSED);
     lp->poll_time = poll_time;
     mintree_set(&lp->schedule->polls, lp->address, vt_max(poll_time, t));
 }
 
 void lp_leave_poll(struct lp *lp)
 {
-    lp->paused_at_poll = false;
+    if (lp->state != LP_PAUSED)
+        return;
+    lp_become(lp, LP_COMPUTING);
     mintree_set(&lp->schedule->polls, lp->address, VT_NEVER);
 }
 
@@ -48,12 +51,12 @@ bool lp_must_yield(struct lp *lp, vtime now)
 {
     if (lp->until)
         return !lp->clock.runs || now >= lp->until;
-    return lp->offloaded || lp->clock.stolen || !lp_is_next(lp, now) || must_stop(lp, now);
+    return lp->state == LP_OFFLOADED || lp->clock.stolen || !lp_is_next(lp, now) || must_stop(lp, now);
 }
 
 void lp_prepare_yield(struct lp *lp, vtime now)
 {
-    if (lp->offloaded)
+    if (lp->state == LP_OFFLOADED)
         lp->arrived = now; /* for offload_take_back */
     else if (lp->clock.runs && lp->interruptible)
         pause_at_poll(lp, now, lp_lookahead(lp));
@@ -129,7 +132,7 @@ void lp_go_on_from_poll(struct lp *lp)
 
 void lp_catch_up(struct lp *lp, vtime t)
 {
-    if (!lp->paused_at_poll)
+    if (lp->state != LP_PAUSED)
         return;
     if (lp->poll_time < t && !lp->clock.stolen) {
         void *outer = up_nest(lp->schedule);
@@ -138,7 +141,7 @@ void lp_catch_up(struct lp *lp, vtime t)
         lp->until = 0;
         up_unnest(lp->schedule, outer);
     }
-    if (lp->paused_at_poll)
+    if (lp->state == LP_PAUSED)
         pause_at_poll(lp, lp->poll_time, 0);
 }
 

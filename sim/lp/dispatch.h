@@ -30,7 +30,7 @@ bool lp_is_next(struct lp *lp, vtime now);
 
 /* --- the coordinator's side --- */
 
-/* The program is not paused at a poll any more. */
+/* The program is not paused at a poll, or not any more. */
 void lp_leave_poll(struct lp *lp);
 /* A program paused at a poll computes up to the first poll at or past t, or its call. Called before anything
  * is done to the node that depends on how far it has come. */

@@ -11,29 +11,29 @@
  * come so far. Its lookahead, computing that is certain before its next call, tells how long nobody need
  * wait for it.
  *
- * A node is in one of these states, and what happens to it has these effects (dispatch.c, wake.c,
- * deferral.c, block.c, offload.c):
+ * A node is in one of these states (enum lp_state), and what happens to it has these effects (dispatch.c,
+ * wake.c, deferral.c, block.c, offload.c):
  *
  *                 its commit     its poll     it is woken            system time     it is killed
  *                 time           time                                is taken
  *    computing    makes its      -            -                      commits later   is rolled back
  *                 call
- *    paused at    -              computes on  catches up             catches up,     is rolled back
- *    a poll                                                          goes on later
+ *    paused       -              computes on  catches up             catches up,     is rolled back
+ *                                                                    goes on later
  *    offloaded    -              -            -                      commits later   its task is dropped
- *    lazily       blocked:       -            blocked; or, if what   commits later   is rolled back
- *    blocked      no event                    it waits for is there,
+ *    blocks       blocked:       -            blocked; or, if what   commits later   is rolled back
+ *    lazily       no event                    it waits for is there,
  *                                             an event at its
  *                                             commit time
  *    blocked      -              -            resumes if ready       idles less      has idled until then
  *    ended        -              -            -                      nobody's time   -
  *
  *    computing       the program has control on the coordinator, or its commit time is in the queue
- *    paused at poll  schedule.polls has the time at which the program goes on
+ *    paused          at a poll; schedule.polls has the time at which the program goes on
  *    offloaded       a worker runs its task up to its next call. Only that worker may touch the clock (but
  *                    for `stolen`), memory, C library and errno of the program. The coordinator has all else:
  *                    mailbox, statistics, state
- *    lazily blocked  the node will block at its commit time, as far as is known; no event is queued for that
+ *    blocks lazily   the node will block at its commit time, as far as is known; no event is queued for that
  *    blocked         the node waits in a call for a message, a handler or a time
  *
  * Calls are committed on the coordinator only, in the total order. So are library calls that show something
@@ -51,9 +51,10 @@
 #ifndef LP_LP_H
 #define LP_LP_H
 #include "kernel/fiber.h"
+#include "kernel/slow_assert.h"
 #include "lp/schedule.h"
 
-enum lp_state { LP_COMPUTING, LP_BLOCKED, LP_ENDED };
+enum lp_state { LP_COMPUTING, LP_PAUSED, LP_OFFLOADED, LP_BLOCKS_LAZILY, LP_BLOCKED, LP_ENDED };
 
 struct lp_clock {
     vtime now;        /* at the last synchronisation */
@@ -95,9 +96,8 @@ struct lp_offload {
 struct lp {
     struct lp_clock clock;
     struct schedule *schedule;
-    uint32_t address; /* on the network: the node's number, except for the host's */
-    enum lp_state state : 8;
-    bool offloaded, paused_at_poll, lazily_blocked;
+    uint32_t address;        /* on the network: the node's number, except for the host's */
+    enum lp_state state : 8; /* changes by lp_become() */
     /* Up to here a message needs it: node/node.h. */
     bool drains;         /* the program goes on when no deferred call is left, whatever its time */
     bool crashed;        /* to be reported at its commit time */
@@ -117,6 +117,19 @@ struct lp {
     uint64_t clock_hz;
     struct lp_cold *cold;
 };
+
+/* May a node that is in one state be in the other next? */
+bool lp_may_become(enum lp_state now, enum lp_state next);
+static inline void lp_become(struct lp *lp, enum lp_state next)
+{
+    slow_assert(lp_may_become(lp->state, next));
+    lp->state = next;
+}
+/* Has the node a program that is not at rest in a call, as far as the machine has come? */
+static inline bool lp_computes(const struct lp *lp)
+{
+    return lp->state < LP_BLOCKED;
+}
 
 /* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as
  * long. */

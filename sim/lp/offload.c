@@ -20,7 +20,7 @@ static struct lp *lp_of(struct task *t)
 
 static void offload(struct lp *lp, vtime lower_bound)
 {
-    lp->offloaded = true;
+    lp_become(lp, LP_OFFLOADED);
     lp->offload.task.address = lp->address;
     atomic_store_explicit(&lp->offload.task.lower_bound, lower_bound, memory_order_relaxed);
 }
@@ -74,7 +74,7 @@ void offload_at_leave(struct lp *lp)
 
 bool offload_at_poll(struct lp *lp, vtime now)
 {
-    if (lp->offloaded) {
+    if (lp->state == LP_OFFLOADED) {
         lp->task_paused = workers_report(lp->schedule->workers, &lp->offload.task, now);
         if (lp->task_paused)
             lp_yield(lp);
@@ -103,7 +103,7 @@ void offload_take_back(struct task *t)
 {
     struct lp *lp = lp_of(t);
     assert(lp->crashed || lp->arrived >= t->lower_bound);
-    lp->offloaded = false;
+    lp_become(lp, LP_COMPUTING);
     lp->until = 0;
     if (lp->crashed)
         lp_crash(lp);
@@ -113,9 +113,11 @@ void offload_take_back(struct task *t)
 
 void offload_drop(struct lp *lp)
 {
-    if (lp->offloaded && lp->schedule->workers)
-        workers_drop(lp->schedule->workers, &lp->offload.task);
-    lp->offloaded = false;
+    if (lp->state == LP_OFFLOADED) {
+        if (lp->schedule->workers)
+            workers_drop(lp->schedule->workers, &lp->offload.task);
+        lp_become(lp, LP_COMPUTING);
+    }
     lp->until = 0;
 }
 

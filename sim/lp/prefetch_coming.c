@@ -16,7 +16,7 @@ static const struct lp *coming(const struct schedule *s, unsigned after)
  * counter has its entry in the same line of the page tables. */
 static void load_page(const struct lp *lp)
 {
-    if (lp && !lp->offloaded && fiber_innermost(&lp->fiber))
+    if (lp && lp->state != LP_OFFLOADED && fiber_innermost(&lp->fiber))
         __builtin_prefetch(fiber_innermost(&lp->fiber), 1);
 }
 
@@ -30,10 +30,10 @@ void prefetch_coming(struct schedule *s)
     for (unsigned i = 0; s->switches % TOGETHER == 0 && i < TOGETHER; i++)
         load_page(coming(s, PAGES + i));
     lp = coming(s, SECOND);
-    if (lp && !lp->offloaded)
+    if (lp && lp->state != LP_OFFLOADED)
         up_prefetch_receives(lp);
     lp = coming(s, THIRD);
-    if (lp && lp->state != LP_ENDED && !lp->offloaded && fiber_innermost(&lp->fiber)) {
+    if (lp && lp->state != LP_ENDED && lp->state != LP_OFFLOADED && fiber_innermost(&lp->fiber)) {
         up_prefetch_messages(lp);
         up_prefetch_program(lp);
     }

@@ -10,7 +10,8 @@ bool lp_roll_back(struct lp *lp, struct instant at)
 {
     offload_drop(lp);
     lp_apply_deferred(lp, instant_later(at, lp->schedule->reached));
-    lp->lazily_blocked = false;
+    if (lp->state == LP_BLOCKS_LAZILY)
+        lp_become(lp, LP_COMPUTING);
     up_roll_back_deferred(lp);
     lp_catch_up(lp, at.time);
     lp_leave_poll(lp);

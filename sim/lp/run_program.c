@@ -25,12 +25,12 @@ void lp_crash(struct lp *lp)
 
 void lp_run_here(struct lp *lp)
 {
-    lp->state = LP_COMPUTING;
+    slow_assert(lp->state == LP_COMPUTING);
     lp->schedule->unseen = 0;
     lp_run(lp);
     if (lp->crashed)
         lp_crash(lp);
-    else if (lp->offloaded)
+    else if (lp->state == LP_OFFLOADED)
         workers_submit(lp->schedule->workers, &lp->offload.task);
 }
 

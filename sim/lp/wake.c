@@ -27,7 +27,8 @@ void lp_notify(struct lp *lp, vtime t)
 {
     lp_apply_deferred(lp, lp->schedule->reached);
     lp_unblock_lazily(lp);
-    vtime commits = lp->offloaded ? lp->schedule->present.time + lp->clock.stolen : lp_commit_time(lp);
+    vtime commits =
+        lp->state == LP_OFFLOADED ? lp->schedule->present.time + lp->clock.stolen : lp_commit_time(lp);
     if (lp->state == LP_BLOCKED || commits < t)
         lp_wake(lp, t);
     /* else the node, which has an event, asks at its commit time, not before t */
@@ -35,10 +36,10 @@ void lp_notify(struct lp *lp, vtime t)
 
 void lp_synchronise(struct lp *lp)
 {
-    if (!lp->paused_at_poll && !up_has_deferred(lp) && !lp->lazily_blocked)
+    if (lp->state != LP_PAUSED && lp->state != LP_BLOCKS_LAZILY && !up_has_deferred(lp))
         return;
     struct instant at = lp->schedule->reached;
-    if (lp->paused_at_poll)
+    if (lp->state == LP_PAUSED)
         lp_catch_up(lp, at.time + (lp->address < at.address));
     lp_apply_deferred(lp, at);
 }

@@ -39,7 +39,7 @@ static void steal(struct node *n, enum node_task task, vtime t)
     if (n->lp.state == LP_ENDED)
         return; /* the node has no program whose time it would be */
     lp_synchronise(&n->lp);
-    bool computes = n->lp.state == LP_COMPUTING;
+    bool computes = lp_computes(&n->lp);
     if (computes)
         clock_steal(&n->lp, t);
     add(n, task, t);

@@ -84,7 +84,7 @@ void node_end_crashed(struct node *n)
 void node_settle(struct node *n, struct instant end, bool at_a_time)
 {
     engine_settle(&n->lp, end);
-    if (n->lp.state == LP_COMPUTING && at_a_time) {
+    if (lp_computes(&n->lp) && at_a_time) {
         node_stop(n, end);
         n->stats.ended_at = end.time;
         if (n->call && !instant_before(n->call_since, n->lp.address, end))

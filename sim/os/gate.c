@@ -69,7 +69,7 @@ void node_enter(struct node *n, const char *call)
 static bool may_defer(const struct node *n)
 {
     const struct schedule *s = n->lp.schedule;
-    return !n->in_order && !n->lp.offloaded && !n->lp.clock.stolen && !s->stop &&
+    return !n->in_order && n->lp.state != LP_OFFLOADED && !n->lp.clock.stolen && !s->stop &&
            n->call_since <= s->max_time && deferred_has_room(n) && !match_ignores(n) &&
            !offload_is_long_next(&n->lp) && !lp_is_passed(&n->lp, n->call_since);
 }
@@ -123,7 +123,7 @@ static void listen(struct node *n)
 {
     bool any = false;
     uint64_t lookahead = clock_lookahead_units(&n->lp);
-    if (!n->lp.offloaded)
+    if (n->lp.state != LP_OFFLOADED)
         schedule_has_not_looked(&n->sys->schedule, POLL_CALLS / 8);
     do
         node_order(n);
@@ -145,14 +145,14 @@ void node_nxc_preempt(void)
     clock_reach_boundary(lp, crossing_caller());
     n->frame = (uintptr_t)__builtin_frame_address(0);
     n->at_poll = true;
-    if (lp->interruptible && !(lp->offloaded && now < lp->until))
+    if (lp->interruptible && !(lp->state == LP_OFFLOADED && now < lp->until))
         listen(n);
     else if (now > lp->schedule->max_time)
         node_order(n);
     else if (!offload_at_poll(lp, now))
         look(n);
-    clock_allow(lp,
-                lp->offloaded && !lp->interruptible ? schedule_end_of_time(lp->schedule) : lp_deadline(lp));
+    clock_allow(lp, lp->state == LP_OFFLOADED && !lp->interruptible ? schedule_end_of_time(lp->schedule)
+                                                                    : lp_deadline(lp));
     n->at_poll = false;
 }
 

@@ -55,7 +55,6 @@ static void put_commit(struct lp *lp)
 static void run(struct lp *lp)
 {
     up_program_resumes(lp);
-    lp->state = LP_COMPUTING;
     errno = lp->saved_errno;
     fiber_resume(&lp->fiber);
     lp->saved_errno = errno;

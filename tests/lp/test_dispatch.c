@@ -220,7 +220,7 @@ void endpoint_arrived(void *ctx, struct message *message, vtime now)
     protocol_message_free(message);
     lp_synchronise(&n->lp);
     note(n, now, 'm');
-    if (n->lp.state == LP_COMPUTING)
+    if (lp_computes(&n->lp))
         clock_steal(&n->lp, m->system);
     n->ready = vt_min(n->ready, now + m->system);
     lp_notify(&n->lp, now + m->system);
@@ -274,14 +274,14 @@ static void poll(struct fake_node *n, uint64_t left)
     vtime now = clock_sync(lp);
     clock_take_lookahead(lp);
     clock_reach_boundary(lp, 1);
-    if (lp->interruptible && !(lp->offloaded && now < lp->until))
+    if (lp->interruptible && !(lp->state == LP_OFFLOADED && now < lp->until))
         order(n);
     else if (now > lp->schedule->max_time)
         order(n);
     else
         offload_at_poll(lp, now);
-    clock_allow(lp,
-                lp->offloaded && !lp->interruptible ? schedule_end_of_time(lp->schedule) : lp_deadline(lp));
+    clock_allow(lp, lp->state == LP_OFFLOADED && !lp->interruptible ? schedule_end_of_time(lp->schedule)
+                                                                    : lp_deadline(lp));
 }
 
 /* With a poll each microsecond. */
@@ -562,8 +562,7 @@ static void expect_lazily_blocked(void *ctx, void *arg, vtime now)
 {
     struct fake_node *n = ctx;
     (void)arg, (void)now;
-    assert_true(n->lp.lazily_blocked);
-    assert_int_equal(n->lp.state, LP_COMPUTING);
+    assert_int_equal(n->lp.state, LP_BLOCKS_LAZILY);
     assert_true(evq_next(n->m->s.q) > 40 * US);
 }
 
@@ -749,7 +748,7 @@ static void check_horizon(void *ctx, void *arg, vtime now)
 {
     struct fake_node *n = ctx;
     (void)arg;
-    assert_true(n->lp.paused_at_poll);
+    assert_int_equal(n->lp.state, LP_PAUSED);
     assert_true(n->lp.clock.now >= now && n->lp.clock.now <= now + 35 * US);
 }
 
@@ -787,10 +786,10 @@ static void check_catching_up(void *ctx, void *arg, vtime now)
 {
     struct fake_node *n = ctx;
     (void)arg;
-    assert_true(n->lp.paused_at_poll);
+    assert_int_equal(n->lp.state, LP_PAUSED);
     assert_true(n->lp.clock.now < now);
     lp_synchronise(&n->lp);
-    assert_true(n->lp.paused_at_poll);
+    assert_int_equal(n->lp.state, LP_PAUSED);
     assert_int_equal(n->lp.clock.now, now + US / 2);
 }
 
@@ -818,7 +817,7 @@ static void check_poll_at_200(void *ctx, void *arg, vtime now)
 {
     struct fake_node *n = ctx;
     (void)arg, (void)now;
-    assert_true(n->lp.paused_at_poll && n->lp.clock.now < 50 * US);
+    assert_true(n->lp.state == LP_PAUSED && n->lp.clock.now < 50 * US);
     assert_int_equal(mintree_least(&n->m->s.polls), 200 * US);
 }
 
