@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include "mpi.h"
 #include "mpi_api/core/core.h"
 #include "mpi_api/core/library.h"
@@ -49,6 +50,12 @@ bool object_leave(struct object *o);
 #define HANDLE(type, x) ((type)(intptr_t)(x)->object.handle)
 
 void *get_memory(size_t bytes); /* malloc, or the end of the run; NULL for none */
+/* Most messages have none: a call of free takes time, also for none. */
+static inline void give_memory(void *p)
+{
+    if (p)
+        free(p);
+}
 
 /* --- communicators --- */
 
