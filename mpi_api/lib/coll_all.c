@@ -121,22 +121,29 @@ COLLECTIVE(Allgatherv, Iallgatherv, allgatherv,
 /* Short ones: Bruck's; of middle length: all at once; long ones: one partner after the other. */
 enum { SHORT_ALLTOALL = 256, LONG_ALLTOALL = 32768, FEW_RANKS = 8 };
 
+/* The parts whose numbers have the bit, in runs of so many, are gathered, or put back: how many bytes. */
+static size_t move_marked(char *parts, char *gathered, size_t each, int size, int bit, bool back)
+{
+    size_t moved = 0;
+    for (int first = bit; first < size; first += 2 * bit) {
+        char *run = parts + each * (size_t)first;
+        size_t bytes = each * (size_t)(bit < size - first ? bit : size - first);
+        memcpy(back ? run : gathered + moved, back ? gathered + moved : run, bytes);
+        moved += bytes;
+    }
+    return moved;
+}
+
 /* Part i is for the rank i further. In step k all parts whose number has bit k go 2^k ranks on. */
 static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
 {
     int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     char *out = get_memory(each * (size_t)size), *in = get_memory(each * (size_t)size);
     for (int bit = 1; bit < size && !code; bit *= 2) {
-        int n = 0;
-        for (int i = 0; i < size; i++)
-            if (i & bit)
-                memcpy(out + each * (size_t)n++, parts + each * (size_t)i, each);
-        code = coll_exchange(o, out, (int)(each * (size_t)n), MPI_BYTE, (rank + bit) % size, in,
-                             (int)(each * (size_t)n), MPI_BYTE, (rank - bit + size) % size);
-        n = 0;
-        for (int i = 0; i < size; i++)
-            if (i & bit)
-                memcpy(parts + each * (size_t)i, in + each * (size_t)n++, each);
+        int bytes = (int)move_marked(parts, out, each, size, bit, false);
+        code = coll_exchange(o, out, bytes, MPI_BYTE, (rank + bit) % size, in, bytes, MPI_BYTE,
+                             (rank - bit + size) % size);
+        move_marked(parts, in, each, size, bit, true);
     }
     free(out);
     free(in);
@@ -146,11 +153,11 @@ static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
 static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into,
                           int room, MPI_Datatype as)
 {
-    int size = o->size, rank = o->rank;
+    int size = o->size, rank = o->rank, behind = size - rank;
     size_t each = (size_t)room * size_of(as);
     char *parts = get_memory(each * (size_t)size);
-    for (int i = 0; i < size; i++)
-        type_pack(element(buf, (MPI_Aint)((rank + i) % size) * count, t), count, t, parts + each * (size_t)i);
+    type_pack(element(buf, (MPI_Aint)rank * count, t), behind * count, t, parts);
+    type_pack(buf, rank * count, t, parts + each * (size_t)behind);
     int code = alltoall_bruck(o, parts, each);
     for (int i = 0; i < size && !code; i++)
         type_unpack(parts + each * (size_t)i, each,
