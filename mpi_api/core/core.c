@@ -195,8 +195,9 @@ long node_nxm_fail(int call, const char *text)
     node_fail(n, "%s: %s", completion_call_name(call), text);
 }
 
-long node_nxm_eager_limit(void);
-long node_nxm_eager_limit(void)
+long node_nxm_number(enum nxm_number which);
+long node_nxm_number(enum nxm_number which)
 {
-    return (long)node_self()->sys->cfg->mpi_eager_limit;
+    const struct cfg_machine *m = node_self()->sys->cfg;
+    return (long)(which == NXM_EAGER_LIMIT ? m->mpi_eager_limit : m->mpi_collectives);
 }

@@ -86,6 +86,7 @@ long nxm_moved(int call, long id, int wait);
 
 /* Ends the run with this message. */
 long nxm_fail(int call, const char *text);
-/* Standard sends of more bytes wait for their receives. */
-long nxm_eager_limit(void);
+/* A number of the machine file. */
+enum nxm_number { NXM_EAGER_LIMIT, NXM_COLLECTIVES };
+long nxm_number(enum nxm_number which);
 #endif

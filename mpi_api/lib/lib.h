@@ -188,6 +188,7 @@ const char *op_refuses(MPI_Op op, MPI_Datatype t);
 
 extern bool mpi_runs; /* between MPI_Init and MPI_Finalize */
 extern long mpi_eager_limit;
+extern bool mpi_of_1995; /* collectives are those of coll_1995.c */
 void run_begin(void);
 
 #endif
