@@ -15,39 +15,51 @@ void completion_take(struct node *n, struct receive *r, struct nxm_status *statu
     status->truncated = mailbox_take(n, r) < 0;
 }
 
-/* How many of the ids are done, and whether all are. */
-struct progress {
-    int done;
-    bool all;
-};
-
-static struct progress progress(struct node *n, const struct nxm_completion *c)
+static bool is_one_enough(const struct nxm_completion *c)
 {
-    struct progress p = {0, true};
-    for (int i = 0; i < c->count; i++)
-        if (c->ids[i]) {
-            bool done = mailbox_id_is_complete(n, c->ids[i]);
-            p.done += done;
-            p.all = p.all && done;
-            if (done && c->how & (NXM_ANY | NXM_SOME))
-                break; /* one is enough */
-            if (!done && !(c->how & (NXM_ANY | NXM_SOME)))
-                break;
-        }
-    return p;
+    return c->how & (NXM_ANY | NXM_SOME);
 }
 
-bool completion_is_ready(struct node *n, void *completion)
+static bool is_missing(struct node *n, int id)
 {
-    const struct nxm_completion *c = completion;
-    struct progress p = progress(n, c);
-    return c->how & (NXM_ANY | NXM_SOME) ? p.done > 0 || p.all : p.all;
+    return id && !mailbox_id_is_complete(n, id);
 }
 
-struct awaited completion_awaits(struct node *n, const struct nxm_completion *c)
+/* Is one of the ids done, or is there none? */
+static bool any_is_done(struct node *n, const struct nxm_completion *c)
 {
+    bool none = true;
     for (int i = 0; i < c->count; i++) {
-        if (!c->ids[i] || mailbox_id_is_complete(n, c->ids[i]))
+        if (c->ids[i] && mailbox_id_is_complete(n, c->ids[i]))
+            return true;
+        none = none && !c->ids[i];
+    }
+    return none;
+}
+
+/* Looks first where the last look has found one that is not done: most often it still is not. */
+static bool all_are_done(struct node *n, struct completion_look *l)
+{
+    const struct nxm_completion *c = l->of;
+    for (int k = 0, i = l->missing; k < c->count; k++, i = i + 1 < c->count ? i + 1 : 0)
+        if (is_missing(n, c->ids[i])) {
+            l->missing = i;
+            return false;
+        }
+    return true;
+}
+
+bool completion_is_ready(struct node *n, void *look)
+{
+    struct completion_look *l = look;
+    return is_one_enough(l->of) ? any_is_done(n, l->of) : all_are_done(n, l);
+}
+
+struct awaited completion_awaits(struct node *n, const struct completion_look *l)
+{
+    const struct nxm_completion *c = l->of;
+    for (int i = 0; i < c->count; i++) {
+        if (!is_missing(n, c->ids[i]))
             continue;
         const struct receive *r = mailbox_id_receive(n, c->ids[i]);
         const struct send *s = mailbox_id_send(n, c->ids[i]);
@@ -73,9 +85,8 @@ static void take(struct node *n, int id, struct nxm_status *status)
 static void take_done(struct node *n, const struct nxm_completion *c)
 {
     for (int i = 0; i < c->count; i++) {
-        bool done = c->ids[i] && mailbox_id_is_complete(n, c->ids[i]);
         c->status[i].done = 0;
-        if (!done)
+        if (!c->ids[i] || (is_one_enough(c) && is_missing(n, c->ids[i])))
             continue;
         take(n, c->ids[i], &c->status[i]);
         if (c->how & NXM_ANY)
@@ -93,18 +104,21 @@ static void tell(struct node *n, const struct nxm_completion *c)
     if (i == c->count)
         return;
     const struct receive *r = mailbox_id_receive(n, c->ids[i]);
+    const struct node_info *s = r ? NULL : &mailbox_id_send(n, c->ids[i])->info;
     ANNOUNCE(n, awaits, !r, r ? r->select.node : -1);
-    gate_awaits(n, r ? (long)r->select.type : mailbox_id_send(n, c->ids[i])->info.type);
+    if (!nxm_is_collective(r ? (int)r->select.pid : (int)s->pid))
+        gate_awaits(n, r ? (long)r->select.type : s->type);
 }
 
 bool completion_run(struct node *n, const struct nxm_completion *c)
 {
+    struct completion_look look = {.of = c};
     nx_spend_call(n);
     tell(n, c);
     if (c->how & NXM_WAIT) {
-        node_wait(n, completion_is_ready, (void *)(uintptr_t)c);
-    } else if (!completion_is_ready(n, (void *)(uintptr_t)c)) {
-        struct awaited a = completion_awaits(n, c);
+        node_wait(n, completion_is_ready, &look);
+    } else if (!completion_is_ready(n, &look)) {
+        struct awaited a = completion_awaits(n, &look);
         if (a.receive)
             nx_found_nothing(n, &a.receive->select);
         for (int i = 0; i < c->count; i++)

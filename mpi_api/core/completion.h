@@ -12,7 +12,12 @@ struct nxm_status completion_status(const struct node *n, const struct message *
 void completion_take(struct node *n, struct receive *r, struct nxm_status *status);
 /* nxm_complete, in a call. */
 bool completion_run(struct node *n, const struct nxm_completion *c);
-/* For node_wait, given a struct nxm_completion; and what it still waits for, for reports. */
-bool completion_is_ready(struct node *n, void *completion);
-struct awaited completion_awaits(struct node *n, const struct nxm_completion *c);
+/* One that is looked at again and again; `missing`: where the last look has found one that is not done. */
+struct completion_look {
+    const struct nxm_completion *of;
+    int missing;
+};
+/* For node_wait, given a struct completion_look; and what it still waits for, for reports. */
+bool completion_is_ready(struct node *n, void *look);
+struct awaited completion_awaits(struct node *n, const struct completion_look *l);
 #endif

@@ -7,6 +7,7 @@
 #include "nx_api/calls/receive.h"
 #include "nx_api/calls/send.h"
 #include "nx_api/contract/matching.h"
+#include "os/gate.h"
 
 static const char *const names[] = {
 #define MPI_NAME(name) "MPI_" #name,
@@ -35,6 +36,14 @@ static struct node *enter_early(int call)
     return n;
 }
 
+/* For reports. A collective's tag is the library's own: waits are not told apart by it. */
+static void about(struct node *n, const struct nxm_envelope *e)
+{
+    gate_about(n, e->tag);
+    if (!nxm_is_collective(e->context))
+        gate_awaits(n, e->tag);
+}
+
 /* --- sending --- */
 
 static struct outgoing outgoing_of(const struct nxm_envelope *e, const void *buf, long len, int held)
@@ -53,7 +62,7 @@ long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int 
 {
     struct node *n = enter_early(e->call);
     const struct outgoing o = outgoing_of(e, buf, len, held);
-    nx_about(n, e->tag);
+    about(n, e);
     if (nx_goes_at_once(n, &o)) {
         nx_send(n, &o, NULL);
     } else {
@@ -78,12 +87,12 @@ long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int
     struct node *n = enter_early(e->call);
     const struct outgoing o = outgoing_of(e, buf, len, held);
     long id = 0;
-    nx_about(n, e->tag);
+    about(n, e);
     if (!nx_goes_at_once(n, &o))
         id = new_id(n, ID_SENDS);
     struct send *s = id ? mailbox_id_send(n, id) : NULL;
     if (s)
-        s->info.type = e->tag;
+        s->info = (struct node_info){.type = e->tag, .pid = e->context};
     nx_send(n, &o, s);
     node_leave(n);
     return id;
@@ -98,7 +107,7 @@ static struct selector selector_of(const struct nxm_envelope *e)
 
 static void post(struct node *n, struct receive *r, const struct nxm_envelope *e, void *buf, long room)
 {
-    nx_about(n, e->tag);
+    about(n, e);
     *r = (struct receive){.select = selector_of(e), .buf = buf, .room = (size_t)room};
     nx_spend_call(n);
     mailbox_post(n, r);
@@ -139,7 +148,7 @@ long node_nxm_probe(const struct nxm_envelope *e, int wait, struct nxm_status *s
 {
     struct node *n = enter(e->call);
     struct incoming in = {.select = selector_of(e)};
-    nx_about(n, e->tag);
+    about(n, e);
     nx_spend_call(n);
     if (wait)
         node_wait(n, nx_probe_finds, &in);
@@ -186,8 +195,9 @@ long node_nxm_fail(int call, const char *text)
     node_fail(n, "%s: %s", completion_call_name(call), text);
 }
 
-long node_nxm_eager_limit(void);
-long node_nxm_eager_limit(void)
+long node_nxm_number(enum nxm_number which);
+long node_nxm_number(enum nxm_number which)
 {
-    return (long)node_self()->sys->cfg->mpi_eager_limit;
+    const struct cfg_machine *m = node_self()->sys->cfg;
+    return (long)(which == NXM_EAGER_LIMIT ? m->mpi_eager_limit : m->mpi_collectives);
 }

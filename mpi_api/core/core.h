@@ -8,6 +8,7 @@
  * the program's own. */
 #ifndef MPI_CORE_H
 #define MPI_CORE_H
+#include <stdbool.h>
 
 /* MPI's calls by number, for reports: mpi_names.def. */
 enum nxm_call {
@@ -19,6 +20,10 @@ enum nxm_call {
 
 /* NX's messages have other process types, unless a program gives itself one of so many. */
 enum { NXM_FIRST_CONTEXT = 1 << 24 };
+static inline bool nxm_is_collective(int context)
+{
+    return context & 1;
+}
 
 /* What a message is sent with, or a receive selects: tag and node may be -1 there, any. */
 struct nxm_envelope {
@@ -81,6 +86,7 @@ long nxm_moved(int call, long id, int wait);
 
 /* Ends the run with this message. */
 long nxm_fail(int call, const char *text);
-/* Standard sends of more bytes wait for their receives. */
-long nxm_eager_limit(void);
+/* A number of the machine file. */
+enum nxm_number { NXM_EAGER_LIMIT, NXM_COLLECTIVES };
+long nxm_number(enum nxm_number which);
 #endif

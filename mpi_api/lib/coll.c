@@ -161,7 +161,7 @@ void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t,
     int id = (int)nxm_isend(&e, at ? at : packed, (long)bytes, false);
     if (id)
         tasks_complete(&(struct nxm_completion){o->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
-    free(packed);
+    give_memory(packed);
 }
 
 static int too_long(const struct coll *o, const struct nxm_status *s, size_t room)
@@ -181,7 +181,7 @@ int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int
     tasks_receive(&e, at ? at : packed, room, &s);
     if (packed && !s.truncated)
         type_unpack(packed, (size_t)s.bytes, buf, count, t);
-    free(packed);
+    give_memory(packed);
     return s.truncated ? too_long(o, &s, room) : MPI_SUCCESS;
 }
 

@@ -100,12 +100,22 @@ int coll_sum_for_each(const struct coll *o, const int counts[], int *own);
 int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, void *all);
 int coll_scatterv(const struct coll *o, const void *buf, const int counts[], const int at[], MPI_Datatype t,
                   void *into, int room, MPI_Datatype as, int root);
+/* The part for a rank, and the part from a rank: lists of counts, or the same count for all. */
+void *coll_part_out(const struct args *a, int i, int *count, MPI_Datatype *t);
+void *coll_part_in(const struct args *a, int i, int *room, MPI_Datatype *t);
 /* All parts at once: each rank's own, unless the communicator has two groups. */
-int coll_at_once(const struct args *a);
+int coll_at_once(struct args *a);
 
 /* Collectives of two groups. */
 coll_run inter_barrier, inter_bcast, inter_gather, inter_scatter, inter_allgather, inter_reduce,
     inter_allreduce, inter_reduce_scatter;
+
+/* Within one group, as in 1995. */
+int old_barrier(const struct coll *o);
+int old_bcast(const struct coll *o, void *buf, int count, MPI_Datatype t, int root);
+int old_allreduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op);
+int old_scan(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op);
+coll_run old_gather, old_scatter, old_allgather, old_alltoall;
 
 static inline bool any_bytes(int count, MPI_Datatype t)
 {

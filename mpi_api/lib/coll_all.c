@@ -89,6 +89,8 @@ static int allgather(struct args *a)
     const struct coll *o = &a->o;
     if (o->c->remote)
         return inter_allgather(a);
+    if (mpi_of_1995)
+        return old_allgather(a);
     if (a->buf != MPI_IN_PLACE)
         type_copy(a->buf, a->count, a->type, element(a->into, (MPI_Aint)o->rank * a->room, a->as), a->room,
                   a->as);
@@ -102,6 +104,8 @@ static int allgatherv(struct args *a)
     const struct coll *o = &a->o;
     if (o->c->remote)
         return inter_allgather(a);
+    if (mpi_of_1995)
+        return old_allgather(a);
     if (a->buf != MPI_IN_PLACE)
         type_copy(a->buf, a->count, a->type, element(a->into, a->places[o->rank], a->as), a->rooms[o->rank],
                   a->as);
@@ -121,22 +125,29 @@ COLLECTIVE(Allgatherv, Iallgatherv, allgatherv,
 /* Short ones: Bruck's; of middle length: all at once; long ones: one partner after the other. */
 enum { SHORT_ALLTOALL = 256, LONG_ALLTOALL = 32768, FEW_RANKS = 8 };
 
+/* The parts whose numbers have the bit, in runs of so many, are gathered, or put back: how many bytes. */
+static size_t move_marked(char *parts, char *gathered, size_t each, int size, int bit, bool back)
+{
+    size_t moved = 0;
+    for (int first = bit; first < size; first += 2 * bit) {
+        char *run = parts + each * (size_t)first;
+        size_t bytes = each * (size_t)(bit < size - first ? bit : size - first);
+        memcpy(back ? run : gathered + moved, back ? gathered + moved : run, bytes);
+        moved += bytes;
+    }
+    return moved;
+}
+
 /* Part i is for the rank i further. In step k all parts whose number has bit k go 2^k ranks on. */
 static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
 {
     int size = o->size, rank = o->rank, code = MPI_SUCCESS;
     char *out = get_memory(each * (size_t)size), *in = get_memory(each * (size_t)size);
     for (int bit = 1; bit < size && !code; bit *= 2) {
-        int n = 0;
-        for (int i = 0; i < size; i++)
-            if (i & bit)
-                memcpy(out + each * (size_t)n++, parts + each * (size_t)i, each);
-        code = coll_exchange(o, out, (int)(each * (size_t)n), MPI_BYTE, (rank + bit) % size, in,
-                             (int)(each * (size_t)n), MPI_BYTE, (rank - bit + size) % size);
-        n = 0;
-        for (int i = 0; i < size; i++)
-            if (i & bit)
-                memcpy(parts + each * (size_t)i, in + each * (size_t)n++, each);
+        int bytes = (int)move_marked(parts, out, each, size, bit, false);
+        code = coll_exchange(o, out, bytes, MPI_BYTE, (rank + bit) % size, in, bytes, MPI_BYTE,
+                             (rank - bit + size) % size);
+        move_marked(parts, in, each, size, bit, true);
     }
     free(out);
     free(in);
@@ -146,11 +157,11 @@ static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
 static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into,
                           int room, MPI_Datatype as)
 {
-    int size = o->size, rank = o->rank;
+    int size = o->size, rank = o->rank, behind = size - rank;
     size_t each = (size_t)room * size_of(as);
     char *parts = get_memory(each * (size_t)size);
-    for (int i = 0; i < size; i++)
-        type_pack(element(buf, (MPI_Aint)((rank + i) % size) * count, t), count, t, parts + each * (size_t)i);
+    type_pack(element(buf, (MPI_Aint)rank * count, t), behind * count, t, parts);
+    type_pack(buf, rank * count, t, parts + each * (size_t)behind);
     int code = alltoall_bruck(o, parts, each);
     for (int i = 0; i < size && !code; i++)
         type_unpack(parts + each * (size_t)i, each,
@@ -159,8 +170,7 @@ static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_
     return code;
 }
 
-/* The part for a rank, and the part from a rank: lists of counts, or the same count for all. */
-static void *part_out(const struct args *p, int i, int *count, MPI_Datatype *t)
+void *coll_part_out(const struct args *p, int i, int *count, MPI_Datatype *t)
 {
     *t = p->types ? p->types[i] : p->type;
     *count = p->counts ? p->counts[i] : p->count;
@@ -169,7 +179,7 @@ static void *part_out(const struct args *p, int i, int *count, MPI_Datatype *t)
     return element(p->buf, p->counts ? p->at[i] : (MPI_Aint)i * p->count, *t);
 }
 
-static void *part_in(const struct args *p, int i, int *room, MPI_Datatype *t)
+void *coll_part_in(const struct args *p, int i, int *room, MPI_Datatype *t)
 {
     *t = p->ases ? p->ases[i] : p->as;
     *room = p->rooms ? p->rooms[i] : p->room;
@@ -178,28 +188,30 @@ static void *part_in(const struct args *p, int i, int *room, MPI_Datatype *t)
     return element(p->into, p->rooms ? p->places[i] : (MPI_Aint)i * p->room, *t);
 }
 
-int coll_at_once(const struct args *p)
+int coll_at_once(struct args *p)
 {
     const struct coll *o = &p->o;
+    if (mpi_of_1995 && !o->c->remote)
+        return old_alltoall(p);
     int size = o->size, rank = o->rank, n = 0, count, room;
     bool own_part = !o->c->remote;
     MPI_Datatype t, as;
     struct request **r = get_memory(2 * (size_t)size * sizeof *r);
     for (int k = own_part; k < size; k++) {
         int from = (rank % size - k + size) % size;
-        void *at = part_in(p, from, &room, &as);
+        void *at = coll_part_in(p, from, &room, &as);
         if (any_bytes(room, as))
             r[n++] = coll_start(o, false, at, room, as, from);
     }
     for (int k = own_part; k < size; k++) {
         int to = (rank + k) % size;
-        void *at = part_out(p, to, &count, &t);
+        void *at = coll_part_out(p, to, &count, &t);
         if (any_bytes(count, t))
             r[n++] = coll_start(o, true, at, count, t, to);
     }
     if (own_part) {
-        const void *own = part_out(p, rank, &count, &t);
-        void *at = part_in(p, rank, &room, &as);
+        const void *own = coll_part_out(p, rank, &count, &t);
+        void *at = coll_part_in(p, rank, &room, &as);
         type_copy(own, count, t, at, room, as);
     }
     int code = coll_wait(o, n, r);
@@ -212,14 +224,14 @@ static int one_by_one(const struct args *p)
     const struct coll *o = &p->o;
     int size = o->size, rank = o->rank, code = MPI_SUCCESS, count, room;
     MPI_Datatype t, as;
-    const void *own = part_out(p, rank, &count, &t);
-    void *at = part_in(p, rank, &room, &as);
+    const void *own = coll_part_out(p, rank, &count, &t);
+    void *at = coll_part_in(p, rank, &room, &as);
     type_copy(own, count, t, at, room, as);
     for (int k = 1; k < size && !code; k++) {
         int to = is_power_of_two(size) ? rank ^ k : (rank + k) % size;
         int from = is_power_of_two(size) ? to : (rank - k + size) % size;
-        const void *out = part_out(p, to, &count, &t);
-        void *in = part_in(p, from, &room, &as);
+        const void *out = coll_part_out(p, to, &count, &t);
+        void *in = coll_part_in(p, from, &room, &as);
         code = coll_exchange(o, out, count, t, to, in, room, as, from);
     }
     return code;
@@ -233,13 +245,13 @@ static int in_place(const struct args *p)
     MPI_Datatype as;
     int *counts = get_memory(2 * (size_t)size * sizeof *counts), *at = counts + size;
     for (int i = 0; i < size; i++) {
-        part_in(p, i, &room, &as);
+        coll_part_in(p, i, &room, &as);
         counts[i] = (int)((size_t)room * size_of(as)), at[i] = (int)bytes;
         bytes += (size_t)counts[i];
     }
     char *copy = get_memory(bytes);
     for (int i = 0; i < size; i++) {
-        void *from = part_in(p, i, &room, &as);
+        void *from = coll_part_in(p, i, &room, &as);
         type_pack(from, room, as, copy + at[i]);
     }
     struct args q = *p;
@@ -274,6 +286,8 @@ static int alltoall(struct args *a)
     size_t each = (size_t)a->room * size_of(a->as);
     if (a->buf == MPI_IN_PLACE)
         return in_place(a);
+    if (mpi_of_1995)
+        return coll_at_once(a);
     if (each <= SHORT_ALLTOALL && o->size >= FEW_RANKS && !o->c->remote)
         return alltoall_short(o, a->buf, a->count, a->type, a->into, a->room, a->as);
     return each <= LONG_ALLTOALL || o->c->remote ? coll_at_once(a) : one_by_one(a);

@@ -39,12 +39,13 @@ int inter_bcast(struct args *a)
 int inter_gather(struct args *a)
 {
     const struct coll *o = &a->o;
-    int code = MPI_SUCCESS;
+    int code = MPI_SUCCESS, room;
+    MPI_Datatype as;
     if (a->root >= 0)
         coll_send(o, a->buf, a->count, a->type, a->root);
     for (int i = 0; a->root == MPI_ROOT && i < o->size && !code; i++) {
-        MPI_Aint at = a->places ? a->places[i] : (MPI_Aint)i * a->room;
-        code = coll_receive(o, element(a->into, at, a->as), a->rooms ? a->rooms[i] : a->room, a->as, i);
+        void *at = coll_part_in(a, i, &room, &as);
+        code = coll_receive(o, at, room, as, i);
     }
     return code;
 }
@@ -52,9 +53,11 @@ int inter_gather(struct args *a)
 int inter_scatter(struct args *a)
 {
     const struct coll *o = &a->o;
+    int count;
+    MPI_Datatype t;
     for (int i = 0; a->root == MPI_ROOT && i < o->size; i++) {
-        MPI_Aint at = a->counts ? a->at[i] : (MPI_Aint)i * a->count;
-        coll_send(o, element(a->buf, at, a->type), a->counts ? a->counts[i] : a->count, a->type, i);
+        const void *from = coll_part_out(a, i, &count, &t);
+        coll_send(o, from, count, t, i);
     }
     return a->root >= 0 ? coll_receive(o, a->into, a->room, a->as, a->root) : MPI_SUCCESS;
 }

@@ -11,6 +11,8 @@
 int coll_barrier(const struct coll *o)
 {
     int code = MPI_SUCCESS;
+    if (mpi_of_1995)
+        return old_barrier(o);
     for (int step = 1; step < o->size && !code; step *= 2) {
         coll_send_bytes(o, "", 0, (o->rank + step) % o->size);
         code = coll_receive_bytes(o, NULL, 0, (o->rank - step + o->size) % o->size);
@@ -90,6 +92,8 @@ static void bcast_ring(const struct coll *o, char *data, size_t bytes, int root)
 int coll_bcast(const struct coll *o, void *buf, int count, MPI_Datatype t, int root)
 {
     size_t bytes;
+    if (mpi_of_1995)
+        return old_bcast(o, buf, count, t, root);
     char *together = type_together(buf, count, t, &bytes);
     if (bytes < LONG_BCAST || o->size < FEW_RANKS)
         return bcast_tree(o, buf, count, t, root);
@@ -178,7 +182,7 @@ static int check_gather(struct args *a)
 
 static int gather(struct args *a)
 {
-    return a->o.c->remote ? inter_gather(a) : gather_tree(a);
+    return a->o.c->remote ? inter_gather(a) : mpi_of_1995 ? old_gather(a) : gather_tree(a);
 }
 #define check_gatherv check_gather
 
@@ -229,7 +233,7 @@ static int check_scatter(struct args *a)
 
 static int scatter(struct args *a)
 {
-    return a->o.c->remote ? inter_scatter(a) : scatter_tree(a);
+    return a->o.c->remote ? inter_scatter(a) : mpi_of_1995 ? old_scatter(a) : scatter_tree(a);
 }
 #define check_scatterv check_scatter
 
@@ -264,7 +268,7 @@ static int gather_parts(const struct args *a)
 
 static int gatherv(struct args *a)
 {
-    return a->o.c->remote ? inter_gather(a) : gather_parts(a);
+    return a->o.c->remote ? inter_gather(a) : mpi_of_1995 ? old_gather(a) : gather_parts(a);
 }
 
 COLLECTIVE(Gatherv, Igatherv, gatherv,
@@ -277,6 +281,16 @@ int coll_scatterv(const struct coll *o, const void *buf, const int counts[], con
                   void *into, int room, MPI_Datatype as, int root)
 {
     int size = o->size, rank = o->rank;
+    if (mpi_of_1995)
+        return old_scatter(&(struct args){.o = *o,
+                                          .buf = buf,
+                                          .counts = counts,
+                                          .at = at,
+                                          .type = t,
+                                          .into = into,
+                                          .room = room,
+                                          .as = as,
+                                          .root = root});
     if (rank != root)
         return any_bytes(room, as) ? coll_receive(o, into, room, as, root) : MPI_SUCCESS;
     struct request **r = get_memory((size_t)size * sizeof *r);

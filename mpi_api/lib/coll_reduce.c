@@ -210,6 +210,8 @@ static int halving(struct sum *s, const struct fold *f)
 
 int coll_allreduce(const struct coll *o, const void *buf, void *into, int count, MPI_Datatype t, MPI_Op op)
 {
+    if (mpi_of_1995)
+        return old_allreduce(o, buf, into, count, t, op);
     struct sum s = sum_begin(o, buf, count, t, op);
     struct fold f = fold_of(o);
     bool brief = (size_t)count * size_of(t) <= SHORT_ALLREDUCE || !op_is_own(op) || count < f.power ||
@@ -377,6 +379,8 @@ static int check_prefix(struct args *a)
 
 static int inclusive(struct args *a)
 {
+    if (mpi_of_1995)
+        return old_scan(&a->o, operand_of(a), a->into, a->count, a->type, a->op);
     return scan(&a->o, operand_of(a), a->into, a->count, a->type, a->op, true);
 }
 

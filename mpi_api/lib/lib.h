@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include "mpi.h"
 #include "mpi_api/core/core.h"
 #include "mpi_api/core/library.h"
@@ -49,6 +50,12 @@ bool object_leave(struct object *o);
 #define HANDLE(type, x) ((type)(intptr_t)(x)->object.handle)
 
 void *get_memory(size_t bytes); /* malloc, or the end of the run; NULL for none */
+/* Most messages have none: a call of free takes time, also for none. */
+static inline void give_memory(void *p)
+{
+    if (p)
+        free(p);
+}
 
 /* --- communicators --- */
 
@@ -181,6 +188,7 @@ const char *op_refuses(MPI_Op op, MPI_Datatype t);
 
 extern bool mpi_runs; /* between MPI_Init and MPI_Finalize */
 extern long mpi_eager_limit;
+extern bool mpi_of_1995; /* collectives are those of coll_1995.c */
 void run_begin(void);
 
 #endif

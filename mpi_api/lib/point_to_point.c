@@ -137,7 +137,7 @@ int transfer_receive(struct transfer *t, MPI_Status *status)
     tasks_receive(&e, at ? at : packed, room, &s);
     if (!s.truncated && packed)
         type_unpack(packed, (size_t)s.bytes, (void *)(uintptr_t)t->buf, t->count, t->type);
-    free(packed);
+    give_memory(packed);
     status_of(t->c, &s, status);
     return s.truncated ? too_long(t, &s, room) : MPI_SUCCESS;
 }

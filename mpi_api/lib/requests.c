@@ -14,8 +14,8 @@ void request_drop(struct request *r)
     if (r->comm)
         comm_leave(r->comm);
     type_leave(r->type);
-    free(r->prepared);
-    free(r->packed);
+    give_memory(r->prepared);
+    give_memory(r->packed);
     free(r);
 }
 
@@ -71,7 +71,7 @@ int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_
         code = end(r, status);
     r->id = 0;
     r->active = false;
-    free(r->packed);
+    give_memory(r->packed);
     r->packed = NULL;
     if (!r->persistent)
         request_drop(r);

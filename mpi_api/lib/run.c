@@ -8,6 +8,7 @@
 
 bool mpi_runs;
 long mpi_eager_limit;
+bool mpi_of_1995;
 static bool has_run;
 static int threads = MPI_THREAD_SINGLE;
 static struct group world_group, self_group;
@@ -27,7 +28,8 @@ void run_begin(void)
     comm_world.context = NXM_FIRST_CONTEXT, comm_self.context = NXM_FIRST_CONTEXT + 2;
     comm_world.handler = comm_self.handler = MPI_ERRORS_ARE_FATAL;
     comm_world.object = comm_self.object = (struct object){COMM, 1, 0};
-    mpi_eager_limit = nxm_eager_limit();
+    mpi_eager_limit = nxm_number(NXM_EAGER_LIMIT);
+    mpi_of_1995 = nxm_number(NXM_COLLECTIVES) == 1995;
     mpi_runs = true;
 }
 

@@ -202,12 +202,21 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
     return true;
 }
 
-/* MPI's key, which machines of NX do not give. */
+/* A key of MPI's, which machines of NX do not give. */
+static bool read_if_given(struct cfg_reader *r, const char *key, uint64_t low, uint64_t high, uint64_t *value)
+{
+    return !config_setting_get_member(r->root, key) || cfg_whole(r, r->root, key, low, high, value);
+}
+
 static bool read_mpi(struct cfg_reader *r, struct cfg_machine *m)
 {
     m->mpi_eager_limit = 128000; /* known: MPICH 1's for its devices of messages, from 1996 on */
-    return !config_setting_get_member(r->root, "mpi_eager_limit") ||
-           cfg_whole(r, r->root, "mpi_eager_limit", 0, INT32_MAX, &m->mpi_eager_limit);
+    m->mpi_collectives = 2005;   /* read: Thakur, Rabenseifner, Gropp, which MPICH follows to this day */
+    if (!read_if_given(r, "mpi_eager_limit", 0, INT32_MAX, &m->mpi_eager_limit) ||
+        !read_if_given(r, "mpi_collectives", 1995, 2005, &m->mpi_collectives))
+        return false;
+    return m->mpi_collectives == 1995 || m->mpi_collectives == 2005 ||
+           cfg_fail(r, r->root, "mpi_collectives", "must be 1995 or 2005: how MPICH made them in that year");
 }
 
 static bool read_system(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)
@@ -220,8 +229,9 @@ static bool read_system(struct cfg_reader *r, config_setting_t *g, struct cfg_ma
 
 static bool read_machine(struct cfg_reader *r, struct cfg_machine *m)
 {
-    static const char *const keys[] = {"name", "description", "topology",        "node", "net", "system",
-                                       "cfs",  "host",        "mpi_eager_limit", NULL};
+    static const char *const keys[] = {
+        "name", "description",     "topology",        "node", "net", "system", "cfs",
+        "host", "mpi_eager_limit", "mpi_collectives", NULL};
     const char *name, *description;
     config_setting_t *net, *system;
     if (!cfg_only(r, r->root, keys) || !cfg_text(r, r->root, "name", &name) ||

@@ -125,6 +125,7 @@ struct cfg_machine {
     uint64_t message_ids;         /* ids one process may hold */
     /* A standard send of MPI of more bytes waits for its receive; 0: each does. */
     uint64_t mpi_eager_limit;
+    uint64_t mpi_collectives; /* MPI's are made as MPICH made them in this year: 1995, or 2005 */
 
     struct cfg_cfs cfs;
     struct cfg_host host;

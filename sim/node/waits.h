@@ -1,5 +1,6 @@
 /* waits.h - where a node's idle time went: a small table with an entry for each call and message type that
- * the node has waited in. */
+ * the node has waited in. Of very many types the later ones have no entries of their own, but one for the
+ * call. */
 #ifndef NODE_WAITS_H
 #define NODE_WAITS_H
 #include <stdbool.h>
@@ -9,7 +10,7 @@
 
 struct node_wait {
     const char *call;
-    bool has_type; /* otherwise the call waits for no message, and type is 0 */
+    bool has_type; /* otherwise the call waits for no message, or for one of many types; and type is 0 */
     long type;     /* of the message waited for, or the typesel of the receive */
     vtime idle;
     uint64_t waits;

@@ -7,7 +7,6 @@
 struct taken_note {
     struct observer observer; /* first */
     struct taken_log *log;    /* NULL: nothing has been noted */
-    bool names_senders;       /* a receive has selected a certain sender */
 };
 
 static struct taken_note *note_of(struct observer *o)
@@ -51,15 +50,33 @@ static void note_calls(const struct node *n, uintptr_t at[], const uintptr_t *fr
     }
 }
 
-/* May a message that r takes have been meant for another receive? */
-static bool matters(const struct taken_note *own, const struct receive *r)
+static void hear_posts_special(struct observer *o, struct node *n, const struct receive *r);
+static void hear_takes_special(struct observer *o, struct node *n, const struct receive *r);
+static void hear_loses(struct observer *o, struct node *n, const struct message *m, bool flushed, vtime t);
+
+/* Of a program all of whose receives are of one type each nothing is noted when it takes a message. Then, and
+ * when a receive has selected a certain sender. */
+static const struct announcements at_first = {.posts_special = hear_posts_special, .loses = hear_loses};
+static const struct announcements then = {
+    .posts_special = hear_posts_special, .takes_special = hear_takes_special, .loses = hear_loses};
+static const struct announcements named = {.takes_special = hear_takes_special, .loses = hear_loses};
+
+static void hear_posts_special(struct observer *o, struct node *n, const struct receive *r)
 {
-    return r->select.type < 0 || r->handler || (own->names_senders && r->select.node < 0);
+    const struct announcements *wanted = r->select.node >= 0 ? &named : &then;
+    if (o->hears != wanted)
+        observer_wants(n, o, wanted);
 }
 
-static void hear_takes(struct observer *o, struct node *n, struct receive *r)
+/* May a message that r takes have been meant for another receive? */
+static bool matters(const struct observer *o, const struct receive *r)
 {
-    if (!matters(note_of(o), r))
+    return r->select.type < 0 || r->handler || (o->hears == &named && r->select.node < 0);
+}
+
+static void hear_takes_special(struct observer *o, struct node *n, const struct receive *r)
+{
+    if (!matters(o, r))
         return;
     struct taken *t = next(&log_of(o)->by_program);
     fill(t, r->handler ? TAKEN_BY_HANDLER : TAKEN_BY_RECEIVE, r->m, r->m->complete);
@@ -79,24 +96,13 @@ static void hear_loses(struct observer *o, struct node *n, const struct message 
     lost->by = (struct selector){-1, -1, -1};
 }
 
-static void hear_posts_special(struct observer *o, struct node *n, const struct receive *r);
-
-/* Of a program all of whose receives are of one type each nothing is noted when it takes a message. */
-static const struct announcements at_first = {.posts_special = hear_posts_special, .loses = hear_loses};
-static const struct announcements then = {
-    .posts_special = hear_posts_special, .takes = hear_takes, .loses = hear_loses};
-
-static void hear_posts_special(struct observer *o, struct node *n, const struct receive *r)
-{
-    note_of(o)->names_senders |= r->select.node >= 0;
-    if (o->hears != &then)
-        observer_wants(n, o, &then);
-}
-
 static struct observer *observer_at(const struct node *n)
 {
-    struct observer *o = observer_of(n, &at_first);
-    return o ? o : observer_of(n, &then);
+    static const struct announcements *const kinds[] = {&at_first, &then, &named};
+    struct observer *o = NULL;
+    for (size_t i = 0; !o && i < sizeof kinds / sizeof *kinds; i++)
+        o = observer_of(n, kinds[i]);
+    return o;
 }
 
 void taken_begin(struct node *n)

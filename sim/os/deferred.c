@@ -133,32 +133,41 @@ static void put_cold(struct node *n, struct message *m)
     last(n)->cold = true;
 }
 
+/* What the receive of the i-th call finds now, if it is to be posted: no message that comes later is before a
+ * whole one. For one that is coming the call needs an event. */
+static void find(struct node *n, uint32_t i)
+{
+    struct deferred *p = &n->deferred;
+    struct deferred_call *c = nth(n, i);
+    const uint16_t this = (uint16_t)(1u << index_of(n, i));
+    struct message *m = p->posts & this ? unexpected_first(n, &c->receive->select) : NULL;
+    if (m && m->whole)
+        match_select(n, c->receive, m, 0), c->selected = true, p->posts &= (uint16_t) ~this;
+    else if (m)
+        p->needs_event |= this;
+}
+
 void deferred_post(struct node *n, struct receive *r)
 {
     struct deferred *p = &n->deferred;
     struct deferred_call *c = open_call(n);
-    const uint16_t this = only_last(n);
-    assert(!(p->posts & this) && !c->selected && !c->resumes_caller);
+    assert(!(p->posts & only_last(n)) && !c->selected && !c->resumes_caller);
     if (c->has_message)
         put_cold(n, c->message);
     c->receive = r;
-    struct message *m = unexpected_first(n, &r->select);
-    bool selects = m && m->arrived && !(p->posts & p->needs_event);
-    if (selects)
-        match_select(n, r, m, 0), c->selected = true;
-    else
-        p->posts |= this;
-    if (m && !selects)
-        deferred_may_select(n); /* a receive before may select it, or another message be the first then */
+    p->posts |= only_last(n);
+    find(n, p->count - 1u);
+    if (p->posts & p->needs_event & only_last(n))
+        lp_schedule_deferred(&n->lp);
 }
 
 void deferred_may_select(struct node *n)
 {
     struct deferred *p = &n->deferred;
-    if (!(p->posts & ~p->needs_event))
-        return;
-    p->needs_event |= p->posts;
-    lp_schedule_deferred(&n->lp);
+    for (uint32_t i = 0; i < p->count && p->posts; i++)
+        find(n, i);
+    if (p->posts & p->needs_event)
+        lp_schedule_deferred(&n->lp);
 }
 
 void deferred_send(struct node *n, struct message *m)

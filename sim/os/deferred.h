@@ -9,9 +9,10 @@
  *
  * A message is sent at the call's commit time, by an event, without switching to the program; or at once,
  * with the time of then, if nothing can reach the node before (lp/lookahead.h). A receive that selects an
- * unexpected message has it at once. Other receives are posted without an event, before anything reaches the
- * node after their commit time (deferred_commit_until). If a message comes before that they may select, they
- * get an event, too.
+ * unexpected message has it at once, also one that comes whole before the receive's commit time. Other
+ * receives are posted without an event, before anything reaches the node after their commit time
+ * (deferred_commit_until). If the envelope of a long message comes before that they may select, they get an
+ * event, too.
  *
  * When messages take the processor meanwhile, the deferred calls, and all that the program has done since,
  * come so much later. Where the program must know that its moment is committed (node_order, node_wait), all
@@ -54,7 +55,7 @@ void deferred_received(struct node *n, struct message *m);
 vtime deferred_next(const struct node *n, struct message **sends);
 /* That of the last of all, or when its caller resumes; there is one. */
 vtime deferred_last(const struct node *n);
-/* A message has come that the receives may select. */
+/* A message is kept that the receives may select: it has come whole, or its envelope. */
 void deferred_may_select(struct node *n);
 /* Does the commit time of one come before? */
 static inline bool deferred_is_due(const struct node *n, struct instant before)

@@ -51,6 +51,8 @@ long mailbox_take(struct node *n, struct receive *r)
         ASAN_CALL(n, true, r->buf, m->bytes);
     long result = matching_take(n, r);
     ANNOUNCE(n, takes, r);
+    if (IS_HEARD(n, takes_special) && (r->select.type < 0 || r->select.node < 0 || r->handler))
+        ANNOUNCE(n, takes_special, r);
     r->m = NULL;
     m->receive = NULL;
     front_received(n, m);

@@ -114,7 +114,8 @@ bool match_envelope(void *ctx, struct message *m, vtime now)
         return false;
     }
     unexpected_add(n, m);
-    lp_message_kept(&n->lp);
+    if (m->is_long) /* others have arrived at once */
+        lp_message_kept(&n->lp);
     if (m->in_order)
         lp_notify(&n->lp, now); /* a probe finds it before it is whole */
     if (m->is_long && (m->held || !room_for(n, m))) {
@@ -134,12 +135,15 @@ void match_arrived(void *ctx, struct message *m)
     else if (!m->unwanted)
         unexpected_has_arrived(n, m);
     ANNOUNCE(n, arrives, m);
-    if (m->unwanted)
+    if (m->unwanted) {
         protocol_message_free(m);
-    else if (r && r->handler)
+    } else if (r && r->handler) {
         due_add(n, m->complete, r, NULL);
-    else
+    } else {
+        if (!r)
+            lp_message_kept(&n->lp);
         lp_notify(&n->lp, m->complete);
+    }
 }
 
 void match_sent(void *ctx, struct message *m, vtime now)

@@ -48,9 +48,11 @@ struct announcements {
     void (*posts)(struct observer *o, struct node *n, struct receive *r);
     void (*withdraws)(struct observer *o, struct node *n, struct receive *r);
     void (*takes)(struct observer *o, struct node *n, struct receive *r);
-    /* Posts a receive of several types, of one node's messages, or with a handler. (Whoever hears this need
-     * not hear of each receive of a program that has none of these.) */
+    /* Posts a receive of several types, of one node's messages, or with a handler; takes a message by one of
+     * several types, of any node's messages, or with a handler. (Whoever hears these need not hear of each
+     * receive of a program that has none of these.) */
     void (*posts_special)(struct observer *o, struct node *n, const struct receive *r);
+    void (*takes_special)(struct observer *o, struct node *n, const struct receive *r);
     /* The message is thrown away at time t: by flushmsg, or because its type is a forced one and no receive
      * is posted. */
     void (*loses)(struct observer *o, struct node *n, const struct message *m, bool flushed, vtime t);

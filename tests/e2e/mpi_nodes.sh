@@ -17,6 +17,12 @@ for n in 4 9 16; do
 done
 equal_results "12 nodes of the paragon" -m paragon -n 12 mpi_nodes
 equal_results "no send is eager" -m delta -n 8 --set mpi_eager_limit=0 mpi_nodes
+# Twelve ranks are no power of two.
+run -q -m delta -n 12 --set mpi_collectives=1995 mpi_nodes
+check "with the collectives of 1995 all holds" test "$status:$(grep -c ': yes$' out):$(grep -c NO out)" = 0:8:0
+equal_results "collectives of 1995" -m delta -n 12 --set mpi_collectives=1995 mpi_nodes
+run -q -m delta -n 12 --set mpi_collectives=2000 mpi_nodes
+check "those of another year are refused" said 'mpi_collectives.* must be 1995 or 2005'
 check "mpif90 compiles" bin/mpif90 -O2 -o ring "$tests/mpi_nodes.f90"
 run -q -n 6 ring
 check "Fortran's calls" grep -qx '  4  4  9  15.0  2  1' out

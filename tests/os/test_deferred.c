@@ -20,7 +20,7 @@
 #include "os/observer.h"
 #include "os/unexpected.h"
 
-enum { NODES = 2, BYTES = 80, CALL = 3, SEND = 33, ARRIVE = 15 /* us */ };
+enum { NODES = 2, BYTES = 80, LONG_BYTES = 120, CALL = 3, SEND = 33, ARRIVE = 15 /* us */ };
 #define US VT_MICROSECOND
 /* At 40 MHz. */
 #define UNITS_PER_US (UINT64_C(40) * NXC_UNITS_PER_CLOCK)
@@ -140,12 +140,17 @@ static void receive(struct fake *f, int32_t type)
 
 /* --- what happens to it --- */
 
-/* Node 1 sends it a message that arrives at t. */
-static void message_at(struct fake *f, vtime t, int32_t type)
+/* Node 1 sends it a message that arrives at t; or a long one, whose envelope does. */
+static void bytes_at(struct fake *f, vtime t, int32_t type, size_t bytes)
 {
     struct protocol *p = f->sys.schedule.protocol;
-    static const char data[BYTES];
-    protocol_send(p, protocol_message(p, 1, 0, type, 0, data, BYTES), t - 10 * US);
+    static const char data[LONG_BYTES];
+    protocol_send(p, protocol_message(p, 1, 0, type, 0, data, bytes), t - 10 * US);
+}
+
+static void message_at(struct fake *f, vtime t, int32_t type)
+{
+    bytes_at(f, t, type, BYTES);
 }
 
 /* The machine commits all events until t. */
@@ -340,7 +345,7 @@ static void a_receive_that_selects_an_unexpected_message_has_it_at_once(void **s
     end(&f);
 }
 
-static void a_receive_selects_a_message_that_came_before_its_commit_time_then(void **state)
+static void a_receive_has_a_message_that_comes_before_its_commit_time_at_once(void **state)
 {
     struct fake f;
     (void)state;
@@ -348,11 +353,32 @@ static void a_receive_selects_a_message_that_came_before_its_commit_time_then(vo
     message_at(&f, 50 * US, 1);
     compute(&f, 100);
     struct receive *r = post(&f, 1);
-    run_until(&f, 104 * US);
+    run_until(&f, 49 * US);
     assert_null(r->m);
-    run_until(&f, 105 * US); /* 5 us were stolen */
+    run_until(&f, 50 * US);
+    assert_non_null(r->m);
+    assert_int_equal(f.n->deferred.count, 1);
+    assert_int_equal(evq_next(f.sys.schedule.q), VT_NEVER);
+    deferred_roll_back(f.n);
+    assert_non_null(unexpected_first(f.n, &(struct selector){1, -1, -1}));
+    end(&f);
+}
+
+static void a_receive_selects_a_long_message_at_its_commit_time(void **state)
+{
+    struct fake f;
+    (void)state;
+    begin(&f);
+    f.cfg.long_hop_ps = 10 * US;
+    bytes_at(&f, 95 * US, 1, LONG_BYTES);
+    compute(&f, 100);
+    struct receive *r = post(&f, 1);
+    run_until(&f, 99 * US);
+    assert_null(r->m);
+    run_until(&f, 100 * US);
     assert_non_null(r->m);
     assert_int_equal(f.n->deferred.count, 0);
+    run_to_the_end(&f);
     match_withdraw(f.n, r);
     end(&f);
 }
@@ -368,9 +394,9 @@ static void a_later_receive_leaves_a_message_to_an_earlier_one(void **state)
     struct receive *first = post(&f, 1);
     run_until(&f, 60 * US);
     struct receive *second = post(&f, -1);
-    assert_true(!first->m && !second->m);
-    run_to_the_end(&f);
     assert_non_null(first->m);
+    assert_null(second->m);
+    run_to_the_end(&f);
     assert_null(second->m);
     match_withdraw(f.n, first);
     match_withdraw(f.n, second);
@@ -445,7 +471,7 @@ static void stolen_time_shifts_all_deferred_calls(void **state)
     assert_int_equal(deferred_last(f.n), 310 * US);
     run_until(&f, 309 * US);
     assert_int_equal(f.n->deferred.count, 1);
-    run_until(&f, 310 * US); /* the messages may have been what it selects: so it has an event */
+    run_to_the_end(&f);
     assert_int_equal(complete_at(&f, 1), (105 + SEND + ARRIVE) * US);
     assert_int_equal(complete_at(&f, 2), (210 + SEND + ARRIVE) * US);
     assert_int_equal(f.n->deferred.count, 0);
@@ -534,7 +560,8 @@ int main(void)
         cmocka_unit_test(a_receive_is_posted_when_the_machine_has_come_to_its_commit_time),
         cmocka_unit_test(there_is_room_for_so_many_and_no_more),
         cmocka_unit_test(a_receive_that_selects_an_unexpected_message_has_it_at_once),
-        cmocka_unit_test(a_receive_selects_a_message_that_came_before_its_commit_time_then),
+        cmocka_unit_test(a_receive_has_a_message_that_comes_before_its_commit_time_at_once),
+        cmocka_unit_test(a_receive_selects_a_long_message_at_its_commit_time),
         cmocka_unit_test(a_later_receive_leaves_a_message_to_an_earlier_one),
         cmocka_unit_test(a_buffer_is_free_when_the_receive_is_committed),
         cmocka_unit_test(a_message_goes_at_once_if_nothing_can_reach_the_node_before),

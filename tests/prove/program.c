@@ -393,6 +393,8 @@ static bool choose_mpi(struct program *p)
     if (random_chance(&c.random, 0.3))
         set_number(p, "mpi_eager_limit",
                    random_chance(&c.random, 0.5) ? 0 : (double)spread(&c.random, 20000));
+    if (random_chance(&c.random, 0.3))
+        set_number(p, "mpi_collectives", 1995);
     for (uint64_t phase = 1 + random_below(&c.random, 8); phase > 0; phase--) {
         for (int node = 0; node < (int)p->nodes; node++)
             for (uint64_t i = random_below(&c.random, 4); i > 0; i--)
