@@ -1,6 +1,6 @@
-/* tsc.cc - see tsc.h. Before a statement of assembly that has the instruction a call is inserted, which leaves
- * the ticks in memory (nx_api/libc/tsc.c); the instruction becomes loads of them. So to all later passes the
- * call is one as any other. */
+/* tsc.cc - see tsc.h. Before a statement of assembly that has the instruction a call is inserted, which
+ * leaves the ticks in memory (nx_api/common/ticks.c); the instruction becomes loads of them. So to all later
+ * passes the call is one as any other. */
 #include "tsc.h"
 
 namespace

@@ -1,4 +1,5 @@
-/* tsc.c - what nxcc puts in the place of the instruction rdtsc (nxcc/tsc.cc): the ticks of the node's clock. */
+/* ticks.c - what nxcc puts in the place of the instruction rdtsc (nxcc/tsc.cc): the ticks of the node's
+ * clock. */
 #include "nx.h"
 
 unsigned long long nxc_read_tsc(void);
