@@ -37,6 +37,12 @@ $(NODE)/mpi_include/mpi.mod: mpi_api/fortran/mpi_module.f90 $(NODE)/mpi_include/
 
 mpi-suite: setup ## Run MPICH's own tests (Debian's source package) on simulated nodes
 	$(SUBMAKE) all
-	tests/mpich/fetch $B
+	tests/mpich/fetch $B mpich
 	tests/mpich/suite $B
-.PHONY: mpi-suite
+
+mpi-programs: setup ## Build HPCC and NetPIPE (Debian's source packages), and run them on simulated nodes
+	$(SUBMAKE) all
+	tests/mpich/fetch $B hpcc
+	tests/mpich/fetch $B netpipe
+	tests/mpich/programs $B
+.PHONY: mpi-suite mpi-programs

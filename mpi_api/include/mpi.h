@@ -241,7 +241,13 @@ enum {
     MPI_COMBINER_STRUCT = 110,
     MPI_COMBINER_SUBARRAY = 111,
     MPI_COMBINER_DARRAY = 112,
+    MPI_COMBINER_F90_REAL = 113,
+    MPI_COMBINER_F90_COMPLEX = 114,
+    MPI_COMBINER_F90_INTEGER = 115,
     MPI_COMBINER_RESIZED = 116,
+    MPI_COMBINER_HVECTOR_INTEGER = 118, /* these three, which MPI-3 has removed, are in programs' switches */
+    MPI_COMBINER_HINDEXED_INTEGER = 119,
+    MPI_COMBINER_STRUCT_INTEGER = 120,
     MPI_TYPECLASS_INTEGER = 192,
     MPI_TYPECLASS_REAL = 193,
     MPI_TYPECLASS_COMPLEX = 194,
@@ -373,9 +379,6 @@ typedef MPI_Comm_errhandler_function MPI_Handler_function;
 #define MPI_NULL_DELETE_FN MPI_COMM_NULL_DELETE_FN
 #define MPI_LB ((MPI_Datatype)0x2f0)
 #define MPI_UB ((MPI_Datatype)0x2f1)
-#define MPI_COMBINER_HVECTOR_INTEGER MPI_COMBINER_HVECTOR
-#define MPI_COMBINER_HINDEXED_INTEGER MPI_COMBINER_HINDEXED
-#define MPI_COMBINER_STRUCT_INTEGER MPI_COMBINER_STRUCT
 #define MPI_Address MPI_Get_address
 #define MPI_Type_hvector MPI_Type_create_hvector
 #define MPI_Type_hindexed MPI_Type_create_hindexed

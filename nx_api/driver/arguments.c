@@ -144,6 +144,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
     static const char *const dropped[] = {"-g0", "--mpi", NULL};
     static const char *const algebra[] = {"-lkmath", "-lblas", "-llapack", NULL};
     const char *option = argv[*i], *file;
+    if (a->mpi_program)
+        intel_mpi_answer(option);
     if (!strcmp(option, "--help"))
         help_show();
     else if (!strcmp(option, "--version"))

@@ -165,3 +165,18 @@ _Noreturn void intel_mpi_links(const char *folder)
     make_links(folder, mpi_names);
     exit(0);
 }
+
+/* Open MPI's and MPICH's spell them differently: -showme:compile, --showme, -show, -link_info. */
+void intel_mpi_answer(const char *option)
+{
+    static const char *const whole[] = {"show",         "showme",    "showme:command", "compile_info",
+                                        "compile-info", "link_info", "link-info",      NULL};
+    option += strspn(option, "-");
+    if (is_one_of(option, whole))
+        puts(program_invocation_name);
+    else if (!strncmp(option, "showme:", 7))
+        puts("");
+    else
+        return;
+    exit(0);
+}

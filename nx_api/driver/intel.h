@@ -20,6 +20,10 @@ _Noreturn void intel_links(const char *folder);
 bool intel_is_mpi_name(void);
 _Noreturn void intel_mpi_links(const char *folder);
 
+/* If the option asks which compiler and options are behind mpicc, as build systems do, answers that it is
+ * mpicc itself, without any, and does not return. */
+void intel_mpi_answer(const char *option);
+
 /* Called as ar860, does what that did; as as860, says why it cannot be had. Returns if called by another
  * name. */
 void intel_become_tool(char **argv);

@@ -34,6 +34,7 @@
 #include "redeclare.h"
 #include "statics.h"
 #include "symbols.h"
+#include "tsc.h"
 #include "unset.h"
 #include "../contract/costs_mark.h"
 #include <inttypes.h>
@@ -229,6 +230,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         register_races(info->base_name, a.before);
     if (a.asan)
         register_asan(info->base_name, a.before);
+    register_pass_info tsc = {tsc_make_pass(), "cfg", 1, PASS_POS_INSERT_AFTER};
+    register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &tsc);
     register_pass_info unset = {unset_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &unset);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,

@@ -45,11 +45,29 @@ static void note_frames(struct node_crash *c, const struct node *n, const greg_t
     c->depth += backtrace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
 }
 
+/* The processor tells no address that is none, as 0x3ff8000000000000. It is in a register, since no
+ * instruction has room for it; 0: none is. */
+static uintptr_t no_address(const greg_t *r)
+{
+    for (int i = REG_R8; i <= REG_RSP; i++)
+        if (r[i] >> 47 != 0 && r[i] >> 47 != -1)
+            return (uintptr_t)r[i];
+    return 0;
+}
+
+/* Did the processor refuse an instruction for another reason than its address, so that it tells none? */
+static bool tells_no_address(const struct node_crash *c)
+{
+    return (c->signal == SIGSEGV || c->signal == SIGBUS) && c->code == SI_KERNEL;
+}
+
 static void note_crash(struct node_crash *c, struct node *n, int signal, const siginfo_t *info,
                        const greg_t *r)
 {
     c->signal = signal, c->code = info->si_code;
-    c->address = signal == SIGSYS ? (uintptr_t)info->si_syscall : (uintptr_t)info->si_addr;
+    c->address = signal == SIGSYS      ? (uintptr_t)info->si_syscall
+                 : tells_no_address(c) ? no_address(r)
+                                       : (uintptr_t)info->si_addr;
     c->top = backtrace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
     note_frames(c, n, r);
     n->crash = c;
@@ -187,7 +205,8 @@ static const char *fault_text(const struct node_crash *g)
     switch (g->signal) {
     case SIGSEGV:
     case SIGBUS:
-        return "it used an address it may not";
+        return tells_no_address(g) && !g->address ? "it executed an instruction that programs may not"
+                                                  : "it used an address it may not";
     case SIGFPE:
         return arithmetic_text(g->code);
     case SIGILL:
@@ -239,12 +258,15 @@ static void print_cause(FILE *f, const struct node *n)
 {
     const struct node_crash *g = n->crash;
     uintptr_t stack = (uintptr_t)n->stack;
-    bool memory = (g->signal == SIGSEGV || g->signal == SIGBUS) && !g->lost_thread;
+    bool memory = (g->signal == SIGSEGV || g->signal == SIGBUS) && !g->lost_thread && !tells_no_address(g);
     const struct node *owner = memory ? owner_of(n->sys, g->address) : NULL;
     uintptr_t whole = memory ? cut_address(n, g->address) : 0;
     fprintf(f, "%s (%s)", fault_text(g), strsignal(g->signal));
     if (g->signal == SIGSYS)
         fprintf(f, ": number %zu; they call functions of C and NX (doc/host-files.md)", (size_t)g->address);
+    else if (tells_no_address(g) && !g->lost_thread && g->address)
+        fprintf(f, ": 0x%zx, a number or text used as a pointer, or one that was never set",
+                (size_t)g->address);
     else if (memory && g->address < stack && g->address >= stack - (1 << 16))
         fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
                 (size_t)(n->sys->cfg->stack_bytes >> 10));
@@ -254,6 +276,10 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx, a member of a null pointer, or a number that is no address", (size_t)g->address);
     else if (owner && owner != n)
         fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->name);
+    else if (memory && g->address - (uintptr_t)n->program < n->image_bytes && g->address != g->frames[0])
+        fprintf(f,
+                ": 0x%zx, in its code or constants, which cannot be changed (a text in quotes is a constant)",
+                (size_t)g->address);
     else if (memory && is_behind(g->address, n->program + n->image_bytes))
         fprintf(f, ": 0x%zx, behind the end of its static data", (size_t)g->address);
     else if (memory && is_behind(g->address, n->heap_start + n->region->heap_bytes))

@@ -150,8 +150,17 @@ int main(int argc, char **argv)
         gdsum((double *)&large, -1, (double *)&nought);
     if (!strcmp(how, "illegal"))
         __builtin_trap();
+    if (!strcmp(how, "privileged"))
+        __asm__ volatile("hlt");
     if (!strcmp(how, "copy"))
         copy(buf);
+    if (!strcmp(how, "constant"))
+        overflow((char *)"a text in quotes" + zero, 0);
+    if (!strcmp(how, "no_pointer")) {
+        double number = 1.5;
+        memcpy((void *)&low, &number, sizeof low);
+        *low = 1;
+    }
     if (!strcmp(how, "stdin"))
         printf("%d from stdin,", getchar());
     if (!strcmp(how, "deadlock"))

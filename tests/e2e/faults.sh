@@ -21,6 +21,9 @@ fault float_divide 1 'node 1 crashed .*: floating-point division by zero, an exc
 fault float_overflow 1 'node 1 crashed .*: floating-point overflow, an exception that it has unmasked' '^  in main.*faults.c:'
 fault float_invalid 1 'node 1 crashed .*: invalid floating-point operation, an exception that it has unmasked' '^  in main.*faults.c:'
 fault number 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number that is no address' '^  in printf$' '^  called from main.*faults.c:'
+fault no_pointer 1 'node 1 crashed .*: 0x3ff8000000000000, a number or text used as a pointer, or one that was never set$' '^  in main.*faults.c:'
+fault privileged 1 'node 1 crashed .*: it executed an instruction that programs may not .*fault.$' '^  in main.*faults.c:'
+fault constant 1 'node 1 crashed .*, in its code or constants, which cannot be changed' '^  in .*faults.c:'
 fault length 1 'node 1, at [0-9.]+ [mun]?s: gdsum: irecv\([0-9]+, buf, -8\): length -8 is negative' '^  called from main.*faults.c:'
 fault illegal 1 'node 1 crashed .*: illegal instruction' '^  in main.*faults.c:'
 fault copy 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number that is no address$' '^  in memcpy$' '^  called from copy.*faults.c:' "$called"

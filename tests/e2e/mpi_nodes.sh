@@ -7,6 +7,9 @@ page=$tests/../../doc/mpi-programs.md
 "$BUILD/nxcc" --as-mpi bin >links
 check "nxcc makes links by the names of MPI's compilers" grep -q "^bin/mpif90 -> .*/nxcc$" links
 check "mpicc compiles" bin/mpicc -O2 -g -Wall -o mpi_nodes "$tests/mpi_nodes.c"
+asked() { bin/mpif90 "$1" >answer && [ "$(cat answer)" = "$2" ]; }
+check "build systems that ask what is behind mpif90 are told mpif90" asked -show bin/mpif90
+check "with no options" asked -showme:compile ""
 check "nxcc -lmpi is the same" "$BUILD/nxcc" -O2 -g -Wall -o again "$tests/mpi_nodes.c" -lmpi
 check "and gives the same program" cmp mpi_nodes again
 

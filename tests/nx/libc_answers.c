@@ -5,6 +5,7 @@
  * run: all
  */
 #include <errno.h>
+#include <libgen.h>
 #include <limits.h>
 #include <locale.h>
 #include <malloc.h>
@@ -222,6 +223,20 @@ static int aligned(void)
     return good;
 }
 
+/* libgen.h's, which change the path. */
+static int parts_of(const char *path, const char *folder, const char *name)
+{
+    char a[20], b[20];
+    return !strcmp(dirname(strcpy(a, path)), folder) && !strcmp(__xpg_basename(strcpy(b, path)), name);
+}
+
+static int parts_of_paths(void)
+{
+    return parts_of("/usr/lib", "/usr", "lib") && parts_of("/usr//", "/", "usr") &&
+           parts_of("usr", ".", "usr") && parts_of("/", "/", "/") && parts_of("..", ".", "..") &&
+           parts_of("", ".", ".") && parts_of("a//b//", "a", "b") && !strcmp(dirname(NULL), ".");
+}
+
 int main(void)
 {
     rule("the calendar", calendar());
@@ -240,5 +255,6 @@ int main(void)
     rule("states of random", random_states());
     rule("errors have names", errors());
     rule("memory at multiples", aligned());
+    rule("parts of paths", parts_of_paths());
     return 0;
 }
