@@ -9,7 +9,7 @@ DRIVER_SRC   := $(wildcard $(VALIDATE)/driver/*.c)
 define VALIDATE_RULE
 $B/$(VALIDATE)/$(1)/%: $(VALIDATE)/%.c $(VALIDATE)/bench.h $$(NXCC_DEPS)
 	@mkdir -p $$(@D)
-	$B/nxcc -std=gnu17 -O2 -Wall -Wextra -Wshadow -Werror --costs $(1).cfg -o $$@ $$< -lm
+	$B/nxcc -std=gnu17 -O2 -Wall -Wextra -Wshadow -Werror --costs $(1).cfg -o $$@ $$< -lkmath -lm
 endef
 $(foreach cpu,$(VALIDATE_CPU),$(eval $(call VALIDATE_RULE,$(cpu))))
 

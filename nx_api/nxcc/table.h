@@ -36,6 +36,8 @@ enum priced_kind { PRICED_INTEGERS, PRICED_ARRAY, PRICED_MADE };
 struct call_cost {
     int64_t base = 0;
     int64_t per = 0; /* 0: the price does not depend on arguments */
+    int64_t far =
+        0; /* in place of per, for bytes of which twice as many do not fit in the data cache; 0: as per */
     std::vector<int> of;
     priced_kind kind = PRICED_INTEGERS;
     std::string where; /* file:line of the price */
