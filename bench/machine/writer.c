@@ -1,4 +1,4 @@
-/* One node writes into a file of the parallel file system: alone, and what 64 nodes send it, piece by piece. */
+/* One node writes into a file of the parallel file system: alone, and what 64 nodes send it, by pieces. */
 #include <fcntl.h>
 #include <unistd.h>
 #include "bench.h"
