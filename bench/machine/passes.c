@@ -1,6 +1,6 @@
-/* Inner loops of programs of 1994-96 that nothing was fitted to: a node's part of the FFT of 128^3 real numbers
- * on 64 nodes, copies with strides, products of a vector with several, forces between bodies, a sparse matrix
- * of blocks of 3 times a vector. */
+/* Inner loops of programs of 1994-96 that nothing was fitted to: a node's part of the FFT of 128^3 real
+ * numbers on 64 nodes, copies with strides, products of a vector with several, forces between bodies, a
+ * sparse matrix of blocks of 3 times a vector. */
 #include <math.h>
 #include "bench.h"
 

@@ -2,7 +2,7 @@
 # Each program is compiled for the processors that published.cfg names, into $B/bench/machine/PROCESSOR/.
 VALIDATE     := bench/machine
 VALIDATE_SRC := $(wildcard $(VALIDATE)/*.c)
-VALIDATE_CPU := i860 i860xr-cache
+VALIDATE_CPU := i860 i860xr-cache i860xp-cache
 VALIDATE_BIN := $(foreach cpu,$(VALIDATE_CPU),$(VALIDATE_SRC:$(VALIDATE)/%.c=$B/$(VALIDATE)/$(cpu)/%))
 DRIVER_SRC   := $(wildcard $(VALIDATE)/driver/*.c)
 

@@ -206,12 +206,14 @@ bool miss(reader &r, const config_setting_t *group, const char *key, int64_t &va
     return units(r, s, value);
 }
 
-/* Reads cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; }, which is optional. */
+/* Reads cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; write_back = 8; }, which
+ * is optional. */
 bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
 {
     int64_t bytes;
-    return only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss"}) &&
+    return only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss", "write_back"}) &&
            miss(r, group, "load_miss", cache.load_miss) && miss(r, group, "store_miss", cache.store_miss) &&
+           miss(r, group, "write_back", cache.write_back) &&
            power_of_two(r, group, "bytes", 1, bytes) && power_of_two(r, group, "ways", 1, cache.data.ways) &&
            power_of_two(r, group, "line", NXC_CACHE_SET_BYTES, cache.data.line) &&
            read_level(r, group, bytes / cache.data.line, NXC_CACHE_SETS, cache.data);

@@ -56,7 +56,8 @@ struct cache_level {
 struct cache_costs {
     cache_level data, tlb;
     int64_t load_miss = 0, store_miss = 0; /* more than a hit */
-    int64_t tlb_miss = 0;                  /* more than these */
+    int64_t write_back = 0; /* of a changed line that a load replaces; 0: lines are not changed */
+    int64_t tlb_miss = 0;   /* more than these */
 };
 
 struct cost_table {
