@@ -1,4 +1,4 @@
-/* cache.c - reads a field twice, writes it, changes it, and reads it again: clocks of each, 40 a microsecond. */
+/* cache.c - reads a field twice, writes it, changes it, and reads it again: clocks of each, of 40 a us. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "nx.h"
