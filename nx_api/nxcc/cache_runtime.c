@@ -2,8 +2,8 @@
  * Linked only into programs that use it. The state is in the node's own memory; handlers find the lines that
  * their program has left.
  *
- * A set has room for the addresses of NXC_CACHE_WAYS lines or pages, the most recently used first. 0: empty. A
- * line that has been stored to since it was loaded has 1 added to its address.
+ * A set has room for the addresses of NXC_CACHE_WAYS lines or pages, the most recently used first. 0: empty.
+ * A line that has been stored to since it was loaded has 1 added to its address.
  */
 #include <stdint.h>
 #include "../contract/program_image.h"
