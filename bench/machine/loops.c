@@ -24,6 +24,14 @@ static void daxpy_unrolled(int n, double t)
     }
 }
 
+void daxpy_(const int *n, const double *t, const double *x, const int *x_step, double *y, const int *y_step);
+
+static void daxpy_library(int n, double t) /* by hand: -lkmath */
+{
+    const int one = 1;
+    daxpy_(&n, &t, x, &one, y, &one);
+}
+
 static void ddot(int n, double t)
 {
     double sum = t;
@@ -94,6 +102,7 @@ int main(void)
             grid[0][i][j] = i ^ j;
     measure("daxpy_in_cache", daxpy, SMALL, 500, 2.0 * SMALL);
     measure("daxpy_out_of_cache", daxpy, LARGE, 1, 2.0 * LARGE);
+    measure("daxpy_library_out_of_cache", daxpy_library, LARGE, 1, 2.0 * LARGE);
     measure("daxpy_unrolled_in_cache", daxpy_unrolled, SMALL, 500, 2.0 * SMALL);
     measure("daxpy_unrolled_out_of_cache", daxpy_unrolled, LARGE, 1, 2.0 * LARGE);
     measure("ddot", ddot, SMALL, 500, 2.0 * SMALL);

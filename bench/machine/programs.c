@@ -218,6 +218,11 @@ static void spectrum(void)
 
 static double x[VECTOR], y[VECTOR];
 
+/* BLAS, -lkmath. */
+void dscal_(const int *n, const double *a, double *x, const int *step);
+void daxpy_(const int *n, const double *a, const double *x, const int *x_step, double *y, const int *y_step);
+void dcopy_(const int *n, const double *x, const int *x_step, double *y, const int *y_step);
+
 /* Clocks an element of what took the time since begin. */
 static double clocks(double begin)
 {
@@ -231,6 +236,25 @@ static double sort_s(void (*swapping)(char *, char *, int))
     double begin = now_us();
     sort((char *)records, RECORDS, sizeof records[0], by_key);
     return (now_us() - begin) / 1e6;
+}
+
+/* A vector that has just been read, and pairs that are more than the cache. */
+static void blas(void)
+{
+    const int n = VECTOR, one = 1;
+    const double a = 0.5;
+    double begin = now_us();
+    for (int i = 0; i < TIMES; i++)
+        dscal_(&n, &a, x, &one);
+    figure("dscal_clocks", clocks(begin));
+    begin = now_us();
+    for (int i = 0; i < TIMES; i++)
+        daxpy_(&n, &a, x, &one, y, &one);
+    figure("daxpy_clocks", clocks(begin));
+    begin = now_us();
+    for (int i = 0; i < TIMES; i++)
+        dcopy_(&n, x, &one, y, &one);
+    figure("dcopy_clocks", clocks(begin));
 }
 
 int main(void)
@@ -251,6 +275,7 @@ int main(void)
     for (int i = 0; i < TIMES; i++)
         memset(y, 0, sizeof y);
     figure("zero_clocks", clocks(begin));
+    blas();
     for (int i = 1; i < RECORDS; i++)
         errors += by_key(&records[i - 1], &records[i]) > 0;
     return errors != 0;

@@ -34,7 +34,7 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 9u
+#define NXC_IMAGE_VERSION 10u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
 /* The largest data cache and translation buffer that can be simulated: cache.h. */
@@ -83,6 +83,7 @@ struct nxc_image {
     uint32_t version;
     int64_t *left;                      /* the counter */
     int64_t *lookahead;                 /* the lookahead's end, as a value of *left */
+    int64_t *data_cache;                /* the size of the processor's, in bytes, which the simulator sets */
     int (*main)(int, char **, char **); /* the program */
     void (**init_begin)(void);          /* constructors, run on the node before main */
     void (**init_end)(void);

@@ -15,14 +15,14 @@ $(KMATH)/kernels.o: nx_api/kmath/kernels.c $(KMATH_HDR) $(NODE_TOOLS)
 	$(NODES)/nxcc -std=gnu17 -O2 $(PREFIX_MAP) $(WARN) -c -o $@ $<
 	objcopy -R .nxc_costs $@
 
-$(KMATH)/pay.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
+$(KMATH)/pay.o $(KMATH)/loops.o $(KMATH)/work.o: $(KMATH)/%.o: nx_api/kmath/%.c $(KMATH_HDR)
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -fno-omit-frame-pointer -fno-stack-protector -fcf-protection=none -c -o $@ $<
 
 # The routines of routines.def get other names, in their own objects only: so others go by the entries. Objects of LAPACK (xerbla,
 # lsame) precede BLAS's of the same name: BLAS's xerbla asks for CBLAS, which is left out.
-$(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o $(KMATH_BLAS) $(KMATH_LAPACK)
+$(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/loops.o $(KMATH)/work.o $(KMATH_BLAS) $(KMATH_LAPACK)
 	$(call say,AR,$@)
 	rm -rf $(KMATH)/routines && mkdir -p $(KMATH)/routines
 	cp $(KMATH_LAPACK) $@.new && chmod u+w $@.new
@@ -35,5 +35,5 @@ $(NODE)/libkmath.a: nx_api/kmath/entry.c $(KMATH)/kernels.o $(KMATH)/pay.o $(KMA
 	    $(NODE_CC) -c $(PREFIX_MAP) -DNAME=$$name -DNUMBER=$$n -o $(KMATH)/routines/entry_$$name.o nx_api/kmath/entry.c || exit 1; n=$$((n + 1)); \
 	done <$(KMATH)/names
 	ar d $@.new $$(sed 's/$$/.o/' $(KMATH)/names)
-	LC_ALL=C; ar q $@.new $(KMATH)/routines/*.o $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/work.o && ranlib $@.new && mv $@.new $@
+	LC_ALL=C; ar q $@.new $(KMATH)/routines/*.o $(KMATH)/kernels.o $(KMATH)/pay.o $(KMATH)/loops.o $(KMATH)/work.o && ranlib $@.new && mv $@.new $@
 	rm -rf $(KMATH)/routines

@@ -29,6 +29,8 @@ int64_t nx_kmath_loop(enum kmath_kind kind, enum kmath_loop loop, int64_t n, int
 {
     static struct price prices[KMATH_KINDS][KMATH_LOOPS];
     struct price *p = &prices[kind][loop];
+    if (loop < KMATH_ASSEMBLER)
+        return nx_kmath_assembler(kind, loop, n, times);
     if (!p->element) {
         int64_t few = count(kind, loop, FEW), more = count(kind, loop, MORE);
         p->element = (more - few) / (MORE - FEW);

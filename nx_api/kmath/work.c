@@ -20,16 +20,10 @@ static int64_t loop(const struct kmath_call *c, enum kmath_loop l, int64_t n, in
     return nx_kmath_loop(c->kind, l, n, times);
 }
 
-/* The product with a matrix adds columns; with a transposed matrix, it sums products with columns. */
-static int64_t by_column(const struct kmath_call *c, int transposed, int64_t n, int64_t times)
-{
-    return loop(c, is(c, transposed, 'N') ? KMATH_AXPY : KMATH_DOT, n, times);
-}
-
-/* A symmetric matrix, of which one half is stored. */
+/* A symmetric matrix times a vector: one half is stored, and serves twice once it is there. */
 static int64_t both_halves(const struct kmath_call *c, int64_t n, int64_t times)
 {
-    return loop(c, KMATH_AXPY, n, times) + loop(c, KMATH_DOT, n, times);
+    return loop(c, KMATH_MULTIPLY, n, times) + loop(c, KMATH_PRODUCT, n, times);
 }
 
 /* --- vectors --- */
@@ -54,17 +48,17 @@ VECTORS(iamax, KMATH_IAMAX)
 
 static int64_t gemv(const struct kmath_call *c) /* trans, m, n */
 {
-    return by_column(c, 1, number(c, 2), number(c, 3));
+    return loop(c, KMATH_MULTIPLY, number(c, 2), number(c, 3));
 }
 
 static int64_t gbmv(const struct kmath_call *c) /* trans, m, n, kl, ku */
 {
-    return by_column(c, 1, number(c, 4) + number(c, 5) + 1, number(c, 3));
+    return loop(c, KMATH_MULTIPLY, number(c, 4) + number(c, 5) + 1, number(c, 3));
 }
 
 static int64_t ger(const struct kmath_call *c) /* m, n */
 {
-    return loop(c, KMATH_AXPY, number(c, 1), number(c, 2));
+    return loop(c, KMATH_UPDATE, number(c, 1), number(c, 2));
 }
 
 static int64_t symv(const struct kmath_call *c) /* uplo, n */
@@ -79,17 +73,17 @@ static int64_t sbmv(const struct kmath_call *c) /* uplo, n, k */
 
 static int64_t trmv(const struct kmath_call *c) /* uplo, trans, diag, n */
 {
-    return by_column(c, 2, number(c, 4) / 2, number(c, 4));
+    return loop(c, KMATH_MULTIPLY, number(c, 4) / 2, number(c, 4));
 }
 
 static int64_t tbmv(const struct kmath_call *c) /* uplo, trans, diag, n, k */
 {
-    return by_column(c, 2, number(c, 5), number(c, 4));
+    return loop(c, KMATH_MULTIPLY, number(c, 5), number(c, 4));
 }
 
 static int64_t syr(const struct kmath_call *c) /* uplo, n */
 {
-    return loop(c, KMATH_AXPY, number(c, 2) / 2, number(c, 2));
+    return loop(c, KMATH_UPDATE, number(c, 2) / 2, number(c, 2));
 }
 
 static int64_t syr2(const struct kmath_call *c) /* uplo, n */
@@ -101,26 +95,25 @@ static int64_t syr2(const struct kmath_call *c) /* uplo, n */
 
 static int64_t gemm(const struct kmath_call *c) /* transa, transb, m, n, k */
 {
-    int64_t m = number(c, 3), n = number(c, 4), k = number(c, 5);
-    return is(c, 1, 'N') ? loop(c, KMATH_AXPY, m, n * k) : loop(c, KMATH_DOT, k, m * n);
+    return loop(c, KMATH_PRODUCT, number(c, 3), number(c, 4) * number(c, 5));
 }
 
 static int64_t symm(const struct kmath_call *c) /* side, uplo, m, n */
 {
     int64_t m = number(c, 3), n = number(c, 4);
-    return is(c, 1, 'L') ? both_halves(c, m / 2, m * n) : loop(c, KMATH_AXPY, m, n * n);
+    return loop(c, KMATH_PRODUCT, m, n * (is(c, 1, 'L') ? m : n));
 }
 
 static int64_t trmm(const struct kmath_call *c) /* side, uplo, trans, diag, m, n */
 {
     int64_t m = number(c, 5), n = number(c, 6);
-    return is(c, 1, 'L') ? by_column(c, 3, m / 2, m * n) : loop(c, KMATH_AXPY, m, n * n / 2);
+    return is(c, 1, 'L') ? loop(c, KMATH_PRODUCT, m / 2, m * n) : loop(c, KMATH_PRODUCT, m, n * n / 2);
 }
 
 static int64_t syrk(const struct kmath_call *c) /* uplo, trans, n, k */
 {
-    int64_t n = number(c, 3), k = number(c, 4);
-    return is(c, 2, 'N') ? loop(c, KMATH_AXPY, n / 2, n * k) : loop(c, KMATH_DOT, k, n * n / 2);
+    int64_t n = number(c, 3);
+    return loop(c, KMATH_PRODUCT, n / 2, n * number(c, 4));
 }
 
 static int64_t syr2k(const struct kmath_call *c) /* uplo, trans, n, k */

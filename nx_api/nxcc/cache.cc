@@ -24,7 +24,7 @@ struct spot {
 struct known_load {
     tree ref;
     spot at;
-    bool looked_up;
+    bool looked_up, marked;
 };
 std::vector<known_load> loaded;
 const int farthest = 64; /* statements ahead that is_on_the_way searches */
@@ -42,11 +42,15 @@ std::string text(const char *format, ...)
     return line;
 }
 
+/* The line that was looked at last, with its mark of a change. */
+const int SEEN = (NXC_CACHE_SETS + NXC_TLB_SETS) * NXC_CACHE_SET_BYTES;
+
 /* The code for the cache or the translation buffer: where its sets begin in nxc_cache, and its labels. At
- * label + i the code moves way i of a set to the front. */
+ * label + i the code moves way i of a set to the front. marks: lines that have been stored to are marked. */
 struct level_code {
     const cache_level &level;
     int begin, label;
+    bool marks;
 
     /* The operand for way i of the set whose offset is in %1. */
     std::string way(int64_t i) const { return text("%d(%%4,%%1)", begin + 8 * (int)i); }
@@ -59,21 +63,33 @@ struct level_code {
         return s + text("andl\t$%d, %%k1\n\t", (int)(level.sets - 1) * NXC_CACHE_SET_BYTES);
     }
 
-    /* Compares way i with the address, by means of scratch; jump is the conditional jump behind. */
-    std::string compare(int64_t i, const char *scratch, const std::string &jump) const
+    /* Compares way i with the address, by means of scratch; jump is the conditional jump behind. The mark is
+     * within the line. */
+    std::string compare(int64_t i, const char *scratch, const std::string &jump, bool see = false) const
     {
-        return text("movq\t%s, %s\n\txorq\t%%3, %s\n\tcmpq\t$%d, %s\n\t", way(i).c_str(), scratch, scratch,
-                    (int)level.line - 1, scratch) +
-               jump + "\n\t";
+        std::string s = text("movq\t%s, %s\n\t", way(i).c_str(), scratch);
+        if (see)
+            s += text("movq\t%s, %d(%%4)\n\t", scratch, SEEN);
+        return s + text("xorq\t%%3, %s\n\tcmpq\t$%d, %s\n\t", scratch, (int)level.line - 1, scratch) + jump +
+               "\n\t";
     }
 
-    /* Compares the other ways than the first; a hit jumps to its label. */
+    /* Compares the other ways than the first; a hit jumps to its label. Leaves the line that a miss replaces
+     * as the one seen last. */
     std::string compare_others() const
     {
         std::string s;
         for (int i = 1; i < level.ways; i++)
-            s += compare(i, "%2", text("jbe\t%df", label + i));
+            s += compare(i, "%2", text("jbe\t%df", label + i), marks);
+        if (marks && level.ways == 1)
+            s += text("movq\t%s, %%2\n\tmovq\t%%2, %d(%%4)\n\t", way(0).c_str(), SEEN);
         return s;
+    }
+
+    /* Marks the first line of the set, unless it is marked: the next look-up would wait for that. */
+    std::string mark() const
+    {
+        return text("testb\t$1, %s\n\tjnz\t774f\n\torq\t$1, %s\n774:\t", way(0).c_str(), way(0).c_str());
     }
 
     /* The address's line becomes the first of its set; the last line is dropped. */
@@ -83,8 +99,9 @@ struct level_code {
         for (int64_t i = level.ways - 1; i > 0; i--)
             s += (with_labels ? text("%d:\t", label + (int)i) : "") + "movq\t" + way(i - 1) +
                  ", %2\n\tmovq\t%2, " + way(i) + "\n\t";
-        return s + text("movq\t%%3, %%2\n\tandq\t$%d, %%2\n\tmovq\t%%2, ", -(int)level.line) + way(0) +
-               "\n\t";
+        s += marks && with_labels ? text("movq\t%d(%%4), %%2\n\t", SEEN)
+                                  : text("movq\t%%3, %%2\n\tandq\t$%d, %%2\n\t", -(int)level.line);
+        return s + "movq\t%2, " + way(0) + "\n\t";
     }
 };
 
@@ -98,25 +115,30 @@ std::string charge(const char *operation, int64_t units)
 /* Looks up the line's page, and ends. */
 std::string translate(const char *operation)
 {
-    const level_code tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790};
+    const level_code tlb = {cache.tlb, NXC_CACHE_SETS * NXC_CACHE_SET_BYTES, 790, false};
     if (!tlb.level.sets)
         return DONE;
     return tlb.find_set() + tlb.compare(0, "%2", "jbe\t772b") + tlb.compare_others() +
            charge(operation, cache.tlb_miss) + tlb.bring(true) + DONE;
 }
 
-/* The whole text of a load's or store's look-up. operation: how a miss is charged to %0, "subq" or "addq". */
-std::string look_up_text(bool load, const char *operation)
+/* The whole text of a load's or store's look-up. marks: the line is stored to, at once or soon. operation:
+ * how a miss is charged to %0, "subq" or "addq". */
+std::string look_up_text(bool load, bool marks, const char *operation)
 {
-    const level_code data = {cache.data, 0, 780};
-    std::string s = data.find_set() + data.compare(0, "%1", "ja\t771f") + "\n772:\n\t.subsection 1\n771:\t" +
-                    data.find_set() + data.compare_others();
+    const level_code data = {cache.data, 0, 780, cache.write_back > 0};
+    const std::string mark = marks ? data.mark() : "";
+    std::string s = data.find_set() + data.compare(0, mark.empty() ? "%1" : "%2", "ja\t771f") + mark +
+                    "\n772:\n\t.subsection 1\n771:\t" + data.find_set() + data.compare_others();
     s += charge(operation, load ? cache.load_miss : cache.store_miss);
+    if (load && data.marks)
+        s +=
+            text("testb\t$1, %d(%%4)\n\tjz\t773f\n\t", SEEN) + charge(operation, cache.write_back) + "773:\t";
     if (load)
-        s += data.bring(false);
+        s += data.bring(false) + mark;
     s += translate(operation);
     if (data.level.ways > 1)
-        s += data.bring(true) + DONE;
+        s += data.bring(true) + mark + DONE;
     return s + ".previous";
 }
 
@@ -172,12 +194,12 @@ bool are_related(const spot &a, const spot &b)
            are_same(a.step, b.step) && are_same(a.index2, b.index2);
 }
 
-bool has_been_loaded(tree ref)
+const known_load *load_of(tree ref)
 {
     for (const known_load &l : loaded)
         if (operand_equal_p(l.ref, ref, 0))
-            return true;
-    return false;
+            return &l;
+    return NULL;
 }
 
 bool ends_what_is_known(gimple *stmt)
@@ -206,6 +228,21 @@ bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
     return false;
 }
 
+/* Does a statement behind stmt store to ref? */
+bool is_stored_to(gimple *stmt, tree ref)
+{
+    gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
+    gsi_next_nondebug(&gsi);
+    for (int i = 0; i < farthest && !gsi_end_p(gsi); i++, gsi_next_nondebug(&gsi)) {
+        gimple *s = gsi_stmt(gsi);
+        if (ends_what_is_known(s))
+            return false;
+        if (is_gimple_assign(s) && operand_equal_p(gimple_assign_lhs(s), ref, 0))
+            return true;
+    }
+    return false;
+}
+
 /* Does `at` lie between two loads less than a line apart? Then it is in the line of one of them. */
 bool is_between(gimple *stmt, const spot &at)
 {
@@ -223,12 +260,14 @@ void operand(vec<tree, va_gc> **list, const char *constraint, tree value)
 
 void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
 {
-    if (!is_looked_up(ref) || has_been_loaded(ref))
+    const known_load *known = load_of(ref);
+    if (!is_looked_up(ref) || (known && (load || known->marked || !cache.write_back)))
         return;
     spot at = load ? spot_of(ref) : spot();
     bool needed = !load || !is_between(stmt, at);
+    bool marks = cache.write_back && needed && (!load || is_stored_to(stmt, ref));
     if (load)
-        loaded.push_back({ref, at, needed});
+        loaded.push_back({ref, at, needed, marks});
     if (!needed)
         return;
     gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
@@ -242,8 +281,8 @@ void look_up(gimple *stmt, tree ref, bool load, tree left, vec<tree> &units)
     operand(&in, "r", address);
     operand(&in, "r", build_fold_addr_expr(tags));
     operand(&in, "0", left ? left : build_int_cst(l, 0));
-    gasm *a = gimple_build_asm_vec(ggc_strdup(look_up_text(load, left ? "subq" : "addq").c_str()), in, out,
-                                   NULL, NULL);
+    gasm *a = gimple_build_asm_vec(ggc_strdup(look_up_text(load, marks, left ? "subq" : "addq").c_str()), in,
+                                   out, NULL, NULL);
     gimple_asm_set_volatile(a, true);
     for (unsigned i = 0; i < gimple_asm_noutputs(a); i++) {
         tree name = TREE_VALUE(gimple_asm_output_op(a, i));
@@ -292,5 +331,6 @@ int64_t cache_most(gimple *stmt)
         return 0;
     bool load = gimple_assign_single_p(stmt) && is_looked_up(gimple_assign_rhs1(stmt));
     bool store = is_looked_up(gimple_assign_lhs(stmt));
-    return load * (cache.load_miss + cache.tlb_miss) + store * (cache.store_miss + cache.tlb_miss);
+    return load * (cache.load_miss + cache.write_back + cache.tlb_miss) +
+           store * (cache.store_miss + cache.tlb_miss);
 }

@@ -7,10 +7,11 @@
  * counter. Rules:
  *
  *   - A load that misses brings its line in, in place of the least recently used line; a store that misses
- *     does not.
+ *     does not. A line that has been stored to is written back when it is replaced.
  *   - A miss needs the translation of its page: a look-up in the translation buffer, of the same kind.
  *   - Within a block, between calls, an address that has been loaded is not looked up again; nor is a load
- *     that lies between two others less than a line apart.
+ *     that lies between two others less than a line apart. Where a load is followed by a store to its
+ *     address, the line counts as stored to from the load on.
  *
  * By these rules the simulation is exact for the program's own loads and stores, as GCC leaves them. Library
  * calls of known cost use no cache.

@@ -181,10 +181,25 @@ int64_t operation_cost(gassign *stmt)
     return is_float(type) ? float_cost(code, type) : integer_cost(code, stmt);
 }
 
+/* A block that no i860's data cache has costs as much, moved by an assignment, as by memcpy or memset: GCC
+ * makes such assignments of their calls. 0: it is none. */
+int64_t block_cost(gassign *stmt)
+{
+    const int64_t largest_cache = 16384;
+    tree to = gimple_assign_lhs(stmt), from = gimple_assign_rhs1(stmt);
+    int64_t bytes = 8 * words(TREE_TYPE(to));
+    if (2 * bytes <= largest_cache || !gimple_assign_single_p(stmt))
+        return 0;
+    auto price = table.calls.find(is_memory(from) ? "memcpy" : "memset");
+    return price == table.calls.end() ? 0 : price->second.base + bytes * price->second.far;
+}
+
 int64_t assign_cost(gassign *stmt)
 {
     if (gimple_clobber_p(stmt))
         return 0;
+    if (int64_t block = block_cost(stmt))
+        return block;
     int64_t cost = operation_cost(stmt) + memory_cost(gimple_assign_lhs(stmt), table.clocks.store);
     if (gimple_assign_single_p(stmt)) {
         cost += memory_cost(gimple_assign_rhs1(stmt), table.clocks.load);

@@ -19,7 +19,7 @@ endif
 WITH_F90   := $(if $(shell command -v $(NODE_FC)),$(wildcard nx_api/fortran/*.f90))
 COMMON_SRC := $(wildcard nx_api/common/*.c nx_api/libc/*.c nx_api/fortran/*.c) $(WITH_F90)
 COMMON_OBJ := $(addsuffix .o,$(basename $(COMMON_SRC:nx_api/%=$(NODE)/obj/%)))
-CPU_FILES  := $(wildcard machines/cpu/*.cfg)
+CPU_FILES  := $(wildcard machines/cpu/*.cfg machines/cpu/*.inc)
 PROFILED   := $(COMMON_OBJ:$(NODE)/obj/%=$(NODE)/obj/profile/%)
 LIBNX      := $(NODE)/libnx.a $(patsubst %,$(NODE)/libnx_%.a,profile long32 long32_profile)
 STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)

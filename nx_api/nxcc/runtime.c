@@ -15,6 +15,13 @@
 #define NXC_DATA __attribute__((visibility("hidden"), section(".data")))
 NXC_DATA int64_t nxc_left;
 NXC_DATA int64_t nxc_lookahead = NXC_NO_LOOKAHEAD;
+NXC_DATA int64_t nxc_data_cache = 8192;
+
+/* The price of moving so many bytes (table.h): near, or far if they are not in the cache. */
+__attribute__((visibility("hidden"))) int64_t nxc_move(int64_t bytes, int64_t near, int64_t far)
+{
+    return bytes * (2 * bytes > nxc_data_cache ? far : near);
+}
 
 extern int main(int argc, char **argv, char **envp);
 extern void (*__init_array_start[])(void) __attribute__((visibility("hidden")));
@@ -43,6 +50,7 @@ struct nxc_image nxc_image = {
     .version = NXC_IMAGE_VERSION,
     .left = &nxc_left,
     .lookahead = &nxc_lookahead,
+    .data_cache = &nxc_data_cache,
     .main = main,
     .init_begin = __init_array_start,
     .init_end = __init_array_end,

@@ -149,7 +149,8 @@ bool read_per(reader &r, const config_setting_t *entry, call_cost &cost)
         return r.fail(entry, "calls: 'per' goes together with one of 'of', 'elements' and 'made'");
     if (!per)
         return true;
-    if (!units(r, per, cost.per) || !read_of(r, of, cost.of))
+    const config_setting_t *far = config_setting_get_member(entry, "far");
+    if (!units(r, per, cost.per) || !read_of(r, of, cost.of) || (far && !units(r, far, cost.far)))
         return false;
     if (cost.kind != PRICED_INTEGERS && (cost.of.size() != 1 || cost.of[0] == 0))
         return r.fail(of, std::string(keys[cost.kind]) + ": must be the number of an argument");
@@ -160,7 +161,7 @@ bool read_call(reader &r, const config_setting_t *entry, cost_table &table)
 {
     if (!config_setting_is_group(entry))
         return r.fail(entry, "calls: each entry must be { name = \"...\"; base = ...; }");
-    if (!only_keys(r, entry, {"name", "base", "per", "of", "elements", "made"}))
+    if (!only_keys(r, entry, {"name", "base", "per", "far", "of", "elements", "made"}))
         return false;
     const config_setting_t *name = config_setting_get_member(entry, "name");
     const config_setting_t *base = config_setting_get_member(entry, "base");
@@ -205,12 +206,14 @@ bool miss(reader &r, const config_setting_t *group, const char *key, int64_t &va
     return units(r, s, value);
 }
 
-/* Reads cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; }, which is optional. */
+/* Reads cache = { bytes = 8192; ways = 2; line = 32; load_miss = 12; store_miss = 4; write_back = 8; }, which
+ * is optional. */
 bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
 {
     int64_t bytes;
-    return only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss"}) &&
+    return only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss", "write_back"}) &&
            miss(r, group, "load_miss", cache.load_miss) && miss(r, group, "store_miss", cache.store_miss) &&
+           miss(r, group, "write_back", cache.write_back) &&
            power_of_two(r, group, "bytes", 1, bytes) && power_of_two(r, group, "ways", 1, cache.data.ways) &&
            power_of_two(r, group, "line", NXC_CACHE_SET_BYTES, cache.data.line) &&
            read_level(r, group, bytes / cache.data.line, NXC_CACHE_SETS, cache.data);

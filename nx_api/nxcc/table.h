@@ -36,6 +36,8 @@ enum priced_kind { PRICED_INTEGERS, PRICED_ARRAY, PRICED_MADE };
 struct call_cost {
     int64_t base = 0;
     int64_t per = 0; /* 0: the price does not depend on arguments */
+    int64_t far =
+        0; /* in place of per, for bytes of which twice as many do not fit in the data cache; 0: as per */
     std::vector<int> of;
     priced_kind kind = PRICED_INTEGERS;
     std::string where; /* file:line of the price */
@@ -54,7 +56,8 @@ struct cache_level {
 struct cache_costs {
     cache_level data, tlb;
     int64_t load_miss = 0, store_miss = 0; /* more than a hit */
-    int64_t tlb_miss = 0;                  /* more than these */
+    int64_t write_back = 0; /* of a changed line that a load replaces; 0: lines are not changed */
+    int64_t tlb_miss = 0;   /* more than these */
 };
 
 struct cost_table {

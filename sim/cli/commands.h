@@ -12,7 +12,7 @@ int cli_srm(int argc, char **argv);
 /* What a command line of touchstone run asks for, without where its results go. The texts are argv's. */
 struct cli_run_parts {
     struct cli_program what; /* the caller frees its list of settings */
-    const char *cfs;         /* NULL: not given */
+    const char *cfs, *json;  /* NULL: not given */
     const char **host_files; /* of --host-files, ended by NULL; NULL: none. The caller frees the list */
 };
 /* argv[0] is "run". A wrong argument ends the process. */

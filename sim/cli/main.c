@@ -1,5 +1,4 @@
 /* main.c - touchstone: finds the command. */
-#include <limits.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -83,16 +82,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* Has touchstone-lab run the command argv[0], and tells it which binary simulates. */
-static int run_in_lab(char **argv)
-{
-    char self[PATH_MAX];
-    if (!cli_own_path(self, sizeof self))
-        return CLI_EXIT_INPUT;
-    argv[-1] = self;
-    return cli_execute("touchstone-lab", argv - 1);
-}
-
 /* The commands as lines of help. */
 static void list_commands(struct argp_option lines[MOST_LINES])
 {
@@ -138,5 +127,5 @@ int main(int argc, char **argv)
     struct request r = {0};
     list_commands(lines);
     cli_parse(&argp, "touchstone", ARGP_IN_ORDER, argc, argv, &r);
-    return r.run ? r.run(argc - r.at, argv + r.at) : run_in_lab(argv + r.at);
+    return r.run ? r.run(argc - r.at, argv + r.at) : cli_hand_to_lab(argv + r.at - 1);
 }

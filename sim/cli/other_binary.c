@@ -35,6 +35,15 @@ int cli_execute(const char *binary, char **argv)
     return CLI_EXIT_INPUT;
 }
 
+int cli_hand_to_lab(char **argv)
+{
+    char self[PATH_MAX];
+    if (!cli_own_path(self, sizeof self))
+        return CLI_EXIT_INPUT;
+    argv[0] = self;
+    return cli_execute("touchstone-lab", argv);
+}
+
 bool cli_is_other_engine(const char *engine)
 {
     return strcmp(engine, ENGINE_NAME) && (!strcmp(engine, "fast") || !strcmp(engine, "reference"));

@@ -11,6 +11,8 @@
 bool cli_own_path(char *path, size_t size);
 /* Executes another of touchstone's binaries, by its name. Returns an exit status if it cannot be executed. */
 int cli_execute(const char *binary, char **argv);
+/* Has touchstone-lab run the command argv[1], and tells it by argv[0] which binary simulates. */
+int cli_hand_to_lab(char **argv);
 
 /* Is engine (lp/engine.h) one that this binary does not have? Executes the binary that has it, with main's
  * argv; returns as cli_execute(). */

@@ -42,7 +42,7 @@ struct arguments {
     const char *json, *deadlock, *races, *sarif, *suppress, *profile, *history, *cfs, *engine;
     uint32_t workers, shuffle;
     double slice_s;
-    bool quiet, verbose, isolate, mpi_checks;
+    bool quiet, verbose, isolate, mpi_checks, sensitivity;
     struct run_trace_options trace; /* path NULL: no trace */
     bool *traced_nodes;
     struct debug_stop_options stop;
@@ -75,6 +75,9 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
      "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
+    {"sensitivity", CLI_FLAG(arguments, sensitivity), NULL, 0,
+     "Run again with each number of the machine file changed by 1 %, and show on which ones the time hangs",
+     0},
     {"history", CLI_TEXT(arguments, history), "FILE", 0,
      "Write a line for each message received: picoseconds, sender, receiver, type, length", 0},
     {"trace", CLI_TEXT(arguments, trace.path), "FILE", 0,
@@ -145,6 +148,10 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
     if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
+    if (a->sensitivity && (a->stop.wanted || a->timing.drawn || a->timing.replay || a->timing.until))
+        argp_error(state,
+                   "--sensitivity is of the usual timing to the end: not with --gdb, --timing, --replay "
+                   "or --until");
     if (a->trace.to && a->trace.to <= a->trace.from)
         argp_error(state, "--trace-to must be later than --trace-from");
     if (a->stop.wanted && a->timing.until && !a->stop.time)
@@ -479,7 +486,7 @@ void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)
 {
     struct arguments a = {0};
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
-    *parts = (struct cli_run_parts){a.what, a.cfs, a.host_files.list};
+    *parts = (struct cli_run_parts){a.what, a.cfs, a.json, a.host_files.list};
     free(a.traced_nodes);
     free_layer(&a);
 }
@@ -491,7 +498,9 @@ int cli_run(int argc, char **argv)
     a.trace.command = whole, a.trace.version = CLI_VERSION;
     cli_parse(&ARGP, "touchstone run", ARGP_IN_ORDER, argc, argv, &a);
     int status;
-    if (a.stop.wanted && !debugger_is_attached())
+    if (a.sensitivity)
+        status = cli_hand_to_lab(whole);
+    else if (a.stop.wanted && !debugger_is_attached())
         status = cli_start_gdb(whole);
     else if (a.engine && cli_is_other_engine(a.engine))
         status = cli_change_engine(a.engine, whole);

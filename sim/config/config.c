@@ -179,14 +179,15 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
 {
     static const char *const keys[] = {"cpu",           "clock_mhz", "hwclock_mhz", "memory_mb",
                                        "system_kb",     "stack_kb",  "fast_every",  "fast_clock_mhz",
-                                       "program_share", NULL};
+                                       "program_share", "cache_kb",  NULL};
     config_setting_t *g;
     double clock_mhz, hwclock_mhz = 10;
-    uint64_t memory, system, stack;
+    uint64_t memory, system, stack, cache = 8;
     if (!cfg_group(r, r->root, "node", &g) || !cfg_only(r, g, keys) || !read_cpu(r, g, m) ||
         !cfg_number(r, g, "clock_mhz", 0.001, 100000, &clock_mhz) ||
         (config_setting_get_member(g, "hwclock_mhz") &&
          !cfg_number(r, g, "hwclock_mhz", 0.001, 100000, &hwclock_mhz)) ||
+        (config_setting_get_member(g, "cache_kb") && !cfg_whole(r, g, "cache_kb", 1, 65536, &cache)) ||
         !cfg_whole(r, g, "memory_mb", 1, 65536, &memory) ||
         !cfg_whole(r, g, "system_kb", 0, memory * KB, &system) ||
         !cfg_whole(r, g, "stack_kb", 16, memory * KB, &stack) || !read_fast_nodes(r, g, m) ||
@@ -196,6 +197,7 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
         return cfg_fail(r, g, "memory_mb", "system_kb and stack_kb leave nothing of it to the program");
     m->clock_hz = (uint64_t)llround(clock_mhz * 1e6);
     m->hwclock_hz = (uint64_t)llround(hwclock_mhz * 1e6);
+    m->cache_bytes = cache * KB;
     m->memory_bytes = memory * MB;
     m->system_bytes = system * KB;
     m->stack_bytes = stack * KB;

@@ -78,7 +78,7 @@ struct cfg_machine {
     uint32_t rows, columns; /* mesh: the whole machine; a user gets a rectangle of it */
 
     /* node = { cpu = "cpu/i860.cfg"; clock_mhz = 40.0; memory_mb = 16; system_kb = 1536; stack_kb = 512;
-     *          hwclock_mhz = 10.0; } */
+     *          hwclock_mhz = 10.0; cache_kb = 8; } */
     char *cpu; /* class costs the node programs are to be built with, as a path */
     uint64_t clock_hz;
     /* fast_every = 8; fast_clock_mhz = 80.0: nodes 0, 8, 16 ... have a faster (or slower) processor, for
@@ -90,6 +90,7 @@ struct cfg_machine {
      * for ever. */
     uint64_t program_milli;
     uint64_t hwclock_hz;   /* of the count that hwclock() gives; 10 MHz where the file does not say */
+    uint64_t cache_bytes;  /* of the processor's data cache; 8 KB where the file does not say */
     uint64_t memory_bytes; /* all of a node's memory */
     uint64_t system_bytes; /* of which the operating system takes this much */
     uint64_t stack_bytes;  /* and the program's stack this much */

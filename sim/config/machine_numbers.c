@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "config/reader.h"
+#include "config/setting.h"
 #include "files/text_file.h"
 #include "kernel/xalloc.h"
 
@@ -117,13 +118,18 @@ static char *comment_at(struct walk *w, config_setting_t *s)
 static bool add(struct walk *w, config_setting_t *s, const char *key)
 {
     struct cfg_numbers *n = w->to;
-    char *comment = comment_at(w, s);
+    char *comment = config_setting_get_hook(s) ? xstrdup("") : comment_at(w, s);
     if (!comment)
         return false;
     n->list = xreallocarray(n->list, n->count + 1, sizeof *n->list);
     struct cfg_number *number = &n->list[n->count++];
     *number = (struct cfg_number){.key = xstrdup(key), .value = value_of(s)};
     divide(number, comment, n->count > 1 ? number - 1 : NULL);
+    number->is_number = config_setting_is_number(s);
+    if (config_setting_get_hook(s)) {
+        free(number->standing);
+        number->standing = xstrdup("set");
+    }
     free(comment);
     return true;
 }
@@ -144,10 +150,15 @@ static bool walk_group(struct walk *w, const config_setting_t *group, const char
     return good;
 }
 
-static bool walk_file(struct cfg_numbers *to, const char *path, const char *prefix, char **error)
+/* set: settings KEY=VALUE, ended by NULL; or NULL. */
+static bool walk_file(struct cfg_numbers *to, const char *path, const char *prefix, char *const *set,
+                      char **error)
 {
     struct cfg_reader r;
-    bool good = cfg_open(&r, path) && walk_group(&(struct walk){&r, to}, r.root, prefix);
+    bool good = cfg_open(&r, path);
+    for (; good && set && *set; set++)
+        good = cfg_set(&r, *set);
+    good = good && walk_group(&(struct walk){&r, to}, r.root, prefix);
     cfg_close(&r);
     *error = r.error;
     return good;
@@ -156,7 +167,7 @@ static bool walk_file(struct cfg_numbers *to, const char *path, const char *pref
 struct cfg_numbers *cfg_numbers_read(const struct cfg_machine *m, char **error)
 {
     struct cfg_numbers *n = xcalloc(1, sizeof *n);
-    if (walk_file(n, m->path, "", error) && walk_file(n, m->cpu, "cpu", error))
+    if (walk_file(n, m->path, "", m->set, error) && walk_file(n, m->cpu, "cpu", NULL, error))
         return n;
     cfg_numbers_free(n);
     return NULL;

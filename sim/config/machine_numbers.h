@@ -8,8 +8,10 @@
 struct cfg_number {
     char *key;      /* "system.call_us"; of the processor's costs, "cpu.clocks.load" */
     char *value;    /* as the file gives it, without the zeros at its end: "5", "hypercube" */
-    char *standing; /* one of the words above; "" if the comment begins with none */
-    char *source;   /* the rest of the comment; "" if there is none */
+    bool is_number; /* not a text */
+    char *
+        standing; /* one of the words above; "set" if a setting gave it; "" if the comment begins with none */
+    char *source; /* the rest of the comment; "" if there is none */
 };
 
 struct cfg_numbers {
@@ -17,8 +19,8 @@ struct cfg_numbers {
     size_t count;
 };
 
-/* Reads those of a machine, the files that it includes and its processor's among them. NULL with *error
- * malloc'd. */
+/* Reads those of a machine with its settings, the files that it includes and its processor's among them. NULL
+ * with *error malloc'd. */
 struct cfg_numbers *cfg_numbers_read(const struct cfg_machine *m, char **error);
 /* The number of that key; NULL: there is none. */
 const struct cfg_number *cfg_numbers_find(const struct cfg_numbers *n, const char *key);

@@ -14,9 +14,9 @@
 #include <unistd.h>
 
 /* The names of all folders that touchstone makes: what a killed one leaves is removed by any other. */
-static const char *const NAMES[] = {"touchstone-cfs",     "touchstone-debugger", "touchstone-explore",
-                                    "touchstone-picture", "touchstone-serve",    "touchstone-study",
-                                    "touchstone-tables",  "touchstone-why"};
+static const char *const NAMES[] = {"touchstone-cfs",     "touchstone-debugger",    "touchstone-explore",
+                                    "touchstone-picture", "touchstone-sensitivity", "touchstone-serve",
+                                    "touchstone-study",   "touchstone-tables",      "touchstone-why"};
 enum { NAME_COUNT = sizeof NAMES / sizeof *NAMES };
 
 static int remove_one(const char *path, const struct stat *st, int kind, struct FTW *at)

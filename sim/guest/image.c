@@ -425,7 +425,8 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
     uintptr_t left = (uintptr_t)n->image->left, main = (uintptr_t)n->image->main;
     uintptr_t lookahead = (uintptr_t)n->image->lookahead;
     if (left - (uintptr_t)base >= img->bytes || lookahead - (uintptr_t)base >= img->bytes ||
-        main - (uintptr_t)base >= img->bytes)
+        main - (uintptr_t)base >= img->bytes ||
+        (uintptr_t)n->image->data_cache - (uintptr_t)base >= img->bytes)
         return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
                         img->elf->path);
     n->data = base + img->data_at;

@@ -98,6 +98,7 @@ static bool make_parts(struct node *n, const struct node_image *img, int argc, c
     n->libc = node_libc_new(n);
     if (!node_image_map(img, n, error))
         return false;
+    *n->image->data_cache = (int64_t)n->sys->cfg->cache_bytes;
     if (node_image_is_asan(img) && !(n->asan = asan_begin(n->sys->asan, n)))
         return lacks_addresses(n, error);
     n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start,

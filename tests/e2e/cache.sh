@@ -1,10 +1,10 @@
 #!/bin/bash
-# cache.sh - a program compiled with a data cache (i860xr-cache.cfg): 8 KB, lines of 32 bytes; 8 clocks for a miss, 3 for a
-# store to a line that is not in the cache, and 16 more if the page was not used lately.
+# cache.sh - a program compiled with a data cache (i860xr-cache.cfg): 8 KB, lines of 32 bytes; 8 clocks for a miss, 8 for a
+# changed line that is replaced, 3 for a store to a line that is not in the cache, and 16 more if the page was not used lately.
 # without: touchstone-lab app
 . "$(dirname "$0")/common.bash"
 costs=$tests/../../machines/cpu/i860xr-cache.cfg
-cp "$tests/../../machines/cpu/i860-calls.cfg" .
+cp "$tests"/../../machines/cpu/{i860-calls.cfg,i860-hits.inc} .
 sed '/^cache = {/,/^};/d; /^tlb = {/,/^};/d' "$costs" >without.cfg
 "$BUILD/nxcc" -O2 --costs ./without.cfg -o cache "$tests/cache.c"
 "$BUILD/nxcc" -O2 --costs i860xr-cache.cfg -o cached "$tests/cache.c"
@@ -25,6 +25,18 @@ check "a large field misses once a line" near "$(adds first 8192)" $((8 * 2048 +
 check "a large field misses again" near "$(adds again 8192)" $((8 * 2048))
 check "stores to what is there cost nothing" near "$(adds write 512)" 0
 check "stores to what is not there cost 3 each and bring nothing in" near "$(adds write 65536)" $((3 * (65536 - 1024) + 16 * (128 - 2)))
+
+check "lines of a small field that are changed stay" near "$(adds change 512)" 0
+check "nothing is written back by reading them" near "$(adds last 512)" 0
+check "lines of a large field come in, and changed ones go out" near "$(adds change 8192)" $(((8 + 8) * 2048))
+check "and the last that were changed go out when it is read" near "$(adds last 8192)" $((8 * 2048 + 8 * 256))
+
+# 16 KB, 4-way
+"$BUILD/nxcc" -O2 --costs i860xp-cache.cfg -o cached "$tests/cache.c"
+check "16 KB: lines of a large field come in, and changed ones go out" near "$(adds change 8192)" $(((8 + 8) * 2048))
+check "16 KB: the last that were changed go out when it is read" near "$(adds last 8192)" $((8 * 2048 + 8 * 512))
+check "16 KB: a field of 12 KB is there the second time" near "$(adds again 1536)" 0
+"$BUILD/nxcc" -O2 --costs i860xr-cache.cfg -o cached "$tests/cache.c"
 
 # The same however computing is cut, and nearly so with a profile, which pays otherwise and lays out the program's pages anew.
 "$BUILD/nxcc" -O2 --profile --costs i860xr-cache.cfg -o profiled "$tests/cache.c"

@@ -258,6 +258,32 @@ for options in -O2 "-O2 -fno-builtin"; do
 done
 check "C: each function is called" called functions.o functions
 
+# --- blocks that twice are more than the machine's data cache have the price `far`
+sed -i 's/far = [0-9.]*/far = 3/' i860-calls.cfg
+cat >block.c <<'END'
+#include <stdio.h>
+#include <string.h>
+#include "nx.h"
+static char p[6000], q[6000];
+int main(int argc, char **argv)
+{
+    volatile size_t n = argc > 1 ? 600 : sizeof p;
+    double at = dclock(), copied;
+    memcpy(p, q, n), copied = dclock() - at;
+    at = dclock(), memset(p, 1, n);
+    printf("%.0f %.0f\n", copied * 4e7, (dclock() - at) * 4e7);
+    return 0;
+}
+END
+check "blocks: compiles" "$BUILD/nxcc" -w -O2 --costs ./clocks.cfg -o block block.c
+clock_calls=80 # dclock, 2 us
+blocks() { # CLOCKS ARGS...
+    run -q -m ipsc860 "${@:2}" && [ "$(cat out)" = "$(($1 + clock_calls)) $(($1 + clock_calls))" ]
+}
+check "blocks: 6,000 bytes do not fit twice in 8 KB" blocks 18000 block
+check "blocks: they do in 16 KB" blocks 6000 --set node.cache_kb=16 block
+check "blocks: 600 bytes fit in 8 KB" blocks 600 block few
+
 # --- READ and WRITE, whose library is compiled with the prices as they are
 cat >items <<'END'
 nx_io_integers_out: 9600: write (long, '(80i3)') k

@@ -15,6 +15,8 @@ line() { grep -m 1 -- "$2" "$1" | cut -d' ' -f4-; } # FILE STATE: the JSON of th
 run -q -n 4 --json run.json --profile profile.json --trace run.trace served
 valid run run.json . node.0 node.1.waits.0 node.0.tasks files
 valid profile profile.json . functions.0 classes.others tree
+run -q -n 4 --sensitivity --json sensitivity.json --set cfs.cache_blocks=1 --set cfs.read_ahead_blocks=1 --set cfs.write_cluster_blocks=1 served
+valid run sensitivity.json sensitivity.0
 cp profile.json other.json
 "$BUILD/touchstone" profile -f json -o frames profile.json
 "$BUILD/touchstone" profile -f json -o frames2 --diff other.json profile.json

@@ -8,6 +8,7 @@ static json_t *figure_json(const struct figure *f)
                           "text", f->text, "unit", f->unit, "standing", f->standing, "source", f->source,
                           "verdict", verdict_name(f->verdict));
     json_object_set_new(o, "ours", json_real(f->ours));
+    json_object_set_new(o, "fitted", json_boolean(f->fitted));
     if (!f->open) {
         json_object_set_new(o, "low", json_real(f->low));
         json_object_set_new(o, "high", json_real(f->high));

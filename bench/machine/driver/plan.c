@@ -64,8 +64,8 @@ static void read_run(struct run *r, config_setting_t *in)
 
 static void read_figure(struct plan *p, struct figure *f, config_setting_t *in)
 {
-    static const char *const keys[] = {"run",  "figure", "text",   "unit",     "value",  "low",
-                                       "high", "within", "source", "standing", "misses", NULL};
+    static const char *const keys[] = {"run",    "figure", "text",     "unit",   "value",  "low", "high",
+                                       "within", "source", "standing", "misses", "fitted", NULL};
     f->run = run_of(p, in);
     f->open = !config_setting_get_member(in, "value") && !config_setting_get_member(in, "low");
     f->unit = text_or(in, "unit", "");
@@ -74,6 +74,7 @@ static void read_figure(struct plan *p, struct figure *f, config_setting_t *in)
     f->low = number_or(in, "low", number_or(in, "value", 0));
     f->high = number_or(in, "high", f->low);
     f->within = number_or(in, "within", 0.05);
+    f->fitted = config_setting_get_member(in, "fitted");
     if (cfg_only(&reader, in, keys) && cfg_text(&reader, in, "figure", &f->name) &&
         cfg_text(&reader, in, "text", &f->text))
         cfg_text(&reader, in, "standing", &f->standing);
@@ -81,11 +82,12 @@ static void read_figure(struct plan *p, struct figure *f, config_setting_t *in)
 
 static void read_curve(struct plan *p, struct curve *c, config_setting_t *in)
 {
-    static const char *const keys[] = {"run",    "series",   "text",   "pieces",
-                                       "source", "standing", "within", NULL};
+    static const char *const keys[] = {"run",      "series", "text",   "pieces", "source",
+                                       "standing", "within", "fitted", NULL};
     config_setting_t *pieces;
     c->run = run_of(p, in);
     c->within = number_or(in, "within", 0.05);
+    c->fitted = config_setting_get_member(in, "fitted");
     if (!cfg_only(&reader, in, keys) || !cfg_text(&reader, in, "series", &c->series) ||
         !cfg_text(&reader, in, "text", &c->text) || !cfg_text(&reader, in, "standing", &c->standing) ||
         !cfg_text(&reader, in, "source", &c->source) || !cfg_list(&reader, in, "pieces", &pieces))

@@ -1,5 +1,6 @@
 /* report.c - the results as a table on the terminal and as a page. */
 #include "validate.h"
+#include <math.h>
 #include <string.h>
 
 /* "72 to 77", "8", or "-" */
@@ -20,6 +21,35 @@ static const char *error_of(const struct figure *f, char text[32])
     return text;
 }
 
+struct errors {
+    unsigned count;
+    double sum, worst;
+};
+
+static void add_error(struct errors *e, double error)
+{
+    e->count++;
+    e->sum += fabs(error);
+    e->worst = fabs(error) > fabs(e->worst) ? error : e->worst;
+}
+
+/* The last line: mean and worst error of what nothing was fitted to, and of the rest. */
+static void print_errors(const struct plan *p, FILE *f)
+{
+    struct errors of[2] = {0}; /* fitted: of[1] */
+    for (size_t i = 0; i < p->curve_count; i++)
+        add_error(&of[p->curves[i].fitted], p->curves[i].worst);
+    for (size_t i = 0; i < p->figure_count; i++)
+        if (!p->figures[i].open)
+            add_error(&of[p->figures[i].fitted], p->figures[i].error);
+    fprintf(
+        f,
+        "\nErrors: of %u figures that nothing was fitted to, %.1f %% in the mean, %+.1f %% the worst; of %u "
+        "that a number was chosen by, %.1f %% in the mean, %+.1f %% the worst.\n",
+        of[0].count, of[0].count ? 100 * of[0].sum / of[0].count : 0, 100 * of[0].worst, of[1].count,
+        of[1].count ? 100 * of[1].sum / of[1].count : 0, 100 * of[1].worst);
+}
+
 void report_terminal(const struct plan *p, FILE *f)
 {
     char a[64], b[32];
@@ -35,6 +65,7 @@ void report_terminal(const struct plan *p, FILE *f)
         fprintf(f, "%-19s %-62.62s %14s %10.5g %-7s %8s  %-8s %s\n", g->run->name, g->text, published(g, a),
                 g->ours, g->unit, error_of(g, b), verdict_name(g->verdict), g->standing);
     }
+    print_errors(p, f);
 }
 
 static void page_figures(const struct plan *p, FILE *f)
@@ -120,4 +151,5 @@ void report_page(const struct plan *p, FILE *f)
     fputs("\n## Remarks\n", f);
     for (size_t i = 0; i < p->remark_count; i++)
         fprintf(f, "\n%s\n", p->remarks[i]);
+    print_errors(p, f);
 }

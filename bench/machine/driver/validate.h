@@ -40,7 +40,7 @@ struct figure {
     const struct run *run;
     const char *name, *text, *unit, *standing, *source, *miss;
     double low, high, within; /* within: the error allowed, a fraction */
-    bool open;
+    bool open, fitted;        /* fitted: a number of the machine was chosen by this figure */
     double ours, error;
     enum verdict verdict;
 };
@@ -55,6 +55,7 @@ struct curve {
     const char *series, *text, *standing, *source;
     struct piece pieces[MAX_PIECES];
     size_t piece_count;
+    bool fitted;
     double within;
     double worst; /* error, with its sign */
     const struct point *worst_at;

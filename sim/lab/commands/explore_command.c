@@ -1,11 +1,11 @@
 /* explore_command.c - touchstone explore: a program under other timings. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "lab/commands/lab_commands.h"
+#include "lab/commands/standard_input.h"
 #include "cli/host_files.h"
 #include "cli/installation.h"
 #include "cli/program_options.h"
@@ -127,19 +127,11 @@ static bool is_regular(int fd)
     return !fstat(fd, &st) && S_ISREG(st.st_mode);
 }
 
-/* All of it, once, for all runs; a terminal's is left alone. */
+/* All of it, once, for all runs. */
 static bool read_input(struct arguments *a, const struct session *t, char **error)
 {
-    enum { PART = 1 << 16 };
-    ssize_t got = isatty(STDIN_FILENO) ? 0 : 1;
-    while (got > 0) {
-        a->input = xrealloc(a->input, a->input_bytes + PART);
-        got = read(STDIN_FILENO, a->input + a->input_bytes, PART);
-        a->input_bytes += got > 0 ? (size_t)got : 0;
-    }
-    if (got < 0 && errno != EBADF)
-        *error = xasprintf("standard input cannot be read: %m");
-    else if (a->input_bytes && t->count > 1 && !is_regular(STDIN_FILENO))
+    if (standard_input_read(&a->input, &a->input_bytes, error) && a->input_bytes && t->count > 1 &&
+        !is_regular(STDIN_FILENO))
         *error =
             xasprintf("only one of the processes has this standard input: start them as in mpirun -np %u "
                       "sh -c 'touchstone explore ... <FILE'",

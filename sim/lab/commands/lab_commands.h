@@ -12,6 +12,7 @@ int cli_page(int argc, char **argv);
 int cli_plot(int argc, char **argv);
 int cli_profile(int argc, char **argv);
 int cli_render(int argc, char **argv);
+int cli_sensitivity(int argc, char **argv); /* touchstone run --sensitivity */
 int cli_serve(int argc, char **argv);
 int cli_study(int argc, char **argv);
 int cli_tables(int argc, char **argv);

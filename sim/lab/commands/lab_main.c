@@ -13,7 +13,7 @@ static const struct {
                 {"render", cli_render},     {"page", cli_page},       {"serve", cli_serve},
                 {"deadlock", cli_deadlock}, {"check", cli_check},     {"fit", cli_fit},
                 {"tables", cli_tables},     {"trace", cli_trace},     {"profile", cli_profile},
-                {"machines", cli_machines}};
+                {"machines", cli_machines}, {"run", cli_sensitivity} /* as touchstone does, else */};
 
 int main(int argc, char **argv)
 {

@@ -7,13 +7,13 @@
 #include "lab/commands/lab_commands.h"
 #include "kernel/xalloc.h"
 
-/* A machine file that is named relative to the folder of the run, as a path from here; or its name.
+/* A machine file that is named relative to the folder of the run, as a path from anywhere; or its name.
  * malloc'd. */
-static char *machine_of(const struct trace *t, const char *machine)
+static char *machine_of(const char *folder, const char *machine)
 {
     size_t n = strlen(machine);
     bool is_path = strchr(machine, '/') || (n >= 4 && !strcmp(machine + n - 4, ".cfg"));
-    return is_path && *machine != '/' ? xasprintf("%s/%s", t->folder, machine) : xstrdup(machine);
+    return is_path && *machine != '/' ? xasprintf("%s/%s", folder, machine) : xstrdup(machine);
 }
 
 static int count_of(char *const *argv)
@@ -36,7 +36,7 @@ static void make_options(const struct cli_run_parts *parts, const char *runner, 
     again->options = (char **)(uintptr_t)o;
     again->nodes = xasprintf("%u", parts->what.nodes);
     *o++ = runner, *o++ = "run", *o++ = "-q";
-    *o++ = "-m", *o++ = parts->what.machine;
+    *o++ = "-m", *o++ = again->machine;
     if (parts->what.nodes)
         *o++ = "-n", *o++ = again->nodes;
     if (parts->what.host)
@@ -45,6 +45,19 @@ static void make_options(const struct cli_run_parts *parts, const char *runner, 
         *o++ = "--set", *o++ = parts->what.set[i];
     for (size_t i = 0; i < files; i++)
         *o++ = "--host-files", *o++ = parts->host_files[i];
+}
+
+bool run_again_of(const struct cli_run_parts *parts, const char *folder,
+                  const struct cli_installation *places, struct run_again *again, char **error)
+{
+    *again = (struct run_again){.machine = machine_of(folder, parts->what.machine)};
+    make_options(parts, places->runner, again);
+    again->cfg = cfg_load_with(again->machine, places->machines, parts->what.set, error);
+    again->command = (struct rerun_command){
+        .options = again->options, .program = parts->what.program, .cfs = parts->cfs, .folder = folder};
+    if (!again->cfg)
+        run_again_free(again);
+    return again->cfg != NULL;
 }
 
 bool run_again_from(const struct trace *t, const struct cli_installation *places, struct run_again *again,
@@ -58,22 +71,17 @@ bool run_again_from(const struct trace *t, const struct cli_installation *places
     }
     struct cli_run_parts parts;
     cli_run_read(argc - 1, t->argv + 1, &parts);
-    make_options(&parts, places->runner, again);
-    char *machine = machine_of(t, parts.what.machine);
-    again->cfg = cfg_load_with(machine, places->machines, parts.what.set, error);
-    free(machine);
+    bool good = run_again_of(&parts, t->folder, places, again, error);
     free(parts.what.set);
     free(parts.host_files);
-    again->command = (struct rerun_command){again->options, parts.what.program, parts.cfs, again->cfg};
-    if (!again->cfg)
-        run_again_free(again);
-    return again->cfg != NULL;
+    return good;
 }
 
 void run_again_free(struct run_again *again)
 {
     free(again->options);
     free(again->nodes);
+    free(again->machine);
     cfg_free(again->cfg);
     *again = (struct run_again){0};
 }

@@ -1,20 +1,25 @@
-/* run_again.h - the command of a trace, taken apart so that it can be run again with other numbers of the
- * machine. */
+/* run_again.h - a command of touchstone run, taken apart so that it can be run again with other numbers of
+ * the machine: its results (--json, --trace ...), limits and the simulator's own options are left out. */
 #ifndef CLI_RUN_AGAIN_H
 #define CLI_RUN_AGAIN_H
+#include "cli/commands.h"
 #include "cli/installation.h"
-#include "lab/why/rerun.h"
+#include "config/config.h"
+#include "lab/jobs/rerun.h"
+#include "lab/trace/trace_model.h"
 
 struct run_again {
     struct rerun_command command;
     /* what command points to */
-    char **options, *nodes;
-    struct cfg_machine *cfg;
+    char **options, *nodes, *machine;
+    struct cfg_machine *cfg; /* the machine, with the command's settings */
 };
 
-/* Takes the command of a trace apart: its results (--json, --trace ...), limits and the simulator's own
- * options are left out. The trace must outlive *again. False with *error malloc'd if the machine file
- * cannot be read any more. */
+/* A command line that works in that folder. The texts of its parts, but not their lists, must outlive *again.
+ * False with *error malloc'd if the machine file cannot be read. */
+bool run_again_of(const struct cli_run_parts *parts, const char *folder,
+                  const struct cli_installation *places, struct run_again *again, char **error);
+/* The command of a trace, which must outlive *again. */
 bool run_again_from(const struct trace *t, const struct cli_installation *places, struct run_again *again,
                     char **error);
 void run_again_free(struct run_again *again);

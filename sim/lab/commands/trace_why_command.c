@@ -10,6 +10,7 @@
 #include "cli/trace_options.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
+#include "lab/why/rerun_changes.h"
 #include "lab/why/why_json.h"
 #include "lab/why/why_path_lines.h"
 #include "lab/why/why_report.h"
@@ -132,6 +133,7 @@ static int run_again(const struct arguments *a, const struct trace *t, struct re
     if (!run_again_from(t, &places, &again, &error))
         return failed(error, CLI_EXIT_INPUT);
     struct rerun_options o = {.command = again.command,
+                              .cfg = again.cfg,
                               .set = a->set,
                               .cpu = a->cpu,
                               .at_once = cli_jobs(a->jobs),

@@ -7,7 +7,7 @@
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/run_order.h"
-#include "lab/explore/own_folder.h"
+#include "lab/jobs/own_folder.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/words.h"
 #include "lab/study/point_run.h"
@@ -104,7 +104,7 @@ static bool make_files(struct doing *d, struct task *t)
     t->replay = t->run->schedule ? key_path(scratch, t->run->key, ".replay") : NULL;
     t->cfs = in_cfs(s) ? key_path(scratch, t->run->key, ".cfs") : NULL;
     if ((!t->replay || write_text(t->replay, t->run->schedule)) &&
-        own_folder_make(t->folder, s->folder, s->options.compare_file))
+        own_folder_make(t->folder, s->folder, s->options.compare_file, NULL))
         return true;
     d->error = xasprintf("%s: files for a run cannot be made: %m", scratch);
     return false;

@@ -1,6 +1,7 @@
 /* rerun_changes.c - see rerun_changes.h. */
 #include "lab/why/rerun_changes.h"
 #include <stdlib.h>
+#include "files/folder_make.h"
 #include "kernel/xalloc.h"
 
 enum { MOST_KEYS = 12, MOST_CHANGES = 12 };
@@ -91,10 +92,11 @@ static bool has_files(const struct trace *t)
     return false;
 }
 
-struct reruns rerun_changes(const struct trace *t, const struct rerun_options *o)
+/* The first is the command as it was, without settings. */
+static struct reruns changes(const struct trace *t, const struct rerun_options *o)
 {
     struct reruns r = {0};
-    const struct cfg_machine *cfg = o->command.cfg;
+    const struct cfg_machine *cfg = o->cfg;
     add(&r, "same", xstrdup("as it was"));
     if (o->set && *o->set)
         add_own(&r, o->set);
@@ -110,4 +112,29 @@ struct reruns rerun_changes(const struct trace *t, const struct rerun_options *o
         add_change(&r, &DISKS);
     add_clock(&r, cfg, "computing", 0);
     return r;
+}
+
+/* Is the run still that of the trace? */
+static bool is_same(const struct trace *t, const struct rerun *x, char **error)
+{
+    if (!x->done)
+        *error = xasprintf("the command of the trace cannot be run again: %s", x->error);
+    else if (x->end != t->end)
+        *error = xasprintf(
+            "the command of the trace takes %.12f s now, not %.12f s: the program, its input or the "
+            "machine file has changed since; make the trace anew",
+            vt_seconds(x->end), vt_seconds(t->end));
+    return !*error;
+}
+
+bool rerun_all(const struct trace *t, const struct rerun_options *o, struct reruns *r, char **error)
+{
+    *error = NULL;
+    *r = changes(t, o);
+    struct scratch scratch = folder_scratch("touchstone-why", error);
+    struct rerun_place p = {o->command, scratch.path, o->at_once, o->progress, NULL};
+    bool ok = scratch.path && rerun_copy_cfs(&p, r, error) && rerun_some(&p, r, 0, 1, error) &&
+              is_same(t, &r->list[0], error) && rerun_some(&p, r, 1, r->count - 1, error);
+    scratch_remove(&scratch);
+    return ok;
 }

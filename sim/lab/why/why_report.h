@@ -1,7 +1,7 @@
 /* why_report.h - why a run took its time, as text for people. */
 #ifndef LAB_WHY_REPORT_H
 #define LAB_WHY_REPORT_H
-#include "lab/why/rerun.h"
+#include "lab/jobs/rerun.h"
 #include "lab/why/why.h"
 
 struct why_report_options {

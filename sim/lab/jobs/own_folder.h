@@ -1,0 +1,12 @@
+/* own_folder.h - a folder for one run: what is in another folder is there as links. */
+#ifndef LAB_JOBS_OWN_FOLDER_H
+#define LAB_JOBS_OWN_FOLDER_H
+#include <stdbool.h>
+#include <time.h>
+
+/* Makes the folder `path` with links to all that is in `like`, but for the name `except` (NULL: none), and
+ * for files that have changed after `until` (NULL: all count). False with errno. */
+bool own_folder_make(const char *path, const char *like, const char *except, const struct timespec *until);
+/* Removes the folder with all that the run has left in it. */
+void own_folder_remove(const char *path);
+#endif
