@@ -1,10 +1,10 @@
 /* lp.c - the making of a logical process. */
 #include "lp/lp.h"
+#include <stdlib.h>
 
-void lp_begin(struct lp *lp, struct schedule *s, uint32_t address, struct lp_cold *cold)
+void lp_begin(struct lp *lp, struct schedule *s, uint32_t address)
 {
-    *lp = (struct lp){.schedule = s, .address = address, .cold = cold, .blocked_since = VT_NEVER};
-    cold->count = 0;
+    *lp = (struct lp){.schedule = s, .address = address, .blocked_since = VT_NEVER};
 }
 
 void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead)
@@ -21,4 +21,6 @@ void lp_unbind(struct lp *lp)
 {
     lp->budget = lp->lookahead = NULL;
     lp->clock.runs = false;
+    free(lp->places);
+    lp->places = NULL;
 }
