@@ -14,11 +14,12 @@
 
 long node_error(struct node *n, int code, const char *fmt, ...)
 {
+    struct node_error *e = nx_last_error(n);
     va_list ap;
     va_start(ap, fmt);
-    vsnprintf(n->error->text, sizeof n->error->text, fmt, ap);
+    vsnprintf(e->text, sizeof e->text, fmt, ap);
     va_end(ap);
-    n->error->code = code;
+    e->code = code;
     return -1;
 }
 
@@ -124,7 +125,8 @@ static _Noreturn void wrong(struct node *n, const char *parameters, ...)
     }
     va_end(ap);
     fclose(f);
-    node_fail(n, "%s%s%s(%s): %s", outer ? outer : "", outer ? ": " : "", n->call, text, n->error->text);
+    node_fail(n, "%s%s%s(%s): %s", outer ? outer : "", outer ? ": " : "", n->call, text,
+              nx_last_error(n)->text);
 }
 
 /* --- the entry points --- */
@@ -155,7 +157,7 @@ static void leave(struct node *n)
 long nx_plain(struct node *n, long result)
 {
     if (result < 0)
-        node_fail(n, "%s: %s", n->call, n->error->text);
+        node_fail(n, "%s: %s", n->call, nx_last_error(n)->text);
     leave(n);
     return result;
 }
@@ -170,7 +172,7 @@ __attribute__((noinline)) static void set_errno(int why)
 /* _NAME: returns the error. */
 long nx_returning(struct node *n, long result)
 {
-    int why = n->error->code;
+    int why = nx_last_error(n)->code;
     leave(n);
     if (result < 0)
         set_errno(why);

@@ -126,7 +126,7 @@ static void take_ignored(struct node *n, long id)
     for (long i = id; i >= 0; i = mailbox_id_next(n, i)) {
         struct receive *r = mailbox_id_receive(n, i);
         if (r && mailbox_take(n, r) < 0)
-            node_fail(n, "msgignore: %s", n->error->text);
+            node_fail(n, "msgignore: %s", nx_last_error(n)->text);
     }
     mailbox_id_release(n, id);
 }

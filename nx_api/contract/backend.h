@@ -100,6 +100,8 @@ const char *nx_sender_name(const struct node *n, const struct message *m);
 /* The node's receives and sends of blocking calls, and how many message ids it has. */
 struct own_calls *nx_own_calls(struct node *n);
 uint32_t nx_message_ids(const struct node *n);
+/* The last error of the node's calls, which is all zero before the first. */
+struct node_error *nx_last_error(struct node *n);
 
 /* --- the machine --- */
 

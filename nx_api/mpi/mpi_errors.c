@@ -35,7 +35,7 @@ void node_nxperror(const char *what)
     struct node *n = node_self();
     int code = errno;
     fprintf(stderr, "(node %ld, ptype %ld) %s: %s\n", n->id, n->pid, what ? what : "",
-            code == n->error->code ? n->error->text : node_strerror(code));
+            code == n->error.code ? n->error.text : node_strerror(code));
 }
 
 _Noreturn void node_nx_fail(const char *call, int error)

@@ -252,7 +252,7 @@ static void call_handler(struct node *n, const struct mpi_due *d)
     if (d->send)
         n->info = d->send->info;
     else if (mailbox_take(n, d->receive) < 0)
-        node_fail(n, "hrecv: %s", n->error->text);
+        node_fail(n, "hrecv: %s", n->error.text);
     free(d->receive);
     free(d->send);
     handler(n->info.type, n->info.count, n->info.node, n->info.pid, param);

@@ -246,6 +246,11 @@ struct own_calls *nx_own_calls(struct node *n)
     return &n->own;
 }
 
+struct node_error *nx_last_error(struct node *n)
+{
+    return &n->error;
+}
+
 uint32_t nx_message_ids(const struct node *n)
 {
     (void)n;

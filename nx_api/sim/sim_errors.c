@@ -1,6 +1,7 @@
 /* sim_errors.c - errors as simulated programs and their users see them. */
 #include <errno.h>
 #include <stdio.h>
+#include <unistd.h>
 #include "guest/libc_parts.h"
 #include "nx_api/calls/call.h"
 
@@ -9,8 +10,9 @@ void node_nxperror(const char *what)
 {
     struct node *n = node_self();
     int code = errno;
-    fprintf(streams_of(n)->err, "(%s, ptype %ld) %s: %s\n", n->name, n->pid, what ? what : "",
-            code == n->error->code ? n->error->text : node_strerror(code));
+    const struct node_error *last = nx_last_error(n);
+    fprintf(stream_standard(n, STDERR_FILENO), "(%s, ptype %ld) %s: %s\n", n->cold->name, n->pid,
+            what ? what : "", code == last->code ? last->text : node_strerror(code));
 }
 
 /* For calls that are node code themselves (nx_api/common): ends the process with a message that names call

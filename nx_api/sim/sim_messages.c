@@ -1,4 +1,5 @@
 /* sim_messages.c - messages, time and reports of calls in the simulator: nx_api/contract/backend.h. */
+#include "kernel/xalloc.h"
 #include "machine/cube.h"
 #include "nx_api/calls/call.h"
 #include "net/protocol_record.h"
@@ -53,6 +54,14 @@ void nx_spend_kernel(struct node *n)
 struct own_calls *nx_own_calls(struct node *n)
 {
     return &n->cold->own;
+}
+
+struct node_error *nx_last_error(struct node *n)
+{
+    struct node_cold *c = n->cold;
+    if (!c->error)
+        c->error = xcalloc(1, sizeof *c->error);
+    return c->error;
 }
 
 uint32_t nx_message_ids(const struct node *n)

@@ -17,27 +17,33 @@
 
 struct open_files *descriptors_open(struct node *n)
 {
-    struct descriptors *d = &n->libc->descriptors;
+    struct descriptors *d = &libc_of(n)->descriptors;
     if (!d->open)
         d->open = xcalloc(1, sizeof *d->open);
     return d->open;
 }
 
-void descriptors_begin(struct descriptors *d, struct node *n)
+static struct standard_files *standard_of(struct node *n)
 {
-    standard_input(&d->at_first[0], n);
-    standard_output(&d->at_first[1], n, STDOUT_FILENO);
-    standard_output(&d->at_first[2], n, STDERR_FILENO);
+    struct descriptors *d = &libc_of(n)->descriptors;
+    if (d->standard)
+        return d->standard;
+    struct standard_files *s = d->standard = xcalloc(1, sizeof *s);
+    standard_input(&s->at_first[0], n);
+    standard_output(&s->at_first[1], n, STDOUT_FILENO);
+    standard_output(&s->at_first[2], n, STDERR_FILENO);
     for (int fd = 0; fd < 3; fd++)
-        d->standard[fd] = &d->at_first[fd].base;
+        s->file[fd] = &s->at_first[fd].base;
+    return s;
 }
 
 /* A descriptor's place, NULL: there is none, or the table has not been made. */
-static struct node_file **place(struct descriptors *d, int fd)
+static struct node_file **place(struct node *n, int fd)
 {
+    struct open_files *open = libc_of(n)->descriptors.open;
     if (fd < 0 || fd >= NODE_DESCRIPTORS)
         return NULL;
-    return fd < 3 ? &d->standard[fd] : d->open ? &d->open->file[fd] : NULL;
+    return fd < 3 ? &standard_of(n)->file[fd] : open ? &open->file[fd] : NULL;
 }
 
 /* Makes the table. */
@@ -46,7 +52,7 @@ static void set(struct node *n, int fd, struct node_file *f, const char *path)
     struct open_files *open = descriptors_open(n);
     free(open->path[fd]);
     open->path[fd] = path ? xstrdup(path) : NULL;
-    *place(&n->libc->descriptors, fd) = f;
+    *place(n, fd) = f;
 }
 
 /* The lowest free number from least on; -1 with errno EMFILE: there is none. */
@@ -54,7 +60,7 @@ static int lowest_free(struct node *n, int least)
 {
     descriptors_open(n);
     for (int fd = least; fd < NODE_DESCRIPTORS; fd++)
-        if (!*place(&n->libc->descriptors, fd))
+        if (!*place(n, fd))
             return fd;
     errno = EMFILE;
     return -1;
@@ -65,7 +71,7 @@ int descriptor_reuse(struct node *n, int fd, struct node_file *f, const char *pa
     if (!f)
         return -1;
     descriptors_open(n);
-    struct node_file **p = place(&n->libc->descriptors, fd);
+    struct node_file **p = place(n, fd);
     if (!p || *p)
         fd = lowest_free(n, 0);
     if (fd >= 0) {
@@ -84,7 +90,7 @@ int descriptor_new(struct node *n, struct node_file *f, const char *path)
 
 struct node_file *descriptor_file(struct node *n, int fd)
 {
-    struct node_file **p = place(&n->libc->descriptors, fd);
+    struct node_file **p = place(n, fd);
     if (p && *p)
         return *p;
     errno = EBADF;
@@ -93,7 +99,7 @@ struct node_file *descriptor_file(struct node *n, int fd)
 
 const char *descriptor_path(const struct node *n, int fd)
 {
-    const struct open_files *d = n->libc->descriptors.open;
+    const struct open_files *d = n->libc ? n->libc->descriptors.open : NULL;
     const char *path = d && fd >= 0 && fd < NODE_DESCRIPTORS ? d->path[fd] : NULL;
     return path ? path : "?";
 }
@@ -117,7 +123,7 @@ static int copy(struct node *n, int fd, int to)
         return -1;
     }
     f->more++;
-    if (*place(&n->libc->descriptors, to))
+    if (*place(n, to))
         descriptor_close(n, to);
     set(n, to, f, descriptors_open(n)->path[fd]);
     return to;
@@ -137,24 +143,23 @@ int descriptor_copy_free(struct node *n, int fd, int least)
 
 void descriptors_close(struct descriptors *d)
 {
-    for (int fd = 0; fd < NODE_DESCRIPTORS; fd++) {
-        struct node_file **p = place(d, fd);
-        if (p && *p)
-            file_drop(*p);
-        if (d->open)
-            free(d->open->path[fd]);
+    for (int fd = 0; d->standard && fd < 3; fd++)
+        if (d->standard->file[fd])
+            file_drop(d->standard->file[fd]);
+    for (int fd = 0; d->open && fd < NODE_DESCRIPTORS; fd++) {
+        if (d->open->file[fd])
+            file_drop(d->open->file[fd]);
+        free(d->open->path[fd]);
     }
     free(d->open);
+    free(d->standard);
 }
 
 /* The program's stream of a standard descriptor that is a terminal; NULL for any other. */
 static FILE *terminal(struct node *n, int fd)
 {
-    const struct node_file *f = fd >= 0 && fd < 3 ? n->libc->descriptors.standard[fd] : NULL;
-    if (!f || !f->class->terminal)
-        return NULL;
-    const struct streams *s = streams_of(n);
-    return fd == 0 ? s->in : fd == 1 ? s->out : s->err;
+    const struct node_file *f = fd >= 0 && fd < 3 ? *place(n, fd) : NULL;
+    return f && f->class->terminal ? stream_standard(n, fd) : NULL;
 }
 
 /* --- POSIX calls. As on the i860, a length is an unsigned number of 32 bits, an offset a signed one. --- */

@@ -21,17 +21,20 @@ struct open_files {
     struct io_id io[NODE_IO_IDS];
 };
 
-/* Most programs open no files, so the table is made when a program opens its first. */
-struct descriptors {
-    struct open_files *open;       /* NULL: not made yet */
-    struct node_file *standard[3]; /* files of descriptors 0, 1 and 2; NULL: the program has closed it */
+/* Descriptors 0, 1 and 2. */
+struct standard_files {
+    struct node_file *file[3]; /* NULL: the program has closed it */
     struct standard_file at_first[3];
+};
+
+/* Most programs open no files, and print on one node only: so the tables are made when they are needed. */
+struct descriptors {
+    struct open_files *open;         /* NULL: not made yet */
+    struct standard_files *standard; /* NULL: as they are at first */
 };
 
 struct open_files *descriptors_open(struct node *n); /* makes the table if needed */
 
-/* Descriptors 0, 1 and 2 of a new program. */
-void descriptors_begin(struct descriptors *d, struct node *n);
 /* Gives f the lowest free number and returns it. If no number is free, closes f and returns -1 with errno
  * EMFILE. Returns -1 if f is NULL. */
 int descriptor_new(struct node *n, struct node_file *f, const char *path);

@@ -17,7 +17,7 @@
 const char *folder_path(struct node *n, const char *path, int slot)
 {
     assert(slot >= 0 && slot < FOLDER_SLOTS);
-    struct node_libc *c = n->libc;
+    struct node_libc *c = libc_of(n);
     if (c->folder == NULL || *path == '/' || *path == 0)
         return path;
     free(c->whole[slot]);
@@ -69,7 +69,7 @@ static int check_is_folder(struct node *n, const char *path)
 /* The folder in use, for free(); NULL with errno if it is not known. */
 static char *present(struct node *n)
 {
-    return n->libc->folder ? xstrdup(n->libc->folder) : getcwd(NULL, 0);
+    return libc_of(n)->folder ? xstrdup(libc_of(n)->folder) : getcwd(NULL, 0);
 }
 
 int node_chdir(const char *path)
@@ -85,8 +85,8 @@ int node_chdir(const char *path)
         return -1;
     }
     tidy(to);
-    free(n->libc->folder);
-    n->libc->folder = to;
+    free(libc_of(n)->folder);
+    libc_of(n)->folder = to;
     return 0;
 }
 

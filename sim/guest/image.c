@@ -414,9 +414,10 @@ static void fill_data(const struct node_image *img, struct node *n, char *base)
 bool node_image_map(const struct node_image *img, struct node *n, char **error)
 {
     char *base = n->program;
-    assert(base && n->libc);
+    assert(base);
     if (!map_pages(img, n))
-        return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->name, strerror(errno),
+        return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->cold->name,
+                        strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
     fill_data(img, n, base);
     n->file = img;

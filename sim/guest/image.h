@@ -39,8 +39,7 @@ bool node_image_is_asan(const struct node_image *img);
 size_t node_image_bytes(const struct node_image *img);
 
 /* Maps or copies the program to n->program, relocates it and sets n->image, n->image_bytes, n->file and
- * n->data. n->libc exists already: the program refers to its streams. Returns false with *error set
- * (malloc'd) on failure. */
+ * n->data. Returns false with *error set (malloc'd) on failure. */
 bool node_image_map(const struct node_image *img, struct node *n, char **error);
 
 /* Names the program's message layer (guest/layer.h), whose patterns last as long as the image. */

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "guest/heap.h"
@@ -21,34 +22,27 @@
 #include "os/gate.h"
 #include "nx_api/contract/error_text.h"
 
-struct node_libc *node_libc_new(struct node *n)
-{
-    struct node_libc *c = xcalloc(1, sizeof *c);
-    descriptors_begin(&c->descriptors, n);
-    return c;
-}
-
 void *node_libc_data(struct node *n, const char *name)
 {
     if (strcmp(name, "environ") == 0)
         return node_libc_environ(n);
-    struct streams *s = streams_of(n);
     if (strcmp(name, "stdin") == 0)
-        return &s->in;
+        return stream_variable(n, STDIN_FILENO);
     if (strcmp(name, "stdout") == 0)
-        return &s->out;
-    return strcmp(name, "stderr") == 0 ? &s->err : NULL;
+        return stream_variable(n, STDOUT_FILENO);
+    return strcmp(name, "stderr") == 0 ? stream_variable(n, STDERR_FILENO) : NULL;
 }
 
 char **node_libc_envp(struct node *n)
 {
-    return node_image_uses_environ(n->file) ? *node_libc_environ(n) : n->argv + n->argc + 1;
+    return node_image_uses_environ(n->file) ? *node_libc_environ(n) : n->cold->argv + n->cold->argc + 1;
 }
 
 void node_libc_flush(struct node *n)
 {
     assert(node_is_self(n));
-    streams_flush(&n->libc->streams);
+    if (n->libc)
+        streams_flush(&n->libc->streams);
 }
 
 void node_libc_rescue(struct node *n)
@@ -57,36 +51,20 @@ void node_libc_rescue(struct node *n)
     streams_rescue(&n->libc->streams);
 }
 
-static int latest_first(const void *a, const void *b)
-{
-    uint64_t x = (*(struct node *const *)a)->libc->streams.made,
-             y = (*(struct node *const *)b)->libc->streams.made;
-    return (x < y) - (x > y);
-}
-
-void node_libc_close_streams(struct node *const *nodes, uint32_t count)
-{
-    struct node **with = xcalloc(count, sizeof(struct node *));
-    uint32_t found = 0;
-    for (uint32_t i = 0; i < count; i++)
-        if (nodes[i] && nodes[i]->libc && nodes[i]->libc->streams.made)
-            with[found++] = nodes[i];
-    qsort(with, found, sizeof *with, latest_first);
-    for (uint32_t i = 0; i < found; i++)
-        streams_close(&with[i]->libc->streams);
-    free(with);
-}
-
 void node_libc_free(struct node *n)
 {
     assert(!node_is_self(n));
-    streams_close(&n->libc->streams);
-    descriptors_close(&n->libc->descriptors);
-    free(n->libc->atexit);
-    folder_free(n->libc);
-    node_libc_free_environment(n->libc);
-    own_memory_forget(&n->libc->own);
-    free(n->libc);
+    struct node_libc *c = n->libc;
+    if (!c)
+        return;
+    streams_close(&c->streams);
+    descriptors_close(&c->descriptors);
+    free(c->atexit);
+    free(c->random);
+    folder_free(c);
+    node_libc_free_environment(c);
+    own_memory_forget(&c->own);
+    free(c);
     n->libc = NULL;
 }
 
@@ -100,7 +78,7 @@ int node_atexit(void (*f)(void))
 
 void node_libc_at_end(struct node *n, void (*f)(void))
 {
-    struct node_libc *c = n->libc;
+    struct node_libc *c = libc_of(n);
     c->atexit = xreallocarray(c->atexit, c->atexit_count + 1, sizeof *c->atexit);
     c->atexit[c->atexit_count++] = f;
 }
@@ -110,7 +88,7 @@ void node_libc_at_end(struct node *n, void (*f)(void))
 static void run_atexit(struct node *n)
 {
     struct node_libc *c = n->libc;
-    while (c->atexit_count > 0) {
+    while (c && c->atexit_count > 0) {
         node_leave(n);
         crossing_call(c->atexit[--c->atexit_count], 0, 0, 0, 0, 0);
         node_enter(n, "exit");
@@ -180,7 +158,7 @@ int node_raise(int number)
 /* Every run gets equal numbers, each node its own, from a generator of the node's (splitmix64). */
 int node_getentropy(void *buf, size_t bytes)
 {
-    uint64_t *state = &node_self()->libc->entropy;
+    uint64_t *state = &libc_of(node_self())->entropy;
     if (*state == 0)
         *state = (uint64_t)node_self()->id << 32;
     for (size_t i = 0; i < bytes; i++) {
@@ -192,13 +170,20 @@ int node_getentropy(void *buf, size_t bytes)
     return 0;
 }
 
+static struct random_numbers *numbers_of(struct node *n)
+{
+    struct node_libc *c = libc_of(n);
+    if (!c->random) {
+        c->random = xcalloc(1, sizeof *c->random);
+        initstate_r(1, c->random->first_state, sizeof c->random->first_state, &c->random->random);
+    }
+    return c->random;
+}
+
 /* As in glibc, rand and random share one state. */
 static struct random_data *random_of(struct node *n)
 {
-    struct node_libc *c = n->libc;
-    if (!c->random.state)
-        initstate_r(1, c->random_state, sizeof c->random_state, &c->random);
-    return &c->random;
+    return &numbers_of(n)->random;
 }
 
 long node_random(void)
@@ -224,47 +209,47 @@ void node_srand(unsigned seed)
 double node_drand48(void)
 {
     double r;
-    drand48_r(&node_self()->libc->drand48, &r);
+    drand48_r(&numbers_of(node_self())->drand48, &r);
     return r;
 }
 
 long node_lrand48(void)
 {
     long r;
-    lrand48_r(&node_self()->libc->drand48, &r);
+    lrand48_r(&numbers_of(node_self())->drand48, &r);
     return r;
 }
 
 void node_srand48(long seed)
 {
-    srand48_r(seed, &node_self()->libc->drand48);
+    srand48_r(seed, &numbers_of(node_self())->drand48);
 }
 
 long node_mrand48(void)
 {
     long r;
-    mrand48_r(&node_self()->libc->drand48, &r);
+    mrand48_r(&numbers_of(node_self())->drand48, &r);
     return r;
 }
 
 double node_erand48(unsigned short x[3])
 {
     double r;
-    erand48_r(x, &node_self()->libc->drand48, &r);
+    erand48_r(x, &numbers_of(node_self())->drand48, &r);
     return r;
 }
 
 long node_nrand48(unsigned short x[3])
 {
     long r;
-    nrand48_r(x, &node_self()->libc->drand48, &r);
+    nrand48_r(x, &numbers_of(node_self())->drand48, &r);
     return r;
 }
 
 long node_jrand48(unsigned short x[3])
 {
     long r;
-    jrand48_r(x, &node_self()->libc->drand48, &r);
+    jrand48_r(x, &numbers_of(node_self())->drand48, &r);
     return r;
 }
 
@@ -272,27 +257,28 @@ long node_jrand48(unsigned short x[3])
 unsigned short *node_seed48(unsigned short x[3])
 {
     struct node *n = node_self();
-    struct node_libc *c = n->libc;
-    seed48_r(x, &c->drand48);
+    struct node_libc *c = libc_of(n);
+    struct drand48_data *d = &numbers_of(n)->drand48;
+    seed48_r(x, d);
     if (!c->seed48_before)
-        c->seed48_before = own_memory_need(n, sizeof c->drand48.__old_x);
-    return memcpy(c->seed48_before, c->drand48.__old_x, sizeof c->drand48.__old_x);
+        c->seed48_before = own_memory_need(n, sizeof d->__old_x);
+    return memcpy(c->seed48_before, d->__old_x, sizeof d->__old_x);
 }
 
 void node_lcong48(unsigned short parameters[7])
 {
-    lcong48_r(parameters, &node_self()->libc->drand48);
+    lcong48_r(parameters, &numbers_of(node_self())->drand48);
 }
 
 /* The array that holds the state, which the program is about to be told: the first one moves to memory of the
  * program's own. */
 static char *told_state(struct node *n)
 {
-    struct node_libc *c = n->libc;
-    struct random_data *r = random_of(n);
-    if ((char *)(r->state - 1) == c->random_state) {
-        char *to = own_memory_need(n, sizeof c->random_state);
-        ptrdiff_t by = (int32_t *)memcpy(to, c->random_state, sizeof c->random_state) + 1 - r->state;
+    struct random_numbers *c = numbers_of(n);
+    struct random_data *r = &c->random;
+    if ((char *)(r->state - 1) == c->first_state) {
+        char *to = own_memory_need(n, sizeof c->first_state);
+        ptrdiff_t by = (int32_t *)memcpy(to, c->first_state, sizeof c->first_state) + 1 - r->state;
         r->state += by, r->fptr += by, r->rptr += by, r->end_ptr += by;
     }
     return (char *)(r->state - 1);
@@ -303,19 +289,19 @@ char *node_initstate(unsigned seed, char *state, size_t bytes)
 {
     struct node *n = node_self();
     char *before = told_state(n);
-    return initstate_r(seed, state, bytes, &n->libc->random) == 0 ? before : NULL;
+    return initstate_r(seed, state, bytes, random_of(n)) == 0 ? before : NULL;
 }
 
 char *node_setstate(char *state)
 {
     struct node *n = node_self();
     char *before = told_state(n);
-    return setstate_r(state, &n->libc->random) == 0 ? before : NULL;
+    return setstate_r(state, random_of(n)) == 0 ? before : NULL;
 }
 
 char *node_strtok(char *s, const char *delimiters)
 {
-    return strtok_r(s, delimiters, &node_self()->libc->strtok_next);
+    return strtok_r(s, delimiters, &libc_of(node_self())->strtok_next);
 }
 
 /* --- the locale: there is one, "C"; a program that asks for another gets this one --- */
@@ -332,10 +318,10 @@ struct ctype_tables {
 static struct ctype_tables *tables(void)
 {
     struct node *n = node_self();
-    struct ctype_tables *t = n->libc->ctype;
+    struct ctype_tables *t = libc_of(n)->ctype;
     if (t)
         return t;
-    t = n->libc->ctype = own_memory_need(n, sizeof *t);
+    t = libc_of(n)->ctype = own_memory_need(n, sizeof *t);
     memcpy(t->class_of, *__ctype_b_loc() + CTYPE_FIRST, sizeof t->class_of);
     memcpy(t->lower_of, *__ctype_tolower_loc() + CTYPE_FIRST, sizeof t->lower_of);
     memcpy(t->upper_of, *__ctype_toupper_loc() + CTYPE_FIRST, sizeof t->upper_of);
@@ -364,7 +350,7 @@ const int **node___ctype_toupper_loc(void)
 locale_t node_newlocale(int mask, const char *name, locale_t base)
 {
     struct node *n = node_self();
-    struct node_libc *c = n->libc;
+    struct node_libc *c = libc_of(n);
     (void)mask, (void)name, (void)base;
     if (c->locale)
         return c->locale;
@@ -398,10 +384,10 @@ char *node_strerror(int code)
     if (text)
         return own_memory_text(n, text);
     enum { ROOM = 64 };
-    if (!n->libc->unknown_error)
-        n->libc->unknown_error = own_memory_need(n, ROOM);
-    snprintf(n->libc->unknown_error, ROOM, "Unknown error %d", code);
-    return n->libc->unknown_error;
+    if (!libc_of(n)->unknown_error)
+        libc_of(n)->unknown_error = own_memory_need(n, ROOM);
+    snprintf(libc_of(n)->unknown_error, ROOM, "Unknown error %d", code);
+    return libc_of(n)->unknown_error;
 }
 
 /* GNU's function; headers call POSIX's by the other name, below. */

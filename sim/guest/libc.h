@@ -7,9 +7,9 @@
 struct node;
 struct node_libc;
 
-/* Makes node n's part. stdout is line buffered and stderr unbuffered, both write to the run's output. Node
- * 0 and the host program read the simulator's stdin; other nodes' stdin is empty. */
-struct node_libc *node_libc_new(struct node *n);
+/* stdout is line buffered and stderr unbuffered, both write to the run's output. Node 0 and the host program
+ * read the simulator's stdin; other nodes' stdin is empty. */
+
 /* The address of the variable that exports.def names by DATA(name); NULL if there is none. */
 void *node_libc_data(struct node *n, const char *name);
 /* main's third argument: the environment, if the program uses the variable `environ`, as it does when main
@@ -23,8 +23,5 @@ void node_libc_at_end(struct node *n, void (*f)(void));
 void node_libc_flush(struct node *n); /* on the node's stack: flushes its streams */
 /* Behind the end of a program that went wrong: writes what it has printed and was to be written later. */
 void node_libc_rescue(struct node *n);
-/* Behind the run: closes the streams of all nodes (NULL: none), the one made last first: there the C library
- * begins to search for each. */
-void node_libc_close_streams(struct node *const *nodes, uint32_t count);
 void node_libc_free(struct node *n); /* behind the program's end: closes open files, writes nothing */
 #endif

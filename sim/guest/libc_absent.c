@@ -43,7 +43,7 @@ static long absent(const char *name)
 {
     struct node *n = node_self();
     node_enter(n, "a function that nodes do not have");
-    note(n->sys, name, n->name);
+    note(n->sys, name, n->cold->name);
     node_leave(n);
     node_set_errno(ENOSYS);
     return returns_pointer(name) ? 0 : -1;

@@ -24,7 +24,7 @@ enum { LEAST_ALIGN = 16 }; /* of what malloc gives */
 static void *answer(struct node *n, void *p, size_t align, size_t bytes)
 {
     if (p == NULL) {
-        n->failed_malloc = bytes;
+        n->cold->failed_malloc = bytes;
         errno = ENOMEM;
     } else if (n->asan) {
         p = asan_give(n, p, align, bytes, __builtin_frame_address(0));

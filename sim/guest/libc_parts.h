@@ -10,13 +10,20 @@
 #include "guest/descriptors.h"
 #include "guest/own_memory.h"
 #include "guest/streams.h"
+#include "kernel/xalloc.h"
+#include "node/node.h"
+
+/* The states of its generators. */
+struct random_numbers {
+    struct random_data random; /* as glibc's: additive feedback over 31 words */
+    char first_state[128];
+    struct drand48_data drand48;
+};
 
 struct node_libc {
     struct streams streams;
     struct descriptors descriptors;
-    struct random_data random; /* as glibc's: additive feedback over 31 words */
-    char random_state[128];
-    struct drand48_data drand48;
+    struct random_numbers *random; /* NULL: not used yet */
     char *strtok_next;
     uint64_t entropy;
     mbstate_t multibyte;       /* of calls that pass no state */
@@ -39,6 +46,14 @@ struct node_libc {
     void (**atexit)(void);
     size_t atexit_count;
 };
+
+/* The node's part, which is made when it is first used: many programs call nothing that needs one. */
+static inline struct node_libc *libc_of(struct node *n)
+{
+    if (!n->libc)
+        n->libc = xcalloc(1, sizeof *n->libc);
+    return n->libc;
+}
 
 /* The program's variable `environ`, whose list is the node's own copy of what the user has given. */
 char ***node_libc_environ(struct node *n);

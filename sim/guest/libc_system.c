@@ -157,7 +157,7 @@ static size_t count_variables(char *const *list)
 /* A list of the program's own with the variables of `from`, and room for one more. */
 static char **list_with_room(struct node *n, char **from)
 {
-    struct node_libc *c = n->libc;
+    struct node_libc *c = libc_of(n);
     size_t count = count_variables(from), needed = count + 2;
     if (from == c->environment && needed <= c->environment_room)
         return from;
@@ -173,11 +173,11 @@ static char **list_with_room(struct node *n, char **from)
 
 char ***node_libc_environ(struct node *n)
 {
-    struct node_libc *c = n->libc;
+    struct node_libc *c = libc_of(n);
     if (c->environ_at)
         return c->environ_at;
     c->environ_at = own_memory_need(n, sizeof *c->environ_at);
-    char **list = list_with_room(n, n->envp);
+    char **list = list_with_room(n, n->cold->envp);
     for (char **e = list; e && *e; e++) {
         size_t bytes = strlen(*e) + 1;
         *e = memcpy(own_memory_need(n, bytes), *e, bytes);
@@ -190,7 +190,7 @@ char *node_getenv(const char *name)
 {
     struct node *n = node_self();
     size_t len = strlen(name);
-    if (!n->libc->environ_at && !find_in(n->envp, name, len))
+    if (!libc_of(n)->environ_at && !find_in(n->cold->envp, name, len))
         return NULL;
     char **e = find_in(*node_libc_environ(n), name, len);
     return e ? *e + len + 1 : NULL;
@@ -242,7 +242,7 @@ struct set_text {
 /* A text of so many bytes: that of a variable which setenv has made before, if it has the room. */
 static char *text_to_set(struct node *n, const char *before, size_t bytes)
 {
-    struct node_libc *c = n->libc;
+    struct node_libc *c = libc_of(n);
     for (size_t i = 0; before && i < c->set_count; i++)
         if (c->set[i].text == before && c->set[i].room >= bytes)
             return c->set[i].text;

@@ -107,7 +107,7 @@ clock_t node_times(struct tms *t)
  * left of the alarm before. */
 unsigned node_alarm(unsigned seconds)
 {
-    vtime *at = &node_self()->libc->alarm_at, now = clock_call("alarm");
+    vtime *at = &libc_of(node_self())->alarm_at, now = clock_call("alarm");
     vtime left = *at > now ? *at - now : 0;
     *at = seconds > 0 ? now + seconds * VT_SECOND : 0;
     return (unsigned)((left + VT_SECOND - 1) / VT_SECOND);
@@ -176,7 +176,7 @@ static void pause_for(const char *call, vtime t)
 /* Returns when the alarm is due, as if its signal had come; with no alarm set, at once. */
 int node_pause(void)
 {
-    vtime *at = &node_self()->libc->alarm_at, now = clock_call("pause");
+    vtime *at = &libc_of(node_self())->alarm_at, now = clock_call("pause");
     pause_for("pause", *at > now ? *at - now : 0);
     *at = 0;
     node_set_errno(EINTR);

@@ -5,15 +5,16 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include <wchar.h>
 #include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "node/self.h"
 
-static struct streams *streams(void)
+static FILE *standard(int fd)
 {
-    return streams_of(node_self());
+    return stream_standard(node_self(), fd);
 }
 
 /* The text in bytes, for free(); NULL with errno if a character is not in the "C" locale. */
@@ -59,16 +60,16 @@ static int scan(FILE *f, const wchar_t *format, va_list ap)
         return r;                                                                                            \
     }
 
-WITH_DOTS(wprintf, (const wchar_t *format, ...), print(streams()->out, format, ap))
-WITH_LIST(vwprintf, (const wchar_t *format, va_list ap), print(streams()->out, format, ap))
+WITH_DOTS(wprintf, (const wchar_t *format, ...), print(standard(STDOUT_FILENO), format, ap))
+WITH_LIST(vwprintf, (const wchar_t *format, va_list ap), print(standard(STDOUT_FILENO), format, ap))
 WITH_DOTS(fwprintf, (FILE * f, const wchar_t *format, ...), print(f, format, ap))
 WITH_LIST(vfwprintf, (FILE * f, const wchar_t *format, va_list ap), print(f, format, ap))
-WITH_DOTS(wscanf, (const wchar_t *format, ...), scan(streams()->in, format, ap))
-WITH_LIST(vwscanf, (const wchar_t *format, va_list ap), scan(streams()->in, format, ap))
+WITH_DOTS(wscanf, (const wchar_t *format, ...), scan(standard(STDIN_FILENO), format, ap))
+WITH_LIST(vwscanf, (const wchar_t *format, va_list ap), scan(standard(STDIN_FILENO), format, ap))
 WITH_DOTS(fwscanf, (FILE * f, const wchar_t *format, ...), scan(f, format, ap))
 WITH_LIST(vfwscanf, (FILE * f, const wchar_t *format, va_list ap), scan(f, format, ap))
-WITH_DOTS(__isoc99_wscanf, (const wchar_t *format, ...), scan(streams()->in, format, ap))
-WITH_LIST(__isoc99_vwscanf, (const wchar_t *format, va_list ap), scan(streams()->in, format, ap))
+WITH_DOTS(__isoc99_wscanf, (const wchar_t *format, ...), scan(standard(STDIN_FILENO), format, ap))
+WITH_LIST(__isoc99_vwscanf, (const wchar_t *format, va_list ap), scan(standard(STDIN_FILENO), format, ap))
 WITH_DOTS(__isoc99_fwscanf, (FILE * f, const wchar_t *format, ...), scan(f, format, ap))
 WITH_LIST(__isoc99_vfwscanf, (FILE * f, const wchar_t *format, va_list ap), scan(f, format, ap))
 
@@ -84,7 +85,7 @@ wint_t node_getwc(FILE *f)
 }
 wint_t node_getwchar(void)
 {
-    return node_fgetwc(streams()->in);
+    return node_fgetwc(standard(STDIN_FILENO));
 }
 
 wint_t node_ungetwc(wint_t c, FILE *f)
@@ -106,7 +107,7 @@ wint_t node_putwc(wchar_t c, FILE *f)
 }
 wint_t node_putwchar(wchar_t c)
 {
-    return node_fputwc(c, streams()->out);
+    return node_fputwc(c, standard(STDOUT_FILENO));
 }
 
 int node_fputws(const wchar_t *s, FILE *f)
@@ -140,7 +141,7 @@ int node_fwide(FILE *f, int to)
 
 static mbstate_t *state(mbstate_t *of)
 {
-    return of ? of : &node_self()->libc->multibyte;
+    return of ? of : &libc_of(node_self())->multibyte;
 }
 
 size_t node_mbrlen(const char *s, size_t n, mbstate_t *of)

@@ -2,6 +2,7 @@
  * program's NAME to node_long32_NAME if that exists. The calls that read or write by a format are in
  * nx_api/calls/long32_formats.c. */
 #include <time.h>
+#include <unistd.h>
 #include "guest/libc_parts.h"
 #include "node/node.h"
 #include "nx_api/contract/backend.h"
@@ -9,12 +10,12 @@
 
 FILE *nx_output(void)
 {
-    return streams_of(node_self())->out;
+    return stream_standard(node_self(), STDOUT_FILENO);
 }
 
 FILE *nx_input(void)
 {
-    return streams_of(node_self())->in;
+    return stream_standard(node_self(), STDIN_FILENO);
 }
 
 int nx_scan_file(FILE *f, const char *format, va_list ap)

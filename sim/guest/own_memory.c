@@ -36,11 +36,11 @@ size_t own_arguments_bytes(int argc, char *const *argv)
 
 void own_put_arguments(struct node *n, int argc, char *const *argv)
 {
-    n->argc = argc;
-    n->argv = (char **)(n->stack + n->stack_bytes + sizeof(struct crossing_top));
-    char *text = (char *)(n->argv + argc + LIST_ENDS);
+    n->cold->argc = argc;
+    n->cold->argv = (char **)(n->stack + n->stack_bytes + sizeof(struct crossing_top));
+    char *text = (char *)(n->cold->argv + argc + LIST_ENDS);
     for (int i = 0; i < argc; i++) {
-        n->argv[i] = text;
+        n->cold->argv[i] = text;
         text = stpcpy(text, argv[i]) + 1;
     }
 }
@@ -55,7 +55,7 @@ size_t own_memory_bytes(const struct node *n)
 
 void *own_memory_take(struct node *n, size_t bytes)
 {
-    struct own_memory *own = &n->libc->own;
+    struct own_memory *own = &libc_of(n)->own;
     if (!own->next) {
         span_guard_heap(n);
         own->end = n->heap_start + n->region->heap_bytes;
@@ -79,7 +79,7 @@ void *own_memory_need(struct node *n, size_t bytes)
 
 char *own_memory_text(struct node *n, const char *text)
 {
-    struct own_memory *own = &n->libc->own;
+    struct own_memory *own = &libc_of(n)->own;
     for (size_t i = 0; i < own->text_count; i++)
         if (strcmp(own->texts[i], text) == 0)
             return own->texts[i];

@@ -17,7 +17,7 @@ enum {
     TABLE = 4 * PAGE,    /* at the start of a region's first span */
     HEAD = TABLE + PAGE, /* of each span: the table, and a guard */
     GUARD = 16 * PAGE,   /* below programs' stacks, behind programs and heaps */
-    LEAST_SHIFT = 20,    /* of a span */
+    LEAST_SHIFT = 18,    /* of a span */
     COLOURS = 64,        /* stacks begin at so many different lines of a page */
     LINE = 64,           /* bytes of a cache line */
     ENTRIES = 8,         /* of a page table in a cache line */
@@ -25,8 +25,8 @@ enum {
     ASAN_HEAP = 3,       /* and a heap, of which freed blocks are not given out again at once */
 };
 
-_Static_assert(sizeof(struct node_region) + (NODE_REGION >> LEAST_SHIFT) * sizeof(struct node *) <= TABLE,
-               "a region's table does not fit");
+/* A region's table has room for so many. */
+enum { MOST_SPANS = (TABLE - sizeof(struct node_region)) / sizeof(struct node *) };
 
 static size_t page_up(size_t bytes)
 {
@@ -185,7 +185,8 @@ static struct node_region *region_new(struct node_system *sys, size_t span_bytes
     r->shift = shift_for(span_bytes);
     r->heap_bytes = heap_bytes;
     r->heap_stride = heap_bytes + GUARD;
-    r->spans = (uint32_t)(NODE_REGION / (r->heap_stride + ((size_t)1 << r->shift)));
+    size_t fit = NODE_REGION / (r->heap_stride + ((size_t)1 << r->shift));
+    r->spans = (uint32_t)(fit < MOST_SPANS ? fit : MOST_SPANS);
     r->heaps_at = (uint64_t)r->spans << r->shift;
     r->low = low;
     choose_mappings(r, sys);

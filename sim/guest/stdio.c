@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 #include "guest/file.h"
 #include "guest/libc_parts.h"
 #include "node/node.h"
@@ -15,30 +16,35 @@ static struct streams *streams(void)
     return streams_of(node_self());
 }
 
+static FILE *standard(int fd)
+{
+    return stream_standard(node_self(), fd);
+}
+
 /* --- standard output and input --- */
 
 int node_vprintf(const char *format, va_list ap)
 {
-    return vfprintf(streams()->out, format, ap);
+    return vfprintf(standard(STDOUT_FILENO), format, ap);
 }
 
 int node_printf(const char *format, ...)
 {
     va_list ap;
     va_start(ap, format);
-    int r = vfprintf(streams()->out, format, ap);
+    int r = vfprintf(standard(STDOUT_FILENO), format, ap);
     va_end(ap);
     return r;
 }
 
 int node_putchar(int c)
 {
-    return putc(c, streams()->out);
+    return putc(c, standard(STDOUT_FILENO));
 }
 
 int node_puts(const char *s)
 {
-    FILE *out = streams()->out;
+    FILE *out = standard(STDOUT_FILENO);
     return fputs(s, out) == EOF || putc('\n', out) == EOF ? EOF : 1;
 }
 
@@ -49,24 +55,24 @@ int node_putchar_unlocked(int c)
 
 int node_getchar_unlocked(void)
 {
-    return getc(streams()->in);
+    return getc(standard(STDIN_FILENO));
 }
 
 void node_perror(const char *s)
 {
     int why = errno;
     bool named = s != NULL && *s != 0;
-    fprintf(streams()->err, "%s%s%s\n", named ? s : "", named ? ": " : "", node_strerror(why));
+    fprintf(standard(STDERR_FILENO), "%s%s%s\n", named ? s : "", named ? ": " : "", node_strerror(why));
 }
 
 int node_getchar(void)
 {
-    return getc(streams()->in);
+    return getc(standard(STDIN_FILENO));
 }
 
 char *node_gets(char *s)
 {
-    FILE *in = streams()->in;
+    FILE *in = standard(STDIN_FILENO);
     size_t len = 0;
     int c;
     while ((c = getc(in)) != EOF && c != '\n')
@@ -79,7 +85,7 @@ int node___isoc99_scanf(const char *format, ...)
 {
     va_list ap;
     va_start(ap, format);
-    int r = vfscanf(streams()->in, format, ap);
+    int r = vfscanf(standard(STDIN_FILENO), format, ap);
     va_end(ap);
     return r;
 }
@@ -89,19 +95,19 @@ int node_scanf(const char *format, ...)
 {
     va_list ap;
     va_start(ap, format);
-    int r = vfscanf(streams()->in, format, ap);
+    int r = vfscanf(standard(STDIN_FILENO), format, ap);
     va_end(ap);
     return r;
 }
 
 int node_vscanf(const char *format, va_list ap)
 {
-    return vfscanf(streams()->in, format, ap);
+    return vfscanf(standard(STDIN_FILENO), format, ap);
 }
 
 int node___isoc99_vscanf(const char *format, va_list ap)
 {
-    return vfscanf(streams()->in, format, ap);
+    return vfscanf(standard(STDIN_FILENO), format, ap);
 }
 
 /* --- streams --- */

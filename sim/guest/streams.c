@@ -56,7 +56,7 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
 
 /* --- the list --- */
 
-static struct stream *add_stream(struct streams *list, struct node *n, int fd, const char *mode)
+static struct stream *add_at(struct stream **link, struct node *n, int fd, const char *mode)
 {
     static const cookie_io_functions_t functions = {stream_read, stream_write, stream_seek, NULL};
     struct stream *s = xcalloc(1, sizeof *s);
@@ -64,9 +64,14 @@ static struct stream *add_stream(struct streams *list, struct node *n, int fd, c
     __fsetlocking(s->file, FSETLOCKING_BYCALLER);
     s->node = n;
     s->fd = fd;
-    s->next = list->all;
-    list->all = s;
-    return s;
+    s->made = ++n->sys->streams_made;
+    s->next = *link;
+    return *link = s;
+}
+
+static struct stream *add_stream(struct streams *list, struct node *n, int fd, const char *mode)
+{
+    return add_at(&list->all, n, fd, mode);
 }
 
 static struct stream *find_stream(const struct streams *list, const FILE *f)
@@ -86,29 +91,43 @@ static void remove_stream(struct streams *list, struct stream *s)
     free(s);
 }
 
-static FILE *add_standard(struct streams *list, struct node *n, int fd, const char *mode)
+/* Where a standard stream belongs in the list: before those of lower descriptors. */
+static struct stream **place_of(struct streams *list, int fd)
 {
-    struct stream *s = add_stream(list, n, fd, mode);
+    struct stream **link = &list->all;
+    for (; *link; link = &(*link)->next)
+        for (int below = 0; below < fd; below++)
+            if ((*link)->file == list->standard[below])
+                return link;
+    return link;
+}
+
+static FILE *new_standard(struct node *n, int fd)
+{
+    struct streams *list = streams_of(n);
+    struct stream *s = add_at(place_of(list, fd), n, fd, fd == STDIN_FILENO ? "r" : "w");
     s->standard = true;
+    if (fd != STDIN_FILENO)
+        setvbuf(s->file, NULL, fd == STDOUT_FILENO ? _IOLBF : _IONBF, fd == STDOUT_FILENO ? BUFSIZ : 0);
     return s->file;
 }
 
-static void open_standard(struct streams *list, struct node *n)
+FILE **stream_variable(struct node *n, int fd)
 {
-    list->in = add_standard(list, n, STDIN_FILENO, "r");
-    list->out = add_standard(list, n, STDOUT_FILENO, "w");
-    list->err = add_standard(list, n, STDERR_FILENO, "w");
-    setvbuf(list->out, NULL, _IOLBF, BUFSIZ);
-    setvbuf(list->err, NULL, _IONBF, 0);
-    list->made = ++n->sys->streams_made;
+    FILE **f = &streams_of(n)->standard[fd];
+    if (!*f)
+        *f = new_standard(n, fd);
+    return f;
+}
+
+FILE *stream_standard(struct node *n, int fd)
+{
+    return *stream_variable(n, fd);
 }
 
 struct streams *streams_of(struct node *n)
 {
-    struct streams *list = &n->libc->streams;
-    if (!list->made)
-        open_standard(list, n);
-    return list;
+    return &libc_of(n)->streams;
 }
 
 void streams_flush(struct streams *list)
@@ -136,14 +155,48 @@ void streams_rescue(struct streams *list)
         rescue(s);
 }
 
+static void close_stream(const struct stream *s)
+{
+    __fpurge(s->file);
+    fclose(s->file);
+}
+
 void streams_close(struct streams *list)
 {
     while (list->all != NULL) {
-        struct stream *s = list->all;
-        __fpurge(s->file);
-        fclose(s->file);
-        remove_stream(list, s);
+        close_stream(list->all);
+        remove_stream(list, list->all);
     }
+}
+
+static int latest_first(const void *a, const void *b)
+{
+    uint64_t x = (*(struct stream *const *)a)->made, y = (*(struct stream *const *)b)->made;
+    return (x < y) - (x > y);
+}
+
+/* Puts all streams of the nodes into a list, NULL: only counts them. */
+static size_t collect(struct node *const *nodes, uint32_t count, struct stream **to)
+{
+    size_t found = 0;
+    for (uint32_t i = 0; i < count; i++)
+        for (struct stream *s = nodes[i] && nodes[i]->libc ? streams_of(nodes[i])->all : NULL; s; s = s->next)
+            if (found++, to)
+                to[found - 1] = s;
+    return found;
+}
+
+void streams_close_all(struct node *const *nodes, uint32_t count)
+{
+    size_t found = collect(nodes, count, NULL);
+    struct stream **all = xcalloc(found, sizeof(struct stream *));
+    collect(nodes, count, all);
+    qsort(all, found, sizeof *all, latest_first);
+    for (size_t i = 0; i < found; i++) {
+        close_stream(all[i]);
+        remove_stream(streams_of(all[i]->node), all[i]);
+    }
+    free(all);
 }
 
 /* --- files --- */

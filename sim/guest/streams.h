@@ -17,23 +17,28 @@ struct stream {
     FILE *file;
     int fd;        /* descriptors.h; -1: a standard stream that has been closed */
     bool standard; /* freed with the node: the program has it in stdin, stdout or stderr */
+    uint64_t made; /* greater than that of any stream made before, of all nodes */
     struct stream *next;
 };
 
 struct streams {
-    struct stream *all;
-    FILE *in, *out, *err; /* NULL: the standard ones have not been made */
-    uint64_t made;        /* the standard ones: greater than those of streams made before; 0: not yet */
+    struct stream *all; /* the latest first; the standard ones last: stderr, stdout, stdin */
+    FILE *standard[3];  /* by descriptor. NULL: not made */
 };
 
-/* The node's streams, with the standard ones, which are made when they are first asked for: each takes some
- * hundred bytes of the host, and most programs print on one node only. */
 struct streams *streams_of(struct node *n);
+/* A standard stream, by its descriptor, and the variable that holds it. It is made when it is asked for: each
+ * takes some hundred bytes of the host, and most programs print on one node only. */
+FILE *stream_standard(struct node *n, int fd);
+FILE **stream_variable(struct node *n, int fd);
 void streams_flush(struct streams *s); /* on the node's stack */
 /* Off the node's stack, behind the end of a program that went wrong: passes on what it has printed and was to
  * be written later, as a line without an end; but for files in the machine's file system, which take time. */
 void streams_rescue(struct streams *s);
 void streams_close(struct streams *s); /* behind the program's end: closes all, writes nothing */
+/* The same for all nodes (NULL: none), the one made last first: there the C library begins to search for
+ * each. */
+void streams_close_all(struct node *const *nodes, uint32_t count);
 
 /* On the node's stack; as their namesakes in POSIX. Relative paths start from the node's folder
  * (folder.h). */

@@ -1,5 +1,6 @@
 /* clock.c - see clock.h. Units are cumulative: how often the clock is synchronised changes no rounding. */
 #include "lp/clock.h"
+#include "kernel/xalloc.h"
 
 #define UNITS_PER_CLOCK ((uint64_t)NXC_UNITS_PER_CLOCK)
 
@@ -68,12 +69,17 @@ static void pass_boundaries(struct lp *lp)
         g->end += least(g->end - g->begun, LONGEST_SLICE);
 }
 
+static __attribute__((noinline)) void note_place(struct lp *lp, uintptr_t at)
+{
+    if (!lp->places)
+        lp->places = xcalloc(1, sizeof *lp->places);
+    lp->places->place[lp->places->count++ % LP_PLACES] = (struct lp_place){lp->clock.units, at};
+}
+
 void clock_reach_boundary(struct lp *lp, uintptr_t at)
 {
-    struct lp_segment *g = &lp->segment;
-    struct lp_cold *c = lp->cold;
-    if (g->end <= lp->clock.units)
-        c->places[c->count++ % LP_PLACES] = (struct lp_place){lp->clock.units, at};
+    if (lp->segment.end <= lp->clock.units)
+        note_place(lp, at);
     pass_boundaries(lp);
 }
 
@@ -85,9 +91,9 @@ void clock_take_lookahead(struct lp *lp)
 
 uintptr_t clock_last_place(const struct lp *lp)
 {
-    const struct lp_cold *c = lp->cold;
-    for (uint32_t i = 0; i < c->count && i < LP_PLACES; i++) {
-        const struct lp_place *place = &c->places[(c->count - 1 - i) % LP_PLACES];
+    const struct lp_places *p = lp->places;
+    for (uint32_t i = 0; p && i < p->count && i < LP_PLACES; i++) {
+        const struct lp_place *place = &p->place[(p->count - 1 - i) % LP_PLACES];
         if (place->units <= lp->clock.units)
             return place->units >= lp->segment.committed ? place->at : 0;
     }

@@ -1,5 +1,6 @@
 /* lp.c - the making of a logical process, and its states. */
 #include "lp/lp.h"
+#include <stdlib.h>
 
 #define TO(state) (1u << LP_##state)
 
@@ -16,10 +17,9 @@ bool lp_may_become(enum lp_state now, enum lp_state next)
     return MAY[now] >> next & 1;
 }
 
-void lp_begin(struct lp *lp, struct schedule *s, uint32_t address, struct lp_cold *cold)
+void lp_begin(struct lp *lp, struct schedule *s, uint32_t address)
 {
-    *lp = (struct lp){.schedule = s, .address = address, .cold = cold, .blocked_since = VT_NEVER};
-    cold->count = 0;
+    *lp = (struct lp){.schedule = s, .address = address, .blocked_since = VT_NEVER};
 }
 
 void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead)
@@ -36,4 +36,6 @@ void lp_unbind(struct lp *lp)
 {
     lp->budget = lp->lookahead = NULL;
     lp->clock.runs = false;
+    free(lp->places);
+    lp->places = NULL;
 }

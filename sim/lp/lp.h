@@ -79,9 +79,9 @@ struct lp_place {
 };
 enum { LP_PLACES = 16 };
 
-/* The latest places, a ring. Away from struct lp, which every message needs. */
-struct lp_cold {
-    struct lp_place places[LP_PLACES];
+/* The latest places, a ring. Most programs never come to a slice boundary. */
+struct lp_places {
+    struct lp_place place[LP_PLACES];
     uint32_t count; /* of all */
 };
 
@@ -115,7 +115,7 @@ struct lp {
     vtime arrived;   /* offloaded, and at its next call: its time; or of the poll at `until` */
     struct lp_offload offload;
     uint64_t clock_hz;
-    struct lp_cold *cold;
+    struct lp_places *places; /* NULL: none yet */
 };
 
 /* May a node that is in one state be in the other next? */
@@ -131,9 +131,8 @@ static inline bool lp_computes(const struct lp *lp)
     return lp->state < LP_BLOCKED;
 }
 
-/* A node at an address, without a program; its state is LP_COMPUTING. cold is the caller's, and lasts as
- * long. */
-void lp_begin(struct lp *lp, struct schedule *s, uint32_t address, struct lp_cold *cold);
+/* A node at an address, without a program; its state is LP_COMPUTING. */
+void lp_begin(struct lp *lp, struct schedule *s, uint32_t address);
 /* The words through which its program and its clock share the count (nx_api/contract/program_image.h). */
 void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead);
 /* It has no program any more. */

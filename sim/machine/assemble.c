@@ -41,7 +41,8 @@ static void run_program(void *arg)
         node_libc_at_end(n, *f);
     for (void (**f)(void) = n->image->init_begin; f < n->image->init_end; f++)
         crossing_call(*f, 0, 0, 0, 0, 0);
-    int code = (int)crossing_call(n->image->main, n->argc, (long)n->argv, (long)node_libc_envp(n), 0, 0);
+    int code =
+        (int)crossing_call(n->image->main, n->cold->argc, (long)n->cold->argv, (long)node_libc_envp(n), 0, 0);
     node_enter(n, "exit");
     node_libc_end(n);
     node_end_here(n, NODE_RETURNED, code);
@@ -64,7 +65,7 @@ static void show_debugger(struct node *n)
 {
     debugger_add(n->sys->debugger, n);
     if (!n->sys->isolate)
-        fiber_take_thread(&n->lp.fiber, n->name, crash_thread_begins, crash_thread_ends);
+        fiber_take_thread(&n->lp.fiber, n->cold->name, crash_thread_begins, crash_thread_ends);
 }
 
 /* Nodes take address space a region at a time, whatever they use of it. */
@@ -72,12 +73,12 @@ static bool lacks_addresses(const struct node *n, char **error)
 {
     struct rlimit allowed;
     if (getrlimit(RLIMIT_AS, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY)
-        *error = xasprintf("%s: no address space left on this computer", n->name);
+        *error = xasprintf("%s: no address space left on this computer", n->cold->name);
     else
         *error = xasprintf(
             "%s: no address space left: nodes take it by %zu MB, most of which they never touch, and "
             "ulimit -v allows %zu MB in all; ulimit -v unlimited lifts that limit",
-            n->name, (size_t)NODE_REGION >> 20, (size_t)allowed.rlim_cur >> 20);
+            n->cold->name, (size_t)NODE_REGION >> 20, (size_t)allowed.rlim_cur >> 20);
     return false;
 }
 
@@ -95,7 +96,6 @@ static bool make_parts(struct node *n, const struct node_image *img, int argc, c
                    node_image_is_asan(img)))
         return lacks_addresses(n, error);
     own_put_arguments(n, argc, argv);
-    n->libc = node_libc_new(n);
     if (!node_image_map(img, n, error))
         return false;
     *n->image->data_cache = (int64_t)n->sys->cfg->cache_bytes;
@@ -136,12 +136,11 @@ static struct node *make(struct node_system *sys, uint32_t id, uint32_t address)
     struct node *n = arena_take(&sys->made);
     *n = (struct node){.cold = arena_take(&sys->made_cold)};
     memset(n->cold, 0, sizeof *n->cold);
-    n->error = &n->cold->error;
     n->sys = sys, n->id = id;
     n->is_host = topo_is_host(&sys->topo, address);
-    lp_begin(&n->lp, &sys->schedule, address, &n->cold->lp);
+    lp_begin(&n->lp, &sys->schedule, address);
     set_clock(n);
-    snprintf(n->name, sizeof n->name, "node %u", id);
+    snprintf(n->cold->name, sizeof n->cold->name, "node %u", id);
     match_begin(n);
     if (sys->numbering)
         numbering_begin(n);
@@ -158,7 +157,7 @@ void node_record(struct node *n)
 static struct node *load(struct node *n, const struct node_image *img, int argc, char **argv, char **envp,
                          char **error)
 {
-    n->envp = envp;
+    n->cold->envp = envp;
     if (make_parts(n, img, argc, argv, error)) {
         /* (Where programs come and go, few messages are worth deferring calls.) */
         n->in_order |= n->is_host || n->asan || n->sys->cube || n->sys->flushes;
@@ -196,7 +195,7 @@ struct node *node_new_host(struct node_system *sys, uint32_t address, const stru
     struct node *n = make(sys, sys->count, address);
     set_hz(n, sys->cfg->host.clock_hz);
     n->system_milli = (uint32_t)sys->cfg->host.system_milli;
-    snprintf(n->name, sizeof n->name, "host");
+    snprintf(n->cold->name, sizeof n->cold->name, "host");
     return load(n, img, argc, argv, envp, error);
 }
 
@@ -229,7 +228,7 @@ static void strip(struct node *n)
     mpi_checks_end(n->sys->mpi_checks, n);
     if (n->asan)
         asan_end(n), n->asan = NULL;
-    free(n->crash);
+    free(n->cold->crash);
     if (n->libc)
         node_libc_free(n);
     fiber_end(&n->lp.fiber);
@@ -240,7 +239,7 @@ static void strip(struct node *n)
     if (n->sys->writable == n)
         n->sys->writable = NULL;
     span_release(n);
-    n->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->heap = NULL;
+    n->cold->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->heap = NULL;
     n->image = NULL;
     lp_unbind(&n->lp);
 }
@@ -267,6 +266,8 @@ void node_delete(struct node *n)
     if (!n)
         return;
     strip(n);
+    free(n->cold->deferred);
+    free(n->cold->error);
     arena_give(&n->sys->made_cold, n->cold);
     arena_give(&n->sys->made, n);
 }

@@ -70,7 +70,7 @@ static void note_crash(struct node_crash *c, struct node *n, int signal, const s
                                        : (uintptr_t)info->si_addr;
     c->top = backtrace_in_stack(n, (uintptr_t)r[REG_RSP]) ? *(uintptr_t *)r[REG_RSP] : 0;
     note_frames(c, n, r);
-    n->crash = c;
+    n->cold->crash = c;
 }
 
 /* The C library's own function of this name reaches a thread's variables. */
@@ -132,7 +132,7 @@ void crash_end_computing(int signal, siginfo_t *info, void *context)
 bool crash_is_fault(const struct node *n)
 {
     for (int i = 0; i < FAULT_COUNT; i++)
-        if (n->crash->signal == FAULTS[i])
+        if (n->cold->crash->signal == FAULTS[i])
             return true;
     return false;
 }
@@ -173,10 +173,10 @@ void crash_thread_ends(void *own)
 
 void crash_keep(struct node *n)
 {
-    assert(n->crash);
+    assert(n->cold->crash);
     struct node_crash *kept = xmalloc(sizeof *kept);
-    *kept = *n->crash;
-    n->crash = kept;
+    *kept = *n->cold->crash;
+    n->cold->crash = kept;
 }
 
 /* Of floating-point exceptions only those that a program has unmasked are faults. */
@@ -241,7 +241,7 @@ static void print_cut(FILE *f, const struct node *n, uintptr_t whole)
 {
     fprintf(
         f, "\n  an address kept in an int? 0x%zx is in the memory of %s; an int holds addresses below 2 GB: ",
-        (size_t)whole, owner_of(n->sys, whole)->name);
+        (size_t)whole, owner_of(n->sys, whole)->cold->name);
     fprintf(f, "%s",
             node_image_is_long32(n->file)
                 ? "run it on fewer nodes, or on nodes with less memory (--set node.memory_mb=N)"
@@ -256,7 +256,7 @@ static bool is_behind(uintptr_t address, const char *end)
 
 static void print_cause(FILE *f, const struct node *n)
 {
-    const struct node_crash *g = n->crash;
+    const struct node_crash *g = n->cold->crash;
     uintptr_t stack = (uintptr_t)n->stack;
     bool memory = (g->signal == SIGSEGV || g->signal == SIGBUS) && !g->lost_thread && !tells_no_address(g);
     const struct node *owner = memory ? owner_of(n->sys, g->address) : NULL;
@@ -275,7 +275,7 @@ static void print_cause(FILE *f, const struct node *n)
     else if (memory && g->address < 4096)
         fprintf(f, ": 0x%zx, a member of a null pointer, or a number that is no address", (size_t)g->address);
     else if (owner && owner != n)
-        fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->name);
+        fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->cold->name);
     else if (memory && g->address - (uintptr_t)n->program < n->image_bytes && g->address != g->frames[0])
         fprintf(f,
                 ": 0x%zx, in its code or constants, which cannot be changed (a text in quotes is a constant)",
@@ -288,8 +288,8 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx", (size_t)g->address);
     if (whole)
         print_cut(f, n, whole);
-    if (memory && n->failed_malloc)
-        fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->failed_malloc);
+    if (memory && n->cold->failed_malloc)
+        fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->cold->failed_malloc);
 }
 
 /* Does the function at pc keep a frame? GCC gives none to a function that only computes; then the caller's
@@ -305,12 +305,12 @@ static bool has_frame(const struct node *n, uintptr_t pc)
 
 char *crash_report(const struct node *n)
 {
-    const struct node_crash *g = n->crash;
+    const struct node_crash *g = n->cold->crash;
     assert(g && g->depth > 0);
     char *text = NULL;
     size_t size;
     FILE *f = xchecked(open_memstream(&text, &size));
-    fprintf(f, "%s crashed at %s%s, %s%s: ", n->name, n->call ? "" : "or shortly before ",
+    fprintf(f, "%s crashed at %s%s, %s%s: ", n->cold->name, n->call ? "" : "or shortly before ",
             virtual_time_moment(n->stats.ended_at).text, n->call ? "in " : "computing",
             n->call ? n->call : "");
     print_cause(f, n);

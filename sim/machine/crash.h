@@ -2,8 +2,8 @@
  * error.
  *
  * Each thread that runs programs has a guard. At a fault while a node's fiber runs, the signal handler
- * notes what is known in n->crash and ends the fiber; any other fault ends the process, with a line. If the
- * program has called a library function, GCC's unwinder (libgcc) finds the call, since libraries keep no
+ * notes what is known in cold->crash and ends the fiber; any other fault ends the process, with a line. If
+ * the program has called a library function, GCC's unwinder (libgcc) finds the call, since libraries keep no
  * frame pointers. A signal handler is given nothing but the signal; therefore a thread's running fiber is
  * thread-local, and its guard is the handler's stack. */
 #ifndef MACHINE_CRASH_H
@@ -27,10 +27,10 @@ struct crash_guard;
 
 /* From here on, the process's faults come here. */
 void crash_catch(void);
-/* From another signal's handler: if the thread's program was computing, notes in n->crash where, and ends its
- * fiber as a fault does; else returns. */
+/* From another signal's handler: if the thread's program was computing, notes in cold->crash where, and ends
+ * its fiber as a fault does; else returns. */
 void crash_end_computing(int signal, siginfo_t *info, void *context);
-/* Is n->crash a fault, rather than the end that crash_end_computing() made? */
+/* Is cold->crash a fault, rather than the end that crash_end_computing() made? */
 bool crash_is_fault(const struct node *n);
 /* Makes the calling thread's guard; crash_unwatch() frees it. */
 struct crash_guard *crash_watch(void);
@@ -39,8 +39,8 @@ void crash_unwatch(struct crash_guard *g);
 void *crash_thread_begins(void);
 void crash_thread_ends(void *guard);
 /* To be called on the thread on which n's program has just crashed, before another program runs there:
- * copies n->crash, which was the guard's. The node owns the copy (malloc'd). */
+ * copies cold->crash, which was the guard's. The node owns the copy (malloc'd). */
 void crash_keep(struct node *n);
-/* Describes n->crash for the user; malloc'd. */
+/* Describes cold->crash for the user; malloc'd. */
 char *crash_report(const struct node *n);
 #endif

@@ -8,6 +8,7 @@
 #include "guest/image.h"
 #include "guest/libc.h"
 #include "guest/span_texts.h"
+#include "guest/streams.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"
@@ -217,7 +218,7 @@ void machine_free(struct machine *m)
     if (!m)
         return;
     if (m->sys.nodes && !m->sys.cube)
-        node_libc_close_streams(m->sys.nodes, m->sys.count);
+        streams_close_all(m->sys.nodes, m->sys.count);
     node_delete(m->sys.host);
     for (uint32_t i = m->sys.nodes && !m->sys.cube ? m->sys.count : 0; i-- > 0;)
         node_delete(m->sys.nodes[i]);

@@ -11,8 +11,8 @@
 
 static char *exit_text(const struct node *n)
 {
-    return xasprintf("%s ended at %s with exit(%d)", n->name, virtual_time_moment(n->stats.ended_at).text,
-                     n->exit_code);
+    return xasprintf("%s ended at %s with exit(%d)", n->cold->name,
+                     virtual_time_moment(n->stats.ended_at).text, n->exit_code);
 }
 
 /* The first is told at once: what the others wait or poll for may not come any more. (A host program is told

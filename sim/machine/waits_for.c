@@ -206,7 +206,7 @@ static void fill_mailbox(const struct filling *f, const struct node *n, struct w
 
 static void fill(const struct filling *f, const struct node *n, struct waitfor_node *to)
 {
-    to->name = waitfor_text(f->w, n->name);
+    to->name = waitfor_text(f->w, n->cold->name);
     to->is_host = n->is_host;
     if (n->end == NODE_NOT_LOADED) {
         to->state = WAITFOR_NO_PROGRAM;

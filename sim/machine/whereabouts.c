@@ -42,10 +42,10 @@ static bool is_from_outside(enum stop stop)
 /* The line of a program whose fiber a signal has ended. */
 static const char *line_of_crash(const struct node *n, struct backtrace_lines *lines)
 {
-    uintptr_t calls[sizeof n->crash->frames / sizeof(uintptr_t)];
-    memcpy(calls, n->crash->frames, sizeof calls);
+    uintptr_t calls[sizeof n->cold->crash->frames / sizeof(uintptr_t)];
+    memcpy(calls, n->cold->crash->frames, sizeof calls);
     calls[0]++; /* as if a call returned there */
-    return backtrace_line_of(lines, n, calls, n->crash->depth);
+    return backtrace_line_of(lines, n, calls, n->cold->crash->depth);
 }
 
 /* The source line in which a node's program is; NULL if it is not known. At a limit of virtual time, a
@@ -56,7 +56,7 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
     const enum stop stop = n->sys->schedule.stop;
     if (n->lp.state == LP_ENDED)
         return NULL;
-    if (is_from_outside(stop) && n->crash)
+    if (is_from_outside(stop) && n->cold->crash)
         return line_of_crash(n, lines);
     if (is_from_outside(stop) && !n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
         return backtrace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
@@ -110,7 +110,7 @@ static void print_where(FILE *f, const struct where *w, vtime latest)
 static void print_node(FILE *f, const struct node *n, struct backtrace_lines *lines)
 {
     struct where w = where_is(n, lines);
-    fprintf(f, "%s: ", n->name);
+    fprintf(f, "%s: ", n->cold->name);
     print_where(f, &w, w.since);
 }
 

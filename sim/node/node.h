@@ -136,17 +136,22 @@ struct node_memory {
 struct deferred_cold {
     struct message *message[DEFERRED_MOST];
     struct node_memory
-        memory[DEFERRED_MOST];   /* the program's at the call, if it has changed since the one before */
-    int32_t type[DEFERRED_MOST]; /* in node.call_type when the caller resumes, if it has any */
+        memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
 };
 
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
- * together. */
+ * together. What many programs never use is made when it is used first: NULL until then. */
 struct node_cold {
-    struct deferred_cold calls; /* os */
+    int32_t deferred_type[DEFERRED_MOST]; /* os: in node.call_type when the caller resumes, if it has any */
+    struct deferred_cold *deferred;       /* os */
     struct own_calls own;
-    struct lp_cold lp;
-    struct node_error error;
+    struct node_error *error; /* calls */
+    struct node_crash *crash; /* machine. NULL: none */
+    char name[16];            /* for people: "node 3", "host" */
+    int argc;                 /* guest */
+    char **argv;              /* guest: the program's, in its memory */
+    char **envp;              /* as the user has given it: own_memory.h */
+    size_t failed_malloc;     /* guest: size of the last allocation refused, 0: none */
 };
 
 /* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what
@@ -199,15 +204,12 @@ struct node {
     struct node_stats stats; /* os */
     _Alignas(CACHE_LINE) struct deferred_call calls[DEFERRED_MOST]; /* os: a ring */
 
-    struct node_crash *crash;     /* machine. NULL: none */
     struct node_heap *heap;       /* guest */
     size_t heap_used, heap_known; /* os: of it; known: as buffered_known */
     size_t peak_ahead;            /* os: memory_peak as the program sees it */
     size_t image_bytes;           /* guest: program text, data and bss, page rounded */
     struct nxc_image *image;      /* guest: of the program */
     struct node_cold *cold;
-    struct node_error *error; /* os: cold's */
-    char name[16];            /* for people: "node 3", "host" */
     uint32_t id;
     struct node_region *region;                               /* guest. NULL: it has no program */
     char *span, *system_stack, *stack, *program, *heap_start; /* guest: the lowest bytes of each: span.h */
@@ -216,9 +218,6 @@ struct node {
     char *data;                    /* guest: of the program, behind text and constants */
     size_t stack_bytes;            /* guest: those the machine file gives, or some more */
     const struct node_image *file; /* guest */
-    int argc;                      /* guest */
-    char **argv;                   /* guest: the program's, in its memory */
-    char **envp;                   /* as the user has given it: own_memory.h */
 
     bool stripped;     /* another has taken its place: nobody but late events knows of it */
     enum node_end end; /* os */
@@ -231,8 +230,7 @@ struct node {
         uint64_t units;     /* what the program had computed then */
     } opened;               /* os: when handlers were last let run */
     uint64_t share_until;   /* os: no handler interrupts the program before its clock has so many units */
-    struct node_libc *libc; /* guest: stdio, random numbers, strtok: libc.h */
-    size_t failed_malloc;   /* guest: size of the last allocation refused, 0: none */
+    struct node_libc *libc; /* guest: stdio, random numbers, strtok: libc.h. NULL: not used yet */
 };
 
 _Static_assert(offsetof(struct node, lp.drains) <= CACHE_BLOCK,

@@ -82,10 +82,11 @@ struct node_system {
     bool exit_told; /* the user knows of the first exit with an error */
 
     /* Set by the machine; NULL before it runs. */
-    void (*keep_crash)(struct node *n); /* n->crash has been set, on the calling thread, and would not last */
+    void (*keep_crash)(
+        struct node *n); /* the crash has been set, on the calling thread, and would not last */
     /* At a limit of virtual time: true if that does not end the run. */
     bool (*pauses)(struct node_system *s);
-    void (*crashed)(struct node *n); /* at its moment: reports n->crash */
+    void (*crashed)(struct node *n); /* at its moment: reports its crash */
     void (*exited)(struct node *n);  /* at its moment: by exit with an error, and others go on */
     /* Ends the run: the program of n, which runs, used a file that the fence refuses. */
     void (*refused)(struct node *n, const struct fence_refusal *r);

@@ -23,7 +23,7 @@ static struct node_wait *entry(struct node_waits *w, const char *call, bool has_
     if (has_type && w->count >= MOST_TYPES)
         return entry(w, call, false, 0);
     if (w->count == w->room) {
-        w->room = w->room ? 2 * w->room : 8;
+        w->room = w->room ? 2 * w->room : 1; /* most programs wait in few calls */
         w->list = xreallocarray(w->list, w->room, sizeof *w->list);
     }
     w->list[w->count] = (struct node_wait){.call = call, .has_type = has_type, .type = type};

@@ -79,7 +79,7 @@ static void print_handlers(const struct machine *m, FILE *f)
     fprintf(f, "interrupts     %" PRIu64 " handlers run, the latest %s after it was due", handlers,
             duration_text(vt_seconds(latest)).text);
     if (most->stats.stood)
-        fprintf(f, "; the program of %s stood still for %s meanwhile", most->name,
+        fprintf(f, "; the program of %s stood still for %s meanwhile", most->cold->name,
                 duration_text(vt_seconds(most->stats.stood)).text);
     fputc('\n', f);
 }

@@ -2,6 +2,7 @@
 #include "os/deferred.h"
 #include <assert.h>
 #include <stddef.h>
+#include "kernel/xalloc.h"
 #include "lp/clock.h"
 #include "lp/deferral.h"
 #include "lp/lookahead.h"
@@ -59,6 +60,16 @@ bool deferred_has_room(const struct node *n)
            (n->call_since | n->lp.clock.units) >> DEFERRED_TIME_BITS == 0;
 }
 
+static __attribute__((noinline)) struct deferred_cold *new_cold(struct node *n)
+{
+    return n->cold->deferred = xcalloc(1, sizeof *n->cold->deferred);
+}
+
+static struct deferred_cold *cold_of(struct node *n)
+{
+    return n->cold->deferred ? n->cold->deferred : new_cold(n);
+}
+
 void deferred_begin(struct node *n)
 {
     struct deferred *p = &n->deferred;
@@ -72,7 +83,7 @@ void deferred_begin(struct node *n)
                                          .has_memory = n->heap_moved,
                                          .name = n->call};
     if (n->heap_moved)
-        n->cold->calls.memory[i] = node_memory_now(n);
+        cold_of(n)->memory[i] = node_memory_now(n);
     n->heap_moved = false;
     ANNOUNCE(n, deferred);
 }
@@ -87,7 +98,7 @@ static void know_buffers(struct node *n)
 static struct message *message_of(const struct node *n, uint32_t i)
 {
     const struct deferred_call *c = nth(n, i);
-    return c->cold ? n->cold->calls.message[index_of(n, i)] : c->message;
+    return c->cold ? n->cold->deferred->message[index_of(n, i)] : c->message;
 }
 
 /* When the i-th call has handed over what it has to, as noted. */
@@ -108,7 +119,7 @@ void deferred_resume_caller(struct node *n)
     p->open = true;
     struct deferred_call *c = open_call(n);
     c->resumes_caller = true;
-    n->cold->calls.type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    n->cold->deferred_type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
     assert(handed_over(n, p->count - 1) == node_now(n) - p->shift);
     know_buffers(n);
 }
@@ -129,7 +140,7 @@ void deferred_spend(struct node *n, vtime t)
 
 static void put_cold(struct node *n, struct message *m)
 {
-    n->cold->calls.message[index_of(n, n->deferred.count - 1)] = m;
+    cold_of(n)->message[index_of(n, n->deferred.count - 1)] = m;
     last(n)->cold = true;
 }
 
@@ -270,7 +281,7 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
 {
     n->deferred.begun = now;
     if (c->has_memory)
-        node_memory_was(n, n->cold->calls.memory[index_of(n, 0)]);
+        node_memory_was(n, n->cold->deferred->memory[index_of(n, 0)]);
     if (n->deferred.posts >> n->deferred.first & 1)
         match_post(n, c->receive, now + c->spent);
     if (c->has_message && !c->sends) {
@@ -394,6 +405,6 @@ void deferred_roll_back(struct node *n)
     uint32_t i = index_of(n, 0);
     n->call = p->begun == VT_NEVER ? NULL : c->name; /* otherwise the program has not come to the call */
     n->call_since = p->begun;
-    n->call_type = n->cold->calls.type[i], n->call_has_type = c->has_type;
+    n->call_type = n->cold->deferred_type[i], n->call_has_type = c->has_type;
     deferred_undo(n);
 }

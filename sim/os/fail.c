@@ -22,7 +22,7 @@ static _Noreturn void fail(struct node *n, const void *frame, const char *fmt, v
         n->sys->print_calls(f, n, (uintptr_t)frame);
     fclose(f);
     node_system_fail(n->sys, STOP_FAILED, (struct instant){node_now(n), n->lp.address}, "%s, at %s: %s",
-                     n->name, virtual_time_moment(node_now(n)).text, text);
+                     n->cold->name, virtual_time_moment(node_now(n)).text, text);
     free(text);
     node_end_here(n, NODE_CRASHED, 1);
 }

@@ -67,7 +67,7 @@ static void run_first(struct node *n)
     if (!d.receive)
         n->info = d.send->info;
     else if (mailbox_take(n, d.receive) < 0)
-        node_fail(n, "hrecv: %s", n->error->text);
+        node_fail(n, "hrecv: %s", n->cold->error->text);
     free(d.receive);
     free(d.send);
     node_leave(n);

@@ -9,5 +9,5 @@ long nx_sender(const struct node *n, const struct message *m)
 
 const char *nx_sender_name(const struct node *n, const struct message *m)
 {
-    return node_at(n->sys, m->source)->name;
+    return node_at(n->sys, m->source)->cold->name;
 }

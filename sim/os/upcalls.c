@@ -49,7 +49,7 @@ void up_program_resumes(struct lp *lp)
 bool up_program_returns(struct lp *lp)
 {
     struct node *n = node_of(lp);
-    if (!n->crash)
+    if (!n->cold->crash)
         return false;
     n->sys->keep_crash(n);
     n->deferred.open = false;

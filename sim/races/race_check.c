@@ -54,7 +54,7 @@ void races_begin(struct races *all, struct node *n)
     r->all = all;
     r->file = n->file;
     r->number = n->is_host ? 0 : n->id + 1;
-    memcpy(r->name, n->name, sizeof r->name);
+    memcpy(r->name, n->cold->name, sizeof r->name);
     r->on = n->image->races->on;
     r->sites_begin = (uint32_t)((uintptr_t)n->image->races->sites_begin - (uintptr_t)n->program);
     r->sites_end = (uint32_t)((uintptr_t)n->image->races->sites_end - (uintptr_t)n->program);

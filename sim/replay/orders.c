@@ -47,9 +47,9 @@ static void fail_to_select(struct node *n, const struct receive *r, const struct
         n->sys, STOP_FAILED, n->sys->schedule.reached,
         "%s:%u: cannot be kept: receive %" PRIu64 " of %s (%s%s%s) does not select message %" PRIu64
         " from %s, which has type %" PRId32 " and %zu bytes: it selects typesel %" PRId64 ", node %ld",
-        plan_of(n)->path, numbered->order->line, numbered->number, n->name, numbered->call,
+        plan_of(n)->path, numbered->order->line, numbered->number, n->cold->name, numbered->call,
         numbered->line ? ", " : "", numbered->line ? numbered->line : "", protocol_number_of(m)->nth,
-        node_at(n->sys, m->source)->name, m->type, m->bytes, r->select.type, r->select.node);
+        node_at(n->sys, m->source)->cold->name, m->type, m->bytes, r->select.type, r->select.node);
 }
 
 static bool takes(struct node *n, const struct receive *r, const struct message *m)
@@ -138,7 +138,7 @@ static void tell_receive(FILE *f, const struct node_system *s, uint32_t index, c
 {
     const struct numbering *b = s->numbering;
     const struct numbered_node *own = &b->node[index];
-    const char *from = order->from < b->nodes ? s->nodes[order->from]->name : "host";
+    const char *from = order->from < b->nodes ? s->nodes[order->from]->cold->name : "host";
     const uint32_t *sent_to = b->node[order->from].sent_to;
     uint32_t sent = sent_to ? sent_to[index] : 0;
     if (own->receives <= order->k)
@@ -176,7 +176,7 @@ static bool tell_unkept(FILE *f, const struct node_system *s, uint32_t index)
     const struct numbering *b = s->numbering;
     const struct numbered_node *own = &b->node[index];
     const struct plan_item *match = unkept_match(b, index), *handler = unkept_handler(b, index);
-    const char *name = index < b->nodes ? s->nodes[index]->name : "host";
+    const char *name = index < b->nodes ? s->nodes[index]->cold->name : "host";
     if (match) {
         fprintf(f, "\n  %s:%u: not kept: receive %" PRIu64 " of %s: ", b->plan->path, match->line, match->k,
                 name);

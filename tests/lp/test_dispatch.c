@@ -45,7 +45,6 @@ struct fake_machine {
 
 struct fake_node {
     struct lp lp; /* first */
-    struct lp_cold cold;
     struct fake_machine *m;
     void (*program)(struct fake_node *n);
     int64_t budget, lookahead;
@@ -408,7 +407,7 @@ static struct fake_node *add(struct fake_machine *m, uint32_t address, void (*pr
     struct fake_node *n = m->node[address] = calloc(1, sizeof *n);
     n->m = m, n->program = program, n->ready = VT_NEVER, n->random = address;
     n->stack = malloc(STACK);
-    lp_begin(&n->lp, &m->s, address, &n->cold);
+    lp_begin(&n->lp, &m->s, address);
     clock_set(&n->lp, 40000000);
     lp_bind(&n->lp, &n->budget, &n->lookahead);
     fiber_begin(&n->lp.fiber, n->stack, STACK, run_program, n);
@@ -442,6 +441,7 @@ static void end(struct fake_machine *m)
         if (m->node[i]) {
             fiber_end(&m->node[i]->lp.fiber);
             free(m->node[i]->stack);
+            lp_unbind(&m->node[i]->lp);
             free(m->node[i]);
         }
     protocol_free(m->s.protocol);

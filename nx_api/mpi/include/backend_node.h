@@ -29,7 +29,7 @@ struct node {
     long id, pid;
     struct mpi_system *sys;
     struct node_info info;
-    struct node_error error[1];
+    struct node_error error;
     const char *call; /* NULL while the program computes */
     long call_type;   /* the type, typesel or id the call is about, if call_has_type */
     bool call_has_type;
