@@ -37,8 +37,22 @@ static struct node *enter_early(int call)
 
 /* --- sending --- */
 
-static struct outgoing outgoing_of(const struct nxm_envelope *e, const void *buf, long len, int held)
+/* The library numbers contexts in an int, each node's so far apart as there are nodes (lib/comms.c): they can
+ * run out. */
+static __attribute__((noinline, cold)) void fail_context(struct node *n)
 {
+    node_fail(
+        n,
+        "%s: the communicator's number is too large: with %u processes, each can begin %u communicators, "
+        "windows and files in all: reuse them",
+        n->call, n->sys->count, (INT32_MAX - NXM_FIRST_CONTEXT) / 2 / n->sys->count);
+}
+
+static struct outgoing outgoing_of(struct node *n, const struct nxm_envelope *e, const void *buf, long len,
+                                   int held)
+{
+    if (e->context < 0)
+        fail_context(n);
     return (struct outgoing){.type = e->tag,
                              .buf = buf,
                              .len = len,
@@ -52,7 +66,7 @@ long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int 
 long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int held)
 {
     struct node *n = enter_early(e->call);
-    const struct outgoing o = outgoing_of(e, buf, len, held);
+    const struct outgoing o = outgoing_of(n, e, buf, len, held);
     nx_about(n, e->tag);
     if (nx_goes_at_once(n, &o)) {
         nx_send(n, &o, NULL);
@@ -76,7 +90,7 @@ long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int
 long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int held)
 {
     struct node *n = enter_early(e->call);
-    const struct outgoing o = outgoing_of(e, buf, len, held);
+    const struct outgoing o = outgoing_of(n, e, buf, len, held);
     long id = 0;
     nx_about(n, e->tag);
     if (!nx_goes_at_once(n, &o))
