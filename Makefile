@@ -17,7 +17,7 @@ OPT    ?= -O3 -g
 SAN    ?=
 # The simulator itself is optimised as a whole (but with sanitizers), and more is inlined than GCC would: an event runs through
 # many small functions, of which each is called from a few places. Its objects are good for linking tests without that, too.
-LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=200 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
+LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=225 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
 # Still more where each event and each call of NX runs through.
 INLINE ?= --param max-inline-insns-auto=200 --param max-inline-insns-single=400 --param early-inlining-insns=40 --param inline-min-speedup=5
 # Files get the same names wherever they are built: make reproducible.

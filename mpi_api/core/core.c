@@ -46,8 +46,22 @@ static void about(struct node *n, const struct nxm_envelope *e)
 
 /* --- sending --- */
 
-static struct outgoing outgoing_of(const struct nxm_envelope *e, const void *buf, long len, int held)
+/* The library numbers contexts in an int, each node's so far apart as there are nodes (lib/comms.c): they can
+ * run out. */
+static __attribute__((noinline, cold)) void fail_context(struct node *n)
 {
+    node_fail(
+        n,
+        "%s: the communicator's number is too large: with %u processes, each can begin %u communicators, "
+        "windows and files in all: reuse them",
+        n->call, n->sys->count, (INT32_MAX - NXM_FIRST_CONTEXT) / 2 / n->sys->count);
+}
+
+static struct outgoing outgoing_of(struct node *n, const struct nxm_envelope *e, const void *buf, long len,
+                                   int held)
+{
+    if (e->context < 0)
+        fail_context(n);
     return (struct outgoing){.type = e->tag,
                              .buf = buf,
                              .len = len,
@@ -61,7 +75,7 @@ long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int 
 long node_nxm_send(const struct nxm_envelope *e, const void *buf, long len, int held)
 {
     struct node *n = enter_early(e->call);
-    const struct outgoing o = outgoing_of(e, buf, len, held);
+    const struct outgoing o = outgoing_of(n, e, buf, len, held);
     about(n, e);
     if (nx_goes_at_once(n, &o)) {
         nx_send(n, &o, NULL);
@@ -85,7 +99,7 @@ long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int
 long node_nxm_isend(const struct nxm_envelope *e, const void *buf, long len, int held)
 {
     struct node *n = enter_early(e->call);
-    const struct outgoing o = outgoing_of(e, buf, len, held);
+    const struct outgoing o = outgoing_of(n, e, buf, len, held);
     long id = 0;
     about(n, e);
     if (!nx_goes_at_once(n, &o))

@@ -172,7 +172,7 @@ __attribute__((noinline)) static void set_errno(int why)
 /* _NAME: returns the error. */
 long nx_returning(struct node *n, long result)
 {
-    int why = nx_last_error(n)->code;
+    int why = result < 0 ? nx_last_error(n)->code : 0;
     leave(n);
     if (result < 0)
         set_errno(why);

@@ -101,7 +101,7 @@ const char *nx_sender_name(const struct node *n, const struct message *m);
 struct own_calls *nx_own_calls(struct node *n);
 uint32_t nx_message_ids(const struct node *n);
 /* The last error of the node's calls, which is all zero before the first. */
-struct node_error *nx_last_error(struct node *n);
+struct node_error *nx_last_error(struct node *n) __attribute__((noinline, cold));
 
 /* --- the machine --- */
 

@@ -10,8 +10,6 @@
 #include "guest/descriptors.h"
 #include "guest/own_memory.h"
 #include "guest/streams.h"
-#include "kernel/xalloc.h"
-#include "node/node.h"
 
 /* The states of its generators. */
 struct random_numbers {
@@ -48,12 +46,7 @@ struct node_libc {
 };
 
 /* The node's part, which is made when it is first used: many programs call nothing that needs one. */
-static inline struct node_libc *libc_of(struct node *n)
-{
-    if (!n->libc)
-        n->libc = xcalloc(1, sizeof *n->libc);
-    return n->libc;
-}
+struct node_libc *libc_of(struct node *n);
 
 /* The program's variable `environ`, whose list is the node's own copy of what the user has given. */
 char ***node_libc_environ(struct node *n);

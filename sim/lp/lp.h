@@ -135,7 +135,7 @@ static inline bool lp_computes(const struct lp *lp)
 void lp_begin(struct lp *lp, struct schedule *s, uint32_t address);
 /* The words through which its program and its clock share the count (nx_api/contract/program_image.h). */
 void lp_bind(struct lp *lp, int64_t *budget, int64_t *lookahead);
-/* It has no program any more. */
+/* It has no program any more; what was noted of it is freed. */
 void lp_unbind(struct lp *lp);
 /* The program has ended, or there is none. */
 void lp_end(struct lp *lp);

@@ -73,7 +73,10 @@ static bool lacks_addresses(const struct node *n, char **error)
 {
     struct rlimit allowed;
     if (getrlimit(RLIMIT_AS, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY)
-        *error = xasprintf("%s: no address space left on this computer", n->cold->name);
+        *error = xasprintf(
+            "%s: no address space left on this computer: nodes take it by %zu MB, in two mappings; raise "
+            "vm.max_map_count (sysctl), or give nodes less memory (memory_mb), so that more share %zu MB",
+            n->cold->name, (size_t)NODE_REGION >> 20, (size_t)NODE_REGION >> 20);
     else
         *error = xasprintf(
             "%s: no address space left: nodes take it by %zu MB, most of which they never touch, and "

@@ -60,12 +60,12 @@ bool deferred_has_room(const struct node *n)
            (n->call_since | n->lp.clock.units) >> DEFERRED_TIME_BITS == 0;
 }
 
-static __attribute__((noinline)) struct deferred_cold *new_cold(struct node *n)
+static __attribute__((noinline, cold)) struct deferred_cold *new_cold(struct node *n)
 {
     return n->cold->deferred = xcalloc(1, sizeof *n->cold->deferred);
 }
 
-static struct deferred_cold *cold_of(struct node *n)
+static inline struct deferred_cold *cold_of(struct node *n)
 {
     return n->cold->deferred ? n->cold->deferred : new_cold(n);
 }

@@ -1,9 +1,16 @@
 /* mpi_nodes.c - MPI's calls on simulated nodes: each line that rank 0 prints is a check over all ranks. */
+#include <limits.h>
 #include <mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "mpi_all.h"
+
+/* What the library sends a message by, in a communicator behind the last (mpi_api/core/core.h). */
+struct nxm_envelope {
+    int call, tag, node, context;
+};
+long nxm_send(const struct nxm_envelope *e, const void *buf, long len, int held);
 
 /* A long message, and then a short one of another tag: they come in the order sent, whichever is complete
  * first. */
@@ -199,6 +206,8 @@ int main(int argc, char **argv)
         char few[2];
         if (!strcmp(argv[1], "rank"))
             MPI_Send(few, 1, MPI_CHAR, size, 8, MPI_COMM_WORLD);
+        if (!strcmp(argv[1], "context"))
+            nxm_send(&(const struct nxm_envelope){.node = 0, .context = INT_MIN}, few, 1, 0);
         MPI_Recv(few, 2, MPI_CHAR, 0, 9, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     } else if (argc > 1 && rank == 0) {
         MPI_Send("too long", 9, MPI_CHAR, 1, 9, MPI_COMM_WORLD);

@@ -34,6 +34,8 @@ equal_results "Fortran" -n 6 ring
 run -q -n 4 mpi_nodes rank
 check "a rank that is none ends the run with the call and the ranks" said 'MPI_Send: there is no rank 4 in the communicator \(ranks are 0 to 3\)'
 check "and with the line of the program" said 'mpi_nodes\.c:[0-9]+'
+run -q -n 4 mpi_nodes context
+check "communicators whose numbers are used up end the run" said 'number is too large: with 4 processes, each can begin 266338303 '
 run -q -n 4 mpi_nodes long
 check "a message too long: both lengths" said 'MPI_Recv: the message of tag 9 from rank 0 has 9 bytes, but the buffer only 2'
 

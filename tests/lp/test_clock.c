@@ -202,6 +202,7 @@ static void slices_begin_at_10000_clocks_and_double_up_to_320000(void **state)
         assert_int_equal(clock_segment_units(lp), ENDS[i] * 1000 * CLOCK);
         poll_at(&f, 1);
     }
+    lp_unbind(lp);
 }
 
 static void a_late_poll_does_not_move_the_slice_boundaries(void **state)
@@ -214,6 +215,7 @@ static void a_late_poll_does_not_move_the_slice_boundaries(void **state)
     spend(&f, f.budget + 1);
     clock_sync(lp);
     assert_int_equal(clock_segment_units(lp), 80000 * CLOCK);
+    lp_unbind(lp);
 }
 
 static void neither_a_deadline_nor_longest_slice_moves_a_boundary(void **state)
@@ -232,6 +234,7 @@ static void neither_a_deadline_nor_longest_slice_moves_a_boundary(void **state)
         assert_int_equal(lp->places ? lp->places->count : 0, i == 3);
         clock_allow(lp, i == 1 ? now + 25 * VT_MICROSECOND : VT_NEVER);
     }
+    lp_unbind(lp);
 }
 
 static void each_segment_begins_its_slices_anew(void **state)
@@ -330,6 +333,7 @@ static void the_last_place_is_that_of_the_latest_boundary(void **state)
         poll_at(&f, at);
         assert_int_equal(clock_last_place(lp), at);
     }
+    lp_unbind(lp);
 }
 
 static void after_a_roll_back_the_last_place_is_an_earlier_one(void **state)
@@ -343,6 +347,7 @@ static void after_a_roll_back_the_last_place_is_an_earlier_one(void **state)
     assert_int_equal(clock_last_place(lp), 2);
     clock_note_committed(lp, 22000 * CLOCK);
     assert_int_equal(clock_last_place(lp), 0);
+    lp_unbind(lp);
 }
 
 static void places_that_the_ring_has_lost_are_unknown(void **state)
@@ -355,6 +360,7 @@ static void places_that_the_ring_has_lost_are_unknown(void **state)
     assert_int_equal(clock_last_place(lp), LP_PLACES + 2);
     clock_roll_back(lp, clock_sync(lp) - 25000 * CLOCK * 25);
     assert_int_equal(clock_last_place(lp), 0);
+    lp_unbind(lp);
 }
 
 /* --- stolen time, roll back, crashes --- */

@@ -1,5 +1,6 @@
 /* paper.c - see paper.h. */
 #include "lab/tables/paper.h"
+#include "lab/study/spec.h"
 
 #include <stdlib.h>
 
@@ -13,7 +14,7 @@ bool paper_row_name(const char *text, unsigned *table, unsigned *nodes)
     long n = strtol(second, &end, 10);
     *table = (unsigned)t;
     *nodes = (unsigned)n;
-    return end != second && !*end && n >= 1 && n <= 65536;
+    return end != second && !*end && n >= 1 && n <= SPEC_MAX_NODES;
 }
 
 struct paper_row *paper_find(const struct paper *p, const char *name)

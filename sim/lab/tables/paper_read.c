@@ -3,13 +3,14 @@
 #include "config/reader.h"
 #include "files/number.h"
 #include "kernel/xalloc.h"
+#include "lab/study/spec.h"
 #include "lab/tables/paper_notes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_NODES = 65536, MAX_TABLE = 99 };
+enum { MAX_NODES = SPEC_MAX_NODES, MAX_TABLE = 99 };
 
 /* How all rows of a table are run. */
 struct recipe {
