@@ -1,5 +1,7 @@
 /* Calls that send nothing: microseconds each, of the program and the system together. Some enter the node's
  * kernel, others stay in the library. */
+#include <sys/time.h>
+#include <unistd.h>
 #include "bench.h"
 
 enum { TIMES = 100, TYPE = 1, NEVER = 2 };
@@ -41,6 +43,17 @@ static void ask_number(void)
     mynode();
 }
 
+static void ask_unix_clock(void)
+{
+    struct timeval now;
+    gettimeofday(&now, NULL);
+}
+
+static void ask_unix_number(void)
+{
+    getpid();
+}
+
 static void measure(const char *name, void (*call)(void))
 {
     double begin = now_us();
@@ -56,6 +69,8 @@ int main(void)
     measure("iprobe_us", look);
     measure("dclock_us", read_clock);
     measure("mynode_us", ask_number);
+    measure("gettimeofday_us", ask_unix_clock);
+    measure("getpid_us", ask_unix_number);
     measure("hrecv_us", post_handler);
     return 0;
 }

@@ -13,9 +13,23 @@
 #include "node/node.h"
 #include "node/system.h"
 #include "node/self.h"
+#include "os/front.h"
+#include "os/gate.h"
 #include "os/memory.h"
 
 /* --- names and numbers --- */
+
+/* A call that UNIX answers: by a server, where NX is a library above a kernel. */
+static void unix_call(const char *call)
+{
+    struct node *n = node_self();
+    vtime takes = n->sys->cfg->unix_call_ps;
+    if (!takes)
+        return;
+    node_enter(n, call);
+    node_spend(n, takes);
+    node_leave(n);
+}
 
 /* Writes "node3": programs make names of files of it, so it has no blanks. */
 static void host_name(char *buf, size_t size)
@@ -30,6 +44,7 @@ static void host_name(char *buf, size_t size)
 int node_gethostname(char *buf, size_t size)
 {
     char name[sizeof((struct utsname *)0)->nodename];
+    unix_call("gethostname");
     host_name(name, sizeof name);
     if (size > 0)
         snprintf(buf, size, "%s", name);
@@ -54,6 +69,7 @@ long node_gethostid(void)
 
 int node_uname(struct utsname *u)
 {
+    unix_call("uname");
     *u = (struct utsname){.sysname = "NX", .release = "1", .version = "touchstone", .machine = "i860"};
     host_name(u->nodename, sizeof u->nodename);
     return 0;
@@ -61,12 +77,14 @@ int node_uname(struct utsname *u)
 
 int node_getpid(void)
 {
+    unix_call("getpid");
     return (int)node_self()->id + 1;
 }
 
 /* Beside the program there is one process, the system's. */
 int node_getppid(void)
 {
+    unix_call("getppid");
     return 1;
 }
 
@@ -78,6 +96,7 @@ int node_getpgrp(void)
 /* There is one user, in one group. */
 static int user_id(void)
 {
+    unix_call("getuid");
     return 100;
 }
 uid_t node_getuid(void)
@@ -100,6 +119,7 @@ gid_t node_getegid(void)
 int node_nice(int by)
 {
     (void)by; /* a node runs one process */
+    unix_call("nice");
     return 0;
 }
 

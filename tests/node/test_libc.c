@@ -242,6 +242,17 @@ static void clocks_show_virtual_time(void **state)
         "725846400 3.000252 3\n1"); /* clock calls take 0.75 + 0.25 us; sleeping is no processor time */
 }
 
+/* Its answers take 0.25 us each, beside 1 us of the second clock call. */
+static void unix_answers_names_and_numbers(void **state)
+{
+    expect(*state, 1,
+           "int main() { struct timeval a, b; char name[64]; gettimeofday(&a, 0);\n"
+           "for (int i = 0; i < 4; i++) getpid(), getuid(), gethostname(name, sizeof name);\n"
+           "gettimeofday(&b, 0); printf(\"%ld\", (b.tv_sec - a.tv_sec) * 1000000 + b.tv_usec - a.tv_usec); "
+           "return 0; }",
+           "4");
+}
+
 static void random_numbers_are_glibc_s_and_each_node_s_own(void **state)
 {
     char expected[200], one[100];
@@ -288,6 +299,7 @@ int main(void)
         TEST(atexit_functions_run_latest_first),
         TEST(failing_programs_say_where),
         TEST(clocks_show_virtual_time),
+        TEST(unix_answers_names_and_numbers),
         TEST(random_numbers_are_glibc_s_and_each_node_s_own),
         TEST(strtok_and_getenv_are_the_node_s),
     };
