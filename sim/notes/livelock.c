@@ -78,8 +78,8 @@ static void begin_row(struct livelock *l, struct node *n, struct livelock_poll *
     l->rows++;
 }
 
-/* What a poll takes. MPI's takes the computing of MPI's library, too: what has passed since the one before, as
- * far as that can be the library's. */
+/* What a poll takes. MPI's takes the computing of MPI's library, too: what has passed since the one before,
+ * as far as that can be the library's. */
 static vtime time_of(struct node *n, const struct livelock_poll *p, bool asks)
 {
     enum { LIBRARY = 3 }; /* times a call; MPI_Test, the longest, takes 3.2 times one on the Delta */

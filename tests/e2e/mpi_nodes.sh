@@ -28,6 +28,14 @@ equal_results "Fortran" -n 6 ring
 run -q -n 4 mpi_nodes rank
 check "a rank that is none ends the run with the call and the ranks" said 'MPI_Send: there is no rank 4 in the communicator \(ranks are 0 to 3\)'
 check "and with the line of the program" said 'mpi_nodes\.c:[0-9]+'
+echo '#include <mpi.h>
+int main(void) { MPI_Comm c; return MPI_Comm_dup(MPI_COMM_WORLD, &c); }' >early.c
+sed 's/MPI_Comm_dup(.*)/MPI_Attr_put(MPI_COMM_WORLD, 1, \&c)/' early.c >rare.c
+for program in early rare; do
+    bin/mpicc -o $program $program.c && run -q -n 1 $program
+    check "$program: a call before MPI_Init" said 's: MPI[A-Za-z_]*: called before MPI_Init'
+done
+check "none is called MPI_Other" eval '! said Other'
 run -q -n 4 mpi_nodes long
 check "a message too long: both lengths" said 'MPI_Recv: the message of tag 9 from rank 0 has 9 bytes, but the buffer only 2'
 
