@@ -23,6 +23,7 @@ equal_results "no send is eager" -m delta -n 8 --set mpi_eager_limit=0 mpi_nodes
 check "mpif90 compiles" bin/mpif90 -O2 -o ring "$tests/mpi_nodes.f90"
 run -q -n 6 ring
 check "Fortran's calls" grep -qx '  4  4  9  15.0  2  1' out
+check "none is wrong" eval '! grep -q wrong out'
 equal_results "Fortran" -n 6 ring
 
 run -q -n 4 mpi_nodes rank
