@@ -1,6 +1,7 @@
 /* core.c - see core.h: MPI's messages, on a node's mailbox. */
 #include "mpi_api/core/core.h"
 #include <stdint.h>
+#include <string.h>
 #include "mpi_api/core/completion.h"
 #include "nx_api/calls/msgwait.h"
 #include "nx_api/calls/probe.h"
@@ -206,7 +207,9 @@ long node_nxm_fail(int call, const char *text);
 long node_nxm_fail(int call, const char *text)
 {
     struct node *n = enter(call);
-    node_fail(n, "%s: %s", completion_call_name(call), text);
+    if (call == CALL_Other && strncmp(text, "MPI_", 4) == 0)
+        node_fail(n, "%s", text);
+    node_fail(n, "%s: %s", call == CALL_Other ? "MPI" : completion_call_name(call), text);
 }
 
 long node_nxm_number(enum nxm_number which);

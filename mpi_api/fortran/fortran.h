@@ -17,7 +17,7 @@ typedef MPI_Fint f_int;
 
 /* Variables of COMMON blocks of mpif.h, whose addresses mean something. MPI_BOTTOM is as good a place as 0:
  * Fortran's addresses are counted from there, so that they fit into an INTEGER. */
-extern f_int mpi_fortran_in_place_, mpi_fortran_bottom_, mpi_fortran_unweighted_;
+extern f_int mpi_fortran_in_place_, mpi_fortran_bottom_, mpi_fortran_unweighted_, mpi_fortran_weights_empty_;
 extern f_int mpi_fortran_status_ignore_[8], mpi_fortran_statuses_ignore_[8];
 
 static inline void *f_buffer(void *p)

@@ -2,7 +2,7 @@
 #include "fortran.h"
 
 /* Tentative, as Fortran's own: the linker makes one of each. */
-f_int mpi_fortran_in_place_, mpi_fortran_bottom_, mpi_fortran_unweighted_;
+f_int mpi_fortran_in_place_, mpi_fortran_bottom_, mpi_fortran_unweighted_, mpi_fortran_weights_empty_;
 f_int mpi_fortran_status_ignore_[8], mpi_fortran_statuses_ignore_[8];
 
 /* --- point to point --- */

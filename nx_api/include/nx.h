@@ -43,7 +43,7 @@ void hsend(long type, const void *buf, long len, long node, long pid,
            void (*handler)(long, long, long, long));
 /* Post a receive for one message; when it is complete, handler(type, count, node, pid) interrupts the
  * program. In the handler infocount() and so on describe that message. The handler may send, and post itself
- * again. */
+ * again. One that is left by longjmp has not returned, and holds others back for good (silent). */
 void hrecv(long typesel, void *buf, long len, void (*handler)(long, long, long, long));
 
 /* Send a message and receive the answer, which is the message that typesel selects. The receive is posted

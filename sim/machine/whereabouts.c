@@ -74,6 +74,7 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
 static struct where where_is(const struct node *n, struct backtrace_lines *lines)
 {
     struct where w = {.line = line_of(n, lines), .since = n->call_since};
+    const char *handler = n->in_handler ? " in a handler" : "";
     if (n->end == NODE_NOT_LOADED) {
         snprintf(w.text, sizeof w.text, "no program");
     } else if (n->lp.state == LP_ENDED) {
@@ -83,15 +84,15 @@ static struct where where_is(const struct node *n, struct backtrace_lines *lines
             snprintf(w.text, sizeof w.text, "ended");
         w.ended = true, w.since = n->stats.ended_at;
     } else if (!n->call) {
-        snprintf(w.text, sizeof w.text, "computing");
+        snprintf(w.text, sizeof w.text, "computing%s", handler);
     } else if (n->call_since == VT_NEVER) {
-        snprintf(w.text, sizeof w.text, "before %s", n->call);
+        snprintf(w.text, sizeof w.text, "before %s%s", n->call, handler);
     } else {
         w.timed = true;
         if (n->call_has_type)
-            snprintf(w.text, sizeof w.text, "%s(%ld)", n->call, n->call_type);
+            snprintf(w.text, sizeof w.text, "%s(%ld)%s", n->call, n->call_type, handler);
         else
-            snprintf(w.text, sizeof w.text, "%s", n->call);
+            snprintf(w.text, sizeof w.text, "%s%s", n->call, handler);
     }
     return w;
 }

@@ -17,7 +17,7 @@
 #include "node/node.h"
 
 /* An entry that finds no room takes that of the shortest row. */
-enum { LIVELOCK_POLLS = 8, LIVELOCK_HANDLERS = 8, LIVELOCK_PLACES = 3 };
+enum { LIVELOCK_POLLS = 8, LIVELOCK_HANDLERS = 8, LIVELOCK_PLACES = 5 };
 
 struct livelock_poll {
     const char *call; /* NULL: the entry is free */
@@ -25,7 +25,8 @@ struct livelock_poll {
     struct selector select;
     uintptr_t places[LIVELOCK_PLACES]; /* return addresses in the program, of the first poll; or 0 */
     uint64_t count;
-    vtime since, spent; /* when the first of the row was made; the system time of all */
+    vtime since, latest; /* when the first of the row was made, and the latest */
+    vtime spent;         /* what all of them took */
 };
 
 struct livelock_handler {

@@ -101,6 +101,12 @@ static void with_handlers(const char *how)
         wait_for(crashes);
     if (!strcmp(how, "handler_jump") && setjmp(out) == 0)
         wait_for(jumps);
+    if (!strcmp(how, "handler_stays")) {
+        if (setjmp(out) == 0)
+            wait_for(jumps);
+        for (;;)
+            flick();
+    }
 }
 
 static void with_signals(const char *how)

@@ -42,6 +42,8 @@ check "handler_exit: the handler's output" grep -q 'the handler exits' out
 fault handler_crash 1 'node 1 crashed .*: 0x8, a member of a null pointer' '^  in crashes.*faults.c:'
 fault handler_jump 0
 check "longjmp out of a handler: the program goes on" bash -c 'grep -q "the handler jumps" out && grep -q "and went on" out'
+run -q -n 2 --max-virtual-time 2 faults handler_stays
+check "a handler that was left by longjmp still holds others back: the report says so" said 'node 1: .* in a handler'
 fault deadlock 2 'deadlock' 'node 1: crecv\(77\)'
 check "deadlock: what all had printed" grep -q 'node 0 is there,' out
 

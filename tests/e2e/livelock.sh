@@ -24,6 +24,26 @@ run -n 3 --max-virtual-time 0.2 livelock msgdone
 check "msgdone: the receive's type" said "in msgdone of a receive of type 11 \\(livelock.c:$(line_of msgdone)\\), [0-9]+ times without an answer; no message of type 11"
 run -n 3 --max-virtual-time 0.2 livelock flick
 check "flick" said "in flick \\(livelock.c:$(line_of flick)\\), [0-9]+ times, and no message or handler came$"
+cat >tests.c <<'END'
+#include <mpi.h>
+int main(int argc, char **argv)
+{
+    MPI_Request r;
+    int x, rank, done = 0;
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Irecv(&x, 1, MPI_INT, MPI_ANY_SOURCE, 12, MPI_COMM_WORLD, &r);
+    while (!done && rank == 0)
+        MPI_Test(&r, &done, MPI_STATUS_IGNORE);
+    MPI_Finalize();
+    return 0;
+}
+END
+"$BUILD/nxcc" -g -O2 -o tests tests.c -lmpi 2>compile.err || cat compile.err
+for machine in delta paragon cluster2026; do
+    run -q -m $machine -n 2 --max-virtual-time 0.05 tests
+    check "MPI_Test on $machine: its library's time is the poll's" said "node 0 polls: (9[0-9]|100)\\.[0-9] % of the last [0-9.]+ ms in MPI_Test\\(12\\) \\(tests.c:10\\)"
+done
 cat >gives_up.c <<'END'
 #include <stdlib.h>
 #include "nx.h"

@@ -29,6 +29,7 @@ check "those of another year are refused" said 'mpi_collectives.* must be 1995 o
 check "mpif90 compiles" bin/mpif90 -O2 -o ring "$tests/mpi_nodes.f90"
 run -q -n 6 ring
 check "Fortran's calls" grep -qx '  4  4  9  15.0  2  1' out
+check "none is wrong" eval '! grep -q wrong out'
 equal_results "Fortran" -n 6 ring
 
 run -q -n 4 mpi_nodes rank
@@ -36,6 +37,14 @@ check "a rank that is none ends the run with the call and the ranks" said 'MPI_S
 check "and with the line of the program" said 'mpi_nodes\.c:[0-9]+'
 run -q -n 4 mpi_nodes context
 check "communicators whose numbers are used up end the run" said 'number is too large: with 4 processes, each can begin 266338303 '
+echo '#include <mpi.h>
+int main(void) { MPI_Comm c; return MPI_Comm_dup(MPI_COMM_WORLD, &c); }' >early.c
+sed 's/MPI_Comm_dup(.*)/MPI_Attr_put(MPI_COMM_WORLD, 1, \&c)/' early.c >rare.c
+for program in early rare; do
+    bin/mpicc -o $program $program.c && run -q -n 1 $program
+    check "$program: a call before MPI_Init" said 's: MPI[A-Za-z_]*: called before MPI_Init'
+done
+check "none is called MPI_Other" eval '! said Other'
 run -q -n 4 mpi_nodes long
 check "a message too long: both lengths" said 'MPI_Recv: the message of tag 9 from rank 0 has 9 bytes, but the buffer only 2'
 
