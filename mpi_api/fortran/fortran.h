@@ -35,6 +35,7 @@ static inline MPI_Status *f_status(f_int *s)
 
 #define F_COMM(x) F_HANDLE(MPI_Comm, *(x))
 #define F_TYPE(x) F_HANDLE(MPI_Datatype, *(x))
+#define F_GROUP(x) F_HANDLE(MPI_Group, *(x))
 #define F_OF(handle) ((f_int)(intptr_t)(handle))
 
 /* A call with a handle that it changes: declares `handle`, and gives it back. */
@@ -43,6 +44,15 @@ static inline MPI_Status *f_status(f_int *s)
         type handle = F_HANDLE(type, *(x));                                                                  \
         *ierr = (call);                                                                                      \
         *(x) = F_OF(handle);                                                                                 \
+    } while (0)
+
+/* A call that makes a handle, `made`, which x gets. */
+#define NEW(type, x, call)                                                                                   \
+    do {                                                                                                     \
+        type made;                                                                                           \
+        *ierr = (call);                                                                                      \
+        if (!*ierr)                                                                                          \
+            *(x) = F_OF(made);                                                                               \
     } while (0)
 
 /* A text without the blanks behind it, to be freed; a text with blanks behind it. */

@@ -1,0 +1,60 @@
+/* run_names.c - Fortran's names for the calls of the run itself. */
+#include "fortran.h"
+
+FORTRAN(init, (f_int * ierr))
+{
+    *ierr = MPI_Init(NULL, NULL);
+}
+
+FORTRAN(init_thread, (f_int * required, f_int *provided, f_int *ierr))
+{
+    *ierr = MPI_Init_thread(NULL, NULL, *required, provided);
+}
+
+FORTRAN(finalize, (f_int * ierr))
+{
+    *ierr = MPI_Finalize();
+}
+
+FORTRAN(initialized, (f_int * flag, f_int *ierr))
+{
+    *ierr = MPI_Initialized(flag);
+}
+
+FORTRAN(finalized, (f_int * flag, f_int *ierr))
+{
+    *ierr = MPI_Finalized(flag);
+}
+
+FORTRAN(abort, (f_int * comm, f_int *code, f_int *ierr))
+{
+    *ierr = MPI_Abort(F_COMM(comm), *code);
+}
+
+FORTRAN(get_processor_name, (char *name, f_int *length, f_int *ierr, size_t room))
+{
+    char text[MPI_MAX_PROCESSOR_NAME];
+    *ierr = MPI_Get_processor_name(text, length);
+    f_give_text(name, room, text);
+}
+
+FORTRAN(get_version, (f_int * version, f_int *subversion, f_int *ierr))
+{
+    *ierr = MPI_Get_version(version, subversion);
+}
+
+FORTRAN(pcontrol, (f_int * level))
+{
+    (void)level;
+}
+
+double mpi_wtime_(void), mpi_wtick_(void);
+double mpi_wtime_(void)
+{
+    return MPI_Wtime();
+}
+
+double mpi_wtick_(void)
+{
+    return MPI_Wtick();
+}

@@ -1,0 +1,182 @@
+/* type_names.c - Fortran's names for datatypes, and for packing. */
+#include "fortran.h"
+
+static MPI_Aint *addresses_of(const f_int *list, f_int count)
+{
+    MPI_Aint *a = get_memory(((size_t)count + 1) * sizeof *a);
+    for (f_int i = 0; i < count; i++)
+        a[i] = list[i];
+    return a;
+}
+
+static MPI_Datatype *types_of(const f_int *list, f_int count)
+{
+    MPI_Datatype *t = get_memory(((size_t)count + 1) * sizeof *t);
+    for (f_int i = 0; i < count; i++)
+        t[i] = F_TYPE(&list[i]);
+    return t;
+}
+
+FORTRAN(type_contiguous, (f_int * count, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_contiguous(*count, F_TYPE(old), &made));
+}
+
+FORTRAN(type_vector, (f_int * count, f_int *length, f_int *stride, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_vector(*count, *length, *stride, F_TYPE(old), &made));
+}
+
+FORTRAN(type_hvector, (f_int * count, f_int *length, f_int *stride, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_hvector(*count, *length, *stride, F_TYPE(old), &made));
+}
+
+FORTRAN(type_create_hvector,
+        (f_int * count, f_int *length, MPI_Aint *stride, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_hvector(*count, *length, *stride, F_TYPE(old), &made));
+}
+
+FORTRAN(type_indexed, (f_int * count, f_int *lengths, f_int *at, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_indexed(*count, lengths, at, F_TYPE(old), &made));
+}
+
+FORTRAN(type_hindexed, (f_int * count, f_int *lengths, f_int *at, f_int *old, f_int *type, f_int *ierr))
+{
+    MPI_Aint *bytes = addresses_of(at, *count);
+    NEW(MPI_Datatype, type, MPI_Type_create_hindexed(*count, lengths, bytes, F_TYPE(old), &made));
+    free(bytes);
+}
+
+FORTRAN(type_create_hindexed,
+        (f_int * count, f_int *lengths, MPI_Aint *at, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_hindexed(*count, lengths, at, F_TYPE(old), &made));
+}
+
+FORTRAN(type_create_indexed_block,
+        (f_int * count, f_int *length, f_int *at, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_indexed_block(*count, *length, at, F_TYPE(old), &made));
+}
+
+FORTRAN(type_struct, (f_int * count, f_int *lengths, f_int *at, f_int *types, f_int *type, f_int *ierr))
+{
+    MPI_Aint *bytes = addresses_of(at, *count);
+    MPI_Datatype *list = types_of(types, *count);
+    NEW(MPI_Datatype, type, MPI_Type_create_struct(*count, lengths, bytes, list, &made));
+    free(bytes);
+    free(list);
+}
+
+FORTRAN(type_create_struct,
+        (f_int * count, f_int *lengths, MPI_Aint *at, f_int *types, f_int *type, f_int *ierr))
+{
+    MPI_Datatype *list = types_of(types, *count);
+    NEW(MPI_Datatype, type, MPI_Type_create_struct(*count, lengths, at, list, &made));
+    free(list);
+}
+
+FORTRAN(type_create_subarray, (f_int * dims, f_int *sizes, f_int *subsizes, f_int *starts, f_int *order,
+                               f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type,
+        MPI_Type_create_subarray(*dims, sizes, subsizes, starts, *order, F_TYPE(old), &made));
+}
+
+FORTRAN(type_create_darray, (f_int * ranks, f_int *rank, f_int *dims, f_int *sizes, f_int *kinds,
+                             f_int *blocks, f_int *grid, f_int *order, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type,
+        MPI_Type_create_darray(*ranks, *rank, *dims, sizes, kinds, blocks, grid, *order, F_TYPE(old), &made));
+}
+
+FORTRAN(type_create_resized, (f_int * old, MPI_Aint *lb, MPI_Aint *extent, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_resized(F_TYPE(old), *lb, *extent, &made));
+}
+
+FORTRAN(type_dup, (f_int * old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_dup(F_TYPE(old), &made));
+}
+
+FORTRAN(type_commit, (f_int * type, f_int *ierr))
+{
+    WITH(MPI_Datatype, type, MPI_Type_commit(&handle));
+}
+
+FORTRAN(type_free, (f_int * type, f_int *ierr))
+{
+    WITH(MPI_Datatype, type, MPI_Type_free(&handle));
+}
+
+FORTRAN(type_size, (f_int * type, f_int *size, f_int *ierr))
+{
+    *ierr = MPI_Type_size(F_TYPE(type), size);
+}
+
+#define SHORT_EXTENT(name, c_name)                                                                           \
+    FORTRAN(name, (f_int * type, f_int * bytes, f_int * ierr))                                               \
+    {                                                                                                        \
+        MPI_Aint whole = 0;                                                                                  \
+        *ierr = MPI_##c_name(F_TYPE(type), &whole);                                                          \
+        *bytes = (f_int)whole;                                                                               \
+    }
+SHORT_EXTENT(type_extent, Type_extent)
+SHORT_EXTENT(type_lb, Type_lb)
+SHORT_EXTENT(type_ub, Type_ub)
+
+FORTRAN(type_get_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
+{
+    *ierr = MPI_Type_get_extent(F_TYPE(type), lb, extent);
+}
+
+FORTRAN(type_get_true_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
+{
+    *ierr = MPI_Type_get_true_extent(F_TYPE(type), lb, extent);
+}
+
+FORTRAN(address, (void *at, f_int *address, f_int *ierr))
+{
+    *address = (f_int)((char *)at - (char *)&mpi_fortran_bottom_);
+    *ierr = MPI_SUCCESS;
+}
+
+FORTRAN(get_address, (void *at, MPI_Aint *address, f_int *ierr))
+{
+    *address = (char *)at - (char *)&mpi_fortran_bottom_;
+    *ierr = MPI_SUCCESS;
+}
+
+MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
+MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement)
+{
+    return *base + *displacement;
+}
+
+MPI_Aint mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
+{
+    return *a - *b;
+}
+
+NAMES(type, Type, F_TYPE)
+
+FORTRAN(pack, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *position, f_int *comm,
+               f_int *ierr))
+{
+    *ierr = MPI_Pack(buf, *count, F_TYPE(type), into, *room, position, F_COMM(comm));
+}
+
+FORTRAN(unpack, (void *from, f_int *size, f_int *position, void *buf, f_int *count, f_int *type, f_int *comm,
+                 f_int *ierr))
+{
+    *ierr = MPI_Unpack(from, *size, position, buf, *count, F_TYPE(type), F_COMM(comm));
+}
+
+FORTRAN(pack_size, (f_int * count, f_int *type, f_int *comm, f_int *size, f_int *ierr))
+{
+    *ierr = MPI_Pack_size(*count, F_TYPE(type), F_COMM(comm), size);
+}

@@ -1,0 +1,107 @@
+/* type_arrays.c - datatypes for a part of an array: a block, or what a rank has of one that is shared out. */
+#include <stdlib.h>
+#include "types.h"
+
+static void drop_inner(struct type *t)
+{
+    object_leave(&t->object);
+    free(t->run);
+    free(t);
+}
+
+/* A block of an array: from the dimension that varies fastest on, each makes a row of what is below it. */
+CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], const int starts[], int order,
+                            MPI_Datatype old, MPI_Datatype *type))
+{
+    const struct type *o = type_of(old);
+    if (!o)
+        return type_missing("MPI_Type_create_subarray");
+    MPI_Aint step = type_extent(o), at = 0, whole = step;
+    struct type *inner = NULL;
+    for (int k = 0; k < dims; k++) {
+        int d = order == MPI_ORDER_FORTRAN ? k : dims - 1 - k, room = 0;
+        if (sizes[d] < 1 || subsizes[d] < 1 || starts[d] < 0 || starts[d] + subsizes[d] > sizes[d])
+            return fail(NULL, CALL_Other, MPI_ERR_ARG,
+                        "MPI_Type_create_subarray: dimension %d has %d elements; %d from %d on are asked for",
+                        d, sizes[d], subsizes[d], starts[d]);
+        struct type *t = type_new();
+        for (int i = 0; i < subsizes[d]; i++)
+            type_add(t, &room, inner ? inner : o, 1, i * whole);
+        at += starts[d] * whole;
+        whole *= sizes[d];
+        if (inner)
+            drop_inner(inner);
+        inner = t;
+    }
+    struct type *t = type_new();
+    int room = 0;
+    type_add(t, &room, inner, 1, at);
+    drop_inner(inner);
+    t->lb = 0, t->ub = whole, t->has_lb = t->has_ub = true;
+    type_made_of(t, 2 + 3 * dims, 0, 1);
+    t->int_list[0] = dims, t->int_list[1 + 3 * dims] = order;
+    for (int d = 0; d < dims; d++) {
+        t->int_list[1 + d] = sizes[d];
+        t->int_list[1 + dims + d] = subsizes[d];
+        t->int_list[1 + 2 * dims + d] = starts[d];
+    }
+    type_made_of_type(t, 0, old);
+    *type = type_finish(t, MPI_COMBINER_SUBARRAY, false);
+    return MPI_SUCCESS;
+}
+
+/* The elements of a dimension that a rank has: every so many blocks one of `block`. */
+static struct type *distributed(const struct type *inner, MPI_Aint step, int size, int block, int parts,
+                                int part)
+{
+    struct type *t = type_new();
+    int room = 0;
+    for (long first = (long)part * block; first < size; first += (long)parts * block)
+        for (long i = first; i < first + block && i < size; i++)
+            type_add(t, &room, inner, 1, i * step);
+    return t;
+}
+
+CALL(Type_create_darray,
+     (int ranks, int rank, int dims, const int sizes[], const int kinds[], const int blocks[],
+      const int grid[], int order, MPI_Datatype old, MPI_Datatype *type))
+{
+    const struct type *o = type_of(old);
+    if (!o)
+        return type_missing("MPI_Type_create_darray");
+    MPI_Aint step = type_extent(o);
+    struct type *inner = NULL;
+    int coords[dims + 1], left = rank, room = 0;
+    for (int d = dims - 1; d >= 0; d--) {
+        coords[d] = left % grid[d];
+        left /= grid[d];
+    }
+    for (int k = 0; k < dims; k++) {
+        int d = order == MPI_ORDER_FORTRAN ? k : dims - 1 - k, block = blocks[d];
+        if (kinds[d] == MPI_DISTRIBUTE_NONE)
+            block = sizes[d];
+        else if (block == MPI_DISTRIBUTE_DFLT_DARG)
+            block = kinds[d] == MPI_DISTRIBUTE_BLOCK ? (sizes[d] + grid[d] - 1) / grid[d] : 1;
+        struct type *t = distributed(inner ? inner : o, step, sizes[d], block,
+                                     kinds[d] == MPI_DISTRIBUTE_NONE ? 1 : grid[d],
+                                     kinds[d] == MPI_DISTRIBUTE_NONE ? 0 : coords[d]);
+        if (inner)
+            drop_inner(inner);
+        inner = t;
+        step *= sizes[d];
+    }
+    struct type *t = type_new();
+    type_add(t, &room, inner, 1, 0);
+    drop_inner(inner);
+    t->lb = 0, t->ub = step, t->has_lb = t->has_ub = true;
+    type_made_of(t, 4 + 4 * dims, 0, 1);
+    t->int_list[0] = ranks, t->int_list[1] = rank, t->int_list[2] = dims, t->int_list[3 + 4 * dims] = order;
+    for (int d = 0; d < dims; d++) {
+        const int *lists[] = {sizes, kinds, blocks, grid};
+        for (int i = 0; i < 4; i++)
+            t->int_list[3 + i * dims + d] = lists[i][d];
+    }
+    type_made_of_type(t, 0, old);
+    *type = type_finish(t, MPI_COMBINER_DARRAY, false);
+    return MPI_SUCCESS;
+}
