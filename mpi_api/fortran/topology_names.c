@@ -73,3 +73,39 @@ FORTRAN(graph_map, (f_int * comm, f_int *nodes, f_int *ends, f_int *edges, f_int
 {
     *ierr = MPI_Graph_map(F_COMM(comm), *nodes, ends, edges, rank);
 }
+
+/* --- graphs of which each rank knows its own part --- */
+
+static const int *weights(const f_int *list)
+{
+    return list == &mpi_fortran_unweighted_ ? MPI_UNWEIGHTED : list;
+}
+
+FORTRAN(dist_graph_create_adjacent,
+        (f_int * comm, f_int *ins, f_int *sources, f_int *in_weights, f_int *outs, f_int *dests,
+         f_int *out_weights, f_int *info, f_int *reorder, f_int *to, f_int *ierr))
+{
+    NEW(MPI_Comm, to,
+        MPI_Dist_graph_create_adjacent(F_COMM(comm), *ins, sources, weights(in_weights), *outs, dests,
+                                       weights(out_weights), F_HANDLE(MPI_Info, *info), *reorder, &made));
+}
+
+FORTRAN(dist_graph_create, (f_int * comm, f_int *count, f_int *sources, f_int *degrees, f_int *dests,
+                            f_int *list, f_int *info, f_int *reorder, f_int *to, f_int *ierr))
+{
+    NEW(MPI_Comm, to,
+        MPI_Dist_graph_create(F_COMM(comm), *count, sources, degrees, dests, weights(list),
+                              F_HANDLE(MPI_Info, *info), *reorder, &made));
+}
+
+FORTRAN(dist_graph_neighbors_count, (f_int * comm, f_int *ins, f_int *outs, f_int *weighted, f_int *ierr))
+{
+    *ierr = MPI_Dist_graph_neighbors_count(F_COMM(comm), ins, outs, weighted);
+}
+
+FORTRAN(dist_graph_neighbors, (f_int * comm, f_int *most_ins, f_int *sources, f_int *in_weights,
+                               f_int *most_outs, f_int *dests, f_int *out_weights, f_int *ierr))
+{
+    *ierr = MPI_Dist_graph_neighbors(F_COMM(comm), *most_ins, sources, (int *)(uintptr_t)weights(in_weights),
+                                     *most_outs, dests, (int *)(uintptr_t)weights(out_weights));
+}
