@@ -196,7 +196,7 @@ choices: setup ## Write bench/paper/CHOICES.md: what each choice made with the p
 
 bench: setup ## Measure the simulator's own speed
 	$(SUBMAKE) all
-	bench/speed/run $B
+	UPDATE=$(UPDATE) bench/speed/run $B
 
 include doc/man/man.mk doc/manual/manual.mk doc/pictures/pictures.mk share/completion/completion.mk package/package.mk
 

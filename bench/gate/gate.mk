@@ -15,7 +15,7 @@ $B/gate/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_DEPS) bench/paper/fitted.cf
 $B/gate: $B/gate/model $B/gate/ring $B/gate/parts
 
 gate: setup ## Compare the paper's tables and the examples with their baselines; count instructions; UPDATE=1 records
-	$(SUBMAKE) all $B/gate $B/bench/traffic
+	$(SUBMAKE) all $B/gate $B/bench/traffic $B/bench/traffic_mpi
 	bench/gate/instructions $B $(if $(UPDATE),update)
 	@mkdir -p out
 	$(CHECK) --junit out/gate.xml $(GATE_SMALL)

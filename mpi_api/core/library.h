@@ -24,8 +24,20 @@ struct group {
     int *nodes;
 };
 
-struct topology;
 struct attribute;
+
+/* The grid or graph of a communicator. */
+struct topology {
+    int kind;         /* MPI_CART, MPI_GRAPH, MPI_DIST_GRAPH */
+    int dims, *sides; /* of a grid */
+    int *periods;
+    int nodes, edge_count;
+    int *ends, *edges; /* of a graph: rank r's neighbours are edges[ends[r - 1]] to before edges[ends[r]] */
+    /* MPI_DIST_GRAPH: of the own rank; edges are those that lead to it */
+    int outs, *dests;
+    bool weighted;
+    int *in_weights, *out_weights;
+};
 
 struct comm {
     struct object object;

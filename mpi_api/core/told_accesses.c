@@ -102,9 +102,10 @@ void told_request_accesses(const struct nxm_library *l, const struct request *r,
 
 /* --- calls --- */
 
-/* How much of a buffer: `count` elements; of each rank of the communicator as many; of each as arrays say, at
- * places in elements, or in bytes with types of their own; the sum of an array; of it the own rank's. */
-enum amount { NONE, ONE, EACH, LISTED, LISTED_TYPES, SUM, OWN };
+/* How much of a buffer: `count` elements; for each rank (or neighbour) as many; for each as arrays say, at
+ * places in elements, or in bytes with types of their own, ints or MPI_Aints; the sum of an array over the
+ * own group; of it the own rank's. */
+enum amount { NONE, ONE, EACH, LISTED, LISTED_TYPES, LISTED_ADDRESSES, SUM, OWN };
 
 static const struct shape {
     const char *stem;
@@ -133,7 +134,32 @@ static const struct shape {
     {"Exscan", ONE, ONE, false, false, true},
     {"Reduce_scatter_block", EACH, ONE, false, false, true},
     {"Reduce_scatter", SUM, OWN, false, false, true},
+    {"Neighbor_allgather", ONE, EACH, false, false, false},
+    {"Neighbor_allgatherv", ONE, LISTED, false, false, false},
+    {"Neighbor_alltoall", EACH, EACH, false, false, false},
+    {"Neighbor_alltoallv", LISTED, LISTED, false, false, false},
+    {"Neighbor_alltoallw", LISTED_ADDRESSES, LISTED_ADDRESSES, false, false, false},
 };
+
+/* Parts of a call's buffers. */
+struct parts {
+    int outs, ins;     /* so many go out, and come in */
+    int members, rank; /* of the own group */
+};
+
+static struct parts parts_of(const struct comm *c, bool of_neighbours)
+{
+    const struct group *g = c->remote ? c->remote : c->local;
+    const struct topology *t = of_neighbours ? c->topology : NULL;
+    struct parts p = {g->size, g->size, c->local->size, c->local->rank};
+    if (t && t->kind == MPI_CART)
+        p.outs = p.ins = 2 * t->dims;
+    else if (t && t->kind == MPI_GRAPH)
+        p.outs = p.ins = t->ends[p.rank] - (p.rank ? t->ends[p.rank - 1] : 0);
+    else if (t)
+        p.outs = t->outs, p.ins = t->edge_count;
+    return p;
+}
 
 /* The names of a buffer's arguments. */
 struct names {
@@ -151,41 +177,51 @@ static uintptr_t argument(const struct teller *t, const char *name)
     return value;
 }
 
-static void tell_listed(const struct teller *t, const struct names *k, bool own_types, int size, bool write)
+/* Where the i-th part lies, in bytes. */
+static MPI_Aint place_of(const struct teller *t, const struct names *k, enum amount amount, int i)
 {
-    uintptr_t buf = argument(t, k->buf), type = argument(t, k->type);
-    const int *counts = (const int *)argument(t, k->counts), *at = (const int *)argument(t, k->at);
-    const MPI_Datatype *types = (const MPI_Datatype *)argument(t, k->types);
-    if (!counts || !at || buf == (uintptr_t)MPI_IN_PLACE)
-        return;
-    for (int i = 0; i < size; i++) {
-        uintptr_t as = own_types ? (uintptr_t)types[i] : type;
-        MPI_Aint away = own_types ? at[i] : at[i] * extent_of(t->l, type);
-        tell_elements(t, buf + (uintptr_t)away, counts[i], as, write, true);
-    }
+    const void *at = (const void *)argument(t, k->at);
+    if (amount == LISTED_ADDRESSES)
+        return ((const MPI_Aint *)at)[i];
+    MPI_Aint place = ((const int *)at)[i];
+    return amount == LISTED ? place * extent_of(t->l, argument(t, k->type)) : place;
 }
 
-static int count_of(const struct teller *t, const struct names *k, enum amount amount,
-                    const struct group *group)
+static void tell_listed(const struct teller *t, const struct names *k, enum amount amount, int parts,
+                        bool write)
+{
+    uintptr_t buf = argument(t, k->buf), type = argument(t, k->type);
+    const int *counts = (const int *)argument(t, k->counts);
+    const MPI_Datatype *types = (const MPI_Datatype *)argument(t, k->types);
+    if (!counts || !argument(t, k->at) || buf == (uintptr_t)MPI_IN_PLACE)
+        return;
+    for (int i = 0; i < parts; i++)
+        tell_elements(t, buf + (uintptr_t)place_of(t, k, amount, i), counts[i],
+                      amount == LISTED ? type : (uintptr_t)types[i], write, true);
+}
+
+static int count_of(const struct teller *t, const struct names *k, enum amount amount, const struct parts *p,
+                    int parts)
 {
     int count = (int)argument(t, k->count), sum = 0;
     const int *counts = (const int *)argument(t, k->counts);
     if (amount == ONE || amount == EACH)
-        return amount == EACH ? count * group->size : count;
+        return amount == EACH ? count * parts : count;
     if (!counts)
         return 0;
-    for (int i = 0; i < group->size; i++)
+    for (int i = 0; i < p->members; i++)
         sum += counts[i];
-    return amount == SUM ? sum : counts[group->rank];
+    return amount == SUM ? sum : counts[p->rank];
 }
 
 static void tell_part(const struct teller *t, const struct names *k, enum amount amount,
-                      const struct group *group, bool write)
+                      const struct parts *p, bool write)
 {
-    if (amount == LISTED || amount == LISTED_TYPES)
-        tell_listed(t, k, amount == LISTED_TYPES, group->size, write);
+    int parts = write ? p->ins : p->outs;
+    if (amount == LISTED || amount == LISTED_TYPES || amount == LISTED_ADDRESSES)
+        tell_listed(t, k, amount, parts, write);
     else if (amount != NONE)
-        tell_elements(t, argument(t, k->buf), count_of(t, k, amount, group), argument(t, k->type), write,
+        tell_elements(t, argument(t, k->buf), count_of(t, k, amount, p, parts), argument(t, k->type), write,
                       true);
 }
 
@@ -196,17 +232,43 @@ static void tell_receive(const struct teller *t, const struct names *k)
         tell_elements(t, argument(t, k->buf), (int)argument(t, k->count), argument(t, k->type), true, false);
 }
 
-static void tell_shape(const struct teller *t, const struct shape *s, const struct group *group)
+/* Is this rank the call's root, and one of those whom the root sends to or gets from? In a call without a
+ * root each is both. Of two groups, the ranks beside the root are neither. */
+struct role {
+    bool root, other;
+};
+
+static struct role role_in(const struct nxm_told *c, const struct comm *comm)
 {
-    int root = told_int(t->c, "root", group->rank);
-    if (told_int(t->c, "dest", 0) != MPI_PROC_NULL && (root == group->rank || !s->root_reads))
-        tell_part(t, &from, s->reads, group, false);
+    uintptr_t root;
+    if (!told_argument(c, "root", &root))
+        return (struct role){true, true};
+    if (comm->remote)
+        return (struct role){(int)root == MPI_ROOT, (int)root >= 0};
+    return (struct role){(int)root == comm->local->rank, true};
+}
+
+static void tell_shape(const struct teller *t, const struct shape *s, const struct comm *comm)
+{
+    struct parts p = parts_of(comm, strncmp(s->stem, "Neighbor", sizeof "Neighbor" - 1) == 0);
+    struct role is = role_in(t->c, comm);
+    bool reads = s->root_reads ? is.root : is.other, writes = s->root_writes ? is.root : is.other;
+    if (reads && told_int(t->c, "dest", 0) != MPI_PROC_NULL)
+        tell_part(t, &from, s->reads, &p, false);
     if (strcmp(s->stem, "Sendrecv") == 0)
         tell_receive(t, &into);
     else if (strcmp(s->stem, "Sendrecv_replace") == 0)
         tell_receive(t, &from);
-    else if (root == group->rank || !s->root_writes)
-        tell_part(t, s->reduces ? &result : &into, s->writes, group, true);
+    else if (writes)
+        tell_part(t, s->reduces ? &result : &into, s->writes, &p, true);
+}
+
+static void tell_broadcast(const struct teller *t, const struct comm *comm)
+{
+    struct parts p = parts_of(comm, false);
+    struct role is = role_in(t->c, comm);
+    if (is.root || is.other)
+        tell_part(t, &from, ONE, &p, !is.root);
 }
 
 void told_accesses(const struct nxm_library *l, const struct nxm_told *c, told_access_fn *f, void *ctx)
@@ -215,13 +277,13 @@ void told_accesses(const struct nxm_library *l, const struct nxm_told *c, told_a
     const struct comm *comm = told_comm(l, c);
     char stem[64];
     told_stem(c, stem);
-    if (!comm || comm->remote) /* of two groups: who reads and writes what is another matter */
+    if (!comm)
         return;
     if (strcmp(stem, "Recv") == 0)
         tell_receive(&t, &from);
     if (strcmp(stem, "Bcast") == 0)
-        tell_part(&t, &from, ONE, comm->local, told_int(c, "root", 0) != comm->local->rank);
+        tell_broadcast(&t, comm);
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
         if (strcmp(stem, shapes[i].stem) == 0)
-            tell_shape(&t, &shapes[i], comm->local);
+            tell_shape(&t, &shapes[i], comm);
 }

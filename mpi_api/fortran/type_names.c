@@ -62,6 +62,12 @@ FORTRAN(type_create_indexed_block,
     NEW(MPI_Datatype, type, MPI_Type_create_indexed_block(*count, *length, at, F_TYPE(old), &made));
 }
 
+FORTRAN(type_create_hindexed_block,
+        (f_int * count, f_int *length, MPI_Aint *at, f_int *old, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_hindexed_block(*count, *length, at, F_TYPE(old), &made));
+}
+
 FORTRAN(type_struct, (f_int * count, f_int *lengths, f_int *at, f_int *types, f_int *type, f_int *ierr))
 {
     MPI_Aint *bytes = addresses_of(at, *count);
@@ -179,4 +185,28 @@ FORTRAN(unpack, (void *from, f_int *size, f_int *position, void *buf, f_int *cou
 FORTRAN(pack_size, (f_int * count, f_int *type, f_int *comm, f_int *size, f_int *ierr))
 {
     *ierr = MPI_Pack_size(*count, F_TYPE(type), F_COMM(comm), size);
+}
+
+FORTRAN(pack_external, (const char *name, void *buf, f_int *count, f_int *type, void *into, MPI_Aint *room,
+                        MPI_Aint *position, f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    *ierr = MPI_Pack_external(text, buf, *count, F_TYPE(type), into, *room, position);
+    free(text);
+}
+
+FORTRAN(unpack_external, (const char *name, void *from, MPI_Aint *size, MPI_Aint *position, void *buf,
+                          f_int *count, f_int *type, f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    *ierr = MPI_Unpack_external(text, from, *size, position, buf, *count, F_TYPE(type));
+    free(text);
+}
+
+FORTRAN(pack_external_size,
+        (const char *name, f_int *count, f_int *type, MPI_Aint *size, f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    *ierr = MPI_Pack_external_size(text, *count, F_TYPE(type), size);
+    free(text);
 }

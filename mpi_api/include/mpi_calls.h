@@ -347,6 +347,9 @@ MPI_DECLARE(File_set_view, (MPI_File file, MPI_Offset displacement, MPI_Datatype
                             const char *representation, MPI_Info info))
 MPI_DECLARE(File_get_view, (MPI_File file, MPI_Offset *displacement, MPI_Datatype *etype,
                             MPI_Datatype *filetype, char *representation))
+MPI_DECLARE(Register_datarep,
+            (const char *name, MPI_Datarep_conversion_function *read, MPI_Datarep_conversion_function *write,
+             MPI_Datarep_extent_function *extent, void *extra))
 MPI_DECLARE(File_get_type_extent, (MPI_File file, MPI_Datatype type, MPI_Aint *extent))
 MPI_DECLARE(File_seek, (MPI_File file, MPI_Offset place, int whence))
 MPI_DECLARE(File_get_position, (MPI_File file, MPI_Offset *place))

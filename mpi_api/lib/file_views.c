@@ -84,6 +84,7 @@ void view_leave(struct file *f)
 void view_first(struct file *f)
 {
     view_set(f, 0, MPI_BYTE, MPI_BYTE);
+    f->datarep = datarep_named("native");
 }
 
 /* A type of a view has no bytes before its beginning, does not go back, and, in a file that is written, has
@@ -103,8 +104,7 @@ static int check_view(const struct file *f, MPI_Offset displacement, MPI_Datatyp
                       MPI_Datatype filetype, const char *representation)
 {
     bool overlaps = f->amode & MPI_MODE_RDONLY, sequential = f->amode & MPI_MODE_SEQUENTIAL;
-    if (strcmp(representation, "native") != 0 && strcmp(representation, "internal") != 0 &&
-        strcmp(representation, "external32") != 0)
+    if (!datarep_named(representation))
         return MPI_ERR_UNSUPPORTED_DATAREP;
     if (!type_is_valid(etype) || !type_is_valid(filetype))
         return MPI_ERR_TYPE;
@@ -145,6 +145,7 @@ CALL(File_set_view, (MPI_File file, MPI_Offset displacement, MPI_Datatype etype,
             "on this rank or another the displacement, a datatype or the representation is wrong");
     view_leave(f);
     view_set(f, displacement, etype, filetype);
+    f->datarep = datarep_named(representation);
     f->external = strcmp(representation, "external32") == 0;
     f->pointer = 0;
     return info == MPI_INFO_NULL ? MPI_SUCCESS : PMPI_File_set_info(file, info);
@@ -167,11 +168,10 @@ CALL(File_get_view, (MPI_File file, MPI_Offset *displacement, MPI_Datatype *etyp
         return fail_no_file(CALL_Other);
     *displacement = f->displacement;
     *etype = give(f->etype), *filetype = give(f->filetype);
-    strcpy(representation, f->external ? "external32" : "native");
+    strcpy(representation, datarep_name(f->datarep));
     return MPI_SUCCESS;
 }
 
-/* Elements have as many bytes in each representation. */
 CALL(File_get_type_extent, (MPI_File file, MPI_Datatype type, MPI_Aint *extent))
 {
     struct file *f = file_of(file);
@@ -180,8 +180,7 @@ CALL(File_get_type_extent, (MPI_File file, MPI_Datatype type, MPI_Aint *extent))
     if (!type_of(type))
         return fail_file(f, CALL_Other, MPI_ERR_TYPE,
                          "MPI_File_get_type_extent: the datatype is null, or freed");
-    *extent = extent_of(type);
-    return MPI_SUCCESS;
+    return datarep_extent(f->datarep, type, extent);
 }
 
 /* --- places --- */

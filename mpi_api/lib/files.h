@@ -3,6 +3,7 @@
  *   calls           files.c          opening, sizes, hints, error handlers
  *                   file_moves.c     reading and writing: at places, at the rank's pointer, at the shared one
  *   view            file_views.c     which bytes of the file the rank sees, in order
+ *                   datareps.c       what stands for a number there
  *   shared pointer  file_server.c    rank 0 has it, and the lock of atomic mode
  *   bytes           core.h           movements, in the time of the file system that the name belongs to
  *
@@ -21,6 +22,7 @@ struct file {
     MPI_Errhandler handler;
     MPI_Offset displacement; /* the view */
     MPI_Datatype etype, filetype;
+    const struct datarep *datarep;
     bool external;      /* the bytes of elements are in external32's order */
     MPI_Offset pointer; /* the rank's own, in etypes */
     bool atomic;
@@ -57,6 +59,12 @@ bool view_next(struct view_walk *w, MPI_Offset *at, size_t *bytes);
 MPI_Offset view_end(const struct file *f);
 void view_first(struct file *f); /* all bytes of the file */
 void view_leave(struct file *f);
+
+/* --- representations of data --- */
+
+const struct datarep *datarep_named(const char *name); /* NULL: none */
+const char *datarep_name(const struct datarep *r);
+int datarep_extent(const struct datarep *r, MPI_Datatype type, MPI_Aint *extent); /* in the file */
 
 /* --- the server on rank 0 --- */
 

@@ -3,18 +3,6 @@
 #define MPI_TOPOLOGIES_H
 #include "coll.h"
 
-struct topology {
-    int kind;         /* MPI_CART, MPI_GRAPH, MPI_DIST_GRAPH */
-    int dims, *sides; /* of a grid */
-    int *periods;
-    int nodes, edge_count;
-    int *ends, *edges; /* of a graph: rank r's neighbours are edges[ends[r - 1]] to before edges[ends[r]] */
-    /* MPI_DIST_GRAPH: of the own rank; edges are those that lead to it */
-    int outs, *dests;
-    bool weighted;
-    int *in_weights, *out_weights;
-};
-
 /* The communicator's, of this kind; NULL with *code: it has none. */
 const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code);
 struct topology *topology_of_neighbors(int ins, const int sources[], const int in_weights[], int outs,

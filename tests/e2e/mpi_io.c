@@ -274,6 +274,34 @@ static void external(void)
     all("external32 has the highest byte first", holds);
 }
 
+static int twice_as_long(MPI_Datatype type, MPI_Aint *extent, void *extra)
+{
+    MPI_Aint lb;
+    MPI_Type_get_extent(type, &lb, extent);
+    *extent *= *(int *)extra;
+    return MPI_SUCCESS;
+}
+
+/* A representation of the program's own, which converts nothing. */
+static void own_representation(void)
+{
+    static int twice = 2;
+    char name[MPI_MAX_DATAREP_STRING];
+    MPI_Datatype etype, filetype;
+    MPI_Offset displacement;
+    MPI_Aint extent;
+    MPI_File file = open_file("own", MPI_MODE_RDWR | MPI_MODE_CREATE);
+    MPI_Register_datarep("own", MPI_CONVERSION_FN_NULL, MPI_CONVERSION_FN_NULL, twice_as_long, &twice);
+    int again =
+        MPI_Register_datarep("own", MPI_CONVERSION_FN_NULL, MPI_CONVERSION_FN_NULL, twice_as_long, &twice);
+    MPI_File_set_view(file, 0, MPI_INT, MPI_INT, "own", MPI_INFO_NULL);
+    MPI_File_get_view(file, &displacement, &etype, &filetype, name);
+    MPI_File_get_type_extent(file, MPI_INT, &extent);
+    MPI_File_close(&file);
+    all("a representation of the program's own",
+        again == MPI_ERR_DUP_DATAREP && strcmp(name, "own") == 0 && extent == 2 * (MPI_Aint)sizeof(int));
+}
+
 static int handled;
 static void on_error(MPI_File *file, int *code, ...)
 {
@@ -340,6 +368,7 @@ int main(int argc, char **argv)
     atomic();
     later();
     external();
+    own_representation();
     errors();
     if (rank == 0)
         printf("after %.9f s\n", MPI_Wtime());

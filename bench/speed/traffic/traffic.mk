@@ -1,7 +1,11 @@
-# traffic.mk - the NX program of messages, the tool that measures runs, and the comparison of event queues.
+# traffic.mk - the programs of messages, NX's and MPI's, the tool that measures runs, and the comparison of event queues.
 $B/bench/traffic: bench/speed/traffic/traffic.c bench/speed/traffic/torus.h $(NXCC_DEPS)
 	@mkdir -p $(@D)
 	$B/nxcc -O2 -o $@ $<
+
+$B/bench/traffic_mpi: bench/speed/peers/traffic_mpi.c bench/speed/traffic/torus.h $(NXCC_DEPS)
+	@mkdir -p $(@D)
+	$B/nxcc -O2 -o $@ $< -lmpi
 
 $B/bench/measure: bench/speed/traffic/measure.c
 	@mkdir -p $(@D)

@@ -44,6 +44,28 @@ int main(int argc, char **argv)
     waits(r, 1);
     kept = 4;
 
+    int ends[2] = {0, 0}, ring = 1, sides[1] = {0}, period[1] = {1};
+    MPI_Comm grid_comm, half, two;
+    MPI_Dims_create(size, 1, sides);
+    MPI_Cart_create(MPI_COMM_WORLD, 1, sides, period, 0, &grid_comm);
+    MPI_Ineighbor_allgather(&ring, 1, MPI_INT, ends, 1, MPI_INT, grid_comm, &r[0]);
+    if (early)
+        ends[1] = 1;
+    waits(r, 1);
+
+    int all[2] = {0, 0}, root = rank == 0 ? MPI_ROOT : rank % 2 ? 0 : MPI_PROC_NULL;
+    MPI_Comm_split(MPI_COMM_WORLD, rank % 2, rank, &half);
+    MPI_Intercomm_create(half, 0, MPI_COMM_WORLD, 1 - rank % 2, 9, &two);
+    MPI_Igather(&ring, 1, MPI_INT, all, 1, MPI_INT, root, two, &r[0]);
+    if (early && rank == 0)
+        all[1] = 1;
+    else if (rank == 2)
+        all[1] = 1; /* beside the root */
+    waits(r, 1);
+    MPI_Comm_free(&two);
+    MPI_Comm_free(&half);
+    MPI_Comm_free(&grid_comm);
+
     MPI_Send_init(&kept, 1, MPI_INT, right, 5, MPI_COMM_WORLD, &p);
     kept = 5;
     for (int i = 0; i < 2; i++) {
