@@ -3,7 +3,7 @@
 # time) and on the programs of tests/nx; and the prover finds a difference where there is one.
 . "$(dirname "$0")/common.bash"
 prove=$BUILD/tests/prove/prove
-[[ $BUILD = *asan* ]] && count=60 || count=300
+[[ $BUILD = *asan* ]] && count=60 || count=400
 export ASAN_OPTIONS=detect_leaks=0
 
 "$prove" --build "$BUILD" --seed 1 --count $count --jobs 1 >out 2>err

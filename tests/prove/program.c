@@ -390,6 +390,8 @@ static bool choose_mpi(struct program *p)
     p->mpi = !p->host && !p->flushes && !p->profile && !p->little_memory && random_chance(&c.random, 0.25);
     if (!p->mpi)
         return false;
+    p->most_virtual_s =
+        fmin(p->most_virtual_s, 2); /* some poll in vain: a minute of the reference engine's */
     if (random_chance(&c.random, 0.3))
         set_number(p, "mpi_eager_limit",
                    random_chance(&c.random, 0.5) ? 0 : (double)spread(&c.random, 20000));
