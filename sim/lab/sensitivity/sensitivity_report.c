@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "files/json_set.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 
 enum { ROWS = 10 };
@@ -26,7 +27,8 @@ static void print_row(const struct sensitivity *s, const struct sensitive_number
     double percent = time_of(s) > 0 ? 100 * n->per_percent / time_of(s) : 0;
     char *value = xasprintf("%.15g%s%s", n->value, *n->unit ? " " : "", n->unit);
     char *step = xasprintf("%+.6g (%+.4g %%)", n->step, 100 * n->step / n->value);
-    fprintf(f, "%+-14.6g %+8.4f  %-28s %-16s %-20s %s\n", n->per_percent, percent, n->number->key, value,
+    fprintf(f, "%s%-*s %+8.4f  %-28s %-16s %-20s %s\n", n->per_percent > 0 ? "+" : "",
+            n->per_percent > 0 ? 11 : 12, duration_text(n->per_percent).text, percent, n->number->key, value,
             step, n->number->standing);
     free(value);
     free(step);
@@ -40,22 +42,23 @@ static const char *no_answer(const struct sensitivity *s, const struct sensitive
 void sensitivity_print(const struct sensitivity *s, const char *name, const char *machine, FILE *f)
 {
     size_t some = changing(s), rows = some < ROWS ? some : ROWS, without = 0;
-    fprintf(f,
-            "\nWhat the time of %s on %s, %.12g s, hangs on: seconds for 1 %% more of a number, by runs with "
-            "its step\n",
-            name, machine, time_of(s));
-    fprintf(f, "%-14s %8s  %-28s %-16s %-20s %s\n", "s a percent", "% of it", "number", "value", "step",
+    fprintf(
+        f, "\nWhat the time of %s on %s, %s, hangs on: its change for 1 %% more of a number, by a run each\n",
+        name, machine, virtual_time_moment(s->runs.list[0].end).text);
+    fprintf(f, "%-12s %8s  %-28s %-16s %-20s %s\n", "change", "% of it", "number", "value", "step",
             "standing");
     for (size_t i = 0; i < rows; i++)
         print_row(s, &s->list[i], f);
     for (size_t i = 0; i < s->count; i++)
         if (isnan(s->list[i].per_percent) && ++without)
             fprintf(f, "no answer for %s: %s\n", s->list[i].number->key, no_answer(s, &s->list[i]));
+    if (some > rows)
+        fprintf(f, "%zu more of %zu numbers change the time, by less. ", some - rows, s->count);
     fprintf(
         f,
-        "%zu more of %zu numbers change the time, by less; %zu do not. node.clock_mhz stands for the clocks "
-        "of all operations, which nxcc counts.\n",
-        some - rows, s->count, s->count - some - without);
+        "%zu numbers do not change it. node.clock_mhz stands for the clocks of all operations, which nxcc "
+        "counts.\n",
+        s->count - some - without);
 }
 
 static json_t *number_json(const struct sensitivity *s, const struct sensitive_number *n)
