@@ -420,7 +420,7 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
     if (n->cause == WAITFOR_CYCLE && is_of_operations(w))
         return "All nodes have to call the global operations in the same order.";
     if (n->cause == WAITFOR_CYCLE && n->what == WAITFOR_END)
-        return "One of the cycle has to end without waiting for the others.";
+        return "One of the cycle has to end, or to send, without waiting for the others.";
     return TEXTS[n->cause];
 }
 

@@ -412,9 +412,10 @@ static void the_host_waits_for_ends(void **state)
         w, "  cycle: node 0 -> the host -> node 0\n"
            "  host: waitall since 0 s\n"
            "    cycle: It waits for the end of the program on each other node.\n"
-           "    One of the cycle has to send before it receives, or to post its receive (irecv) and go on.\n"
+           "    One of the cycle has to end, or to send, without waiting for the others.\n"
            "  node 0: crecvx(7) since 0 s\n"
            "    cycle: It waits for type 7 from the host, which waits, too.\n"
+           "    One of the cycle has to send before it receives, or to post its receive (irecv) and go on.\n"
            "  node 1: ended at 2 us");
 }
 
