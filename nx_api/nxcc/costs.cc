@@ -183,7 +183,7 @@ int64_t operation_cost(gassign *stmt)
 
 /* A block that no i860's data cache has costs as much, moved by an assignment, as by memcpy or memset: GCC
  * makes such assignments of their calls. 0: it is none. */
-int64_t block_cost(gassign *stmt)
+int64_t moved_block_cost(gassign *stmt)
 {
     const int64_t largest_cache = 16384;
     tree to = gimple_assign_lhs(stmt), from = gimple_assign_rhs1(stmt);
@@ -198,7 +198,7 @@ int64_t assign_cost(gassign *stmt)
 {
     if (gimple_clobber_p(stmt))
         return 0;
-    if (int64_t block = block_cost(stmt))
+    if (int64_t block = moved_block_cost(stmt))
         return block;
     int64_t cost = operation_cost(stmt) + memory_cost(gimple_assign_lhs(stmt), table.clocks.store);
     if (gimple_assign_single_p(stmt)) {
