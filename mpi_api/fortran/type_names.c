@@ -1,4 +1,4 @@
-/* fortran_datatypes.c - Fortran's names for datatypes, and for packing. */
+/* type_names.c - Fortran's names for datatypes, and for packing. */
 #include "fortran.h"
 
 static MPI_Aint *addresses_of(const f_int *list, f_int count)
