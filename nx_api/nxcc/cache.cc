@@ -207,40 +207,39 @@ bool ends_what_is_known(gimple *stmt)
     return is_gimple_call(stmt) || gimple_code(stmt) == GIMPLE_ASM;
 }
 
+/* Is the test true of a statement not far behind stmt, before what is known ends? */
+template <typename Test> bool any_behind(gimple *stmt, Test test)
+{
+    gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
+    gsi_next_nondebug(&gsi);
+    for (int i = 0; i < farthest && !gsi_end_p(gsi) && !ends_what_is_known(gsi_stmt(gsi)); i++)
+        if (test(gsi_stmt(gsi)))
+            return true;
+        else
+            gsi_next_nondebug(&gsi);
+    return false;
+}
+
 /* Does a statement behind stmt load from an address less than a line away from `from`, so that `at` lies
  * between the two? */
 bool is_on_the_way(gimple *stmt, const spot &from, const spot &at)
 {
-    gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
-    gsi_next_nondebug(&gsi);
-    for (int i = 0; i < farthest && !gsi_end_p(gsi); i++, gsi_next_nondebug(&gsi)) {
-        gimple *s = gsi_stmt(gsi);
-        if (ends_what_is_known(s))
-            return false;
+    return any_behind(stmt, [&](gimple *s) {
         if (!gimple_assign_single_p(s) || !is_looked_up(gimple_assign_rhs1(s)))
-            continue;
+            return false;
         spot to = spot_of(gimple_assign_rhs1(s));
         int64_t whole = to.offset - from.offset, part = at.offset - from.offset;
-        if (are_related(from, to) && llabs(whole) < cache.data.line &&
-            (whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole))
-            return true;
-    }
-    return false;
+        return are_related(from, to) && llabs(whole) < cache.data.line &&
+               (whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole);
+    });
 }
 
 /* Does a statement behind stmt store to ref? */
 bool is_stored_to(gimple *stmt, tree ref)
 {
-    gimple_stmt_iterator gsi = gsi_for_stmt(stmt);
-    gsi_next_nondebug(&gsi);
-    for (int i = 0; i < farthest && !gsi_end_p(gsi); i++, gsi_next_nondebug(&gsi)) {
-        gimple *s = gsi_stmt(gsi);
-        if (ends_what_is_known(s))
-            return false;
-        if (is_gimple_assign(s) && operand_equal_p(gimple_assign_lhs(s), ref, 0))
-            return true;
-    }
-    return false;
+    return any_behind(stmt, [&](gimple *s) {
+        return is_gimple_assign(s) && operand_equal_p(gimple_assign_lhs(s), ref, 0);
+    });
 }
 
 /* Does `at` lie between two loads less than a line apart? Then it is in the line of one of them. */
