@@ -97,11 +97,11 @@ static void end_schedule(struct machine *m)
 }
 
 /* Has the program printed exactly what it was to print by the end of the run? A program that crashed has, and
- * in a deadlock each has. At a limit, programs may have computed further than that; at a signal, too, but no
- * two such runs are alike anyway. */
+ * in a deadlock each that was not killed has. At a limit, programs may have computed further than that, and
+ * killed ones further than to their end; at a signal, too, but no two such runs are alike anyway. */
 static bool has_output(const struct machine *m, const struct node *n)
 {
-    return n->libc && (n->end == NODE_CRASHED || m->waits || m->signal);
+    return n->libc && (n->end == NODE_CRASHED || (m->waits && n->end != NODE_KILLED) || m->signal);
 }
 
 static void rescue_output(struct machine *m)

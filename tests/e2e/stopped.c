@@ -1,5 +1,5 @@
 /* stopped.c - stopped HOW: node 1 computes or waits without end; or crashes in a library call, or spoils what
- * the library needs; or is flooded with messages. Or node 0 reads. */
+ * the library needs; or is flooded with messages, or killed. Or node 0 reads. */
 #include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,6 +41,13 @@ static void jump(void)
     longjmp(there, 1);
 }
 
+static void print_later(void)
+{
+    for (volatile long i = 0; i < 10000; i++)
+        ;
+    printf("later\n");
+}
+
 int main(int argc, char **argv)
 {
     const char *how = argc > 1 ? argv[1] : "";
@@ -49,6 +56,11 @@ int main(int argc, char **argv)
         flood(atoi(argv[2]));
     } else if (!strcmp(how, "reads")) {
         getchar();
+    } else if (!strcmp(how, "killed")) {
+        if (mynode())
+            print_later();
+        else
+            killproc(1, 0);
     } else if (mynode() == 1) {
         if (!strcmp(how, "for"))
             for (;;)

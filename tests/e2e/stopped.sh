@@ -138,6 +138,14 @@ run -n 2 stopped stream
 check "a stream overwritten: the run's figures" said '^digest'
 check "a stream overwritten: why it ends" said '^touchstone: a fault outside of all programs'
 
+# --- a node is killed before it prints; then the run ends in a deadlock ---
+for options in "-w 1" "-w 2" "--engine reference"; do
+    # shellcheck disable=SC2086
+    run -q -n 2 $options stopped killed
+    check "$options, killed: nothing of what came after" test "$(grep -c later out)" = 0
+    check "$options, killed: node 0 waits for it" said 'node 0: gsync'
+done
+
 # --- floods ---
 seconds() { # MESSAGES
     local TIMEFORMAT=%U # of a processor
