@@ -253,11 +253,11 @@ static void put_off(struct node *n, vtime now)
         n->call_since += late;
 }
 
-/* How long the system copies what the call has received. */
-static vtime copying(const struct node *n, const struct deferred_call *c)
+/* How long the system copies messages that the call has received: m, and those received before it. */
+static vtime copying(const struct node *n, const struct message *m)
 {
     vtime t = 0;
-    for (const struct message *m = c->consumes_message ? c->consumed : NULL; m; m = m->next)
+    for (; m; m = m->next)
         t += node_system_time(n, match_copying(n, m));
     return t;
 }
@@ -268,7 +268,7 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
         protocol_message_free_plain(n->sys->schedule.protocol, c->consumed);
         return;
     }
-    now += copying(n, c);
+    now += copying(n, c->consumed);
     for (struct message *m = c->consumed, *next; m; m = next) {
         next = m->next;
         n->taken -= buffered(m);
@@ -323,7 +323,8 @@ static void make(struct node *n, struct deferred_call *c, vtime now)
             return;
         }
     } else {
-        ANNOUNCE(n, resumed, now, now + copying(n, c));
+        const struct message *taken = c->consumes_message ? c->consumed : NULL;
+        ANNOUNCE(n, resumed, now, now + copying(n, taken ? taken->next : NULL), now + copying(n, taken));
         if (c->consumes_message)
             take(n, c, now);
     }

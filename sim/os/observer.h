@@ -59,10 +59,11 @@ struct announcements {
     /* The call that has just begun is deferred (deferred.h), or the one that the program was in already. */
     void (*deferred)(struct observer *o, struct node *n);
     void (*deferred_again)(struct observer *o, struct node *n);
-    /* The first deferred call is committed at time t; its caller resumes at t and is done at `done`; the call
-     * is about to leave the deferred ones. All deferred calls are about to be undone, for good. */
+    /* The first deferred call is committed at time t; its caller resumes at t, takes the last message, if
+     * any, at takes_last and is done at `done`; the call is about to leave the deferred ones. All deferred
+     * calls are about to be undone, for good. */
     void (*committed)(struct observer *o, struct node *n, vtime t);
-    void (*resumed)(struct observer *o, struct node *n, vtime t, vtime done);
+    void (*resumed)(struct observer *o, struct node *n, vtime t, vtime takes_last, vtime done);
     void (*popped)(struct observer *o, struct node *n);
     void (*rolled_back)(struct observer *o, struct node *n);
     /* The envelope of a message comes at time t; a receive is given the message. */

@@ -258,11 +258,11 @@ static void hear_committed(struct observer *by, struct node *n, vtime t)
     o->begun = true;
 }
 
-static void hear_resumed(struct observer *by, struct node *n, vtime t, vtime done)
+static void hear_resumed(struct observer *by, struct node *n, vtime t, vtime takes_last, vtime done)
 {
     struct node_record *r = record_of(by);
     struct open *o = nth_deferred(r, n, 0);
-    o->call.taken_at = o->call.ordered = t, o->call.end = done;
+    o->call.ordered = t, o->call.taken_at = takes_last, o->call.end = done;
 }
 
 static void hear_popped(struct observer *by, struct node *n)
