@@ -2,7 +2,7 @@
  * environment variable lists, PROVE_3 for node 3, PROVE_HOST for the host program: "OP a b c d OP a b c d
  * ...", OP being the operation's number. At its end it prints its results. The fast engine defers no call of
  * a program that has flushmsg: PLAYER_FLUSHES therefore makes a second player, and nxcc -host the host's.
- * PLAYER_FORTRAN makes one with parts.f90, PLAYER_MPI one with parts_mpi.h. */
+ * PLAYER_FORTRAN makes one with parts.f90, PLAYER_MPI one with parts_mpi_more.h. */
 #include "parts.h"
 
 #ifdef PLAYER_FLUSHES
@@ -22,7 +22,7 @@
 #endif
 
 #ifdef PLAYER_MPI
-#include "parts_mpi.h"
+#include "parts_mpi_more.h"
 #define MPI(code) code
 #else
 #define MPI(code) (void)0

@@ -402,9 +402,10 @@ static bool choose_mpi(struct program *p)
             for (uint64_t i = random_below(&c.random, 4); i > 0; i--)
                 add_chosen(&c, node, choose_in(&c, FAMILY_computing),
                            (double)phase + fraction(&c.random) * 0.9);
-        add_chosen(&c, 0, kind_named("mpi_together"), (double)phase + 0.95);
+        const struct kind *what = kind_named(random_chance(&c.random, 0.5) ? "mpi_together" : "mpi_more");
+        add_chosen(&c, 0, what, (double)phase + 0.95);
         for (int node = 1; node < (int)p->nodes; node++)
-            *add(&p->script[node], kind_named("mpi_together"), 0) = p->script[0].ops[p->script[0].count - 1];
+            *add(&p->script[node], what, 0) = p->script[0].ops[p->script[0].count - 1];
     }
     return true;
 }
@@ -546,7 +547,8 @@ void program_print(const struct program *p, const char *parts, FILE *f)
     if (from)
         fclose(from);
     if (p->mpi)
-        fprintf(f, "\n#define MPI(code) code\n#include \"tests/prove/parts_mpi.h\" /* nxcc -I. -lmpi */\n");
+        fprintf(f,
+                "\n#define MPI(code) code\n#include \"tests/prove/parts_mpi_more.h\" /* nxcc -I. -lmpi */\n");
     fprintf(f, "\nint main(int argc, char **argv)\n{\n    argument_count = argc, arguments = argv;\n"
                "    switch (mynode()) {\n");
     for (int node = 0; node < (int)p->nodes; node++) {

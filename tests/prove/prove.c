@@ -46,7 +46,8 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* One worker, or several; their order and the slices differ with the program. */
+/* One worker, or several; their order and the slices differ with the program. (--isolate takes the computer
+ * hours for ranks of MPI that poll until the limit of virtual time.) */
 static void choose_ways(const struct program *p, char way[WAYS][MOST_WAY])
 {
     uint64_t r = p->seed ^ UINT64_C(0x5eed);
@@ -56,7 +57,7 @@ static void choose_ways(const struct program *p, char way[WAYS][MOST_WAY])
     strcpy(way[1], p->recorded ? TRIAL_REPLAYED : "-w 2");
     strcpy(way[2], random_chance(&r, 0.5) ? "-w 4" : "-w 8");
     snprintf(way[3], MOST_WAY, "-w 3 --shuffle %u", shuffle);
-    if (random_chance(&r, 0.5))
+    if (p->mpi || random_chance(&r, 0.5))
         snprintf(way[4], MOST_WAY, "-w 1 --slice %g", slice);
     else
         strcpy(way[4], "-w 1 --isolate");
