@@ -72,7 +72,7 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"layer", LAYER, "PATTERN", 0,
      "Treat functions as a message layer: reports name the line that called the layer, not a line inside of "
-     "it. PATTERN is for functions, such as 'MPI*'; for source files if it has a '.', such as 'mpi*.c', or by "
+     "it. PATTERN names functions, such as 'MPI*'; source files if it has a '.', such as 'mpi*.c', or by "
      "whole path if it has a '/', such as '*/mpich/*'; or a library, lib/libmpi.a. May be repeated",
      0},
     {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
