@@ -147,7 +147,7 @@ HOUSE    := tests/house/check@$B tests/house/selftest # what may use what: doc/h
 # Not with sanitizers, too: programs of the compiler's plugin, which have none; what compiles, waits, or asks for the same again.
 UNIT_ONCE = $(addprefix $(ASAN)/tests/nxcc/test_,random races)
 E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mpi_deadlock mpi_files mpi_long mpi_record mpi_errors mpi_summary mpi_kinds mpi_hosts \
-    full_disk races_cost order_dependent manual pages pictures install installed version completion readme schemas tutorial exercises faults killed \
+    full_disk races_cost order_dependent manual pages pages_more pictures install installed version completion readme schemas tutorial exercises faults killed \
     ci_files analyse missing_packages many_nodes run_changed,%/$(once).sh@$(ASAN))
 
 ASAN      = build/asan

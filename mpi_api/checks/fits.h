@@ -1,7 +1,8 @@
-/* fits.h - do the ranks' calls fit together? Of each collective the members are compared with the one that
- * came first; of each message the receive with the send. What is kept of a collective goes when the last
- * member has come, what is kept of a message when a receive has been given it. Messages of one sender,
- * receiver, tag and communicator are given to receives in the order sent (core.h), and so are told apart. */
+/* fits.h - the check of whether the ranks' calls fit together. Of each collective the members are compared
+ * with the one that came first; of each message the receive with the send. What is kept of a collective
+ * goes when the last member has come, what is kept of a message when a receive has been given it. Messages
+ * of one sender, receiver, tag and communicator are given to receives in the order sent (core.h), and so
+ * are told apart. */
 #ifndef MPI_FITS_H
 #define MPI_FITS_H
 #include "mpi_api/checks/mpi_findings.h"

@@ -1,4 +1,4 @@
-/* awaited.h - for reports: what a call waits for, told from what the call has given to node_wait(). */
+/* awaited.h - what a call waits for, for reports: from what the call has given to node_wait(). */
 #ifndef CALLS_AWAITED_H
 #define CALLS_AWAITED_H
 #include "nx_api/calls/call.h"

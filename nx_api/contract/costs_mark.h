@@ -1,7 +1,7 @@
-/* costs_mark.h - by which a program and a machine know that they mean the same costs of operations. nxcc
- * writes a line "MARK NAME" of the costs file into each object, in a section that is not loaded; touchstone
- * run compares the mark with that of the machine's `cpu`. Files that this one includes are not in the
- * mark. */
+/* costs_mark.h - the mark by which a program and a machine know that they mean the same costs of
+ * operations. nxcc writes a line "MARK NAME" of the costs file into each object, in a section that is not
+ * loaded; touchstone run compares the mark with that of the machine's `cpu`. Files that this one includes
+ * are not in the mark. */
 #ifndef NXC_COSTS_MARK_H
 #define NXC_COSTS_MARK_H
 #include <stdint.h>

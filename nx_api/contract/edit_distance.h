@@ -1,4 +1,5 @@
-/* edit_distance.h - how alike two words are: for what a user may have meant. */
+/* edit_distance.h - the edit distance of two words, which tells how alike they are: for what a user may
+ * have meant. */
 #ifndef CONTRACT_EDIT_DISTANCE_H
 #define CONTRACT_EDIT_DISTANCE_H
 #include <stdbool.h>

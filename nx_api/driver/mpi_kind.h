@@ -1,4 +1,4 @@
-/* mpi_kind.h - which MPI a program for a cluster is linked with, and whether the two go together. */
+/* mpi_kind.h - the MPI that a program for a cluster is linked with, and whether the two go together. */
 #ifndef DRIVER_MPI_KIND_H
 #define DRIVER_MPI_KIND_H
 #include "nx_api/driver/places.h"

@@ -1,4 +1,4 @@
-/* places.h - where nxcc finds what it needs: from where it is itself.
+/* places.h - the search for what nxcc needs: from where it is itself.
  *
  * in the build tree   BUILD/nxcc
  *                     BUILD/node/{count.so, runtime.o, libnx.a ...}, BUILD/node/{include, cpu, mpi_include}

@@ -1,4 +1,4 @@
-/* locale.c - a node has one locale, "C". */
+/* locale.c - the one locale that a node has, "C". */
 #include <limits.h>
 #include <locale.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* elements.c - how many elements an array has, for what depends on it in the cost of library calls
+/* elements.c - the number of an array's elements, for what depends on it in the cost of library calls
  * (nxcc/table.h), and the calls that have nothing but a price. */
 #include "libgfortran.h"
 

@@ -1,7 +1,7 @@
-/* bells.h - a sender's library rings when it has sent to a node of the same computer: it sets the
- * receiver's nxc_due, which lies in shared memory, so that the next poll of a computing program takes the
- * message in; and it wakes a receiver that sleeps in its wait. A ring costs the receiver nothing when it
- * does not come, unlike a clock that ticks often.
+/* bells.h - the bell that a sender's library rings when it has sent to a node of the same computer: it sets
+ * the receiver's nxc_due, which lies in shared memory, so that the next poll of a computing program takes
+ * the message in; and it wakes a receiver that sleeps in its wait. A ring costs the receiver nothing when
+ * it does not come, unlike a clock that ticks often.
  *
  * Nodes of other computers do not ring; nor do any where there is no shared memory. Then the clock ticks
  * more often (tick.h). A ring may be missed, in the moment in which a program posts its first handler or

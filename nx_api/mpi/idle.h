@@ -1,4 +1,4 @@
-/* idle.h - who yields the processor while there is nothing to do. With more nodes than processors (mpirun
+/* idle.h - the yielding of processors while there is nothing to do. With more nodes than processors (mpirun
  * --oversubscribe, or mpi_yield_when_idle) Open MPI yields in each look at a request that is not complete. NX
  * looks in each call that receives or probes; if each yielded, other programs would have their time slices
  * before a call goes on that need not wait. So, after the beginning, MPI yields no more, and NX does where it

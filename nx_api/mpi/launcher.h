@@ -1,4 +1,4 @@
-/* launcher.h - was the program started by the MPI that it is linked with? */
+/* launcher.h - the check of whether the program was started by the MPI that it is linked with. */
 #ifndef MPI_LAUNCHER_H
 #define MPI_LAUNCHER_H
 #include "backend_node.h"

@@ -1,4 +1,4 @@
-/* library_call.h - which function of a shared library a program's call is of. */
+/* library_call.h - the function of a shared library that a program's call is of. */
 #ifndef MPI_LIBRARY_CALL_H
 #define MPI_LIBRARY_CALL_H
 #include <stdint.h>

@@ -1,4 +1,4 @@
-/* mpi_stripes.c - how files are striped (pfs/pfs.h), where one folder stands for the machine's file system:
+/* mpi_stripes.c - the striping of files (pfs/pfs.h), where one folder stands for the machine's file system:
  * over one disk, in units of the folder's best transfers. */
 #include <errno.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-/* past_messages.h - for reports of deadlocks: messages that this node had and has not any more, of which
+/* past_messages.h - messages that this node had and has not any more, for reports of deadlocks: of these
  * a receive may be in want. The last of those that a receive took which may have been meant for another,
  * and of those that were thrown away.
  *

@@ -1,5 +1,6 @@
-/* quiet.h - finds that all programs wait and nothing can end their waits, by Safra's algorithm (safra.h).
- * Its messages are WIRE_TOKEN; those it counts are the kinds before that (mpi_wire.h).
+/* quiet.h - the search for quiescence: finds that all programs wait and nothing can end their waits, by
+ * Safra's algorithm (safra.h). Its messages are WIRE_TOKEN; those it counts are the kinds before that
+ * (mpi_wire.h).
  *
  * A node is at rest while its program has ended, or is in node_wait, where only a message can end the
  * wait: the conditions that calls wait for are made of what messages change, and handlers, too, run when

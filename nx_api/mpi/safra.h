@@ -1,5 +1,6 @@
-/* safra.h - has everything come to rest? Safra's algorithm, for one process of a ring: Dijkstra, EWD 998,
- * "Shmuel Safra's version of termination detection", 1987. Knows nothing of MPI and of nodes.
+/* safra.h - the detection that everything has come to rest: Safra's algorithm, for one process of a ring:
+ * Dijkstra, EWD 998, "Shmuel Safra's version of termination detection", 1987. Knows nothing of MPI and of
+ * nodes.
  *
  *     process 0 -> 1 -> 2 -> ... -> count-1 -> 0        the way of the token
  *

@@ -1,4 +1,4 @@
-/* stack.h - where a program is: addresses of its code, without those of libnx.a.
+/* stack.h - the stack of a program: addresses of its code, without those of libnx.a.
  *
  * The code of libnx.a is in a section of its own, nx_text (mpi.mk), and keeps frame pointers. So the
  * first return address outside of that section can be found from any of its functions in a few steps,

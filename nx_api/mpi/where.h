@@ -1,4 +1,4 @@
-/* where.h - where a program is, for messages: its calls under way, with functions and source lines, each in a
+/* where.h - a program's place, for messages: its calls under way, with functions and source lines, each in a
  * line of its own:
  *
  *       in strlen() of a library

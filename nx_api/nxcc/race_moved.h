@@ -1,6 +1,6 @@
-/* race_moved.h - where loads and stores are written that GCC's optimisers have moved: what a loop does with
- * a variable may be left to a load in front of it and to a store behind it. These are new statements, which
- * have no line.
+/* race_moved.h - the source places of loads and stores that GCC's optimisers have moved: what a loop does
+ * with a variable may be left to a load in front of it and to a store behind it. These are new statements,
+ * which have no line.
  *
  * A pass stands before and behind those of GCC that move. It notes which memory the statements with a line
  * access, by its name in the source, and gives a new one the line of the nearest that accesses the same:

@@ -1,4 +1,4 @@
-/* race_written.h - where in the source an access is written, and what it is called there.
+/* race_written.h - the source place of an access, and its name there.
  *
  * GCC's optimisers take the source's expressions apart. So a pass of its own notes names by location before
  * they begin. If what is left of an access could be several of those, their names are joined by "or". */

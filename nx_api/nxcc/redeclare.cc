@@ -1,6 +1,6 @@
-/* redeclare.cc - C programs of the time repeat declarations of headers with other types: `int mynode();`,
- * `extern void msgwait(int);`, `extern long errno;`. Their compilers had int and long of one size, and often
- * no header.
+/* redeclare.cc - declarations of headers that C programs of the time repeat with other types: `int
+ * mynode();`, `extern void msgwait(int);`, `extern long errno;`. Their compilers had int and long of one
+ * size, and often no header.
  *
  * GCC refuses a second declaration with another type. So if a program and a system header declare one
  * function, in either order, and the types differ only in

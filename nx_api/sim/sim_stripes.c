@@ -1,4 +1,4 @@
-/* sim_stripes.c - how files are striped over the machine's disks (pfs/pfs.h), and fcntl(). */
+/* sim_stripes.c - the striping of files over the machine's disks (pfs/pfs.h), and fcntl(). */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>

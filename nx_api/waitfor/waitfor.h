@@ -1,5 +1,5 @@
-/* waitfor.h - why nodes that stand still do so: the wait-for graph of a machine at quiescence, when every
- * program waits and no message is under way.
+/* waitfor.h - the analysis of why nodes stand still: the wait-for graph of a machine at quiescence, when
+ * every program waits and no message is under way.
  *
  * A back end (the simulator, or NX on MPI) fills in a struct waitfor: what each node waits for, what lies in
  * its mailbox, what it has posted. waitfor_analyse() finds for each waiting node the cause of its wait, and

@@ -1,4 +1,4 @@
-/* waitfor_whom.c - who could end a node's wait: the edges of the wait-for graph. */
+/* waitfor_whom.c - the nodes that could end a node's wait: the edges of the wait-for graph. */
 #include "nx_api/waitfor/waitfor_parts.h"
 
 bool waitfor_is_missed(const struct waitfor *w, uint32_t i, const void *operation)

@@ -1,4 +1,4 @@
-/* asan_stacks.h - from where blocks of the heap were allocated and freed: stacks of calls, each kept once. */
+/* asan_stacks.h - the stacks that allocated and freed blocks of the heap: stacks of calls, each kept once. */
 #ifndef ASAN_ASAN_STACKS_H
 #define ASAN_ASAN_STACKS_H
 #include "node/node.h"

@@ -1,4 +1,4 @@
-/* modes.h - where in a file a call of a node lies: the I/O modes and their pointers.
+/* modes.h - the place in a file of a node's call, by its I/O mode: the I/O modes and their pointers.
  *
  *   0  each node its own pointer
  *   1  one pointer for all; whoever asks first is served first

@@ -1,4 +1,4 @@
-/* stripe.h - how a range of a file is divided into blocks on disks: block b is on the file's disk b mod n, in
+/* stripe.h - the division of a file's range into blocks on disks: block b is on the file's disk b mod n, in
  * row b / n.
  *
  *   block   0    1    2    3    4    5    6      of a file on disks 0, 1, 2

@@ -1,4 +1,4 @@
-/* installation.h - where the binary that simulates and touchstone's own files are. */
+/* installation.h - the places of the binary that simulates, and of touchstone's own files. */
 #ifndef CLI_INSTALLATION_H
 #define CLI_INSTALLATION_H
 #include <limits.h>

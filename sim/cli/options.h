@@ -1,4 +1,4 @@
-/* options.h - how the commands read their arguments: by glibc's argp, one struct argp a command, whose
+/* options.h - the reading of commands' arguments: by glibc's argp, one struct argp a command, whose
  * table has the options, their arguments and their help. What the commands share stands here.
  *
  * A wrong argument ends the process with argp_err_exit_status, 64 unless a command says otherwise, after

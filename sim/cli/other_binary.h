@@ -1,7 +1,7 @@
-/* other_binary.h - touchstone consists of several binaries: touchstone simulates, touchstone-reference does
- * so with the reference engine (lp/engine.h), and touchstone-lab has the commands that read results and draw,
- * with the libraries that these need. In a build all are in one folder; installed, those but touchstone are
- * in lib/touchstone. */
+/* other_binary.h - the several binaries of which touchstone consists: touchstone simulates,
+ * touchstone-reference does so with the reference engine (lp/engine.h), and touchstone-lab has the commands
+ * that read results and draw, with the libraries that these need. In a build all are in one folder;
+ * installed, those but touchstone are in lib/touchstone. */
 #ifndef CLI_OTHER_BINARY_H
 #define CLI_OTHER_BINARY_H
 #include <stdbool.h>

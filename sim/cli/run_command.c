@@ -67,11 +67,13 @@ static const struct argp_option OPTIONS[] = {
     {"suppress", CLI_TEXT(arguments, suppress), "FILE", 0,
      "Report no races that FILE names: lines 'file NAME:LINE', 'variable NAME', 'function NAME'", 0},
     {"mpi-checks", CLI_FLAG(arguments, mpi_checks), NULL, 0,
-     "Tell what MPI programs leave over at MPI_Finalize, and where ranks' calls do not fit together", 0},
+     "Report what MPI programs have not freed or completed at MPI_Finalize, and calls of ranks that do not "
+     "fit together",
+     0},
     {"layer", LAYER, "PATTERN", 0,
-     "Functions such as 'MPI*', or with a '.' source files such as 'mpi*.c', with a '/' their whole paths "
-     "such as '*/mpich/*', or all of a library, lib/libmpi.a, are a message layer: where they wait, poll, "
-     "trace or race, reports name the line that has called them. May be repeated",
+     "Treat functions as a message layer: reports name the line that called the layer, not a line inside of "
+     "it. PATTERN names functions, such as 'MPI*'; source files if it has a '.', such as 'mpi*.c', or by "
+     "whole path if it has a '/', such as '*/mpich/*'; or a library, lib/libmpi.a. May be repeated",
      0},
     {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
      "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
@@ -87,7 +89,7 @@ static const struct argp_option OPTIONS[] = {
     {"trace-nodes", TRACE_NODES, "LIST", 0, "Trace only nodes such as 0-7,12, and their messages", 0},
     {"quiet", 'q', NULL, 0, "No summary", 0},
     {"verbose", 'v', NULL, 0,
-     "Show in the summary, too, what the simulator's threads did; say where a program was found", 0},
+     "Add to the summary what the simulator's threads did, and where the program was found", 0},
     {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
     {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
@@ -111,9 +113,9 @@ static const char DOC[] =
     "With --host, HOST runs on the machine's host, by default ipsc860's. HOST loads the nodes itself: "
     "load(\"x\") finds PROGRAM by its name, or a program x beside HOST. ARGS are HOST's. With -n, HOST has "
     "its nodes from the start; without, it calls getcube.\v"
-    "A run that SIGINT, SIGTERM or SIGHUP ends reports where each node is, and then ends by that signal. "
-    "A second one, a second or more later, ends it at once, without a report. "
-    "SIGUSR1 (kill -USR1 PROCESS) has it report, and go on.\n\n"
+    "On SIGINT, SIGTERM or SIGHUP a run reports where each node is, and ends by that signal. If a second "
+    "signal comes a second or more later, the run ends at once, without a report. On SIGUSR1 (kill -USR1 "
+    "PROCESS) a run reports where each node is, and goes on.\n\n"
     "Exit status:\n"
     "  0   all programs ended\n"
     "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"

@@ -9,8 +9,8 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Another timing that the machine could have had:", 4},
     {"timing", TIMING, "SEED[,KEY=VALUE...]", 0,
      "Delay messages, interrupts, starts and processors at random. Keys: method=random|pct (default random); "
-     "bounds messages=100us, interrupts=50us, start=1ms, speed=2%; for pct depth=3 and length=1000, the "
-     "run's in messages and interrupts",
+     "bounds messages=100us, interrupts=50us, start=1ms, speed=2%; for pct depth=3 and length=1000, "
+     "the number of messages and interrupts of the run",
      0},
     {"replay", REPLAY, "FILE", 0, "Run with the delays, or in the orders, of a schedule", 0},
     {"record", RECORD, "FILE", 0, "Write the run's schedule: what was delayed, who got which message, when",

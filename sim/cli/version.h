@@ -1,4 +1,4 @@
-/* version.h - which touchstone this is. */
+/* version.h - the version of touchstone. */
 #ifndef CLI_VERSION_H
 #define CLI_VERSION_H
 #include <stdio.h>

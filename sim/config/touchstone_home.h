@@ -1,4 +1,4 @@
-/* touchstone_home.h - where the machine files are: the same binary runs from the build tree and from an
+/* touchstone_home.h - the search for machine files: the same binary runs from the build tree and from an
  * installed prefix. */
 #ifndef CONFIG_TOUCHSTONE_HOME_H
 #define CONFIG_TOUCHSTONE_HOME_H

@@ -1,4 +1,4 @@
-/* program_file.h - where a program is that somebody names: in a folder, or among
+/* program_file.h - the search for a program that somebody names: in a folder, or among
  * those that come with touchstone. */
 #ifndef FILES_PROGRAM_FILE_H
 #define FILES_PROGRAM_FILE_H

@@ -1,4 +1,4 @@
-/* backtrace.h - where a program is: the calls under way on its node's stack, found by the frame pointers that
+/* backtrace.h - a backtrace: the calls under way on its node's stack, found by the frame pointers that
  * nxcc keeps. */
 #ifndef GUEST_BACKTRACE_H
 #define GUEST_BACKTRACE_H

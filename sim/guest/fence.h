@@ -1,4 +1,4 @@
-/* fence.h - which files of this computer the programs on nodes may use.
+/* fence.h - the fence around the files of this computer that programs on nodes may use.
  *
  * A fence has entries: files, and folders with all that is in them. An entry may be read, or also written.
  * Names are decided by what they lead to: a link out of the fence is outside. Each function looks the file up

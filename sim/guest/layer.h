@@ -1,4 +1,4 @@
-/* layer.h - which of a program's functions reports do not name: NX's own library, and those of a message
+/* layer.h - functions that reports do not name: NX's own library, and those of a message
  * layer, which stands between the program and NX (touchstone run --layer). The frame that a report names is
  * the innermost that is of neither, be it inlined; if all are of the layer, the innermost of these. */
 #ifndef GUEST_LAYER_H

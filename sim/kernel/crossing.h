@@ -1,6 +1,6 @@
-/* crossing.h - between a node's program and the system. The program has a stack in its memory; all that it
- * calls runs on another, the fiber's. So what lies below the program's stack pointer depends on the
- * program alone, and holds no address of this computer's: a program that reads there (a local variable
+/* crossing.h - the crossing between a node's program and the system. The program has a stack in its memory;
+ * all that it calls runs on another, the fiber's. So what lies below the program's stack pointer depends on
+ * the program alone, and holds no address of this computer's: a program that reads there (a local variable
  * whose function has ended) finds the same in every run.
  *
  *     program's stack      main | f |        (handler) |

@@ -1,4 +1,4 @@
-/* commit.h - which of the machine's events is the next. */
+/* commit.h - the choice of the machine's next event. */
 #ifndef LP_COMMIT_H
 #define LP_COMMIT_H
 #include "lp/schedule.h"

@@ -1,5 +1,6 @@
-/* prefetch_coming.h - with thousands of nodes, none of what a node needs is in the caches when its event
- * comes. Loading begins some events ahead: the node first, then what it points to. */
+/* prefetch_coming.h - prefetches of what the nodes of coming events need: with thousands of nodes, none of
+ * it is in the caches when its event comes. Loading begins some events ahead: the node first, then what it
+ * points to. */
 #ifndef LP_PREFETCH_COMING_H
 #define LP_PREFETCH_COMING_H
 #include "lp/schedule.h"

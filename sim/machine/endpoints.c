@@ -1,6 +1,6 @@
-/* endpoints.c - who lives at which address of the network: the answers to net/endpoint.h, whose `ends` is the
- * node_system. An address is a node's, a service's, or the host's (topo.h). m->serves tells the messages
- * between a node and a service, in both directions. */
+/* endpoints.c - the inhabitants of the network's addresses: the answers to net/endpoint.h, whose `ends` is
+ * the node_system. An address is a node's, a service's, or the host's (topo.h). m->serves tells the
+ * messages between a node and a service, in both directions. */
 #include "net/endpoint.h"
 #include "cfs/cfs.h"
 #include "cfs/post.h"

@@ -1,7 +1,7 @@
-/* overdue.h - ends what does not come back. A run looks at signals and host time (outside.h) when a program
- * calls or polls; a loop in which the compiler put no poll, such as one in assembler, never does. Such a
- * program is ended where it is, a second after the run was to end. A second signal that comes so late ends
- * the process at once, whatever it does. */
+/* overdue.h - the end of programs that do not come back to the system. A run looks at signals and host time
+ * (outside.h) when a program calls or polls; a loop in which the compiler put no poll, such as one in
+ * assembler, never does. Such a program is ended where it is, a second after the run was to end. A second
+ * signal that comes so late ends the process at once, whatever it does. */
 #ifndef MACHINE_OVERDUE_H
 #define MACHINE_OVERDUE_H
 #include <pthread.h>

@@ -1,4 +1,4 @@
-/* verdict.h - how a run ended: well, with a failure, or in a deadlock. */
+/* verdict.h - the verdict of a run: it ended well, with a failure, or in a deadlock. */
 #ifndef MACHINE_VERDICT_H
 #define MACHINE_VERDICT_H
 #include "machine/machine.h"

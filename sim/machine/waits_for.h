@@ -1,4 +1,5 @@
-/* waits_for.h - why the programs of a machine that stands still wait: the wait-for graph (nx_api/waitfor). */
+/* waits_for.h - the reasons for the waits of a machine that stands still: the wait-for graph
+ * (nx_api/waitfor). */
 #ifndef MACHINE_WAITS_FOR_H
 #define MACHINE_WAITS_FOR_H
 #include "node/system.h"

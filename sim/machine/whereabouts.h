@@ -1,4 +1,4 @@
-/* whereabouts.h - where the programs of a machine that has stopped, or stands still for a moment, are. */
+/* whereabouts.h - the places of the programs of a machine that has stopped, or stands still for a moment. */
 #ifndef MACHINE_WHEREABOUTS_H
 #define MACHINE_WHEREABOUTS_H
 #include "node/system.h"

@@ -1,5 +1,5 @@
-/* endpoint.h - what the protocol asks of those who live at the addresses of a network: the only calls up from
- * sim/net, which sim/machine implements (endpoints.c). `ends` is as given to protocol_new. */
+/* endpoint.h - calls by which the protocol asks those who live at the addresses of a network: the only
+ * calls up from sim/net, which sim/machine implements (endpoints.c). `ends` is as given to protocol_new. */
 #ifndef NET_ENDPOINT_H
 #define NET_ENDPOINT_H
 #include "net/protocol.h"

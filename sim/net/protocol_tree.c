@@ -1,4 +1,5 @@
-/* protocol_tree.c - a message to all nodes goes along a spanning tree; see the drawing in protocol.h. */
+/* protocol_tree.c - a message to all nodes, which goes along a spanning tree: see the drawing in
+ * protocol.h. */
 #include "net/protocol_parts.h"
 
 /* What does not change between the messages of one tree. */

@@ -1,4 +1,4 @@
-/* self.h - which node an address belongs to, and which node runs. */
+/* self.h - the node that an address belongs to, and the node that runs. */
 #ifndef NODE_SELF_H
 #define NODE_SELF_H
 #include "node/node.h"

@@ -1,6 +1,6 @@
-/* waits.h - where a node's idle time went: a small table with an entry for each call and message type that
- * the node has waited in. Of very many types the later ones have no entries of their own, but one for the
- * call. */
+/* waits.h - a node's idle time by the calls that it waited in: a small table with an entry for each call
+ * and message type that the node has waited in. Of very many types the later ones have no entries of their
+ * own, but one for the call. */
 #ifndef NODE_WAITS_H
 #define NODE_WAITS_H
 #include <stdbool.h>

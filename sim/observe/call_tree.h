@@ -1,4 +1,4 @@
-/* call_tree.h - where the time of each node went, by path of calls and source line: computing, system time
+/* call_tree.h - the time of each node by path of calls and source line: computing, system time
  * and waits, for programs built with nxcc --profile.
  *
  * A *spot* is a frame with all those above it: relax, called by main. Spots are one tree for all nodes. A

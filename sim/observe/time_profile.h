@@ -1,4 +1,4 @@
-/* time_profile.h - where the time of all nodes went: computing by function, system time by task, idle
+/* time_profile.h - the time of all nodes: computing by function, system time by task, idle
  * time by call.
  *
  *     nodes x virtual time = computing + system + idle + rest    for each class of nodes, to the picosecond

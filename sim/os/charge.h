@@ -1,4 +1,4 @@
-/* charge.h - where a node's time goes: to its operating system, and to waiting. */
+/* charge.h - the account of a node's time: what goes to its operating system, and to waiting. */
 #ifndef OS_CHARGE_H
 #define OS_CHARGE_H
 #include "net/endpoint.h"

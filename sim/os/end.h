@@ -1,4 +1,4 @@
-/* end.h - how programs end: by themselves, by others, or because the machine stops. */
+/* end.h - the ends of programs: by themselves, by others, or because the machine stops. */
 #ifndef OS_END_H
 #define OS_END_H
 #include "node/system.h"

@@ -1,4 +1,4 @@
-/* first_failure.h - why the machine stops before its programs have ended. */
+/* first_failure.h - the reason for which the machine stops before its programs have ended. */
 #ifndef OS_FIRST_FAILURE_H
 #define OS_FIRST_FAILURE_H
 #include "node/system.h"

@@ -1,4 +1,4 @@
-/* match.h - which message a receive gets, and when: receives posted, messages come in unexpected, system
+/* match.h - the matching of receives and messages: receives posted, messages come in unexpected, system
  * buffers and grants.
  *
  *   an envelope comes:  a posted receive selects it  ->  it is that receive's, and goes to its buffer

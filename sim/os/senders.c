@@ -1,4 +1,4 @@
-/* senders.c - who has sent a message: nx_api/contract/backend.h. */
+/* senders.c - the senders of messages: nx_api/contract/backend.h. */
 #include "node/system.h"
 #include "nx_api/contract/backend.h"
 

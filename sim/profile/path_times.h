@@ -1,4 +1,4 @@
-/* path_times.h - where in its program a node's system time and waits fall: by path of calls (program_image.h)
+/* path_times.h - a node's system time and waits: by path of calls (program_image.h)
  * and call of NX, for programs built with nxcc --profile. An observer (os/observer.h) adds them up.
  *
  * The sums over a node's struct path_time are its times.system and stats.idle. System time that falls while

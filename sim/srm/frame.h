@@ -1,4 +1,4 @@
-/* frame.h - the service's socket carries frames both ways: a kind, a length and so many bytes.
+/* frame.h - the frames that the service's socket carries both ways: a kind, a length and so many bytes.
  *
  *     client    FRAME_REQUEST   strings, each ended by 0: struct request in this order, then the program and
  *                               its arguments

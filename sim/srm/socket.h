@@ -1,5 +1,5 @@
-/* socket.h - where the service listens: a unix socket that only its user may reach, and a lock file by which
- * a service that runs is told from one that has died.
+/* socket.h - the socket at which the service listens: a unix socket that only its user may reach, and a
+ * lock file by which a service that runs is told from one that has died.
  *
  *     PATH         the socket, mode 0600
  *     PATH.lock    held locked as long as the service lives; contains its process number

@@ -1,6 +1,6 @@
 #!/bin/bash
-# completion.sh - the completions of shells know all commands and options, and propose what fits: bash by asking it; zsh and fish
-# by their syntax, and fish by asking it, where they are installed.
+# completion.sh - the completions of shells know all commands and options, and propose what fits: each shell is asked, zsh and fish
+# where they are installed.
 . "$(dirname "$0")/common.bash"
 check "completions are made" "$tests/../../share/completion/generate" "$BUILD" completion
 PATH=$BUILD:$PATH
@@ -61,6 +61,19 @@ check "nxcc: bash has them" test -z "$(tr ' ' '\n' <out | sort -u | comm -13 - o
 if type zsh >/dev/null 2>&1; then
     check "zsh reads touchstone's" zsh -n completion/zsh/_touchstone
     check "zsh reads nxcc's" zsh -n completion/zsh/_nxcc
+    cat >ask.zsh <<'END'
+zmodload zsh/zpty
+zpty z zsh -f -i
+zpty -w z "fpath=($PWD/completion/zsh \$fpath); autoload -Uz compinit; compinit -u -D; print REA''DY"
+zpty -r z out '*READY*'
+zpty -w -n z $'touchstone trace show ga\t'
+zpty -r z out '*ntt*'
+zpty -w -n z $'\C-utouchstone run --tr\t\t'
+zpty -r z out '*trace-from*Trace from*'
+print asked
+END
+    limited zsh -f ask.zsh >out 2>err
+    check "zsh: a display, and an option with what it does" grep -qx asked out
 else
     echo "skip zsh reads them: zsh is not installed"
 fi

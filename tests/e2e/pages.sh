@@ -1,27 +1,9 @@
 #!/bin/bash
 # pages.sh - the commands of pages that no other test runs do what the pages say, and print what the pages show, but for numbers:
-# trace-why, profile, races, explore, surfaces, page.
+# trace-why, profile, races, explore, surfaces, page. (Those that need gdb, a server or MPI: pages_more.sh.)
 . "$(dirname "$0")/common.bash"
-root=$(cd "$tests/../.." && pwd)
-export XDG_CACHE_HOME=$work/cache PATH=$BUILD:$PATH
-ln -s "$BUILD" build
+. "$tests/pages.bash"
 ln -s "$root"/{app,bench,share,tests} .
-
-# commands PAGE - all of its sh and console blocks, and the indented lines that begin with one of our commands
-commands() {
-    awk '/^```(sh|console)$/ { on = $0; next } /^```/ { on = on ? "" : "other"; next }
-         on == "```sh" { print } on == "```console" && sub(/^\$ /, "") { print }
-         !on && !/\[OPTIONS\]/ && /^    (\$ )?(touchstone|nxcc) / { sub(/^    (\$ )?/, ""); print }' "$root/doc/$1.md"
-}
-# follow PAGE [STATUS] - gives the page's commands; all end well, or the last one with that status
-follow() {
-    commands "$1" >commands
-    bash -e commands >said 2>&1 </dev/null
-    status=$?
-    check "$1: the commands work" ended_with "${2:-0}"
-    [ "$status" = "${2:-0}" ] || sed 's/^/# /' said | tail -5
-}
-shows() { python3 "$tests/shown.py" "$root/doc/$1.md" said; }
 
 follow profile
 shows profile

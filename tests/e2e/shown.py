@@ -9,8 +9,14 @@ page, output = sys.argv[1:]
 
 
 def plain(line):
-    """The line without its numbers, and with single blanks."""
-    return " ".join(re.sub(r"[+-]?\d[\d.,]*", "0", line).split())
+    """The line without its numbers and units of time, and with single blanks."""
+    numbers = r"0x[0-9a-f]+|[+-]?\d[\d.,]*"
+    return " ".join(re.sub(rf"({numbers})( [mun]?s\b)?", "0", line).split())
+
+
+def is_input(line):
+    """What a reader types: into a shell or gdb, or as an answer."""
+    return line.lstrip().startswith(("$ ", "(gdb)")) or line.endswith("(y or [n]) y")
 
 
 def blocks(text):
@@ -43,7 +49,7 @@ def is_said(line):
 
 found = 0
 for block in blocks(open(page, encoding="utf-8").read()):
-    lines = [line for line in block if line.strip() and not line.lstrip().startswith("$ ")]
+    lines = [line for line in block if line.strip() and not is_input(line)]
     if not lines or not is_said(lines[0]):
         continue
     found += 1

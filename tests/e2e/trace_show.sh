@@ -63,6 +63,19 @@ show matrix channels --scale 5% --scale 100 -o scaled ring.trace
 check "scales that compare are given" bash -c '! cmp -s scaled/matrix.png png/matrix.png && ! cmp -s scaled/channels.png png/channels.png'
 show matrix --scale much ring.trace
 check "a scale is a share or a number" bash -c '[ "$1" = 64 ] && grep -q "scale takes a share such as 5%, or a number such as 1000, not .much" err' - $status
+
+# Two runs in one picture: each tick of the one's scale of time is above one of the other's.
+run -q -m paragon -n 4 --trace faster.trace ring
+show all --svg --than ring.trace -o two faster.trace
+check "two runs: pictures over time are drawn" test "$(ls two | paste -sd ' ')" = "gantt.svg space-time.svg utilisation.svg"
+ticks() { grep -oE '"M ([0-9.]+) [0-9.]+ L \1 [0-9.]+ ?"' "$1" | cut -d' ' -f2 | sort | uniq -c | awk '{ print $1 }' | sort -u; }
+for d in gantt space-time utilisation; do
+    check "two runs, $d: one scale of time" test "$(ticks two/$d.svg)" = 2
+done
+show --than ring.trace faster.trace
+height() { tail -c +21 "$1" | head -c 4 | od -An -tu4 --endian=big; }
+check "their picture is beside the second's trace, and has its name" is_png faster-gantt-than.png
+check "it has room for both" test "$(height faster-gantt-than.png)" -gt "$(height ring-gantt.png)"
 run -q -m delta -n 200 --trace ring200.trace ring
 show all --svg --frames 2 -o many ring200.trace
 check "200 nodes on a mesh: all are drawn, and the SVGs are small" all_drawn many svg
@@ -83,6 +96,12 @@ show film -o x.png ring.trace
 check "a film is no PNG" is_error 64 'OUT.webp'
 show gantt -o x.webp ring.trace
 check "nor a chart a WebP" is_error 64 'OUT.png or OUT.svg'
+show matrix --than ring.trace faster.trace
+check "a matrix has no time" is_error 64 "than draws gantt, space-time and utilisation, not 'matrix'"
+show --than missing.trace ring.trace
+check "another trace that is not there" is_error 65 'missing.trace cannot be read'
+show --than ring.trace --nodes 4-7 faster.trace
+check "nodes that one of two runs has not" is_error 65 'faster.trace has none of these nodes: it has nodes 0 to 3'
 show missing.trace
 check "a trace that is not there" is_error 65 'missing.trace cannot be read'
 show gantt -o x.png --from 1000 ring.trace
@@ -113,5 +132,7 @@ bash -e -c "$(block "$page" sh 2)" >out 2>err
 status=$?
 check "the ring's, too" ended_with 0
 check "its picture is beside the trace" is_png ring-space-time.png
+bash -e -c "$(block "$page" sh 3)" >out 2>err
+check "two runs, as the page compares them" is_png paragon-gantt-than.png
 listed() { sed -n 's/^| \([a-z-]*\) | .*/\1/p' "$page" | head -10 | grep -v display; }
 check "the page has all displays" test "$(listed)" = "$("$BUILD/touchstone" trace show list | sed -n 's/^\([a-z-][a-z-]*\) .*/\1/p')"

@@ -1,4 +1,4 @@
-/* inttypes.h - where long has 32 bits (nxcc --long32), numbers of 64 bits are printed and read as long long. */
+/* inttypes.h - formats of 64-bit numbers for nxcc --long32, where these are long long. */
 #include <stdint.h>
 #include_next <inttypes.h>
 #undef __PRI64_PREFIX

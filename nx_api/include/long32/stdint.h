@@ -1,4 +1,4 @@
-/* stdint.h - where long has 32 bits (nxcc --long32), constants of 64 bits are long long. */
+/* stdint.h - constants of 64 bits for nxcc --long32, where these are long long. */
 #include_next <stdint.h>
 #undef INT64_C
 #undef UINT64_C

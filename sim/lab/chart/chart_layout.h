@@ -1,4 +1,4 @@
-/* chart_layout.h - where the parts of a picture are: heading, panels in rows and columns, legend at their
+/* chart_layout.h - the places of a picture's parts: heading, panels in rows and columns, legend at their
  * right. In pixels of the SVG, from the top left corner. */
 #ifndef LAB_CHART_CHART_LAYOUT_H
 #define LAB_CHART_CHART_LAYOUT_H

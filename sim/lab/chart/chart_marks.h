@@ -1,4 +1,4 @@
-/* chart_marks.h - where the markers of a picture's points are drawn, so that no marker hides another. */
+/* chart_marks.h - the places of the markers of a picture's points, such that no marker hides another. */
 #ifndef LAB_CHART_CHART_MARKS_H
 #define LAB_CHART_CHART_MARKS_H
 #include "lab/chart/chart_scale.h"

@@ -1,4 +1,4 @@
-/* chart_style.h - how pictures look: colours, markers and dashes of lines, one width for all, the size of
+/* chart_style.h - the looks of pictures: colours, markers and dashes of lines, one width for all, the size of
  * PNGs. Lines stay apart in grey print (by marker and dashes) and for colour-blind eyes (Okabe and Ito's
  * colours; for ordered lines a part of viridis, from dark to light). */
 #ifndef LAB_CHART_CHART_STYLE_H

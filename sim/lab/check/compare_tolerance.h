@@ -1,5 +1,5 @@
-/* compare_tolerance.h - which figures are compared with a baseline's (touchstone check --only), and how much
- * they may differ (--tolerance). */
+/* compare_tolerance.h - the figures that are compared with a baseline's (touchstone check --only), and how
+ * much they may differ (--tolerance). */
 #ifndef LAB_CHECK_COMPARE_TOLERANCE_H
 #define LAB_CHECK_COMPARE_TOLERANCE_H
 #include <jansson.h>

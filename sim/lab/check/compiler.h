@@ -1,4 +1,4 @@
-/* compiler.h - which compiler has made a program.
+/* compiler.h - the compiler that has made a program.
  *
  * A program costs what the instructions cost that its compiler chose; so another version of GCC gives the
  * same source other virtual times. A baseline says by which version its programs were compiled. */

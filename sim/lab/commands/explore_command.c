@@ -57,7 +57,7 @@ static const struct argp_option OPTIONS[] = {
 static const char DOC[] =
     "Runs PROGRAM, built by nxcc, under other timings that the machine could have had, and reports what "
     "differs from the usual timing: deadlocks, crashes, output. Messages leave later, interrupts come later, "
-    "programs start later and nodes compute slower, within bounds: at random; with priorities (PCT); and "
+    "programs start later and nodes compute slower, within bounds: at random; by priorities (PCT); and "
     "directed at receives that could have got another message, and handlers that could have run later.\v"
     "For each outcome that differs there is a command that repeats it exactly, the fewest delays that show "
     "it, in DIR/NAME.schedule, and where the run first differs: which receive got which message.\n\n"
@@ -72,7 +72,7 @@ static const char DOC[] =
     "absolute paths. Each run has a copy of standard input, which is read to its end first, unless it is a "
     "terminal.\n\n"
     "Exit status:\n"
-    "  0    all runs came to the same\n"
+    "  0    all runs had the same outcome\n"
     "  1    outcomes differ, or the run with the usual timing fails\n"
     "  64   wrong arguments\n"
     "  65   the program or the machine cannot be used\n"

@@ -33,7 +33,7 @@ static const char DOC[] =
     "come nearest to measurements, in the sense of least squares. Reports how sensitive each figure is to "
     "each number, and which numbers the measurements do not determine. After an interruption the same "
     "command continues.\v"
-    "The study file has, beside what touchstone study takes:\n"
+    "The study file is one of touchstone study, with one group more:\n"
     "  fit = {\n"
     "    parameters = (\n"
     "      { name = \"latency\"; set = \"net.latency_us={}\";\n"

@@ -112,9 +112,8 @@ int cli_profile(int argc, char **argv)
         parse,
         "PROFILE",
         "Shows where the virtual time of a run went: by path of calls, or by line of source. "
-        "Nothing is sampled: "
-        "the "
-        "frames add up to what the nodes computed, waited, and had the system work, to the picosecond.\v"
+        "Nothing is sampled: to the picosecond, the frames add up to the time in which the nodes computed, "
+        "waited, or ran the system.\v"
         "PROFILE is what touchstone run --profile FILE writes, for a program built with nxcc --profile; - is "
         "standard input. What is shown goes to standard output, or with -o to a file.\n\n"
         "Exit status:\n"

@@ -16,7 +16,8 @@ struct arguments {
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "Folder for results, pictures and findings.md; default out/ and FILE's name",
      1},
-    {"retry-failed", CLI_FLAG(arguments, retry_failed), NULL, 0, "Run points again that failed before", 1},
+    {"retry-failed", CLI_FLAG(arguments, retry_failed), NULL, 0, "Run again the points that failed before",
+     1},
     {0}};
 
 static const char DOC[] =

@@ -13,8 +13,15 @@
 #include "lab/show/displays.h"
 #include "lab/show/picture_file.h"
 
-enum { BY = CLI_KEY, MESSAGES, SCALE, FRAMES, SVG };
+enum { BY = CLI_KEY, MESSAGES, SCALE, FRAMES, SVG, THAN };
 enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
+
+/* A run to be drawn. */
+struct run {
+    const char *path;
+    struct trace *trace;
+    struct show show;
+};
 
 struct arguments {
     const char **names; /* displays, then the trace */
@@ -22,10 +29,9 @@ struct arguments {
     const char *output;
     bool svg, list;
     struct trace_selection select;
-    struct show show;
     const struct display **displays;
     size_t display_count;
-    const char *trace;
+    struct run run, other; /* other.path NULL: none is compared */
 };
 
 static const struct argp_option OPTIONS[] = {
@@ -43,6 +49,10 @@ static const struct argp_option OPTIONS[] = {
      "The colours' scale ends there, so that pictures of two runs compare: 5% of the time for channels and "
      "film, 1000 messages or bytes for matrix. May be given for both",
      1},
+    {"than", THAN, "OTHER", 0,
+     "Draw the run of OTHER, a trace, above this run, with one scale of time, in gantt, space-time and "
+     "utilisation",
+     1},
     {"frames", FRAMES, "N", 0, "Pictures of a film; default 60", 1},
     {0}};
 
@@ -59,7 +69,8 @@ static const char AFTER[] = "\vOf more than 128 nodes, neighbours share a row; a
                             "Example:\n"
                             "  touchstone run -m ipsc860 -n 16 --trace ring.trace ring\n"
                             "  touchstone trace show gantt space-time --from 1ms --to 2ms ring.trace\n"
-                            "  touchstone trace show all -o pictures ring.trace";
+                            "  touchstone trace show all -o pictures ring.trace\n"
+                            "  touchstone trace show gantt --than before.trace after.trace";
 
 /* --- arguments --- */
 
@@ -73,8 +84,12 @@ static void take_display(struct argp_state *state, struct arguments *a, const ch
 {
     const struct display *d = display_find(name);
     if (!strcmp(name, "all"))
-        for (d = DISPLAYS; d->name; d++)
-            add_display(a, d);
+        for (d = DISPLAYS; d->name; d++) {
+            if (!a->other.path || d->compares)
+                add_display(a, d);
+        }
+    else if (d && a->other.path && !d->compares)
+        argp_error(state, "--than draws gantt, space-time and utilisation, not '%s'", name);
     else if (d)
         add_display(a, d);
     else
@@ -104,7 +119,7 @@ static void understand(struct argp_state *state, struct arguments *a)
     }
     if (!a->name_count || (a->name_count == 1 && (display_find(a->names[0]) || !strcmp(a->names[0], "all"))))
         argp_error(state, "which trace? (written by touchstone run --trace FILE; it comes last)");
-    a->trace = a->names[a->name_count - 1];
+    a->run.path = a->names[a->name_count - 1];
     for (size_t i = 0; i + 1 < a->name_count; i++)
         take_display(state, a, a->names[i]);
     if (!a->display_count)
@@ -138,13 +153,15 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     } else if (key == BY) {
         if (strcmp(arg, "messages") && strcmp(arg, "bytes"))
             argp_error(state, "--by takes messages or bytes, not '%s'", arg);
-        a->show.by_bytes = !strcmp(arg, "bytes");
+        a->run.show.by_bytes = !strcmp(arg, "bytes");
     } else if (key == MESSAGES) {
-        a->show.most_lines = cli_whole(state, "--messages", "a number of messages", MOST_LINES, arg);
+        a->run.show.most_lines = cli_whole(state, "--messages", "a number of messages", MOST_LINES, arg);
     } else if (key == SCALE) {
-        set_scale(state, &a->show, arg);
+        set_scale(state, &a->run.show, arg);
+    } else if (key == THAN) {
+        a->other.path = arg;
     } else if (key == FRAMES) {
-        a->show.frames = cli_whole(state, "--frames", "a number of pictures", MOST_FRAMES, arg);
+        a->run.show.frames = cli_whole(state, "--frames", "a number of pictures", MOST_FRAMES, arg);
     } else if (key == ARGP_KEY_END) {
         understand(state, a);
     } else {
@@ -155,6 +172,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 /* --- drawing --- */
 
+static const char *file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 /* The file of a display. malloc'd. */
 static char *path_of(const struct arguments *a, const struct display *d)
 {
@@ -163,21 +186,31 @@ static char *path_of(const struct arguments *a, const struct display *d)
         return xstrdup(a->output);
     if (a->output)
         return xasprintf("%s/%s.%s", a->output, d->name, ending);
-    const char *slash = strrchr(a->trace, '/'), *base = slash ? slash + 1 : a->trace,
-               *dot = strrchr(base, '.');
-    size_t length = dot && dot > base ? (size_t)(dot - a->trace) : strlen(a->trace);
-    return xasprintf("%.*s-%s.%s", (int)length, a->trace, d->name, ending);
+    const char *path = a->run.path, *base = file_name(path), *dot = strrchr(base, '.');
+    size_t length = dot && dot > base ? (size_t)(dot - path) : strlen(path);
+    return xasprintf("%.*s-%s%s.%s", (int)length, path, d->name, a->other.path ? "-than" : "", ending);
 }
 
 struct drawing {
     const struct display *display;
-    const struct show *show;
+    const struct arguments *arguments;
 };
+
+static double height_of(const struct drawing *d)
+{
+    const struct arguments *a = d->arguments;
+    return d->display->height(&a->run.show) + (a->other.path ? d->display->height(&a->other.show) : 0);
+}
 
 static void draw_display(void *ctx, const struct canvas *c)
 {
     const struct drawing *d = ctx;
-    d->display->draw(d->show, c);
+    const struct arguments *a = d->arguments;
+    if (a->other.path) {
+        d->display->draw(&a->other.show, c);
+        cairo_translate(c->cr, 0, d->display->height(&a->other.show));
+    }
+    d->display->draw(&a->run.show, c);
 }
 
 /* On a terminal, says what takes its time, in a line that the next one rewrites; NULL erases it. */
@@ -197,15 +230,15 @@ static void film_stage(void *ctx, uint32_t done, uint32_t of)
 
 static bool write_display(const struct arguments *a, const struct display *d, const char *path, char **error)
 {
-    struct drawing drawing = {d, &a->show};
+    struct drawing drawing = {d, a};
     if (d->film)
-        return channel_film_write(&a->show, path, film_stage, NULL, error);
+        return channel_film_write(&a->run.show, path, film_stage, NULL, error);
     enum picture_kind kind = picture_kind_of(path);
     return picture_write(path,
                          kind     ? kind
                          : a->svg ? PICTURE_SVG
                                   : PICTURE_PNG,
-                         d->height(&a->show), draw_display, &drawing, error);
+                         height_of(&drawing), draw_display, &drawing, error);
 }
 
 /* Draws all displays; says what it has written. Returns the exit status. */
@@ -229,44 +262,74 @@ static int draw_all(const struct arguments *a)
     return status;
 }
 
-static int input_error(char *error)
+/* --- the runs --- */
+
+static bool read_run(const struct arguments *a, struct run *r, char **error)
 {
-    return cli_failed("trace show", error, CLI_EXIT_INPUT);
+    stage("reading ", r->path);
+    r->trace = trace_load(r->path, &a->select, error);
+    stage(NULL, NULL);
+    if (!r->trace)
+        return false;
+    r->show.trace = r->trace;
+    r->show.densest = !a->select.from && !a->select.to && !r->show.most_lines && !a->other.path;
+    r->show.label = a->other.path ? file_name(r->path) : NULL;
+    r->show.rows = node_rows_make(r->trace);
+    return true;
+}
+
+static void forget_run(struct run *r)
+{
+    if (!r->trace)
+        return;
+    node_rows_free(&r->show.rows);
+    trace_free(r->trace);
+}
+
+/* One scale of time: both runs are drawn to the end of the longer one, and from where both are traced. */
+static void share_interval(struct trace *a, struct trace *b)
+{
+    a->from = b->from = vt_max(a->from, b->from);
+    a->to = b->to = vt_max(a->to, b->to);
 }
 
 /* Is there anything to draw? */
-static char *why_nothing(const struct arguments *a)
+static char *why_nothing(const struct run *r)
 {
-    const struct trace *t = a->show.trace;
-    if (t->from >= t->to)
-        return xasprintf("%s has nothing in that interval: the run ended at %s", a->trace,
+    const struct trace *t = r->trace;
+    if (t->from >= vt_min(t->to, t->end))
+        return xasprintf("%s has nothing in that interval: the run ended at %s", r->path,
                          virtual_time_moment(t->end).text);
-    if (!a->show.rows.nodes)
-        return xasprintf("%s has none of these nodes: it has nodes 0 to %d", a->trace, t->node_count - 1);
+    if (!r->show.rows.nodes)
+        return xasprintf("%s has none of these nodes: it has nodes 0 to %d", r->path, t->node_count - 1);
     return NULL;
+}
+
+/* Reads the runs. Returns what is wrong, malloc'd. */
+static char *read_runs(struct arguments *a)
+{
+    char *error = NULL;
+    a->other.show = a->run.show; /* the options */
+    if (!read_run(a, &a->run, &error))
+        return error;
+    if (!a->other.path)
+        return why_nothing(&a->run);
+    if (!read_run(a, &a->other, &error))
+        return error;
+    share_interval(a->run.trace, a->other.trace);
+    error = why_nothing(&a->run);
+    return error ? error : why_nothing(&a->other);
 }
 
 static int show(struct arguments *a)
 {
-    char *error = NULL;
-    stage("reading ", a->trace);
-    struct trace *t = trace_load(a->trace, &a->select, &error);
-    stage(NULL, NULL);
-    if (!t)
-        return input_error(error);
-    a->show.trace = t;
-    a->show.densest = !a->select.from && !a->select.to && !a->show.most_lines;
-    a->show.rows = node_rows_make(t);
+    char *error = read_runs(a);
     bool folder = a->output && strcmp(a->output, "-") && !picture_kind_of(a->output);
-    int status;
-    if ((error = why_nothing(a)))
-        status = input_error(error);
-    else if (folder && !folder_make(a->output))
-        status = input_error(xasprintf("%s cannot be made: %m", a->output));
-    else
-        status = draw_all(a);
-    node_rows_free(&a->show.rows);
-    trace_free(t);
+    if (!error && folder && !folder_make(a->output))
+        error = xasprintf("%s cannot be made: %m", a->output);
+    int status = error ? cli_failed("trace show", error, CLI_EXIT_INPUT) : draw_all(a);
+    forget_run(&a->run);
+    forget_run(&a->other);
     return status;
 }
 
@@ -289,7 +352,7 @@ int cli_trace_show(int argc, char **argv)
     static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 2}, {0}};
     char *doc = xasprintf("%s%s", DOC, AFTER);
     const struct argp argp = {options, parse, "[DISPLAY...] TRACE\nlist", doc, CHILDREN, NULL, NULL};
-    struct arguments a = {.show = {.frames = DEFAULT_FRAMES}};
+    struct arguments a = {.run.show.frames = DEFAULT_FRAMES};
     cli_parse(&argp, "touchstone trace show", 0, argc, argv, &a);
     int status = a.list ? list() : show(&a);
     canvas_forget_fonts();

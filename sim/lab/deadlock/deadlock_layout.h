@@ -1,4 +1,4 @@
-/* deadlock_layout.h - where the boxes of a wait-for graph lie: the cycle, or all if there is none and they
+/* deadlock_layout.h - the places of a wait-for graph's boxes: the cycle, or all if there is none and they
  * are few, on an ellipse in its order; the others in rows below. Lengths are points (lab/show/canvas.h). */
 #ifndef LAB_DEADLOCK_DEADLOCK_LAYOUT_H
 #define LAB_DEADLOCK_DEADLOCK_LAYOUT_H

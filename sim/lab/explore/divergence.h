@@ -1,5 +1,5 @@
-/* divergence.h - where a run first differs from another: a receive that got another message, a handler that
- * ran elsewhere, a receive that only one of them made. */
+/* divergence.h - the first place in which a run differs from another: a receive that got another message, a
+ * handler that ran elsewhere, a receive that only one of them made. */
 #ifndef LAB_EXPLORE_DIVERGENCE_H
 #define LAB_EXPLORE_DIVERGENCE_H
 #include "lab/explore/recording.h"

@@ -1,4 +1,4 @@
-/* search.h - which timings are tried, in rounds.
+/* search.h - the search for timings that show a fault, in rounds.
  *
  *     round 0      the usual timing: the base, which all others are compared with
  *     round 1      4 seeds: delays drawn at random, and in the manner of PCT (timing/draw.h), in turn; PCT

@@ -1,4 +1,4 @@
-/* fit_determine.c - which numbers the residuals determine; see fit_determine.h. */
+/* fit_determine.c - the numbers that the residuals determine; see fit_determine.h. */
 #include "lab/fit/fit_determine.h"
 
 #include <assert.h>

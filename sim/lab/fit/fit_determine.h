@@ -1,4 +1,4 @@
-/* fit_determine.h - which of a fit's numbers its residuals determine, and how well. */
+/* fit_determine.h - the numbers of a fit that its residuals determine, and how well. */
 #ifndef LAB_FIT_FIT_DETERMINE_H
 #define LAB_FIT_FIT_DETERMINE_H
 #include "lab/fit/fit_least.h"

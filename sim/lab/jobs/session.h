@@ -1,4 +1,4 @@
-/* session.h - is this process one of several that mpirun or srun started for one command? The environment
+/* session.h - the processes that mpirun or srun started for one command. The environment
  * tells, so that touchstone needs no library of either. */
 #ifndef LAB_JOBS_SESSION_H
 #define LAB_JOBS_SESSION_H

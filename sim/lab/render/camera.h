@@ -1,4 +1,4 @@
-/* camera.h - where a picture is seen from, and where each point comes to be in it.
+/* camera.h - the camera of a picture: where it stands, and where each point comes to be in the picture.
  *
  * The z axis points up, x and y along the ground; the axes are right-handed. The viewer looks at the middle
  * of what is seen, in perspective:

@@ -1,6 +1,6 @@
-/* occlusion.h - how open each place of the opaque surfaces is to the light from all around: folds and holes
- * are darker. Judged from what is seen, as "screen-space ambient occlusion" is (after McGuire and others, The
- * Alchemy screen-space ambient obscurance algorithm, 2011). */
+/* occlusion.h - the ambient occlusion of opaque surfaces, the openness of each place to light from all
+ * around: folds and holes are darker. Judged from what is seen, as "screen-space ambient occlusion" is
+ * (after McGuire and others, The Alchemy screen-space ambient obscurance algorithm, 2011). */
 #ifndef LAB_RENDER_OCCLUSION_H
 #define LAB_RENDER_OCCLUSION_H
 #include "lab/render/scene.h"

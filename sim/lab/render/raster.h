@@ -1,4 +1,4 @@
-/* raster.h - which samples of a picture a triangle covers.
+/* raster.h - the samples of a picture that a triangle covers.
  *
  * Corners are in fixed point, so that "covers" is exact: triangles that share an edge cover each sample
  * along that edge once, whatever their sizes: no holes, and no sample twice, which a transparent surface

@@ -1,5 +1,6 @@
-/* sensitivity.h - on which numbers of its machine file a run's time hangs: the run is made again with each
- * number changed by 1 %, or by the least step that the number has, and what becomes of its time is exact.
+/* sensitivity.h - the sensitivity of a run's time to the numbers of its machine file: the run is made again
+ * with each number changed by 1 %, or by the least step that the number has, and what becomes of its time
+ * is exact.
  *
  * Not changed are texts, numbers that are 0, and the clocks of the processor's operations (cpu.*): nxcc has
  * counted those into the program, and node.clock_mhz stands for all of them. */

@@ -1,5 +1,5 @@
-/* request_check.h - may this request be answered? Another program or web page of the same computer, or one on
- * the network, must get nothing:
+/* request_check.h - the check of whether a request may be answered. Another program or web page of the same
+ * computer, or one on the network, must get nothing:
  *
  *     Host      exactly one, an address or name of this server with its port; a name that somebody else has
  *               made lead here (DNS rebinding) is not

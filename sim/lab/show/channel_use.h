@@ -1,4 +1,4 @@
-/* channel_use.h - how long each channel was held in each bin of time, and where routers lie. */
+/* channel_use.h - the times for which each channel was held in each bin of time, and where routers lie. */
 #ifndef LAB_SHOW_CHANNEL_USE_H
 #define LAB_SHOW_CHANNEL_USE_H
 #include "lab/show/time_bins.h"

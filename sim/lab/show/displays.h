@@ -10,7 +10,8 @@ struct display {
     const char *look;                       /* one sentence: what to look for */
     double (*height)(const struct show *s); /* of the picture, in points */
     void (*draw)(const struct show *s, const struct canvas *c);
-    bool film; /* not drawn by draw(): channel_film_write() writes it */
+    bool compares; /* --than: two runs are drawn with one scale of time */
+    bool film;     /* not drawn by draw(): channel_film_write() writes it */
 };
 
 extern const struct display DISPLAYS[];               /* the last one has no name */

@@ -1,4 +1,4 @@
-/* message_lengths.h - how many messages have which length: classes by powers of two. */
+/* message_lengths.h - the distribution of messages' lengths: classes by powers of two. */
 #ifndef LAB_SHOW_MESSAGE_LENGTHS_H
 #define LAB_SHOW_MESSAGE_LENGTHS_H
 #include "lab/show/message_matrix.h"

@@ -1,4 +1,4 @@
-/* message_matrix.h - how much each row of nodes sent to each: messages and bytes. */
+/* message_matrix.h - the messages and bytes that each row of nodes sent to each. */
 #ifndef LAB_SHOW_MESSAGE_MATRIX_H
 #define LAB_SHOW_MESSAGE_MATRIX_H
 #include "lab/show/node_rows.h"

@@ -1,4 +1,4 @@
-/* message_sample.h - which messages a picture shows that has no room for all. */
+/* message_sample.h - the sample of messages for a picture that has no room for all. */
 #ifndef LAB_SHOW_MESSAGE_SAMPLE_H
 #define LAB_SHOW_MESSAGE_SAMPLE_H
 #include "lab/show/node_rows.h"

@@ -12,7 +12,7 @@ static char *subject(const struct show *s)
     const struct trace *t = s->trace;
     const char *slash = strrchr(t->program, '/'), *program = slash ? slash + 1 : t->program;
     vtime resolution = (t->to - t->from) / 1000;
-    char *from = axis_time_text(t->from, resolution), *to = axis_time_text(t->to, resolution);
+    char *from = axis_time_text(t->from, resolution), *to = axis_time_text(vt_min(t->to, t->end), resolution);
     int32_t all = t->node_count - t->topo.host, nodes = s->rows.nodes - s->rows.host;
     char *count = nodes == all ? xasprintf("%d node%s", all, all == 1 ? "" : "s")
                                : xasprintf("%d of %d nodes", nodes, all);
@@ -27,11 +27,12 @@ static char *subject(const struct show *s)
 
 void show_head(const struct show *s, const struct canvas *c, const char *title, char *notes)
 {
-    char *what = subject(s);
+    char *what = subject(s), *head = s->label ? xasprintf("%s: %s", title, s->label) : xstrdup(title);
     *notes = (char)toupper((unsigned char)*notes);
-    canvas_text(c, 24, 30, (struct text_style){17, INK, ANCHOR_LEFT, true}, title);
-    canvas_text(c, 24, 48, (struct text_style){11.5, INK, ANCHOR_LEFT, false}, what);
-    canvas_text(c, 24, 64, (struct text_style){10.5, GREY, ANCHOR_LEFT, false}, notes);
+    canvas_text(c, HEAD_LEFT, 30, (struct text_style){17, INK, ANCHOR_LEFT, true}, head);
+    canvas_text(c, HEAD_LEFT, 48, (struct text_style){11.5, INK, ANCHOR_LEFT, false}, what);
+    canvas_text(c, HEAD_LEFT, 64, (struct text_style){10.5, GREY, ANCHOR_LEFT, false}, notes);
+    free(head);
     free(what);
     free(notes);
 }

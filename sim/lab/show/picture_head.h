@@ -6,7 +6,8 @@
 
 /* What to draw, and how. */
 struct show {
-    const struct trace *trace; /* trace.from < trace.to */
+    const struct trace *trace; /* from < to, which may be behind the run's end */
+    const char *label;         /* which of two runs; NULL: there is one */
     struct node_rows rows;     /* at least one */
     bool by_bytes;             /* count bytes of messages, instead of messages */
     size_t most_lines;         /* messages of a space-time diagram; 0: as many as leave it readable */
@@ -18,6 +19,7 @@ struct show {
 
 enum {
     HEAD_HEIGHT = 84, /* of the head of a picture */
+    HEAD_LEFT = 24,   /* left of the head's texts */
     LEFT = 84         /* of it, of a plot: room for the rows' labels */
 };
 /* Draws the head: the display's title; the program, machine, nodes and interval; and notes, malloc'd,

@@ -116,6 +116,8 @@ void stacked_legend(const struct canvas *c, double x, double y, const struct sta
             (struct legend_entry){palette_activity(a), xasprintf("%s %s", activity_name(a), percent), false};
         free(percent);
     }
+    if (count > ACTIVITIES)
+        x = HEAD_LEFT; /* all of them are too long for the plot's width */
     canvas_text(c, x, y, style, of);
     legend(c, x + canvas_text_width(c, style, of) + 6, y, list, count);
 }

@@ -1,4 +1,4 @@
-/* state_times.h - how long the nodes of each row were in each activity, in each bin of time. The
+/* state_times.h - the times of each row's nodes in each activity, in each bin of time. The
  * utilisation count (one row of all nodes), the Gantt chart and Kiviat's diagram (one bin) are drawn from
  * it. */
 #ifndef LAB_SHOW_STATE_TIMES_H

@@ -1,4 +1,4 @@
-/* explain.h - where the time of a row went, for hosts and for slaves: the program's account of its activities
+/* explain.h - the time of a row by what hosts and slaves did: the program's account of its activities
  * (its option -times), and the simulator's account of the processors. Both must add up to the nodes' time;
  * explain_read() checks that. */
 #ifndef LAB_TABLES_EXPLAIN_H

@@ -1,4 +1,4 @@
-/* tie_sensitivity.h - how much a row's time depends on the order of simultaneous events: the range of its
+/* tie_sensitivity.h - the range of a row's time over orders of simultaneous events: the range of its
  * time under small changes of a message's latency, which change that order. */
 #ifndef LAB_TABLES_TIE_SENSITIVITY_H
 #define LAB_TABLES_TIE_SENSITIVITY_H

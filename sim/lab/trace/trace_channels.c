@@ -1,4 +1,4 @@
-/* trace_channels.c - which channels messages held, and when: see trace_model.h. A message takes the
+/* trace_channels.c - the channels that messages held, and when; see trace_model.h. A message takes the
  * channels of its path in order, and takes no time for a free one; it gives all of them back when its tail
  * has passed. */
 #include <stdio.h>

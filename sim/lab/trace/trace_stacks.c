@@ -1,5 +1,5 @@
-/* trace_stacks.c - where programs were: the stacks of a trace, and their frames' functions and source
- * lines, which are looked up in the programs' files when first asked for. */
+/* trace_stacks.c - the stacks of programs at their calls: the stacks of a trace, and their frames'
+ * functions and source lines, which are looked up in the programs' files when first asked for. */
 #include <stdlib.h>
 #include <string.h>
 #include "guest/elffile.h"

@@ -1,4 +1,4 @@
-/* block_holders.h - which messages held the channels for which others waited. */
+/* block_holders.h - the messages that held channels for which others waited. */
 #ifndef LAB_WHY_BLOCK_HOLDERS_H
 #define LAB_WHY_BLOCK_HOLDERS_H
 #include "lab/trace/trace_model.h"

@@ -1,4 +1,4 @@
-/* program_places.h - where in the program, as text. Each different text is made once: equal texts have equal
+/* program_places.h - places in the program as text. Each different text is made once: equal texts have equal
  * addresses, and last until places_free(). */
 #ifndef LAB_WHY_PROGRAM_PLACES_H
 #define LAB_WHY_PROGRAM_PLACES_H

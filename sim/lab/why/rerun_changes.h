@@ -1,5 +1,5 @@
-/* rerun_changes.h - which numbers of a machine trace why changes when it runs the command of a trace again:
- * what if some of its work took no time?
+/* rerun_changes.h - the numbers of a machine that trace why changes when it runs the command of a trace
+ * again: what if some of its work took no time?
  *
  * The first re-run is the command as it was. If that does not take the time of the trace, then the program,
  * its input or the machine file is another now, and nothing can be said. */

@@ -1,4 +1,4 @@
-/* wait_causes.h - why nodes waited: the idle time of all waits, divided by cause.
+/* wait_causes.h - the causes of nodes' waits: the idle time of all waits, divided by cause.
  *
  * A wait is divided along the way of the message that ended it (message_way.h). While the message was on
  * that way, the leg is the cause; before it was sent, what its sender did. Only time counts in which the

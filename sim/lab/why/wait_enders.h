@@ -1,4 +1,4 @@
-/* wait_enders.h - which message ended a wait. */
+/* wait_enders.h - the messages that ended waits. */
 #ifndef LAB_WHY_WAIT_ENDERS_H
 #define LAB_WHY_WAIT_ENDERS_H
 #include "lab/why/piece_map.h"

@@ -1,4 +1,4 @@
-/* why.h - why a run took its time: all that is found in a trace, and sums of it.
+/* why.h - the analysis of why a run took its time: all that is found in a trace, and sums of it.
  *
  *     path    the critical path (critical_path.h), and what has which share in it
  *     causes  the waits of all nodes, by cause (wait_causes.h), and in groups of waits that are alike */

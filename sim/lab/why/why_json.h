@@ -1,5 +1,5 @@
-/* why_json.h - why a run took its time, as JSON. All times are virtual, in whole picoseconds (members
- * "..._ps"). */
+/* why_json.h - the analysis of why a run took its time, as JSON. All times are virtual, in whole
+ * picoseconds (members "..._ps"). */
 #ifndef LAB_WHY_JSON_H
 #define LAB_WHY_JSON_H
 #include <jansson.h>

@@ -1,4 +1,4 @@
-/* why_report.h - why a run took its time, as text for people. */
+/* why_report.h - the analysis of why a run took its time, as text for people. */
 #ifndef LAB_WHY_REPORT_H
 #define LAB_WHY_REPORT_H
 #include "lab/jobs/rerun.h"

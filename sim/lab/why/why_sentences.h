@@ -1,4 +1,4 @@
-/* why_sentences.h - why a run took its time, in sentences that can be read aloud. */
+/* why_sentences.h - the analysis of why a run took its time, in sentences that can be read aloud. */
 #ifndef LAB_WHY_SENTENCES_H
 #define LAB_WHY_SENTENCES_H
 #include "lab/why/why.h"

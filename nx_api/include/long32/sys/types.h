@@ -1,5 +1,4 @@
-/* types.h - where long has 32 bits (nxcc --long32), the host's, with the names that mean a program's own
- * long. */
+/* types.h - the host's sys/types.h for nxcc --long32, with the names that mean a program's own long. */
 #include_next <sys/types.h>
 #undef u_long
 #undef ulong
