@@ -15,9 +15,9 @@ void completion_take(struct node *n, struct receive *r, struct nxm_status *statu
     status->truncated = mailbox_take(n, r) < 0;
 }
 
-static bool is_one_enough(const struct nxm_completion *c)
+static bool is_one_enough(int how)
 {
-    return c->how & (NXM_ANY | NXM_SOME);
+    return how & (NXM_ANY | NXM_SOME);
 }
 
 static bool is_missing(struct node *n, int id)
@@ -26,13 +26,13 @@ static bool is_missing(struct node *n, int id)
 }
 
 /* Is one of the ids done, or is there none? */
-static bool any_is_done(struct node *n, const struct nxm_completion *c)
+static bool any_is_done(struct node *n, const struct completion_look *l)
 {
     bool none = true;
-    for (int i = 0; i < c->count; i++) {
-        if (c->ids[i] && mailbox_id_is_complete(n, c->ids[i]))
+    for (int i = 0; i < l->count; i++) {
+        if (l->ids[i] && mailbox_id_is_complete(n, l->ids[i]))
             return true;
-        none = none && !c->ids[i];
+        none = none && !l->ids[i];
     }
     return none;
 }
@@ -40,9 +40,8 @@ static bool any_is_done(struct node *n, const struct nxm_completion *c)
 /* Looks first where the last look has found one that is not done: most often it still is not. */
 static bool all_are_done(struct node *n, struct completion_look *l)
 {
-    const struct nxm_completion *c = l->of;
-    for (int k = 0, i = l->missing; k < c->count; k++, i = i + 1 < c->count ? i + 1 : 0)
-        if (is_missing(n, c->ids[i])) {
+    for (int k = 0, i = l->missing; k < l->count; k++, i = i + 1 < l->count ? i + 1 : 0)
+        if (is_missing(n, l->ids[i])) {
             l->missing = i;
             return false;
         }
@@ -52,17 +51,16 @@ static bool all_are_done(struct node *n, struct completion_look *l)
 bool completion_is_ready(struct node *n, void *look)
 {
     struct completion_look *l = look;
-    return is_one_enough(l->of) ? any_is_done(n, l->of) : all_are_done(n, l);
+    return is_one_enough(l->how) ? any_is_done(n, l) : all_are_done(n, l);
 }
 
 struct awaited completion_awaits(struct node *n, const struct completion_look *l)
 {
-    const struct nxm_completion *c = l->of;
-    for (int i = 0; i < c->count; i++) {
-        if (!is_missing(n, c->ids[i]))
+    for (int i = 0; i < l->count; i++) {
+        if (!is_missing(n, l->ids[i]))
             continue;
-        const struct receive *r = mailbox_id_receive(n, c->ids[i]);
-        const struct send *s = mailbox_id_send(n, c->ids[i]);
+        const struct receive *r = mailbox_id_receive(n, l->ids[i]);
+        const struct send *s = mailbox_id_send(n, l->ids[i]);
         if (r && !r->m)
             return (struct awaited){.receive = r};
         if (s && !s->done)
@@ -86,7 +84,7 @@ static void take_done(struct node *n, const struct nxm_completion *c)
 {
     for (int i = 0; i < c->count; i++) {
         c->status[i].done = 0;
-        if (!c->ids[i] || (is_one_enough(c) && is_missing(n, c->ids[i])))
+        if (!c->ids[i] || (is_one_enough(c->how) && is_missing(n, c->ids[i])))
             continue;
         take(n, c->ids[i], &c->status[i]);
         if (c->how & NXM_ANY)
@@ -110,9 +108,21 @@ static void tell(struct node *n, const struct nxm_completion *c)
         gate_awaits(n, r ? (long)r->select.type : s->type);
 }
 
+static void begin_look(struct completion_look *l, const struct nxm_completion *c)
+{
+    l->how = c->how, l->count = c->count, l->missing = 0;
+    l->ids = c->ids;
+    if (c->count > COMPLETION_FEW)
+        return;
+    for (int i = 0; i < c->count; i++)
+        l->few[i] = c->ids[i];
+    l->ids = l->few;
+}
+
 bool completion_run(struct node *n, const struct nxm_completion *c)
 {
-    struct completion_look look = {.of = c};
+    struct completion_look look;
+    begin_look(&look, c);
     nx_spend_call(n);
     tell(n, c);
     if (c->how & NXM_WAIT) {

@@ -12,10 +12,13 @@ struct nxm_status completion_status(const struct node *n, const struct message *
 void completion_take(struct node *n, struct receive *r, struct nxm_status *status);
 /* nxm_complete, in a call. */
 bool completion_run(struct node *n, const struct nxm_completion *c);
-/* One that is looked at again and again; `missing`: where the last look has found one that is not done. */
+/* One that is looked at again and again; `missing`: where the last look has found one that is not done. All
+ * that a look needs lies here, most often, not in the program's memory, which then is in no cache near. */
+enum { COMPLETION_FEW = 8 };
 struct completion_look {
-    const struct nxm_completion *of;
-    int missing;
+    int how, count, missing;
+    const int *ids; /* few, or the program's */
+    int few[COMPLETION_FEW];
 };
 /* For node_wait, given a struct completion_look; and what it still waits for, for reports. */
 bool completion_is_ready(struct node *n, void *look);

@@ -8,7 +8,7 @@
 #include "mpi_api/core/core.h"
 #include "mpi_api/include/mpi.h"
 
-enum kind { COMM = 1, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE, FILE_OBJECT, WIN };
+enum kind { NO_KIND, COMM, GROUP, TYPE, OP, REQUEST, ERRHANDLER, INFO, MESSAGE, FILE_OBJECT, WIN };
 
 struct object {
     enum kind kind;

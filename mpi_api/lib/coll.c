@@ -56,7 +56,7 @@ int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, 
     int code = check(a);
     if (code)
         return code;
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
     *p = (struct prepared){*a, run};
     args_keep(a);
@@ -83,7 +83,7 @@ int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run
         return code;
     if (!request)
         return run(a);
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     r->what = COLLECTS, r->active = true, r->comm = c;
     c->object.users++;
     status_empty(&r->status);
@@ -119,7 +119,7 @@ static struct nxm_envelope envelope(const struct coll *o, int peer)
 
 struct request *coll_start(const struct coll *o, bool sends, void *buf, int count, MPI_Datatype t, int peer)
 {
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     r->what = sends ? SENDS : RECEIVES, r->mode = READY;
     r->comm = o->c, r->peer = peer;
     o->c->object.users++;

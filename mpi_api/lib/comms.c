@@ -6,15 +6,6 @@
 
 /* --- handles --- */
 
-struct comm *comm_of(MPI_Comm handle)
-{
-    if (!mpi_runs)
-        return NULL;
-    if (handle == MPI_COMM_WORLD)
-        return &comm_world;
-    return handle == MPI_COMM_SELF ? &comm_self : object_of(handle, COMM);
-}
-
 /* A context that no other communicator has: of this process's own. */
 static int context_new(void)
 {
@@ -53,10 +44,9 @@ static int agree_between(const struct coll *o)
     return context;
 }
 
-void comm_leave(struct comm *c)
+/* The last user has gone. */
+void comm_end(struct comm *c)
 {
-    if (!object_leave(&c->object))
-        return;
     group_leave(c->local);
     group_leave(c->remote);
     topology_free(c->topology);

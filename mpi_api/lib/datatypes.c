@@ -81,10 +81,8 @@ struct type *type_of(MPI_Datatype handle)
     return t ? t : make_basic((uintptr_t)handle);
 }
 
-bool type_is_valid(MPI_Datatype handle)
+bool type_made_is_valid(MPI_Datatype handle)
 {
-    if (type_basic(handle))
-        return true;
     const struct type *t = object_of(handle, TYPE);
     return t && t->committed;
 }
@@ -117,16 +115,17 @@ CALL(Type_commit, (MPI_Datatype * type))
     return MPI_SUCCESS;
 }
 
-void type_keep(MPI_Datatype handle)
+/* Of those that are not MPI's own. */
+void type_made_keep(MPI_Datatype handle)
 {
-    struct type *t = type_basic(handle) ? NULL : object_of(handle, TYPE);
+    struct type *t = object_of(handle, TYPE);
     if (t)
         t->object.users++;
 }
 
-void type_leave(MPI_Datatype handle)
+void type_made_leave(MPI_Datatype handle)
 {
-    struct type *t = type_basic(handle) ? NULL : object_of(handle, TYPE);
+    struct type *t = object_of(handle, TYPE);
     if (!t || !object_leave(&t->object))
         return;
     for (int i = 0; i < t->types; i++)

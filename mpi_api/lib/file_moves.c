@@ -151,7 +151,7 @@ static bool begin_one(const struct move *m, struct request *r)
 /* One that has several pieces is done when the call returns. */
 static int move_later(const struct move *m, MPI_Request *request)
 {
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     r->what = MOVES, r->active = true;
     r->type = m->type;
     type_keep(m->type);

@@ -44,10 +44,8 @@ void group_leave(struct group *g)
     }
 }
 
-int group_rank_of(const struct group *g, int node)
+int group_rank_in_list(const struct group *g, int node)
 {
-    if (!g->nodes)
-        return node >= g->first && node < g->first + g->size ? node - g->first : MPI_UNDEFINED;
     for (int i = 0; i < g->size; i++)
         if (g->nodes[i] == node)
             return i;

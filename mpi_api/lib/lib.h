@@ -6,7 +6,10 @@
  *     datatypes, groups, communicators, operations, topologies, attributes: here alone
  *
  * A handle is a number: of a constant of mpi.h, or of a place in the table of objects. So Fortran's handles
- * are C's. */
+ * are C's.
+ *
+ * What each message needs is inline here, and its rare part a function elsewhere: the host predicts returns
+ * wrongly behind a switch to another rank, and finds each rank's text at addresses of its own. */
 #ifndef MPI_LIB_H
 #define MPI_LIB_H
 #include <stdarg.h>
@@ -45,8 +48,15 @@ extern struct nxm_library nxm_library __attribute__((visibility("hidden")));
 void *object_new(enum kind kind, size_t bytes);
 /* The object behind a handle; NULL: none of that kind. */
 void *object_of(const void *handle, enum kind kind);
+void object_end(struct object *o);
 /* One user less. True: it was the last one; the handle is none any more, and the caller frees. */
-bool object_leave(struct object *o);
+static inline bool object_leave(struct object *o)
+{
+    if (--o->users > 0)
+        return false;
+    object_end(o);
+    return true;
+}
 #define HANDLE(type, x) ((type)(intptr_t)(x)->object.handle)
 
 void *get_memory(size_t bytes); /* malloc, or the end of the run; NULL for none */
@@ -63,19 +73,38 @@ static inline int group_node(const struct group *g, int rank)
 {
     return g->nodes ? g->nodes[rank] : g->first + rank;
 }
-int group_rank_of(const struct group *g, int node); /* MPI_UNDEFINED: none */
-struct group *group_new(int size);                  /* with nodes to be filled in */
-struct group *group_done(struct group *g);          /* filled in */
-struct group *group_keep(struct group *g);          /* for one user more */
+int group_rank_in_list(const struct group *g, int node);
+static inline int group_rank_of(const struct group *g, int node) /* MPI_UNDEFINED: none */
+{
+    if (g->nodes)
+        return group_rank_in_list(g, node);
+    return node >= g->first && node < g->first + g->size ? node - g->first : MPI_UNDEFINED;
+}
+struct group *group_new(int size);         /* with nodes to be filled in */
+struct group *group_done(struct group *g); /* filled in */
+struct group *group_keep(struct group *g); /* for one user more */
 void group_leave(struct group *g);
 int group_compare(const struct group *a, const struct group *b); /* MPI_IDENT, MPI_SIMILAR, MPI_UNEQUAL */
 struct group *group_of(MPI_Group handle);
 
 extern struct comm comm_world, comm_self;
-struct comm *comm_of(MPI_Comm handle); /* NULL: none */
+extern bool mpi_runs;                               /* between MPI_Init and MPI_Finalize */
+static inline struct comm *comm_of(MPI_Comm handle) /* NULL: none */
+{
+    if (!mpi_runs)
+        return NULL;
+    if (handle == MPI_COMM_WORLD)
+        return &comm_world;
+    return handle == MPI_COMM_SELF ? &comm_self : object_of(handle, COMM);
+}
 /* A new communicator of the group, which it takes over. */
 struct comm *comm_new(struct group *local, struct group *remote, int context);
-void comm_leave(struct comm *c); /* one user less: of those that are under way, or the handle's */
+void comm_end(struct comm *c);
+static inline void comm_leave(struct comm *c) /* one user less: of those under way, or the handle's */
+{
+    if (object_leave(&c->object))
+        comm_end(c);
+}
 int comm_copy_attributes(struct comm *from, struct comm *to);
 int comm_delete_attributes(struct comm *c);
 struct topology *topology_copy(const struct topology *t);
@@ -123,15 +152,37 @@ MPI_Aint extent_of(MPI_Datatype t);
 size_t size_of(MPI_Datatype t);
 int type_copy_attributes(struct type *from, struct type *to);
 int type_delete_attributes(struct type *t);
-void type_keep(MPI_Datatype t); /* one user more: of those that are under way */
-void type_leave(MPI_Datatype t);
-bool type_is_valid(MPI_Datatype t); /* for communication: there, and committed */
+void type_made_keep(MPI_Datatype t);
+void type_made_leave(MPI_Datatype t);
+bool type_made_is_valid(MPI_Datatype t);
+static inline void type_keep(MPI_Datatype t) /* one user more: of those that are under way */
+{
+    if (!type_basic(t))
+        type_made_keep(t);
+}
+static inline void type_leave(MPI_Datatype t)
+{
+    if (!type_basic(t))
+        type_made_leave(t);
+}
+static inline bool type_is_valid(MPI_Datatype t) /* for communication: there, and committed */
+{
+    return type_basic(t) || type_made_is_valid(t);
+}
 
 /* The bytes of `count` elements, in order: from memory, and into it, at most so many. */
 void type_pack(const void *buf, int count, MPI_Datatype t, char *to);
 void type_unpack(const char *from, size_t bytes, void *buf, int count, MPI_Datatype t);
+void *type_made_together(const void *buf, int count, MPI_Datatype t, size_t *bytes);
 /* Where the bytes lie, if they lie together; NULL: they do not. */
-void *type_together(const void *buf, int count, MPI_Datatype t, size_t *bytes);
+static inline void *type_together(const void *buf, int count, MPI_Datatype t, size_t *bytes)
+{
+    const struct basic *b = type_basic(t);
+    if (!b || b->class == PAIR)
+        return type_made_together(buf, count, t, bytes);
+    *bytes = (size_t)count * b->bytes;
+    return (void *)(uintptr_t)buf;
+}
 /* Reverses the bytes of each element of `count` packed ones: external32's order. */
 void type_reverse(MPI_Datatype t, char *packed, size_t count);
 /* Copies elements of one type to those of another. */
@@ -151,8 +202,7 @@ struct transfer {
     struct comm *c; /* set by transfer_check */
 };
 int transfer_check(struct transfer *t, bool sends);
-int transfer_send(struct transfer *t); /* blocking */
-int transfer_receive(struct transfer *t, MPI_Status *status);
+struct request *request_new(void);                                    /* all 0 */
 struct request *transfer_begin(const struct transfer *t, bool sends); /* not under way yet */
 void request_start(struct request *r);
 /* The request is done, with this from the core. */
@@ -163,10 +213,20 @@ int buffered_send(struct transfer *t);
 void buffered_copy(const struct transfer *t); /* whether it has room or not */
 
 void status_empty(MPI_Status *status);
-void status_set(MPI_Status *status, int source, int tag, size_t bytes);
+static inline void status_set(MPI_Status *status, int source, int tag, size_t bytes)
+{
+    status->MPI_SOURCE = source, status->MPI_TAG = tag;
+    status->MPI_internal[0] = (int)(bytes & 0xffffffff);
+    status->MPI_internal[1] = (int)(bytes >> 32);
+    status->MPI_internal[2] = 0;
+}
 size_t status_bytes(const MPI_Status *status);
 /* Of a message that the core has told of. */
-void status_of(const struct comm *c, const struct nxm_status *s, MPI_Status *status);
+static inline void status_of(const struct comm *c, const struct nxm_status *s, MPI_Status *status)
+{
+    if (status)
+        status_set(status, group_rank_of(c->peers, s->node), s->tag, (size_t)s->bytes);
+}
 
 /* --- operations --- */
 
@@ -186,7 +246,6 @@ const char *op_refuses(MPI_Op op, MPI_Datatype t);
 
 /* --- run --- */
 
-extern bool mpi_runs; /* between MPI_Init and MPI_Finalize */
 extern long mpi_eager_limit;
 extern bool mpi_of_1995; /* collectives are those of coll_1995.c */
 void run_begin(void);

@@ -59,15 +59,13 @@ void *object_of(const void *handle, enum kind kind)
     return o && o->kind == kind ? o : NULL;
 }
 
-bool object_leave(struct object *o)
+/* Its handle is none any more. */
+void object_end(struct object *o)
 {
-    if (--o->users > 0)
-        return false;
     int place = o->handle - FIRST_HANDLE;
     if (place >= 0 && place < used && table[place] == o) {
         table[place] = NULL;
         next[place] = first_free;
         first_free = place;
     }
-    return true;
 }

@@ -4,13 +4,9 @@
 #include <string.h>
 #include "lib.h"
 
-void *type_together(const void *buf, int count, MPI_Datatype handle, size_t *bytes)
+/* Of those that may not lie together. */
+void *type_made_together(const void *buf, int count, MPI_Datatype handle, size_t *bytes)
 {
-    const struct basic *b = type_basic(handle);
-    if (b && b->class != PAIR) {
-        *bytes = (size_t)count * b->bytes;
-        return (void *)(uintptr_t)buf;
-    }
     const struct type *t = type_of(handle);
     *bytes = (size_t)count * t->size;
     if (t->runs > 1 || (count > 1 && type_extent(t) != (MPI_Aint)t->size))

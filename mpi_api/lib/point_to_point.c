@@ -4,14 +4,6 @@
 
 /* --- statuses --- */
 
-void status_set(MPI_Status *status, int source, int tag, size_t bytes)
-{
-    status->MPI_SOURCE = source, status->MPI_TAG = tag;
-    status->MPI_internal[0] = (int)(bytes & 0xffffffff);
-    status->MPI_internal[1] = (int)(bytes >> 32);
-    status->MPI_internal[2] = 0;
-}
-
 size_t status_bytes(const MPI_Status *status)
 {
     return (size_t)(unsigned)status->MPI_internal[0] | (size_t)status->MPI_internal[1] << 32;
@@ -23,12 +15,6 @@ void status_empty(MPI_Status *status)
         return;
     status_set(status, MPI_ANY_SOURCE, MPI_ANY_TAG, 0);
     status->MPI_ERROR = MPI_SUCCESS;
-}
-
-void status_of(const struct comm *c, const struct nxm_status *s, MPI_Status *status)
-{
-    if (status)
-        status_set(status, group_rank_of(c->peers, s->node), s->tag, (size_t)s->bytes);
 }
 
 static void status_of_nobody(MPI_Status *status)
@@ -73,7 +59,7 @@ int transfer_check(struct transfer *t, bool sends)
     return MPI_SUCCESS;
 }
 
-static struct nxm_envelope envelope_of(const struct transfer *t)
+static inline struct nxm_envelope envelope_of(const struct transfer *t)
 {
     return (struct nxm_envelope){t->call, t->tag == MPI_ANY_TAG ? -1 : t->tag,
                                  t->peer < 0 ? -1 : group_node(t->c->peers, t->peer), t->c->context};
@@ -81,13 +67,13 @@ static struct nxm_envelope envelope_of(const struct transfer *t)
 
 /* --- blocking --- */
 
-static bool is_held(enum mode mode, size_t bytes)
+static inline bool is_held(enum mode mode, size_t bytes)
 {
     return mode == SYNCHRONOUS || (mode == STANDARD && bytes > (size_t)mpi_eager_limit);
 }
 
 /* While collectives are under way: with an id, so that they go on. (tasks_receive does so, too.) */
-static void send(const struct nxm_envelope *e, const void *at, size_t bytes, bool held)
+static inline void send(const struct nxm_envelope *e, const void *at, size_t bytes, bool held)
 {
     if (!tasks_under_way) {
         nxm_send(e, at, (long)bytes, held);
@@ -98,7 +84,7 @@ static void send(const struct nxm_envelope *e, const void *at, size_t bytes, boo
         tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
 }
 
-int transfer_send(struct transfer *t)
+static int transfer_send(struct transfer *t)
 {
     size_t bytes;
     if (t->peer == MPI_PROC_NULL)
@@ -123,7 +109,7 @@ static int too_long(const struct transfer *t, const struct nxm_status *s, size_t
                 group_rank_of(t->c->peers, s->node), s->bytes, room);
 }
 
-int transfer_receive(struct transfer *t, MPI_Status *status)
+static inline int transfer_receive(struct transfer *t, MPI_Status *status)
 {
     size_t room;
     struct nxm_status s;
@@ -146,7 +132,7 @@ int transfer_receive(struct transfer *t, MPI_Status *status)
 
 struct request *transfer_begin(const struct transfer *t, bool sends)
 {
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     r->what = sends ? SENDS : RECEIVES;
     r->comm = t->c;
     t->c->object.users++;

@@ -2,21 +2,37 @@
 #include <stdlib.h>
 #include "tasks.h"
 
-/* --- the end of one --- */
+/* --- the beginning and the end of one --- */
+
+/* Requests that have ended lie here for the next ones, linked by `extra`. They keep their places in the table
+ * of objects, of no kind, so that their handles are none. */
+static struct request *spare;
+
+struct request *request_new(void)
+{
+    struct request *r = spare;
+    if (!r)
+        return object_new(REQUEST, sizeof *r);
+    spare = r->extra;
+    *r = (struct request){.object = {REQUEST, 1, r->object.handle}};
+    return r;
+}
 
 /* Requests that programs free while they are under way: their ids are kept until they are done. */
 static int *orphans, orphan_count;
 
 void request_drop(struct request *r)
 {
-    if (!object_leave(&r->object))
+    if (--r->object.users > 0)
         return;
     if (r->comm)
         comm_leave(r->comm);
     type_leave(r->type);
     give_memory(r->prepared);
     give_memory(r->packed);
-    free(r);
+    r->object.kind = NO_KIND;
+    r->extra = spare;
+    spare = r;
 }
 
 static int end_move(const struct request *r, MPI_Status *status)
@@ -50,7 +66,7 @@ static int end(struct request *r, MPI_Status *status)
 }
 
 /* The message is in the buffer, or in `packed`. */
-static int received(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
+static inline int received(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
 {
     if (r->packed && !s->truncated)
         type_unpack(r->packed, (size_t)s->bytes, r->buf, r->count, r->type);
@@ -93,7 +109,7 @@ struct many {
 static void *scratch;
 static size_t scratch_bytes;
 
-static bool is_done(struct request *r)
+static inline bool is_done(struct request *r)
 {
     if (r->what == COLLECTS)
         return task_is_done(r->task);
@@ -140,7 +156,7 @@ static int gather(struct many *m, int call, int count, const MPI_Request request
 }
 
 /* Looks at, or waits for, those that send or receive. */
-static bool complete(const struct many *m, int how)
+static inline bool complete(const struct many *m, int how)
 {
     return m->messages && tasks_complete(&(struct nxm_completion){m->call, how, m->count, m->ids, m->status});
 }
@@ -181,7 +197,7 @@ static void wait_for_one(const struct many *m, int how)
     }
 }
 
-static void wait_for_all(const struct many *m)
+static inline void wait_for_all(const struct many *m)
 {
     for (int i = 0; i < m->count; i++)
         if (m->request[i] && m->request[i]->what == COLLECTS)
@@ -503,7 +519,7 @@ CALL(Cancel, (MPI_Request * request))
 CALL(Grequest_start, (MPI_Grequest_query_function * query, MPI_Grequest_free_function *release,
                       MPI_Grequest_cancel_function *cancel, void *extra, MPI_Request *request))
 {
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     r->what = GENERAL, r->active = true;
     r->query = query, r->release = release, r->cancel = cancel, r->extra = extra;
     *request = HANDLE(MPI_Request, r);

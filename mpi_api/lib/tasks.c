@@ -160,13 +160,11 @@ static bool complete_in_task(const struct nxm_completion *c)
     return true;
 }
 
-bool tasks_complete(const struct nxm_completion *c)
+bool tasks_go_on_and_complete(const struct nxm_completion *c)
 {
     struct nxm_completion look = *c;
     if (current)
         return complete_in_task(c);
-    if (!tasks_under_way)
-        return nxm_complete(c);
     look.how &= ~NXM_WAIT;
     for (;;) {
         tasks_go_on(c->call);
@@ -179,16 +177,6 @@ bool tasks_complete(const struct nxm_completion *c)
         else
             return nxm_complete(c);
     }
-}
-
-void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
-{
-    if (!tasks_under_way) {
-        nxm_recv(e, at, (long)room, s);
-        return;
-    }
-    int id = (int)nxm_irecv(e, at, (long)room);
-    tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
 }
 
 void tasks_wait(int call, const struct task *t)

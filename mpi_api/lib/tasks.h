@@ -12,15 +12,27 @@ bool task_is_done(const struct task *t);
 /* The result of one that is done; frees it. */
 int task_end(struct task *t);
 
+extern int tasks_under_way;
+bool tasks_go_on_and_complete(const struct nxm_completion *c);
 /* nxm_complete for calls of the program, and of tasks: tasks go on meanwhile. */
-bool tasks_complete(const struct nxm_completion *c);
+static inline bool tasks_complete(const struct nxm_completion *c)
+{
+    return tasks_under_way ? tasks_go_on_and_complete(c) : nxm_complete(c);
+}
 /* Receives; while tasks are under way, they go on. */
-void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s);
+static inline void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
+{
+    if (!tasks_under_way) {
+        nxm_recv(e, at, (long)room, s);
+        return;
+    }
+    int id = (int)nxm_irecv(e, at, (long)room);
+    tasks_go_on_and_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, s});
+}
 /* Waits until the task is done. Runs all that can go on. */
 void tasks_wait(int call, const struct task *t);
 void tasks_go_on(int call);
 /* Waits until something more comes that a task or one of these ids waits for, after tests have set the
  * statuses. */
 void tasks_wait_for_any(int call, int count, const int ids[], const struct nxm_status status[]);
-extern int tasks_under_way;
 #endif

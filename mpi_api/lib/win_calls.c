@@ -107,7 +107,7 @@ static int begin_and_wait(MPI_Win win, struct access *a, MPI_Request *request)
     if (code)
         return code;
     access_wait(w, a->call, a->rank);
-    struct request *r = object_new(REQUEST, sizeof *r);
+    struct request *r = request_new();
     r->what = MOVES, r->active = true;
     r->type = MPI_BYTE;
     status_empty(&r->status);
