@@ -92,6 +92,16 @@ FORTRAN(comm_dup, (f_int * comm, f_int *to, f_int *ierr))
     NEW(MPI_Comm, to, MPI_Comm_dup(F_COMM(comm), &made));
 }
 
+FORTRAN(comm_dup_with_info, (f_int * comm, f_int *info, f_int *to, f_int *ierr))
+{
+    NEW(MPI_Comm, to, MPI_Comm_dup_with_info(F_COMM(comm), F_HANDLE(MPI_Info, *info), &made));
+}
+
+FORTRAN(comm_create_group, (f_int * comm, f_int *group, f_int *tag, f_int *to, f_int *ierr))
+{
+    NEW(MPI_Comm, to, MPI_Comm_create_group(F_COMM(comm), F_GROUP(group), *tag, &made));
+}
+
 FORTRAN(comm_create, (f_int * comm, f_int *group, f_int *to, f_int *ierr))
 {
     NEW(MPI_Comm, to, MPI_Comm_create(F_COMM(comm), F_GROUP(group), &made));
@@ -110,6 +120,26 @@ FORTRAN(comm_split_type, (f_int * comm, f_int *kind, f_int *key, f_int *info, f_
 FORTRAN(comm_free, (f_int * comm, f_int *ierr))
 {
     WITH(MPI_Comm, comm, MPI_Comm_free(&handle));
+}
+
+FORTRAN(comm_disconnect, (f_int * comm, f_int *ierr))
+{
+    WITH(MPI_Comm, comm, MPI_Comm_disconnect(&handle));
+}
+
+FORTRAN(comm_get_parent, (f_int * parent, f_int *ierr))
+{
+    NEW(MPI_Comm, parent, MPI_Comm_get_parent(&made));
+}
+
+FORTRAN(comm_set_info, (f_int * comm, f_int *info, f_int *ierr))
+{
+    *ierr = MPI_Comm_set_info(F_COMM(comm), F_HANDLE(MPI_Info, *info));
+}
+
+FORTRAN(comm_get_info, (f_int * comm, f_int *info, f_int *ierr))
+{
+    NEW(MPI_Info, info, MPI_Comm_get_info(F_COMM(comm), &made));
 }
 
 FORTRAN(intercomm_create,

@@ -55,6 +55,15 @@ static inline MPI_Status *f_status(f_int *s)
             *(x) = F_OF(made);                                                                               \
     } while (0)
 
+/* A list of datatypes, to be freed. */
+static inline MPI_Datatype *f_types(const f_int *list, int count)
+{
+    MPI_Datatype *types = get_memory((size_t)count * sizeof *types);
+    for (int i = 0; i < count; i++)
+        types[i] = F_TYPE(&list[i]);
+    return types;
+}
+
 /* A text without the blanks behind it, to be freed; a text with blanks behind it. */
 static inline char *f_text(const char *s, size_t length)
 {

@@ -190,7 +190,7 @@ FORTRAN(cancel, (f_int * request, f_int *ierr))
     WITH(MPI_Request, request, MPI_Cancel(&handle));
 }
 
-/* --- collectives: each, and the one with a request --- */
+/* --- collectives: each, the one with a request, and the persistent one --- */
 
 #define COLL(name, c_name, parameters, arguments)                                                            \
     FORTRAN(name, (LIST parameters, f_int * comm, f_int * ierr))                                             \
@@ -200,6 +200,11 @@ FORTRAN(cancel, (f_int * request, f_int *ierr))
     FORTRAN(i##name, (LIST parameters, f_int * comm, f_int * request, f_int * ierr))                         \
     {                                                                                                        \
         WITH(MPI_Request, request, MPI_I##name(LIST arguments, F_COMM(comm), &handle));                      \
+    }                                                                                                        \
+    FORTRAN(name##_init, (LIST parameters, f_int * comm, f_int * info, f_int * request, f_int * ierr))       \
+    {                                                                                                        \
+        NEW(MPI_Request, request,                                                                            \
+            MPI_##c_name##_init(LIST arguments, F_COMM(comm), F_HANDLE(MPI_Info, *info), &made));            \
     }
 #define LIST(...) __VA_ARGS__
 #define FROM void *buf, f_int *count, f_int *type
@@ -219,6 +224,11 @@ FORTRAN(barrier, (f_int * comm, f_int *ierr))
 FORTRAN(ibarrier, (f_int * comm, f_int *request, f_int *ierr))
 {
     WITH(MPI_Request, request, MPI_Ibarrier(F_COMM(comm), &handle));
+}
+
+FORTRAN(barrier_init, (f_int * comm, f_int *info, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request, MPI_Barrier_init(F_COMM(comm), F_HANDLE(MPI_Info, *info), &made));
 }
 
 COLL(bcast, Bcast, (FROM, f_int *root), (buf, *count, F_TYPE(type), *root))
@@ -241,18 +251,59 @@ COLL(reduce_scatter_block, Reduce_scatter_block, (OPERANDS), (GIVEN))
 COLL(reduce_scatter, Reduce_scatter, (void *buf, void *into, f_int *counts, f_int *type, f_int *op),
      (f_buffer(buf), into, counts, F_TYPE(type), F_HANDLE(MPI_Op, *op)))
 
+/* The datatypes for each rank, and behind them those from each, to be freed; NULL: there is an error. */
+static MPI_Datatype *types_of_each(MPI_Comm comm, const f_int *types, const f_int *as, int *size, f_int *ierr)
+{
+    int inter = 0;
+    *ierr = MPI_Comm_test_inter(comm, &inter);
+    if (!*ierr)
+        *ierr = inter ? MPI_Comm_remote_size(comm, size) : MPI_Comm_size(comm, size);
+    if (*ierr)
+        return NULL;
+    MPI_Datatype *lists = get_memory(2 * (size_t)*size * sizeof *lists);
+    for (int i = 0; i < *size; i++)
+        lists[i] = F_TYPE(&types[i]), lists[*size + i] = F_TYPE(&as[i]);
+    return lists;
+}
+
 FORTRAN(alltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms,
                     f_int *places, f_int *as, f_int *comm, f_int *ierr))
 {
     int size;
-    *ierr = MPI_Comm_size(F_COMM(comm), &size);
-    if (*ierr)
+    MPI_Datatype *lists = types_of_each(F_COMM(comm), types, as, &size, ierr);
+    if (!lists)
         return;
-    MPI_Datatype *lists = get_memory(2 * (size_t)size * sizeof *lists);
-    for (int i = 0; i < size; i++)
-        lists[i] = F_TYPE(&types[i]), lists[size + i] = F_TYPE(&as[i]);
     *ierr = MPI_Alltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm));
     free(lists);
+}
+
+/* The lists last as long as the request. */
+FORTRAN(ialltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms,
+                     f_int *places, f_int *as, f_int *comm, f_int *request, f_int *ierr))
+{
+    int size;
+    MPI_Request made;
+    MPI_Datatype *lists = types_of_each(F_COMM(comm), types, as, &size, ierr);
+    if (!lists)
+        return;
+    *ierr = MPI_Ialltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm),
+                           &made);
+    if (*ierr) {
+        free(lists);
+        return;
+    }
+    ((struct request *)object_of(made, REQUEST))->packed = lists;
+    *request = F_OF(made);
+}
+
+FORTRAN(reduce_local, (void *in, void *inout, f_int *count, f_int *type, f_int *op, f_int *ierr))
+{
+    *ierr = MPI_Reduce_local(in, inout, *count, F_TYPE(type), F_HANDLE(MPI_Op, *op));
+}
+
+FORTRAN(op_commutative, (f_int * op, f_int *commutes, f_int *ierr))
+{
+    *ierr = MPI_Op_commutative(F_HANDLE(MPI_Op, *op), commutes);
 }
 
 FORTRAN(op_create, (MPI_User_function * function, f_int *commutes, f_int *op, f_int *ierr))

@@ -43,18 +43,39 @@ FORTRAN(get_version, (f_int * version, f_int *subversion, f_int *ierr))
     *ierr = MPI_Get_version(version, subversion);
 }
 
+FORTRAN(get_library_version, (char *version, f_int *length, f_int *ierr, size_t room))
+{
+    char text[MPI_MAX_LIBRARY_VERSION_STRING];
+    *ierr = MPI_Get_library_version(text, length);
+    f_give_text(version, room, text);
+}
+
+/* The memory's address, as an INTEGER of MPI_ADDRESS_KIND or a C_PTR. */
+FORTRAN(alloc_mem, (MPI_Aint * bytes, f_int *info, void **memory, f_int *ierr))
+{
+    *ierr = MPI_Alloc_mem(*bytes, F_HANDLE(MPI_Info, *info), memory);
+}
+
+FORTRAN(free_mem, (void *memory, f_int *ierr))
+{
+    *ierr = MPI_Free_mem(memory);
+}
+
 FORTRAN(pcontrol, (f_int * level))
 {
     (void)level;
 }
 
-double mpi_wtime_(void), mpi_wtick_(void);
-double mpi_wtime_(void)
+double pmpi_wtime_(void), pmpi_wtick_(void);
+double mpi_wtime_(void) __attribute__((weak, alias("pmpi_wtime_")));
+double mpi_wtick_(void) __attribute__((weak, alias("pmpi_wtick_")));
+
+double pmpi_wtime_(void)
 {
     return MPI_Wtime();
 }
 
-double mpi_wtick_(void)
+double pmpi_wtick_(void)
 {
     return MPI_Wtick();
 }

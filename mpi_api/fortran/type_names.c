@@ -9,14 +9,6 @@ static MPI_Aint *addresses_of(const f_int *list, f_int count)
     return a;
 }
 
-static MPI_Datatype *types_of(const f_int *list, f_int count)
-{
-    MPI_Datatype *t = get_memory(((size_t)count + 1) * sizeof *t);
-    for (f_int i = 0; i < count; i++)
-        t[i] = F_TYPE(&list[i]);
-    return t;
-}
-
 FORTRAN(type_contiguous, (f_int * count, f_int *old, f_int *type, f_int *ierr))
 {
     NEW(MPI_Datatype, type, MPI_Type_contiguous(*count, F_TYPE(old), &made));
@@ -71,7 +63,7 @@ FORTRAN(type_create_hindexed_block,
 FORTRAN(type_struct, (f_int * count, f_int *lengths, f_int *at, f_int *types, f_int *type, f_int *ierr))
 {
     MPI_Aint *bytes = addresses_of(at, *count);
-    MPI_Datatype *list = types_of(types, *count);
+    MPI_Datatype *list = f_types(types, *count);
     NEW(MPI_Datatype, type, MPI_Type_create_struct(*count, lengths, bytes, list, &made));
     free(bytes);
     free(list);
@@ -80,7 +72,7 @@ FORTRAN(type_struct, (f_int * count, f_int *lengths, f_int *at, f_int *types, f_
 FORTRAN(type_create_struct,
         (f_int * count, f_int *lengths, MPI_Aint *at, f_int *types, f_int *type, f_int *ierr))
 {
-    MPI_Datatype *list = types_of(types, *count);
+    MPI_Datatype *list = f_types(types, *count);
     NEW(MPI_Datatype, type, MPI_Type_create_struct(*count, lengths, at, list, &made));
     free(list);
 }
@@ -209,4 +201,23 @@ FORTRAN(pack_external_size,
     char *text = f_text(name, length);
     *ierr = MPI_Pack_external_size(text, *count, F_TYPE(type), size);
     free(text);
+}
+
+FORTRAN(type_match_size, (f_int * class, f_int *bytes, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_match_size(*class, *bytes, &made));
+}
+
+FORTRAN(type_get_contents, (f_int * type, f_int *most_ints, f_int *most_addresses, f_int *most_types,
+                            f_int *ints, MPI_Aint *addresses, f_int *types, f_int *ierr))
+{
+    int n_ints, n_addresses, n_types = 0, combiner;
+    MPI_Datatype *list = get_memory((size_t)*most_types * sizeof *list);
+    *ierr =
+        MPI_Type_get_contents(F_TYPE(type), *most_ints, *most_addresses, *most_types, ints, addresses, list);
+    if (!*ierr)
+        MPI_Type_get_envelope(F_TYPE(type), &n_ints, &n_addresses, &n_types, &combiner);
+    for (int i = 0; i < n_types; i++)
+        types[i] = F_OF(list[i]);
+    free(list);
 }

@@ -68,6 +68,16 @@ KEYS(win, Win, MPI_Win)
 
 NAMES(win, Win, F_WIN)
 
+FORTRAN(win_set_info, (f_int * win, f_int *info, f_int *ierr))
+{
+    *ierr = MPI_Win_set_info(F_WIN(win), F_HANDLE(MPI_Info, *info));
+}
+
+FORTRAN(win_get_info, (f_int * win, f_int *info, f_int *ierr))
+{
+    NEW(MPI_Info, info, MPI_Win_get_info(F_WIN(win), &made));
+}
+
 FORTRAN(win_create_errhandler, (MPI_Win_errhandler_function * function, f_int *handler, f_int *ierr))
 {
     WITH(MPI_Errhandler, handler, MPI_Win_create_errhandler(function, &handle));
@@ -166,6 +176,31 @@ FORTRAN(get_accumulate, (void *buf, f_int *count, f_int *type, void *into, f_int
 {
     *ierr = MPI_Get_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
                                F_WIN(win));
+}
+
+FORTRAN(rput, (void *buf, f_int *count, f_int *type, THERE, f_int *win, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request, MPI_Rput(buf, *count, F_TYPE(type), GIVE_THERE, F_WIN(win), &made));
+}
+
+FORTRAN(rget, (void *into, f_int *room, f_int *as, THERE, f_int *win, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request, MPI_Rget(into, *room, F_TYPE(as), GIVE_THERE, F_WIN(win), &made));
+}
+
+FORTRAN(raccumulate,
+        (void *buf, f_int *count, f_int *type, THERE, f_int *op, f_int *win, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request,
+        MPI_Raccumulate(buf, *count, F_TYPE(type), GIVE_THERE, F_OP(op), F_WIN(win), &made));
+}
+
+FORTRAN(rget_accumulate, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *as, THERE,
+                          f_int *op, f_int *win, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request,
+        MPI_Rget_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
+                            F_WIN(win), &made));
 }
 
 FORTRAN(fetch_and_op, (void *buf, void *into, f_int *type, f_int *rank, MPI_Aint *place, f_int *op,

@@ -6,6 +6,7 @@
  * return MPI_SUCCESS or an error code, after the communicator's error handler. */
 #ifndef MPI_H
 #define MPI_H
+#include <stddef.h> /* as in Open MPI: programs have NULL from here */
 #include <stdint.h>
 
 #define MPI_VERSION 3

@@ -296,14 +296,14 @@ MPI_DECLARE(Graph_map, (MPI_Comm comm, int nodes, const int ends[], const int ed
 MPI_DECLARE(Topo_test, (MPI_Comm comm, int *kind))
 
 MPI_DECLARE(Dist_graph_create_adjacent,
-            (MPI_Comm comm, int ins, const int sources[], const int in_weights[], int outs, const int dests[],
-             const int out_weights[], MPI_Info info, int reorder, MPI_Comm *to))
+            (MPI_Comm comm, int ins, const int sources[], const int *in_weights, int outs, const int dests[],
+             const int *out_weights, MPI_Info info, int reorder, MPI_Comm *to))
 MPI_DECLARE(Dist_graph_create,
             (MPI_Comm comm, int count, const int sources[], const int degrees[], const int dests[],
-             const int weights[], MPI_Info info, int reorder, MPI_Comm *to))
+             const int *weights, MPI_Info info, int reorder, MPI_Comm *to))
 MPI_DECLARE(Dist_graph_neighbors_count, (MPI_Comm comm, int *ins, int *outs, int *weighted))
-MPI_DECLARE(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int in_weights[],
-                                   int most_outs, int dests[], int out_weights[]))
+MPI_DECLARE(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int *in_weights, int most_outs,
+                                   int dests[], int *out_weights))
 #define NEIGHBOR(name, parameters)                                                                           \
     MPI_DECLARE(Neighbor_##name, (NEIGHBOR_LIST parameters, MPI_Comm comm))                                  \
     MPI_DECLARE(Ineighbor_##name, (NEIGHBOR_LIST parameters, MPI_Comm comm, MPI_Request * request))

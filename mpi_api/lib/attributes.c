@@ -178,7 +178,7 @@ CALL(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 {
     struct comm *c = comm_of(comm);
     return c ? attribute_set("MPI_Comm_set_attr", comm, &c->attributes, keyval, value)
-             : fail_comm(CALL_Other);
+             : fail_comm_of(CALL_NAME);
 }
 
 /* Those that are there from the beginning: pointers to numbers. */
@@ -209,7 +209,7 @@ CALL(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
     struct comm *c = comm_of(comm);
     const int *own = own_attribute(keyval);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (!own)
         return keyval == MPI_APPNUM ? (*flag = 0, MPI_SUCCESS)
                                     : attribute_get("MPI_Comm_get_attr", &c->attributes, keyval, value, flag);
@@ -222,7 +222,7 @@ CALL(Comm_delete_attr, (MPI_Comm comm, int keyval))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     return attribute_delete("MPI_Comm_delete_attr", comm, &c->attributes, keyval);
 }
 

@@ -61,7 +61,7 @@ void comm_end(struct comm *c)
     {                                                                                                        \
         const struct comm *c = comm_of(comm);                                                                \
         if (!c)                                                                                              \
-            return fail_comm(CALL_Other);                                                                    \
+            return fail_comm_of(CALL_NAME);                                                                  \
         *value = (expression);                                                                               \
         return MPI_SUCCESS;                                                                                  \
     }
@@ -73,7 +73,7 @@ CALL(Comm_remote_size, (MPI_Comm comm, int *size))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (!c->remote)
         return fail(c, CALL_Other, MPI_ERR_COMM, "MPI_Comm_remote_size: the communicator has one group only");
     *size = c->remote->size;
@@ -91,7 +91,7 @@ CALL(Comm_compare, (MPI_Comm a, MPI_Comm b, int *result))
 {
     const struct comm *x = comm_of(a), *y = comm_of(b);
     if (!x || !y)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (x == y)
         *result = MPI_IDENT;
     else if (!x->remote != !y->remote)
@@ -109,7 +109,7 @@ CALL(Comm_set_name, (MPI_Comm comm, const char *name))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     free(c->name);
     c->name = strndup(name, MPI_MAX_OBJECT_NAME - 1);
     return MPI_SUCCESS;
@@ -119,7 +119,7 @@ CALL(Comm_get_name, (MPI_Comm comm, char *name, int *length))
 {
     struct comm *c = comm_of(comm);
     if (!c && comm != MPI_COMM_NULL)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     const char *own = !c                 ? "MPI_COMM_NULL"
                       : c == &comm_world ? "MPI_COMM_WORLD"
                       : c == &comm_self  ? "MPI_COMM_SELF"
@@ -131,12 +131,12 @@ CALL(Comm_get_name, (MPI_Comm comm, char *name, int *length))
 CALL(Comm_set_info, (MPI_Comm comm, MPI_Info info))
 {
     (void)info;
-    return comm_of(comm) ? MPI_SUCCESS : fail_comm(CALL_Other);
+    return comm_of(comm) ? MPI_SUCCESS : fail_comm_of(CALL_NAME);
 }
 
 CALL(Comm_get_info, (MPI_Comm comm, MPI_Info *info))
 {
-    return comm_of(comm) ? PMPI_Info_create(info) : fail_comm(CALL_Other);
+    return comm_of(comm) ? PMPI_Info_create(info) : fail_comm_of(CALL_NAME);
 }
 
 CALL(Comm_get_parent, (MPI_Comm * parent))

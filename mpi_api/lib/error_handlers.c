@@ -98,11 +98,19 @@ int fail(struct comm *c, int call, int code, const char *fmt, ...)
     return code;
 }
 
+static const char *why_no_comm(void)
+{
+    return mpi_runs ? "the communicator is null, or freed" : "called before MPI_Init, or after MPI_Finalize";
+}
+
 int fail_comm(int call)
 {
-    return fail(NULL, call, MPI_ERR_COMM, "%s",
-                mpi_runs ? "the communicator is null, or freed"
-                         : "called before MPI_Init, or after MPI_Finalize");
+    return fail(NULL, call, MPI_ERR_COMM, "%s", why_no_comm());
+}
+
+int fail_comm_of(const char *call)
+{
+    return fail(NULL, CALL_Other, MPI_ERR_COMM, "%s: %s", call, why_no_comm());
 }
 
 /* --- handlers --- */
@@ -145,7 +153,7 @@ CALL(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     handler_set(&c->handler, handler);
     return MPI_SUCCESS;
 }
@@ -154,7 +162,7 @@ CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     *handler = handler_get(c->handler);
     return MPI_SUCCESS;
 }
@@ -162,7 +170,7 @@ CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
 CALL(Comm_call_errhandler, (MPI_Comm comm, int code))
 {
     struct comm *c = comm_of(comm);
-    return c ? handler_call(c->handler, &comm, code) : fail_comm(CALL_Other);
+    return c ? handler_call(c->handler, &comm, code) : fail_comm_of(CALL_NAME);
 }
 
 CALL(Errhandler_free, (MPI_Errhandler * handler))
@@ -212,7 +220,8 @@ CALL(Add_error_string, (int code, const char *text))
 {
     struct added *a = added_of(code);
     if (!a)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG, "%d is no error code that the program has added", code);
+        return fail(NULL, CALL_Other, MPI_ERR_ARG,
+                    "MPI_Add_error_string: %d is no error code that the program has added", code);
     free(a->text);
     a->text = strdup(text);
     return MPI_SUCCESS;

@@ -165,7 +165,7 @@ CALL(File_get_view, (MPI_File file, MPI_Offset *displacement, MPI_Datatype *etyp
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     *displacement = f->displacement;
     *etype = give(f->etype), *filetype = give(f->filetype);
     strcpy(representation, datarep_name(f->datarep));
@@ -176,7 +176,7 @@ CALL(File_get_type_extent, (MPI_File file, MPI_Datatype type, MPI_Aint *extent))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     if (!type_of(type))
         return fail_file(f, CALL_Other, MPI_ERR_TYPE,
                          "MPI_File_get_type_extent: the datatype is null, or freed");
@@ -189,7 +189,7 @@ CALL(File_get_byte_offset, (MPI_File file, MPI_Offset place, MPI_Offset *bytes))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     if (place < 0)
         return fail_file(f, CALL_Other, MPI_ERR_ARG, "MPI_File_get_byte_offset: the place is negative");
     *bytes = byte_of(f, place);
@@ -234,7 +234,7 @@ CALL(File_get_position, (MPI_File file, MPI_Offset *place))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     *place = f->pointer;
     return MPI_SUCCESS;
 }

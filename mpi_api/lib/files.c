@@ -30,6 +30,11 @@ int fail_no_file(int call)
     return fail_file(NULL, call, MPI_ERR_FILE, "the file is null, or closed");
 }
 
+int fail_no_file_of(const char *call)
+{
+    return fail_file(NULL, CALL_Other, MPI_ERR_FILE, "%s: the file is null, or closed", call);
+}
+
 int file_error(int why)
 {
     static const struct pair {
@@ -217,7 +222,7 @@ CALL(File_get_group, (MPI_File file, MPI_Group *group))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     return PMPI_Comm_group(HANDLE(MPI_Comm, f->comm), group);
 }
 
@@ -225,7 +230,7 @@ CALL(File_get_amode, (MPI_File file, int *amode))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     *amode = f->amode;
     return MPI_SUCCESS;
 }
@@ -235,7 +240,7 @@ CALL(File_set_info, (MPI_File file, MPI_Info info))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     return info_keep(&f->info, info);
 }
 
@@ -243,7 +248,7 @@ CALL(File_get_info, (MPI_File file, MPI_Info *info))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     return info_give(f->info, info);
 }
 
@@ -260,7 +265,7 @@ CALL(File_get_atomicity, (MPI_File file, int *flag))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     *flag = f->atomic;
     return MPI_SUCCESS;
 }
@@ -291,7 +296,7 @@ CALL(File_set_errhandler, (MPI_File file, MPI_Errhandler handler))
 {
     MPI_Errhandler *of = handler_of(file);
     if (!of)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     handler_set(of, handler);
     return MPI_SUCCESS;
 }
@@ -300,7 +305,7 @@ CALL(File_get_errhandler, (MPI_File file, MPI_Errhandler *handler))
 {
     const MPI_Errhandler *of = handler_of(file);
     if (!of)
-        return fail_no_file(CALL_Other);
+        return fail_no_file_of(CALL_NAME);
     *handler = handler_get(*of);
     return MPI_SUCCESS;
 }
@@ -308,5 +313,5 @@ CALL(File_get_errhandler, (MPI_File file, MPI_Errhandler *handler))
 CALL(File_call_errhandler, (MPI_File file, int code))
 {
     const MPI_Errhandler *of = handler_of(file);
-    return of ? handler_call(*of, &file, code) : fail_no_file(CALL_Other);
+    return of ? handler_call(*of, &file, code) : fail_no_file_of(CALL_NAME);
 }

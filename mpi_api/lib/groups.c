@@ -276,7 +276,7 @@ CALL(Comm_group, (MPI_Comm comm, MPI_Group *group))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     *group = HANDLE(MPI_Group, group_keep(c->local));
     return MPI_SUCCESS;
 }
@@ -285,7 +285,7 @@ CALL(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (!c->remote)
         return fail(c, CALL_Other, MPI_ERR_COMM,
                     "MPI_Comm_remote_group: the communicator has one group only");

@@ -5,8 +5,8 @@
 /* --- graphs --- */
 
 CALL(Dist_graph_create_adjacent,
-     (MPI_Comm comm, int ins, const int sources[], const int in_weights[], int outs, const int dests[],
-      const int out_weights[], MPI_Info info, int reorder, MPI_Comm *to))
+     (MPI_Comm comm, int ins, const int sources[], const int *in_weights, int outs, const int dests[],
+      const int *out_weights, MPI_Info info, int reorder, MPI_Comm *to))
 {
     struct comm *c = comm_of(comm);
     (void)info, (void)reorder;
@@ -58,7 +58,7 @@ static struct topology *neighbors_of(const struct edge *all, int total, int rank
 }
 
 CALL(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const int degrees[],
-                         const int dests[], const int weights[], MPI_Info info, int reorder, MPI_Comm *to))
+                         const int dests[], const int *weights, MPI_Info info, int reorder, MPI_Comm *to))
 {
     struct comm *c = comm_of(comm);
     bool weighted = weights != MPI_UNWEIGHTED;
@@ -90,8 +90,8 @@ CALL(Dist_graph_neighbors_count, (MPI_Comm comm, int *ins, int *outs, int *weigh
     return MPI_SUCCESS;
 }
 
-CALL(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int in_weights[], int most_outs,
-                            int dests[], int out_weights[]))
+CALL(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int *in_weights, int most_outs,
+                            int dests[], int *out_weights))
 {
     int code;
     const struct topology *t = topology_of("MPI_Dist_graph_neighbors", comm, MPI_DIST_GRAPH, &code);

@@ -14,7 +14,8 @@ void *get_memory(size_t bytes)
 {
     void *p = bytes ? malloc(bytes) : NULL;
     if (bytes && !p)
-        nxm_fail(CALL_Other, "the node has no memory left for MPI's library");
+        nxm_fail(CALL_Other, bytes > PTRDIFF_MAX ? "a count is negative"
+                                                 : "the node has no memory left for MPI's library");
     return p;
 }
 

@@ -74,7 +74,7 @@ CALL(Pack,
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (!type_is_valid(type))
         return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Pack: the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
@@ -92,7 +92,7 @@ CALL(Unpack,
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (!type_is_valid(type))
         return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Unpack: the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
@@ -110,7 +110,7 @@ CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     if (!type_of(type))
         return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Pack_size: the datatype is null, or freed");
     *size = count * (int)size_of(type);

@@ -19,8 +19,8 @@ static struct topology *grid_new(int dims, const int sides[], const int periods[
     return t;
 }
 
-struct topology *topology_of_neighbors(int ins, const int sources[], const int in_weights[], int outs,
-                                       const int dests[], const int out_weights[])
+struct topology *topology_of_neighbors(int ins, const int sources[], const int *in_weights, int outs,
+                                       const int dests[], const int *out_weights)
 {
     struct topology *t = calloc(1, sizeof *t);
     t->kind = MPI_DIST_GRAPH, t->edge_count = ins, t->outs = outs;
@@ -72,7 +72,7 @@ const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, in
     struct comm *c = comm_of(comm);
     const struct topology *t = c ? c->topology : NULL;
     if (!c)
-        *code = fail_comm(CALL_Other);
+        *code = fail_comm_of(call);
     else if (!t || t->kind != kind)
         *code = fail(c, CALL_Other, MPI_ERR_TOPOLOGY, "%s: the communicator has no %s", call,
                      kind == MPI_CART ? "grid" : "graph");
@@ -83,7 +83,7 @@ CALL(Topo_test, (MPI_Comm comm, int *kind))
 {
     const struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     *kind = c->topology ? c->topology->kind : MPI_UNDEFINED;
     return MPI_SUCCESS;
 }
@@ -264,7 +264,7 @@ CALL(Cart_map, (MPI_Comm comm, int dims, const int sides[], const int periods[],
     const struct comm *c = comm_of(comm);
     (void)periods;
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     *rank = c->local->rank < ranks_of(dims, sides) ? c->local->rank : MPI_UNDEFINED;
     return MPI_SUCCESS;
 }
@@ -373,7 +373,7 @@ CALL(Graph_map, (MPI_Comm comm, int nodes, const int ends[], const int edges[], 
     const struct comm *c = comm_of(comm);
     (void)ends, (void)edges;
     if (!c)
-        return fail_comm(CALL_Other);
+        return fail_comm_of(CALL_NAME);
     *rank = c->local->rank < nodes ? c->local->rank : MPI_UNDEFINED;
     return MPI_SUCCESS;
 }

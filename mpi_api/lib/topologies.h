@@ -5,8 +5,8 @@
 
 /* The communicator's, of this kind; NULL with *code: it has none. */
 const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code);
-struct topology *topology_of_neighbors(int ins, const int sources[], const int in_weights[], int outs,
-                                       const int dests[], const int out_weights[]);
+struct topology *topology_of_neighbors(int ins, const int sources[], const int *in_weights, int outs,
+                                       const int dests[], const int *out_weights);
 /* A communicator of the first ranks, with a topology, which it takes over. */
 int topology_make(const struct coll *o, int ranks, struct topology *t, MPI_Comm *to);
 void topology_coords(const struct topology *t, int rank, int coords[]);

@@ -23,6 +23,11 @@ int fail_no_win(int call)
     return fail(NULL, call, MPI_ERR_WIN, "the window is null, or freed");
 }
 
+int fail_no_win_of(const char *call)
+{
+    return fail(NULL, CALL_Other, MPI_ERR_WIN, "%s: the window is null, or freed", call);
+}
+
 /* --- making and freeing --- */
 
 static int check(struct comm *c, int call, MPI_Aint size, int unit)
@@ -95,7 +100,7 @@ CALL(Win_shared_query, (MPI_Win win, int rank, MPI_Aint *size, int *unit, void *
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     if (w->flavor != MPI_WIN_FLAVOR_SHARED)
         return fail_win(w, CALL_Other, MPI_ERR_RMA_FLAVOR, "MPI_Win_shared_query: the window is not shared");
     (void)rank;
@@ -121,7 +126,7 @@ static int check_dynamic(MPI_Win win)
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of("MPI_Win_attach or MPI_Win_detach");
     return w->flavor == MPI_WIN_FLAVOR_DYNAMIC
                ? MPI_SUCCESS
                : fail_win(w, CALL_Other, MPI_ERR_RMA_FLAVOR, "the window is not a dynamic one");
@@ -169,14 +174,14 @@ CALL(Win_free, (MPI_Win * win))
 CALL(Win_get_group, (MPI_Win win, MPI_Group *group))
 {
     struct win *w = win_of(win);
-    return w ? PMPI_Comm_group(HANDLE(MPI_Comm, w->comm), group) : fail_no_win(CALL_Other);
+    return w ? PMPI_Comm_group(HANDLE(MPI_Comm, w->comm), group) : fail_no_win_of(CALL_NAME);
 }
 
 CALL(Win_set_name, (MPI_Win win, const char *name))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     free(w->name);
     w->name = strndup(name, MPI_MAX_OBJECT_NAME - 1);
     return MPI_SUCCESS;
@@ -186,7 +191,7 @@ CALL(Win_get_name, (MPI_Win win, char *name, int *length))
 {
     const struct win *w = win_of(win);
     if (!w && win != MPI_WIN_NULL)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     *length = snprintf(name, MPI_MAX_OBJECT_NAME, "%s", !w ? "MPI_WIN_NULL" : w->name ? w->name : "");
     return MPI_SUCCESS;
 }
@@ -195,7 +200,7 @@ CALL(Win_set_info, (MPI_Win win, MPI_Info info))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     return info_keep(&w->info, info);
 }
 
@@ -203,7 +208,7 @@ CALL(Win_get_info, (MPI_Win win, MPI_Info *info))
 {
     const struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     return info_give(w->info, info);
 }
 
@@ -224,13 +229,14 @@ CALL(Win_set_attr, (MPI_Win win, int keyval, void *value))
 {
     struct win *w = win_of(win);
     return w ? attribute_set("MPI_Win_set_attr", win, &w->attributes, keyval, value)
-             : fail_no_win(CALL_Other);
+             : fail_no_win_of(CALL_NAME);
 }
 
 CALL(Win_delete_attr, (MPI_Win win, int keyval))
 {
     struct win *w = win_of(win);
-    return w ? attribute_delete("MPI_Win_delete_attr", win, &w->attributes, keyval) : fail_no_win(CALL_Other);
+    return w ? attribute_delete("MPI_Win_delete_attr", win, &w->attributes, keyval)
+             : fail_no_win_of(CALL_NAME);
 }
 
 /* The base is the pointer itself, the others are pointers to numbers. */
@@ -239,7 +245,7 @@ CALL(Win_get_attr, (MPI_Win win, int keyval, void *value, int *flag))
     static int model = MPI_WIN_UNIFIED;
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     const void *own = keyval == MPI_WIN_BASE            ? w->base
                       : keyval == MPI_WIN_SIZE          ? (void *)&w->size
                       : keyval == MPI_WIN_DISP_UNIT     ? (void *)&w->unit
@@ -263,7 +269,7 @@ CALL(Win_set_errhandler, (MPI_Win win, MPI_Errhandler handler))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     handler_set(&w->handler, handler);
     return MPI_SUCCESS;
 }
@@ -272,7 +278,7 @@ CALL(Win_get_errhandler, (MPI_Win win, MPI_Errhandler *handler))
 {
     const struct win *w = win_of(win);
     if (!w)
-        return fail_no_win(CALL_Other);
+        return fail_no_win_of(CALL_NAME);
     *handler = handler_get(w->handler);
     return MPI_SUCCESS;
 }
@@ -280,5 +286,5 @@ CALL(Win_get_errhandler, (MPI_Win win, MPI_Errhandler *handler))
 CALL(Win_call_errhandler, (MPI_Win win, int code))
 {
     const struct win *w = win_of(win);
-    return w ? handler_call(w->handler, &win, code) : fail_no_win(CALL_Other);
+    return w ? handler_call(w->handler, &win, code) : fail_no_win_of(CALL_NAME);
 }

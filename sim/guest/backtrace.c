@@ -5,6 +5,7 @@
 #include "kernel/xalloc.h"
 #include "guest/exports.h"
 #include "guest/image.h"
+#include "guest/layer.h"
 #include "node/self.h"
 
 enum { MOST_CALLS = 24 };
@@ -49,7 +50,7 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t a
 }
 
 /* (How MPI's library is made is no concern of the program's.) */
-static bool is_of_mpi(const struct node *n, uintptr_t address)
+bool backtrace_is_of_mpi(const struct node *n, uintptr_t address)
 {
     return !backtrace_in_program(n, address) || node_image_in_mpi(n->file, address - (uintptr_t)n->program);
 }
@@ -58,10 +59,25 @@ void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
-    while (first < depth && is_of_mpi(n, returns[first] - 1))
+    while (first < depth && backtrace_is_of_mpi(n, returns[first] - 1))
         first++;
     for (int i = first < depth ? first : 0; i < depth; i++)
         backtrace_print(f, n, "called from", returns[i] - 1);
+}
+
+const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, int depth, int *outside)
+{
+    const char *call = NULL;
+    int i = 0;
+    for (; i < depth && backtrace_is_of_mpi(n, frames[i]); i++) {
+        const char *name = backtrace_in_program(n, frames[i])
+                               ? node_image_function_name(n->file, frames[i] - (uintptr_t)n->program)
+                               : NULL;
+        if (name && strncmp(name, "PMPI_", 5) == 0)
+            call = layer_called(name);
+    }
+    *outside = i;
+    return call;
 }
 
 /* The word that an instruction addresses relative to the next instruction; 0 if the word is not in the

@@ -31,6 +31,7 @@ static const uint64_t MARK = UINT64_C(0x6372617368206d65);
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 enum { FAULT_COUNT = sizeof FAULTS / sizeof FAULTS[0] };
 
+enum { IN_PLACE = 1 }; /* MPI_IN_PLACE as an address */
 enum { MOST_FRAMES = sizeof(((struct node_crash *)0)->frames) / sizeof(uintptr_t) };
 
 /* A library function that crashed ran on the system's stack, where the program called it. */
@@ -303,26 +304,63 @@ static bool has_frame(const struct node *n, uintptr_t pc)
     return code[memcmp(code, ENDBR64, sizeof ENDBR64) ? 0 : sizeof ENDBR64] == PUSH_RBP;
 }
 
+/* The addresses of the frames, the innermost first, at most MOST_FRAMES + 1; how many. */
+static int frames_of(const struct node *n, uintptr_t frames[])
+{
+    const struct node_crash *g = n->cold->crash;
+    int depth = 0;
+    frames[depth++] = g->frames[0];
+    if (g->in_library || !has_frame(n, g->frames[0]))
+        frames[depth++] = g->top - 1;
+    for (int i = 1; i < g->depth; i++)
+        frames[depth++] = g->frames[i] - 1;
+    return depth;
+}
+
+/* MPI's library uses what the program gave to one of its calls: the fault is the call's, whose line the
+ * program knows. */
+static void print_given(FILE *f, const struct node_crash *g, const char *call)
+{
+    if (g->address == IN_PLACE)
+        fprintf(f, "\n  0x1 is MPI_IN_PLACE, which is not for this argument of %s, or not on this rank",
+                call);
+    else
+        fprintf(f,
+                "\n  %s uses what it is given: are all buffers and lists there, and as large as it is told?",
+                call);
+}
+
+static void print_frames(FILE *f, const struct node *n, const uintptr_t *frames, int depth)
+{
+    const struct node_crash *g = n->cold->crash;
+    if (g->in_library && !n->call) {
+        const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
+        fprintf(f, "\n  in %s", called ? called : "a library function");
+    }
+    for (int i = 0; i < depth; i++)
+        backtrace_print(f, n, i ? "called from" : "in", frames[i]);
+}
+
 char *crash_report(const struct node *n)
 {
     const struct node_crash *g = n->cold->crash;
     assert(g && g->depth > 0);
     char *text = NULL;
     size_t size;
+    uintptr_t frames[MOST_FRAMES + 1];
+    int depth = frames_of(n, frames), outside;
+    const char *mpi = backtrace_mpi_call(n, frames, depth, &outside), *call = mpi ? mpi : n->call;
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s crashed at %s%s, %s%s: ", n->cold->name, n->call ? "" : "or shortly before ",
-            virtual_time_moment(n->stats.ended_at).text, n->call ? "in " : "computing",
-            n->call ? n->call : "");
+            virtual_time_moment(n->stats.ended_at).text, call ? "in " : "computing", call ? call : "");
     print_cause(f, n);
-    if (g->in_library && !n->call) {
-        const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
-        fprintf(f, "\n  in %s", called ? called : "a library function");
+    if (mpi && outside < depth) {
+        print_given(f, g, mpi);
+        for (int i = outside; i < depth; i++)
+            backtrace_print(f, n, "called from", frames[i]);
+    } else {
+        print_frames(f, n, frames, depth);
     }
-    backtrace_print(f, n, "in", g->frames[0]);
-    if (g->in_library || !has_frame(n, g->frames[0]))
-        backtrace_print(f, n, "called from", g->top - 1);
-    for (int i = 1; i < g->depth; i++)
-        backtrace_print(f, n, "called from", g->frames[i] - 1);
     fclose(f);
     return text;
 }

@@ -32,6 +32,19 @@ check "Fortran's calls" grep -qx '  4  4  9  15.0  2  1' out
 check "none is wrong" eval '! grep -q wrong out'
 equal_results "Fortran" -n 6 ring
 
+check "mpif90 compiles later calls" bin/mpif90 -O2 -o more "$tests/mpi_more.f90"
+run -q -m delta -n 4 more
+check "they work from Fortran" test "$status:$(cat out)" = 0:done
+equal_results "Fortran's later calls" -m delta -n 5 more
+nm "$BUILD/node/libmpi.a" | sed -nE 's/.* [TW] MPI_(.*)$/\1/p' | grep -vE 'c2f|f2c' | tr A-Z a-z | sort >in_c
+nm "$BUILD/node/libmpi.a" | sed -nE 's/.* [TW] mpi_(.*)_$/\1/p' | sort >in_fortran
+comm -23 in_c in_fortran | xargs >in_c_alone
+check "what Fortran does not have" test "$(cat in_c_alone)" = "$(xargs <<'END'
+alltoallw_init comm_idup comm_idup_with_info get_elements_x ineighbor_alltoallw isendrecv isendrecv_replace neighbor_alltoallw
+register_datarep status_set_elements_x type_get_extent_x type_get_true_extent_x type_size_x win_allocate_shared win_shared_query
+END
+)"
+
 run -q -n 4 mpi_nodes rank
 check "a rank that is none ends the run with the call and the ranks" said 'MPI_Send: there is no rank 4 in the communicator \(ranks are 0 to 3\)'
 check "and with the line of the program" said 'mpi_nodes\.c:[0-9]+'
@@ -44,6 +57,21 @@ for program in early rare; do
     bin/mpicc -o $program $program.c && run -q -n 1 $program
     check "$program: a call before MPI_Init" said 's: MPI[A-Za-z_]*: called before MPI_Init'
 done
+echo '#include <mpi.h>
+int main(int argc, char **argv)
+{
+    int rank = 0;
+    MPI_Comm graph;
+    MPI_Init(&argc, &argv);
+    MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, 1, &rank, MPI_UNWEIGHTED, 1, &rank, MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &graph);
+    MPI_Dist_graph_neighbors(graph, 1, &rank, MPI_UNWEIGHTED, 1, &rank, MPI_UNWEIGHTED);
+    return argc > 1 ? MPI_Comm_size(MPI_COMM_NULL, &rank) : MPI_Waitall(-1, NULL, MPI_STATUSES_IGNORE);
+}' >null.c
+check "MPI_UNWEIGHTED gives no warnings" bin/mpicc -O2 -Wall -Wextra -Werror -o null null.c
+run -q -n 1 null size
+check "a null communicator: the call that core does not know, too" said 's: MPI_Comm_size: the communicator is null, or freed'
+run -q -n 1 null
+check "a negative count of requests" said 'a count is negative'
 check "none is called MPI_Other" eval '! said Other'
 run -q -n 4 mpi_nodes long
 check "a message too long: both lengths" said 'MPI_Recv: the message of tag 9 from rank 0 has 9 bytes, but the buffer only 2'

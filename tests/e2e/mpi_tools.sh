@@ -125,6 +125,25 @@ check "a deadlock: who has come to MPI_Finalize is said to be there" said "node 
 run -q -n 4 mpi_nodes long
 check "an error's first line is the program's, not the library's" [ "$(grep -m1 -o 'called from .*' err | grep -c '(mpi_nodes\.c:')" = 1 ]
 
+build given -O1
+while IFS='|' read -r how call what; do
+    run -q -n 2 given "$how"
+    check "$how: a fault in MPI's library is the call's" told "crashed at" "in $call: it used an address it may not"
+    check "$how: what to look at" told "$what"
+    check "$how: the first line is the program's" \
+        [ "$(grep -m1 -oE '(called from|in) main.*' err | grep -oE 'given\.c:[0-9]+')" = "$(line given.c "$call(")" ]
+    check "$how: no function of the library is named" [ "$(grep -cE '(called from|in) ' err)" = 2 ]
+done <<'END'
+gather|MPI_Gather|MPI_Gather uses what it is given
+counts|MPI_Scatterv|MPI_Scatterv uses what it is given
+place|MPI_Bcast|0x1 is MPI_IN_PLACE
+status|MPI_Get_count|MPI_Get_count uses what it is given
+requests|MPI_Waitall|MPI_Waitall uses what it is given
+END
+run -q -n 2 given operation
+check "a fault of the program's own operation is its own" grep -qE '^  in add.*given\.c:' err
+check "with the calls under way" grep -qE '^  called from main.*given\.c:' err
+
 # --- traces ---
 run -q -m paragon -n 8 --trace t.trace mpi_nodes
 "$BUILD/touchstone" trace why t.trace >why 2>err
