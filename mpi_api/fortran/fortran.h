@@ -55,10 +55,10 @@ static inline MPI_Status *f_status(f_int *s)
             *(x) = F_OF(made);                                                                               \
     } while (0)
 
-/* A list of datatypes, to be freed. */
+/* A list of datatypes, to be freed. (A negative count is for the call to refuse.) */
 static inline MPI_Datatype *f_types(const f_int *list, int count)
 {
-    MPI_Datatype *types = get_memory((size_t)count * sizeof *types);
+    MPI_Datatype *types = get_memory(count > 0 ? (size_t)count * sizeof *types : 0);
     for (int i = 0; i < count; i++)
         types[i] = F_TYPE(&list[i]);
     return types;

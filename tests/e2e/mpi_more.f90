@@ -103,6 +103,9 @@ program more
     call MPI_WIN_FREE(window, ierr)
     call expect("raccumulate", cell == left)
     if (rank == 0) print "(a)", "done"
+    call MPI_COMM_SET_ERRHANDLER(MPI_COMM_WORLD, MPI_ERRORS_RETURN, ierr)
+    call MPI_TYPE_CREATE_STRUCT(-1, counts, none, kinds, vector, ierr)
+    if (ierr /= MPI_ERR_COUNT) print *, "wrong: a negative count"
     call MPI_FINALIZE(ierr)
 contains
     subroutine expect(what, holds)
