@@ -60,7 +60,7 @@ void *object_of(const void *handle, enum kind kind)
     return o && o->kind == kind ? o : NULL;
 }
 
-/* Its handle is none any more. */
+/* The object's handle is none any more. */
 void object_end(struct object *o)
 {
     int place = o->handle - FIRST_HANDLE;

@@ -21,12 +21,6 @@ struct object {
 
 /* --- stacks --- */
 
-static const char *file_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 static void print_call(FILE *f, const struct node *n, const char *how, size_t offset)
 {
     char line[200];
@@ -59,7 +53,7 @@ static void print_site(FILE *f, const struct node *n, const struct nxc_race_site
 {
     uint32_t i = 0;
     fprintf(f, "\n    in %s (%s:%d)", nxc_race_text(site, site->function),
-            file_name(nxc_race_text(site, site->file)), site->line);
+            basename(nxc_race_text(site, site->file)), site->line);
     while (i < s->depth && asan_is_of_nxcc(n, s->returns[i]))
         i++;
     for (i++; i < s->depth; i++)
@@ -161,7 +155,7 @@ static struct bytes_text bytes_text(size_t bytes)
 static void print_object_name(FILE *f, const struct object *o)
 {
     if (o->name)
-        fprintf(f, "%s (%s, %s:%d)", o->name, bytes_text(o->bytes).text, file_name(o->file), o->line);
+        fprintf(f, "%s (%s, %s:%d)", o->name, bytes_text(o->bytes).text, basename(o->file), o->line);
     else
         fprintf(f, "a block of %s", bytes_text(o->bytes).text);
 }

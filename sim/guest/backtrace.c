@@ -50,7 +50,7 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t a
 }
 
 /* (How MPI's library is made is no concern of the program's.) */
-bool backtrace_is_of_mpi(const struct node *n, uintptr_t address)
+static bool is_of_mpi(const struct node *n, uintptr_t address)
 {
     return !backtrace_in_program(n, address) || node_image_in_mpi(n->file, address - (uintptr_t)n->program);
 }
@@ -59,7 +59,7 @@ void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
-    while (first < depth && backtrace_is_of_mpi(n, returns[first] - 1))
+    while (first < depth && is_of_mpi(n, returns[first] - 1))
         first++;
     for (int i = first < depth ? first : 0; i < depth; i++)
         backtrace_print(f, n, "called from", returns[i] - 1);
@@ -69,7 +69,7 @@ const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, in
 {
     const char *call = NULL;
     int i = 0;
-    for (; i < depth && backtrace_is_of_mpi(n, frames[i]); i++) {
+    for (; i < depth && is_of_mpi(n, frames[i]); i++) {
         const char *name = backtrace_in_program(n, frames[i])
                                ? node_image_function_name(n->file, frames[i] - (uintptr_t)n->program)
                                : NULL;

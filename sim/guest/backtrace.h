@@ -16,8 +16,6 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t a
 /* Prints such a line for each call under way in the program, from a frame upwards. */
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame);
 
-/* Is an address in MPI's library, or outside of the program? */
-bool backtrace_is_of_mpi(const struct node *n, uintptr_t address);
 /* The call of MPI's in which the program is, "MPI_Send", by the addresses of its frames, the innermost first;
  * *outside becomes how many frames of the call there are. NULL: it is in none. */
 const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, int depth, int *outside);

@@ -174,16 +174,10 @@ long cube_release(struct node *host, const char *name)
 
 /* --- its programs --- */
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* The path of a file in the host program's folder; malloc'd. */
 static char *beside_host(const struct cube *c, const char *name)
 {
-    int dir = (int)(base_name(c->options.host) - c->options.host);
+    int dir = (int)(basename(c->options.host) - c->options.host);
     return xasprintf("%.*s%s", dir, c->options.host, name);
 }
 
@@ -194,9 +188,9 @@ static char *beside_host(const struct cube *c, const char *name)
 static char *find_program(const struct cube *c, const char *path)
 {
     const char *given = c->options.program;
-    if (given && !strcmp(base_name(given), base_name(path)))
+    if (given && !strcmp(basename(given), basename(path)))
         return xstrdup(given);
-    char *choice[] = {*path == '/' ? xstrdup(path) : beside_host(c, path), beside_host(c, base_name(path)),
+    char *choice[] = {*path == '/' ? xstrdup(path) : beside_host(c, path), beside_host(c, basename(path)),
                       xstrdup(path)};
     char *found = NULL;
     for (int i = 0; i < 3; i++)
@@ -212,7 +206,7 @@ static struct program *open_program(struct node *host, const char *path)
     struct cube *c = host->sys->cube;
     char *error, *file = find_program(c, path);
     if (!file) {
-        char *beside = beside_host(c, base_name(path));
+        char *beside = beside_host(c, basename(path));
         node_error(host, ENOENT, "there is no program \"%s\": not from here, not %s, not on the command line",
                    path, beside);
         free(beside);

@@ -47,18 +47,12 @@ const char *race_text(struct race_texts *t, const char *text)
     return t->list[t->count++] = xstrdup(text);
 }
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* (The instruction before a return address is the call.) */
 static bool find(struct race_texts *t, const struct node_image *file, uint32_t returns,
                  struct race_frame *frame)
 {
     struct layer_place p = layer_place(node_image_elf(file), node_image_layer(file), returns - 1);
-    *frame = (struct race_frame){race_text(t, p.function), race_text(t, p.path ? base_name(p.path) : ""),
+    *frame = (struct race_frame){race_text(t, p.function), race_text(t, p.path ? basename(p.path) : ""),
                                  p.line, p.in_layer};
     bool in_program = !p.path || !layer_is_library(p.path);
     free(p.function);
@@ -101,7 +95,7 @@ static size_t frame_of_site(struct race_texts *t, const struct node_races *r, ui
         return 0;
     const char *function = site_text(t, elf, offset, site->function);
     const char *path = site_text(t, elf, offset, site->file);
-    *frame = (struct race_frame){function, base_name(path), site->line,
+    *frame = (struct race_frame){function, basename(path), site->line,
                                  layer_has(node_image_layer(r->file), function, path)};
     *variable = site_text(t, elf, offset, site->variable);
     return 1;
@@ -186,7 +180,7 @@ const char *race_text_given(struct race_texts *t, const struct node_races *r, co
     for (uint32_t at = r->sites_begin; at < r->sites_end; at += sizeof *site) {
         site = elf_at(elf, at, sizeof *site);
         if (!site || !(site->flags & NXC_RACE_GIVEN) || site->line != call->line ||
-            race_text(t, base_name(site_text(t, elf, at, site->file))) != call->file)
+            race_text(t, basename(site_text(t, elf, at, site->file))) != call->file)
             continue;
         const char *name = site_text(t, elf, at, site->variable);
         if (*given && given != name)

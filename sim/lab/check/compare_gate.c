@@ -98,7 +98,7 @@ static bool compare_study(struct gate *g, struct study *s, const char *name, cha
 
 static char *study_name(const char *file)
 {
-    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
+    const char *name = basename(file), *dot = strrchr(name, '.');
     return xasprintf("%.*s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)), name);
 }
 

@@ -172,12 +172,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 /* --- drawing --- */
 
-static const char *file_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* The file of a display. malloc'd. */
 static char *path_of(const struct arguments *a, const struct display *d)
 {
@@ -186,7 +180,7 @@ static char *path_of(const struct arguments *a, const struct display *d)
         return xstrdup(a->output);
     if (a->output)
         return xasprintf("%s/%s.%s", a->output, d->name, ending);
-    const char *path = a->run.path, *base = file_name(path), *dot = strrchr(base, '.');
+    const char *path = a->run.path, *base = basename(path), *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - path) : strlen(path);
     return xasprintf("%.*s-%s%s.%s", (int)length, path, d->name, a->other.path ? "-than" : "", ending);
 }
@@ -273,7 +267,7 @@ static bool read_run(const struct arguments *a, struct run *r, char **error)
         return false;
     r->show.trace = r->trace;
     r->show.densest = !a->select.from && !a->select.to && !r->show.most_lines && !a->other.path;
-    r->show.label = a->other.path ? file_name(r->path) : NULL;
+    r->show.label = a->other.path ? basename(r->path) : NULL;
     r->show.rows = node_rows_make(r->trace);
     return true;
 }

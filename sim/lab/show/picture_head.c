@@ -10,7 +10,7 @@
 static char *subject(const struct show *s)
 {
     const struct trace *t = s->trace;
-    const char *slash = strrchr(t->program, '/'), *program = slash ? slash + 1 : t->program;
+    const char *program = basename(t->program);
     vtime resolution = (t->to - t->from) / 1000;
     char *from = axis_time_text(t->from, resolution), *to = axis_time_text(vt_min(t->to, t->end), resolution);
     int32_t all = t->node_count - t->topo.host, nodes = s->rows.nodes - s->rows.host;

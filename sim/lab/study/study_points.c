@@ -114,7 +114,7 @@ static json_t *axis_values(const struct spec_axis *axis)
 /* The study's title, malloc'd. One without is called by its program and machine: "jacobi on delta". */
 static char *title_of(const struct spec *s)
 {
-    const char *slash = strrchr(s->program, '/'), *program = slash ? slash + 1 : s->program;
+    const char *program = basename(s->program);
     return *s->title     ? xstrdup(s->title)
            : *s->machine ? xasprintf("%s on %s", program, s->machine)
                          : xstrdup(program);

@@ -75,7 +75,7 @@ static const char *line_of(struct places *p, const struct trace_frame *f)
     const char *function = function_of(p, f);
     if (!f || !f->file)
         return function;
-    const char *slash = strrchr(f->file, '/'), *file = slash ? slash + 1 : f->file;
+    const char *file = basename(f->file);
     return *function ? places_text(p, "%s:%d (%s)", file, f->line, function)
                      : places_text(p, "%s:%d", file, f->line);
 }

@@ -14,12 +14,6 @@ static bool worth_a_word(vtime part, vtime whole)
     return part && part >= whole / WORTH;
 }
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* The name with a capital letter. */
 static struct why_text capital(const char *name)
 {
@@ -56,7 +50,7 @@ static void about(struct why *w, FILE *f)
 {
     const struct trace *t = w->t;
     struct why_unit u = why_unit_for(t->end);
-    fprintf(f, "%s took %s on ", base_name(t->program), why_time(u, t->end).text);
+    fprintf(f, "%s took %s on ", basename(t->program), why_time(u, t->end).text);
     where(t, f);
     fputc('.', f);
     if (t->from || t->to < t->end)
