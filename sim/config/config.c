@@ -57,6 +57,7 @@ static const struct time_key system_times[] = {
     TIME("call", call_ps),
     TIME("clock_call", clock_call_ps),
     TIME_OR_NONE("kernel", kernel_ps),
+    TIME_OR_NONE("entry", entry_ps),
     TIME_OR_NONE("unix_call", unix_call_ps),
     TIME("short_send", short_send_ps),
     TIME("short_receive", short_receive_ps),

@@ -107,6 +107,7 @@ struct cfg_machine {
     uint64_t call_ps;       /* any call that reads or changes the state of messages */
     uint64_t clock_call_ps; /* dclock, mclock, mynode and the like */
     uint64_t kernel_ps;     /* besides these, for a call that enters a kernel below NX; 0: NX is the kernel */
+    uint64_t entry_ps;      /* and for a message that comes while the program computes; 0: likewise */
     uint64_t unix_call_ps;  /* besides these, for a call that UNIX answers; 0: NX does so itself */
     uint64_t short_send_ps; /* sender, short message */
     uint64_t short_receive_ps; /* receiver, short message */

@@ -17,7 +17,7 @@ vtime endpoint_work(void *ends, uint32_t address, enum protocol_task task, vtime
 {
     struct node_system *sys = ends;
     return is_service(sys, address) ? cfs_work(sys->cfs, address, at, t)
-                                    : node_work(sys, address, task, at, t);
+                                    : node_interrupted(sys, address, task, at, t);
 }
 
 /* No program runs on a service's processor, so moving bytes is work like any other. */

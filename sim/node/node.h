@@ -177,9 +177,10 @@ struct node {
         bool (*ready)(struct node *n, void *arg);
         void *arg;
     } wait;
-    vtime waits_system;         /* os: times.system when it began to wait */
-    const char *call;           /* os: the call the program is in, for reports; NULL while it computes */
-    uint64_t heard;             /* os: what the observers want to be told: os/observer.h */
+    vtime in_kernel;    /* os: the program is in a kernel below NX until then, for a message of its own */
+    vtime waits_system; /* os: times.system when it began to wait */
+    const char *call;   /* os: the call the program is in, for reports; NULL while it computes */
+    uint64_t heard;     /* os: what the observers want to be told: os/observer.h */
     struct observer *observers; /* os. NULL: nobody observes the node */
     struct node_asan *asan;     /* machine. NULL: the program was built without --asan */
     vtime call_since;           /* os */

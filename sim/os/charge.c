@@ -34,14 +34,17 @@ vtime node_system_time(const struct node *n, vtime t)
 /* --- the system's part, in interrupts --- */
 
 /* The system has the processor for t: instead of a computing program, or while the program waits. */
-static void steal(struct node *n, enum node_task task, vtime t)
+static void steal(struct node *n, enum node_task task, vtime at, vtime t)
 {
     if (n->lp.state == LP_ENDED)
         return; /* the node has no program whose time it would be */
     lp_synchronise(&n->lp);
     bool computes = lp_computes(&n->lp);
-    if (computes)
+    if (computes) {
         clock_steal(&n->lp, t);
+        if (at <= n->in_kernel)
+            n->in_kernel += t;
+    }
     add(n, task, t);
     ANNOUNCE(n, charged, t, 0, computes);
 }
@@ -52,9 +55,20 @@ vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vti
     t = node_system_time(n, t);
     n->sys_free = vt_max(at, n->sys_free) + t;
     enum node_task what = task == PROTOCOL_SEND ? NODE_SENDING : NODE_RECEIVING;
-    steal(n, what, t);
+    steal(n, what, at, t);
     ANNOUNCE(n, system, what, n->sys_free, t);
     return n->sys_free;
+}
+
+vtime node_interrupted(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
+{
+    struct node *n = node_at(ctx, node);
+    if (n->sys->cfg->entry_ps && at > n->sys_free) {
+        lp_synchronise(&n->lp); /* so that n->in_kernel is that of `at` */
+        if (lp_computes(&n->lp) && at > n->in_kernel)
+            t += n->sys->cfg->entry_ps;
+    }
+    return node_work(ctx, node, task, at, t);
 }
 
 void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
@@ -62,7 +76,7 @@ void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtim
     struct node *n = node_at(ctx, node);
     enum node_task what = task == PROTOCOL_SEND ? NODE_FEEDING : NODE_EMPTYING;
     t = node_system_time(n, t);
-    steal(n, what, t);
+    steal(n, what, at, t);
     ANNOUNCE(n, system, what, at + t, t);
 }
 

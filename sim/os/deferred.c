@@ -265,6 +265,7 @@ static vtime copying(const struct node *n, const struct message *m)
 static void take(struct node *n, const struct deferred_call *c, vtime now)
 {
     if (c->inline_message) {
+        charge_in_kernel(n, now);
         protocol_message_free_plain(n->sys->schedule.protocol, c->consumed);
         return;
     }
@@ -288,6 +289,8 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
         ANNOUNCE(n, charges_deferred, 0);
         match_send(n, message_of(n, 0), now + c->spent);
         ANNOUNCE(n, charges_program);
+    } else if (c->has_message || c->receive) {
+        charge_in_kernel(n, handed_over(n, 0) + n->deferred.shift);
     }
 }
 

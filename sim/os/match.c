@@ -195,6 +195,7 @@ vtime match_send(struct node *n, struct message *first, vtime now)
         protocol_send_late(n->sys->schedule.protocol, m, now, late);
     }
     node_account(n, NODE_SENDING, now - begun);
+    charge_in_kernel(n, now);
     return now;
 }
 
@@ -216,6 +217,7 @@ void match_post(struct node *n, struct receive *r, vtime now)
 {
     const struct order_policy *orders = order_policy_of(n);
     struct message *m = orders ? orders->unexpected(n, r) : unexpected_first(n, &r->select);
+    charge_in_kernel(n, now);
     if (m)
         match_select(n, r, m, now);
     else
@@ -246,6 +248,7 @@ vtime match_copying(const struct node *n, const struct message *m)
 
 void match_done_with(struct node *n, struct message *m, vtime now)
 {
+    charge_in_kernel(n, now);
     unbuffer(n, m, now);
     protocol_message_free(m);
 }

@@ -307,7 +307,8 @@ static void choose_numbers(struct chooser *c)
         "system.ask_send_us",       "system.short_receive_us", "system.ask_receive_us",
         "system.grant_receive_us",  "system.long_receive_us",  "system.interrupt_us",
         "net.short_hop_us",         "net.long_hop_us",         "system.forced_send_us",
-        "system.forced_receive_us", "system.kernel_us",        "system.unix_call_us"};
+        "system.forced_receive_us", "system.kernel_us",        "system.unix_call_us",
+        "system.entry_us"};
     struct program *p = c->p;
     uint64_t *r = &c->random;
     if (random_chance(r, 0.2))
