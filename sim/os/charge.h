@@ -10,7 +10,7 @@ void node_account(struct node *n, enum node_task task, vtime t);
 /* Takes back a charge, of a call that is rolled back. */
 void charge_undo(struct node *n, enum node_task task, vtime t);
 
-/* The program is in the system until t: it sends or receives. A message that comes meanwhile enters no kernel. */
+/* The program sends or receives until t: a message that comes meanwhile finds it in the kernel. */
 static inline void charge_in_kernel(struct node *n, vtime t)
 {
     n->in_kernel = t;
@@ -31,7 +31,7 @@ bool charge_adds_up(const struct node *n);
 
 /* --- for net/endpoint.h, with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
-/* The same for what the network brings: where NX has a kernel below, it is entered, unless node or system are in it. */
+/* The same for what the network brings: it enters a kernel below NX, unless program or system are in it. */
 vtime node_interrupted(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 #endif
