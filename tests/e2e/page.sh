@@ -68,6 +68,8 @@ done
 for tone in $(sed -n '/ORDER\[\]/,/;/p' "$tests/../../sim/lab/render/colours.c" | grep -oP '0x\K[0-9a-f]{6}'); do
     check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_section.js"
 done
+page two.html run.trace many.trace
+check "a page of two traces is written" ended_with 0
 page - run.json
 check "- is standard output" grep -q '^<!doctype html>' out
 check "the name that is markup stands nowhere as such" bash -c '! grep -q "<img\|<script>document" all.html'
@@ -109,5 +111,5 @@ if ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null || !
     echo "skip pages in a browser: chromium, chromium-driver and python3-selenium are not installed (make setup)"
     exit
 fi
-PYTHONDONTWRITEBYTECODE=1 HOME=$work limited /usr/bin/python3 "$tests/../page/check_page.py" "$work/all.html" "$work/many.html" "$work" 2>browser.err
+PYTHONDONTWRITEBYTECODE=1 HOME=$work limited /usr/bin/python3 "$tests/../page/check_page.py" "$work/all.html" "$work/many.html" "$work/two.html" "$work" 2>browser.err
 [ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }

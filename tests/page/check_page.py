@@ -1,6 +1,6 @@
-"""check_page.py PAGE MANY FOLDER - tries a page in a browser: prints "ok RULE" or "not ok RULE", as tests/run reads it.
+"""check_page.py PAGE MANY TWO FOLDER - tries a page in a browser: prints "ok RULE" or "not ok RULE", as tests/run reads it.
 
-PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals. FOLDER has the files that the page was made of."""
+PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals, TWO that and another. FOLDER has the files that the page was made of."""
 import json
 import sys
 
@@ -11,7 +11,7 @@ from selenium.webdriver.common.keys import Keys
 from browser import Browser
 import vision
 
-page, many, folder = sys.argv[1:]
+page, many, two, folder = sys.argv[1:]
 
 
 def rule(name, holds, why=""):
@@ -352,11 +352,39 @@ def check_speed(b):
     rule("timeline: 100,000 intervals are redrawn in a frame", pieces >= 100000 and times[0] < 33, (pieces, times[0]))
 
 
+def check_together(b):
+    b.open(two)
+    b.run("window.timelines = [...document.querySelectorAll('.plot canvas')].map(c => c.timeline).filter(t => t)")
+    views = lambda: b.run("return timelines.map(t => [t.view.from, t.view.to])")
+    first, second = [e for e in b.driver.find_elements(By.CSS_SELECTOR, "main > section")
+                     if e.find_element(By.TAG_NAME, "h2").text.startswith("Timeline")]
+    neighbours = "return arguments[0].nextElementSibling === arguments[1]"
+    rule("two timelines: one follows the other", b.run(neighbours, first, second))
+    stops = b.run("return timelines.map(t => t.trace.stop)")
+    rule("two timelines: both show the longer run", stops[0] != stops[1] and views() == [[0, max(stops)]] * 2, (stops, views()))
+    behind = """const t = timelines.find(t => t.trace.stop < t.view.to), {painter, view, trace: {stop}} = t, {axis, scale} = painter.layout;
+        t.paint();
+        const row = t.canvas.getContext('2d').getImageData(0, (axis + 6) * scale, t.canvas.width, 1).data, {to} = view;
+        const at = time => row.slice(4 * Math.round(painter.x(time, view) * scale)).slice(0, 3).join();
+        return [at(stop * 0.5), at((stop + to) / 2), at((stop + 3 * to) / 4)]"""
+    tones = b.run(behind)
+    rule("two timelines: behind the shorter run there is nothing", tones[1] == tones[2] != tones[0], tones)
+    zoom = "arguments[0].querySelector(\"[aria-label='Zoom in']\").click()"
+    b.run(zoom, second)
+    rule("two timelines: the first follows the second", views()[0] == views()[1] and views()[0][0] > 0, views())
+    box = second.find_element(By.XPATH, ".//label[contains(., 'all runs show')]/input")
+    b.run("arguments[0].click()", box)
+    b.run(zoom, first)
+    rule("two timelines: unless that is switched off", views()[0] != views()[1], views())
+    b.run("arguments[0].click()", box)
+    rule("two timelines: switched on again, it follows at once", views()[0] == views()[1], views())
+
+
 browser = Browser()
 try:
     browser.open(page)
     for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
-                  check_widths, check_markup, check_colours, check_speed):
+                  check_widths, check_markup, check_colours, check_speed, check_together):
         try:
             check(browser)
         except Exception as problem:  # what is not there is a rule that does not hold
@@ -364,6 +392,6 @@ try:
     said = browser.said()
     rule("the console stays silent", not said, said[:3])
     asked = [u for u in browser.requests() if not u.startswith(("data:", "blob:"))]
-    rule("nothing is fetched but the pages", set(asked) == {"file://" + page, "file://" + many}, asked)
+    rule("nothing is fetched but the pages", set(asked) == {"file://" + page, "file://" + many, "file://" + two}, asked)
 finally:
     browser.close()

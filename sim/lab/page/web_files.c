@@ -41,6 +41,7 @@ WEB_FILE(orbit, "/usr/share/javascript/three/examples/js/controls/OrbitControls.
     X(trace_data)                                                                                            \
     X(timeline_draw)                                                                                         \
     X(timeline_section)                                                                                      \
+    X(timelines_together)                                                                                    \
     X(matrix_section)                                                                                        \
     X(channels_section)                                                                                      \
     X(path_section)                                                                                          \

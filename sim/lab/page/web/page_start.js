@@ -47,6 +47,7 @@ async function startPage() {
         }
     }
     linkPaths(paths, timelines);
+    showTogether(timelines);
     if (surfaces.length)
         await showSurfaces(surfaces);
     state.remove();

@@ -102,6 +102,11 @@ class TimelinePainter {
         this.buffer.getContext('2d').putImageData(this.image, 0, 0);
         g.imageSmoothingEnabled = false;
         g.drawImage(this.buffer, left, this.y(first, view), columns / scale, rows * view.rowHeight);
+        g.fillStyle = this.ground; /* outside of the run there is nothing */
+        if (view.from < this.trace.start)
+            g.fillRect(left, this.y(first, view), this.x(this.trace.start, view) - left, rows * view.rowHeight);
+        if (view.to > this.trace.stop)
+            g.fillRect(this.x(this.trace.stop, view), this.y(first, view), width, rows * view.rowHeight);
         if (view.rowHeight >= 6) {
             g.fillStyle = this.ground;
             for (let r = first; r <= last; r++)

@@ -27,6 +27,7 @@ class Timeline {
             found: [],
             message: -1,
             onrange: [],
+            bounds: trace, /* what can be shown: all of it */
             order: {by: 'number', hostsFirst: false}
         });
         const shown = trace.rows.length;
@@ -159,7 +160,7 @@ class Timeline {
             element('span', {class: 'group', role: 'group', 'aria-label': 'Zoom'},
                 button('−', () => this.zoom(2), {'aria-label': 'Zoom out'}),
                 button('+', () => this.zoom(0.5), {'aria-label': 'Zoom in'}),
-                button('All', () => this.setRange(this.trace.start, this.trace.stop)),
+                button('All', () => this.setRange(this.bounds.start, this.bounds.stop)),
                 button('◀', () => this.move(-0.5), {'aria-label': 'Earlier'}),
                 button('▶', () => this.move(0.5), {'aria-label': 'Later'})),
             labelled('from', this.fromInput), labelled('to', this.toInput),
@@ -201,7 +202,7 @@ class Timeline {
     }
     /* --- what is shown --- */
     setRange(from, to) {
-        const {start, stop} = this.trace, least = Math.min(1000, stop - start);
+        const {start, stop} = this.bounds, least = Math.min(1000, stop - start);
         const span = Math.min(Math.max(to - from, least), stop - start);
         const middle = (from + to) / 2;
         this.view.from = Math.min(Math.max(to - from < least ? middle - span / 2 : from, start), stop - span);
@@ -219,9 +220,9 @@ class Timeline {
             f();
     }
     viewFrom() {
-        return this.view.from <= this.trace.start ? this.trace.from : BigInt(Math.floor(this.view.from));
+        return this.view.from <= this.bounds.start ? this.bounds.from : BigInt(Math.floor(this.view.from));
     }
-    viewTo() { return this.view.to >= this.trace.stop ? this.trace.to : BigInt(Math.ceil(this.view.to)); }
+    viewTo() { return this.view.to >= this.bounds.stop ? this.bounds.to : BigInt(Math.ceil(this.view.to)); }
     readRange() {
         const [from, to] = [this.fromInput, this.toInput].map(
             ({value}, i) => value === this.shown[i].text ? this.shown[i].time : parseTime(value));
@@ -308,17 +309,20 @@ class Timeline {
         if (this.chooses)
             return this.dragged > 6 ? this.showSpan() : this.dropSpan();
         if (this.dragged > 6 || row < 0 || row >= this.trace.rows.length ||
-            e.offsetY < this.painter.layout.axis)
+            e.offsetY < this.painter.layout.axis || this.isOutside(e.offsetX))
             return;
         this.select(row, this.trace.pieceAt(this.trace.rows[row], this.painter.timeAt(e.offsetX, this.view)));
     }
     timeAt(x) {
         return Math.min(this.trace.stop, Math.max(this.trace.start, this.painter.timeAt(x, this.view)));
     }
+    /* Is x before or behind the run, where only another one has something? */
+    isOutside(x) { return this.timeAt(x) !== this.painter.timeAt(x, this.view); }
     /* Tells what is under the mouse. */
     hover(e) {
         const {axis, left, width} = this.painter.layout, row = this.painter.rowAt(e.offsetY, this.view);
-        if (e.buttons || e.offsetY < axis || e.offsetX < left || !this.trace.rows[row]) {
+        if (e.buttons || e.offsetY < axis || e.offsetX < left || !this.trace.rows[row] ||
+            this.isOutside(e.offsetX)) {
             this.tip.textContent = '';
             return;
         }
@@ -365,9 +369,9 @@ class Timeline {
             '+': () => this.zoom(0.6),
             '=': () => this.zoom(0.6),
             '-': () => this.zoom(1 / 0.6),
-            0: () => this.setRange(this.trace.start, this.trace.stop),
-            Home: () => this.setRange(this.trace.start, this.trace.start + this.view.to - this.view.from),
-            End: () => this.setRange(this.trace.stop - this.view.to + this.view.from, this.trace.stop),
+            0: () => this.setRange(this.bounds.start, this.bounds.stop),
+            Home: () => this.setRange(this.bounds.start, this.bounds.start + this.view.to - this.view.from),
+            End: () => this.setRange(this.bounds.stop - this.view.to + this.view.from, this.bounds.stop),
             ArrowUp: () => this.selectRow(-1),
             ArrowDown: () => this.selectRow(1),
             PageUp: () => this.scrollRows(-10),
