@@ -59,8 +59,9 @@ endif
 
 all: $B/touchstone $B/touchstone-reference $B/touchstone-lab $B/nxcc $B/app/model $(NODES)/node/libkmath.a $(NODES)/node/commit ## Build everything into build/
 
-# Objects depend on this file, not on the Makefile: it is written when another compiler or other options are used.
-FLAGS := $(CC) $(CFLAGS) $(LTO) $(INLINE) $(AS_MAP)
+# Objects depend on this file, not on the Makefile: it is written when another compiler or other options are used. (The tree's own
+# place is none of them: objects are the same wherever they are built.)
+FLAGS := $(subst $(CURDIR),.,$(CC) $(CFLAGS) $(LTO) $(INLINE) $(AS_MAP))
 $B/obj/flags: FORCE
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' >$@
@@ -126,7 +127,8 @@ $B/app/model: $(APP_SRC) $(wildcard app/*.h) $(NXCC_C_DEPS) bench/paper/fitted.c
 
 # --- tests ---------------------------------------------------------------------------------------------------
 # A unit test is tests/FOLDER/test_NAME.c, linked with the simulator. A folder whose tests need other rules has a
-# FOLDER/*.mk that adds its binaries to UNIT. End-to-end tests are tests/e2e/*.sh.
+# FOLDER/*.mk that adds its binaries to UNIT. End-to-end tests are tests/e2e/*.sh. What a test itself computes needs no more than -O1:
+# to optimise it more took longer than to run it.
 OWN_RULES := $(wildcard tests/*/*.mk)
 UNIT      := $(filter-out $(addsuffix %,$(dir $(OWN_RULES))),$(wildcard tests/*/test_*.c))
 UNIT      := $(UNIT:%.c=$B/%)
@@ -134,7 +136,7 @@ UNIT      := $(UNIT:%.c=$B/%)
 $(UNIT): $B/%: %.c $B/libtouchstone.a
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
-	$(CC) $(CFLAGS) -MMD -MP -o $@ $< $B/libtouchstone.a -lcmocka $(LIBS)
+	$(CC) $(CFLAGS) -O1 -MMD -MP -o $@ $< $B/libtouchstone.a -lcmocka $(LIBS)
 
 -include $(UNIT:=.d)
 include $(OWN_RULES)
@@ -152,13 +154,14 @@ E2E_ONCE  = $(foreach once,exact tables tables_study profile_model mpi mpi_nx mp
 
 ASAN      = build/asan
 LIGHT     = build/light
+LIGHT_MAKE = B=$(LIGHT) NODES=$B OPT="-O1 -g0" LTO= AS_MAP=
 SUBMAKE   = @$(MAKE) --no-print-directory -j$(JOBS)
 ASAN_MAKE = $(SUBMAKE) B=$(ASAN) NODES=$B OPT="-O1 -g" LTO= SAN="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 
 test: setup ## Build and run all tests: unit, unit with sanitizers, end to end
 	$(SUBMAKE) all unit prover
 	$(ASAN_MAKE) all unit prover
-	$(SUBMAKE) B=build/O0 OPT="-O0 -g" LTO= build/O0/touchstone
+	$(SUBMAKE) $(LIGHT_MAKE) $(LIGHT)/touchstone
 	$(SUBMAKE) B=build/tsan OPT="-O1 -g" LTO= SAN="-fsanitize=thread" build/tsan/touchstone
 	@tests/run --changed $(HOUSE) $(UNIT) $(filter-out $(UNIT_ONCE),$(UNIT:$B/%=$(ASAN)/%)) $(E2E:%=%@$B) $(filter-out $(E2E_ONCE),$(E2E:%=%@$(ASAN)))
 
@@ -172,12 +175,12 @@ check: setup ## The quick test, while you work: unit tests without sanitizers, a
 
 # --- what a user calls ---------------------------------------------------------------------------------------
 tables: setup-tables ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
-	$(SUBMAKE) FOLD=yes $B/app/model tables-simulator
+	$(SUBMAKE) $(if $(wildcard $B/obj/nx_api/nxcc/race_*.o),,FOLD=yes) $B/app/model tables-simulator
 	$(LIGHT)/touchstone tables
 
 # What `make tables` runs, built in a quarter of the time: the programs are compiled as always, but what simulates is optimised less.
 tables-simulator:
-	@$(MAKE) --no-print-directory B=$(LIGHT) NODES=$B OPT="-O1 -g0" LTO= AS_MAP= ONLY=tables $(LIGHT)/touchstone $(LIGHT)/touchstone-lab $(LIGHT)/app
+	@$(MAKE) --no-print-directory $(LIGHT_MAKE) ONLY=tables $(LIGHT)/touchstone $(LIGHT)/touchstone-lab $(LIGHT)/app
 
 SECONDS ?= 60
 SEED    ?=

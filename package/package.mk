@@ -37,8 +37,8 @@ install: all man $B/completion/bash/touchstone ## Install into PREFIX (default /
 uninstall: ## Remove what make install put into PREFIX, and nothing else
 	package/uninstall "$(DESTDIR)" "$(abspath $(PREFIX))"
 
-deb: deb-setup ## Build Debian packages of touchstone into build/deb
-	package/deb build/deb
+deb: deb-setup ## Build Debian packages of touchstone into build/deb; BUILT=build: of what is compiled there
+	package/deb build/deb $(BUILT)
 
 deb-test: deb-setup ## Install build/deb's packages in a new Debian system below build/, and use them there (needs root, network)
 	package/deb-test build/deb

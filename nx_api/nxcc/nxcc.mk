@@ -8,6 +8,7 @@ PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$(NODES)/obj/%.o)
 # Most of a file's time is that of headers and their templates. With FOLD=yes files are compiled together, as two, which takes half the
 # time; but those that have names of their own for what others call the same (start_unit, local). tests/house/check needs all alone.
+# (make tables asks for it where they have not been compiled alone: another plugin would make all node code anew.)
 ifeq ($(FOLD),yes)
 PLUGIN_ALONE  := $(patsubst %,nx_api/nxcc/%.cc,argument_counts data_names long32 long_abi plugin redeclare statics unset)
 PLUGIN_RACES  := $(wildcard nx_api/nxcc/race_*.cc)

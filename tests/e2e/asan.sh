@@ -10,7 +10,7 @@ compiled() { # PROGRAM SOURCE OPTIONS...
     local compiler=nxcc program=$1
     [ "${2##*.}" = F ] && compiler=nxf77
     shift
-    "$BUILD/$compiler" -g -w -o "$program" "$@"
+    compiled_once "$program" $compiler -g -w "$@"
 }
 
 arguments_of() { # SOURCE

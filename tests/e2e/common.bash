@@ -10,12 +10,13 @@
 tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$tests/../patience.bash"
 BUILD=$(cd "${BUILD:-$tests/../../build}" && pwd)
+. "$tests/../compiled.bash"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
 compile() {
-    "$BUILD/nxcc" -O2 -g -Wall -o "$1" "$tests/$1.c" 2>compile.err && return
+    compiled_once "$1" nxcc -O2 -g -Wall "$tests/$1.c" 2>compile.err && return
     echo "not ok $1.c compiles"
     cat compile.err
 }
@@ -60,11 +61,11 @@ said() { grep -qE -- "$1" err; }
 # All that a run gives, without its wall times. Never the same twice for what cannot be run: a test that compares two of these
 # has compared nothing then.
 run_results() { # ARGS...
-    rm -f f.json
+    : >f.json
     limited "${touchstone:-$BUILD/touchstone}" run --max-wall-time $((patience / 2)) --json f.json "$@" >out 2>err </dev/null
     status=$?
     [ $status -lt 64 ] || echo "cannot be run: $RANDOM$RANDOM"
-    echo "status $status" && cat out && sed '/^wall time/d' err && { [ ! -e f.json ] || grep -v wall_time f.json; }
+    echo "status $status" && sed -s '/^wall time/d; /^ *"[^"]*wall_time/d' out err f.json
 }
 
 # A run with these arguments gives the same in both engines, and with 1, 2 and 4 workers.
@@ -89,5 +90,5 @@ compile_rule() { # SOURCE
     name=$(basename "$1" .c)
     options=$(sed -n 's/^ \* compile: //p' "$1")
     # shellcheck disable=SC2086
-    "$BUILD/nxcc" -O2 -g $options -o "$name" "$1" -lm 2>compile.err || check "$name compiles" cat compile.err
+    compiled_once "$name" nxcc -O2 -g $options "$1" -lm 2>compile.err || check "$name compiles" cat compile.err
 }

@@ -9,6 +9,7 @@
 # without: touchstone-lab app
 BUILD=$(cd "${BUILD:-build}" && pwd)
 . tests/patience.bash
+. tests/compiled.bash
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -32,7 +33,9 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do basename "${source%.*
 if diff "$work/named" "$work/there"; then echo "ok RULES.md names the programs"; else echo "not ok RULES.md names the programs"; fi
 
 compiled() { # NAME SOURCE OPTIONS...
-    if ! "$BUILD/nxcc" -O2 -g -J "$work" "${@:3}" -o "$work/$1" "$2" -lm 2>"$work/err"; then
+    local modules=()
+    [ "${2%.c}" != "$2" ] || modules=(-J "$work")
+    if ! compiled_once "$work/$1" nxcc -O2 -g "${modules[@]}" "${@:3}" "$PWD/$2" -lm 2>"$work/err"; then
         echo "not ok $1 ${*:3}: does not compile"
         cat "$work/err"
         false

@@ -9,7 +9,7 @@ pairs=0
 compiled() { # SOURCE OPTIONS...
     local compiler=nxcc
     [ "${1##*.}" = F ] && compiler=nxf77
-    "$BUILD/$compiler" --races -O2 -g -o seed "$@"
+    compiled_once seed $compiler --races -O2 -g "$@"
 }
 
 run_seed() { # SOURCE OPTIONS...

@@ -8,14 +8,24 @@ check "it ends well" ended_with 0
 check "every row stands beside the paper's" test "$(grep -cE '^ +[0-9]+ +[0-9.]+ +[0-9.]+ +[-+][0-9.]+ %' out)" = 8
 check "the mean error is given" grep -qE 'mean error [0-9.]+ %, worst' out
 for f in tables.json table-1.png table-1.svg; do check "$f is there" test -s first/$f; done
+
+# Killed when some rows are there, it goes on from them; once all are there, the next one begins anew. So all rows have run twice.
+"$BUILD/touchstone" tables -t 1 -o again -j 2 >out 2>err &
+has_two() { [ "$(cat again/journal 2>/dev/null | grep -c ' d {')" -ge 2 ]; }
+awaited has_two
+kill -9 $!
+wait $! 2>/dev/null
 # In place of gnuplot: keeps the script.
 mkdir bin
 printf '#!/bin/sh\ncp "$1" %s/plot\n' "$work" >bin/gnuplot
 chmod +x bin/gnuplot
 PATH=$work/bin:$PATH "$BUILD/touchstone" tables -t 1 -o again >out 2>err
+status=$?
+check "after kill -9 it goes on" bash -c '[ "$1" = 0 ] && grep -qE "^[2-8] of 8 runs are in again/journal" err' - $status
 grep -v wall_time first/tables.json >a
 grep -v wall_time again/tables.json >b
 check "all but wall times is the same twice" cmp a b
+check "and nothing is kept when all is there" test ! -e again/journal
 
 # Of each row: nodes and the error as printed; and as drawn below the times, for which 0 is no residual.
 printed() { sed -nE 's/^ +([0-9]+) +[0-9.]+ +[0-9.]+ +([-+][0-9.]+) %.*/\1 \2/p' out; }
@@ -24,15 +34,3 @@ check "each row's residual is drawn" bash -c '[ "$1" = "$2" ] && [ $(wc -l <<<"$
 check "the speed-up's residual is that of T(1) / T(N)" awk '$1 == "$data" { on = 1; next } $1 == "END" { on = 0 }
     on && ($7 - 100 * ($4 / $5 - 1)) ^ 2 > 1e-10 { bad = 1 } on { n++ } END { exit bad || n != 8 }' plot
 check "in a panel with a line at 0" test "$(grep -c '^plot 0 with lines .*using 1:6' plot)" = 2
-
-# Killed when some rows are there, it goes on from them; once all are there, the next one begins anew.
-"$BUILD/touchstone" tables -t 1 -o killed -j 2 >out 2>err &
-has_two() { [ "$(cat killed/journal 2>/dev/null | grep -c ' d {')" -ge 2 ]; }
-awaited has_two
-kill -9 $!
-wait $! 2>/dev/null
-"$BUILD/touchstone" tables -t 1 -o killed >out 2>err
-status=$?
-check "after kill -9 it goes on" bash -c '[ "$1" = 0 ] && grep -qE "^[2-8] of 8 runs are in killed/journal" err' - $status
-check "with the same result" cmp a <(grep -v wall_time killed/tables.json)
-check "and keeps nothing when all is there" test ! -e killed/journal
