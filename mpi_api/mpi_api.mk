@@ -4,7 +4,7 @@
 MPI_LIB_SRC := $(wildcard mpi_api/lib/*.c mpi_api/fortran/*.c)
 MPI_LIB_OBJ := $(MPI_LIB_SRC:%.c=$(NODE)/obj/%.o)
 MPI_TELL    := $(NODE)/obj/mpi_api/lib/tell.o
-MPI_LIB_HDR := $(wildcard mpi_api/*/*.h mpi_api/core/*.def)
+MPI_LIB_HDR := $(wildcard mpi_api/*/*.h)
 MPI_HEADERS := $(addprefix $(NODE)/mpi_include/,mpi.h mpi_calls.h mpif.h mpi.mod)
 
 $(MPI_LIB_OBJ): $(NODE)/obj/mpi_api/%.o: mpi_api/%.c $(MPI_LIB_HDR) $(NODE_TOOLS)

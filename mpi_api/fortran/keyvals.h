@@ -66,7 +66,7 @@ static int make_key(f_copy *copy, f_delete *drop, f_int *key, MPI_Aint extra)
     }                                                                                                        \
     FORTRAN(lower##_free_keyval, (f_int * key, f_int * ierr))                                                \
     {                                                                                                        \
-        *ierr = attribute_key_free("MPI_" #Upper "_free_keyval", key);                                       \
+        *ierr = attribute_key_free(CALL_##Upper##_free_keyval, key);                                         \
     }                                                                                                        \
     FORTRAN(lower##_delete_attr, (f_int * handle, f_int * key, f_int * ierr))                                \
     {                                                                                                        \

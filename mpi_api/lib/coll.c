@@ -47,15 +47,17 @@ void coll_forget(const struct prepared *p)
     args_leave(&p->args);
 }
 
-int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request)
+int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run,
+                 MPI_Request *request)
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Start);
-    a->o = coll_of(c, CALL_Start);
+        return fail_comm(call);
+    a->o = coll_of(c, call);
     int code = check(a);
     if (code)
         return code;
+    a->o.call = CALL_Start;
     struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
     *p = (struct prepared){*a, run};

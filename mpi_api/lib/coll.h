@@ -40,7 +40,8 @@ typedef int coll_run(struct args *a);
 /* Checks and runs a collective; or begins one, whose request is `request`. */
 int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
 /* The request of a persistent one, which MPI_Start begins. */
-int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
+int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run,
+                 MPI_Request *request);
 void coll_restart(struct request *r);
 void coll_forget(const struct prepared *p); /* it is about to be freed */
 
@@ -60,7 +61,7 @@ void coll_forget(const struct prepared *p); /* it is about to be freed */
     {                                                                                                        \
         struct args a = {__VA_ARGS__};                                                                       \
         (void)info;                                                                                          \
-        return coll_prepare(&a, comm, check_##function, function, request);                                  \
+        return coll_prepare(&a, CALL_##name##_init, comm, check_##function, function, request);              \
     }
 #define COLL_LIST(...) __VA_ARGS__ __VA_OPT__(, )
 

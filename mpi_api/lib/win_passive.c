@@ -258,5 +258,5 @@ CALL(Win_flush_local_all, (MPI_Win win))
 
 CALL(Win_sync, (MPI_Win win))
 {
-    return win_of(win) ? MPI_SUCCESS : fail_no_win_of(CALL_NAME);
+    return win_of(win) ? MPI_SUCCESS : fail_no_win(CALL_Win_sync);
 }

@@ -80,7 +80,6 @@ struct win {
 struct win *win_of(MPI_Win handle); /* NULL: none */
 int fail_win(struct win *w, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_no_win(int call);
-int fail_no_win_of(const char *call);
 
 /* --- accesses --- */
 
