@@ -112,6 +112,20 @@ int coll_check(const struct coll *o, int count, MPI_Datatype t)
     return MPI_SUCCESS;
 }
 
+/* They begin at one place. Parts of other types or at other places may lie apart all the same, and there may be
+ * no elements. */
+int coll_fail_same(const struct args *a)
+{
+    bool same = (a->op || a->type == a->as) && a->types == a->ases && (!a->places || a->at == a->places);
+    bool any = any_bytes(a->count, a->type);
+    for (int i = 0; a->counts && i < a->o.size; i++)
+        any = any || a->counts[i] > 0;
+    if (a->o.c->remote || !same || !any)
+        return MPI_SUCCESS;
+    return fail(a->o.c, a->o.call, MPI_ERR_BUFFER,
+                "what is sent and what is received are the same memory: MPI_IN_PLACE says so");
+}
+
 /* --- messages --- */
 
 static struct nxm_envelope envelope(const struct coll *o, int peer)

@@ -72,6 +72,13 @@ int coll_check_root(const struct coll *o, int root);
 /* A count and a type of an argument. */
 int coll_check(const struct coll *o, int count, MPI_Datatype t);
 
+/* What is sent may not be what is received, but by MPI_IN_PLACE: an error if they are the same memory. */
+int coll_fail_same(const struct args *a);
+static inline int coll_check_apart(const struct args *a)
+{
+    return __builtin_expect(a->buf == a->into, 0) ? coll_fail_same(a) : MPI_SUCCESS;
+}
+
 void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to);
 int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int from);
 /* Both at once. */

@@ -425,7 +425,11 @@ CALL(Intercomm_create,
         free(nodes);
     }
     coll_bcast(&o, remote->nodes, theirs.size, MPI_INT, leader);
-    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(c->local), group_done(remote), theirs.context), c));
+    if (group_done(remote)->rank >= 0) {
+        group_leave(remote);
+        return fail(c, CALL_Intercomm_create, MPI_ERR_COMM, "rank %d is in both groups", o.rank);
+    }
+    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(c->local), remote, theirs.context), c));
     return MPI_SUCCESS;
 }
 

@@ -23,6 +23,16 @@ int fail_no_win(int call)
     return fail(NULL, call, MPI_ERR_WIN, "the window is null, or freed");
 }
 
+int win_check_idle(struct win *w, int call)
+{
+    const char *begun = w->started  ? "MPI_Win_start"
+                        : w->posted ? "MPI_Win_post"
+                        : w->all    ? "MPI_Win_lock_all"
+                        : w->locks  ? "MPI_Win_lock"
+                                    : NULL;
+    return begun ? fail_win(w, call, MPI_ERR_RMA_SYNC, "an epoch of %s goes on", begun) : MPI_SUCCESS;
+}
+
 /* --- making and freeing --- */
 
 static int check(struct comm *c, int call, MPI_Aint size, int unit)
@@ -144,8 +154,11 @@ CALL(Win_free, (MPI_Win * win))
     struct win *w = win_of(*win);
     if (!w)
         return fail_no_win(CALL_Win_free);
+    int code = win_check_idle(w, CALL_Win_free);
+    if (code)
+        return code;
     const struct coll o = coll_of(w->comm, CALL_Win_free);
-    int code = attribute_delete_all((void *)*win, &w->attributes);
+    code = attribute_delete_all((void *)*win, &w->attributes);
     if (code)
         return fail_win(w, CALL_Win_free, code, "an attribute's delete function says no");
     coll_barrier(&o);

@@ -24,4 +24,22 @@ isendrecv_replace|invalid tag|MPI_Isendrecv_replace|tag -1 is out of range
 split_type|invalid communicator|MPI_Comm_split_type|the communicator is null
 dup_with_info|invalid communicator|MPI_Comm_dup_with_info|the communicator is null
 ineighbor|invalid topology|MPI_Ineighbor_alltoall|the communicator has neither a grid
+free_locked|the window may not be used at this time|MPI_Win_free|an epoch of MPI_Win_lock goes on
+fence_locked|the window may not be used at this time|MPI_Win_fence|an epoch of MPI_Win_lock_all goes on
+free_posted|the window may not be used at this time|MPI_Win_free|an epoch of MPI_Win_post goes on
+overlap|invalid communicator|MPI_Intercomm_create|rank [01] is in both groups
+allreduce|invalid buffer|MPI_Allreduce|what is sent and what is received
+iallreduce|invalid buffer|MPI_Iallreduce|what is sent and what is received
+reduce|invalid buffer|MPI_Reduce|what is sent and what is received
+scan|invalid buffer|MPI_Scan|what is sent and what is received
+reduce_scatter|invalid buffer|MPI_Reduce_scatter|what is sent and what is received
+block|invalid buffer|MPI_Reduce_scatter_block|what is sent and what is received
+allgather|invalid buffer|MPI_Allgather|what is sent and what is received
+gather|invalid buffer|MPI_Gather|what is sent and what is received
+scatter|invalid buffer|MPI_Scatter|what is sent and what is received
+alltoall|invalid buffer|MPI_Alltoall|what is sent and what is received
+alltoallv|invalid buffer|MPI_Alltoallv|what is sent and what is received
 END
+run -q -n 4 mpi_wrong fine
+check "what only looks wrong is no error" test "$status:$(cat out)" = "0:no error"
+equal_results "the errors" -n 4 mpi_wrong overlap
