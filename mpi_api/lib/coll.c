@@ -112,8 +112,8 @@ int coll_check(const struct coll *o, int count, MPI_Datatype t)
     return MPI_SUCCESS;
 }
 
-/* They begin at one place. Parts of other types or at other places may lie apart all the same, and there may be
- * no elements. */
+/* They begin at one place. Parts of other types or at other places may lie apart all the same, and there may
+ * be no elements. */
 int coll_fail_same(const struct args *a)
 {
     bool same = (a->op || a->type == a->as) && a->types == a->ases && (!a->places || a->at == a->places);
