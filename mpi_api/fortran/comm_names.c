@@ -97,6 +97,20 @@ FORTRAN(comm_dup_with_info, (f_int * comm, f_int *info, f_int *to, f_int *ierr))
     NEW(MPI_Comm, to, MPI_Comm_dup_with_info(F_COMM(comm), F_HANDLE(MPI_Info, *info), &made));
 }
 
+FORTRAN(comm_idup, (f_int * comm, f_int *to, f_int *request, f_int *ierr))
+{
+    MPI_Comm copy = MPI_COMM_NULL;
+    NEW(MPI_Request, request, MPI_Comm_idup(F_COMM(comm), &copy, &made));
+    *to = F_OF(copy);
+}
+
+FORTRAN(comm_idup_with_info, (f_int * comm, f_int *info, f_int *to, f_int *request, f_int *ierr))
+{
+    MPI_Comm copy = MPI_COMM_NULL;
+    NEW(MPI_Request, request, MPI_Comm_idup_with_info(F_COMM(comm), F_HANDLE(MPI_Info, *info), &copy, &made));
+    *to = F_OF(copy);
+}
+
 FORTRAN(comm_create_group, (f_int * comm, f_int *group, f_int *tag, f_int *to, f_int *ierr))
 {
     NEW(MPI_Comm, to, MPI_Comm_create_group(F_COMM(comm), F_GROUP(group), *tag, &made));

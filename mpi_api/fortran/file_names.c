@@ -185,3 +185,42 @@ FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *byte
     SECOND(file_##way##_at_all_end, File_##way##_at_all_end)
 CALLS(read)
 CALLS(write)
+
+/* --- representations of data --- */
+
+/* The function for extents is Fortran's. */
+struct f_datarep {
+    void (*extent)(f_int *type, MPI_Aint *extent, MPI_Aint *extra, f_int *ierr);
+    MPI_Aint extra;
+};
+
+static int extent_in_file(MPI_Datatype type, MPI_Aint *extent, void *extra)
+{
+    struct f_datarep *r = extra;
+    f_int handle = F_OF(type), code = MPI_SUCCESS;
+    r->extent(&handle, extent, &r->extra, &code);
+    return code;
+}
+
+/* Stands for MPI_CONVERSION_FN_NULL, and is never called. */
+void mpi_conversion_fn_null_(void);
+void mpi_conversion_fn_null_(void) {}
+
+static MPI_Datarep_conversion_function *conversion(void (*function)(void))
+{
+    return function == mpi_conversion_fn_null_ ? MPI_CONVERSION_FN_NULL
+                                               : (MPI_Datarep_conversion_function *)(void *)function;
+}
+
+FORTRAN(register_datarep, (const char *name, void (*read)(void), void (*write)(void),
+                           void (*extent)(f_int *, MPI_Aint *, MPI_Aint *, f_int *), MPI_Aint *extra,
+                           f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    struct f_datarep *r = get_memory(sizeof *r); /* as long as the representation */
+    *r = (struct f_datarep){extent, *extra};
+    *ierr = MPI_Register_datarep(text, conversion(read), conversion(write), extent_in_file, r);
+    if (*ierr)
+        free(r);
+    free(text);
+}

@@ -5,7 +5,7 @@
 #define MPI_FORTRAN_H
 #include <stdlib.h>
 #include <string.h>
-#include "mpi_api/lib/lib.h"
+#include "mpi_api/lib/coll.h"
 
 typedef MPI_Fint f_int;
 
@@ -63,6 +63,25 @@ static inline MPI_Datatype *f_types(const f_int *list, int count)
         types[i] = F_TYPE(&list[i]);
     return types;
 }
+
+/* The same of two lists, one behind the other: of those that are sent, and of those that are received. */
+static inline MPI_Datatype *f_both_types(const f_int *out, int outs, const f_int *in, int ins)
+{
+    MPI_Datatype *types = get_memory(((size_t)outs + (size_t)ins) * sizeof *types);
+    for (int i = 0; i < outs + ins; i++)
+        types[i] = F_TYPE(i < outs ? &out[i] : &in[i - outs]);
+    return types;
+}
+
+/* A call with such a list, which makes a request: the list lasts as long as that. */
+#define NEW_WITH_LIST(x, list, call)                                                                         \
+    do {                                                                                                     \
+        NEW(MPI_Request, x, call);                                                                           \
+        if (*ierr)                                                                                           \
+            free(list);                                                                                      \
+        else                                                                                                 \
+            coll_keep_list(F_HANDLE(MPI_Request, *(x)), list);                                               \
+    } while (0)
 
 /* A text without the blanks behind it, to be freed; a text with blanks behind it. */
 static inline char *f_text(const char *s, size_t length)

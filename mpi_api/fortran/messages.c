@@ -54,6 +54,21 @@ FORTRAN(sendrecv_replace, (void *buf, f_int *count, f_int *type, f_int *dest, f_
                                  f_status(status));
 }
 
+FORTRAN(isendrecv, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, void *into, f_int *room,
+                    f_int *as, f_int *source, f_int *select, f_int *comm, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request,
+        MPI_Isendrecv(buf, *count, F_TYPE(type), *dest, *tag, into, *room, F_TYPE(as), *source, *select,
+                      F_COMM(comm), &made));
+}
+
+FORTRAN(isendrecv_replace, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *source,
+                            f_int *select, f_int *comm, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request,
+        MPI_Isendrecv_replace(buf, *count, F_TYPE(type), *dest, *tag, *source, *select, F_COMM(comm), &made));
+}
+
 FORTRAN(buffer_attach, (void *buf, f_int *size, f_int *ierr))
 {
     *ierr = MPI_Buffer_attach(buf, *size);
@@ -84,6 +99,11 @@ FORTRAN(get_count, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 FORTRAN(get_elements, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 {
     *ierr = MPI_Get_elements((MPI_Status *)status, F_TYPE(type), count);
+}
+
+FORTRAN(get_elements_x, (f_int * status, f_int *type, MPI_Count *count, f_int *ierr))
+{
+    *ierr = MPI_Get_elements_x((MPI_Status *)status, F_TYPE(type), count);
 }
 
 FORTRAN(test_cancelled, (f_int * status, f_int *flag, f_int *ierr))
@@ -251,49 +271,38 @@ COLL(reduce_scatter_block, Reduce_scatter_block, (OPERANDS), (GIVEN))
 COLL(reduce_scatter, Reduce_scatter, (void *buf, void *into, f_int *counts, f_int *type, f_int *op),
      (f_buffer(buf), into, counts, F_TYPE(type), F_HANDLE(MPI_Op, *op)))
 
-/* The datatypes for each rank, and behind them those from each, to be freed; NULL: there is an error. */
-static MPI_Datatype *types_of_each(MPI_Comm comm, const f_int *types, const f_int *as, int *size, f_int *ierr)
+/* How many datatypes a list has: one for each rank. (A communicator that is none is for the call to refuse.) */
+static int ranks_of(MPI_Comm comm)
 {
-    int inter = 0;
-    *ierr = MPI_Comm_test_inter(comm, &inter);
-    if (!*ierr)
-        *ierr = inter ? MPI_Comm_remote_size(comm, size) : MPI_Comm_size(comm, size);
-    if (*ierr)
-        return NULL;
-    MPI_Datatype *lists = get_memory(2 * (size_t)*size * sizeof *lists);
-    for (int i = 0; i < *size; i++)
-        lists[i] = F_TYPE(&types[i]), lists[*size + i] = F_TYPE(&as[i]);
-    return lists;
+    const struct comm *c = comm_of(comm);
+    return c ? c->peers->size : 0;
 }
 
-FORTRAN(alltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms,
-                    f_int *places, f_int *as, f_int *comm, f_int *ierr))
+#define EACH                                                                                                 \
+    void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms, f_int *places, f_int *as,   \
+        f_int *comm
+#define GIVE_EACH f_buffer(buf), counts, at, list, into, rooms, places, list + ranks, F_COMM(comm)
+
+FORTRAN(alltoallw, (EACH, f_int *ierr))
 {
-    int size;
-    MPI_Datatype *lists = types_of_each(F_COMM(comm), types, as, &size, ierr);
-    if (!lists)
-        return;
-    *ierr = MPI_Alltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm));
-    free(lists);
+    int ranks = ranks_of(F_COMM(comm));
+    MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
+    *ierr = MPI_Alltoallw(GIVE_EACH);
+    free(list);
 }
 
-/* The lists last as long as the request. */
-FORTRAN(ialltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms,
-                     f_int *places, f_int *as, f_int *comm, f_int *request, f_int *ierr))
+FORTRAN(ialltoallw, (EACH, f_int *request, f_int *ierr))
 {
-    int size;
-    MPI_Request made;
-    MPI_Datatype *lists = types_of_each(F_COMM(comm), types, as, &size, ierr);
-    if (!lists)
-        return;
-    *ierr = MPI_Ialltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm),
-                           &made);
-    if (*ierr) {
-        free(lists);
-        return;
-    }
-    ((struct request *)object_of(made, REQUEST))->packed = lists;
-    *request = F_OF(made);
+    int ranks = ranks_of(F_COMM(comm));
+    MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
+    NEW_WITH_LIST(request, list, MPI_Ialltoallw(GIVE_EACH, &made));
+}
+
+FORTRAN(alltoallw_init, (EACH, f_int *info, f_int *request, f_int *ierr))
+{
+    int ranks = ranks_of(F_COMM(comm));
+    MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
+    NEW_WITH_LIST(request, list, MPI_Alltoallw_init(GIVE_EACH, F_HANDLE(MPI_Info, *info), &made));
 }
 
 FORTRAN(reduce_local, (void *in, void *inout, f_int *count, f_int *type, f_int *op, f_int *ierr))

@@ -11,6 +11,11 @@ FORTRAN(status_set_elements, (f_int * status, f_int *type, f_int *count, f_int *
     *ierr = MPI_Status_set_elements((MPI_Status *)status, F_TYPE(type), *count);
 }
 
+FORTRAN(status_set_elements_x, (f_int * status, f_int *type, MPI_Count *count, f_int *ierr))
+{
+    *ierr = MPI_Status_set_elements_x((MPI_Status *)status, F_TYPE(type), *count);
+}
+
 FORTRAN(status_set_cancelled, (f_int * status, f_int *flag, f_int *ierr))
 {
     *ierr = MPI_Status_set_cancelled((MPI_Status *)status, *flag);

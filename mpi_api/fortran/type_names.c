@@ -116,6 +116,11 @@ FORTRAN(type_size, (f_int * type, f_int *size, f_int *ierr))
     *ierr = MPI_Type_size(F_TYPE(type), size);
 }
 
+FORTRAN(type_size_x, (f_int * type, MPI_Count *size, f_int *ierr))
+{
+    *ierr = MPI_Type_size_x(F_TYPE(type), size);
+}
+
 #define SHORT_EXTENT(name, c_name)                                                                           \
     FORTRAN(name, (f_int * type, f_int * bytes, f_int * ierr))                                               \
     {                                                                                                        \
@@ -127,15 +132,15 @@ SHORT_EXTENT(type_extent, Type_extent)
 SHORT_EXTENT(type_lb, Type_lb)
 SHORT_EXTENT(type_ub, Type_ub)
 
-FORTRAN(type_get_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
-{
-    *ierr = MPI_Type_get_extent(F_TYPE(type), lb, extent);
-}
-
-FORTRAN(type_get_true_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
-{
-    *ierr = MPI_Type_get_true_extent(F_TYPE(type), lb, extent);
-}
+#define EXTENT(name, c_name, type_of_value)                                                                  \
+    FORTRAN(name, (f_int * type, type_of_value * lb, type_of_value * extent, f_int * ierr))                  \
+    {                                                                                                        \
+        *ierr = MPI_##c_name(F_TYPE(type), lb, extent);                                                      \
+    }
+EXTENT(type_get_extent, Type_get_extent, MPI_Aint)
+EXTENT(type_get_extent_x, Type_get_extent_x, MPI_Count)
+EXTENT(type_get_true_extent, Type_get_true_extent, MPI_Aint)
+EXTENT(type_get_true_extent_x, Type_get_true_extent_x, MPI_Count)
 
 FORTRAN(address, (void *at, f_int *address, f_int *ierr))
 {

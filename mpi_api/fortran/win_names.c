@@ -19,6 +19,17 @@ FORTRAN(win_allocate,
     WITH(MPI_Win, win, MPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
 }
 
+FORTRAN(win_allocate_shared,
+        (MPI_Aint * size, f_int *unit, f_int *info, f_int *comm, void *base, f_int *win, f_int *ierr))
+{
+    NEW(MPI_Win, win, MPI_Win_allocate_shared(*size, *unit, F_INFO(info), F_COMM(comm), base, &made));
+}
+
+FORTRAN(win_shared_query, (f_int * win, f_int *rank, MPI_Aint *size, f_int *unit, void *base, f_int *ierr))
+{
+    *ierr = MPI_Win_shared_query(F_WIN(win), *rank, size, unit, base);
+}
+
 /* Places in a dynamic window are Fortran's addresses, which are counted from MPI_BOTTOM. */
 FORTRAN(win_create_dynamic, (f_int * info, f_int *comm, f_int *win, f_int *ierr))
 {

@@ -26,6 +26,7 @@ struct coll coll_inside(const struct coll *o)
 struct prepared {
     struct args args;
     coll_run *run;
+    void *list; /* coll_keep_list */
 };
 
 void args_keep(const struct args *a)
@@ -45,6 +46,16 @@ void args_leave(const struct args *a)
 void coll_forget(const struct prepared *p)
 {
     args_leave(&p->args);
+    free(p->list);
+}
+
+void coll_keep_list(MPI_Request request, void *list)
+{
+    struct request *r = object_of(request, REQUEST);
+    if (r->prepared)
+        r->prepared->list = list;
+    else
+        r->packed = list; /* freed when it is done */
 }
 
 int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run,
@@ -60,7 +71,7 @@ int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_
     a->o.call = CALL_Start;
     struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
-    *p = (struct prepared){*a, run};
+    *p = (struct prepared){*a, run, NULL};
     args_keep(a);
     r->what = COLLECTS, r->persistent = true, r->comm = c, r->prepared = p;
     c->object.users++;

@@ -44,6 +44,8 @@ int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_
                  MPI_Request *request);
 void coll_restart(struct request *r);
 void coll_forget(const struct prepared *p); /* it is about to be freed */
+/* A list that the collective was given is freed with its request. */
+void coll_keep_list(MPI_Request request, void *list);
 
 /* The three forms of a call. The parameters, in parentheses; the values of struct args. */
 #define COLLECTIVE(name, iname, function, parameters, ...)                                                   \
