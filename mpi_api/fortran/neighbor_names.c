@@ -4,7 +4,7 @@
 #define NEIGHBOR(name, parameters, arguments)                                                                \
     FORTRAN(neighbor_##name, (LIST parameters, f_int * comm, f_int * ierr))                                  \
     {                                                                                                        \
-        *ierr = MPI_Neighbor_##name(LIST arguments, F_COMM(comm));                                           \
+        IERR = MPI_Neighbor_##name(LIST arguments, F_COMM(comm));                                            \
     }                                                                                                        \
     FORTRAN(ineighbor_##name, (LIST parameters, f_int * comm, f_int * request, f_int * ierr))                \
     {                                                                                                        \
@@ -24,7 +24,7 @@ NEIGHBOR(alltoall, (FROM, INTO), (GIVES, GETS))
 NEIGHBOR(alltoallv, (void *buf, f_int *counts, f_int *at, f_int *type, INTO_EACH),
          (buf, counts, at, F_TYPE(type), GETS_EACH))
 
-/* How many neighbours send to the rank, and receive from it; none on a communicator that the call will refuse. */
+/* The neighbours that send to the rank, and receive from it. (What has none is for the call to refuse.) */
 static void count_neighbors(MPI_Comm comm, int *ins, int *outs)
 {
     const struct comm *c = comm_of(comm);
@@ -48,7 +48,7 @@ FORTRAN(neighbor_alltoallw, (EACH, f_int *ierr))
     int ins, outs;
     count_neighbors(F_COMM(comm), &ins, &outs);
     MPI_Datatype *list = f_both_types(types, outs, as, ins);
-    *ierr = MPI_Neighbor_alltoallw(GIVE_EACH);
+    IERR = MPI_Neighbor_alltoallw(GIVE_EACH);
     free(list);
 }
 
