@@ -1,7 +1,6 @@
 /* core.c - see core.h: MPI's messages, on a node's mailbox. */
 #include "mpi_api/core/core.h"
 #include <stdint.h>
-#include <string.h>
 #include "mpi_api/core/completion.h"
 #include "nx_api/calls/msgwait.h"
 #include "nx_api/calls/probe.h"
